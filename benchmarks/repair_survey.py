@@ -5,10 +5,11 @@
   benchmarks/repair_survey.py [--command build/release/bin/seamwright] [--limit SECONDS] [--out DIR]
                               MODEL... [-- OPTIONS OF REPAIR]
 
-For each model: seams; defects before, after in memory, and in the written file; seams that are defects in the file but were none before,
-without those that writing the given model spoils; faces moved, and those of them that are worse; the largest move; and the time of the
-repair beside that of the analysis. Then the sums, the median of the times, and how often each reason was given for a seam that was left.
-The reports stay in DIR, and models that have one are not repaired again.
+For each model: seams; defects before, after in memory, and in the written file; seams that are
+defects in the file but were none before, without those that writing the given model spoils; faces
+moved, and those of them that are worse; the largest move; and the time of the repair beside that of
+the analysis. Then the sums, the median of the times, and how often each reason was given for a seam
+that was left. The reports stay in DIR, and models that have one are not repaired again.
 """
 import argparse
 import collections
@@ -19,24 +20,53 @@ import subprocess
 import sys
 from pathlib import Path
 
-COLUMNS = ["seams", "defects", "after", "in file", "worse seams", "moved", "worse", "move mm", "time"]
+COLUMNS = [
+    "seams",
+    "defects",
+    "after",
+    "in file",
+    "worse seams",
+    "moved",
+    "worse",
+    "move mm",
+    "time",
+]
 
 
 def run(command, limit_s):
     done = subprocess.run(command, capture_output=True, text=True, timeout=limit_s)
     if done.returncode not in (0, 1):
-        raise RuntimeError(done.stderr.strip().splitlines()[-1] if done.stderr.strip() else f"exit {done.returncode}")
+        raise RuntimeError(
+            done.stderr.strip().splitlines()[-1]
+            if done.stderr.strip()
+            else f"exit {done.returncode}"
+        )
     return done
 
 
 def report_of(model, out, arguments, options):
-    """The report of the repair, with the time of the analysis and the seams that are worse in the file."""
+    """The report of the repair, with the time of the analysis and the seams that are worse in the
+    file."""
     kept = out / (model.name + ".json")
     if not kept.exists():
-        analysis = json.loads(run([arguments.command, "analyze", model, "--format", "json"], arguments.limit).stdout)
+        analysis = json.loads(
+            run([arguments.command, "analyze", model, "--format", "json"], arguments.limit).stdout
+        )
         fresh = kept.with_suffix(".part")
-        run([arguments.command, "repair", model, "-o", out / written_name(model), "--overwrite", "--json", fresh,
-             *options], arguments.limit)
+        run(
+            [
+                arguments.command,
+                "repair",
+                model,
+                "-o",
+                out / written_name(model),
+                "--overwrite",
+                "--json",
+                fresh,
+                *options,
+            ],
+            arguments.limit,
+        )
         report = json.loads(fresh.read_text())
         report["analysis_s"] = analysis["time_s"]["analyze"]
         fresh.write_text(json.dumps(report))
@@ -53,9 +83,14 @@ def faces_of(seam):
 
 
 def worse_in_file(report):
-    """Defects of the file alone between faces that had fewer before the repair, but for those that writing alone spoils."""
-    before = collections.Counter(faces_of(s["before"]) for s in report["seams"] if s["before"]["class"] == "defect")
-    in_file = collections.Counter(faces_of(s["after"]) for s in report["seams"] if s["after"]["class"] == "defect")
+    """Defects of the file alone between faces that had fewer before the repair, but for those that
+    writing alone spoils."""
+    before = collections.Counter(
+        faces_of(s["before"]) for s in report["seams"] if s["before"]["class"] == "defect"
+    )
+    in_file = collections.Counter(
+        faces_of(s["after"]) for s in report["seams"] if s["after"]["class"] == "defect"
+    )
     in_file.update(faces_of(s) for s in report["output"]["only_in_file"])
     grown = sum(max(0, in_file[faces] - before[faces]) for faces in in_file)
     return max(0, grown - (report["output"]["spoilt_by_writing"] or 0))
@@ -63,15 +98,25 @@ def worse_in_file(report):
 
 def row_of(report):
     summary = report["summary"]
-    return {"seams": summary["seams"], "defects": summary["defects_before"], "after": summary["defects_after"],
-            "in file": report["output"]["defects"], "worse seams": worse_in_file(report), "moved": len(report["moves"]),
-            "worse": summary["worse_faces"], "move mm": summary["largest_move_mm"],
-            "time": report["time_s"]["repair"] / report["analysis_s"]}
+    return {
+        "seams": summary["seams"],
+        "defects": summary["defects_before"],
+        "after": summary["defects_after"],
+        "in file": report["output"]["defects"],
+        "worse seams": worse_in_file(report),
+        "moved": len(report["moves"]),
+        "worse": summary["worse_faces"],
+        "move mm": summary["largest_move_mm"],
+        "time": report["time_s"]["repair"] / report["analysis_s"],
+    }
 
 
 def text_of(name, row):
     move = f"{row['move mm']:.2g}" if row["moved"] else ""
-    cells = [str(row[c]) for c in COLUMNS[:-2]] + [move, f"{row['time']:.2g}" if row["time"] < 10 else f"{row['time']:.0f}"]
+    cells = [str(row[c]) for c in COLUMNS[:-2]] + [
+        move,
+        f"{row['time']:.2g}" if row["time"] < 10 else f"{row['time']:.0f}",
+    ]
     return f"| `{name}` | " + " | ".join(cells) + " |"
 
 
@@ -82,8 +127,10 @@ def kind_of(reason):
 def main():
     words, options = sys.argv[1:], []
     if "--" in words:
-        words, options = words[:words.index("--")], words[words.index("--") + 1:]
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+        words, options = words[: words.index("--")], words[words.index("--") + 1 :]
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--command", default="build/release/bin/seamwright")
     parser.add_argument("--limit", type=float, default=900, help="seconds for each model")
     parser.add_argument("--out", type=Path, default=Path("build/survey"))
@@ -105,13 +152,22 @@ def main():
             continue
         rows.append(row)
         print(text_of(model.name, row), flush=True)
-        reasons.update(kind_of(s["reason"]) for s in report["seams"] if s["before"]["class"] == "defect" and s["reason"])
+        reasons.update(
+            kind_of(s["reason"])
+            for s in report["seams"]
+            if s["before"]["class"] == "defect" and s["reason"]
+        )
     if rows:
         total = {c: sum(row[c] for row in rows) for c in COLUMNS[:-2]}
-        total |= {"move mm": max(row["move mm"] for row in rows), "time": statistics.median(row["time"] for row in rows)}
+        total |= {
+            "move mm": max(row["move mm"] for row in rows),
+            "time": statistics.median(row["time"] for row in rows),
+        }
         print(text_of(f"{len(rows)} models", total))
         if total["defects"]:
-            print(f"\nleft in memory {total['after'] / total['defects']:.1%}, in the file {total['in file'] / total['defects']:.1%}")
+            print(
+                f"\nleft in memory {total['after'] / total['defects']:.1%}, in the file {total['in file'] / total['defects']:.1%}"
+            )
     print("\nwithout defects:", ", ".join(without_defects) or "none")
     print("not repaired:", "; ".join(failures) or "none")
     for reason, count in reasons.most_common(30):

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A Bezier triangle as patches that a CAD kernel can hold, and back, as a picture.   python3 07_triangle.py OUT.svg
+"""A Bezier triangle as patches that a CAD kernel can hold, and back, as a picture. python3
+07_triangle.py OUT.svg
 
-A dome of degree 4 over a triangle becomes one patch with a collapsed edge, and three regular patches. The seams between
-the three are enclosed; the triangle is recognised in the one. The picture is written by hand: no library.
+A dome of degree 4 over a triangle becomes one patch with a collapsed edge, and three regular
+patches. The seams between the three are enclosed; the triangle is recognised in the one. The
+picture is written by hand: no library.
 """
 
 import math
@@ -16,24 +18,40 @@ if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
     sys.exit(__doc__)
 
 DEGREE = 4
-CORNERS = 20.0 * np.array([[math.cos(a), math.sin(a), 0] for a in (math.pi / 2, 7 * math.pi / 6, 11 * math.pi / 6)])
+CORNERS = 20.0 * np.array(
+    [[math.cos(a), math.sin(a), 0] for a in (math.pi / 2, 7 * math.pi / 6, 11 * math.pi / 6)]
+)
 
 
 def dome():
-    """Poles (i, j), i = 0..n, j = 0..n-i, above the plane triangle: higher where all three corners count."""
+    """Poles (i, j), i = 0..n, j = 0..n-i, above the plane triangle: higher where all three corners
+    count."""
     poles = []
     for i in range(DEGREE + 1):
         for j in range(DEGREE + 1 - i):
             l = np.array([i, j, DEGREE - i - j]) / DEGREE
-            poles.append(l @ CORNERS + [0, 0, 30 * l[0] * l[1] + 12 * l[2] * l[0] + 150 * (l[1] * l[2]) ** 2])
+            poles.append(
+                l @ CORNERS + [0, 0, 30 * l[0] * l[1] + 12 * l[2] * l[0] + 150 * (l[1] * l[2]) ** 2]
+            )
     return seamwright.BezierTriangle(poles)
 
 
 triangle = dome()
 one, three = triangle.to_patch(), triangle.to_patches()
 
-seams = [seamwright.enclose_seam(three[k], "u1", three[(k + 1) % 3], "v1", level="G2", gap_mm=1e-9, angle_deg=1e-7,
-                                 curvature_rel=1e-6) for k in range(3)]
+seams = [
+    seamwright.enclose_seam(
+        three[k],
+        "u1",
+        three[(k + 1) % 3],
+        "v1",
+        level="G2",
+        gap_mm=1e-9,
+        angle_deg=1e-7,
+        curvature_rel=1e-6,
+    )
+    for k in range(3)
+]
 back = seamwright.BezierTriangle.from_patch(one)
 
 WIDTH, HEIGHT = 760, 330
@@ -59,8 +77,10 @@ def lines(patch, middle, color):
 
 
 def picture():
-    yield (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="sans-serif" '
-           'font-size="13" text-anchor="middle">')
+    yield (
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="sans-serif" '
+        'font-size="13" text-anchor="middle">'
+    )
     yield f'<rect width="{WIDTH}" height="{HEIGHT}" fill="white"/>'
     yield from lines(one, 190, "#555")
     for patch, color in zip(three, COLORS):
@@ -75,6 +95,14 @@ def picture():
 
 with open(sys.argv[1], "w", encoding="utf-8") as file:
     file.write("\n".join(picture()) + "\n")
-print("seams of the three:", ", ".join("%s %s" % (s["level"], "certain" if s["certified"] else "open") for s in seams))
-print("found in the one: degree %d, poles %s" % (
-    back.degree, "as they were" if np.allclose(back.poles, triangle.poles, rtol=0, atol=1e-12) else "moved"))
+print(
+    "seams of the three:",
+    ", ".join("%s %s" % (s["level"], "certain" if s["certified"] else "open") for s in seams),
+)
+print(
+    "found in the one: degree %d, poles %s"
+    % (
+        back.degree,
+        "as they were" if np.allclose(back.poles, triangle.poles, rtol=0, atol=1e-12) else "moved",
+    )
+)

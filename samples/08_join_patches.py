@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A gap between two patches closed G1 and G2, and why the difference shows.   python3 08_join_patches.py OUT.svg
+"""A gap between two patches closed G1 and G2, and why the difference shows. python3
+08_join_patches.py OUT.svg
 
-Two curved patches are 6 mm apart. blend() puts one patch between them, once with common tangent planes (G1), once with common
-curvature as well (G2). join_condition() proves the joins from control points; the picture shows a section in the middle with
-its curvature as a comb, whose length jumps where the curvature does. Written by hand: no library draws it.
+Two curved patches are 6 mm apart. blend() puts one patch between them, once with common tangent
+planes (G1), once with common curvature as well (G2). join_condition() proves the joins from control
+points; the picture shows a section in the middle with its curvature as a comb, whose length jumps
+where the curvature does. Written by hand: no library draws it.
 """
 
 import sys
@@ -17,21 +19,26 @@ if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
 
 x, y = np.meshgrid([0.0, 2, 4, 6], [0.0, 2, 4, 6], indexing="ij")
 left = seamwright.BezierPatch(np.stack([x, y, 1.2 - 0.05 * x**2 + 0.02 * (y - 3) ** 2], axis=-1))
-right = seamwright.BezierPatch(np.stack([12 + x, y, 0.3 + 0.6 * x - 0.08 * x**2 + 0.03 * (y - 3) ** 2], axis=-1))
+right = seamwright.BezierPatch(
+    np.stack([12 + x, y, 0.3 + 0.6 * x - 0.08 * x**2 + 0.03 * (y - 3) ** 2], axis=-1)
+)
 
 blends = {order: seamwright.blend(left, "u1", right, "u0", order) for order in (1, 2)}
 for order, between in blends.items():
     for surface, edge, own in ((left, "u1", "u0"), (right, "u0", "u1")):
         join = seamwright.join_condition(surface, edge, between, own)
         jump = seamwright.enclose_seam(surface, edge, between, own)["curvature_per_mm"]["lower"]
-        print(f"order {order}, degrees {between.degree_u} by {between.degree_v}: {'G2' if join['g2'] else join['verdict']}, "
-              f"angle below {join['angle_bound_rad']:.0e} rad, curvature jumps by {jump:.4f} / mm")
+        print(
+            f"order {order}, degrees {between.degree_u} by {between.degree_v}: {'G2' if join['g2'] else join['verdict']}, "
+            f"angle below {join['angle_bound_rad']:.0e} rad, curvature jumps by {jump:.4f} / mm"
+        )
 
 WIDTH, HEIGHT, SCALE, COMB = 760, 360, 38, 120
 
 
 def comb(patch):
-    """Points of the section v = 1/2, and where the comb ends: along the normal, as long as the curvature in the sense of u."""
+    """Points of the section v = 1/2, and where the comb ends: along the normal, as long as the
+    curvature in the sense of u."""
     for u in np.linspace(0, 1, 25):
         jet = patch.jet(u, 0.5)
         normal = np.cross(jet.u, jet.v)
@@ -52,8 +59,10 @@ def drawing(patches, height):
 
 
 def picture():
-    yield (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="sans-serif" '
-           'font-size="13">')
+    yield (
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="sans-serif" '
+        'font-size="13">'
+    )
     yield f'<rect width="{WIDTH}" height="{HEIGHT}" fill="white"/>'
     for row, (order, between) in enumerate(blends.items()):
         yield f'<text x="14" y="{24 + 155 * row}" fill="#222">G{order}</text>'

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A sheet whose seams are broken by noise, repaired by small moves of its poles.   python3 17_repair_model.py sheet.step FOLDER
+"""A sheet whose seams are broken by noise, repaired by small moves of its poles. python3
+17_repair_model.py sheet.step FOLDER
 
-sheet.step is made by samples/models/make_models.py. Writes broken.step, G1.step and G2.step to the folder. The command does the same:
+sheet.step is made by samples/models/make_models.py. Writes broken.step, G1.step and G2.step to the
+folder. The command does the same:
 
     seamwright repair FOLDER/broken.step -o FOLDER/G2.step --target G2
 """
@@ -56,7 +58,11 @@ def main():
         if target == "G1":
             print("before: angles up to %.2g degrees" % worst(result.before, "angle_deg"))
         summary = result.summary
-        print("asked for %s: %d of %d seams repaired," % (target, summary["repaired"], summary["treated"]), end=" ")
+        print(
+            "asked for %s: %d of %d seams repaired,"
+            % (target, summary["repaired"], summary["treated"]),
+            end=" ",
+        )
         print("angles up to %.1g degrees," % worst(result.after, "angle_deg"), end=" ")
         print("poles moved by up to %.2f mm" % summary["largest_move_mm"])
         result.model.write(folder / (target + ".step"), overwrite=True)

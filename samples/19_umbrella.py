@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Patches around a point that join with common tangent planes.   python3 19_umbrella.py OUT.svg
 
-Left, five spokes with three patches and two triangles between them; right, an umbrella that needs no spokes: it fills a
-boundary of five sides. Lines at constant u and v; the spokes are drawn thick. enclose_seam() certifies every one of them.
+Left, five spokes with three patches and two triangles between them; right, an umbrella that needs
+no spokes: it fills a boundary of five sides. Lines at constant u and v; the spokes are drawn thick.
+enclose_seam() certifies every one of them.
 """
 
 import sys
@@ -40,10 +41,14 @@ def certified(umbrella):
     largest = 0
     for i, after in enumerate(umbrella["members"]):
         before = umbrella["members"][i - 1]
-        edges = [names[isinstance(member, seamwright.BezierTriangle)]
-                 for member, names in ((before, ("u0", "l0")), (after, ("v0", "l1")))]
+        edges = [
+            names[isinstance(member, seamwright.BezierTriangle)]
+            for member, names in ((before, ("u0", "l0")), (after, ("v0", "l1")))
+        ]
         backwards = isinstance(before, seamwright.BezierTriangle)
-        seam = seamwright.enclose_seam(before, edges[0], after, edges[1], reversed=backwards, angle_deg=1e-8)
+        seam = seamwright.enclose_seam(
+            before, edges[0], after, edges[1], reversed=backwards, angle_deg=1e-8
+        )
         assert seam["certified"]
         largest = max(largest, np.radians(seam["angle_deg"]["upper"]))
     return largest
@@ -65,25 +70,40 @@ def draw(umbrella, move, label):
         color = COLORS[kind]
         for fixed in np.linspace(0, 1, 9)[1:]:
             free = np.linspace(0, 1 - fixed if triangle else 1, 25)
-            picture.line([member.point(fixed, x) + move for x in free], color=color, label=label(kind))
+            picture.line(
+                [member.point(fixed, x) + move for x in free], color=color, label=label(kind)
+            )
             picture.line([member.point(x, fixed) + move for x in free], color=color)
         if triangle:
-            picture.line([member.point(x, 1 - x) + move for x in np.linspace(0, 1, 25)], color=color)
+            picture.line(
+                [member.point(x, 1 - x) + move for x in np.linspace(0, 1, 25)], color=color
+            )
     for curve in umbrella["spokes"]:
-        picture.curve(seamwright.BezierCurve(curve.poles + move), COLORS["spoke"], label=label("spoke"), width=2.5)
+        picture.curve(
+            seamwright.BezierCurve(curve.poles + move),
+            COLORS["spoke"],
+            label=label("spoke"),
+            width=2.5,
+        )
 
 
 picture = Picture("Umbrellas: around given spokes, and inside a boundary", view=(0.1, -0.9, 1.2))
 
-mixed = seamwright.umbrella([spoke(k) for k in range(5)], kinds=["patch", "patch", "triangle", "patch", "triangle"])
+mixed = seamwright.umbrella(
+    [spoke(k) for k in range(5)], kinds=["patch", "patch", "triangle", "patch", "triangle"]
+)
 label = labels()
 draw(mixed, [0, 0, 0], label)
-print(f"around 5 spokes: members of degree {mixed['members'][0].degree_u}, angle below {certified(mixed):.0e} rad, "
-      f"condition {mixed['condition']:.1f}")
+print(
+    f"around 5 spokes: members of degree {mixed['members'][0].degree_u}, angle below {certified(mixed):.0e} rad, "
+    f"condition {mixed['condition']:.1f}"
+)
 
 filled = seamwright.umbrella_inside([side(k) for k in range(5)])
 draw(filled, [28, 0, 0], label)
-print(f"inside 5 sides: members of degree {filled['members'][0].degree_u}, angle below {certified(filled):.0e} rad, "
-      f"sectors of {np.degrees(filled['angles_rad']).round().astype(int)} degrees")
+print(
+    f"inside 5 sides: members of degree {filled['members'][0].degree_u}, angle below {certified(filled):.0e} rad, "
+    f"sectors of {np.degrees(filled['angles_rad']).round().astype(int)} degrees"
+)
 
 picture.write(sys.argv[1])

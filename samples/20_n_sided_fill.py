@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A hole of five sides between bicubic patches, filled with five biquartic ones.   python3 20_n_sided_fill.py OUT.svg
+"""A hole of five sides between bicubic patches, filled with five biquartic ones. python3
+20_n_sided_fill.py OUT.svg
 
-The patches around the hole are parts of one surface, so there is something to compare the fill with, and the hole's corners are
-compatible. The picture shows the net of parameter lines before and after. It is written by hand: no library.
+The patches around the hole are parts of one surface, so there is something to compare the fill
+with, and the hole's corners are compatible. The picture shows the net of parameter lines before and
+after. It is written by hand: no library.
 """
 
 import sys
@@ -24,7 +26,8 @@ def height(x, y):
 
 
 def lifted(corners):
-    """The bicubic patch above a quadrilateral, corners (u, v) = 00, 01, 10, 11; by its values at 4 by 4 places."""
+    """The bicubic patch above a quadrilateral, corners (u, v) = 00, 01, 10, 11; by its values at 4
+    by 4 places."""
     t = np.arange(4) / 3
     basis = np.stack([(1 - t) ** 3, 3 * t * (1 - t) ** 2, 3 * t**2 * (1 - t), t**3], axis=-1)
     u, v = np.meshgrid(t, t, indexing="ij")
@@ -37,13 +40,18 @@ def lifted(corners):
 
 inner = 30 * STRETCH[:, None] * np.stack([np.cos(ANGLES), np.sin(ANGLES)], axis=-1)
 outer = 1.6 * inner
-around = [lifted([inner[k], inner[(k + 1) % SIDES], outer[k], outer[(k + 1) % SIDES]]) for k in range(SIDES)]
+around = [
+    lifted([inner[k], inner[(k + 1) % SIDES], outer[k], outer[(k + 1) % SIDES]])
+    for k in range(SIDES)
+]
 
 fill = seamwright.n_sided_fill([(patch, "u0") for patch in around])
 patches = fill["patches"]
 degree = len(patches[0].poles) - 1
-print(f"{len(patches)} patches of degree {degree} by {degree}, regular: {fill['regular']}, "
-      f"corners exact: {all(corner['exact'] for corner in fill['corners'])}")
+print(
+    f"{len(patches)} patches of degree {degree} by {degree}, regular: {fill['regular']}, "
+    f"corners exact: {all(corner['exact'] for corner in fill['corners'])}"
+)
 
 
 def halves(patch):
@@ -58,8 +66,13 @@ def halves(patch):
 
 
 def worst(seams):
-    figures = [seamwright.enclose_seam(*seam, reversed=seam[3] == "v1", angle_deg=1e-8, curvature_rel=0.01) for seam in seams]
-    return max(f["angle_deg"]["upper"] for f in figures), max(f["curvature_per_mm"]["upper"] for f in figures)
+    figures = [
+        seamwright.enclose_seam(*seam, reversed=seam[3] == "v1", angle_deg=1e-8, curvature_rel=0.01)
+        for seam in seams
+    ]
+    return max(f["angle_deg"]["upper"] for f in figures), max(
+        f["curvature_per_mm"]["upper"] for f in figures
+    )
 
 
 spokes = [(patches[k], "u0", patches[(k + 1) % SIDES], "v0") for k in range(SIDES)]
@@ -69,10 +82,19 @@ for k, patch in enumerate(around):
     sides += [(first, "u0", patches[k], "v1"), (second, "u0", patches[(k + 1) % SIDES], "u1")]
 for name, seams in (("between the patches", spokes), ("to the surroundings", sides)):
     angle, curvature = worst(seams)
-    print(f"{name}: angle below {max(angle, 1e-8):.0e} degrees, curvature jumps by up to {curvature:.4f} / mm")
+    print(
+        f"{name}: angle below {max(angle, 1e-8):.0e} degrees, curvature jumps by up to {curvature:.4f} / mm"
+    )
     assert angle < 1e-8
 
-points = np.array([patch.point(u, v) for patch in patches for u in np.linspace(0, 1, 21) for v in np.linspace(0, 1, 21)])
+points = np.array(
+    [
+        patch.point(u, v)
+        for patch in patches
+        for u in np.linspace(0, 1, 21)
+        for v in np.linspace(0, 1, 21)
+    ]
+)
 off = np.abs(points[:, 2] - height(points[:, 0], points[:, 1])).max()
 print(f"at most {off:.3f} mm from the surface, on {np.ptp(inner[:, 0]):.0f} mm")
 
@@ -88,15 +110,24 @@ def lines(patch, left, color):
     places = np.linspace(0, 1, 13)
     for fixed in np.linspace(0, 1, 7):
         width = 1.8 if fixed in (0, 1) else 0.6
-        for line in ([patch.point(fixed, s) for s in places], [patch.point(s, fixed) for s in places]):
+        for line in (
+            [patch.point(fixed, s) for s in places],
+            [patch.point(s, fixed) for s in places],
+        ):
             text = " ".join(f"{a:.1f},{b:.1f}" for a, b in projected(line, left))
             yield f'<polyline points="{text}" fill="none" stroke="{color}" stroke-width="{width}"/>'
 
 
 with open(sys.argv[1], "w", encoding="utf-8") as file:
-    print(f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="sans-serif" font-size="12">', file=file)
+    print(
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="sans-serif" font-size="12">',
+        file=file,
+    )
     print(f'<rect width="{WIDTH}" height="{HEIGHT}" fill="white"/>', file=file)
-    for left, words in ((190, "a hole between five bicubic patches"), (570, "filled with five biquartic patches, G1 everywhere")):
+    for left, words in (
+        (190, "a hole between five bicubic patches"),
+        (570, "filled with five biquartic patches, G1 everywhere"),
+    ):
         for patch in around:
             print(*lines(patch, left, "#888"), sep="\n", file=file)
         if left > 200:

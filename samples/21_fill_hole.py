@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A face at a corner taken out of a block, and the hole filled anew.   python3 21_fill_hole.py rounded_block.step FOLDER
+"""A face at a corner taken out of a block, and the hole filled again. python3 21_fill_hole.py
+rounded_block.step FOLDER
 
-rounded_block.step is made by samples/models/make_models.py. Writes filled.step and fill_hole.svg to the folder. The command does the same:
+rounded_block.step is made by samples/models/make_models.py. Writes filled.step and fill_hole.svg to
+the folder. The command does the same:
 
     seamwright fill rounded_block.step -o FOLDER/filled.step --face N
 """
@@ -27,14 +29,26 @@ sphere = 1 + next(k for k, face in enumerate(block.Faces) if isinstance(face.Sur
 print("Face%d is a sphere between three fillets" % sphere)
 filled = seamwright.read(model).fill(face=sphere)
 report = filled.to_dict()
-print("%d faces, %d seams to the neighbours and %d inside: reached G1: %s"
-      % (len(report["faces"]), len(report["outer"]), len(report["inner"]), filled.reached))
-print("angle below %.0e degrees, gap below %.0e mm" % (filled.largest_angle_deg, filled.largest_gap_mm))
+print(
+    "%d faces, %d seams to the neighbours and %d inside: reached G1: %s"
+    % (len(report["faces"]), len(report["outer"]), len(report["inner"]), filled.reached)
+)
+print(
+    "angle below %.0e degrees, gap below %.0e mm"
+    % (filled.largest_angle_deg, filled.largest_gap_mm)
+)
 filled.model.write(folder / "filled.step", overwrite=True)
 
 solid = Part.read(str(folder / "filled.step"))
-print("read back: %s of %d faces, volume %.1f mm3, was %.1f" %
-      ("closed solid" if solid.isClosed() and solid.Solids else "open", len(solid.Faces), solid.Volume, block.Volume))
+print(
+    "read back: %s of %d faces, volume %.1f mm3, was %.1f"
+    % (
+        "closed solid" if solid.isClosed() and solid.Solids else "open",
+        len(solid.Faces),
+        solid.Volume,
+        block.Volume,
+    )
+)
 
 
 def points_of(line, count=40):

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The corner of a box where three fillets meet, filled with three triangles.   python3 23_three_sided_fill.py OUT.svg
+"""The corner of a box where three fillets meet, filled with three triangles. python3
+23_three_sided_fill.py OUT.svg
 
-The fillets are quarters of cylinders, as near to them as cubics come, so the corner ought to be an eighth of a sphere. Facets of the picture
-are shaded by their normals. It is written by hand: no library.
+The fillets are quarters of cylinders, as near to them as cubics come, so the corner ought to be an
+eighth of a sphere. Facets of the picture are shaded by their normals. It is written by hand: no
+library.
 """
 
 import itertools
@@ -33,14 +35,24 @@ print(f"{len(triangles)} triangles of degree {triangles[0].degree}, regular: {fi
 
 seams = [(triangles[k], "l1", triangles[k - 1], "l0") for k in range(3)]
 sides = [(triangles[k], "l2", fillets[k], "u0") for k in range(3)]
-for name, pairs, against in (("between the triangles", seams, True), ("to the fillets", sides, False)):
-    angles = [seamwright.enclose_seam(*pair, reversed=against, angle_deg=1e-8)["angle_deg"]["upper"] for pair in pairs]
+for name, pairs, against in (
+    ("between the triangles", seams, True),
+    ("to the fillets", sides, False),
+):
+    angles = [
+        seamwright.enclose_seam(*pair, reversed=against, angle_deg=1e-8)["angle_deg"]["upper"]
+        for pair in pairs
+    ]
     print(f"{name}: angle below {max(*angles, 1e-8):.0e} degrees")
     assert max(angles) < 1e-8
 
 places = [(i / 12, j / 12) for i in range(13) for j in range(13 - i)]
-off = [abs(np.linalg.norm(triangle.point(u, v)) - RADIUS) for triangle in triangles for u, v in places]
-print(f"at most {max(off):.3f} mm from the sphere of {RADIUS:.0f} mm; the arcs are {RADIUS * 2.73e-4:.3f} mm from it")
+off = [
+    abs(np.linalg.norm(triangle.point(u, v)) - RADIUS) for triangle in triangles for u, v in places
+]
+print(
+    f"at most {max(off):.3f} mm from the sphere of {RADIUS:.0f} mm; the arcs are {RADIUS * 2.73e-4:.3f} mm from it"
+)
 
 WIDTH, HEIGHT, SCALE = 760, 310, 10.0
 VIEW = np.array([1, 1, 1]) / 3**0.5
@@ -50,7 +62,10 @@ LIGHT = np.array([0.75, 0.25, 0.6])
 
 
 def projected(points, left):
-    return [f"{left + SCALE * (p @ RIGHT):.1f},{HEIGHT / 2 - 10 - SCALE * (p @ UP):.1f}" for p in np.asarray(points)]
+    return [
+        f"{left + SCALE * (p @ RIGHT):.1f},{HEIGHT / 2 - 10 - SCALE * (p @ UP):.1f}"
+        for p in np.asarray(points)
+    ]
 
 
 def facet(points, left, color):
@@ -68,7 +83,11 @@ def shaded_patch(patch, left, color):
     places = np.linspace(0, 1, 25)
     for a, b in itertools.pairwise(places):
         yield facet([patch.point(u, v) for u, v in ((0, a), (1, a), (1, b), (0, b))], left, color)
-    for edge in ([patch.point(0, t) for t in places], [patch.point(t, 0) for t in (0, 1)], [patch.point(t, 1) for t in (0, 1)]):
+    for edge in (
+        [patch.point(0, t) for t in places],
+        [patch.point(t, 0) for t in (0, 1)],
+        [patch.point(t, 1) for t in (0, 1)],
+    ):
         yield line(edge, left, 1)
 
 
@@ -86,15 +105,27 @@ def shaded_triangle(triangle, left, color):
 def web(triangle, left):
     """Lines along the side, lines to the centre, and the spoke."""
     for out in np.arange(1, 5) / 5:
-        yield line([triangle.point(out * (1 - t), out * t) for t in np.linspace(0, 1, 13)], left, 0.3)
+        yield line(
+            [triangle.point(out * (1 - t), out * t) for t in np.linspace(0, 1, 13)], left, 0.3
+        )
     for along in np.arange(0, 6) / 6:
-        yield line([triangle.point(t * (1 - along), t * along) for t in np.linspace(0, 1, 13)], left, 0.3 if along else 1.2)
+        yield line(
+            [triangle.point(t * (1 - along), t * along) for t in np.linspace(0, 1, 13)],
+            left,
+            0.3 if along else 1.2,
+        )
 
 
 with open(sys.argv[1], "w", encoding="utf-8") as file:
-    print(f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="sans-serif" font-size="12">', file=file)
+    print(
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="sans-serif" font-size="12">',
+        file=file,
+    )
     print(f'<rect width="{WIDTH}" height="{HEIGHT}" fill="white"/>', file=file)
-    for left, words in ((190, "three fillets end at a hole"), (570, "filled with three triangles, G1 everywhere")):
+    for left, words in (
+        (190, "three fillets end at a hole"),
+        (570, "filled with three triangles, G1 everywhere"),
+    ):
         for patch in fillets:
             print(*shaded_patch(patch, left, (225, 225, 225)), sep="\n", file=file)
         if left > 200:

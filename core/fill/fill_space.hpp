@@ -26,7 +26,7 @@ struct FillSpace {
 FillSpace fillSpace(const std::vector<FillSide>& sides, const CrossBoundaryDerivatives& fields,
                     SpokeLaw law, int degree);
 
-/// Poles of neighbours along a spoke are the same to the bit.
+/// Poles of neighbours along a spoke are bitwise the same.
 std::vector<BezierPatch> patchesOf(const FillSpace& space, const Poles& unknowns);
 
 }  // namespace seamwright::fill

@@ -53,7 +53,7 @@ struct RingFill {
 ///
 /// Identities (each has a test of its number):
 ///   (1) Edges U1 of patches 0 to 3 are the sides; neighbours share the poles of their common edge
-///       to the bit.
+///       bitwise.
 ///   (2) encloseSeam(): the angle across all inner edges, and to neighbours along sides without an
 ///       inexact corner, is rounding.
 ///   (3) Rigid motion, scale, and the numbering of the sides move the fill likewise.

@@ -20,7 +20,7 @@ struct RingSpace {
 RingSpace ringSpace(const std::vector<FillSide>& sides, double spoke_scale, double tolerance_rad,
                     int more_degrees);
 
-/// Poles that neighbours share are the same to the bit.
+/// Poles that neighbours share are bitwise the same.
 std::vector<BezierPatch> ringPatches(const FillSpace& space, const Poles& unknowns);
 
 }  // namespace seamwright::fill

@@ -59,7 +59,7 @@ struct ThreeSidedFill {
 /// by at most FillCorner::angle_bound_rad.
 ///
 /// Identities (each has a test of its number):
-///   (1) Edges L2 are the sides, neighbours share the poles of their spoke to the bit.
+///   (1) Edges L2 are the sides, neighbours share the poles of their spoke bitwise.
 ///   (2) encloseSeam(): the angle across spokes, and to neighbours between exact corners, is
 ///       rounding; else within the bound.
 ///   (3) Rigid motion, scale, and the numbering of the sides move the fill likewise; reversing all

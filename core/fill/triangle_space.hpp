@@ -40,7 +40,7 @@ TriangleSpace triangleSpace(const std::vector<FillSide>& sides, const CentreFiel
 /// for them: the sum of squares is fairness.
 Eigen::MatrixXd tensorsOf(const TriangleSpace& space, const Eigen::MatrixXd& poles, int order);
 
-/// Poles of neighbours along a spoke are the same to the bit.
+/// Poles of neighbours along a spoke are bitwise the same.
 std::vector<BezierTriangle> trianglesOf(const TriangleSpace& space, const Poles& unknowns);
 
 }  // namespace seamwright::fill

@@ -94,7 +94,7 @@ Field<Size> derivative(const Field<Size>& field) {
   return static_cast<double>(n) * (field.bottomRows(n) - field.topRows(n));
 }
 
-/// The same polynomial in a degree no lower. Columns that are constant stay so to the bit.
+/// The same polynomial in a degree no lower. Columns that are constant stay so bitwise.
 template <int Size>
 Field<Size> elevated(Field<Size> field, int to) {
   while (degree(field) < to) {
@@ -133,7 +133,7 @@ struct Lowered {
 };
 
 /// The nearest polynomial of that degree, by least squares of the coefficients; exact where there
-/// is one, and to the bit in columns that are constant.
+/// is one, and bitwise in columns that are constant.
 template <int Size>
 Lowered<Size> lowered(const Field<Size>& field, int to) {
   if (degree(field) <= to) return {elevated<Size>(field, to), 0};

@@ -49,7 +49,7 @@ struct EncloseOptions {
 ///       bounds within their widths.
 ///   (3) Of an exact G1 (G2) join the upper bound of the angle (curvature) is rounding only.
 ///
-/// \throws std::invalid_argument for a tolerance that is none.
+/// \throws std::invalid_argument for an invalid tolerance.
 /// Source: docs/theory/enclosures.md E3.1 to E3.5, E5.1, E5.2; docs/theory/surfaces.md S1.5.
 SeamFigures encloseSeam(const SeamSide& a, const SeamSide& b, const ContinuityTolerance& tolerance,
                         const EncloseOptions& options = {});

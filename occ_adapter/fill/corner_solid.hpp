@@ -7,12 +7,12 @@
 
 #include <seamwright/occ_adapter/fill/corner_hole.hpp>
 
-/// A shell whose corner is cut out and closed anew; not a public header.
+/// A shell whose corner is cut out and closed again; not a public header.
 namespace seamwright::occ {
 
 struct CornerShell {
   TopoDS_Shell shell;  ///< old faces in their order, then the cylinders, then the patches
-  TopTools_DataMapOfShapeShape became;  ///< faces that were made anew
+  TopTools_DataMapOfShapeShape became;  ///< faces that were made again
   std::vector<std::pair<TopoDS_Edge, CornerSeamKind>> seams;
 };
 

@@ -85,8 +85,8 @@ struct Incoming {
 
 ModelError notInTime(const Question& question, const ReaderBounds& bounds) {
   std::ostringstream text;
-  text << "can't be " << question.deed << ": OpenCASCADE did not come to an end with it in "
-       << bounds.seconds << " s; SEAMWRIGHT_READER_SECONDS allows more";
+  text << "can't be " << question.deed << ": OpenCASCADE exceeded the time limit of "
+       << bounds.seconds << " s; SEAMWRIGHT_READER_SECONDS sets another limit";
   return {ModelErrc::ReaderDied, question.model, text.str()};
 }
 

@@ -195,7 +195,7 @@ class Writable {
 
   const TopoDS_Shape& shape() const { return shape_; }
 
-  /// What a part was before it was made anew.
+  /// What a part was before it was made again.
   const void* origin(const TopoDS_Shape& part) const {
     const auto found = origins_.find(part.TShape().get());
     return found == origins_.end() ? part.TShape().get() : found->second;

@@ -57,7 +57,7 @@ void requireTarget(const std::filesystem::path& source, const std::filesystem::p
 /// that file, in the same order and places, is written by reading the file once more and carrying
 /// over into it what has changed: surfaces, curves, parameter curves, points and tolerances.
 /// Products, instances, names, colours, layers and order are those of the file. What has not
-/// changed stays as it was read, to the bit. A part that stands in several places has to be changed
+/// changed stays bitwise as it was read. A part that stands in several places has to be changed
 /// alike in all of them; a deep copy of the shape is no change, even where it has made copies of
 /// such a part.
 ///

@@ -29,7 +29,7 @@ struct PathChange {
 /// A copy of the shape in which these faces have their new surfaces: the same faces, edges,
 /// vertices in the same order, orientations and locations; what does not depend on a changed face
 /// is shared with the given shape. Edges keep their paths in the parameter planes but for those
-/// given; their curves in space are made anew where a face beside them or a path changed, halfway
+/// given; their curves in space are made again where a face beside them or a path changed, halfway
 /// between both sides; vertices are put where their edges end; tolerances are what is measured, and
 /// not below those they had where nothing moved (by more than a thousandth of \p gap_mm). Parts
 /// that stand in one part of an assembly several times become parts of their own: withOwnParts().

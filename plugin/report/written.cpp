@@ -73,7 +73,7 @@ std::map<FacePair, std::vector<occ::SeamResult>> byFaces(
 
 /// Defects beyond those that are known, or worse than these. Between the same faces the worst one
 /// is compared with the worst one, and so on: edges do not tell seams apart, as reading may number
-/// them anew.
+/// them again.
 std::vector<occ::SeamResult> beyond(const std::vector<occ::SeamResult>& known,
                                     const std::vector<occ::SeamResult>& seams) {
   const auto known_by_faces = byFaces(known);

@@ -28,11 +28,12 @@ def rounded_block():
 
 
 def broken_block():
-    """The rounded block with one seam spoilt: at the middle of one side of the top the angle is 2 degrees.
+    """The rounded block with one seam spoilt: at the middle of one side of the top the angle is 2
+    degrees.
 
-    The top becomes a Bezier patch of degree (3, 5). Lifting the poles (2, 2) and (2, 3) by h leaves the boundary
-    where it was and the tangent planes along three sides; along the fourth, of inner length l, the slope is
-    3 h (B2 + B3) / l, at its largest 1.875 h / l in the middle.
+    The top becomes a Bezier patch of degree (3, 5). Lifting the poles (2, 2) and (2, 3) by h leaves
+    the boundary where it was and the tangent planes along three sides; along the fourth, of inner
+    length l, the slope is 3 h (B2 + B3) / l, at its largest 1.875 h / l in the middle.
     """
     block = rounded_block()
     top = max(block.Faces, key=lambda face: face.CenterOfMass.z)
@@ -54,10 +55,16 @@ def broken_block():
 
 
 def sheet():
-    """A wavy bicubic sheet of 120 by 80 mm, cut into 3 by 2 faces that share their edges: each seam is G2."""
+    """A wavy bicubic sheet of 120 by 80 mm, cut into 3 by 2 faces that share their edges: each seam
+    is G2."""
     count_x, count_y = 9, 6
-    poles = [[FreeCAD.Vector(15.0 * i, 16.0 * j, 8 * math.sin(0.9 * i) * math.cos(0.7 * j)) for j in range(count_y)]
-             for i in range(count_x)]
+    poles = [
+        [
+            FreeCAD.Vector(15.0 * i, 16.0 * j, 8 * math.sin(0.9 * i) * math.cos(0.7 * j))
+            for j in range(count_y)
+        ]
+        for i in range(count_x)
+    ]
 
     def knots(count):
         inner = count - 4
@@ -77,14 +84,20 @@ def sheet():
     return shell
 
 
-MODELS = {"rounded_block.step": rounded_block, "broken_block.step": broken_block, "sheet.step": sheet}
+MODELS = {
+    "rounded_block.step": rounded_block,
+    "broken_block.step": broken_block,
+    "sheet.step": sheet,
+}
 
 
 def write_step(shape, path):
     """Writes without the time of day, so that the same shape gives the same bytes."""
     shape.exportStep(str(path))
     text = path.read_text()
-    path.write_text(re.sub(r"'\d{4}-\d\d-\d\dT[\d:]+[^']*'", "'2000-01-01T00:00:00'", text, count=1))
+    path.write_text(
+        re.sub(r"'\d{4}-\d\d-\d\dT[\d:]+[^']*'", "'2000-01-01T00:00:00'", text, count=1)
+    )
 
 
 def main():

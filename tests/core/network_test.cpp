@@ -95,7 +95,7 @@ double distance(const NetworkResult& a, const NetworkResult& b) {
   return largest;
 }
 
-// What is smooth already obeys laws of the form sought, and is left alone to the bit.
+// What is smooth already obeys laws of the form sought, and is left alone bitwise.
 TEST(Network, SmoothNetworksAreLeftAlone) {
   std::mt19937_64 random(1);
   std::vector<Net> nets = {grid(3, 4, 1, random), grid(3, 3, 3, random, 2), ball(20)};

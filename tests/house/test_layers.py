@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Arrows point one way: plugin -> occ_adapter -> core; handles and FreeCAD stay where they belong."""
+"""Arrows point one way: plugin -> occ_adapter -> core; handles and FreeCAD stay where they
+belong."""
 
 import ast
 import os
@@ -31,7 +32,9 @@ def code(path):
 
 
 def includes(path):
-    return re.findall(r"^\s*#\s*include\s*([<\"][^>\"]+)[>\"]", path.read_text(encoding="utf-8"), re.M)
+    return re.findall(
+        r"^\s*#\s*include\s*([<\"][^>\"]+)[>\"]", path.read_text(encoding="utf-8"), re.M
+    )
 
 
 def imports(path):
@@ -45,8 +48,12 @@ def imports(path):
 
 def test_core_includes_nothing_but_std_eigen_and_core():
     allowed = re.compile(r"<(?:[a-z_]+|Eigen/\w+|seamwright/core/[\w/]+\.hpp)")
-    wrong = [(path.name, name) for path in files("core", ".hpp", ".cpp") for name in includes(path)
-             if not allowed.fullmatch(name)]
+    wrong = [
+        (path.name, name)
+        for path in files("core", ".hpp", ".cpp")
+        for name in includes(path)
+        if not allowed.fullmatch(name)
+    ]
     assert wrong == []
 
 
@@ -56,8 +63,12 @@ def test_core_names_nothing_of_opencascade():
 
 
 def test_adapter_does_not_know_the_plugins():
-    wrong = [(path.name, name) for path in files("occ_adapter", ".hpp", ".cpp") for name in includes(path)
-             if "seamwright/plugin" in name]
+    wrong = [
+        (path.name, name)
+        for path in files("occ_adapter", ".hpp", ".cpp")
+        for name in includes(path)
+        if "seamwright/plugin" in name
+    ]
     assert wrong == []
 
 
@@ -73,15 +84,34 @@ def test_plugins_leave_opencascade_to_the_adapter():
 
 
 def test_python_package_names_freecad_only_in_the_bridge():
-    wrong = [(path.name, name) for path in files("plugin/python/seamwright", ".py") if path.name != "bridge.py"
-             for name in imports(path) if name.split(".")[0] in {"FreeCAD", "FreeCADGui", "Part", "PySide", "pivy"}]
+    wrong = [
+        (path.name, name)
+        for path in files("plugin/python/seamwright", ".py")
+        if path.name != "bridge.py"
+        for name in imports(path)
+        if name.split(".")[0] in {"FreeCAD", "FreeCADGui", "Part", "PySide", "pivy"}
+    ]
     assert wrong == []
 
 
-@pytest.mark.parametrize("ring, forbidden", [
-    ("plain", {"FreeCAD", "FreeCADGui", "Part", "PySide", "pivy", "freecad.seamwright.document", "freecad.seamwright.gui"}),
-    ("document", {"FreeCADGui", "PySide", "pivy", "freecad.seamwright.gui"}),
-])
+@pytest.mark.parametrize(
+    "ring, forbidden",
+    [
+        (
+            "plain",
+            {
+                "FreeCAD",
+                "FreeCADGui",
+                "Part",
+                "PySide",
+                "pivy",
+                "freecad.seamwright.document",
+                "freecad.seamwright.gui",
+            },
+        ),
+        ("document", {"FreeCADGui", "PySide", "pivy", "freecad.seamwright.gui"}),
+    ],
+)
 def test_rings_of_the_workbench(ring, forbidden):
     wrong = []
     for path in sorted((ADDON / ring).rglob("*.py")):
@@ -93,15 +123,26 @@ def test_rings_of_the_workbench(ring, forbidden):
 
 
 def test_every_source_file_states_its_licence():
-    sources = [path for folder in ("core", "occ_adapter", "plugin", "samples", "tests")
-               for path in files(folder, ".hpp", ".cpp", ".py", ".txt", ".FCMacro")]
-    wrong = [str(path.relative_to(SOURCE)) for path in sources
-             if path.stat().st_size and "SPDX-License-Identifier: LGPL-2.1-or-later" not in path.read_text(encoding="utf-8")[:400]]
+    sources = [
+        path
+        for folder in ("core", "occ_adapter", "plugin", "samples", "tests")
+        for path in files(folder, ".hpp", ".cpp", ".py", ".txt", ".FCMacro")
+    ]
+    wrong = [
+        str(path.relative_to(SOURCE))
+        for path in sources
+        if path.stat().st_size
+        and "SPDX-License-Identifier: LGPL-2.1-or-later"
+        not in path.read_text(encoding="utf-8")[:400]
+    ]
     assert wrong == []
 
 
 def test_versions_of_opencascade_are_told_apart_in_one_header():
-    asking = {str(path.relative_to(SOURCE)) for folder in ("occ_adapter", "plugin", "samples", "benchmarks", "tests")
-              for path in files(folder, ".hpp", ".cpp")
-              if re.search(r"\bOCC_VERSION_(?:HEX|MAJOR|MINOR|MAINTENANCE)\b", code(path))}
+    asking = {
+        str(path.relative_to(SOURCE))
+        for folder in ("occ_adapter", "plugin", "samples", "benchmarks", "tests")
+        for path in files(folder, ".hpp", ".cpp")
+        if re.search(r"\bOCC_VERSION_(?:HEX|MAJOR|MINOR|MAINTENANCE)\b", code(path))
+    }
     assert asking == {"occ_adapter/occt_version.hpp"}

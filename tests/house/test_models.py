@@ -14,9 +14,13 @@ import seamwright
 
 
 def test_two_runs_give_the_same_bytes(tmp_path):
-    subprocess.run(["/usr/bin/python3", str(SOURCE / "samples/models/make_models.py"), str(tmp_path)], check=True)
+    subprocess.run(
+        ["/usr/bin/python3", str(SOURCE / "samples/models/make_models.py"), str(tmp_path)],
+        check=True,
+    )
     assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == {
-        path.name: path.read_bytes() for path in MODELS.iterdir()}
+        path.name: path.read_bytes() for path in MODELS.iterdir()
+    }
 
 
 def test_rounded_block_is_tangent_everywhere():

@@ -14,8 +14,18 @@ from pathlib import Path
 import pytest
 
 SOURCE = Path(os.environ["SEAMWRIGHT_SOURCE"])
-FOLDERS = (".ci", "benchmarks", "cmake", "core", "docs", "occ_adapter", "plugin", "samples",
-           "tests", "tools")
+FOLDERS = (
+    ".ci",
+    "benchmarks",
+    "cmake",
+    "core",
+    "docs",
+    "occ_adapter",
+    "plugin",
+    "samples",
+    "tests",
+    "tools",
+)
 BIBLIOGRAPHY = "docs/bibliography.md"
 WORD = "Source:"
 NUMBER = r"[A-Z]\d+(?:\.\d+)?"
@@ -91,8 +101,12 @@ def test_every_source_can_be_followed():
 
 def test_nothing_names_texts_that_are_not_in_the_tree():
     outside = re.compile(r"(?:MATH|ERRATA)-|text 00\d")
-    wrong = [(name, number) for name, text in TEXTS.items()
-             for number, line in enumerate(text.splitlines(), 1) if outside.search(line)]
+    wrong = [
+        (name, number)
+        for name, text in TEXTS.items()
+        for number, line in enumerate(text.splitlines(), 1)
+        if outside.search(line)
+    ]
     assert wrong == []
 
 
@@ -100,8 +114,12 @@ def test_every_statement_has_one_number_and_its_anchor():
     assert {name for name in NUMBERS if NUMBERS[name]} == set(THEORY)
     count = Counter(number for numbers in NUMBERS.values() for number in numbers)
     assert [number for number, times in count.items() if times > 1] == []
-    wrong = [(name, anchor, number) for name, text in THEORY.items()
-             for anchor, number in statements(text) if anchor != number.lower().replace(".", "-")]
+    wrong = [
+        (name, anchor, number)
+        for name, text in THEORY.items()
+        for anchor, number in statements(text)
+        if anchor != number.lower().replace(".", "-")
+    ]
     assert wrong == []
 
 
@@ -122,38 +140,51 @@ def test_every_work_is_listed_once_and_cited():
     entries = ENTRY.findall(TEXTS[BIBLIOGRAPHY])
     assert [(anchor, key) for anchor, key in entries if anchor != key.lower()] == []
     assert [key for key, times in Counter(key for _, key in entries).items() if times > 1] == []
-    cited = {key for name, text in TEXTS.items()
-             if name != BIBLIOGRAPHY and Path(name).name != Path(__file__).name
-             for key in re.findall(rf"\[({KEY})\](?!:)", text)}
+    cited = {
+        key
+        for name, text in TEXTS.items()
+        if name != BIBLIOGRAPHY and Path(name).name != Path(__file__).name
+        for key in re.findall(rf"\[({KEY})\](?!:)", text)
+    }
     assert [key for _, key in entries if key not in cited] == []
 
 
 def test_data_name_the_page_that_they_follow():
-    wrong = [(name, page) for name, text in TEXTS.items() if name.startswith("tests/data/")
-             for page in re.findall(r'"spec"\s*:\s*"([^"]*)"', text) if page not in TEXTS]
+    wrong = [
+        (name, page)
+        for name, text in TEXTS.items()
+        if name.startswith("tests/data/")
+        for page in re.findall(r'"spec"\s*:\s*"([^"]*)"', text)
+        if page not in TEXTS
+    ]
     assert wrong == []
 
 
-@pytest.mark.parametrize("citation, fault", [
-    ("docs/theory/surfaces.md S1.1", None),
-    ("docs/theory/surfaces.md S1.1, S1.3 to S1.5 (without samples); [PegnaWolter1992]", None),
-    ("docs/theory/repair.md", None),
-    ("docs/theory/surfaces.md S1.99", "has no S1.99"),
-    ("docs/theory/surfaces.md S1.1 to S1.99", "has no S1.99"),
-    ("docs/theory/surfaces.md F1.1", "has no F1.1"),
-    ("docs/theory/spheres.md S1.1", "there is no page docs/theory/spheres.md"),
-    ("[Nobody1901]", "[Nobody1901] is not in the bibliography"),
-    ("docs/theory/surfaces.md S1.1; a chapter", "'a chapter' names nothing"),
-    ("(derived here)", "nothing is named"),
-])
+@pytest.mark.parametrize(
+    "citation, fault",
+    [
+        ("docs/theory/surfaces.md S1.1", None),
+        ("docs/theory/surfaces.md S1.1, S1.3 to S1.5 (without samples); [PegnaWolter1992]", None),
+        ("docs/theory/repair.md", None),
+        ("docs/theory/surfaces.md S1.99", "has no S1.99"),
+        ("docs/theory/surfaces.md S1.1 to S1.99", "has no S1.99"),
+        ("docs/theory/surfaces.md F1.1", "has no F1.1"),
+        ("docs/theory/spheres.md S1.1", "there is no page docs/theory/spheres.md"),
+        ("[Nobody1901]", "[Nobody1901] is not in the bibliography"),
+        ("docs/theory/surfaces.md S1.1; a chapter", "'a chapter' names nothing"),
+        ("(derived here)", "nothing is named"),
+    ],
+)
 def test_made_up_sources_are_told_from_true_ones(citation, fault):
     found = faults(citation)
     assert found == [] if fault is None else any(fault in text for text in found), found
 
 
 def test_citations_are_read_from_comments_and_paragraphs():
-    code = (f"int a;\n/// What it does. {WORD} docs/theory/surfaces.md S1.2,\n"
-            f"/// S1.3; [Farin2002]. More.\nint b = this.{WORD} 1;\n")
+    code = (
+        f"int a;\n/// What it does. {WORD} docs/theory/surfaces.md S1.2,\n"
+        f"/// S1.3; [Farin2002]. More.\nint b = this.{WORD} 1;\n"
+    )
     assert citations(code) == ["docs/theory/surfaces.md S1.2, S1.3; [Farin2002]"]
     assert citations(f"# {WORD} [Farin2002].\n\ntext") == ["[Farin2002]"]
     assert citations(f"{WORD} without an end\n\nAnother paragraph.") == ["without an end"]

@@ -75,7 +75,7 @@ TEST_F(ReaderProcess, Crashes) {
 TEST_F(ReaderProcess, UsesUpItsProcessorTime) {
   const occ::ModelError error = errorWith(script("kill -XCPU $$"));
   EXPECT_EQ(error.code(), ModelErrc::ReaderDied);
-  EXPECT_THAT(error.what(), HasSubstr("did not come to an end"));
+  EXPECT_THAT(error.what(), HasSubstr("exceeded the time limit"));
 }
 
 TEST_F(ReaderProcess, UsesUpItsTime) {

@@ -98,7 +98,7 @@ RepairReport repairedModel(const TopoDS_Shape& shape, const RepairOptions& optio
     EXPECT_EQ(std::ranges::count(options.fixed_faces, f), 0);
   }
   EXPECT_EQ(report.changed(), !repaired.IsEqual(shape));
-  // Measured anew, all seams are what the report says.
+  // Measured again, all seams are what the report says.
   occ::AnalyzeOptions analyze;
   analyze.tolerance = options.tolerance;
   analyze.level = options.level();

@@ -148,7 +148,7 @@ RepairReport sewn(const TopoDS_Shape& shape, const RepairOptions& options) {
                 denseMaxima(*sides, 301, options.tolerance).gap_mm.sure());
     }
   }
-  // Measured anew, all that was sewn is what the report says, and what is open is open.
+  // Measured again, all that was sewn is what the report says, and what is open is open.
   occ::AnalyzeOptions analyze;
   analyze.tolerance = options.tolerance;
   analyze.match_mm = options.match_mm;

@@ -5,10 +5,11 @@
 >>> report = seamwright.read("part.step").analyze(profile="class-a", angle_deg=0.05)
 >>> print(report.to_table())
 
-Lengths are in mm, angles in degrees where a name ends in ``_deg`` and in radians where it ends in ``_rad``. Bad arguments
-raise ``ValueError``, bad models ``ModelError``; both say the offending number. Long calls release the GIL and take
-``progress``, a callable that gets the share done (0..1); the call raises ``Cancelled`` if it returns what is false to Python
-(``False``, ``0``, ``numpy.False_``), other than ``None``.
+Lengths are in mm, angles in degrees where a name ends in ``_deg`` and in radians where it ends in
+``_rad``. Bad arguments raise ``ValueError``, bad models ``ModelError``; both say the offending
+number. Long calls release the GIL and take ``progress``, a callable that gets the share done
+(0..1); the call raises ``Cancelled`` if it returns what is false to Python (``False``, ``0``,
+``numpy.False_``), other than ``None``.
 """
 
 try:
@@ -100,9 +101,11 @@ from ._core import __version__
 
 
 def _from_freecad(shape):
-    """The model of a FreeCAD ``Part.Shape``. The shape is shared where the bridge allows it, and never changed.
+    """The model of a FreeCAD ``Part.Shape``. The shape is shared where the bridge allows it, and
+    never changed.
 
-    Raises ``TypeError`` for what is no ``Part.Shape``, ``ModelError`` for a null shape or one without faces.
+    Raises ``TypeError`` for what is no ``Part.Shape``, ``ModelError`` for a null shape or one
+    without faces.
     """
     return bridge.model_from_freecad(shape)
 
@@ -113,17 +116,20 @@ def _to_freecad(self):
 
 
 def curve_to_freecad(curve):
-    """A curve as FreeCAD's: a BezierCurve as ``Part.BezierCurve``, a BSplineCurve as ``Part.BSplineCurve``, a BezierSpline as that of
-    ``to_bspline(continuity())``. Poles, weights and knots are the same numbers.
+    """A curve as FreeCAD's: a BezierCurve as ``Part.BezierCurve``, a BSplineCurve as
+    ``Part.BSplineCurve``, a BezierSpline as that of ``to_bspline(continuity())``. Poles, weights
+    and knots are the same numbers.
 
-    Raises ``ValueError`` for degrees above 25, ``TypeError`` for other things, ``RuntimeError`` outside FreeCAD.
+    Raises ``ValueError`` for degrees above 25, ``TypeError`` for other things, ``RuntimeError``
+    outside FreeCAD.
     """
     return bridge.curve_to_freecad(curve)
 
 
 def curve_from_freecad(curve):
-    """The BezierCurve or BSplineCurve that a ``Part.BezierCurve`` or ``Part.BSplineCurve`` is, number by number. Where one is periodic
-    or its ends are not clamped, knots are inserted at its ends. Of an edge, give ``edge.Curve``; trims are not looked at.
+    """The BezierCurve or BSplineCurve that a ``Part.BezierCurve`` or ``Part.BSplineCurve`` is,
+    number by number. Where one is periodic or its ends are not clamped, knots are inserted at its
+    ends. Of an edge, give ``edge.Curve``; trims are not looked at.
 
     Raises ``TypeError`` for other things, ``RuntimeError`` outside FreeCAD.
     """
@@ -133,7 +139,8 @@ def curve_from_freecad(curve):
 def surface_to_freecad(patch):
     """A BezierPatch as ``Part.BezierSurface``: the same poles and weights.
 
-    Raises ``ValueError`` for degrees above 25, ``TypeError`` for other things, ``RuntimeError`` outside FreeCAD.
+    Raises ``ValueError`` for degrees above 25, ``TypeError`` for other things, ``RuntimeError``
+    outside FreeCAD.
     """
     return bridge.surface_to_freecad(patch)
 

@@ -3,12 +3,12 @@
 
 Three routes, best first:
 
-``pointer``  both hold the same shape, nothing is copied; needs FreeCAD and this module to use the same OpenCASCADE
-``binary``   a copy, exact in every bit, through memory
-``text``     a copy with 15 digits; works with every OpenCASCADE 7
+``pointer`` both hold the same shape, nothing is copied; needs FreeCAD and this module to use the
+same OpenCASCADE ``binary`` a copy, exact in every bit, through memory ``text`` a copy with 15
+digits; works with every OpenCASCADE 7
 
-The first route that passes its self-test (a box goes there and back) is used. ``route()`` tells which one it is,
-``force()`` sets it, ``why_not()`` tells why the better ones are not used.
+The first route that passes its self-test (a box goes there and back) is used. ``route()`` tells
+which one it is, ``force()`` sets it, ``why_not()`` tells why the better ones are not used.
 """
 
 import math
@@ -27,8 +27,10 @@ def _part():
     try:
         import Part
     except ImportError as error:
-        raise RuntimeError("FreeCAD's module Part is not available in this Python: run inside FreeCAD, "
-                           "or add FreeCAD's lib folder to PYTHONPATH") from error
+        raise RuntimeError(
+            "FreeCAD's module Part is not available in this Python: run inside FreeCAD, "
+            "or add FreeCAD's lib folder to PYTHONPATH"
+        ) from error
     return Part
 
 
@@ -37,7 +39,9 @@ class _Pointer:
     def require():
         part = _part()
         if part.OCC_VERSION != _core.OCCT_VERSION:
-            raise RuntimeError(f"FreeCAD uses OpenCASCADE {part.OCC_VERSION}, this module {_core.OCCT_VERSION}")
+            raise RuntimeError(
+                f"FreeCAD uses OpenCASCADE {part.OCC_VERSION}, this module {_core.OCCT_VERSION}"
+            )
         kernels = _loaded_kernels()
         if len(kernels) > 1:
             raise RuntimeError("two OpenCASCADE kernels are loaded: " + ", ".join(sorted(kernels)))
@@ -143,7 +147,8 @@ def _self_test(route):
 
 
 def route():
-    """The route in use: the forced one, or the best one that works. Raises ``RuntimeError`` without FreeCAD."""
+    """The route in use: the forced one, or the best one that works. Raises ``RuntimeError`` without
+    FreeCAD."""
     global _chosen
     if _forced is not None:
         return _forced
@@ -158,7 +163,9 @@ def route():
                 _chosen = name
                 break
         else:
-            raise RuntimeError(f"no way to pass shapes between FreeCAD and seamwright works: {_failures}")
+            raise RuntimeError(
+                f"no way to pass shapes between FreeCAD and seamwright works: {_failures}"
+            )
     return _chosen
 
 
@@ -197,8 +204,9 @@ def model_from_freecad(shape):
 def model_later(shape):
     """A callable that returns the ``Model`` of a shape as it is now, for work in another thread.
 
-    The model shares nothing with the shape, which FreeCAD may go on to draw or change meanwhile: both write into a shape.
-    The callable may be called in any thread. Raises what ``Model.from_freecad`` does.
+    The model shares nothing with the shape, which FreeCAD may go on to draw or change meanwhile:
+    both write into a shape. The callable may be called in any thread. Raises what
+    ``Model.from_freecad`` does.
     """
     _require_shape(shape)
     route()  # the self-test belongs to this thread
@@ -213,8 +221,10 @@ def model_to_freecad(model):
 def _require_apart(knots):
     for i, (before, knot) in enumerate(zip(knots, knots[1:]), 1):
         if knot - before <= math.ulp(before):
-            raise ValueError(f"distinct knots {i - 1} and {i} are {before!r} and {knot!r}: OpenCASCADE tells knots apart "
-                             "by one part in 10^16")
+            raise ValueError(
+                f"distinct knots {i - 1} and {i} are {before!r} and {knot!r}: OpenCASCADE tells knots apart "
+                "by one part in 10^16"
+            )
 
 
 def curve_to_freecad(curve):
@@ -223,7 +233,9 @@ def curve_to_freecad(curve):
     if isinstance(curve, _core.BezierSpline):
         curve = curve.to_bspline(curve.continuity())
     if not isinstance(curve, (_core.BezierCurve, _core.BSplineCurve)):
-        raise TypeError(f"a BezierCurve, BSplineCurve or BezierSpline is needed, not {type(curve).__name__}")
+        raise TypeError(
+            f"a BezierCurve, BSplineCurve or BezierSpline is needed, not {type(curve).__name__}"
+        )
     poles = [_vector(pole) for pole in curve.poles]
     weights = [float(weight) for weight in curve.weights]
     if isinstance(curve, _core.BSplineCurve):
@@ -231,8 +243,14 @@ def curve_to_freecad(curve):
         _require_apart(knots)
         spline = part.BSplineCurve()
         given = {"weights": weights} if curve.is_rational else {}
-        spline.buildFromPolesMultsKnots(poles=poles, mults=[curve.knots.count(knot) for knot in knots], knots=knots,
-                                        periodic=False, degree=curve.degree, **given)
+        spline.buildFromPolesMultsKnots(
+            poles=poles,
+            mults=[curve.knots.count(knot) for knot in knots],
+            knots=knots,
+            periodic=False,
+            degree=curve.degree,
+            **given,
+        )
         return spline
     if not 1 <= curve.degree <= 25:
         raise ValueError(f"degree {curve.degree}: FreeCAD holds degrees 1 to 25")
@@ -243,7 +261,9 @@ def curve_to_freecad(curve):
             try:
                 bezier.setWeight(i, weight)
             except part.OCCError as error:
-                raise ValueError(f"weight {i - 1} is {weight!r}: OpenCASCADE takes none so small") from error
+                raise ValueError(
+                    f"weight {i - 1} is {weight!r}: OpenCASCADE takes none so small"
+                ) from error
     return bezier
 
 
@@ -285,9 +305,18 @@ def curve_from_freecad(curve):
     """See ``seamwright.curve_from_freecad``."""
     part = _part()
     if not isinstance(curve, (part.BezierCurve, part.BSplineCurve)):
-        raise TypeError(f"a Part.BezierCurve or Part.BSplineCurve is needed, not {type(curve).__name__}")
+        raise TypeError(
+            f"a Part.BezierCurve or Part.BSplineCurve is needed, not {type(curve).__name__}"
+        )
     poles = [tuple(pole) for pole in curve.getPoles()]
     weights = curve.getWeights() if curve.isRational() else None
     if isinstance(curve, part.BezierCurve):
         return _core.BezierCurve(poles, weights)
-    return _core._clamped_curve(curve.Degree, curve.getKnots(), curve.getMultiplicities(), poles, weights, curve.isPeriodic())
+    return _core._clamped_curve(
+        curve.Degree,
+        curve.getKnots(),
+        curve.getMultiplicities(),
+        poles,
+        weights,
+        curve.isPeriodic(),
+    )

@@ -7,7 +7,8 @@
 >>> drawing.curve(spline, comb=True)
 >>> drawing.write("spline.svg")
 
-Curves are BezierCurve, BezierSpline or BSplineCurve; points are arrays (n, 3), or (n, 2) in the plane z = 0.
+Curves are BezierCurve, BezierSpline or BSplineCurve; points are arrays (n, 3), or (n, 2) in the
+plane z = 0.
 """
 
 import math
@@ -26,14 +27,20 @@ LEGEND_LINE = 18
 
 def _words_of(text):
     """For XML: what it forbids, even escaped, is shown as a replacement character."""
-    allowed = "".join(c if c in "\t\n" or " " <= c and not "\ud800" <= c <= "\udfff" and c not in "\ufffe\uffff" else "\ufffd"
-                      for c in str(text))
+    allowed = "".join(
+        c
+        if c in "\t\n" or " " <= c and not "\ud800" <= c <= "\udfff" and c not in "\ufffe\uffff"
+        else "\ufffd"
+        for c in str(text)
+    )
     return escape(allowed, {'"': "&quot;"})
 
 
 def _segments(curve):
     if not hasattr(curve, "point"):
-        raise ValueError(f"curve is {curve!r}: a BezierCurve, BezierSpline or BSplineCurve is needed")
+        raise ValueError(
+            f"curve is {curve!r}: a BezierCurve, BezierSpline or BSplineCurve is needed"
+        )
     if hasattr(curve, "bezier_spline"):
         curve = curve.bezier_spline()
     if hasattr(curve, "segment"):
@@ -43,19 +50,31 @@ def _segments(curve):
 
 def _rows(points, what):
     rows = np.array(points, dtype=float)
-    if rows.ndim != 2 or rows.shape[0] == 0 or rows.shape[1] not in (2, 3) or not np.isfinite(rows).all():
-        raise ValueError(f"{what} of shape {rows.shape}: finite numbers of shape (n, 3) or (n, 2) are needed")
+    if (
+        rows.ndim != 2
+        or rows.shape[0] == 0
+        or rows.shape[1] not in (2, 3)
+        or not np.isfinite(rows).all()
+    ):
+        raise ValueError(
+            f"{what} of shape {rows.shape}: finite numbers of shape (n, 3) or (n, 2) are needed"
+        )
     return np.hstack([rows, np.zeros((len(rows), 3 - rows.shape[1]))])
 
 
 def _number(name, value):
-    if isinstance(value, bool) or not isinstance(value, (int, float, np.number)) or not 0 < value < math.inf:
+    if (
+        isinstance(value, bool)
+        or not isinstance(value, (int, float, np.number))
+        or not 0 < value < math.inf
+    ):
         raise ValueError(f"{name} is {value!r}: a positive number is needed")
     return float(value)
 
 
 def _share(total, segments):
-    """Parameters 0..1 of each of so many segments, both ends among them, so that all come to about the total."""
+    """Parameters 0..1 of each of so many segments, both ends among them, so that all come to about
+    the total."""
     return np.linspace(0, 1, max(2, 1 + min(96, total // segments)))
 
 
@@ -75,7 +94,8 @@ def curvature_vectors(curve, parameters):
 
 
 def _basis(view, points):
-    """Two rows: what goes right and what goes up, seen from that direction, or facing the plane that fits best."""
+    """Two rows: what goes right and what goes up, seen from that direction, or facing the plane
+    that fits best."""
     if view is not None:
         towards = np.array(view, dtype=float)
         if towards.shape != (3,) or not np.isfinite(towards).all() or not towards.any():
@@ -104,8 +124,8 @@ def _upright(towards, axis):
 class Picture:
     """Collects what is to be drawn; svg() and write() draw it.
 
-    title: a line above; width: in pixels, the height follows; view: the direction from the scene to the eye, default: facing the
-    plane that fits all points best.
+    title: a line above; width: in pixels, the height follows; view: the direction from the scene to
+    the eye, default: facing the plane that fits all points best.
     """
 
     def __init__(self, title=None, width=760, view=None):
@@ -131,8 +151,9 @@ class Picture:
     def curve(self, curve, color=None, label=None, comb=None, width=2):
         """A curve; comb: True, or the length drawn for a curvature of 1/mm, in mm^2.
 
-        The teeth point away from the centre of curvature. All combs with True have one scale: what makes the longest tooth of
-        all of them 18 % of the diagonal of the drawing. Segments have their own teeth at their ends, so a jump shows.
+        The teeth point away from the centre of curvature. All combs with True have one scale: what
+        makes the longest tooth of all of them 18 % of the diagonal of the drawing. Segments have
+        their own teeth at their ends, so a jump shows.
         """
         color = self._color(color)
         segments = _segments(curve)
@@ -143,7 +164,9 @@ class Picture:
         if comb is not None and comb is not False:
             teeth = _share(TEETH, len(segments))
             scale = None if comb is True else _number("comb", comb)
-            self._combs.append(([curvature_vectors(segment, teeth) for segment in segments], scale, color))
+            self._combs.append(
+                ([curvature_vectors(segment, teeth) for segment in segments], scale, color)
+            )
 
     def polygon(self, points, label=None, closed=False, color="#888888"):
         """A thin line through points, with a dot at each."""
@@ -168,24 +191,37 @@ class Picture:
         """A line from each point along its vector, in mm."""
         color = _words_of(color)
         for start, vector in zip(_rows(points, "points"), _rows(vectors, "vectors"), strict=True):
-            self._lines.append((np.array([start, start + vector]), f'stroke="{color}" stroke-width="1.2"'))
+            self._lines.append(
+                (np.array([start, start + vector]), f'stroke="{color}" stroke-width="1.2"')
+            )
         self._named(label, color)
 
     def _given(self):
-        return np.concatenate([points for points, _ in self._lines] + [points for points, _, _ in self._dots])
+        return np.concatenate(
+            [points for points, _ in self._lines] + [points for points, _, _ in self._dots]
+        )
 
     def _teeth(self):
         """Lines of the combs: for each segment of each comb points, tips and color."""
         given = self._given()
         diagonal = np.linalg.norm(given.max(axis=0) - given.min(axis=0))
-        automatic = [vectors for segments, scale, _ in self._combs if scale is None for _, vectors in segments]
-        longest = max((np.nanmax(np.linalg.norm(v, axis=1), initial=0) for v in automatic), default=0)
+        automatic = [
+            vectors
+            for segments, scale, _ in self._combs
+            if scale is None
+            for _, vectors in segments
+        ]
+        longest = max(
+            (np.nanmax(np.linalg.norm(v, axis=1), initial=0) for v in automatic), default=0
+        )
         common = LONGEST_TOOTH * diagonal / longest if longest > 0 else 0
         for segments, scale, color in self._combs:
             for points, vectors in segments:
                 good = np.isfinite(vectors).all(axis=1)
                 if good.any():
-                    yield points[good], (points - (common if scale is None else scale) * vectors)[good], color
+                    yield points[good], (points - (common if scale is None else scale) * vectors)[
+                        good
+                    ], color
 
     def svg(self):
         """The drawing as a text. Raises ValueError if there is nothing to draw."""
@@ -209,27 +245,43 @@ class Picture:
         def path(points):
             return " ".join(f"{x:.2f},{y:.2f}" for x, y in place(points))
 
-        parts = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {self.width:.0f} {height:.0f}" '
-                 'font-family="sans-serif" font-size="12">',
-                 f'<rect width="{self.width:.0f}" height="{height:.0f}" fill="white"/>']
+        parts = [
+            f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {self.width:.0f} {height:.0f}" '
+            'font-family="sans-serif" font-size="12">',
+            f'<rect width="{self.width:.0f}" height="{height:.0f}" fill="white"/>',
+        ]
         for points, tips, color in combs:
-            teeth = "".join(f"M{a[0]:.2f} {a[1]:.2f}L{b[0]:.2f} {b[1]:.2f}" for a, b in zip(place(points), place(tips)))
+            teeth = "".join(
+                f"M{a[0]:.2f} {a[1]:.2f}L{b[0]:.2f} {b[1]:.2f}"
+                for a, b in zip(place(points), place(tips))
+            )
             parts.append(f'<path d="{teeth}" stroke="{color}" stroke-width="0.5" opacity="0.5"/>')
-            parts.append(f'<polyline points="{path(tips)}" fill="none" stroke="{color}" stroke-width="0.8" opacity="0.8"/>')
+            parts.append(
+                f'<polyline points="{path(tips)}" fill="none" stroke="{color}" stroke-width="0.8" opacity="0.8"/>'
+            )
         for points, attributes in self._lines:
-            parts.append(f'<polyline points="{path(points)}" fill="none" {attributes} stroke-linejoin="round"/>')
+            parts.append(
+                f'<polyline points="{path(points)}" fill="none" {attributes} stroke-linejoin="round"/>'
+            )
         for points, color, radius in self._dots:
-            parts += [f'<circle cx="{x:.2f}" cy="{y:.2f}" r="{radius}" fill="{color}"/>' for x, y in place(points)]
+            parts += [
+                f'<circle cx="{x:.2f}" cy="{y:.2f}" r="{radius}" fill="{color}"/>'
+                for x, y in place(points)
+            ]
         return "\n".join(parts + self._words() + ["</svg>", ""])
 
     def _words(self):
         words, y = [], MARGIN
         if self.title:
-            words.append(f'<text x="{MARGIN}" y="{y}" font-size="14">{_words_of(self.title)}</text>')
+            words.append(
+                f'<text x="{MARGIN}" y="{y}" font-size="14">{_words_of(self.title)}</text>'
+            )
             y += LEGEND_LINE
         for label, color, dashed in self._legend:
             dashes = ' stroke-dasharray="5 3"' if dashed else ""
-            words.append(f'<line x1="{MARGIN}" y1="{y - 4}" x2="{MARGIN + 22}" y2="{y - 4}" stroke="{color}" stroke-width="2"{dashes}/>')
+            words.append(
+                f'<line x1="{MARGIN}" y1="{y - 4}" x2="{MARGIN + 22}" y2="{y - 4}" stroke="{color}" stroke-width="2"{dashes}/>'
+            )
             words.append(f'<text x="{MARGIN + 30}" y="{y}">{_words_of(label)}</text>')
             y += LEGEND_LINE
         return words

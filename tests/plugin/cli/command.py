@@ -14,8 +14,15 @@ def run(*arguments, reader=None, cwd=None):
     environment.pop("SEAMWRIGHT_READER", None)
     if reader is not None:
         environment["SEAMWRIGHT_READER"] = str(reader)
-    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=60, cwd=cwd,
-                          env=environment, stdin=subprocess.DEVNULL)
+    return subprocess.run(
+        [PROGRAM, *map(str, arguments)],
+        capture_output=True,
+        text=True,
+        timeout=60,
+        cwd=cwd,
+        env=environment,
+        stdin=subprocess.DEVNULL,
+    )
 
 
 def contents(folder):

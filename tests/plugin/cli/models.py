@@ -18,7 +18,8 @@ def installed(path):
 
 
 def _planar_part(points, faces):
-    """Entities of planar faces over numbered points: vertices, edges shared between faces, loops. Returns (lines, ids)."""
+    """Entities of planar faces over numbered points: vertices, edges shared between faces, loops.
+    Returns (lines, ids)."""
     lines, edges, face_ids = [], {}, []
 
     def add(text):
@@ -37,7 +38,9 @@ def _planar_part(points, faces):
         if (b, a) in edges:
             return edges[b, a], ".F."
         delta = [q - p for p, q in zip(points[a], points[b])]
-        line = add(f"LINE('',{point(points[a])},{add(f'VECTOR({chr(39) * 2},{direction(delta)},1.)')})")
+        line = add(
+            f"LINE('',{point(points[a])},{add(f'VECTOR({chr(39) * 2},{direction(delta)},1.)')})"
+        )
         edges[a, b] = add(f"EDGE_CURVE('',{vertices[a]},{vertices[b]},{line},.T.)")
         return edges[a, b], ".T."
 
@@ -84,7 +87,8 @@ _MILLIMETRE = "#16=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));\n"
 
 
 def step_text(points, faces, **how):
-    """A STEP file of planar faces; each face a list of indices into points, counter-clockwise from outside."""
+    """A STEP file of planar faces; each face a list of indices into points, counter-clockwise from
+    outside."""
     return file_text(*_planar_part(points, faces), **how)
 
 
@@ -92,21 +96,36 @@ def file_text(lines, face_ids, unit=_MILLIMETRE, closed=True):
     """A STEP file of these entities, numbered from 100, with one shell of these faces."""
     shell = "CLOSED_SHELL" if closed else "OPEN_SHELL"
     model = "MANIFOLD_SOLID_BREP('',#21)" if closed else "SHELL_BASED_SURFACE_MODEL('',(#21))"
-    kind = "ADVANCED_BREP_SHAPE_REPRESENTATION" if closed else "MANIFOLD_SURFACE_SHAPE_REPRESENTATION"
+    kind = (
+        "ADVANCED_BREP_SHAPE_REPRESENTATION" if closed else "MANIFOLD_SURFACE_SHAPE_REPRESENTATION"
+    )
     units = "#16,#17,#18" if unit else "#17,#18"
-    return (_HEAD + unit
-            + "#15=(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#19))"
-              f"GLOBAL_UNIT_ASSIGNED_CONTEXT(({units}))REPRESENTATION_CONTEXT('',''));\n"
-            + f"#19=UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-07),{'#16' if unit else '#17'},'','');\n"
-            + f"#10={kind}('',(#14,#20),#15);\n#20={model};\n#21={shell}('',({','.join(face_ids)}));\n"
-            + "\n".join(lines) + "\nENDSEC;\nEND-ISO-10303-21;\n")
+    return (
+        _HEAD
+        + unit
+        + "#15=(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#19))"
+        f"GLOBAL_UNIT_ASSIGNED_CONTEXT(({units}))REPRESENTATION_CONTEXT('',''));\n"
+        + f"#19=UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-07),{'#16' if unit else '#17'},'','');\n"
+        + f"#10={kind}('',(#14,#20),#15);\n#20={model};\n#21={shell}('',({','.join(face_ids)}));\n"
+        + "\n".join(lines)
+        + "\nENDSEC;\nEND-ISO-10303-21;\n"
+    )
 
 
 _BOX_FACES = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]
 
 
 def box_text(x=10, y=20, z=30, **how):
-    points = [(0, 0, 0), (x, 0, 0), (x, y, 0), (0, y, 0), (0, 0, z), (x, 0, z), (x, y, z), (0, y, z)]
+    points = [
+        (0, 0, 0),
+        (x, 0, 0),
+        (x, y, 0),
+        (0, y, 0),
+        (0, 0, z),
+        (x, 0, z),
+        (x, y, z),
+        (0, y, z),
+    ]
     return step_text(points, _BOX_FACES, **how)
 
 
@@ -122,8 +141,10 @@ def roof_text(angle_deg):
 def reader_that_finds(other, folder, real):
     """A reader that finds another model where the written one waits for its place."""
     reader = folder / "reader.sh"
-    reader.write_text("#!/bin/bash\nargs=()\nfor arg; do\n"
-                      f"  case \"$arg\" in *.part) args+=({str(other)!r});; *) args+=(\"$arg\");; esac\n"
-                      f"done\nexec {str(real)!r} \"${{args[@]}}\"\n")
+    reader.write_text(
+        "#!/bin/bash\nargs=()\nfor arg; do\n"
+        f"  case \"$arg\" in *.part) args+=({str(other)!r});; *) args+=(\"$arg\");; esac\n"
+        f"done\nexec {str(real)!r} \"${{args[@]}}\"\n"
+    )
     reader.chmod(0o755)
     return reader

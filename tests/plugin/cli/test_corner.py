@@ -50,7 +50,9 @@ def test_one_radius_is_that_of_all_edges(box):
 def test_a_setback_of_zero_is_chosen(box):
     chosen = corner(box, "--vertex", "1", "--radius", "0.2")[1]["edges"]
     some = corner(box, "--vertex", "1", "--radius", "0.2", "--setback", "0,0.5,0")[1]["edges"]
-    assert sorted(edge["setback_mm"] for edge in some) == pytest.approx([chosen[0]["setback_mm"]] * 2 + [0.5])
+    assert sorted(edge["setback_mm"] for edge in some) == pytest.approx(
+        [chosen[0]["setback_mm"]] * 2 + [0.5]
+    )
     assert min(some, key=lambda edge: edge["edge"])["setback_mm"] != 0.5
 
 
@@ -85,14 +87,26 @@ def test_what_falls_short_is_not_written(box):
         (["--radius", "0.2"], "--vertex"),
         (["--vertex", "1"], "--radius"),
         (["--vertex", "9", "--radius", "0.2"], "vertex 9: the model has 8"),
-        (["--vertex", "0", "--radius", "0.2"], "--vertex: '0' names no Vertex: they count from 1 (see "),
+        (
+            ["--vertex", "0", "--radius", "0.2"],
+            "--vertex: '0' names no Vertex: they count from 1 (see ",
+        ),
         (["--vertex", "Edge1", "--radius", "0.2"], "'Edge1' names no Vertex"),
-        (["--vertex", "1", "--radius", "0.2,0.3"], "--radius has 2 lengths: one for all edges is needed, or one for each of Edge1"),
+        (
+            ["--vertex", "1", "--radius", "0.2,0.3"],
+            "--radius has 2 lengths: one for all edges is needed, or one for each of Edge1",
+        ),
         (["--vertex", "1", "--radius", "0.2", "--setback", "1,2"], "--setback has 2 lengths"),
         (["--vertex", "1", "--radius", "0"], "radius of edge 1 is 0"),
         (["--vertex", "1", "--radius", "nan"], "nan"),
-        (["--vertex", "1", "--radius", "0.2", "--setback", "-1"], "is -1 mm: a finite one above 0 is needed, or 0: chosen"),
-        *(([*("--vertex", "1", "--radius", "0.2"), option, "1"], option) for option in ("--curvature", "--crease", "--flat-radius")),
+        (
+            ["--vertex", "1", "--radius", "0.2", "--setback", "-1"],
+            "is -1 mm: a finite one above 0 is needed, or 0: chosen",
+        ),
+        *(
+            ([*("--vertex", "1", "--radius", "0.2"), option, "1"], option)
+            for option in ("--curvature", "--crease", "--flat-radius")
+        ),
         (["--vertex", "1", "--radius", "20"], "long on one side"),
         (["--vertex", "1", "--radius", "wide"], "wide"),
     ],

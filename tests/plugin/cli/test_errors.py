@@ -16,7 +16,7 @@ def bad_inputs(folder):
     """name: (arguments, what the line must say)."""
     good = write(folder / "good.step", box_text())
     text = box_text()
-    empty_step = text[:text.index("#9=")] + "ENDSEC;\nEND-ISO-10303-21;\n"
+    empty_step = text[: text.index("#9=")] + "ENDSEC;\nEND-ISO-10303-21;\n"
     foreign = "#16=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT($,.GRAM.));\n"
     cases = {
         "missing file": ([folder / "none.step"], "none.step"),
@@ -24,7 +24,7 @@ def bad_inputs(folder):
         "empty file": ([write(folder / "empty.step", "")], "empty"),
         "no STEP": ([write(folder / "text.step", "Dear all,\nthis is a letter.\n")], "text.step"),
         "binary noise": ([write(folder / "noise.step", bytes(range(256)) * 8)], "noise.step"),
-        "truncated": ([write(folder / "cut.step", text[:len(text) // 2])], "truncated"),
+        "truncated": ([write(folder / "cut.step", text[: len(text) // 2])], "truncated"),
         "no shapes": ([write(folder / "nothing.step", empty_step)], "nothing.step"),
         "no unit": ([write(folder / "nounit.step", box_text(unit=""))], "unit"),
         "unknown unit": ([write(folder / "gram.step", box_text(unit=foreign))], "unit"),
@@ -34,15 +34,24 @@ def bad_inputs(folder):
         "unknown format": ([good, "--format", "xml"], "xml"),
         "unknown level": ([good, "--level", "G7"], "G7"),
         "unknown profile": ([good, "--profile", "class-b"], "class-b"),
-        "crease below the profile's angle": ([good, "--profile", "vda", "--crease", "0.05"], "0.05"),
+        "crease below the profile's angle": (
+            [good, "--profile", "vda", "--crease", "0.05"],
+            "0.05",
+        ),
         "word for a number": ([good, "--gap", "wide"], "wide"),
         "negative jobs": ([good, "--jobs", "-1"], "-1"),
         "crease below angle": ([good, "--angle", "3", "--crease", "2"], "2"),
         "missing folder": ([good, "-o", folder / "nowhere" / "out.json"], "nowhere"),
         "output is a folder": ([good, "-o", folder], "folder"),
         "output is the model": ([good, "-o", good], "good.step"),
-        "output is another model": ([good, "-o", write(folder / "old.step", "old")], "old.step: has the name of a model"),
-        "output is a second model": ([write(folder / "other.step", text), good, "-o", good], "good.step"),
+        "output is another model": (
+            [good, "-o", write(folder / "old.step", "old")],
+            "old.step: has the name of a model",
+        ),
+        "output is a second model": (
+            [write(folder / "other.step", text), good, "-o", good],
+            "good.step",
+        ),
     }
     for option in ("gap", "angle", "curvature", "flat-radius", "crease", "match"):
         cases[f"NaN {option}"] = ([good, f"--{option}", "nan"], "nan")
@@ -91,27 +100,56 @@ def test_names_with_line_breaks_keep_to_one_line(tmp_path):
 def test_the_order_of_checks_saves_the_reading(tmp_path):
     """A bad output is told before a model is read."""
     good = write(tmp_path / "good.step", box_text())
-    expect_one_line(run("analyze", good, "-o", tmp_path / "nowhere" / "x", reader="/bin/false"), "nowhere")
+    expect_one_line(
+        run("analyze", good, "-o", tmp_path / "nowhere" / "x", reader="/bin/false"), "nowhere"
+    )
 
 
-@pytest.mark.parametrize("reader,said", [("/bin/false", "good.step"), ("/nonexistent/reader", "/nonexistent/reader"),
-                                         ("/etc/passwd", "/etc/passwd"), ("/bin/true", "good.step")])
+@pytest.mark.parametrize(
+    "reader,said",
+    [
+        ("/bin/false", "good.step"),
+        ("/nonexistent/reader", "/nonexistent/reader"),
+        ("/etc/passwd", "/etc/passwd"),
+        ("/bin/true", "good.step"),
+    ],
+)
 def test_readers_that_do_not_read(tmp_path, reader, said):
     expect_one_line(run("analyze", write(tmp_path / "good.step", box_text()), reader=reader), said)
 
 
-@pytest.mark.parametrize("content", ["garbage", "\\0\\0\\0\\0\\0\\0\\0\\0\\0", "S\\1\\0\\0\\0\\0\\0\\0\\0x",
-                                     "S\\377\\377\\377\\377\\377\\377\\377\\377", "F\\2\\0\\0\\0\\0\\0\\0\\0{}",
-                                     "E\\2\\0\\0\\0\\0\\0\\0\\0{}", "E\\1\\0\\0\\0\\0\\0\\0\\0x", ""])
+@pytest.mark.parametrize(
+    "content",
+    [
+        "garbage",
+        "\\0\\0\\0\\0\\0\\0\\0\\0\\0",
+        "S\\1\\0\\0\\0\\0\\0\\0\\0x",
+        "S\\377\\377\\377\\377\\377\\377\\377\\377",
+        "F\\2\\0\\0\\0\\0\\0\\0\\0{}",
+        "E\\2\\0\\0\\0\\0\\0\\0\\0{}",
+        "E\\1\\0\\0\\0\\0\\0\\0\\0x",
+        "",
+    ],
+)
 def test_readers_that_talk_nonsense(tmp_path, content):
     reader = tmp_path / "reader"
     reader.write_text(f"#!/bin/sh\nprintf '{content}' >&3\n")
     reader.chmod(0o755)
-    expect_one_line(run("analyze", write(tmp_path / "good.step", box_text()), reader=reader), "good.step")
+    expect_one_line(
+        run("analyze", write(tmp_path / "good.step", box_text()), reader=reader), "good.step"
+    )
 
 
-@pytest.mark.parametrize("file", ["ap203_malformed_representation.stp", "ap203_part21_scope.stp", "ap242_tessellated.stp",
-                                  "f3d_lfs_pointer.stp", "mutated/utf16.step"])
+@pytest.mark.parametrize(
+    "file",
+    [
+        "ap203_malformed_representation.stp",
+        "ap203_part21_scope.stp",
+        "ap242_tessellated.stp",
+        "f3d_lfs_pointer.stp",
+        "mutated/utf16.step",
+    ],
+)
 def test_broken_files(file):
     path = installed(MODELS / "broken" / file)
     expect_one_line(run("analyze", path), path)

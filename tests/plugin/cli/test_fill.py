@@ -33,7 +33,11 @@ def test_a_face_of_a_box_is_replaced_in_position(box):
     result, report, out = fill(box, "--face", "1", "--target", "G0")
     assert result.returncode == 0 and result.stderr == ""
     assert result.stdout.startswith("filled with 1 face;") and "REACHED G0" in result.stdout
-    assert report["filled"] and report["reached"] and report["sides"] == report["corners"] == report["inner"] == []
+    assert (
+        report["filled"]
+        and report["reached"]
+        and report["sides"] == report["corners"] == report["inner"] == []
+    )
     found = analysis(out)
     assert found["model"]["faces"] == report["output"]["faces"] == 6
     assert found["model"]["edges"] == report["output"]["edges"]
@@ -62,19 +66,27 @@ def test_a_smooth_fill_of_a_real_shell(tmp_path):
         assert report["output"]["defects"] == 0
         worst = [seam["angle_deg"]["upper"] for seam in report["outer"] + report["inner"]]
         assert report["largest_angle_deg"] == max(worst)
-        seams = [seam for seam in analysis(written, "--angle", "0.01")["seams"] if set(seam["faces"]) & set(report["faces"])]
+        seams = [
+            seam
+            for seam in analysis(written, "--angle", "0.01")["seams"]
+            if set(seam["faces"]) & set(report["faces"])
+        ]
         assert len(seams) == len(worst)
-        assert all(seam["class"] == "smooth" for seam in seams), "the file says what the report says"
+        assert all(
+            seam["class"] == "smooth" for seam in seams
+        ), "the file says what the report says"
 
 
 def test_a_closed_solid_comes_out_closed_with_its_colours(tmp_path):
     text = box_text()
     box = tmp_path / "box.step"
     face = text.index("ADVANCED_FACE")
-    number = text[text.rindex("#", 0, face):face].rstrip("=")
-    colour = (f"#9001=STYLED_ITEM('',(#9002),{number});#9002=PRESENTATION_STYLE_ASSIGNMENT((#9003));#9003=SURFACE_STYLE_USAGE(.BOTH.,#9004);"
-              "#9004=SURFACE_SIDE_STYLE('',(#9005));#9005=SURFACE_STYLE_FILL_AREA(#9006);#9006=FILL_AREA_STYLE('',(#9007));"
-              "#9007=FILL_AREA_STYLE_COLOUR('',#9008);#9008=COLOUR_RGB('',1.,0.,0.);")
+    number = text[text.rindex("#", 0, face) : face].rstrip("=")
+    colour = (
+        f"#9001=STYLED_ITEM('',(#9002),{number});#9002=PRESENTATION_STYLE_ASSIGNMENT((#9003));#9003=SURFACE_STYLE_USAGE(.BOTH.,#9004);"
+        "#9004=SURFACE_SIDE_STYLE('',(#9005));#9005=SURFACE_STYLE_FILL_AREA(#9006);#9006=FILL_AREA_STYLE('',(#9007));"
+        "#9007=FILL_AREA_STYLE_COLOUR('',#9008);#9008=COLOUR_RGB('',1.,0.,0.);"
+    )
     box.write_text(text.replace("ENDSEC;\nEND-ISO", colour + "\nENDSEC;\nEND-ISO"))
     result, report, out = fill(box, "--face", "6", "--target", "G0")
     assert result.returncode == 0 and result.stderr == ""
@@ -103,9 +115,13 @@ def test_the_table_has_the_figures_of_every_seam(tmp_path):
         jump = report["curvature_jump_per_mm"]
         assert jump is None if target == "G0" else 0 < jump < 0.1
         rows = [line for line in result.stdout.splitlines() if line.startswith(("met ", "missed "))]
-        assert {row.split()[1] for row in rows} == {f"Edge{seam['edges'][0]}" for seam in seams} and len(rows) == len(seams)
+        assert {row.split()[1] for row in rows} == {
+            f"Edge{seam['edges'][0]}" for seam in seams
+        } and len(rows) == len(seams)
         missed = sum(line.startswith("missed ") for line in rows)
-        assert missed == report["output"]["defects"] and all(line.startswith("missed ") for line in rows[:missed])
+        assert missed == report["output"]["defects"] and all(
+            line.startswith("missed ") for line in rows[:missed]
+        )
 
 
 def test_faces_in_a_reason_are_those_of_the_given_model(box):
@@ -125,14 +141,21 @@ def test_holes_of_one_size_are_told_apart(tmp_path):
     """A box without its ends: the list names holes as --hole takes them, with where they are."""
     points = [(x, y, z) for z in (0, 30) for x, y in ((0, 0), (10, 0), (10, 20), (0, 20))]
     tube = tmp_path / "tube.step"
-    tube.write_text(step_text(points, [[0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]], closed=False))
+    tube.write_text(
+        step_text(points, [[0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]], closed=False)
+    )
     listed = run("fill", tube, "-o", tmp_path / "out.step", "--target", "G0")
-    expect_one_line(listed, "has 2 holes, name one with --hole; Hole1: 4 sides, 60 mm around (5, 10, ")
+    expect_one_line(
+        listed, "has 2 holes, name one with --hole; Hole1: 4 sides, 60 mm around (5, 10, "
+    )
     places = dict(re.findall(r"(Hole\d): 4 sides, 60 mm around \(5, 10, (\d+)\)", listed.stderr))
     assert sorted(places.values()) == ["0", "30"]
     for name, place in places.items():
         written = fill(tube, "--hole", name, "--target", "G0")[2]
-        (hole,) = re.findall(r"around \((.*?)\)", run("fill", written, "-o", tmp_path / "o.step", "--hole", "9").stderr)
+        (hole,) = re.findall(
+            r"around \((.*?)\)",
+            run("fill", written, "-o", tmp_path / "o.step", "--hole", "9").stderr,
+        )
         assert hole == f"5, 10, {30 - int(place)}"
 
 
@@ -143,27 +166,50 @@ def test_what_can_not_be_smooth_is_not_written(box):
     assert not out.exists() and report["output"] is None and "90 degrees" in report["reason"]
     result, report, out = fill(box, "--face", "1", "--keep-anyway")
     assert result.returncode == 1 and out.exists()
-    assert report["output"]["defects"] == sum(seam["angle_deg"]["lower"] > 0.01 for seam in report["outer"] + report["inner"])
+    assert report["output"]["defects"] == sum(
+        seam["angle_deg"]["lower"] > 0.01 for seam in report["outer"] + report["inner"]
+    )
 
 
 def test_the_verdict_is_on_the_file_too(box, tmp_path):
     other, out, report = tmp_path / "other.step", tmp_path / "out.step", tmp_path / "out.json"
     other.write_text(roof_text(1))
-    result = run("fill", box, "-o", out, "--json", report, "--face", "1", "--target", "G0",
-                 reader=reader_that_finds(other, tmp_path, READER))
+    result = run(
+        "fill",
+        box,
+        "-o",
+        out,
+        "--json",
+        report,
+        "--face",
+        "1",
+        "--target",
+        "G0",
+        reader=reader_that_finds(other, tmp_path, READER),
+    )
     assert result.returncode == 1, result.stderr
     found = json.loads(report.read_text())
     expect_valid(found, VALIDATOR)
     assert found["reached"] and found["output"]["faces"] == 2 and found["output"]["open_edges"] == 6
-    assert f"{out} read back: 2 faces, 7 edges, 6 open edges, 1 seam; the model in memory has 6, " in result.stdout
-    assert result.stderr.startswith(f"seamwright: warning: {out}: read back: ") and result.stderr.count("\n") == 1
+    assert (
+        f"{out} read back: 2 faces, 7 edges, 6 open edges, 1 seam; the model in memory has 6, "
+        in result.stdout
+    )
+    assert (
+        result.stderr.startswith(f"seamwright: warning: {out}: read back: ")
+        and result.stderr.count("\n") == 1
+    )
 
 
 def test_what_cannot_be_read_back_is_not_written(box, tmp_path):
     reader = reader_that_finds(tmp_path / "none.step", tmp_path, READER)
     before = contents(tmp_path)
-    expect_one_line(run("fill", box, "-o", tmp_path / "out.step", "--face", "1", "--target", "G0", reader=reader),
-                    "out.step: can't be read back")
+    expect_one_line(
+        run(
+            "fill", box, "-o", tmp_path / "out.step", "--face", "1", "--target", "G0", reader=reader
+        ),
+        "out.step: can't be read back",
+    )
     assert contents(tmp_path) == before
 
 
@@ -198,6 +244,9 @@ def test_nothing_is_replaced_by_a_slip_of_the_hand(box, tmp_path):
     options = ["--face", "1", "--target", "G0"]
     expect_one_line(run("fill", box, "-o", old, *options), "(--overwrite)")
     expect_one_line(run("fill", box, "-o", box, *options), "(--overwrite-source)")
-    expect_one_line(run("fill", box, "-o", tmp_path / "out.step", "--json", old, *options), "has the name of a model")
+    expect_one_line(
+        run("fill", box, "-o", tmp_path / "out.step", "--json", old, *options),
+        "has the name of a model",
+    )
     assert old.read_text() == "old" and sorted(os.listdir(tmp_path)) == ["box.step", "old.step"]
     assert run("fill", box, "-o", old, "--overwrite", *options).returncode == 0

@@ -22,8 +22,13 @@ def start(arguments, reader=None):
     environment = dict(os.environ)
     if reader:
         environment["SEAMWRIGHT_READER"] = str(reader)
-    return subprocess.Popen([PROGRAM, "analyze", *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                            text=True, env=environment)
+    return subprocess.Popen(
+        [PROGRAM, "analyze", *map(str, arguments)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env=environment,
+    )
 
 
 def wait_for(condition, seconds=20):
@@ -50,7 +55,9 @@ def is_running(pid):
 
 @pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGTERM])
 def test_while_reading(tmp_path, how):
-    model, reader, pid, output = (tmp_path / name for name in ("box.step", "reader", "pid", "out.txt"))
+    model, reader, pid, output = (
+        tmp_path / name for name in ("box.step", "reader", "pid", "out.txt")
+    )
     model.write_text(box_text())
     reader.write_text(SLOW_READER.format(pid=pid))
     reader.chmod(0o755)
@@ -70,7 +77,12 @@ def grid(n):
     faces = []
     for y in range(n):
         for x in range(n):
-            a, b, c, d = (y * (n + 1) + x, y * (n + 1) + x + 1, (y + 1) * (n + 1) + x + 1, (y + 1) * (n + 1) + x)
+            a, b, c, d = (
+                y * (n + 1) + x,
+                y * (n + 1) + x + 1,
+                (y + 1) * (n + 1) + x + 1,
+                (y + 1) * (n + 1) + x,
+            )
             faces += [[a, b, c], [a, c, d]]
     return step_text(points, faces, closed=False)
 
@@ -94,8 +106,14 @@ def test_the_terminal_sends_it_to_the_whole_group(tmp_path):
     reader.write_text(SLOW_READER.format(pid=pid))
     reader.chmod(0o755)
     environment = dict(os.environ, SEAMWRIGHT_READER=str(reader))
-    process = subprocess.Popen([PROGRAM, "analyze", str(model)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                               text=True, env=environment, start_new_session=True)
+    process = subprocess.Popen(
+        [PROGRAM, "analyze", str(model)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env=environment,
+        start_new_session=True,
+    )
     wait_for(lambda: pid.exists() and pid.read_text().strip())
     os.killpg(process.pid, signal.SIGINT)
     out, error = process.communicate(timeout=20)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where the report goes: standard output, a file that is whole or untouched, and the progress bar beside it."""
+"""Where the report goes: standard output, a file that is whole or untouched, and the progress bar
+beside it."""
 
 import errno
 import json
@@ -96,7 +97,13 @@ def test_a_device_is_written_to_and_stays_one(box):
 
 def test_a_full_disk_is_told(box):
     with open("/dev/full", "w") as full:
-        result = subprocess.run([PROGRAM, "analyze", str(box)], stdout=full, stderr=subprocess.PIPE, text=True, timeout=60)
+        result = subprocess.run(
+            [PROGRAM, "analyze", str(box)],
+            stdout=full,
+            stderr=subprocess.PIPE,
+            text=True,
+            timeout=60,
+        )
     assert result.returncode == 2
     assert result.stderr.count("\n") == 1
     assert run("analyze", box, "-o", "/dev/full").returncode == 2
@@ -138,7 +145,8 @@ def on_terminal(box, **where):
     except OSError as error:
         pytest.skip(f"no terminal to be had here: {error}")
     streams = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": slave} | {
-        key: (slave if value == "terminal" else value) for key, value in where.items()}
+        key: (slave if value == "terminal" else value) for key, value in where.items()
+    }
     process = subprocess.Popen([PROGRAM, "analyze", "--format", "json", str(box)], **streams)
     os.close(slave)
     try:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Bad input of repair: one line on standard error that says what is wrong, status 2, nothing written."""
+"""Bad input of repair: one line on standard error that says what is wrong, status 2, nothing
+written."""
 
 import os
 import pathlib
@@ -42,7 +43,10 @@ def bad_inputs(folder):
         "edge x": ([good, *to, "--edges", "2,x"], "'x' names no Edge"),
         "huge edge": ([good, *to, "--edges", "99999999999"], "99999999999"),
         "no edge": ([good, *to, "--edges"], "--edges"),
-        "empty edge": ([good, *to, "--edges", ""], "'' names no Edge: a number as 39, or Edge39, is needed"),
+        "empty edge": (
+            [good, *to, "--edges", ""],
+            "'' names no Edge: a number as 39, or Edge39, is needed",
+        ),
         "face as edge": ([good, *to, "--edges", "Face2"], "'Face2' names no Edge"),
         "edge that is no seam": ([good, *to, "--edges", "1"], "edge 1 is no seam"),
         "face 0": ([good, *to, "--fix", "0"], "'0' names no Face: they count from 1"),
@@ -61,14 +65,29 @@ def bad_inputs(folder):
         "output is a folder": ([good, "-o", folder / "sub.step"], "folder"),
         "output is there": ([good, "-o", old], "(--overwrite)"),
         "output is the model": ([good, "-o", good, "--overwrite"], "(--overwrite-source)"),
-        "output leads to the model": ([good, "-o", folder / "link.step", "--overwrite"], "overwrite the source"),
-        "report in a missing folder": ([good, *to, "--json", folder / "nowhere" / "a.json"], "nowhere"),
+        "output leads to the model": (
+            [good, "-o", folder / "link.step", "--overwrite"],
+            "overwrite the source",
+        ),
+        "report in a missing folder": (
+            [good, *to, "--json", folder / "nowhere" / "a.json"],
+            "nowhere",
+        ),
         "report is a folder": ([good, *to, "--json", folder], "folder"),
         "report is the model": ([good, *to, "--json", good], "good.step"),
-        "report is the output": ([good, *to, "--json", folder / "." / "out.step"], "out.step: is where the model goes"),
+        "report is the output": (
+            [good, *to, "--json", folder / "." / "out.step"],
+            "out.step: is where the model goes",
+        ),
         "report on standard output": ([good, *to, "--json", "-"], "--json -"),
-        "report over another model": ([good, *to, "--json", old], "old.step: has the name of a model"),
-        "report over a model in capitals": ([good, *to, "--json", folder / "OLD.BRP", "--overwrite"], "OLD.BRP: has the name of a model"),
+        "report over another model": (
+            [good, *to, "--json", old],
+            "old.step: has the name of a model",
+        ),
+        "report over a model in capitals": (
+            [good, *to, "--json", folder / "OLD.BRP", "--overwrite"],
+            "OLD.BRP: has the name of a model",
+        ),
     }
     for option in ("gap", "angle", "curvature", "flat-radius", "crease", "match"):
         for value in ("nan", "inf", "-0.5"):
@@ -92,15 +111,29 @@ def test_one_line_and_status_2(tmp_path, name):
     assert contents(tmp_path) == before, "nothing is written"
 
 
-@pytest.mark.parametrize("name", ["no format", "missing folder", "output is there", "output is the model", "report is the output",
-                                  "report in a missing folder", "report is the model", "report over another model",
-                                  "report on standard output", "NaN move"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "no format",
+        "missing folder",
+        "output is there",
+        "output is the model",
+        "report is the output",
+        "report in a missing folder",
+        "report is the model",
+        "report over another model",
+        "report on standard output",
+        "NaN move",
+    ],
+)
 def test_the_order_of_checks_saves_the_reading(tmp_path, name):
     arguments, said = bad_inputs(tmp_path)[name]
     expect_one_line(run("repair", *arguments, reader="/bin/false"), said)
 
 
-@pytest.mark.parametrize("file", ["ap203_malformed_representation.stp", "ap203_part21_scope.stp", "f3d_lfs_pointer.stp"])
+@pytest.mark.parametrize(
+    "file", ["ap203_malformed_representation.stp", "ap203_part21_scope.stp", "f3d_lfs_pointer.stp"]
+)
 def test_broken_files(tmp_path, file):
     path = installed(MODELS / "broken" / file)
     expect_one_line(run("repair", path, "-o", tmp_path / "out.step"), path)
@@ -126,7 +159,9 @@ def test_an_older_report_is_replaced_and_an_older_model_where_told(tmp_path):
     assert run("repair", model, "-o", out, "--json", report).returncode == 2
     assert out.read_text() == report.read_text() == "old"
     assert run("repair", model, "-o", out, "--json", report, "--overwrite").returncode == 0
-    assert out.read_text().startswith("ISO-10303-21;") and report.read_text().startswith('{"schema":"seamwright.repair/1"')
+    assert out.read_text().startswith("ISO-10303-21;") and report.read_text().startswith(
+        '{"schema":"seamwright.repair/1"'
+    )
 
 
 def test_relative_names(tmp_path):
@@ -140,8 +175,13 @@ def test_a_full_standard_output_is_told_and_leaves_a_whole_model(tmp_path):
     model, out = tmp_path / "sheet.step", tmp_path / "out.step"
     model.write_text(sheet_text())
     with open("/dev/full", "w") as full:
-        result = subprocess.run([PROGRAM, "repair", str(model), "-o", str(out)], stdout=full, stderr=subprocess.PIPE,
-                                text=True, timeout=60)
+        result = subprocess.run(
+            [PROGRAM, "repair", str(model), "-o", str(out)],
+            stdout=full,
+            stderr=subprocess.PIPE,
+            text=True,
+            timeout=60,
+        )
     assert result.returncode == 2 and result.stderr.count("\n") == 1
     assert run("analyze", out).returncode == 0, "what was repaired is whole"
 
@@ -149,6 +189,15 @@ def test_a_full_standard_output_is_told_and_leaves_a_whole_model(tmp_path):
 def test_help_goes_to_standard_output():
     result = run("repair", "--help")
     assert result.returncode == 0 and result.stderr == ""
-    for option in ("--target", "--max-move", "--edges", "--fix", "--json", "--overwrite-source", "--no-sew", "--profile"):
+    for option in (
+        "--target",
+        "--max-move",
+        "--edges",
+        "--fix",
+        "--json",
+        "--overwrite-source",
+        "--no-sew",
+        "--profile",
+    ):
         assert option in result.stdout
-    assert "{" not in result.stdout[result.stdout.index("--no-sew"):].split(maxsplit=1)[0]
+    assert "{" not in result.stdout[result.stdout.index("--no-sew") :].split(maxsplit=1)[0]

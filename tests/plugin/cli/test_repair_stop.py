@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Repair stopped: Ctrl-C ends it with status 130 and nothing left behind; killed at any moment, the files are whole or absent."""
+"""Repair stopped: Ctrl-C ends it with status 130 and nothing left behind; killed at any moment, the
+files are whole or absent."""
 
 import fcntl
 import json
@@ -26,8 +27,20 @@ def model(tmp_path):
 
 def start(model, out="out.step", **streams):
     streams = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **streams}
-    return subprocess.Popen([PROGRAM, "repair", str(model), "-o", str(model.parent / out),
-                             "--json", str(model.parent / "out.json")], stdin=subprocess.DEVNULL, text=True, **streams)
+    return subprocess.Popen(
+        [
+            PROGRAM,
+            "repair",
+            str(model),
+            "-o",
+            str(model.parent / out),
+            "--json",
+            str(model.parent / "out.json"),
+        ],
+        stdin=subprocess.DEVNULL,
+        text=True,
+        **streams,
+    )
 
 
 def whole_run(model, out="out.step"):
@@ -95,13 +108,20 @@ def test_killed_at_any_moment(model, out):
         process.send_signal(signal.SIGKILL)
         process.wait(timeout=20)
         assert model.read_bytes() == content
-        left = {name: (model.parent / name).read_text() for name in os.listdir(model.parent) if name != model.name}
+        left = {
+            name: (model.parent / name).read_text()
+            for name in os.listdir(model.parent)
+            if name != model.name
+        }
         seen.add("model" if out in left else "part" if left else "nothing")
         if out in left:
             assert without_time(left[out]) == without_time(written)
         if "out.json" in left:
             assert out in left, "the report speaks of a model that is there"
-            assert {**json.loads(left["out.json"]), "time_s": 0} == {**json.loads(report), "time_s": 0}
+            assert {**json.loads(left["out.json"]), "time_s": 0} == {
+                **json.loads(report),
+                "time_s": 0,
+            }
         for name in left:
             assert name in (out, "out.json") or ".part" in name
             (model.parent / name).unlink()
@@ -126,7 +146,15 @@ def test_what_a_killed_run_left_is_swept_by_the_next(model):
 
 
 def test_what_is_being_written_and_other_files_stay(model):
-    others = [model.parent / name for name in (".out.step.x7.part", ".other.step.7.part", "out.step.7.part", ".out.step..part")]
+    others = [
+        model.parent / name
+        for name in (
+            ".out.step.x7.part",
+            ".other.step.7.part",
+            "out.step.7.part",
+            ".out.step..part",
+        )
+    ]
     held, stale = model.parent / ".out.step.7.part", model.parent / ".out.step.8.part"
     for path in (*others, held, stale):
         path.write_text("kept")
@@ -159,7 +187,12 @@ def test_a_bar_on_a_terminal_and_none_in_a_pipe(tmp_path):
     os.close(master)
     shown = shown.decode()
     assert process.returncode == 0
-    for what in ("reading small.step", "repairing small.step", "writing out.step", "checking out.step"):
+    for what in (
+        "reading small.step",
+        "repairing small.step",
+        "writing out.step",
+        "checking out.step",
+    ):
         assert what in shown
     assert shown.endswith("\r\x1b[K"), "the line is clear in the end"
     assert "\r" not in text and "\x1b" not in text and "PASSED" in text

@@ -26,8 +26,14 @@ FILES = [
     MODELS / "broken/mutated/dangling_ref.step",
 ]
 
-FIGURES = ("gap_mm", "angle_deg", "curvature_per_mm", "curvature_rel", "curvature_change_per_mm2",
-           "curvature_change_rel")
+FIGURES = (
+    "gap_mm",
+    "angle_deg",
+    "curvature_per_mm",
+    "curvature_rel",
+    "curvature_change_per_mm2",
+    "curvature_change_rel",
+)
 
 
 @pytest.fixture
@@ -81,7 +87,9 @@ def check_seams(report):
     for seam in report["seams"]:
         assert all(face <= report["model"]["faces"] for face in seam["faces"])
         assert all(edge <= report["model"]["edges"] for edge in seam["edges"])
-        assert seam["kind"] == "matched" or (seam["kind"] == "closed") == (seam["faces"][0] == seam["faces"][1])
+        assert seam["kind"] == "matched" or (seam["kind"] == "closed") == (
+            seam["faces"][0] == seam["faces"][1]
+        )
         for figure in FIGURES:
             if seam[figure] and seam[figure]["upper"] is not None:
                 assert seam[figure]["lower"] <= seam[figure]["upper"]
@@ -96,7 +104,10 @@ def check_seams(report):
         if seam["certified"] and seam["class"] == "smooth":
             limits = {"G0": {"gap_mm": tolerance["gap_mm"]}}
             limits["G1"] = {**limits["G0"], "angle_deg": tolerance["angle_deg"]}
-            limits["G2"] = limits["G3"] = {**limits["G1"], "curvature_rel": tolerance["curvature_rel"]}
+            limits["G2"] = limits["G3"] = {
+                **limits["G1"],
+                "curvature_rel": tolerance["curvature_rel"],
+            }
             for figure, limit in limits[seam["level"]].items():
                 assert seam[figure]["upper"] <= limit, (seam["id"], figure)
 
@@ -125,7 +136,10 @@ def test_box(box):
     assert status == 0
     assert report["model"]["faces"] == 6 and report["model"]["edges"] == 12
     assert report["summary"]["creases"] == 12
-    assert sorted(round(seam["length_mm"], 9) for seam in report["seams"]) == [10] * 4 + [20] * 4 + [30] * 4
+    assert (
+        sorted(round(seam["length_mm"], 9) for seam in report["seams"])
+        == [10] * 4 + [20] * 4 + [30] * 4
+    )
     for seam in report["seams"]:
         assert seam["angle_deg"]["lower"] == pytest.approx(90, abs=1e-9)
         assert (seam["level"], seam["class"], seam["kind"]) == ("G0", "crease", "shared")
@@ -133,15 +147,40 @@ def test_box(box):
 
 def test_defaults_are_those_of_the_help(box):
     tolerance = analysis(box)[0]["tolerance"]
-    expected = {"gap_mm": 0.01, "angle_deg": 0.1, "curvature_rel": 0.02, "flat_radius_mm": 100000, "crease_deg": 5}
+    expected = {
+        "gap_mm": 0.01,
+        "angle_deg": 0.1,
+        "curvature_rel": 0.02,
+        "flat_radius_mm": 100000,
+        "crease_deg": 5,
+    }
     assert {key: tolerance[key] for key in expected} == pytest.approx(expected, rel=1e-12)
     assert tolerance["level"] == "G1"
 
 
 def test_options_arrive(box):
-    tolerance = analysis(box, "--gap", "0.5", "--angle", "1.5", "--curvature", "0.25", "--flat-radius", "777",
-                         "--crease", "12", "--level", "G0")[0]["tolerance"]
-    expected = {"gap_mm": 0.5, "angle_deg": 1.5, "curvature_rel": 0.25, "flat_radius_mm": 777, "crease_deg": 12}
+    tolerance = analysis(
+        box,
+        "--gap",
+        "0.5",
+        "--angle",
+        "1.5",
+        "--curvature",
+        "0.25",
+        "--flat-radius",
+        "777",
+        "--crease",
+        "12",
+        "--level",
+        "G0",
+    )[0]["tolerance"]
+    expected = {
+        "gap_mm": 0.5,
+        "angle_deg": 1.5,
+        "curvature_rel": 0.25,
+        "flat_radius_mm": 777,
+        "crease_deg": 12,
+    }
     assert {key: tolerance[key] for key in expected} == pytest.approx(expected, rel=1e-12)
     assert tolerance["level"] == "G0"
 
@@ -152,15 +191,30 @@ PROFILES = {"default": (0.01, 0.1, 0.02), "class-a": (0.001, 0.01, 0.02), "vda":
 @pytest.mark.parametrize("profile", PROFILES)
 def test_a_profile_sets_what_is_accepted(box, profile):
     tolerance = analysis(box, "--profile", profile)[0]["tolerance"]
-    expected = dict(zip(("gap_mm", "angle_deg", "curvature_rel"), PROFILES[profile]), flat_radius_mm=1e5, crease_deg=5)
+    expected = dict(
+        zip(("gap_mm", "angle_deg", "curvature_rel"), PROFILES[profile]),
+        flat_radius_mm=1e5,
+        crease_deg=5,
+    )
     assert {key: tolerance[key] for key in expected} == pytest.approx(expected, rel=1e-12)
 
 
-@pytest.mark.parametrize("options", [["--profile", "vda", "--gap", "0.5", "--crease", "7"],
-                                     ["--crease", "7", "--gap", "0.5", "--profile", "vda"]])
+@pytest.mark.parametrize(
+    "options",
+    [
+        ["--profile", "vda", "--gap", "0.5", "--crease", "7"],
+        ["--crease", "7", "--gap", "0.5", "--profile", "vda"],
+    ],
+)
 def test_an_option_overrides_the_profile_in_any_order(box, options):
     tolerance = analysis(box, *options)[0]["tolerance"]
-    expected = {"gap_mm": 0.5, "angle_deg": 0.1, "curvature_rel": 0.1, "flat_radius_mm": 1e5, "crease_deg": 7}
+    expected = {
+        "gap_mm": 0.5,
+        "angle_deg": 0.1,
+        "curvature_rel": 0.1,
+        "flat_radius_mm": 1e5,
+        "crease_deg": 7,
+    }
     assert {key: tolerance[key] for key in expected} == pytest.approx(expected, rel=1e-12)
 
 
@@ -195,14 +249,27 @@ def test_the_schema_knows_enclosures_and_the_worst_point(tmp_path):
     seam["angle_deg"]["upper"] = 1.001
     seam["curvature_change_rel"] = {"lower": 0.1, "upper": None, "at": 1}
     strict(report)
-    for worst in ({"quantity": "torsion", "at": 0.5, "point": [0, 5, 0]}, {"quantity": "gap", "at": 2, "point": [0, 5, 0]},
-                  {"quantity": "gap", "at": 0.5, "point": [0, 5]}, {"quantity": "gap", "at": 0.5}):
+    for worst in (
+        {"quantity": "torsion", "at": 0.5, "point": [0, 5, 0]},
+        {"quantity": "gap", "at": 2, "point": [0, 5, 0]},
+        {"quantity": "gap", "at": 0.5, "point": [0, 5]},
+        {"quantity": "gap", "at": 0.5},
+    ):
         seam["worst"] = worst
         assert not VALIDATOR.is_valid(report), worst
 
 
-@pytest.mark.parametrize("angle,status,name", [(0, 0, "smooth"), (0.05, 0, "smooth"), (0.2, 1, "defect"),
-                                               (4.9, 1, "defect"), (5.1, 0, "crease"), (60, 0, "crease")])
+@pytest.mark.parametrize(
+    "angle,status,name",
+    [
+        (0, 0, "smooth"),
+        (0.05, 0, "smooth"),
+        (0.2, 1, "defect"),
+        (4.9, 1, "defect"),
+        (5.1, 0, "crease"),
+        (60, 0, "crease"),
+    ],
+)
 def test_status_and_class_follow_the_angle(tmp_path, angle, status, name):
     report, found = analysis(roof(tmp_path, angle))
     strict(report)
@@ -239,7 +306,11 @@ def test_csv_says_what_json_says(path):
         assert [int(row["face_a"]), int(row["face_b"])] == seam["faces"]
         assert [int(edge) for edge in row["edges"].split()] == seam["edges"]
         assert (row["kind"], row["level"], row["class"], row["note"]) == (
-            seam["kind"], seam["level"], seam["class"], seam["note"])
+            seam["kind"],
+            seam["level"],
+            seam["class"],
+            seam["note"],
+        )
         assert float(row["length_mm"]) == seam["length_mm"]
         assert row["certified"] == ("true" if seam["certified"] else "false")
         for figure in FIGURES:
@@ -257,22 +328,38 @@ def test_table_says_what_json_says(path):
     assert result.returncode == status
     text = result.stdout
     summary = report["summary"]
-    assert f"{summary['seams']} seams: {summary['defects']} defects, {summary['smooth']} smooth, " \
-           f"{summary['creases']} creases" in text
+    assert (
+        f"{summary['seams']} seams: {summary['defects']} defects, {summary['smooth']} smooth, "
+        f"{summary['creases']} creases" in text
+    )
     assert ("PASSED" in text) == (status == 0 and summary["seams"] > 0)
     assert ("FAILED" in text) == (status == 1)
     certain = summary["seams"] - summary["uncertified"]
-    assert not summary["seams"] or f"{certain} of {summary['seams']} verdict" in text.splitlines()[-1]
-    rows = [line.split() for line in text.splitlines() if line.split()[:1] and line.split()[0].rstrip("?") in
-            ("smooth", "defect", "crease")]
+    assert (
+        not summary["seams"] or f"{certain} of {summary['seams']} verdict" in text.splitlines()[-1]
+    )
+    rows = [
+        line.split()
+        for line in text.splitlines()
+        if line.split()[:1] and line.split()[0].rstrip("?") in ("smooth", "defect", "crease")
+    ]
     edges = {",".join(f"Edge{edge}" for edge in seam["edges"]): seam for seam in report["seams"]}
     assert sorted(row[:5] for row in rows) == sorted(
-        [seam["class"] + ("" if seam["certified"] else "?"), seam["level"], name, "{}-{}".format(*seam["faces"]),
-         seam["kind"]] for name, seam in edges.items())
+        [
+            seam["class"] + ("" if seam["certified"] else "?"),
+            seam["level"],
+            name,
+            "{}-{}".format(*seam["faces"]),
+            seam["kind"],
+        ]
+        for name, seam in edges.items()
+    )
     for row in rows:
         seam = edges[row[2]]
         assert float(row[5]) == pytest.approx(seam["length_mm"], abs=5.1e-4)
-        for cell, figure, factor in zip(row[6:9], ("gap_mm", "angle_deg", "curvature_rel"), (1, 1, 100)):
+        for cell, figure, factor in zip(
+            row[6:9], ("gap_mm", "angle_deg", "curvature_rel"), (1, 1, 100)
+        ):
             if seam[figure] is None:
                 assert cell == "-"
                 continue

@@ -14,7 +14,9 @@ BREP = "/usr/share/opencascade/data/occ/Pump_Nut.brep"
 
 
 def run(program, *arguments):
-    done = subprocess.run([program, *arguments], capture_output=True, text=True, timeout=280, check=False)
+    done = subprocess.run(
+        [program, *arguments], capture_output=True, text=True, timeout=280, check=False
+    )
     print(done.returncode, done.stdout, done.stderr)
     return done
 
@@ -39,7 +41,9 @@ def main():
     assert good.returncode == 0 and "seams:" in good.stderr, "no picture"
     assert png_size(target) == (1600, 1000)
     striped = os.path.join(out, "picture-zebra.png")
-    assert run(program, BREP, striped, "--mod", addon, "--zebra", "--view", "front").returncode == 0, "no stripes"
+    assert (
+        run(program, BREP, striped, "--mod", addon, "--zebra", "--view", "front").returncode == 0
+    ), "no stripes"
     assert png_size(striped) == (1600, 1000)
     both = os.path.join(out, "picture-pair.png")
     pair = run(program, "--pair", BREP, BREP, both, "--mod", addon, "--zebra")
@@ -57,7 +61,10 @@ def main():
         assert run(program, STEP, nothing).returncode == 2
         assert run(program, STEP, nothing, "--mod", addon, "--view", "left").returncode == 2
         assert run(program, "--pair", STEP, nothing, "--mod", addon).returncode == 2
-        assert run(program, os.path.join(folder, "absent.step"), nothing, "--mod", addon).returncode == 2
+        assert (
+            run(program, os.path.join(folder, "absent.step"), nothing, "--mod", addon).returncode
+            == 2
+        )
         assert os.listdir(folder) == ["broken.step"], "something was left behind"
     return 0
 

@@ -40,7 +40,9 @@ class Results(CornerCase):
         self.assertEqual((sorted(lengths), text), ([10.0] * 3, ""))
         obj = corner.create(cube, "Vertex1", [1.0, 2.0, 3.0])
         self.assertEqual((corner.error_text(obj), obj.Met, obj.CornerEdges), ("", True, names))
-        self.assertEqual((obj.Shape.ShapeType, obj.Shape.isValid(), obj.Shape.isClosed()), ("Solid", True, True))
+        self.assertEqual(
+            (obj.Shape.ShapeType, obj.Shape.isValid(), obj.Shape.isClosed()), ("Solid", True, True)
+        )
         self.assertEqual((obj.Patches, len(obj.Shape.Faces)), (6, 6 + 3 + 6))
         self.assertLess(obj.MaxAngle.Value, 0.001)
         found = radii_by_axis(obj.Shape)
@@ -49,7 +51,10 @@ class Results(CornerCase):
             along = cube.Shape.getElement(name).tangentAt(0)
             (radius,) = (radius for radius, axis in found if abs(axis.dot(along)) > 0.5)
             self.assertAlmostEqual(radius, wanted, delta=1e-12)
-        self.assertRegex(obj.Summary, r"^Corner of 3 edges rounded with radii 1, 2, 3 mm; 24 seams, .*; G1 is met\.$")
+        self.assertRegex(
+            obj.Summary,
+            r"^Corner of 3 edges rounded with radii 1, 2, 3 mm; 24 seams, .*; G1 is met\.$",
+        )
 
     def test_figures_hold_what_opencascade_evaluates(self):
         obj = corner.create(self.cube(), "Vertex3", [1.0, 2.5, 2.0])
@@ -142,7 +147,9 @@ class Following(CornerCase):
         obj, seen = corner.create(self.cube(), "Vertex1"), []
         report = obj.Report
         for answer in (lambda share: False, seen.append):
-            with mock.patch.object(hooks, "progress", lambda text, answer=answer: contextlib.nullcontext(answer)):
+            with mock.patch.object(
+                hooks, "progress", lambda text, answer=answer: contextlib.nullcontext(answer)
+            ):
                 obj.touch()
                 self.doc.recompute()
             if not seen:
@@ -160,18 +167,24 @@ class Errors(CornerCase):
         self.assertNotRounded(near, "a setback of 0.5 mm leaves no room")
         self.assertNotRounded(corner.create(cube, "Vertex1", 0.0), "radius of Edge1 is 0 mm")
         self.assertNotRounded(corner.create(cube, "Vertex99", 1.0), "Cube has no Vertex99")
-        self.assertNotRounded(corner.create(cube, "Edge1", 1.0), "Edge1 is no vertex: name one, as Vertex1")
+        self.assertNotRounded(
+            corner.create(cube, "Edge1", 1.0), "Edge1 is no vertex: name one, as Vertex1"
+        )
         block = models.add(self.doc, models.rounded_block(), "Block")
         self.assertNotRounded(corner.create(block, "Vertex1"), "Not rounded: Edge")
         can = models.add(self.doc, Part.makeCylinder(3, 10), "Can")
-        self.assertNotRounded(corner.create(can, "Vertex1"), "2 edges meet at the vertex: 3 to 6 are needed")
+        self.assertNotRounded(
+            corner.create(can, "Vertex1"), "2 edges meet at the vertex: 3 to 6 are needed"
+        )
         self.assertEqual(corner.corner_of(corner.prepare(can, "Vertex1"))[:2], ([], []))
 
     def test_numbers_that_do_not_fit_the_edges(self):
         cube = self.cube()
         text = r"Radii has 2 numbers for the 3 edges of the corner (Edge1, Edge10, Edge2): give one for each"
         self.assertNotRounded(corner.create(cube, "Vertex1", [1.0, 2.0]), text)
-        self.assertNotRounded(corner.create(cube, "Vertex1", 1.0, setbacks_mm=[3.0] * 4), "Setbacks has 4 numbers")
+        self.assertNotRounded(
+            corner.create(cube, "Vertex1", 1.0, setbacks_mm=[3.0] * 4), "Setbacks has 4 numbers"
+        )
 
     def test_tolerances_that_are_missed_make_nothing(self):
         obj = corner.create(self.cube(), "Vertex1", [1.0, 2.0, 3.0], gap_mm=1e-9, angle_deg=1e-9)
@@ -209,7 +222,9 @@ class Errors(CornerCase):
         with self.assertRaisesRegex(TypeError, "'target'"):
             corner.create(cube, "Vertex1", target="G1")
         for wrong in (None, 1.0, True, ["Vertex1"], ""):
-            with self.assertRaisesRegex(TypeError, r"vertex = .*: a name is needed, \"Vertex1\", or a number from 1"):
+            with self.assertRaisesRegex(
+                TypeError, r"vertex = .*: a name is needed, \"Vertex1\", or a number from 1"
+            ):
                 corner.create(cube, wrong, 1.0)
         self.assertEqual(self.doc.Objects, [cube])
 
@@ -217,13 +232,29 @@ class Errors(CornerCase):
 class Saving(CornerCase):
     def test_results_survive_without_the_compiled_module_and_undo_is_one_step(self):
         cube, radii, setbacks = self.cube(), [1.0, 2.0, 3.0], [0.0, 5.0, 0.0]
-        self.assertOneStep(lambda: corner.create(cube, "Vertex1", radii, setbacks_mm=setbacks, profile="class-a"), [cube])
+        self.assertOneStep(
+            lambda: corner.create(cube, "Vertex1", radii, setbacks_mm=setbacks, profile="class-a"),
+            [cube],
+        )
         obj = self.doc.CornerFillet
-        names = ("Report", "Summary", "Met", "Radii", "Setbacks", "CornerEdges", "Patches", "SeamwrightVersion")
+        names = (
+            "Report",
+            "Summary",
+            "Met",
+            "Radii",
+            "Setbacks",
+            "CornerEdges",
+            "Patches",
+            "SeamwrightVersion",
+        )
         obj.removeProperty("SectionTolerance")
-        with self.opened_without_kernel(obj, names, lambda: corner.create(self.doc.Cube, "Vertex1")) as again:
+        with self.opened_without_kernel(
+            obj, names, lambda: corner.create(self.doc.Cube, "Vertex1")
+        ) as again:
             self.assertTrue(corner.is_corner(again))
-            self.assertEqual((again.GapTolerance.Value, again.SectionTolerance.Value), (0.001, 1e-6))
+            self.assertEqual(
+                (again.GapTolerance.Value, again.SectionTolerance.Value), (0.001, 1e-6)
+            )
             self.assertEqual(len(again.Shape.Faces), 15)
         self.doc.Cube.Shape = Part.makeBox(20, 20, 20)
         self.doc.recompute()

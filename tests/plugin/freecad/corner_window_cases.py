@@ -11,6 +11,7 @@ import FreeCADGui as Gui
 import models
 import Part
 from fill_window_cases import BAND, FEW, MANY, RESULT, tinted
+
 from window import (
     CANCELLED, PanelWindow, camera, click, click_row, count, messages, picture, settle, whole_window
 )  # fmt: skip
@@ -34,10 +35,14 @@ class CornerWindow(PanelWindow):
         self.doc.recompute()
         self.fit()
         points = [vertex.Point for vertex in self.source.Shape.Vertexes]
-        self.vertex = "Vertex%d" % (1 + points.index(App.Vector(10, 0, 10)))  # it is seen from the front
+        self.vertex = "Vertex%d" % (
+            1 + points.index(App.Vector(10, 0, 10))
+        )  # it is seen from the front
 
     def start(self, *names, source=None):
-        return self.run_selected([(source or self.source, name) for name in names or (self.vertex,)])
+        return self.run_selected(
+            [(source or self.source, name) for name in names or (self.vertex,)]
+        )
 
     def set_fields(self, panel, column, values):
         for field, value in zip(panel.fields[column], values):
@@ -64,7 +69,9 @@ class Rounding(CornerWindow):
         whole_window("corner-preview")
         self.ok()
         self.assertIsNone(obj.ViewObject.Proxy.panel)
-        self.assertEqual((self.visible(), obj.ViewObject.Proxy.claimChildren()), ([obj.Name], [self.source]))
+        self.assertEqual(
+            (self.visible(), obj.ViewObject.Proxy.claimChildren()), ([obj.Name], [self.source])
+        )
         self.assertEqual((tinted(picture("corner-after")), len(obj.Shape.Faces)), (0, 15))
         self.assertEqual(self.doc.UndoCount, steps + 1)
         self.doc.undo()
@@ -96,7 +103,9 @@ class Rounding(CornerWindow):
         before = camera()
         click_row(panel.table, 0)
         (chosen,) = Gui.Selection.getSelectionEx()
-        self.assertEqual((chosen.ObjectName, chosen.SubElementNames), (obj.Name, (self.column(panel, 0)[0],)))
+        self.assertEqual(
+            (chosen.ObjectName, chosen.SubElementNames), (obj.Name, (self.column(panel, 0)[0],))
+        )
         self.assertNotEqual(camera(), before)
         self.assertGreater(count(picture("corner-row"), BAND), FEW)
         self.cancel()
@@ -106,7 +115,10 @@ class Rounding(CornerWindow):
         self.set_fields(panel, RADIUS, (9.0, 1.0, 1.0))
         self.preview(panel)
         self.assertEqual(self.visible(), ["Cube"])
-        self.assertRegex(panel.summary.text(), r"^Not rounded: Edge\d+: with a radius of 9 mm there, the fillet of Edge")
+        self.assertRegex(
+            panel.summary.text(),
+            r"^Not rounded: Edge\d+: with a radius of 9 mm there, the fillet of Edge",
+        )
         self.ok()
         (text,) = messages()
         self.assertIn("with a radius of 9 mm there", text)
@@ -145,7 +157,9 @@ class Rounding(CornerWindow):
             self.assertEqual(list(obj.Radii), [2.0, 2.5, 2.0])
             self.cancel()
             self.assertEqual((list(obj.Radii), obj.Met, self.visible()), ([1.0], True, [obj.Name]))
-            self.assertEqual([edge["radius_mm"] for edge in corner.report_of(obj)["edges"]], [1.0] * 3)
+            self.assertEqual(
+                [edge["radius_mm"] for edge in corner.report_of(obj)["edges"]], [1.0] * 3
+            )
 
     def test_faces_keep_their_colours_where_they_keep_their_order(self):
         quarter = Part.makeCylinder(10, 20, App.Vector(), App.Vector(0, 0, 1), 90)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Mean curvature on triangles, beside what FreeCAD says of it, on FreeCAD's console; run by run_freecad.py."""
+"""Mean curvature on triangles, beside what FreeCAD says of it, on FreeCAD's console; run by
+run_freecad.py."""
 
 import math
 import unittest
@@ -18,9 +19,11 @@ def curvature_map(shape, progress=None):
 
 
 def inside(mesh, shape):
-    """The curvatures at points that lie within the faces of a shape, not at their edges, beside those of FreeCAD.
+    """The curvatures at points that lie within the faces of a shape, not at their edges, beside
+    those of FreeCAD.
 
-    FreeCAD's follow the surface, and the face may be turned over: they are compared without their signs.
+    FreeCAD's follow the surface, and the face may be turned over: they are compared without their
+    signs.
     """
     pairs = []
     for point, found in list(zip(mesh.points, mesh.mean_per_mm))[::7]:
@@ -37,7 +40,9 @@ class CurvatureMaps(unittest.TestCase):
     def assert_everywhere(self, shape, expected):
         found = curvature_map(shape).mean_per_mm
         self.assertGreater(len(found), 3)
-        self.assertTrue(numpy.allclose(found, expected, rtol=1e-9, atol=1e-12), (found.min(), found.max()))
+        self.assertTrue(
+            numpy.allclose(found, expected, rtol=1e-9, atol=1e-12), (found.min(), found.max())
+        )
 
     def test_balls_pipes_and_planes(self):
         self.assert_everywhere(Part.makeSphere(25), -1 / 25)
@@ -54,7 +59,11 @@ class CurvatureMaps(unittest.TestCase):
         self.assertAlmostEqual(found.min(), 0.0, delta=1e-12)
 
     def test_it_is_as_freecad_says(self):
-        shapes = {"sheet": models.sheet(1, 3.0), "panel": models.broken_panel(), "torus": Part.makeTorus(20, 5)}
+        shapes = {
+            "sheet": models.sheet(1, 3.0),
+            "panel": models.broken_panel(),
+            "torus": Part.makeTorus(20, 5),
+        }
         for name, shape in shapes.items():
             with self.subTest(name):
                 pairs = inside(curvature_map(shape), shape)
@@ -63,16 +72,24 @@ class CurvatureMaps(unittest.TestCase):
                     self.assertAlmostEqual(found, expected, delta=1e-6 * max(1.0, expected))
 
     def test_closed_faces_have_all_their_triangles(self):
-        closed = (Part.makeTorus(20, 5), Part.makeCone(5, 2, 30), Part.makeCylinder(20, 50).Faces[0].toNurbs())
+        closed = (
+            Part.makeTorus(20, 5),
+            Part.makeCone(5, 2, 30),
+            Part.makeCylinder(20, 50).Faces[0].toNurbs(),
+        )
         for shape in closed:
             mesh = curvature_map(shape)
             self.assertEqual(mesh.faults, [])
-            self.assertAlmostEqual(curvature.areas(mesh.points, mesh.triangles).sum() / shape.Area, 1.0, delta=0.01)
+            self.assertAlmostEqual(
+                curvature.areas(mesh.points, mesh.triangles).sum() / shape.Area, 1.0, delta=0.01
+            )
 
     def test_it_stays_with_place_and_turn(self):
         sheet = models.sheet(1, 3.0)
         here = curvature_map(sheet)
-        sheet.Placement = App.Placement(App.Vector(10, 20, 30), App.Rotation(App.Vector(1, 2, 3), 50))
+        sheet.Placement = App.Placement(
+            App.Vector(10, 20, 30), App.Rotation(App.Vector(1, 2, 3), 50)
+        )
         there = curvature_map(sheet)
         for end in (numpy.min, numpy.max):  # the triangles are not quite the same
             self.assertAlmostEqual(end(here.mean_per_mm), end(there.mean_per_mm), delta=1e-4)
@@ -81,7 +98,9 @@ class CurvatureMaps(unittest.TestCase):
         sheet = models.sheet(1, 3.0)
         mesh = curvature_map(sheet)
         corners = mesh.points[mesh.triangles]
-        longest = max(numpy.linalg.norm(corners[:, k] - corners[:, k - 1], axis=1).max() for k in range(3))
+        longest = max(
+            numpy.linalg.norm(corners[:, k] - corners[:, k - 1], axis=1).max() for k in range(3)
+        )
         self.assertLess(longest, 0.07 * sheet.BoundBox.DiagonalLength)
         self.assertEqual(len(curvature_map(Part.makeBox(1, 2, 3)).triangles), 12)
 
@@ -101,20 +120,34 @@ class CurvatureMaps(unittest.TestCase):
         for faces in ([left, right], [left.reversed(), right], [left, right.reversed()]):
             mesh = curvature_map(Part.Compound(faces))
             beside = abs(mesh.points[:, 0]) < 1e-9
-            self.assertLess(numpy.ptp(mesh.mean_per_mm[beside & (abs(mesh.points[:, 1] + 15) < 1e-9)]), 1e-3)
+            self.assertLess(
+                numpy.ptp(mesh.mean_per_mm[beside & (abs(mesh.points[:, 1] + 15) < 1e-9)]), 1e-3
+            )
             ends.append((mesh.mean_per_mm.min(), mesh.mean_per_mm.max()))
             other = curvature_map(Part.Compound([face.reversed() for face in faces]))
             align(other, mesh)
-            self.assertTrue(numpy.allclose(sorted(other.mean_per_mm), sorted(mesh.mean_per_mm), atol=1e-3))
+            self.assertTrue(
+                numpy.allclose(sorted(other.mean_per_mm), sorted(mesh.mean_per_mm), atol=1e-3)
+            )
         for low, high in ends[1:]:
             self.assertIn(round(low, 6), [round(value, 6) for value in (ends[0][0], -ends[0][1])])
 
     def test_a_shell_and_a_solid_keep_their_sides(self):
-        wedge = Part.Face(Part.makePolygon([App.Vector(*p) for p in ((0, 0, 0), (40, 2, 0), (40, -2, 0), (0, 0, 0))]))
-        for shape in (wedge.extrude(App.Vector(0, 0, 10)), models.rounded_block(), models.open_block(2)):
+        wedge = Part.Face(
+            Part.makePolygon(
+                [App.Vector(*p) for p in ((0, 0, 0), (40, 2, 0), (40, -2, 0), (0, 0, 0))]
+            )
+        )
+        for shape in (
+            wedge.extrude(App.Vector(0, 0, 10)),
+            models.rounded_block(),
+            models.open_block(2),
+        ):
             mesh = curvature_map(shape)
             self.assertTrue((mesh.mean_per_mm <= 1e-12).all())
-            self.assertTrue(((mesh.points - tuple(shape.BoundBox.Center)) * mesh.normals).sum(axis=1).min() > 0)
+            self.assertTrue(
+                ((mesh.points - tuple(shape.BoundBox.Center)) * mesh.normals).sum(axis=1).min() > 0
+            )
 
     def test_it_is_of_the_shape_as_it_was(self):
         doc = App.newDocument("Later")

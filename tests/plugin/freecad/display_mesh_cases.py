@@ -26,7 +26,9 @@ class DisplayMesh(unittest.TestCase):
     def test_triangles_cover_the_faces_where_they_are(self):
         block = Part.makeBox(40, 30, 20)
         block = block.makeFillet(4, block.Edges)
-        block.Placement = App.Placement(App.Vector(100, 2, 3), App.Rotation(App.Vector(1, 1, 1), 33))
+        block.Placement = App.Placement(
+            App.Vector(100, 2, 3), App.Rotation(App.Vector(1, 1, 1), 33)
+        )
         shapes = {
             "block": block,
             "pierced": Part.makeBox(10, 10, 10).cut(Part.makeCylinder(3, 20, App.Vector(5, 5, -5))),
@@ -44,7 +46,11 @@ class DisplayMesh(unittest.TestCase):
 
     def test_a_break_between_faces_stays(self):
         found = display_mesh(Part.Compound(models.two_sheets()))
-        at = [place for place, point in enumerate(found.points) if math.dist(point, (0, -15, 0)) < 1e-9]
+        at = [
+            place
+            for place, point in enumerate(found.points)
+            if math.dist(point, (0, -15, 0)) < 1e-9
+        ]
         one, other = (App.Vector(*found.normals[place]) for place in at)
         self.assertGreater(math.degrees(math.asin(one.cross(other).Length)), 0.5)
 
@@ -56,7 +62,9 @@ class DisplayMesh(unittest.TestCase):
 
     def test_a_face_without_triangles_is_told_by_number(self):
         corners = [(0, 0, 0), (10, 10, 0), (10, 0, 0), (0, 10, 0), (0, 0, 0)]
-        crossed = Part.Face(Part.Plane(), Part.makePolygon([App.Vector(*corner) for corner in corners]))
+        crossed = Part.Face(
+            Part.Plane(), Part.makePolygon([App.Vector(*corner) for corner in corners])
+        )
         found = display_mesh(Part.Compound([Part.makePlane(5, 5, App.Vector(0, 0, 3)), crossed]))
         self.assertAlmostEqual(area(found), 25.0, delta=1e-9)
         (line,) = fault_lines("Sheet", found.faults)

@@ -36,11 +36,14 @@ class DocumentCase(unittest.TestCase):
 
     @contextlib.contextmanager
     def opened_without_kernel(self, obj, names, make):
-        """The object, saved and opened again where the compiled module is missing: it has the properties ``names`` as they
-        were. In the end it cannot be computed, and ``make`` makes no other.
+        """The object, saved and opened again where the compiled module is missing: it has the
+        properties ``names`` as they were. In the end it cannot be computed, and ``make`` makes no
+        other.
         """
         name, kept = obj.Name, {each: getattr(obj, each) for each in names}
-        touched = "Touched" in obj.State  # FreeCAD 1.0 marks what was redone as such, whose ever it is
+        touched = (
+            "Touched" in obj.State
+        )  # FreeCAD 1.0 marks what was redone as such, whose ever it is
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "saved.FCStd")
             self.doc.saveAs(path)
@@ -58,7 +61,8 @@ class DocumentCase(unittest.TestCase):
                     make()
 
     def assertOneStep(self, make, before):
-        """``make`` can be undone and done again as one step; ``before``: the objects that there were."""
+        """``make`` can be undone and done again as one step; ``before``: the objects that there
+        were."""
         self.doc.UndoMode = 1
         steps = self.doc.UndoCount
         self.doc.openTransaction("One step")
@@ -82,7 +86,9 @@ class DocumentCase(unittest.TestCase):
     def assertOutdated(self, obj):
         """The last run was cancelled, which is no error, and the next recompute runs it again."""
         self.assertNotIn("Invalid", obj.State)
-        self.assertEqual(analysis.error_text(obj), "Cancelled; the results are those of the last complete run.")
+        self.assertEqual(
+            analysis.error_text(obj), "Cancelled; the results are those of the last complete run."
+        )
         self.assertTrue(obj.Proxy.mustExecute(obj))
 
     @contextlib.contextmanager
@@ -237,7 +243,9 @@ class Cancelling(DocumentCase):
         self.assertEqual((obj.Outcome, analysis.error_text(obj), obj.Seams), ("done", "", 18))
 
     def test_a_cancelled_first_run_says_that_there_are_no_results(self):
-        with mock.patch.object(hooks, "progress", lambda text: contextlib.nullcontext(lambda fraction: False)):
+        with mock.patch.object(
+            hooks, "progress", lambda text: contextlib.nullcontext(lambda fraction: False)
+        ):
             with self.quiet():
                 obj = analysis.create([self.prism()])
         self.assertEqual((obj.Report, obj.Summary), ("", "Cancelled; there are no results yet."))

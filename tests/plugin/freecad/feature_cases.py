@@ -46,7 +46,13 @@ class Proxies(DocumentCase):
     def test_each_object_is_known_for_what_it_is(self):
         objects = [feature.add(self.doc, each, each.Type) for each in FEATURES]
         objects.append(self.doc.addObject("Part::Box", "Box"))
-        tests = (analysis.is_analysis, corner.is_corner, fill.is_fill, match.is_match, repair.is_repair)
+        tests = (
+            analysis.is_analysis,
+            corner.is_corner,
+            fill.is_fill,
+            match.is_match,
+            repair.is_repair,
+        )
         for place, obj in enumerate(objects):
             self.assertEqual([test(obj) for test in tests], [place == k for k in range(len(tests))])
 

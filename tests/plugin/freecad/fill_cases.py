@@ -26,13 +26,20 @@ def neighbours(shape, number):
     """The names of the faces that share an edge with a face."""
     own = shape.Faces[number - 1].Edges
     others = (n for n in range(1, len(shape.Faces) + 1) if n != number)
-    return {"Face%d" % n for n in others if any(a.isSame(b) for a in own for b in shape.Faces[n - 1].Edges)}
+    return {
+        "Face%d" % n
+        for n in others
+        if any(a.isSame(b) for a in own for b in shape.Faces[n - 1].Edges)
+    }
 
 
 def largest_angle(shape, faces):
-    """Largest angle of the normals across the edges of some faces, at points of OpenCASCADE, in degrees."""
+    """Largest angle of the normals across the edges of some faces, at points of OpenCASCADE, in
+    degrees."""
     angles = [0.0]
-    for edge in {edge.hashCode(): edge for number in faces for edge in shape.Faces[number - 1].Edges}.values():
+    for edge in {
+        edge.hashCode(): edge for number in faces for edge in shape.Faces[number - 1].Edges
+    }.values():
         both = [face for face in shape.Faces if any(edge.isSame(other) for other in face.Edges)]
         low, high = edge.ParameterRange
         for place in range(1, 20):
@@ -47,7 +54,8 @@ class FillCase(DocumentCase):
         return models.add(self.doc, models.rounded_block(), "Block")
 
     def open_block(self, corners=1):
-        """A rounded block without some of its corners; its object and the holes' edges as lists of names."""
+        """A rounded block without some of its corners; its object and the holes' edges as lists of
+        names."""
         shape = models.open_block(corners)
         return models.add(self.doc, shape, "Open"), models.open_loops(shape)
 
@@ -66,11 +74,15 @@ class Holes(FillCase):
         self.assertEqual(fill.error_text(obj), "")
         self.assertEqual((obj.Filled, obj.Wanted, obj.NewFaces, obj.Reached), (1, 1, 3, True))
         (entry,) = fill.report_of(obj)["fills"]
-        self.assertEqual((len(obj.Shape.Solids), obj.Shape.isValid(), obj.Shape.isClosed()), (1, True, True))
+        self.assertEqual(
+            (len(obj.Shape.Solids), obj.Shape.isValid(), obj.Shape.isClosed()), (1, True, True)
+        )
         self.assertLess(largest_angle(obj.Shape, entry["faces"]), 0.01)
         self.assertLessEqual(largest_angle(obj.Shape, entry["faces"]), obj.MaxAngle.Value + 1e-6)
         self.assertAlmostEqual(obj.Shape.Volume, models.rounded_block().Volume, delta=BALL_DELTA)
-        self.assertRegex(obj.Summary, r"^1 of 1 hole filled with 3 faces; 9 seams, gap at most .*; G1 is met\.$")
+        self.assertRegex(
+            obj.Summary, r"^1 of 1 hole filled with 3 faces; 9 seams, gap at most .*; G1 is met\.$"
+        )
 
     def test_edges_of_a_loop_in_any_order_and_number_name_their_hole(self):
         source, loops = self.open_block(2)
@@ -92,7 +104,11 @@ class Holes(FillCase):
         self.assertTrue(obj.Shape.isClosed() and obj.Shape.isValid())
         shape, named = obj.Shape, set()
         for entry, loop in zip(fill.report_of(obj)["fills"], loops):
-            around = {vertex.Point[:] for name in loop for vertex in source.Shape.getElement(name).Vertexes}
+            around = {
+                vertex.Point[:]
+                for name in loop
+                for vertex in source.Shape.getElement(name).Vertexes
+            }
             box = App.BoundBox()
             for point in around:
                 box.add(App.Vector(point))
@@ -104,7 +120,9 @@ class Holes(FillCase):
                 (edge,) = (shape.Edges[number - 1] for number in seam["edges"])
                 self.assertAlmostEqual(edge.Length, seam["length_mm"], delta=1e-6)
                 for number in seam["faces"]:
-                    self.assertTrue(any(edge.isSame(other) for other in shape.Faces[number - 1].Edges))
+                    self.assertTrue(
+                        any(edge.isSame(other) for other in shape.Faces[number - 1].Edges)
+                    )
             named |= set(entry["faces"])
         self.assertEqual(len(named), 12)
 
@@ -123,7 +141,9 @@ class Holes(FillCase):
         self.assertEqual((obj.Filled, obj.Wanted, obj.NewFaces), (1, 1, 4), obj.Summary)
         self.assertEqual(len(models.open_loops(obj.Shape)), 1)
         holes, wanted, text = fill.holes_of(obj)
-        self.assertEqual(([hole["longest"] for hole in holes], wanted, text), ([True, False], [2], ""))
+        self.assertEqual(
+            ([hole["longest"] for hole in holes], wanted, text), ([True, False], [2], "")
+        )
 
     def test_holes_as_long_as_one_another_are_all_filled(self):
         tube = models.add(self.doc, Part.makeShell(Part.makeBox(10, 10, 30).Faces[:4]), "Tube")
@@ -136,11 +156,15 @@ class Holes(FillCase):
         self.assertEqual(centres, [(5, 5, 0), (5, 5, 30)])
 
     def test_a_hole_that_fails_does_not_hold_up_the_others(self):
-        sharp = Part.makeShell(Part.makeBox(10, 10, 10).Faces[1:])  # no fill is tangent to its sides
+        sharp = Part.makeShell(
+            Part.makeBox(10, 10, 10).Faces[1:]
+        )  # no fill is tangent to its sides
         sharp.translate(App.Vector(50, 0, 0))
         both = models.add(self.doc, Part.Compound([sharp, models.open_block(1)]), "Both")
         obj = fill.create(both)
-        self.assertEqual((fill.error_text(obj), obj.Filled, obj.Wanted, obj.Reached), ("", 1, 2, False))
+        self.assertEqual(
+            (fill.error_text(obj), obj.Filled, obj.Wanted, obj.Reached), ("", 1, 2, False)
+        )
         self.assertIn("1 of 2 holes filled", obj.Summary)
         self.assertRegex("".join(fill_text.reasons(fill.report_of(obj))), "^Hole 1: .* 90 degrees")
 
@@ -157,7 +181,9 @@ class Holes(FillCase):
         ball = models.corner_faces(block.Shape)[0]
         obj = fill.create(block, face="Face%d" % ball)
         self.assertEqual((obj.Filled, obj.NewFaces, obj.Reached), (1, 3, True), obj.Summary)
-        self.assertTrue(obj.Summary.startswith("Face%d replaced with 3 faces; " % ball), obj.Summary)
+        self.assertTrue(
+            obj.Summary.startswith("Face%d replaced with 3 faces; " % ball), obj.Summary
+        )
         self.assertTrue(obj.Shape.isClosed() and obj.Shape.isValid())
         self.assertEqual(len(obj.Shape.Faces), len(block.Shape.Faces) + 2)
         self.assertNeighbours(obj, neighbours(block.Shape, ball))
@@ -171,7 +197,9 @@ class Holes(FillCase):
 
     def test_each_face_of_a_pad_is_replaced(self):
         outline = Part.makePolygon([(0, 0, 0), (8, 0, 0), (0, 6, 0), (0, 0, 0)])
-        pad = models.add(self.doc, Part.Face(Part.Wire(outline)).extrude(App.Vector(0, 0, 5)), "Pad")
+        pad = models.add(
+            self.doc, Part.Face(Part.Wire(outline)).extrude(App.Vector(0, 0, 5)), "Pad"
+        )
         for number in range(1, 6):
             obj = fill.create(pad, face=number, target="G0")
             self.assertEqual(fill.error_text(obj), "")
@@ -211,7 +239,9 @@ class Holes(FillCase):
         source, _ = self.open_block()
         part = self.doc.addObject("App::Part", "Part")
         part.addObject(source)
-        part.Placement = App.Placement(App.Vector(100, 20, 3), App.Rotation(App.Vector(1, 2, 3), 40))
+        part.Placement = App.Placement(
+            App.Vector(100, 20, 3), App.Rotation(App.Vector(1, 2, 3), 40)
+        )
         source.Placement.Base = App.Vector(0, 0, 7)
         self.doc.recompute()
         obj = fill.create(source)
@@ -219,7 +249,6 @@ class Holes(FillCase):
         for vertex in source.Shape.Vertexes:
             place = part.Placement.multVec(vertex.Point)
             self.assertLess(min((place - other.Point).Length for other in obj.Shape.Vertexes), 1e-5)
-
 
     def test_a_link_is_filled_where_it_stands(self):
         source, _ = self.open_block()
@@ -238,7 +267,11 @@ class Following(FillCase):
         obj = fill.create(source)
         changes = {name: 0.5 for name, *_ in fill.TOLERANCES}
         changes.update(
-            Target="G0", KeepAnyway=True, Edges=(source, loops[0]), Face=(source, ["Face1"]), Source=None
+            Target="G0",
+            KeepAnyway=True,
+            Edges=(source, loops[0]),
+            Face=(source, ["Face1"]),
+            Source=None,
         )
         for name, value in changes.items():
             with self.subTest(name):
@@ -252,7 +285,9 @@ class Following(FillCase):
         source.Shape = models.open_block(1, size=30.0)
         self.doc.recompute()
         self.assertEqual((obj.Filled, obj.Reached), (1, True))
-        self.assertAlmostEqual(obj.Shape.Volume, models.rounded_block(size=30.0).Volume, delta=BALL_DELTA)
+        self.assertAlmostEqual(
+            obj.Shape.Volume, models.rounded_block(size=30.0).Volume, delta=BALL_DELTA
+        )
         source.Shape = models.rounded_block()
         self.doc.recompute()
         self.assertNotFilled(obj, "Open has no hole: no open edges form a closed loop.")
@@ -265,7 +300,9 @@ class Following(FillCase):
         obj, seen = fill.create(source), []
         report = obj.Report
         for answer in (lambda share: False, seen.append):
-            with mock.patch.object(hooks, "progress", lambda text, answer=answer: contextlib.nullcontext(answer)):
+            with mock.patch.object(
+                hooks, "progress", lambda text, answer=answer: contextlib.nullcontext(answer)
+            ):
                 obj.touch()
                 self.doc.recompute()
             if not seen:
@@ -281,13 +318,17 @@ class Errors(FillCase):
         self.assertNotFilled(fill.create(block), "Block has no hole")
         source, loops = self.open_block()
         inner = next(
-            "Edge%d" % n for n in range(1, len(source.Shape.Edges) + 1) if "Edge%d" % n not in loops[0]
+            "Edge%d" % n
+            for n in range(1, len(source.Shape.Edges) + 1)
+            if "Edge%d" % n not in loops[0]
         )
         self.assertNotFilled(fill.create(source, edges=[inner]), "%s is no edge of a hole" % inner)
         self.assertNotFilled(fill.create(source, edges=["Edge999"]), "Open has no Edge999")
         self.assertNotFilled(fill.create(source, face="Face999"), "Open has no Face999")
         can = models.add(self.doc, Part.makeCylinder(3, 10), "Can")
-        self.assertNotFilled(fill.create(can, face="Face1"), "Face1: the face bounds the hole on one side only")
+        self.assertNotFilled(
+            fill.create(can, face="Face1"), "Face1: the face bounds the hole on one side only"
+        )
         obj = fill.create(block, face="Face1")
         obj.Face = (block, ["Face1", "Face2"])
         self.doc.recompute()
@@ -342,16 +383,29 @@ class Saving(FillCase):
         source, loops = self.open_block(2)
         self.assertOneStep(lambda: fill.create(source, edges=loops[1], profile="vda"), [source])
         obj = self.doc.UmbrellaFill
-        names = ("Report", "Summary", "Filled", "Reached", "Target", "SeamwrightVersion", "NewFaces", "MaxCurvature")
+        names = (
+            "Report",
+            "Summary",
+            "Filled",
+            "Reached",
+            "Target",
+            "SeamwrightVersion",
+            "NewFaces",
+            "MaxCurvature",
+        )
         faces = len(obj.Shape.Faces)
         obj.removeProperty("KeepAnyway")
         with self.opened_without_kernel(obj, names, lambda: fill.create(self.doc.Open)) as again:
             self.assertTrue(fill.is_fill(again))
             self.assertEqual((again.GapTolerance.Value, again.KeepAnyway), (0.02, False))
-            self.assertEqual((len(again.Shape.Faces), elements.names(again, "Edges")), (faces, loops[1]))
+            self.assertEqual(
+                (len(again.Shape.Faces), elements.names(again, "Edges")), (faces, loops[1])
+            )
         self.doc.Open.Shape = models.open_block(2, size=26.0)
         self.doc.recompute()
-        if fill.error_text(again):  # FreeCAD 1.1 marks edges that it does not know again in another shape
+        if fill.error_text(
+            again
+        ):  # FreeCAD 1.1 marks edges that it does not know again in another shape
             self.assertNotFilled(again, "has no ?Edge")
             elements.set_names(again, "Edges", loops[1])
             self.doc.recompute()

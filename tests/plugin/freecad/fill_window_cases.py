@@ -10,6 +10,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import models
 from PySide import QtCore
+
 from window import (
     CANCELLED, PanelWindow, camera, click, click_row, count, messages, picture, settle, whole_window
 )  # fmt: skip
@@ -57,7 +58,9 @@ class Filling(FillWindow):
         obj, panel = self.start(*self.loops[1][::-1])
         self.assertTrue(obj.Shape.isNull())
         self.assertEqual((self.visible(), panel.summary.text()), (["Block"], "1 hole to fill."))
-        self.assertEqual((panel.table.rowCount(), panel.holes.count(), self.ticked(panel)), (0, 3, [1]))
+        self.assertEqual(
+            (panel.table.rowCount(), panel.holes.count(), self.ticked(panel)), (0, 3, [1])
+        )
         whole_window("fill-before")
         self.preview(panel)
         self.assertEqual((self.visible(), panel.summary.text()), ([obj.Name], obj.Summary))
@@ -71,7 +74,9 @@ class Filling(FillWindow):
         settle()
         self.ok()
         self.assertIsNone(obj.ViewObject.Proxy.panel)
-        self.assertEqual((self.visible(), obj.ViewObject.Proxy.claimChildren()), ([obj.Name], [self.source]))
+        self.assertEqual(
+            (self.visible(), obj.ViewObject.Proxy.claimChildren()), ([obj.Name], [self.source])
+        )
         self.assertEqual((tinted(picture("fill-after")), obj.Filled, obj.Reached), (0, 1, True))
         self.assertEqual(self.doc.UndoCount, steps + 1)
         self.doc.undo()
@@ -84,13 +89,15 @@ class Filling(FillWindow):
 
     def test_holes_are_chosen_in_the_panel_and_in_the_view(self):
         obj, panel = self.start()
-        self.assertEqual((self.ticked(panel), panel.summary.text()), ([0, 1, 2], "3 holes to fill."))
+        self.assertEqual(
+            (self.ticked(panel), panel.summary.text()), ([0, 1, 2], "3 holes to fill.")
+        )
         self.preview(panel)
         self.assertEqual((obj.Filled, obj.NewFaces, obj.Shape.isClosed()), (3, 9, True))
         Gui.Selection.clearSelection()
         Gui.Selection.addSelection(self.doc.Name, "Block", self.loops[2][0])
         click(panel.pick, panel.pick.rect().center())
-        self.assertEqual((self.ticked(panel), panel.preview_button.text()), ([2], "Preview again"))
+        self.assertEqual((self.ticked(panel), panel.preview_button.text()), ([2], "Update preview"))
         panel.holes.item(2).setCheckState(QtCore.Qt.Unchecked)
         self.assertEqual(self.ticked(panel), [2])  # one hole stays chosen
         self.preview(panel)
@@ -102,9 +109,13 @@ class Filling(FillWindow):
         panel.before.setChecked(True)
         settle()
         item = panel.holes.item(1)
-        click(panel.holes.viewport(), panel.holes.visualItemRect(item).center() + QtCore.QPoint(30, 0))
+        click(
+            panel.holes.viewport(), panel.holes.visualItemRect(item).center() + QtCore.QPoint(30, 0)
+        )
         (chosen,) = Gui.Selection.getSelectionEx()
-        self.assertEqual((chosen.ObjectName, set(chosen.SubElementNames)), ("Block", set(self.loops[1])))
+        self.assertEqual(
+            (chosen.ObjectName, set(chosen.SubElementNames)), ("Block", set(self.loops[1]))
+        )
         self.cancel()
         self.assertEqual((self.made(), self.visible()), ([], ["Block"]))
 
@@ -114,7 +125,10 @@ class Filling(FillWindow):
         before = camera()
         click_row(panel.table, 0)
         (chosen,) = Gui.Selection.getSelectionEx()
-        self.assertEqual((chosen.ObjectName, list(chosen.SubElementNames)), (obj.Name, [self.column(panel, 0)[0]]))
+        self.assertEqual(
+            (chosen.ObjectName, list(chosen.SubElementNames)),
+            (obj.Name, [self.column(panel, 0)[0]]),
+        )
         self.assertNotEqual(camera(), before)
         self.assertGreater(count(picture("fill-row"), BAND), FEW)
         self.ok()

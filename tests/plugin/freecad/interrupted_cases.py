@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Computations that are interrupted at random moments, in FreeCAD's window; run by run_freecad.py --window.
+"""Computations that are interrupted at random moments, in FreeCAD's window; run by run_freecad.py
+--window.
 
-The moments come from a seed. FreeCAD has to survive, and after each of them the document has to be one that a user could
-have made: no step left open, no panel without its object, nothing hidden without a result in its place.
+The moments come from a seed. FreeCAD has to survive, and after each of them the document has to be
+one that a user could have made: no step left open, no panel without its object, nothing hidden
+without a result in its place.
 """
 
 import contextlib
@@ -203,7 +205,8 @@ def end_editing(doc, panel, source):
 
 @contextlib.contextmanager
 def step(doc):
-    """A step that can be undone: FreeCAD opens one by itself where there is none, and leaves it open."""
+    """A step that can be undone: FreeCAD opens one by itself where there is none, and leaves it
+    open."""
     doc.openTransaction("Interrupt")
     yield
     doc.commitTransaction()
@@ -274,7 +277,12 @@ class Interrupted(WindowCase):
             with self.subTest(told):
                 caught += self.interrupt(opener, interrupt, moment)
             done += 1
-        told = "%d of %d interruptions in %.0f s, %d short" % (done, COUNT, time.monotonic() - begin, COUNT - done)
+        told = "%d of %d interruptions in %.0f s, %d short" % (
+            done,
+            COUNT,
+            time.monotonic() - begin,
+            COUNT - done,
+        )
         print("%s; %d of them while a thread worked" % (told, caught))
         self.assertGreaterEqual(done, LEAST_SHARE * COUNT, told)
         self.assertGreater(caught, done // 4)
@@ -343,7 +351,10 @@ class Quitting(WindowCase):
                 with open(macro, "w", encoding="utf-8") as file:
                     file.write(QUIT % (seed, seen))
                 run = subprocess.run(
-                    [program, macro, "-M", addon], stdin=subprocess.DEVNULL, timeout=100, check=False
+                    [program, macro, "-M", addon],
+                    stdin=subprocess.DEVNULL,
+                    timeout=100,
+                    check=False,
                 )
                 with open(seen, encoding="utf-8") as file:
                     self.assertEqual(file.read(), "a thread worked")

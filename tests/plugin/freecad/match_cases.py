@@ -20,7 +20,8 @@ class MatchCase(DocumentCase):
     def sheets(self):
         """The two sheets as two objects."""
         self.left, self.right = (
-            models.add(self.doc, shape, name) for shape, name in zip(models.two_sheets(), ("Left", "Right"))
+            models.add(self.doc, shape, name)
+            for shape, name in zip(models.two_sheets(), ("Left", "Right"))
         )
         self.doc.recompute()
 
@@ -36,7 +37,8 @@ class MatchCase(DocumentCase):
 
 
 def angle_between(shape):
-    """Largest angle of the normals of a shell's two faces at points of their common edge, in degrees."""
+    """Largest angle of the normals of a shell's two faces at points of their common edge, in
+    degrees."""
     first, second = shape.Faces
     (edge,) = [edge for edge in first.Edges if any(edge.isSame(other) for other in second.Edges)]
     low, high = edge.ParameterRange
@@ -49,7 +51,8 @@ def angle_between(shape):
 
 
 def text_of(shape):
-    """A shape as text, without the flags of its parts: one says whether a part belongs to another shape."""
+    """A shape as text, without the flags of its parts: one says whether a part belongs to another
+    shape."""
     return re.sub(r"^[01]{7}$", "", shape.exportBrepToString(), flags=re.M)
 
 
@@ -59,14 +62,18 @@ class Results(MatchCase):
         obj = self.match()
         self.assertEqual(match.error_text(obj), "")
         self.assertTrue(obj.Matched and obj.Exact and obj.Certain, obj.Summary)
-        self.assertEqual((obj.LevelBefore, obj.LevelAfter, obj.Shape.ShapeType), ("G0", "G1", "Shell"))
+        self.assertEqual(
+            (obj.LevelBefore, obj.LevelAfter, obj.Shape.ShapeType), ("G0", "G1", "Shell")
+        )
         self.assertEqual(len(obj.Shape.Faces), 2)
         self.assertTrue(obj.Shape.isValid())
         self.assertAlmostEqual(obj.AngleBefore.Value, models.SHEETS_DEG, delta=0.01)
         self.assertLess(obj.AngleAfter.Value, 1e-4)
         self.assertLess(angle_between(obj.Shape), 1e-4)
         self.assertGreater(obj.LargestMove.Value, 0.1)
-        self.assertLess(obj.LargestMove.Value, models.SHEET_MM * math.tan(math.radians(models.SHEETS_DEG)))
+        self.assertLess(
+            obj.LargestMove.Value, models.SHEET_MM * math.tan(math.radians(models.SHEETS_DEG))
+        )
         self.assertTrue(obj.Summary.startswith("Matched: G1 is met; "), obj.Summary)
 
     def test_curvature_is_matched_for_g2(self):
@@ -79,7 +86,11 @@ class Results(MatchCase):
 
     def test_the_face_that_moves_is_the_one_said(self):
         self.sheets()
-        for moves, stays in (("second", (True, False)), ("first", (False, True)), ("both", (False, False))):
+        for moves, stays in (
+            ("second", (True, False)),
+            ("first", (False, True)),
+            ("both", (False, False)),
+        ):
             with self.subTest(moves):
                 obj = self.match(moves=moves)
                 self.assertTrue(obj.Matched)
@@ -88,7 +99,10 @@ class Results(MatchCase):
                         [pole for line in shape.Surface.getPoles() for pole in line]
                         for shape in (face, source.Shape.Faces[0])
                     )
-                    same = len(poles) == len(known) and max(map(App.Vector.distanceToPoint, poles, known)) < 1e-12
+                    same = (
+                        len(poles) == len(known)
+                        and max(map(App.Vector.distanceToPoint, poles, known)) < 1e-12
+                    )
                     self.assertEqual(same, still)
 
     def test_two_faces_of_one_object(self):
@@ -123,7 +137,9 @@ class Results(MatchCase):
         away = next(n for n, edge in enumerate(edges, 1) if abs(edge.CenterOfMass.x) > 15)
         obj.CommonEdge = (self.right, ["Edge%d" % away])
         self.doc.recompute()
-        self.assertNotMatched(obj, "Right.Edge%d is no common boundary of the faces; these are: Left.Edge" % away)
+        self.assertNotMatched(
+            obj, "Right.Edge%d is no common boundary of the faces; these are: Left.Edge" % away
+        )
         other = models.add(self.doc, Part.makeBox(1, 1, 1), "Box")
         obj.CommonEdge = (other, ["Edge1"])
         self.doc.recompute()
@@ -159,7 +175,9 @@ class Following(MatchCase):
         self.doc.recompute()
         self.assertNotMatched(obj, "0.001")
         self.assertAlmostEqual(obj.AngleBefore.Value, models.SHEETS_DEG, delta=0.01)
-        self.assertEqual((obj.LevelAfter, obj.AngleAfter.Value, obj.LargestMove.Value), ("", 0.0, 0.0))
+        self.assertEqual(
+            (obj.LevelAfter, obj.AngleAfter.Value, obj.LargestMove.Value), ("", 0.0, 0.0)
+        )
         obj.MaxMove = 0
         self.doc.recompute()
         self.assertEqual((obj.Matched, match.error_text(obj)), (True, ""))
@@ -168,7 +186,9 @@ class Following(MatchCase):
         self.sheets()
         obj = self.match()
         report = obj.Report
-        with mock.patch.object(hooks, "progress", lambda text: contextlib.nullcontext(lambda fraction: False)):
+        with mock.patch.object(
+            hooks, "progress", lambda text: contextlib.nullcontext(lambda fraction: False)
+        ):
             obj.touch()
             self.doc.recompute()
         self.assertOutdated(obj)
@@ -178,7 +198,9 @@ class Following(MatchCase):
 class Errors(MatchCase):
     def test_the_same_face_twice(self):
         self.sheets()
-        self.assertNotMatched(match.create((self.left, "Face1"), (self.left, "Face1")), "Left.Face1 is chosen twice")
+        self.assertNotMatched(
+            match.create((self.left, "Face1"), (self.left, "Face1")), "Left.Face1 is chosen twice"
+        )
 
     def test_faces_that_cannot_move_are_named(self):
         box = self.doc.addObject("Part::Box", "Box")
@@ -201,7 +223,9 @@ class Errors(MatchCase):
 
     def test_a_face_that_is_no_more(self):
         self.sheets()
-        self.assertNotMatched(match.create((self.left, "Face1"), (self.right, "Face7")), "Right has no Face7")
+        self.assertNotMatched(
+            match.create((self.left, "Face1"), (self.right, "Face7")), "Right has no Face7"
+        )
         obj = self.match()
         self.right.Shape = Part.Shape()
         self.doc.recompute()
@@ -209,7 +233,9 @@ class Errors(MatchCase):
 
     def test_an_edge_is_no_face(self):
         self.sheets()
-        self.assertNotMatched(match.create((self.left, "Face1"), (self.right, "Edge1")), "must be faces")
+        self.assertNotMatched(
+            match.create((self.left, "Face1"), (self.right, "Edge1")), "must be faces"
+        )
 
     def test_bad_arguments_leave_nothing_behind(self):
         self.sheets()

@@ -24,7 +24,9 @@ MANY = 5000  # pixels of a face
 def greys(image):
     """The picture's brightness, 0..255, as lines of pixels; colours count as 128."""
     image = image.convertToFormat(QtGui.QImage.Format_RGBA8888)
-    pixels = numpy.frombuffer(bytes(image.constBits()), numpy.uint8).reshape(image.height(), image.width(), 4)
+    pixels = numpy.frombuffer(bytes(image.constBits()), numpy.uint8).reshape(
+        image.height(), image.width(), 4
+    )
     rgb = pixels[:, :, :3].astype(int)
     return numpy.where(rgb.max(axis=2) - rgb.min(axis=2) <= 6, rgb[:, :, 0], 128)
 
@@ -42,7 +44,8 @@ class MatchWindow(PanelWindow):
         super().setUp()
         self.doc.UndoMode = 1
         self.left, self.right = (
-            models.add(self.doc, shape, name) for shape, name in zip(models.two_sheets(), ("Left", "Right"))
+            models.add(self.doc, shape, name)
+            for shape, name in zip(models.two_sheets(), ("Left", "Right"))
         )
         self.doc.recompute()
         self.fit()
@@ -56,7 +59,8 @@ class MatchWindow(PanelWindow):
 
     def cells(self, panel):
         return [
-            [panel.table.item(line, column).text() for column in (0, 1)] for line in range(panel.table.rowCount())
+            [panel.table.item(line, column).text() for column in (0, 1)]
+            for line in range(panel.table.rowCount())
         ]
 
 
@@ -235,7 +239,10 @@ class Matching(MatchWindow):
     def test_faces_that_cannot_be_matched_say_why(self):
         box = self.doc.addObject("Part::Box", "Box")
         self.doc.recompute()
-        for names, text in ((("Face1", "Face2"), "no common boundary"), (("Face1", "Face3"), "Box.Face3 is a plane")):
+        for names, text in (
+            (("Face1", "Face2"), "no common boundary"),
+            (("Face1", "Face3"), "Box.Face3 is a plane"),
+        ):
             obj, panel = self.start(*((box, name) for name in names))
             self.assertIn(text, panel.summary.text())
             self.assertNotIn("Traceback", panel.summary.text())
@@ -282,7 +289,9 @@ class Matching(MatchWindow):
             (again,) = self.made()
             self.assertNotIn("Touched", again.State)
             self.assertEqual(self.visible(), ["Left", again.Name])
-            self.assertEqual(again.ViewObject.Proxy.claimChildren(), [self.doc.Left, self.doc.Right])
+            self.assertEqual(
+                again.ViewObject.Proxy.claimChildren(), [self.doc.Left, self.doc.Right]
+            )
             again.ViewObject.Proxy.doubleClicked(again.ViewObject)
             settle()
             self.assertEqual(again.ViewObject.Proxy.panel.summary.text(), again.Summary)
@@ -305,7 +314,9 @@ class Stripes(MatchWindow):
         self.assertEqual(zebra.objects(self.doc), [])
         self.assertEqual(int((abs(greys(picture("zebra-off")) - greys(without)) > 30).sum()), 0)
         self.assertEqual(self.left.ViewObject.RootNode.getNumChildren(), nodes)
-        self.assertEqual((self.doc.UndoCount, Gui.getDocument(self.doc.Name).Modified), (steps, modified))
+        self.assertEqual(
+            (self.doc.UndoCount, Gui.getDocument(self.doc.Name).Modified), (steps, modified)
+        )
 
     def test_the_selected_object_alone(self):
         Gui.Selection.addSelection(self.left)
@@ -329,10 +340,18 @@ class Stripes(MatchWindow):
             view.fitAll()
             settle()
             lines = greys(picture("zebra-seam-%g" % slope))
-            # The seam is near the middle: fitAll() centres by some pixels differently in different releases.
-            middle, inside = lines.shape[1] // 2, slice(lines.shape[0] // 2 - 150, lines.shape[0] // 2 + 150)
+            # The seam is near the middle: fitAll() centres by some pixels differently in different
+            # releases.
+            middle, inside = lines.shape[1] // 2, slice(
+                lines.shape[0] // 2 - 150, lines.shape[0] // 2 + 150
+            )
             near = range(middle - 20, middle + 20)
-            jumps.append(max(int((abs(lines[inside, x - 1] - lines[inside, x + 1]) > 150).sum()) for x in near))
+            jumps.append(
+                max(
+                    int((abs(lines[inside, x - 1] - lines[inside, x + 1]) > 150).sum())
+                    for x in near
+                )
+            )
         self.assertGreater(jumps[0], 3 * jumps[1] + 20)
 
     def test_stripes_follow_shape_place_and_visibility(self):
@@ -341,7 +360,9 @@ class Stripes(MatchWindow):
         first = picture("zebra-first")
         self.left.Shape = models.sheet(-1, bend=0.05)
         settle()
-        self.assertGreater(int((abs(greys(picture("zebra-changed")) - greys(first)) > 100).sum()), MANY)
+        self.assertGreater(
+            int((abs(greys(picture("zebra-changed")) - greys(first)) > 100).sum()), MANY
+        )
         self.left.ViewObject.Visibility = False
         settle()
         hidden = dark_count(picture("zebra-hidden"))
@@ -360,7 +381,9 @@ class Stripes(MatchWindow):
 
     def test_stripes_on_a_body_a_link_and_a_part(self):
         Gui.runCommand(ZEBRA)
-        zebra.hide(zebra.objects(self.doc))  # from now on changes are followed, also those of the new objects below
+        zebra.hide(
+            zebra.objects(self.doc)
+        )  # from now on changes are followed, also those of the new objects below
         body = self.doc.addObject("PartDesign::Body", "Body")
         body.addObject(self.doc.addObject("PartDesign::AdditiveSphere", "Ball"))
         part = self.doc.addObject("App::Part", "Part")
@@ -388,7 +411,10 @@ class Stripes(MatchWindow):
             obj.ViewObject.Visibility = True
         Gui.Selection.clearSelection()
         Gui.runCommand(ZEBRA)
-        self.assertEqual({obj.Name for obj in zebra.objects(self.doc)}, {"Left", "Right", "Body", "Inner", "Twin"})
+        self.assertEqual(
+            {obj.Name for obj in zebra.objects(self.doc)},
+            {"Left", "Right", "Body", "Inner", "Twin"},
+        )
 
     def test_a_closed_document_takes_its_stripes_along(self):
         other = App.newDocument("Other")

@@ -36,7 +36,8 @@ SHEETS_DEG, SHEET_MM = 3.0, 20.0
 
 
 def sheet(side, slope_deg=0.0, bend=-0.02):
-    """A bicubic sheet z = slope |x| + bend x^2 / 2 + g(y), to the left (-1) or right (1) of the plane x = 0."""
+    """A bicubic sheet z = slope |x| + bend x^2 / 2 + g(y), to the left (-1) or right (1) of the
+    plane x = 0."""
     slope = math.tan(math.radians(slope_deg))
     heights = [0, slope / 3, 2 * slope / 3 + bend * SHEET_MM / 6, slope + bend * SHEET_MM / 2]
     across = [0, 4, 4, -1]
@@ -50,7 +51,8 @@ def sheet(side, slope_deg=0.0, bend=-0.02):
 
 
 def two_sheets():
-    """Two sheets that meet at x = 0 with an angle of ``SHEETS_DEG`` where g is level, and less elsewhere."""
+    """Two sheets that meet at x = 0 with an angle of ``SHEETS_DEG`` where g is level, and less
+    elsewhere."""
     return [sheet(-1), sheet(1, slope_deg=SHEETS_DEG)]
 
 
@@ -59,7 +61,8 @@ PANEL_MM, NOISE_MM = (240.0, 150.0), 0.3
 
 
 def broken_panel(across=3, along=2, noise_mm=NOISE_MM, seed=7):
-    """A curved panel, cut into patches whose poles in the row next to each seam are moved: its seams have kinks."""
+    """A curved panel, cut into patches whose poles in the row next to each seam are moved: its
+    seams have kinks."""
     generator = random.Random(seed)
     whole = Part.BSplineSurface()
     whole.interpolate([[_on_panel(i / 9, j / 6) for j in range(7)] for i in range(10)])
@@ -77,7 +80,9 @@ def broken_panel(across=3, along=2, noise_mm=NOISE_MM, seed=7):
 def _on_panel(u, v):
     """A point of the panel as it was meant, for u and v in 0..1."""
     x, y = PANEL_MM[0] * (u - 0.5), PANEL_MM[1] * (v - 0.5)
-    return App.Vector(x, y, 30 - x * x / 600 - y * y / 900 + 6 * math.sin(x / 40) * math.cos(y / 60))
+    return App.Vector(
+        x, y, 30 - x * x / 600 - y * y / 900 + 6 * math.sin(x / 40) * math.cos(y / 60)
+    )
 
 
 def _patch(whole, part_u, part_v):
@@ -99,7 +104,9 @@ def _disturb(patch, i, j, counts, noise_mm, generator):
         beside_u = (i > 0 and k == 2) or (i + 1 < counts[0] and k == rows - 1)
         beside_v = (j > 0 and m == 2) or (j + 1 < counts[1] and m == columns - 1)
         if beside_u or beside_v:
-            patch.setPole(k, m, patch.getPole(k, m) + App.Vector(0, 0, generator.uniform(-noise_mm, noise_mm)))
+            patch.setPole(
+                k, m, patch.getPole(k, m) + App.Vector(0, 0, generator.uniform(-noise_mm, noise_mm))
+            )
 
 
 #: The script that makes the models of the samples.
@@ -123,7 +130,8 @@ def corner_faces(shape):
 
 
 def open_block(corners, size=20.0):
-    """A rounded block without the first few of its corners: a shell with as many holes of three sides."""
+    """A rounded block without the first few of its corners: a shell with as many holes of three
+    sides."""
     block = rounded_block(size)
     gone = corner_faces(block)[:corners]
     return Part.makeShell([face for n, face in enumerate(block.Faces, 1) if n not in gone])
@@ -136,7 +144,8 @@ def panel_with_hole():
 
 
 def open_loops(shape):
-    """The loops of edges that bound one face, as lists of names, by their first edge; no two of them touch."""
+    """The loops of edges that bound one face, as lists of names, by their first edge; no two of
+    them touch."""
     uses = {}
     for face in shape.Faces:
         for edge in face.Edges:

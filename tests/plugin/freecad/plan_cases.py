@@ -29,7 +29,11 @@ def run_in_thread(plan):
 
 def figures(obj):
     """All that is kept of a computation and told to the user, with the shape as numbers."""
-    kept = {name: str(getattr(obj, name)) for name in obj.PropertiesList if obj.getGroupOfProperty(name) == "Result"}
+    kept = {
+        name: str(getattr(obj, name))
+        for name in obj.PropertiesList
+        if obj.getGroupOfProperty(name) == "Result"
+    }
     return kept, len(obj.Shape.Faces), len(obj.Shape.Edges), round(obj.Shape.Length, 9)
 
 
@@ -39,7 +43,10 @@ class Plans(DocumentCase):
         panel = models.add(self.doc, models.broken_panel(), "Panel")
         cube = models.add(self.doc, Part.makeBox(10, 10, 10), "Cube")
         block = models.add(self.doc, models.open_block(1), "Block")
-        left, right = (models.add(self.doc, each, name) for each, name in zip(models.two_sheets(), ("Left", "Right")))
+        left, right = (
+            models.add(self.doc, each, name)
+            for each, name in zip(models.two_sheets(), ("Left", "Right"))
+        )
         self.doc.recompute()
         return [
             lambda: analysis.prepare([panel], self.doc),
@@ -58,7 +65,10 @@ class Plans(DocumentCase):
                 self.assertEqual((obj.Report, obj.Outcome), ("", ""))
                 plan.apply(*found)
                 kept = figures(obj)
-                self.assertEqual((obj.Outcome, obj.State, feature.properties.error_text(obj)), ("done", ["Up-to-date"], ""))
+                self.assertEqual(
+                    (obj.Outcome, obj.State, feature.properties.error_text(obj)),
+                    ("done", ["Up-to-date"], ""),
+                )
                 obj.touch()
                 self.doc.recompute()
                 self.assertEqual(figures(obj), kept)

@@ -63,7 +63,9 @@ class Reopened(WindowCase):
             file.write(MAKE % (os.environ["SEAMWRIGHT_TEST_DIR"], self.path))
         program = shutil.which("freecadcmd") or shutil.which("FreeCADCmd")
         addon = os.path.abspath(os.path.join(os.path.dirname(analysis.__file__), *[".."] * 3))
-        subprocess.run([program, script, "-M", addon], stdin=subprocess.DEVNULL, timeout=60, check=True)
+        subprocess.run(
+            [program, script, "-M", addon], stdin=subprocess.DEVNULL, timeout=60, check=True
+        )
         obj = self.open()
         self.assertTrue(obj.ViewObject.ShowLegend)
         for each in self.doc.Objects:  # FreeCAD opens such a document with everything hidden

@@ -69,7 +69,9 @@ class Results(RepairCase):
         before = seam_angles(panel.Shape)
         obj = repair.create(panel)
         self.assertEqual(repair.error_text(obj), "")
-        self.assertEqual((obj.Wanted, obj.Repaired, obj.DefectsBefore, obj.DefectsAfter), (7, 7, 7, 0))
+        self.assertEqual(
+            (obj.Wanted, obj.Repaired, obj.DefectsBefore, obj.DefectsAfter), (7, 7, 7, 0)
+        )
         self.assertTrue(obj.Changed)
         self.assertEqual(obj.Shape.ShapeType, "Shell")
         self.assertTrue(obj.Shape.isValid())
@@ -78,7 +80,10 @@ class Results(RepairCase):
         self.assertEqual(len(after), 7)
         self.assertLess(max(after.values()), 0.1)
         self.assertLessEqual(max(after.values()), obj.MaxAngleAfter.Value + 1e-5)
-        self.assertTrue(obj.Summary.startswith("7 of 7 seams repaired to G1; 6 faces moved by up to 0."), obj.Summary)
+        self.assertTrue(
+            obj.Summary.startswith("7 of 7 seams repaired to G1; 6 faces moved by up to 0."),
+            obj.Summary,
+        )
 
     def test_faces_and_edges_keep_their_numbers(self):
         panel = self.panel()
@@ -95,7 +100,9 @@ class Results(RepairCase):
         self.assertEqual(repair.error_text(obj), "")
         self.assertLess(obj.Repaired, obj.Wanted)
         self.assertLessEqual(obj.LargestMove.Value, 0.05)
-        reasons = [seam["reason"] for seam in repair.report_of(obj)["seams"] if not seam["repaired"]]
+        reasons = [
+            seam["reason"] for seam in repair.report_of(obj)["seams"] if not seam["repaired"]
+        ]
         self.assertTrue(reasons and all(reasons))
         obj.MaxMove = 0  # by the size of the face
         self.doc.recompute()
@@ -127,7 +134,9 @@ class Results(RepairCase):
             )
             self.assertEqual(same, number not in moved, number)
         self.assertFalse(moved & {3, 4})
-        between = next(seam for seam in repair.report_of(obj)["seams"] if seam["before"]["faces"] == [3, 4])
+        between = next(
+            seam for seam in repair.report_of(obj)["seams"] if seam["before"]["faces"] == [3, 4]
+        )
         self.assertFalse(between["repaired"])
         self.assertTrue(between["reason"])
 
@@ -170,14 +179,15 @@ class Results(RepairCase):
         panel = self.panel()
         part = self.doc.addObject("App::Part", "Part")
         part.addObject(panel)
-        part.Placement = App.Placement(App.Vector(100, 20, 3), App.Rotation(App.Vector(1, 2, 3), 40))
+        part.Placement = App.Placement(
+            App.Vector(100, 20, 3), App.Rotation(App.Vector(1, 2, 3), 40)
+        )
         panel.Placement.Base = App.Vector(0, 0, 7)
         self.doc.recompute()
         obj = repair.create(panel)
         self.assertEqual(obj.Repaired, 7, obj.Summary)
         for old, new in zip(panel.Shape.Vertexes, obj.Shape.Vertexes):
             self.assertLess((part.Placement.multVec(old.Point) - new.Point).Length, 1.0)
-
 
     def test_a_placed_solid_stays_a_solid_where_it_stands(self):
         block = models.add(self.doc, models.broken_block(), "Block")
@@ -205,7 +215,13 @@ class Options(RepairCase):
         panel = self.panel()
         obj = repair.create(panel)
         changes = {name: 0.5 for name, *_ in repair.TOLERANCES}
-        changes.update(Target="G2", MaxMove=5, Edges=(panel, ["Edge1"]), FixedFaces=(panel, ["Face1"]), Source=None)
+        changes.update(
+            Target="G2",
+            MaxMove=5,
+            Edges=(panel, ["Edge1"]),
+            FixedFaces=(panel, ["Face1"]),
+            Source=None,
+        )
         for name, value in changes.items():
             with self.subTest(name):
                 obj.purgeTouched()
@@ -219,7 +235,9 @@ class Options(RepairCase):
         self.doc.recompute()
         self.assertEqual(obj.Repaired, obj.Wanted)
         self.assertLess(max(seam_angles(obj.Shape).values()), obj.AngleTolerance.Value)
-        self.assertAlmostEqual(obj.MaxAngleBefore.Value, max(seam_angles(panel.Shape).values()), delta=0.02)
+        self.assertAlmostEqual(
+            obj.MaxAngleBefore.Value, max(seam_angles(panel.Shape).values()), delta=0.02
+        )
         panel.Shape = models.broken_panel(noise_mm=0.0)
         self.doc.recompute()
         self.assertIn("Nothing to repair", obj.Summary)
@@ -245,14 +263,17 @@ class Options(RepairCase):
             if repair.error_text(obj):  # an edge of the border is no seam
                 continue
             self.assertEqual(
-                [seam["before"] for seam in report["seams"]], [seam["before"] for seam in done["seams"]]
+                [seam["before"] for seam in report["seams"]],
+                [seam["before"] for seam in done["seams"]],
             )
             self.assertIn("to repair to G1", text)
 
     def test_cancelling_keeps_the_results(self):
         obj = repair.create(self.panel())
         report = obj.Report
-        with mock.patch.object(hooks, "progress", lambda text: contextlib.nullcontext(lambda fraction: False)):
+        with mock.patch.object(
+            hooks, "progress", lambda text: contextlib.nullcontext(lambda fraction: False)
+        ):
             obj.touch()
             self.doc.recompute()
         self.assertOutdated(obj)
@@ -282,7 +303,9 @@ class Errors(RepairCase):
             panel.Shape = shape
             self.doc.recompute()
             self.assertNotRepaired(obj, text)
-            self.assertEqual((obj.Wanted, obj.LargestMove.Value, obj.MaxAngleBefore.Value), (0, 0.0, 0.0))
+            self.assertEqual(
+                (obj.Wanted, obj.LargestMove.Value, obj.MaxAngleBefore.Value), (0, 0.0, 0.0)
+            )
         panel.Shape = models.broken_panel()
         self.doc.recompute()
         self.assertEqual((repair.error_text(obj), obj.Repaired), ("", 7))
@@ -294,8 +317,12 @@ class Errors(RepairCase):
         self.assertNotRepaired(obj, "Panel has no Edge99")
         with self.assertRaisesRegex(sources.SourceError, "Panel has no Edge99"):
             foreseen(obj)
-        self.assertNotRepaired(repair.create(panel, fixed_faces=["Edge1"]), "Edge1 is no face: name one, as Face1")
-        self.assertNotRepaired(repair.create(panel, edges=["Face1"]), "Face1 is no edge: name one, as Edge1")
+        self.assertNotRepaired(
+            repair.create(panel, fixed_faces=["Edge1"]), "Edge1 is no face: name one, as Face1"
+        )
+        self.assertNotRepaired(
+            repair.create(panel, edges=["Face1"]), "Face1 is no edge: name one, as Edge1"
+        )
         obj.Edges = (box, ["Edge1"])
         self.doc.recompute()
         self.assertNotRepaired(obj, "Edges names Box, which is not the source Panel")
@@ -335,7 +362,15 @@ class Errors(RepairCase):
 class Saving(RepairCase):
     def test_results_survive_without_the_compiled_module(self):
         obj = repair.create(self.panel(), fixed_faces=["Face1"], max_move_mm=1.0)
-        names = ("Report", "Summary", "Changed", "Wanted", "Repaired", "Target", "SeamwrightVersion")
+        names = (
+            "Report",
+            "Summary",
+            "Changed",
+            "Wanted",
+            "Repaired",
+            "Target",
+            "SeamwrightVersion",
+        )
         report = obj.Report
         with self.opened_without_kernel(obj, names, lambda: repair.create(self.doc.Panel)) as again:
             self.assertTrue(repair.is_repair(again))

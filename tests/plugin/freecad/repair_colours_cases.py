@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Curvature and zebra stripes in the panel of Repair Seams, in FreeCAD's window; run by run_freecad.py --window."""
+"""Curvature and zebra stripes in the panel of Repair Seams, in FreeCAD's window; run by
+run_freecad.py --window."""
 
 import sys
 import threading
@@ -13,7 +14,16 @@ import numpy
 import Part
 from PySide import QtCore, QtGui
 from repair_window_cases import FEW, MANY, MODEL, RepairWindow, coloured
-from window import COMPUTED_S, count, pause, picture, press_escape, report_view, settle, whole_window
+from window import (
+    COMPUTED_S,
+    count,
+    pause,
+    picture,
+    press_escape,
+    report_view,
+    settle,
+    whole_window,
+)
 
 from freecad.seamwright.document import analysis
 from freecad.seamwright.gui import computation, surface_colours
@@ -68,7 +78,9 @@ class Curvature(Colours):
         self.fit()
         plain, bare = picture("colours-plain"), nodes(self.source)
         obj, panel = self.start()
-        self.assertEqual([panel.colours.itemText(place) for place in range(4)], [NONE, MOVES, CURVATURE, ZEBRA])
+        self.assertEqual(
+            [panel.colours.itemText(place) for place in range(4)], [NONE, MOVES, CURVATURE, ZEBRA]
+        )
         self.assertEqual(panel.colours.currentText(), MOVES)
         self.assertLess(bent(plain), FEW)
         self.colour(panel, CURVATURE)
@@ -98,14 +110,19 @@ class Curvature(Colours):
             self.assertGreater(differing(picture("colours-shown"), plain), MANY)
             self.ok()
             self.assertEqual((self.visible(), obj.ViewObject.ShowMoves), ([obj.Name], False))
-            self.assertEqual((nodes(self.source), nodes(obj)), (bare, [own[0] - 1]))  # the legend of the panel
+            self.assertEqual(
+                (nodes(self.source), nodes(obj)), (bare, [own[0] - 1])
+            )  # the legend of the panel
             self.assertEqual(differing(picture("colours-kept"), plain), 0)
             self.doc.undo()
             settle()
             self.assertEqual(self.visible(), ["Panel"])
 
     def test_balls_and_pipes_have_one_colour_and_the_legend_its_radius(self):
-        shapes = {"pipe": (Part.makeCylinder(25, 80).Faces[0].toNurbs(), -1 / 50), "ball": (Part.makeSphere(40), -1 / 40)}
+        shapes = {
+            "pipe": (Part.makeCylinder(25, 80).Faces[0].toNurbs(), -1 / 50),
+            "ball": (Part.makeSphere(40), -1 / 40),
+        }
         for name, (shape, expected) in shapes.items():
             with self.subTest(name):
                 self.source.Shape = shape
@@ -124,7 +141,9 @@ class Curvature(Colours):
                 meanings = [text for *_, text in curvature.legend_entries(found.limit)]
                 self.assertEqual(meanings[-1], "as a ball of radius %g mm" % (-1 / expected))
                 surface = found.surfaces["Panel"]
-                u, v = shape.Faces[0].Surface.parameter(App.Vector(*surface.mesh.points[len(surface.mesh.points) // 2]))
+                u, v = shape.Faces[0].Surface.parameter(
+                    App.Vector(*surface.mesh.points[len(surface.mesh.points) // 2])
+                )
                 told = abs(sum(shape.Faces[0].curvatureAt(u, v))) / 2
                 self.assertLess(abs(abs(surface.mesh.mean_per_mm) - told).max(), 1e-9)
                 self.cancel()
@@ -134,7 +153,9 @@ class Curvature(Colours):
         self.preview(panel)
         self.colour(panel, CURVATURE)
         found = panel.surface._found
-        with mock.patch.object(surface_colours, "curvature_map_later", side_effect=AssertionError("computed again")):
+        with mock.patch.object(
+            surface_colours, "curvature_map_later", side_effect=AssertionError("computed again")
+        ):
             for name in (ZEBRA, NONE, CURVATURE, MOVES, ZEBRA, CURVATURE):
                 self.colour(panel, name)
                 for which in ("before", "after"):
@@ -161,7 +182,9 @@ class Curvature(Colours):
         self.cancel()
 
     def test_a_placed_model_is_coloured_where_it_stands(self):
-        self.source.Placement = App.Placement(App.Vector(500, 0, 90), App.Rotation(App.Vector(0, 0, 1), 30))
+        self.source.Placement = App.Placement(
+            App.Vector(500, 0, 90), App.Rotation(App.Vector(0, 0, 1), 30)
+        )
         self.doc.recompute()
         self.fit()
         obj, panel = self.start()
@@ -172,7 +195,10 @@ class Curvature(Colours):
             for name in (CURVATURE, ZEBRA):
                 self.colour(panel, name)
                 shown = self.shown(panel, which, "placed-" + name.split()[0].lower())
-                white = [count(image, (255, 255, 255), QtCore.QRect(0, 340, 1200, 460), 2) for image in (shown, plain)]
+                white = [
+                    count(image, (255, 255, 255), QtCore.QRect(0, 340, 1200, 460), 2)
+                    for image in (shown, plain)
+                ]
                 self.assertLess(abs(white[0] - white[1]), 0.01 * white[1])
         self.cancel()
 
@@ -191,7 +217,9 @@ class Curvature(Colours):
 
     def test_loose_faces_bulge_to_one_side_before_and_after(self):
         faces = models.broken_panel().Faces
-        self.source.Shape = Part.Compound([face.reversed() if place % 2 else face for place, face in enumerate(faces)])
+        self.source.Shape = Part.Compound(
+            [face.reversed() if place % 2 else face for place, face in enumerate(faces)]
+        )
         self.doc.recompute()
         obj, panel = self.start()
         panel.tolerances.fields["MatchDistance"].setValue(0.1)
@@ -222,12 +250,20 @@ class Curvature(Colours):
     def test_moves_are_of_after_alone(self):
         obj, panel = self.start()
         self.preview(panel)
-        for name, shows in ((MOVES, True), (CURVATURE, False), (MOVES, True), (ZEBRA, False), (NONE, False)):
+        for name, shows in (
+            (MOVES, True),
+            (CURVATURE, False),
+            (MOVES, True),
+            (ZEBRA, False),
+            (NONE, False),
+        ):
             self.colour(panel, name)
             panel.after.setChecked(True)
             settle()
             self.assertEqual(obj.ViewObject.ShowMoves, shows)
-            self.assertLess(bent(self.shown(panel, "before", "moves")), FEW if name in (MOVES, NONE) else 1e9)
+            self.assertLess(
+                bent(self.shown(panel, "before", "moves")), FEW if name in (MOVES, NONE) else 1e9
+            )
             self.assertFalse(obj.ViewObject.ShowMoves)
         self.cancel()
 
@@ -323,7 +359,9 @@ class Zebra(Colours):
         self.colour(panel, CURVATURE)
         self.cancel()
         self.assertEqual(zebra.objects(self.doc), [self.source])
-        self.assertEqual((nodes(self.source), differing(picture("colours-striped-last"), striped)), (bare, 0))
+        self.assertEqual(
+            (nodes(self.source), differing(picture("colours-striped-last"), striped)), (bare, 0)
+        )
         zebra.hide([self.source])
 
 
@@ -364,7 +402,9 @@ class Stopping(Colours):
             press_escape()
             pause()
             self.assertTrue(tasks.idle)
-        self.assertEqual((panel.colours.currentText(), panel.computation.line.isVisible()), (NONE, False))
+        self.assertEqual(
+            (panel.colours.currentText(), panel.computation.line.isVisible()), (NONE, False)
+        )
         self.assertLess(bent(picture("colours-stopped")), FEW)
         self.colour(panel, CURVATURE)
         self.assertGreater(bent(picture("colours-after-stop")), MANY)
@@ -390,6 +430,8 @@ class Stopping(Colours):
             panel.colours.setCurrentText(CURVATURE)
             self.wait(begun)
         self.preview(panel)
-        self.assertEqual((obj.Repaired, self.visible(), panel.colours.currentText()), (7, [obj.Name], CURVATURE))
+        self.assertEqual(
+            (obj.Repaired, self.visible(), panel.colours.currentText()), (7, [obj.Name], CURVATURE)
+        )
         self.assertGreater(bent(picture("colours-after-preview")), MANY)
         self.cancel()

@@ -11,6 +11,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import models
 from PySide import QtCore
+
 from window import (
     CANCELLED, PICTURE, PanelWindow, camera, click, click_row, count, messages, picture, report_view, settle,
     whole_window
@@ -110,7 +111,9 @@ class Repairing(RepairWindow):
         self.cancel()
 
     def test_a_placed_model_is_coloured_and_marked_where_it_stands(self):
-        self.source.Placement = App.Placement(App.Vector(500, 0, 90), App.Rotation(App.Vector(0, 0, 1), 30))
+        self.source.Placement = App.Placement(
+            App.Vector(500, 0, 90), App.Rotation(App.Vector(0, 0, 1), 30)
+        )
         self.doc.recompute()
         self.fit()
         obj, panel = self.start()
@@ -179,13 +182,17 @@ class Repairing(RepairWindow):
             self.assertEqual(self.column(panel, RESULT), ["repaired"] * 7)
             panel.max_move.setValue(0.01)
             panel.lists["FixedFaces"].set_names(["Face2"])
-            self.assertEqual(panel.preview_button.text(), "Preview again")
+            self.assertEqual(panel.preview_button.text(), "Update preview")
             self.preview(panel)
-            self.assertEqual((obj.MaxMove.Value, elements.names(obj, "FixedFaces")), (0.01, ["Face2"]))
+            self.assertEqual(
+                (obj.MaxMove.Value, elements.names(obj, "FixedFaces")), (0.01, ["Face2"])
+            )
             self.assertNotEqual(obj.Report, report)
             self.cancel()
             self.assertEqual((obj.MaxMove.Value, elements.names(obj, "FixedFaces")), (0, []))
-            self.assertEqual((obj.Repaired, self.visible(), obj.ViewObject.ShowMoves), (7, [obj.Name], False))
+            self.assertEqual(
+                (obj.Repaired, self.visible(), obj.ViewObject.ShowMoves), (7, [obj.Name], False)
+            )
 
     def test_seams_and_faces_are_picked_in_the_view(self):
         obj, panel = self.start()
@@ -255,11 +262,17 @@ class Choosing(RepairWindow):
         panel.recompute()
         click_row(panel.table, 1)
         edge = panel.model.row(1).edges[0]
-        buttons = [each for each in panel.form.findChildren(QtWidgets.QPushButton) if each.text().startswith("Repair")]
+        buttons = [
+            each
+            for each in panel.form.findChildren(QtWidgets.QPushButton)
+            if each.text().startswith("Repair")
+        ]
         click(buttons[0], buttons[0].rect().center())
         settle()
         (obj,) = self.made()
-        self.assertEqual((obj.Source, elements.names(obj, "Edges")), (self.source, ["Edge%d" % edge]))
+        self.assertEqual(
+            (obj.Source, elements.names(obj, "Edges")), (self.source, ["Edge%d" % edge])
+        )
         self.assertEqual((obj.AngleTolerance.Value, obj.Target), (1.0, "G1"))
         self.assertEqual(obj.ViewObject.Proxy.panel.table.rowCount(), 1)
         self.assertIsNone(found.ViewObject.Proxy.panel)
@@ -395,7 +408,8 @@ class Staying(RepairWindow):
         self.assertEqual(self.visible(), ["Panel"])
 
     def reopen(self, within=contextlib.nullcontext()):
-        """Keep a repair whose moves are shown, save the document and open it ``within`` a context; the repair there."""
+        """Keep a repair whose moves are shown, save the document and open it ``within`` a context;
+        the repair there."""
         obj, _ = self.start()
         self.ok()
         obj.ViewObject.ShowMoves = True
@@ -425,7 +439,9 @@ class Staying(RepairWindow):
         before = report_view()
         again = self.reopen(within=mock.patch.dict(sys.modules, seamwright=None))
         written = report_view()[len(before) :]
-        self.assertIn("the moves of %s are not shown: The compiled part of Seamwright" % again.Name, written)
+        self.assertIn(
+            "the moves of %s are not shown: The compiled part of Seamwright" % again.Name, written
+        )
         self.assertNotIn("Traceback", written)
         plain = picture("repair-reopened-plain")
         self.assertLess(coloured(plain), FEW)

@@ -53,7 +53,13 @@ def environment(options, home):
     (home / "home" / ".config" / "FreeCAD").mkdir(parents=True)
     (home / "run").mkdir(mode=0o700)
     shutil.copy(SETTINGS, home / "home" / ".config" / "FreeCAD" / "user.cfg")
-    dropped = ("XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME", "FREECAD_USER_HOME", "PYTHONPATH")
+    dropped = (
+        "XDG_CONFIG_HOME",
+        "XDG_DATA_HOME",
+        "XDG_CACHE_HOME",
+        "FREECAD_USER_HOME",
+        "PYTHONPATH",
+    )
     kept = {name: value for name, value in os.environ.items() if name not in dropped}
     return {
         **kept,

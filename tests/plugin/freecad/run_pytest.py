@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""run_pytest.py ADDON TESTS: the tests that need no FreeCAD; ends with 77 when pytest is missing."""
+"""run_pytest.py ADDON TESTS: the tests that need no FreeCAD; ends with 77 when pytest is
+missing."""
 
 import importlib.util
 import os

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Computations that the user stops, in FreeCAD's window: what the panel says, and what stays; run by run_freecad.py --window."""
+"""Computations that the user stops, in FreeCAD's window: what the panel says, and what stays; run
+by run_freecad.py --window."""
 
 import re
 import threading
@@ -8,6 +9,7 @@ from unittest import mock
 
 import FreeCADGui as Gui
 import models
+
 from window import (
     COMPUTED_S, PanelWindow, WindowCase, analyses, held, pause, press_escape, report_view, settle, whole_window
 )  # fmt: skip
@@ -49,7 +51,8 @@ class Repairing(PanelWindow):
         super().tearDown()
 
     def values(self):
-        """All that the document keeps of the repair; objects of FreeCAD without the addresses in their names."""
+        """All that the document keeps of the repair; objects of FreeCAD without the addresses in
+        their names."""
         kept = [name for name in sorted(self.obj.PropertiesList) if name != "Shape"]
         return [re.sub("0x[0-9a-f]+", "", str(getattr(self.obj, name))) for name in kept]
 
@@ -95,7 +98,7 @@ class Repairing(PanelWindow):
         self.assertEqual(self.panel.summary.text(), OLD_RESULTS)
         self.assertEqual((self.values(), self.obj.State), (before, ["Up-to-date"]))
         self.assertEqual(self.panel.max_move.value(), 0.05)
-        self.assertEqual(self.panel.preview_button.text(), "Preview again")
+        self.assertEqual(self.panel.preview_button.text(), "Update preview")
         self.ok()
         self.assertEqual((self.obj.MaxMove.Value, self.made()), (0.05, [self.obj]))
 
@@ -194,9 +197,15 @@ class Outcomes(WindowCase):
         self.assertNotIn("Recompute failed", written)
 
     def test_not_matched(self):
-        left, right = (models.add(self.doc, each, name) for each, name in zip(models.two_sheets(), ("Left", "Right")))
+        left, right = (
+            models.add(self.doc, each, name)
+            for each, name in zip(models.two_sheets(), ("Left", "Right"))
+        )
         obj = match.create((left, "Face1"), (right, "Face1"), max_move_mm=1e-6)
-        self.assertEqual((obj.Outcome, obj.Matched, match.error_text(obj)), ("without result", False, obj.Summary))
+        self.assertEqual(
+            (obj.Outcome, obj.Matched, match.error_text(obj)),
+            ("without result", False, obj.Summary),
+        )
         self.assertEqual(obj.State, ["Up-to-date"])
         self.assertQuiet()
 

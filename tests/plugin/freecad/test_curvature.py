@@ -9,7 +9,9 @@ from test_plain import SIGHTS, lab, linear
 
 from freecad.seamwright.plain import curvature
 
-SQUARE = numpy.array([(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0)], float), numpy.array([(0, 1, 2), (0, 2, 3)])
+SQUARE = numpy.array([(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0)], float), numpy.array(
+    [(0, 1, 2), (0, 2, 3)]
+)
 
 
 def seen(sight, share):
@@ -33,7 +35,9 @@ def test_hollow_and_bulging_differ_for_every_eye(sight):
 
 def test_colours_pass_through_the_ramp_and_stop_at_its_ends():
     shares, rgb = zip(*curvature.RAMP)
-    assert curvature.colours(0.03 * numpy.array(shares), 0.03) * 255 == pytest.approx(numpy.array(rgb, float))
+    assert curvature.colours(0.03 * numpy.array(shares), 0.03) * 255 == pytest.approx(
+        numpy.array(rgb, float)
+    )
     low, high = curvature.colours(numpy.array([-7.0, 7.0]), 0.03) * 255
     assert (tuple(low), tuple(high)) == (pytest.approx(rgb[0]), pytest.approx(rgb[-1]))
 
@@ -50,10 +54,18 @@ def test_areas_of_points_are_thirds_of_the_triangles_around_them():
 
 def test_quantiles_count_area_and_not_points():
     values, weights = numpy.array([5.0, 1.0, 3.0]), numpy.array([1.0, 97.0, 2.0])
-    assert list(curvature.quantiles(values, weights, (0.02, 0.5, 0.96, 0.98, 1.0))) == [1.0, 1.0, 1.0, 3.0, 5.0]
+    assert list(curvature.quantiles(values, weights, (0.02, 0.5, 0.96, 0.98, 1.0))) == [
+        1.0,
+        1.0,
+        1.0,
+        3.0,
+        5.0,
+    ]
     assert list(curvature.quantiles(values, numpy.zeros(3), (0.5, 1.0))) == [0.0, 0.0]
     even = numpy.linspace(-1, 1, 2001)
-    assert curvature.quantiles(even, numpy.ones(2001), (0.02, 0.5, 0.98)) == pytest.approx([-0.96, 0.0, 0.96], abs=1e-3)
+    assert curvature.quantiles(even, numpy.ones(2001), (0.02, 0.5, 0.98)) == pytest.approx(
+        [-0.96, 0.0, 0.96], abs=1e-3
+    )
 
 
 def test_the_limit_leaves_out_little_and_is_a_round_figure():
@@ -86,4 +98,6 @@ def test_of_a_plane_the_legend_has_one_line():
     ((sample, name, meaning),) = curvature.legend_entries(0.0)
     assert (name, meaning) == ("0 1/mm", "flat, or a saddle")
     assert "beyond" not in curvature.legend_footer(0.0)
-    assert curvature.colours(numpy.zeros(2), 0.0) * 255 == pytest.approx(numpy.array([sample.rgb] * 2))
+    assert curvature.colours(numpy.zeros(2), 0.0) * 255 == pytest.approx(
+        numpy.array([sample.rgb] * 2)
+    )

@@ -27,7 +27,9 @@ def hole(number, *sides, longest=False, corners=True, centre=(1.0, -1e-12, 2.5))
         "centre_mm": list(centre),
         "has_corners": corners,
         "longest": longest,
-        "sides": [{"edges": list(edges), "faces": [1] * len(edges), "length_mm": 10.0} for edges in sides],
+        "sides": [
+            {"edges": list(edges), "faces": [1] * len(edges), "length_mm": 10.0} for edges in sides
+        ],
     }
 
 
@@ -101,7 +103,10 @@ def test_the_longest_loop_is_left_out_unless_there_is_no_other():
     assert fill_text.default_holes([rim]) == [rim]
     assert fill_text.default_holes([]) == []
     assert fill_text.hole_text(inner, [rim, inner]) == "Hole 2: 3 sides, 30 mm around (1, 0, 2.5)"
-    assert fill_text.hole_text(rim, [rim, inner]) == "Hole 1: 2 sides, 20 mm around (1, 0, 2.5), the longest loop: a rim?"
+    assert (
+        fill_text.hole_text(rim, [rim, inner])
+        == "Hole 1: 2 sides, 20 mm around (1, 0, 2.5), the longest loop: a rim?"
+    )
     assert fill_text.hole_text(rim, [rim]) == "Hole 1: 2 sides, 20 mm around (1, 0, 2.5)"
     smooth = hole(3, [7], corners=False)
     assert fill_text.hole_text(smooth, [smooth]) == "Hole 3: no corner, 10 mm around (1, 0, 2.5)"
@@ -111,7 +116,10 @@ def test_the_longest_loop_is_left_out_unless_there_is_no_other():
 def test_loops_of_one_length_are_all_filled_and_told_apart():
     holes = [hole(1, [1, 2], [3], centre=(0, 0, 0)), hole(2, [4, 5], [6], centre=(0, 0, 30))]
     assert fill_text.default_holes(holes) == holes
-    assert [fill_text.hole_text(each, holes).split(" around ")[1] for each in holes] == ["(0, 0, 0)", "(0, 0, 30)"]
+    assert [fill_text.hole_text(each, holes).split(" around ")[1] for each in holes] == [
+        "(0, 0, 0)",
+        "(0, 0, 30)",
+    ]
 
 
 def test_one_edge_of_a_hole_names_it_whatever_the_order():
@@ -163,7 +171,9 @@ def test_a_kept_fill_has_the_numbers_of_the_result_and_names_of_the_source():
 
 
 def test_a_fill_that_was_not_kept_says_why_in_names_of_the_source():
-    reason = "a seam between face 3 and the fill does not surely reach G1: level G0, angle 1 degrees"
+    reason = (
+        "a seam between face 3 and the fill does not surely reach G1: level G0, angle 1 degrees"
+    )
     entry = fill_text.entry(found(filled=False, reason=reason), hole=2)
     assert entry["faces"] == [] and all(each["edges"] == [] for each in entry["seams"])
     report = {"target": "G1", "tolerance": LIMITS, "fills": [entry]}
@@ -173,7 +183,9 @@ def test_a_fill_that_was_not_kept_says_why_in_names_of_the_source():
 
 
 def test_some_of_several_fills():
-    kept, missed = fill_text.entry(found(), hole=1), fill_text.entry(found(False, "it has 0 corners"), hole=2)
+    kept, missed = fill_text.entry(found(), hole=1), fill_text.entry(
+        found(False, "it has 0 corners"), hole=2
+    )
     anyway = fill_text.entry(found(True, "it is too far"), hole=3)
 
     def text(*fills):
@@ -181,7 +193,10 @@ def test_some_of_several_fills():
 
     assert text(kept, missed).startswith("1 of 2 holes filled with 2 faces; ")
     assert text(kept, anyway).endswith("; G1 is missed, kept anyway.")
-    assert text(missed, missed) == "0 of 2 holes filled: Hole 2: it has 0 corners. Hole 2: it has 0 corners."
+    assert (
+        text(missed, missed)
+        == "0 of 2 holes filled: Hole 2: it has 0 corners. Hole 2: it has 0 corners."
+    )
     report = {"target": "G1", "tolerance": LIMITS, "fills": [kept, missed, anyway]}
     assert fill_text.reasons(report) == ["Hole 2: it has 0 corners.", "Hole 3: it is too far."]
     assert fill_text.waiting_text([], [1, 2]) == "2 holes to fill."
@@ -199,7 +214,14 @@ def test_a_profile_is_known_by_the_tolerances_there_are():
 
 def corner(met=True, shortfall=""):
     edges = [
-        {"edge": n, "convex": n != 4, "angle_deg": 90.0, "radius_mm": r, "contact_mm": r, "setback_mm": 4.0}
+        {
+            "edge": n,
+            "convex": n != 4,
+            "angle_deg": 90.0,
+            "radius_mm": r,
+            "contact_mm": r,
+            "setback_mm": 4.0,
+        }
         for n, r in ((4, 1.0), (1, 2.5), (9, 0.125))
     ]
     seams = []
@@ -212,9 +234,14 @@ def corner(met=True, shortfall=""):
 
 def test_a_corner_is_told_with_its_radii():
     report = corner_text.build_report(corner(), TOLERANCE)
-    assert corner_text.summary_text(report).startswith("Corner of 3 edges rounded with radii 1, 2.5, 0.125 mm; 4 seams")
+    assert corner_text.summary_text(report).startswith(
+        "Corner of 3 edges rounded with radii 1, 2.5, 0.125 mm; 4 seams"
+    )
     assert corner_text.new_faces(report) == {7, 10, 11} and corner_text.patches(report) == {10, 11}
-    assert [corner_text.edge_text(edge) for edge in report["edges"][:2]] == ["concave, 90\u00b0", "convex, 90\u00b0"]
+    assert [corner_text.edge_text(edge) for edge in report["edges"][:2]] == [
+        "concave, 90\u00b0",
+        "convex, 90\u00b0",
+    ]
     assert [each["between"] for each in report["seams"]] == list(corner_text.BETWEEN.values())
     assert json.loads(json.dumps(report)) == report
 
@@ -227,7 +254,14 @@ def test_a_corner_that_falls_short_says_why_and_has_no_numbers():
 
 @pytest.mark.parametrize(
     ("lengths", "radius"),
-    [([10, 10, 10], 1.0), ([3.7, 40], 0.3), ([0.029], 0.002), ([2500, 8000], 200.0), ([99.99], 9.0), ([1e-3], 1e-4)],
+    [
+        ([10, 10, 10], 1.0),
+        ([3.7, 40], 0.3),
+        ([0.029], 0.002),
+        ([2500, 8000], 200.0),
+        ([99.99], 9.0),
+        ([1e-3], 1e-4),
+    ],
 )
 def test_a_suggested_radius_is_a_tenth_of_the_shortest_edge_to_one_digit(lengths, radius):
     assert corner_text.suggested_radius_mm(lengths) == radius
@@ -237,5 +271,8 @@ def test_numbers_by_edge():
     assert corner_text.by_edge([2.0], [4, 1, 9], "Radii") == {4: 2.0, 1: 2.0, 9: 2.0}
     assert corner_text.by_edge([1.0, 2.0, 3.0], [4, 1, 9], "Radii") == {4: 1.0, 1: 2.0, 9: 3.0}
     for numbers, text in (([], "no numbers"), ([1.0, 2.0], "2 numbers"), ([1.0] * 4, "4 numbers")):
-        with pytest.raises(ValueError, match="Radii has %s for the 3 edges of the corner .Edge4, Edge1, Edge9" % text):
+        with pytest.raises(
+            ValueError,
+            match="Radii has %s for the 3 edges of the corner .Edge4, Edge1, Edge9" % text,
+        ):
             corner_text.by_edge(numbers, [4, 1, 9], "Radii")

@@ -10,7 +10,8 @@ from freecad.seamwright.plain import orientation
 
 
 def strip(turned, angles_deg, count=5):
-    """Squares in a row, each turned by its angle against the one before; normals turned over where ``turned`` is -1."""
+    """Squares in a row, each turned by its angle against the one before; normals turned over where
+    ``turned`` is -1."""
     points, normals, first, at, slope = [], [], [0], numpy.zeros(3), 0.0
     for sign, angle in zip(turned, angles_deg):
         slope += numpy.radians(angle)
@@ -35,7 +36,10 @@ def test_loose_faces_come_to_one_side(turned):
 
 def test_faces_of_a_shell_stay_together():
     points, normals, first = strip((1, -1, -1, -1), [0, 3, -5, 2])
-    assert list(orientation.signs(points, normals, first, [7, 7, 3, 3])) in ([1, 1, 1, 1], [-1, -1, 1, 1])
+    assert list(orientation.signs(points, normals, first, [7, 7, 3, 3])) in (
+        [1, 1, 1, 1],
+        [-1, -1, 1, 1],
+    )
     assert list(orientation.signs(points, normals, first, [7, 7, 7, 7])) == [1, 1, 1, 1]
 
 
@@ -53,7 +57,10 @@ def test_the_numbers_do_not_depend_on_the_place():
 def test_nothing():
     none = numpy.empty((0, 3))
     for faces in (0, 1, 3):
-        assert list(orientation.signs(none, none, numpy.zeros(faces + 1, int), range(faces))) == [1] * faces
+        assert (
+            list(orientation.signs(none, none, numpy.zeros(faces + 1, int), range(faces)))
+            == [1] * faces
+        )
     points, normals, first = strip((1,), [0])
     assert list(orientation.signs(points, normals, first, [0])) == [1]
 

@@ -13,7 +13,16 @@ from unittest import mock
 
 import pytest
 
-from freecad.seamwright.plain import enclosure, export, kernel, match_text, palette, profiles, rows, summary
+from freecad.seamwright.plain import (
+    enclosure,
+    export,
+    kernel,
+    match_text,
+    palette,
+    profiles,
+    rows,
+    summary,
+)
 
 TOLERANCE = {
     "gap_mm": 0.01,
@@ -218,7 +227,11 @@ def test_the_tool_tip_says_bounds_place_and_certainty(report):
 
 
 def test_the_tool_tip_names_what_figures_leave_out():
-    left_out = {"angle_deg": [], "curvature_per_mm": [], "curvature_rel": [[0, 1e-6], [0.25, 0.2501], [0.9995, 1]]}
+    left_out = {
+        "angle_deg": [],
+        "curvature_per_mm": [],
+        "curvature_rel": [[0, 1e-6], [0.25, 0.2501], [0.9995, 1]],
+    }
     text = rows.detail_text({**seam(1), "left_out": left_out}, TOLERANCE)
     (curvature,) = [line for line in text.split("\n") if "without" in line]
     assert curvature.endswith(
@@ -292,13 +305,17 @@ def test_a_profile_is_known_by_its_figures():
 def test_summary_counts_and_judges(report):
     text = summary.summary_text(report)
     assert text.startswith("5 seams: 3 defects, 1 crease, 1 smooth; 1 open edge;")
-    assert "largest gap \u22650.001 mm, largest angle \u22650.9\u00b0" in text and text.endswith("G1 is not met.")
+    assert "largest gap \u22650.001 mm, largest angle \u22650.9\u00b0" in text and text.endswith(
+        "G1 is not met."
+    )
     assert not summary.passed(report)
 
 
 def test_summary_without_seams():
     assert summary.summary_text({"seams": []}) == "No seams: no two faces share an edge."
-    text = summary.summary_text({"seams": [], "open": [{"edge": 1, "face": 1}, {"edge": 2, "face": 1}]})
+    text = summary.summary_text(
+        {"seams": [], "open": [{"edge": 1, "face": 1}, {"edge": 2, "face": 1}]}
+    )
     assert text.endswith("2 open edges can be matched, see the tolerances.")
     assert not summary.passed({"seams": []})
 
@@ -324,7 +341,9 @@ def test_the_summary_says_how_many_verdicts_are_certain_and_how_many_seams_match
     assert "; 0 of 5 verdicts certain; G1" in summary.summary_text(report)
     report["seams"][0].update(certified=True, kind="matched")
     text = summary.summary_text(report)
-    assert "; 1 of 5 verdicts certain; G1" in text and text.startswith("5 seams, 1 of them matched: ")
+    assert "; 1 of 5 verdicts certain; G1" in text and text.startswith(
+        "5 seams, 1 of them matched: "
+    )
 
 
 def test_the_largest_figure_is_one_that_was_seen(report):
@@ -337,7 +356,9 @@ def test_the_summary_encloses_the_largest_figure_of_all_seams(report):
     for one, lower, upper in zip(report["seams"], (0.5, 0.2), (0.6, 0.7)):
         one["gap_mm"] = {"lower": lower, "upper": upper, "at": 0}
         one["angle_deg"] = {"lower": 0, "upper": 1e-12, "at": 0}
-    assert "largest gap 0.5..0.7 mm, largest angle \u22641e-12\u00b0;" in summary.summary_text(report)
+    assert "largest gap 0.5..0.7 mm, largest angle \u22641e-12\u00b0;" in summary.summary_text(
+        report
+    )
 
 
 # Export
@@ -359,9 +380,15 @@ def test_csv_has_a_line_a_seam_and_full_digits(report, tmp_path):
 
 
 def test_csv_has_bounds_and_the_worst_point(report):
-    report["seams"][0].update(angle_deg=figure(0.1, 0.2), worst={"quantity": "angle", "at": 0.5, "point": [1, -2, 3]})
+    report["seams"][0].update(
+        angle_deg=figure(0.1, 0.2), worst={"quantity": "angle", "at": 0.5, "point": [1, -2, 3]}
+    )
     line = next(csv.DictReader(io.StringIO(export.csv_text(report))))
-    assert (line["angle_deg_lower"], line["angle_deg_upper"], line["angle_deg_at"]) == ("0.1", "0.2", "0.25")
+    assert (line["angle_deg_lower"], line["angle_deg_upper"], line["angle_deg_at"]) == (
+        "0.1",
+        "0.2",
+        "0.25",
+    )
     assert (line["worst"], line["worst_at"], line["worst_y_mm"]) == ("angle", "0.5", "-2")
 
 
@@ -461,7 +488,9 @@ def test_a_failed_match_tells_the_seam_as_it_is(matched):
 
 def test_sentences_of_the_kernel_get_the_names_of_the_document():
     def name(text):
-        return match_text.named(text, ["Left.Face1", "Right.Face4"], lambda number: "Left.Edge%d" % (number + 1))
+        return match_text.named(
+            text, ["Left.Face1", "Right.Face4"], lambda number: "Left.Edge%d" % (number + 1)
+        )
 
     assert name("face 2 is a plane; face 12 and surface 1 are not meant") == (
         "Right.Face4 is a plane; face 12 and surface 1 are not meant"

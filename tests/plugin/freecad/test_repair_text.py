@@ -17,7 +17,13 @@ def analysis(*seams):
 
 
 def repaired(before, after, reason="", treated=True):
-    return {"before": before, "after": after, "treated": treated, "repaired": treated and not reason, "reason": reason}
+    return {
+        "before": before,
+        "after": after,
+        "treated": treated,
+        "repaired": treated and not reason,
+        "reason": reason,
+    }
 
 
 @pytest.fixture
@@ -80,11 +86,21 @@ def test_reasons_name_faces_and_edges_as_the_user_sees_them(done):
 
 @pytest.mark.parametrize(
     ("edges", "target", "wanted"),
-    [(set(), "G1", [2, 3, 5]), ({3}, "G1", [3]), ({1}, "G1", []), ({1}, "G2", [1]), ({77}, "G1", [])],
+    [
+        (set(), "G1", [2, 3, 5]),
+        ({3}, "G1", [3]),
+        ({1}, "G1", []),
+        ({1}, "G2", [1]),
+        ({77}, "G1", []),
+    ],
 )
 def test_foreseen_are_defects_or_the_chosen_that_fall_short(done, edges, target, wanted):
     before = analysis(
-        seam(1), seam(2, "defect", angle=0.4), seam(3, "defect", angle=0.9), seam(4, "crease"), seam(5, "defect")
+        seam(1),
+        seam(2, "defect", angle=0.4),
+        seam(3, "defect", angle=0.9),
+        seam(4, "crease"),
+        seam(5, "defect"),
     )
     for each in before["seams"]:
         each["level"] = "G1" if each["id"] == 1 else "G0"
@@ -103,10 +119,18 @@ def test_nothing_to_repair_says_why():
     def text(chosen, *seams):
         both = analysis(*seams)
         every = [repaired(each, each, treated=False) for each in seams]
-        return repair_text.summary_text(repair_text.build_report(both, both, every, [], "G1", chosen))
+        return repair_text.summary_text(
+            repair_text.build_report(both, both, every, [], "G1", chosen)
+        )
 
-    assert text(False, seam(1)) == "Nothing to repair: no seam falls short of G1; the model is as it was."
-    assert text(True, seam(1)) == "Nothing to repair: the chosen seams meet G1; the model is as it was."
+    assert (
+        text(False, seam(1))
+        == "Nothing to repair: no seam falls short of G1; the model is as it was."
+    )
+    assert (
+        text(True, seam(1))
+        == "Nothing to repair: the chosen seams meet G1; the model is as it was."
+    )
     assert text(False).startswith("Nothing to repair: no two faces share an edge")
 
 
@@ -116,15 +140,24 @@ def test_a_model_changes_also_where_no_face_moved():
     assert not repair_text.has_changed(repair_text.build_report(both, both, every, [], "G1", False))
     led = repair_text.build_report(both, both, every, [], "G1", False, 3)
     assert repair_text.has_changed(led)
-    assert "3 edges on new paths" in repair_text.summary_text(led) and "nothing" not in repair_text.summary_text(led)
-    sewn = repair_text.build_report(both, both, [{**every[0], "treated": False, "reason": "", "sewn": True}], [], "G1", False)
+    assert "3 edges on new paths" in repair_text.summary_text(
+        led
+    ) and "nothing" not in repair_text.summary_text(led)
+    sewn = repair_text.build_report(
+        both, both, [{**every[0], "treated": False, "reason": "", "sewn": True}], [], "G1", False
+    )
     assert repair_text.has_changed(sewn) and "1 seam sewn" in repair_text.summary_text(sewn)
 
 
 def test_seams_that_could_not_be_measured_are_worst():
     seams = [seam(1, "defect", angle=0.4), seam(2, "defect", gap=None, angle=None, curvature=None)]
     report = repair_text.build_report(
-        analysis(*seams), analysis(*seams), [repaired(each, each, "why") for each in seams], [], "G1", False
+        analysis(*seams),
+        analysis(*seams),
+        [repaired(each, each, "why") for each in seams],
+        [],
+        "G1",
+        False,
     )
     rows = repair_text.build_rows(report)
     assert [row.seam for row in rows] == [2, 1]
@@ -132,7 +165,9 @@ def test_seams_that_could_not_be_measured_are_worst():
 
 
 def test_located_names_each_face_and_edge_of_the_object(done):
-    place = rows.located([seam["before"] for seam in done["seams"]], done["tolerance"], "Panel")["freecad"]
+    place = rows.located([seam["before"] for seam in done["seams"]], done["tolerance"], "Panel")[
+        "freecad"
+    ]
     assert place["edges"]["3"] == ["Panel", "Edge3"]
     assert place["faces"]["6"] == ["Panel", "Face6"]
 
@@ -143,7 +178,9 @@ def test_located_names_each_face_and_edge_of_the_object(done):
 @pytest.mark.parametrize("sight", sorted(SIGHTS))
 def test_larger_moves_are_darker_for_every_eye(sight):
     lightness = [
-        lab([sum(m * c for m, c in zip(row, linear(moves.colour(k / 50)))) for row in SIGHTS[sight]])[0]
+        lab(
+            [sum(m * c for m, c in zip(row, linear(moves.colour(k / 50)))) for row in SIGHTS[sight]]
+        )[0]
         for k in range(51)
     ]
     assert all(one > other for one, other in zip(lightness, lightness[1:]))
@@ -161,8 +198,12 @@ def test_colours_pass_through_the_ramp_and_stop_at_its_ends():
 
 
 def test_colours_are_relative_to_the_largest_move():
-    assert moves.colours([0.0, 0.5, 2.0], 2.0)[2] == pytest.approx([c / 255 for c in moves.RAMP[-1][1]])
-    assert moves.colours([0.0, 0.0], 0.0) == [pytest.approx([c / 255 for c in moves.RAMP[0][1]])] * 2
+    assert moves.colours([0.0, 0.5, 2.0], 2.0)[2] == pytest.approx(
+        [c / 255 for c in moves.RAMP[-1][1]]
+    )
+    assert (
+        moves.colours([0.0, 0.0], 0.0) == [pytest.approx([c / 255 for c in moves.RAMP[0][1]])] * 2
+    )
     assert all(0 <= channel <= 1 for rgb in moves.colours([0.1, 0.7], 0.7) for channel in rgb)
 
 

@@ -6,7 +6,9 @@ import pathlib
 
 import pytest
 
-PACKAGE = pathlib.Path(__file__).resolve().parents[3] / "plugin" / "freecad" / "freecad" / "seamwright"
+PACKAGE = (
+    pathlib.Path(__file__).resolve().parents[3] / "plugin" / "freecad" / "freecad" / "seamwright"
+)
 FREECAD = {"FreeCAD", "Part", "Mesh", "PartDesign", "Import"}
 WINDOW = {"FreeCADGui", "PySide", "PySide2", "PySide6", "pivy", "ImportGui", "PartGui"}
 INSIDE = "freecad.seamwright."
@@ -39,8 +41,9 @@ def test_ring_imports_inwards_only(ring):
     for path in files(ring):
         for module in imported(path):
             for wrong in FORBIDDEN[ring]:
-                assert module != wrong and not module.startswith(wrong + "."), (
-                    "%s imports %s" % (path.relative_to(PACKAGE), module)
+                assert module != wrong and not module.startswith(wrong + "."), "%s imports %s" % (
+                    path.relative_to(PACKAGE),
+                    module,
                 )
 
 

@@ -84,7 +84,10 @@ def mouse(widget, position):
     local = QtCore.QPointF(position)
     everywhere = QtCore.QPointF(widget.mapToGlobal(position))
     left, none = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
-    for kind, held in ((QtCore.QEvent.MouseButtonPress, left), (QtCore.QEvent.MouseButtonRelease, none)):
+    for kind, held in (
+        (QtCore.QEvent.MouseButtonPress, left),
+        (QtCore.QEvent.MouseButtonRelease, none),
+    ):
         event = QtGui.QMouseEvent(kind, local, everywhere, left, held, QtCore.Qt.NoModifier)
         QtWidgets.QApplication.sendEvent(widget, event)
 
@@ -143,7 +146,11 @@ def messages():
 def camera():
     """Where the active view is seen from: position, orientation and height of its camera."""
     node = Gui.activeDocument().activeView().getCameraNode()
-    return node.position.getValue().getValue(), node.orientation.getValue().getValue(), node.height.getValue()
+    return (
+        node.position.getValue().getValue(),
+        node.orientation.getValue().getValue(),
+        node.height.getValue(),
+    )
 
 
 def analyses(doc):
@@ -200,13 +207,15 @@ class WindowCase(unittest.TestCase):
 
 
 class PanelWindow(WindowCase):
-    """A command that makes an object and opens its panel: COMMAND is its name, is_made tells its objects."""
+    """A command that makes an object and opens its panel: COMMAND is its name, is_made tells its
+    objects."""
 
     COMMAND = ""
     is_made = None
 
     def run_selected(self, chosen):
-        """Select elements, (object, name) each, and run the command; the object it made and its open panel."""
+        """Select elements, (object, name) each, and run the command; the object it made and its
+        open panel."""
         Gui.Selection.clearSelection()
         for obj, name in chosen:
             Gui.Selection.addSelection(self.doc.Name, obj.Name, name)

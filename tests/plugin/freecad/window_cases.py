@@ -10,6 +10,7 @@ import FreeCADGui as Gui
 import ImportGui
 import models
 from PySide import QtCore
+
 from window import (
     OUT, WindowCase, analyses, camera, click, click_row, count, messages, mouse, picture, press_escape, settle, whole_window
 )  # fmt: skip
@@ -55,7 +56,9 @@ class Picture(WindowCase):
             before = camera()
             click_row(panel.table, place)
             seam = panel.seams[panel.model.row(place).seam]
-            chosen = [(one.ObjectName, one.SubElementNames) for one in Gui.Selection.getSelectionEx()]
+            chosen = [
+                (one.ObjectName, one.SubElementNames) for one in Gui.Selection.getSelectionEx()
+            ]
             self.assertEqual(chosen, [(source, ("Edge%d" % seam["edges"][0],))])
             self.assertNotEqual(camera(), before)
         whole_window("window-row")
@@ -99,9 +102,14 @@ class Panel(WindowCase):
         """All that a panel shows."""
         places = range(panel.model.rowCount())
         columns = range(panel.model.columnCount())
-        cells = [[panel.model.index(place, column).data() for column in columns] for place in places]
+        cells = [
+            [panel.model.index(place, column).data() for column in columns] for place in places
+        ]
         filters = [panel.filter.itemText(place) for place in range(panel.filter.count())]
-        fields = [panel.tolerances.level.currentText(), *(each.text() for each in panel.tolerances.fields.values())]
+        fields = [
+            panel.tolerances.level.currentText(),
+            *(each.text() for each in panel.tolerances.fields.values()),
+        ]
         return panel.summary.text(), cells, filters, fields, panel.recompute_button.text()
 
     def test_undo_and_redo_show_one_state_and_not_parts_of_two(self):
@@ -114,7 +122,11 @@ class Panel(WindowCase):
             click(panel.recompute_button, QtCore.QPoint(5, 5))
             states.append((self.shown(panel), obj.Report, obj.Summary))
         self.assertEqual(len({str(shown) for shown, *_ in states}), 3)
-        for step, expected in ((self.doc.undo, (1, 0)), (self.doc.redo, (1, 2)), (self.doc.undo, (1,))):
+        for step, expected in (
+            (self.doc.undo, (1, 0)),
+            (self.doc.redo, (1, 2)),
+            (self.doc.undo, (1,)),
+        ):
             for place in expected:
                 step()
                 settle()
@@ -210,7 +222,9 @@ class Panel(WindowCase):
         obj, panel = self.analyse()
         panel.filter.setCurrentIndex(panel.filter.findData("smooth"))
         crease = next(seam for seam in panel.report["seams"] if seam["class"] == "crease")
-        Gui.Selection.addSelection(self.doc.Name, obj.Analysed[0].Name, "Edge%d" % crease["edges"][0])
+        Gui.Selection.addSelection(
+            self.doc.Name, obj.Analysed[0].Name, "Edge%d" % crease["edges"][0]
+        )
         settle()
         (index,) = panel.table.selectionModel().selectedRows()
         self.assertEqual(panel.model.row(index.row()).seam, crease["id"])

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Run by FreeCAD: shapes over every route of the bridge. Ends the process with 0 if all checks hold."""
+"""Run by FreeCAD: shapes over every route of the bridge. Ends the process with 0 if all checks
+hold."""
 
 import gc
 import os
@@ -27,10 +28,18 @@ def solids():
     placed.Placement = FreeCAD.Placement(V(1, 2, 3), FreeCAD.Rotation(V(1, 2, 0.5), 33))
     cut = box.cut(Part.makeCylinder(4, 50, V(5, 10, -10), V(0, 0.2, 1)))
     spline = Part.makeLoft([Part.makeCircle(r, V(0, 0, z)) for r, z in ((5, 0), (7, 10), (4, 20))])
-    return {"box": box, "rounded": rounded, "placed": placed, "cut": cut, "loft": spline,
-            "sphere": Part.makeSphere(5), "mirrored": placed.mirror(V(0, 0, 0), V(1, 1, 0)),
-            "compound": Part.makeCompound([box, placed, placed.translated(V(100, 0, 0))]),
-            "reversed": rounded.reversed(), "face": box.Faces[0]}
+    return {
+        "box": box,
+        "rounded": rounded,
+        "placed": placed,
+        "cut": cut,
+        "loft": spline,
+        "sphere": Part.makeSphere(5),
+        "mirrored": placed.mirror(V(0, 0, 0), V(1, 1, 0)),
+        "compound": Part.makeCompound([box, placed, placed.translated(V(100, 0, 0))]),
+        "reversed": rounded.reversed(),
+        "face": box.Faces[0],
+    }
 
 
 def figures(report):
@@ -96,7 +105,11 @@ def check_order_of_faces_and_edges():
                 ours, theirs = getattr(back, kind), getattr(shape, kind)
                 assert len(ours) == len(theirs), (name, route, kind)
                 for a, b in zip(ours, theirs):
-                    assert a.BoundBox.Center.distanceToPoint(b.BoundBox.Center) < 1e-9, (name, route, kind)
+                    assert a.BoundBox.Center.distanceToPoint(b.BoundBox.Center) < 1e-9, (
+                        name,
+                        route,
+                        kind,
+                    )
             for a, b in zip(back.Faces, shape.Faces):
                 assert abs(a.Area - b.Area) < 1e-9 * max(1, b.Area), (name, route)
                 assert a.Orientation == b.Orientation, (name, route)
@@ -108,7 +121,9 @@ def check_numbers_are_freecads():
     for seam in seamwright.Model.from_freecad(shape).analyze().seams:
         edge = shape.Edges[seam["edges"][0] - 1]
         assert abs(edge.Length - seam["length_mm"]) < 1e-6 * edge.Length
-        owners = [i + 1 for i, face in enumerate(shape.Faces) if any(edge.isSame(e) for e in face.Edges)]
+        owners = [
+            i + 1 for i, face in enumerate(shape.Faces) if any(edge.isSame(e) for e in face.Edges)
+        ]
         assert sorted(set(seam["faces"])) == owners
 
 
@@ -162,9 +177,14 @@ def check_the_model_outlives_the_shape():
 def check_null_shapes_and_other_things():
     for route in (None, *bridge.ROUTES):
         bridge.force(route)
-        for bad, expected in ((Part.Shape(), seamwright.ModelError), (Part.makeLine(V(0, 0, 0), V(1, 0, 0)),
-                              seamwright.ModelError), (None, TypeError), ("shape", TypeError), (V(), TypeError),
-                              (Part.Plane(), TypeError)):
+        for bad, expected in (
+            (Part.Shape(), seamwright.ModelError),
+            (Part.makeLine(V(0, 0, 0), V(1, 0, 0)), seamwright.ModelError),
+            (None, TypeError),
+            ("shape", TypeError),
+            (V(), TypeError),
+            (Part.Plane(), TypeError),
+        ):
             try:
                 seamwright.Model.from_freecad(bad)
             except expected as error:
@@ -208,16 +228,27 @@ def spline_curves():
             yield seamwright.BezierCurve(random.normal(size=(degree + 1, 3)), weights)
         knots = [-0.3] * (degree + 1) + [0.1, 0.7] + [2.25] * (degree + 1)
         for weights in (None, random.uniform(0.3, 3, degree + 3)):
-            yield seamwright.BSplineCurve(degree, knots, random.normal(size=(degree + 3, 3)), weights)
+            yield seamwright.BSplineCurve(
+                degree, knots, random.normal(size=(degree + 3, 3)), weights
+            )
 
 
 def check_curves_go_there_and_back():
     for curve in spline_curves():
         theirs = seamwright.curve_to_freecad(curve)
-        assert type(theirs).__name__ in ("BezierCurve", "BSplineCurve") and theirs.isRational() == curve.is_rational
-        first, last = (0, 1) if isinstance(curve, seamwright.BezierCurve) else (curve.knots[0], curve.knots[-1])
+        assert (
+            type(theirs).__name__ in ("BezierCurve", "BSplineCurve")
+            and theirs.isRational() == curve.is_rational
+        )
+        first, last = (
+            (0, 1)
+            if isinstance(curve, seamwright.BezierCurve)
+            else (curve.knots[0], curve.knots[-1])
+        )
         for t in numpy.linspace(first, last, 9):
-            assert numpy.allclose(theirs.value(t), curve.point(t), rtol=0, atol=1e-13 * (1 + 4 * curve.degree)), t
+            assert numpy.allclose(
+                theirs.value(t), curve.point(t), rtol=0, atol=1e-13 * (1 + 4 * curve.degree)
+            ), t
         back = seamwright.curve_from_freecad(theirs)
         assert type(back) is type(curve)
         if curve.is_rational:
@@ -236,7 +267,9 @@ def check_patches_go_there_and_back():
             for u, v in random.uniform(size=(5, 2)):
                 assert numpy.allclose(theirs.value(u, v), patch.point(u, v), rtol=0, atol=1e-12)
             back = seamwright.surface_from_freecad(theirs)
-            assert numpy.abs(back.poles - patch.poles).max() < 1e-14 and numpy.array_equal(back.weights, patch.weights)
+            assert numpy.abs(back.poles - patch.poles).max() < 1e-14 and numpy.array_equal(
+                back.weights, patch.weights
+            )
     net = random.normal(size=(4, 4, 3))
     patch = seamwright.alpha_surface(net, 0.5, 0.7)
     assert seamwright.surface_from_freecad(seamwright.surface_to_freecad(patch)) == patch
@@ -259,9 +292,11 @@ def check_patches_go_there_and_back():
 def check_splines_become_curves_of_freecad():
     polygon = [(0, 0, 0), (4, 0, 0), (5, 3, 1), (2, 5, 0), (-1, 3, 2)]
     for closed in (False, True):
-        for spline, multiplicity in ((seamwright.direct_g2_spline(polygon, 0.3, 0.6, closed), 2),
-                                     (seamwright.gamma_spline(polygon, 1, 0.2, closed), 2),
-                                     (seamwright.gamma_spline(polygon, 1, 1, closed), 1)):
+        for spline, multiplicity in (
+            (seamwright.direct_g2_spline(polygon, 0.3, 0.6, closed), 2),
+            (seamwright.gamma_spline(polygon, 1, 0.2, closed), 2),
+            (seamwright.gamma_spline(polygon, 1, 1, closed), 1),
+        ):
             theirs = seamwright.curve_to_freecad(spline)
             assert set(theirs.getMultiplicities()[1:-1]) == {multiplicity}
             for t in numpy.linspace(spline.knots[0], spline.knots[-1], 30):
@@ -284,14 +319,19 @@ def check_periodic_curves_and_other_things():
         found = []
         for spacing in (1.0, 2.0**-30, 2.0**-34):
             ring = Part.BSplineCurve()
-            ring.buildFromPolesMultsKnots(poles, [1] * (spans + 1), [i * spacing for i in range(spans + 1)], True, degree)
+            ring.buildFromPolesMultsKnots(
+                poles, [1] * (spans + 1), [i * spacing for i in range(spans + 1)], True, degree
+            )
             found.append(seamwright.curve_from_freecad(ring))
             assert found[-1].knots[0] == 0 and found[-1].knots[-1] == spans * spacing
             assert numpy.array_equal(found[-1].poles, found[0].poles)
         assert numpy.allclose(found[0].point(0), found[0].point(spans), rtol=0, atol=1e-13)
     near = seamwright.BSplineCurve(1, [0, 0, 1, numpy.nextafter(1, 2), 2, 2], numpy.eye(4)[:, :3])
     light = seamwright.BezierCurve([(0, 0, 0), (1, 0, 0)], [1e-310, 1])
-    for curve, words in ((near, "distinct knots 1 and 2 are 1.0 and 1.0000000000000002"), (light, "weight 0 is 1e-310")):
+    for curve, words in (
+        (near, "distinct knots 1 and 2 are 1.0 and 1.0000000000000002"),
+        (light, "weight 0 is 1e-310"),
+    ):
         try:
             seamwright.curve_to_freecad(curve)
         except ValueError as error:
@@ -323,9 +363,17 @@ def check_a_model_of_freecad_is_written_from_memory():
                 path = os.path.join(folder, name + "." + extension)
                 assert model.write(path)["followed_source"] is False
                 back = seamwright.read(path)
-                assert (back.face_count, back.edge_count) == (model.face_count, model.edge_count), path
-                found = [sorted((round(seam["length_mm"], 6), seam["level"]) for seam in each.analyze().seams)
-                         for each in (model, back)]
+                assert (back.face_count, back.edge_count) == (
+                    model.face_count,
+                    model.edge_count,
+                ), path
+                found = [
+                    sorted(
+                        (round(seam["length_mm"], 6), seam["level"])
+                        for seam in each.analyze().seams
+                    )
+                    for each in (model, back)
+                ]
                 assert found[0] == found[1], path
 
 

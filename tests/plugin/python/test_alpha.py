@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Alpha-curves, alpha-splines and the condition for alpha-surfaces: shapes, keywords and errors; figures by their equations."""
+"""Alpha-curves, alpha-splines and the condition for alpha-surfaces: shapes, keywords and errors;
+figures by their equations."""
 
 import numpy as np
 import pytest
@@ -30,7 +31,9 @@ def test_curve():
 
 @pytest.mark.parametrize("order", [1, 2, 3])
 def test_join(order):
-    poles = seamwright.alpha_join_poles(POLYGON, 0.4, next_a=0.9, order=order, beta1=1.2, length=1, next_length=2)
+    poles = seamwright.alpha_join_poles(
+        POLYGON, 0.4, next_a=0.9, order=order, beta1=1.2, length=1, next_length=2
+    )
     assert poles.shape == (2 if order == 1 else 3, 3)
     following = np.vstack([poles, POLYGON[: 4 - len(poles)] + [7, 1, 2]])
     a, b = seamwright.alpha_curve(POLYGON, 0.4), seamwright.alpha_curve(following, 0.9)
@@ -46,7 +49,9 @@ def test_energy():
 
         def integral(a):
             t, w = np.polynomial.legendre.leggauss(6)
-            values = [seamwright.alpha_curve(POLYGON, a).derivatives((1 + x) / 2, order)[order] for x in t]
+            values = [
+                seamwright.alpha_curve(POLYGON, a).derivatives((1 + x) / 2, order)[order] for x in t
+            ]
             return (w / 2) @ np.sum(np.square(values), axis=1)
 
         assert best["energy"] == pytest.approx(integral(best["a"]), rel=1e-12)
@@ -80,7 +85,9 @@ def test_seam_condition():
         assert other["g1"] == (balanced >= 2)
         assert len(other["defects_mm"]) == 3
     rows = seamwright.alpha_sliding_rows(net(2), 0.5, 0.7, 1.5, 0, 0, next_a_v=0.9)
-    assert np.allclose(rows, seamwright.alpha_join_rows(net(2), 0.5, 0.7, beta1=1.5, next_a_v=0.9), atol=1e-13)
+    assert np.allclose(
+        rows, seamwright.alpha_join_rows(net(2), 0.5, 0.7, beta1=1.5, next_a_v=0.9), atol=1e-13
+    )
     with pytest.raises(ValueError, match="is not the derivative of an alpha-surface"):
         seamwright.alpha_sliding_rows(net(), 0.5, 0.7, 1, 0.5, 0)
 
@@ -89,13 +96,17 @@ def test_seam_condition():
 @pytest.mark.parametrize("parametric", [False, True])
 def test_nearest(order, parametric):
     following = net() + [9.2, 0.1, 0.3]
-    near = seamwright.alpha_nearest_join(net(), 0.5, 0.7, following, 0.6, 0.9, order=order, parametric=parametric)
+    near = seamwright.alpha_nearest_join(
+        net(), 0.5, 0.7, following, 0.6, 0.9, order=order, parametric=parametric
+    )
     fit = seamwright.alpha_seam_fit(near["net"], 0.5, 0.7, near["next_net"], 0.6, 0.9)
     assert fit["parametric_order" if parametric else "geometric_order"] == order
     assert near["cost"] == pytest.approx(np.sum((near["net"] - net()) ** 2)) and near["cost"] > 0
     assert near["next_cost"] == pytest.approx(np.sum((near["next_net"] - following) ** 2))
     if order:
-        a, b = seamwright.alpha_surface(near["net"], 0.5, 0.7), seamwright.alpha_surface(near["next_net"], 0.6, 0.9)
+        a, b = seamwright.alpha_surface(near["net"], 0.5, 0.7), seamwright.alpha_surface(
+            near["next_net"], 0.6, 0.9
+        )
         condition = seamwright.join_condition(a, "u1", b, "u0")
         assert condition["verdict"] == "G1" and condition["g2"] == (order == 2)
     assert seamwright.alpha_nearest_join(net(), 0.5, 0.7, net()[::-1], 0.5, 0.7) is None
@@ -112,8 +123,14 @@ def test_nearest(order, parametric):
         (lambda: seamwright.alpha_join_poles(POLYGON, 0.5, beta1=-1), "beta1 is -1"),
         (lambda: seamwright.energy_optimal_alpha(POLYGON, "bending"), "energy is 'bending'"),
         (lambda: seamwright.energy_optimal_alpha(POLYGON, a_min=2), "a_min is 2"),
-        (lambda: seamwright.alpha_spline(POLYGON, [0.9, 0.9]), "the polygon has 4 poles: 5 are needed"),
-        (lambda: seamwright.alpha_spline(np.vstack([POLYGON, POLYGON[:1]]), [0.4, 0.4]), "joint 0: second"),
+        (
+            lambda: seamwright.alpha_spline(POLYGON, [0.9, 0.9]),
+            "the polygon has 4 poles: 5 are needed",
+        ),
+        (
+            lambda: seamwright.alpha_spline(np.vstack([POLYGON, POLYGON[:1]]), [0.4, 0.4]),
+            "joint 0: second",
+        ),
         (lambda: seamwright.alpha_spline(POLYGON, [0.9], closed=1), "closed is 1"),
         (lambda: seamwright.alpha_seam_condition(net()[:3], 1, 1), r"poles have shape \(3, 4, 3\)"),
         (lambda: seamwright.alpha_seam_condition(net(), 1, 1, 0), "next_a_v is 0"),
@@ -128,8 +145,16 @@ def test_nearest(order, parametric):
         (lambda: seamwright.alpha_curve(POLYGON, 0.5 + 1j), "a is .*1j"),
         (lambda: seamwright.alpha_spline(POLYGON, [True]), "a is .True.: a sequence of numbers"),
         (lambda: seamwright.alpha_spline(POLYGON, "1"), "a is '1'"),
-        (lambda: seamwright.alpha_join_poles(POLYGON, 0.5, order=2, beta1=1e200), "pole 2 of the next one comes out"),
-        (lambda: seamwright.alpha_spline(np.vstack([POLYGON] * 2)[:5], [0.9, 0.9], beta1=[1e200]), r"second of joint\[0\]"),
+        (
+            lambda: seamwright.alpha_join_poles(POLYGON, 0.5, order=2, beta1=1e200),
+            "pole 2 of the next one comes out",
+        ),
+        (
+            lambda: seamwright.alpha_spline(
+                np.vstack([POLYGON] * 2)[:5], [0.9, 0.9], beta1=[1e200]
+            ),
+            r"second of joint\[0\]",
+        ),
     ],
 )
 def test_bad_arguments(call, text):

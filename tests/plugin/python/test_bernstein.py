@@ -13,7 +13,10 @@ from seamwright import BernsteinPolynomial
 def exact(coefficients, t):
     n = len(coefficients) - 1
     t = Fraction(t)
-    return sum(Fraction(c) * math.comb(n, i) * t**i * (1 - t) ** (n - i) for i, c in enumerate(coefficients))
+    return sum(
+        Fraction(c) * math.comb(n, i) * t**i * (1 - t) ** (n - i)
+        for i, c in enumerate(coefficients)
+    )
 
 
 PLACES = [0.0, 0.1, 0.3, 0.5, 0.77, 1.0]
@@ -37,7 +40,12 @@ def test_values_sums_products_and_derivatives(random, degree):
     slope = [degree * (Fraction(y) - Fraction(x)) for x, y in zip(a, a[1:])] or [Fraction(0)]
     for t in PLACES:
         x, y = exact(a, t), exact(b, t)
-        assert holds(p, t, x) and holds(p + q, t, x + y) and holds(p - q, t, x - y) and holds(p * q, t, x * y)
+        assert (
+            holds(p, t, x)
+            and holds(p + q, t, x + y)
+            and holds(p - q, t, x - y)
+            and holds(p * q, t, x * y)
+        )
         assert holds(2 * p, t, 2 * x) and holds(p * 2, t, 2 * x) and holds(-p, t, -x)
         assert holds(p.derivative(), t, exact(slope, t)) and holds(p.elevated(3), t, x)
     assert (p * q).degree == 2 * degree and p.elevated(3).degree == degree + 3
@@ -50,7 +58,9 @@ def test_pieces(random):
     middle = p.restricted(0.25, 0.75)
     for s in PLACES:
         place = Fraction(s)
-        assert holds(left, s, exact(a, place / 4)) and holds(right, s, exact(a, (1 + 3 * place) / 4))
+        assert holds(left, s, exact(a, place / 4)) and holds(
+            right, s, exact(a, (1 + 3 * place) / 4)
+        )
         assert holds(middle, s, exact(a, (1 + 2 * place) / 4))
 
 
@@ -66,11 +76,19 @@ def test_comparison():
     assert BernsteinPolynomial([1, 2]) != BernsteinPolynomial([1, 2], padding=0.5)
 
 
-@pytest.mark.parametrize("call", [
-    lambda: BernsteinPolynomial([]), lambda: BernsteinPolynomial([math.nan]), lambda: BernsteinPolynomial([1], padding=-1),
-    lambda: BernsteinPolynomial([1, 2]).evaluate(1.5), lambda: BernsteinPolynomial([1, 2]).split(-0.1),
-    lambda: BernsteinPolynomial([1, 2]).restricted(0.5, 0.25), lambda: BernsteinPolynomial([1, 2]).range(-1),
-    lambda: BernsteinPolynomial([1, 2]).elevated(-1)])
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda: BernsteinPolynomial([]),
+        lambda: BernsteinPolynomial([math.nan]),
+        lambda: BernsteinPolynomial([1], padding=-1),
+        lambda: BernsteinPolynomial([1, 2]).evaluate(1.5),
+        lambda: BernsteinPolynomial([1, 2]).split(-0.1),
+        lambda: BernsteinPolynomial([1, 2]).restricted(0.5, 0.25),
+        lambda: BernsteinPolynomial([1, 2]).range(-1),
+        lambda: BernsteinPolynomial([1, 2]).elevated(-1),
+    ],
+)
 def test_bad_arguments(call):
     with pytest.raises(ValueError):
         call()

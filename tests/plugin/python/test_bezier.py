@@ -29,7 +29,9 @@ def curve_polynomials(poles, weights):
         t_part = np.polynomial.Polynomial([0, 1]) ** i
         s_part = np.polynomial.Polynomial([1, -1]) ** (n - i)
         basis.append(math.comb(n, i) * t_part * s_part)
-    numerator = [sum(float(w * p[k]) * b for p, w, b in zip(poles, weights, basis)) for k in range(3)]
+    numerator = [
+        sum(float(w * p[k]) * b for p, w, b in zip(poles, weights, basis)) for k in range(3)
+    ]
     return numerator, sum(float(w) * b for w, b in zip(weights, basis))
 
 
@@ -56,7 +58,10 @@ def test_curve_points_and_derivatives(random, degree):
     for _ in range(10):
         poles = random.normal(size=(degree + 1, 3))
         weights = random.uniform(0.5, 2, degree + 1)
-        for curve, w in ((BezierCurve(poles), np.ones(degree + 1)), (BezierCurve(poles, weights), weights)):
+        for curve, w in (
+            (BezierCurve(poles), np.ones(degree + 1)),
+            (BezierCurve(poles, weights), weights),
+        ):
             for t in (0, 0.3, 0.71, 1):
                 homogeneous = de_casteljau(np.column_stack((poles * w[:, None], w)), t)
                 assert curve.point(t) == pytest.approx(homogeneous[:3] / homogeneous[3], abs=1e-12)
@@ -72,11 +77,15 @@ def test_curve_attributes(random):
     assert np.array_equal(curve.poles, poles) and np.array_equal(curve.weights, np.ones(5))
     rational = BezierCurve(poles, weights)
     assert rational.is_rational
-    assert rational.poles == pytest.approx(poles, abs=1e-14) and np.array_equal(rational.weights, weights)
+    assert rational.poles == pytest.approx(poles, abs=1e-14) and np.array_equal(
+        rational.weights, weights
+    )
     assert BezierCurve(poles.tolist()) == curve
     assert BezierCurve(np.asfortranarray(poles)) == curve
     assert BezierCurve(poles[::-1][::-1]) == curve, "strided arrays as well"
-    assert BezierCurve(np.arange(12).reshape(4, 3)).point(0) == pytest.approx([0, 1, 2]), "integers as well"
+    assert BezierCurve(np.arange(12).reshape(4, 3)).point(0) == pytest.approx(
+        [0, 1, 2]
+    ), "integers as well"
 
 
 def test_curve_is_not_bound_to_the_array(random):
@@ -120,7 +129,7 @@ def basis_derivatives(n, t):
         lower = bernstein(n - k, t)
         row = np.zeros(n + 1)
         for j in range(k + 1):
-            row[j:j + n - k + 1] += (-1) ** (k - j) * math.comb(k, j) * lower
+            row[j : j + n - k + 1] += (-1) ** (k - j) * math.comb(k, j) * lower
         table.append(math.perm(n, k) * row)
     return table
 
@@ -130,10 +139,22 @@ def test_patch_points_and_partials(random, m, n):
     poles = random.normal(size=(m + 1, n + 1, 3))
     patch = BezierPatch(poles)
     for u, v in random.uniform(0, 1, (10, 2)):
-        assert patch.point(u, v) == pytest.approx(tensor(poles, np.ones((m + 1, n + 1)), u, v), abs=1e-12)
+        assert patch.point(u, v) == pytest.approx(
+            tensor(poles, np.ones((m + 1, n + 1)), u, v), abs=1e-12
+        )
         bu, bv, jet = basis_derivatives(m, u), basis_derivatives(n, v), patch.jet(u, v)
-        for name, (i, j) in {"p": (0, 0), "u": (1, 0), "v": (0, 1), "uu": (2, 0), "uv": (1, 1), "vv": (0, 2),
-                             "uuu": (3, 0), "uuv": (2, 1), "uvv": (1, 2), "vvv": (0, 3)}.items():
+        for name, (i, j) in {
+            "p": (0, 0),
+            "u": (1, 0),
+            "v": (0, 1),
+            "uu": (2, 0),
+            "uv": (1, 1),
+            "vv": (0, 2),
+            "uuu": (3, 0),
+            "uuv": (2, 1),
+            "uvv": (1, 2),
+            "vvv": (0, 3),
+        }.items():
             expected = np.einsum("i,j,ijk->k", bu[i], bv[j], poles)
             assert getattr(jet, name) == pytest.approx(expected, rel=1e-10, abs=1e-9), name
 
@@ -173,7 +194,9 @@ def test_patch_operations(random):
         assert patch.reversed_u().point(1 - u, v) == pytest.approx(expected, abs=1e-12)
         assert patch.iso_curve_u(u).point(v) == pytest.approx(expected, abs=1e-12)
         assert left.point(u, v) == pytest.approx(tensor(poles, weights, 0.6 * u, v), abs=1e-12)
-        assert right.point(u, v) == pytest.approx(tensor(poles, weights, 0.6 + 0.4 * u, v), abs=1e-12)
+        assert right.point(u, v) == pytest.approx(
+            tensor(poles, weights, 0.6 + 0.4 * u, v), abs=1e-12
+        )
 
 
 @pytest.mark.parametrize("shape", [(3,), (4, 2), (4, 4), (2, 2, 3), (0, 3), ()])
@@ -184,7 +207,9 @@ def test_curves_of_bad_shape(shape):
         assert ", ".join(map(str, shape)) in str(error.value)
 
 
-@pytest.mark.parametrize("shape", [(3,), (4, 3), (2, 2, 2), (2, 2, 4), (2, 2, 2, 3), (0, 2, 3), (2, 0, 3)])
+@pytest.mark.parametrize(
+    "shape", [(3,), (4, 3), (2, 2, 2), (2, 2, 4), (2, 2, 2, 3), (0, 2, 3), (2, 0, 3)]
+)
 def test_patches_of_bad_shape(shape):
     with pytest.raises(ValueError) as error:
         BezierPatch(np.zeros(shape))

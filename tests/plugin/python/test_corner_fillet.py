@@ -16,10 +16,33 @@ sys.path.insert(0, str(HERE.parent / "cli"))
 from models import box_text, step_text  # noqa: E402
 from test_models import SCHEMA  # noqa: E402
 
-NOTCHED_POINTS = [(0, 0, 0), (10, 0, 0), (10, 10, 0), (0, 10, 0), (0, 0, 10), (10, 0, 10), (0, 10, 10),
-                  (10, 10, 5), (10, 5, 5), (5, 10, 5), (5, 5, 5), (10, 5, 10), (5, 10, 10), (5, 5, 10)]
-NOTCHED_FACES = [[0, 3, 2, 1], [0, 1, 5, 4], [0, 4, 6, 3], [1, 2, 7, 8, 11, 5], [3, 6, 12, 9, 7, 2],
-                 [4, 5, 11, 13, 12, 6], [7, 9, 10, 8], [8, 10, 13, 11], [9, 12, 13, 10]]
+NOTCHED_POINTS = [
+    (0, 0, 0),
+    (10, 0, 0),
+    (10, 10, 0),
+    (0, 10, 0),
+    (0, 0, 10),
+    (10, 0, 10),
+    (0, 10, 10),
+    (10, 10, 5),
+    (10, 5, 5),
+    (5, 10, 5),
+    (5, 5, 5),
+    (10, 5, 10),
+    (5, 10, 10),
+    (5, 5, 10),
+]
+NOTCHED_FACES = [
+    [0, 3, 2, 1],
+    [0, 1, 5, 4],
+    [0, 4, 6, 3],
+    [1, 2, 7, 8, 11, 5],
+    [3, 6, 12, 9, 7, 2],
+    [4, 5, 11, 13, 12, 6],
+    [7, 9, 10, 8],
+    [8, 10, 13, 11],
+    [9, 12, 13, 10],
+]
 
 
 def read(tmp_path, text):
@@ -53,12 +76,21 @@ def test_each_corner_of_a_box(box):
         what = result.to_dict()
         assert [edge["edge"] for edge in what["edges"]] == edges
         assert [edge["contact_mm"] for edge in what["edges"]] == pytest.approx([1, 2, 3])
-        assert all(edge["convex"] and edge["angle_deg"] == pytest.approx(90) for edge in what["edges"])
+        assert all(
+            edge["convex"] and edge["angle_deg"] == pytest.approx(90) for edge in what["edges"]
+        )
         assert what["largest_angle_deg"] < 0.01
         kinds = [seam.pop("between") for seam in what["seams"]]
-        assert {kind: kinds.count(kind) for kind in kinds} == {"spoke": 6, "section": 6, "spring": 6, "contact": 6}
+        assert {kind: kinds.count(kind) for kind in kinds} == {
+            "spoke": 6,
+            "section": 6,
+            "spring": 6,
+            "contact": 6,
+        }
         for seam in what["seams"]:
-            jsonschema.validate(seam, {**SCHEMA["properties"]["seams"]["items"], "$defs": SCHEMA.get("$defs", {})})
+            jsonschema.validate(
+                seam, {**SCHEMA["properties"]["seams"]["items"], "$defs": SCHEMA.get("$defs", {})}
+            )
 
 
 def test_patches_are_near_the_corner_and_the_model_stays(box):
@@ -85,7 +117,9 @@ def test_notch_of_mixed_edges(tmp_path):
 
 
 def test_the_result_is_written_and_read(box, tmp_path):
-    result = box.corner_fillet(1, {edge: radius for edge, radius in zip(box.corner_edges(1), (1, 2, 3))})
+    result = box.corner_fillet(
+        1, {edge: radius for edge, radius in zip(box.corner_edges(1), (1, 2, 3))}
+    )
     shares = []
     written = result.write(tmp_path / "rounded.step", progress=shares.append)
     again = seamwright.read(tmp_path / "rounded.step")
@@ -117,7 +151,9 @@ def test_the_report_is_there_in_all_forms(box):
     assert json.loads(result.to_json()) == result.to_dict()
     lines = result.to_table().splitlines()
     assert lines[0].split()[:2] == ["edge", "kind"] and lines[-1] == "REACHED G1"
-    assert [line.split()[0] for line in lines[1:4]] == [f"Edge{edge['edge']}" for edge in result.to_dict()["edges"]]
+    assert [line.split()[0] for line in lines[1:4]] == [
+        f"Edge{edge['edge']}" for edge in result.to_dict()["edges"]
+    ]
 
 
 def test_a_corner_that_is_not_regular_is_written_and_said_so(box, tmp_path):
@@ -136,24 +172,31 @@ def test_setbacks_of_zero_are_chosen(box):
     chosen = box.corner_fillet(1, 1).to_dict()["edges"]
     edges = box.corner_edges(1)
     some = box.corner_fillet(1, 1, setbacks_mm={edges[0]: 0, edges[1]: 3}).to_dict()["edges"]
-    assert [edge["setback_mm"] for edge in some] == [chosen[0]["setback_mm"], 3, chosen[2]["setback_mm"]]
+    assert [edge["setback_mm"] for edge in some] == [
+        chosen[0]["setback_mm"],
+        3,
+        chosen[2]["setback_mm"],
+    ]
 
 
-@pytest.mark.parametrize("vertex, radii, keywords, words", [
-    (1.5, 1, {}, "vertex is 1.5: the number of a vertex"),
-    (99, 1, {}, "vertex 99: the model has 8"),
-    (1, "wide", {}, "radii_mm is 'wide': a number or a dict"),
-    (1, True, {}, "radii_mm is True"),
-    (1, {"a": 1}, {}, "radii_mm is 'a': the number of an edge"),
-    (1, {77: 1}, {}, "edge .* is at the vertex and has no radius"),
-    (1, float("nan"), {}, "radius of edge .* is nan"),
-    (1, -1, {}, "radius of edge .* is -1"),
-    (1, 1, {"setbacks_mm": 0.5}, "more than 1 mm is needed"),
-    (1, 20, {}, "would be"),
-    (1, 1, {"setbacks_mm": -1}, "setback of edge .* is -1 mm"),
-    (1, 1, {"section_mm": 1}, "section_mm is 1 mm"),
-    (1, 1, {"jobs": -1}, "jobs is -1"),
-])
+@pytest.mark.parametrize(
+    "vertex, radii, keywords, words",
+    [
+        (1.5, 1, {}, "vertex is 1.5: the number of a vertex"),
+        (99, 1, {}, "vertex 99: the model has 8"),
+        (1, "wide", {}, "radii_mm is 'wide': a number or a dict"),
+        (1, True, {}, "radii_mm is True"),
+        (1, {"a": 1}, {}, "radii_mm is 'a': the number of an edge"),
+        (1, {77: 1}, {}, "edge .* is at the vertex and has no radius"),
+        (1, float("nan"), {}, "radius of edge .* is nan"),
+        (1, -1, {}, "radius of edge .* is -1"),
+        (1, 1, {"setbacks_mm": 0.5}, "more than 1 mm is needed"),
+        (1, 20, {}, "would be"),
+        (1, 1, {"setbacks_mm": -1}, "setback of edge .* is -1 mm"),
+        (1, 1, {"section_mm": 1}, "section_mm is 1 mm"),
+        (1, 1, {"jobs": -1}, "jobs is -1"),
+    ],
+)
 def test_bad_arguments(box, vertex, radii, keywords, words):
     with pytest.raises(ValueError, match=words):
         box.corner_fillet(vertex, radii, **keywords)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Betas, fit_beta and joins of curves: shapes, keywords and errors; the figures by closed forms and numpy."""
+"""Betas, fit_beta and joins of curves: shapes, keywords and errors; the figures by closed forms and
+numpy."""
 
 import math
 
@@ -18,13 +19,25 @@ def falling(n, k):
 
 
 def test_betas():
-    assert seamwright.beta_matrix([2, 3, 5]).tolist() == [[1, 0, 0, 0], [0, 2, 0, 0], [0, 3, 4, 0], [0, 5, 18, 8]]
+    assert seamwright.beta_matrix([2, 3, 5]).tolist() == [
+        [1, 0, 0, 0],
+        [0, 2, 0, 0],
+        [0, 3, 4, 0],
+        [0, 5, 18, 8],
+    ]
     assert seamwright.beta_matrix([]).tolist() == [[1]]
     assert seamwright.composed_beta([2, 3], [5, 7]).tolist() == [10, 43]
-    assert seamwright.inverse_beta([1, 1, 1, 1]).tolist() == [1, -1, 2, -6]  # exp(u) - 1 and ln(1 + t)
+    assert seamwright.inverse_beta([1, 1, 1, 1]).tolist() == [
+        1,
+        -1,
+        2,
+        -6,
+    ]  # exp(u) - 1 and ln(1 + t)
     assert seamwright.reversed_beta(np.ones(4)).tolist() == [1, 1, 2, 6]
     product = seamwright.beta_matrix([2, 3, 5]) @ seamwright.beta_matrix([1.5, -1, 4])
-    assert seamwright.beta_matrix(seamwright.composed_beta([2, 3, 5], [1.5, -1, 4])) == pytest.approx(product)
+    assert seamwright.beta_matrix(
+        seamwright.composed_beta([2, 3, 5], [1.5, -1, 4])
+    ) == pytest.approx(product)
 
 
 @pytest.mark.parametrize("order", [1, 2, 3])
@@ -36,7 +49,9 @@ def test_next_poles_are_those_of_the_derivatives(order):
     leaving = seamwright.beta_matrix(beta) @ arriving
     differences = [np.diff(poles, k, axis=0)[0] for k in range(order + 1)]
     for k in range(order + 1):
-        assert falling(degree, k) * differences[k] / 0.5**k == pytest.approx(leaving[k], abs=1e-12)
+        assert falling(degree, k) * differences[k] / 0.5**k == pytest.approx(
+            leaving[k], abs=1e-12
+        )
 
 
 def test_a_joined_curve_fits():
@@ -46,7 +61,10 @@ def test_a_joined_curve_fits():
     fit = seamwright.fit_beta(A, b, 3)
     assert fit["beta"][:2] == pytest.approx([1.5, -0.5], abs=1e-13)
     assert max(fit["defects"][:3]) < 1e-13 and fit["defects"][3] > 1e-3
-    assert all(low <= d <= up for low, d, up in zip(fit["lower"], fit["defects"], fit["upper"], strict=True))
+    assert all(
+        low <= d <= up
+        for low, d, up in zip(fit["lower"], fit["defects"], fit["upper"], strict=True)
+    )
     assert fit["lower"][3] > 0
     assert fit["length_mm"] == 3
     moved = b.poles
@@ -54,7 +72,9 @@ def test_a_joined_curve_fits():
     missed = seamwright.fit_beta(A, BezierCurve(moved), 3)
     assert missed["lower"][2] > 1e-7 and missed["upper"][1] < 1e-12
     assert seamwright.joined_curve(A, B, [1.5, -0.5], keep_end=False).degree == 4
-    short = seamwright.fit_beta(A, seamwright.joined_curve(A, B, [1.5, -0.5], length=2, next_length=0.5), length_mm=2)
+    short = seamwright.fit_beta(
+        A, seamwright.joined_curve(A, B, [1.5, -0.5], length=2, next_length=0.5), length_mm=2
+    )
     assert short["beta"] == pytest.approx([1.5 * 0.5 / 2, -0.5 * 0.25 / 2], abs=1e-13)
     assert short["length_mm"] == 2
 
@@ -93,11 +113,20 @@ def test_a_cusp_has_no_beta():
         (lambda: seamwright.beta_matrix(np.array([[1.0], [2.0]])), "beta is array"),
         (lambda: seamwright.beta_matrix(np.array(1.0)), "beta is array"),
         (lambda: seamwright.beta_matrix(np.array([1 + 1j])), "beta is array"),
-        (lambda: seamwright.beta_matrix([1.0, np.complex64(1j)]), "beta is .*: a sequence of numbers is needed"),
+        (
+            lambda: seamwright.beta_matrix([1.0, np.complex64(1j)]),
+            "beta is .*: a sequence of numbers is needed",
+        ),
         (lambda: seamwright.beta_matrix([True]), r"beta is \[True\]"),
         (lambda: seamwright.beta_matrix(np.array([True])), "beta is array"),
-        (lambda: seamwright.next_poles(A, 3, [1], scale=[]), r"scale is \[\]: n \+ 1 numbers are needed"),
-        (lambda: BezierCurve(A.poles + 1j), "numbers of complex128, but an array of real numbers is needed"),
+        (
+            lambda: seamwright.next_poles(A, 3, [1], scale=[]),
+            r"scale is \[\]: n \+ 1 numbers are needed",
+        ),
+        (
+            lambda: BezierCurve(A.poles + 1j),
+            "numbers of complex128, but an array of real numbers is needed",
+        ),
         (lambda: BezierCurve(A.poles, A.weights > 0), "numbers of bool"),
         (lambda: seamwright.composed_beta([1], [1, 2]), "betas 1 and 2"),
         (lambda: seamwright.inverse_beta([1] * 31), "31 betas"),
@@ -111,8 +140,14 @@ def test_a_cusp_has_no_beta():
         (lambda: seamwright.next_poles(A, 3, [1], scale=[1, -6]), "weight 1 comes out as -1"),
         (lambda: seamwright.next_poles(A, 3, [1], length=0), "length is 0"),
         (lambda: seamwright.joined_curve(A, B, [1], keep_end=1), "keep_end is 1: True or False"),
-        (lambda: seamwright.joined_curve(BezierCurve([[0, 0, 0], [1, 0, 0], [1, 0, 0]]), B, [1]), "no tangent at its end"),
-        (lambda: seamwright.bridge_curve(A, BezierCurve(A.poles, [1, 2, 1, 1]), [1], [1]), "b is rational, weight 0 is 1, weight 1 is 2"),
+        (
+            lambda: seamwright.joined_curve(BezierCurve([[0, 0, 0], [1, 0, 0], [1, 0, 0]]), B, [1]),
+            "no tangent at its end",
+        ),
+        (
+            lambda: seamwright.bridge_curve(A, BezierCurve(A.poles, [1, 2, 1, 1]), [1], [1]),
+            "b is rational, weight 0 is 1, weight 1 is 2",
+        ),
     ],
 )
 def test_bad_arguments(call, text):

@@ -14,7 +14,8 @@ def corners_of(n, radius=10.0):
 
 
 def biquadratic(corners):
-    """The patch of z = (2 x^2 - y^2) / 100 above a quadrilateral, corners (u, v) = 00, 01, 10, 11; by values at 3 by 3 places."""
+    """The patch of z = (2 x^2 - y^2) / 100 above a quadrilateral, corners (u, v) = 00, 01, 10, 11;
+    by values at 3 by 3 places."""
     t = np.array([0, 0.5, 1])
     inverse = np.linalg.inv(np.stack([(1 - t) ** 2, 2 * t * (1 - t), t**2], axis=-1))
     u, v = np.meshgrid(t, t, indexing="ij")
@@ -25,7 +26,9 @@ def biquadratic(corners):
 
 def surroundings(n):
     inner, outer = corners_of(n), corners_of(n, 15)
-    return [biquadratic([inner[k], inner[(k + 1) % n], outer[k], outer[(k + 1) % n]]) for k in range(n)]
+    return [
+        biquadratic([inner[k], inner[(k + 1) % n], outer[k], outer[(k + 1) % n]]) for k in range(n)
+    ]
 
 
 def angle(a, edge_a, b, edge_b):
@@ -47,8 +50,12 @@ def test_hole_in_a_quadric(n, law):
     for k in range(n):
         assert angle(patches[k], "u0", patches[(k + 1) % n], "v0") < 1e-8
     if law == "linear":
-        points = np.array([patch.point(u, v) for patch in patches for u in (0, 0.3, 0.8) for v in (0, 0.6, 1)])
-        assert np.allclose(points[:, 2], (2 * points[:, 0] ** 2 - points[:, 1] ** 2) / 100, atol=1e-12)
+        points = np.array(
+            [patch.point(u, v) for patch in patches for u in (0, 0.3, 0.8) for v in (0, 0.6, 1)]
+        )
+        assert np.allclose(
+            points[:, 2], (2 * points[:, 0] ** 2 - points[:, 1] ** 2) / 100, atol=1e-12
+        )
 
 
 def test_kinds_of_sides():
@@ -56,9 +63,15 @@ def test_kinds_of_sides():
     given = [(patch, "u0") for patch in around]
     fill = seamwright.n_sided_fill(given)
     turned = [(BezierPatch(patch.poles[:, ::-1]), "u0", True) for patch in around]
-    assert np.array_equal(seamwright.n_sided_fill(turned)["patches"][2].poles, fill["patches"][2].poles)
-    fields = [(BezierCurve(patch.poles[0]), 2 * (patch.poles[1] - patch.poles[0])) for patch in around]
-    assert np.allclose(seamwright.n_sided_fill(fields)["patches"][2].poles, fill["patches"][2].poles, atol=1e-13)
+    assert np.array_equal(
+        seamwright.n_sided_fill(turned)["patches"][2].poles, fill["patches"][2].poles
+    )
+    fields = [
+        (BezierCurve(patch.poles[0]), 2 * (patch.poles[1] - patch.poles[0])) for patch in around
+    ]
+    assert np.allclose(
+        seamwright.n_sided_fill(fields)["patches"][2].poles, fill["patches"][2].poles, atol=1e-13
+    )
     free = seamwright.n_sided_fill([*given[:3], BezierCurve(around[3].poles[0])])
     assert free["sides"][3] is None and free["sides"][2] is not None
     for k in range(4):
@@ -67,40 +80,49 @@ def test_kinds_of_sides():
 
 def test_incompatible_corner_is_bounded():
     around = surroundings(4)
-    sides = [(BezierCurve(patch.poles[0]), 2 * (patch.poles[1] - patch.poles[0])) for patch in around]
+    sides = [
+        (BezierCurve(patch.poles[0]), 2 * (patch.poles[1] - patch.poles[0])) for patch in around
+    ]
     sides[0][1][1, 2] += 0.5
     corners = seamwright.n_sided_fill(sides)["corners"]
     assert [corner["exact"] for corner in corners] == [False, False, True, True]
     assert abs(corners[0]["twist_defect_mm"]) > 0.01 and 0 < corners[0]["angle_bound_rad"] < 0.1
 
 
-@pytest.mark.parametrize("sides, message", [
-    (lambda s: s[:2], "2 sides: a fill has 3 to 12"),
-    (lambda s: [s[0], s[2], s[1], s[3]], "side 1 begins .* mm from where side 0 ends"),
-    (lambda s: [s[0][0], *s[1:]], "side 0 is .*: a BezierCurve, "),
-    (lambda s: [(s[0][0], "w0"), *s[1:]], "side 0: edge 'w0': known of a patch are u0"),
-    (lambda s: [(s[0][0], "u0", 1), *s[1:]], "side 0: reversed is 1: True or False"),
-    (lambda s: [*s[:3], (BezierCurve(s[3][0].poles[0]), [[1, 2]])], "poles have shape"),
-])
+@pytest.mark.parametrize(
+    "sides, message",
+    [
+        (lambda s: s[:2], "2 sides: a fill has 3 to 12"),
+        (lambda s: [s[0], s[2], s[1], s[3]], "side 1 begins .* mm from where side 0 ends"),
+        (lambda s: [s[0][0], *s[1:]], "side 0 is .*: a BezierCurve, "),
+        (lambda s: [(s[0][0], "w0"), *s[1:]], "side 0: edge 'w0': known of a patch are u0"),
+        (lambda s: [(s[0][0], "u0", 1), *s[1:]], "side 0: reversed is 1: True or False"),
+        (lambda s: [*s[:3], (BezierCurve(s[3][0].poles[0]), [[1, 2]])], "poles have shape"),
+    ],
+)
 def test_bad_sides(sides, message):
     with pytest.raises(ValueError, match=message):
         seamwright.n_sided_fill(sides([(patch, "u0") for patch in surroundings(4)]))
 
 
-@pytest.mark.parametrize("keywords, message", [
-    ({"law": "cubic"}, "law is 'cubic': linear or quadratic"),
-    ({"law": 4}, "law is 4: a name is needed"),
-    ({"fairness_order": 1}, "fairness order 1: known are 2 and 3"),
-    ({"fairness_order": 2.5}, "fairness_order is 2.5: a whole number"),
-    ({"corner_tolerance_rad": float("nan")}, "corner tolerance nan"),
-])
+@pytest.mark.parametrize(
+    "keywords, message",
+    [
+        ({"law": "cubic"}, "law is 'cubic': linear or quadratic"),
+        ({"law": 4}, "law is 4: a name is needed"),
+        ({"fairness_order": 1}, "fairness order 1: known are 2 and 3"),
+        ({"fairness_order": 2.5}, "fairness_order is 2.5: a whole number"),
+        ({"corner_tolerance_rad": float("nan")}, "corner tolerance nan"),
+    ],
+)
 def test_bad_keywords(keywords, message):
     with pytest.raises(ValueError, match=message):
         seamwright.n_sided_fill([(patch, "u0") for patch in surroundings(4)], **keywords)
 
 
 def quarter(k):
-    """A quarter of a circle of radius 10 in the plane z = 0, nearly, run counter-clockwise; the cross field is its outward normal."""
+    """A quarter of a circle of radius 10 in the plane z = 0, nearly, run counter-clockwise; the
+    cross field is its outward normal."""
     h = 0.5522847498307936
     poles = 10 * np.array([[1, 0], [1, h], [h, 1], [0, 1]])
     for _ in range(k):
@@ -119,7 +141,10 @@ def test_round_hole(degrees):
     fill = seamwright.ring_fill([quarter(k) for k in range(4)], curvature_degrees=degrees)
     patches = fill["patches"]
     assert len(patches) == 5 and fill["regular"] and len(fill["corners"]) == 4
-    assert all(corner["exact"] and corner["angle_rad"] == pytest.approx(np.pi) for corner in fill["corners"])
+    assert all(
+        corner["exact"] and corner["angle_rad"] == pytest.approx(np.pi)
+        for corner in fill["corners"]
+    )
     assert max(abs(patch.poles[..., 2]).max() for patch in patches) < 1e-12
     assert (fill["curvature_jump_per_mm"] is None) == (degrees is None)
     for k in range(4):

@@ -28,10 +28,20 @@ def test_a_face_is_replaced(shell):
     assert 0 < fill.largest_gap_mm < 0.001
     report = fill.to_dict()
     seams = report["outer"] + report["inner"]
-    assert fill.largest_curvature_rel == report["largest_curvature_rel"] == max(seam["curvature_rel"]["upper"] for seam in seams)
+    assert (
+        fill.largest_curvature_rel
+        == report["largest_curvature_rel"]
+        == max(seam["curvature_rel"]["upper"] for seam in seams)
+    )
     assert fill.curvature_jump_per_mm == report["curvature_jump_per_mm"] > 0
     assert report["schema"] == "seamwright.fill/1"
-    assert len(report["sides"]) == len(report["corners"]) == len(report["faces"]) == len(report["inner"]) == 4
+    assert (
+        len(report["sides"])
+        == len(report["corners"])
+        == len(report["faces"])
+        == len(report["inner"])
+        == 4
+    )
     assert fill.model.face_count == shell.face_count - 1 + 4
     assert "REACHED G1" in fill.to_table()
 
@@ -50,9 +60,16 @@ def test_what_is_written_is_read_back(shell, tmp_path):
     shares = []
     written = fill.write(tmp_path / "out.step", progress=shares.append)
     model = fill.model.analyze().to_dict()["model"]
-    assert written["output"] == {"path": str(tmp_path / "out.step"), "format": "STEP", "edges": model["edges"], "faces": model["faces"],
-                                 "open_edges": written["output"]["open_edges"], "defects": 0,
-                                 "only_in_file": [], "spoilt_by_writing": None}
+    assert written["output"] == {
+        "path": str(tmp_path / "out.step"),
+        "format": "STEP",
+        "edges": model["edges"],
+        "faces": model["faces"],
+        "open_edges": written["output"]["open_edges"],
+        "defects": 0,
+        "only_in_file": [],
+        "spoilt_by_writing": None,
+    }
     assert seamwright.read(tmp_path / "out.step").face_count == fill.model.face_count
     assert shares == sorted(shares) and shares[-1] == 1
     with pytest.raises(seamwright.ModelError, match="overwrite"):
@@ -78,7 +95,9 @@ def test_the_file_is_judged_not_the_model(shell, tmp_path, monkeypatch):
     monkeypatch.setenv("SEAMWRIGHT_READER", str(reader_that_finds(other, tmp_path, found[0])))
     written = fill.write(tmp_path / "out.step")
     assert written["output"]["faces"] == 2 and written["differences"].startswith("read back: ")
-    monkeypatch.setenv("SEAMWRIGHT_READER", str(reader_that_finds(tmp_path / "none.step", tmp_path, found[0])))
+    monkeypatch.setenv(
+        "SEAMWRIGHT_READER", str(reader_that_finds(tmp_path / "none.step", tmp_path, found[0]))
+    )
     before = sorted(tmp_path.iterdir())
     with pytest.raises(seamwright.ModelError, match="can't be read back, so it is not written"):
         fill.write(tmp_path / "another.step")
@@ -97,7 +116,10 @@ def test_a_model_without_its_fill_is_written_as_it_was(shell, tmp_path):
     assert not fill.filled
     assert max(fill.to_dict()["faces"]) > shell.face_count
     written = fill.write(tmp_path / "out.brep")
-    assert (written["output"]["faces"], written["output"]["edges"]) == (shell.face_count, shell.edge_count)
+    assert (written["output"]["faces"], written["output"]["edges"]) == (
+        shell.face_count,
+        shell.edge_count,
+    )
     assert (written["changed_faces"], written["differences"]) == (0, "")
     assert (tmp_path / "out.brep").read_bytes() == SHELL.read_bytes()
 
@@ -119,7 +141,10 @@ def test_holes_are_listed(shell):
         ({"face": 64, "gap_mm": float("nan")}, "nan"),
         ({"face": 64, "angle_deg": "wide"}, "angle_deg"),
         ({"face": 64, "angle_deg": 0}, "angle tolerance is 0 deg"),
-        ({"face": 64, "corner_deg": 200}, "corner angle is 200 degrees: it must be within 0 and 180"),
+        (
+            {"face": 64, "corner_deg": 200},
+            "corner angle is 200 degrees: it must be within 0 and 180",
+        ),
     ],
 )
 def test_bad_arguments(shell, arguments, message):
@@ -128,5 +153,7 @@ def test_bad_arguments(shell, arguments, message):
 
 
 def test_a_bad_corner_angle_of_holes_is_told_in_degrees(shell):
-    with pytest.raises(ValueError, match="corner angle is 500 degrees: it must be within 0 and 180"):
+    with pytest.raises(
+        ValueError, match="corner angle is 500 degrees: it must be within 0 and 180"
+    ):
         shell.holes(corner_deg=500)

@@ -27,7 +27,9 @@ def test_rows_are_those_of_the_formula():
     a = given.poles[3] - given.poles[2]
     e = np.diff(given.poles[3], axis=0)
     k = np.arange(4)[:, None]
-    along = (k / 3) * np.vstack([np.zeros((1, 3)), e]) + (1 - k / 3) * np.vstack([e, np.zeros((1, 3))])
+    along = (k / 3) * np.vstack([np.zeros((1, 3)), e]) + (1 - k / 3) * np.vstack(
+        [e, np.zeros((1, 3))]
+    )
     assert poles.shape == (2, 4, 3) and (weights == 1).all()
     assert poles[0] == pytest.approx(given.poles[3])
     assert poles[1] - poles[0] == pytest.approx(3 / 2 * 1.25 * a + 3 / 2 * -0.375 * along)
@@ -37,20 +39,33 @@ def test_continuation_joins_and_is_certified():
     given = patch(3, 2)
     for edge in ("u0", "u1", "v0", "v1"):
         for backwards in (False, True):
-            beyond = seamwright.continuation(given, edge, alpha=[1, 1.5], beta=[0.25, -0.25], p=0.5, order=2, degree_across=4,
-                                             reversed=backwards)
+            beyond = seamwright.continuation(
+                given,
+                edge,
+                alpha=[1, 1.5],
+                beta=[0.25, -0.25],
+                p=0.5,
+                order=2,
+                degree_across=4,
+                reversed=backwards,
+            )
             assert beyond.degree_u == 4
-            # continuation runs along the edge backwards, the others run the second surface's edge: the same pairs of points
+            # continuation runs along the edge backwards, the others run the second surface's edge:
+            # the same pairs of points
             found = seamwright.join_condition(given, edge, beyond, "u0", reversed=backwards)
             assert found["verdict"] == "G1" and found["g2"] and found["parametric_order"] == 0
             assert found["angle_bound_rad"] < 1e-9 and found["gap_bound_mm"] < 1e-12
-            seam = seamwright.enclose_seam(given, edge, beyond, "u0", reversed=backwards, level="G2")
+            seam = seamwright.enclose_seam(
+                given, edge, beyond, "u0", reversed=backwards, level="G2"
+            )
             assert seam["level"] == "G2" and seam["certified"]
 
 
 def test_parametric_continuation():
     given = patch(3, 3)
-    found = seamwright.join_condition(given, "v1", seamwright.continuation(given, "v1", order=2), "u0")
+    found = seamwright.join_condition(
+        given, "v1", seamwright.continuation(given, "v1", order=2), "u0"
+    )
     assert found["parametric_order"] == 2 and found["first"]["holds"] and found["second"]["holds"]
 
 
@@ -85,7 +100,9 @@ def test_blend_joins_both():
     a, b = patch(3, 2), patch(2, 3)
     b = BezierPatch(b.poles + [30, 0, 5])
     for order in (1, 2):
-        between = seamwright.blend(a, "u1", b, "u0", order, to_a={"alpha": 2.0}, to_b={"alpha": [2, 1], "beta": 0.1})
+        between = seamwright.blend(
+            a, "u1", b, "u0", order, to_a={"alpha": 2.0}, to_b={"alpha": [2, 1], "beta": 0.1}
+        )
         assert (between.degree_u, between.degree_v) == (2 * order + 1, 4 if order == 1 else 5)
         for surface, edge, own in ((a, "u1", "u0"), (b, "u0", "u1")):
             found = seamwright.join_condition(surface, edge, between, own)
@@ -100,18 +117,32 @@ def test_conditions_that_fail():
     moved = seamwright.join_condition(given, "u1", BezierPatch(poles), "u0")
     assert moved["verdict"] == "not G1" and not moved["g2"] and moved["curvature"] is None
     assert moved["tangent_plane"]["relative"] > 1e3 * moved["tangent_plane"]["noise"]
-    assert seamwright.join_condition(given, "u1", BezierPatch(poles), "u0", tolerance=1e-3)["verdict"] == "G1"
+    assert (
+        seamwright.join_condition(given, "u1", BezierPatch(poles), "u0", tolerance=1e-3)["verdict"]
+        == "G1"
+    )
     back = beyond.poles
     back[1:] = 2 * back[0] - back[1:]
     assert seamwright.join_condition(given, "u1", BezierPatch(back), "u0")["verdict"] == "fold"
     flat = BezierPatch([given.poles[3], given.poles[3]])
     collapsed = seamwright.join_condition(given, "u1", flat, "u0")
-    assert collapsed["verdict"] == "singular" and collapsed["singular_at"] == 0 and collapsed["tangent_plane"] is None
+    assert (
+        collapsed["verdict"] == "singular"
+        and collapsed["singular_at"] == 0
+        and collapsed["tangent_plane"] is None
+    )
 
 
 def test_functions_come_back():
     given = patch(3, 3, weights=RANDOM.uniform(0.9, 1.1, (4, 4)))
-    made = {"alpha": 0.8, "beta": [0.25, -0.5], "p": 0.5, "q": [0.5, 0.25], "e0": [1, 1.125], "e1": 0.0625}
+    made = {
+        "alpha": 0.8,
+        "beta": [0.25, -0.5],
+        "p": 0.5,
+        "q": [0.5, 0.25],
+        "e0": [1, 1.125],
+        "e1": 0.0625,
+    }
     beyond = seamwright.continuation(given, "u1", order=2, degree_across=5, e2=0, **made)
     fit = seamwright.fit_connection(given, "u1", beyond, "u0", order=2)
     assert fit["found"] and fit["note"] == ""
@@ -132,19 +163,36 @@ def test_orient():
 def test_alpha_surfaces():
     net = patch(3, 3).poles
     surface = seamwright.alpha_surface(net, 0.5, 0.75)
-    assert surface.point(0, 0) == pytest.approx(net[0, 0]) and (surface.degree_u, surface.degree_v) == (5, 5)
+    assert surface.point(0, 0) == pytest.approx(net[0, 0]) and (
+        surface.degree_u,
+        surface.degree_v,
+    ) == (5, 5)
     assert surface.jet(0, 0).u == pytest.approx(5 * 0.5 * (net[1, 0] - net[0, 0]))
     rows = seamwright.alpha_join_rows(net, 0.5, 0.75, next_a_u=0.9, order=2, beta1=1.2, beta2=-0.5)
-    following = seamwright.alpha_surface(np.concatenate([rows, patch(1, 3).poles[:1] + [18, 0, 0]]), 0.9, 0.75)
+    following = seamwright.alpha_surface(
+        np.concatenate([rows, patch(1, 3).poles[:1] + [18, 0, 0]]), 0.9, 0.75
+    )
     assert seamwright.join_condition(surface, "u1", following, "u0")["g2"]
     with pytest.raises(ValueError, match="row 0 misses it by"):
         seamwright.alpha_join_rows(net, 0.5, 0.75, next_a_v=0.5)
 
 
-@pytest.mark.parametrize("arguments, word", [
-    ({"alpha": -1}, "alpha is -1"), ({"alpha": "wide"}, "wide"), ({"alpha": [1, float("nan")]}, "coefficient 1 = nan"),
-    ({"alpha": []}, "alpha has no coefficient"), ({"order": 3}, "order 3"), ({"order": 1.5}, "1.5"), ({"beta": True}, "beta is True"),
-    ({"degree_across": 0}, "order 1"), ({"degree": 1}, "degree 1"), ({"reversed": 1}, "reversed is 1"), ({"e0": 0}, "e0 is 0")])
+@pytest.mark.parametrize(
+    "arguments, word",
+    [
+        ({"alpha": -1}, "alpha is -1"),
+        ({"alpha": "wide"}, "wide"),
+        ({"alpha": [1, float("nan")]}, "coefficient 1 = nan"),
+        ({"alpha": []}, "alpha has no coefficient"),
+        ({"order": 3}, "order 3"),
+        ({"order": 1.5}, "1.5"),
+        ({"beta": True}, "beta is True"),
+        ({"degree_across": 0}, "order 1"),
+        ({"degree": 1}, "degree 1"),
+        ({"reversed": 1}, "reversed is 1"),
+        ({"e0": 0}, "e0 is 0"),
+    ],
+)
 def test_bad_arguments(arguments, word):
     with pytest.raises(ValueError, match=word):
         seamwright.continuation(patch(2, 3), "u1", **arguments)
@@ -174,7 +222,9 @@ def test_bad_tolerances_and_dicts():
 def test_a_fold_is_no_connection():
     given = patch(2, 3)
     beyond = seamwright.continuation(given, "u1", alpha=[1, 1.5])
-    fit = seamwright.fit_connection(given, "u1", BezierPatch(2 * beyond.poles[0] - beyond.poles), "u0")
+    fit = seamwright.fit_connection(
+        given, "u1", BezierPatch(2 * beyond.poles[0] - beyond.poles), "u0"
+    )
     assert not fit["found"] and "the join is fold" in fit["note"]
     assert fit["connection"]["alpha"] == pytest.approx([-1, -1.5])
 

@@ -18,7 +18,8 @@ from test_models import SCHEMA  # noqa: E402
 
 
 def patches_text(first, second):
-    """A STEP file of two cubic patches of 4 by 4 poles that share the last row of the first and the first row of the second."""
+    """A STEP file of two cubic patches of 4 by 4 poles that share the last row of the first and the
+    first row of the second."""
     lines = []
 
     def add(text):
@@ -35,28 +36,42 @@ def patches_text(first, second):
 
     def edge(poles):
         p = points(poles)
-        curve = add(f"B_SPLINE_CURVE_WITH_KNOTS('',3,({','.join(p)}),.UNSPECIFIED.,.F.,.F.,(4,4),(0.,1.),.UNSPECIFIED.)")
+        curve = add(
+            f"B_SPLINE_CURVE_WITH_KNOTS('',3,({','.join(p)}),.UNSPECIFIED.,.F.,.F.,(4,4),(0.,1.),.UNSPECIFIED.)"
+        )
         ends = [vertex(poles[0], p[0]), vertex(poles[-1], p[-1])]
         return add(f"EDGE_CURVE('',{ends[0]},{ends[1]},{curve},.T.)")
 
     def face(poles, edges):
         rows = ",".join("(" + ",".join(points(row)) + ")" for row in poles)
-        surface = add(f"B_SPLINE_SURFACE_WITH_KNOTS('',3,3,({rows}),.UNSPECIFIED.,.F.,.F.,.F.,(4,4),(4,4),(0.,1.),(0.,1.),"
-                      ".UNSPECIFIED.)")
-        uses = [add(f"ORIENTED_EDGE('',*,*,{number},{sense})") for number, sense in zip(edges, (".T.", ".T.", ".F.", ".F."))]
-        bound = add(f"FACE_OUTER_BOUND('',{add(f'EDGE_LOOP({chr(39) * 2},({chr(44).join(uses)}))')},.T.)")
+        surface = add(
+            f"B_SPLINE_SURFACE_WITH_KNOTS('',3,3,({rows}),.UNSPECIFIED.,.F.,.F.,.F.,(4,4),(4,4),(0.,1.),(0.,1.),"
+            ".UNSPECIFIED.)"
+        )
+        uses = [
+            add(f"ORIENTED_EDGE('',*,*,{number},{sense})")
+            for number, sense in zip(edges, (".T.", ".T.", ".F.", ".F."))
+        ]
+        bound = add(
+            f"FACE_OUTER_BOUND('',{add(f'EDGE_LOOP({chr(39) * 2},({chr(44).join(uses)}))')},.T.)"
+        )
         return add(f"ADVANCED_FACE('',({bound}),{surface},.T.)")
 
     vertices = {}
     shared = edge(first[3])
     a = face(first, [edge(first[:, 0]), shared, edge(first[:, 3]), edge(first[0])])
     b = face(second, [edge(second[:, 0]), edge(second[3]), edge(second[:, 3]), shared])
-    return (_HEAD + _MILLIMETRE
-            + "#15=(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#19))"
-              "GLOBAL_UNIT_ASSIGNED_CONTEXT((#16,#17,#18))REPRESENTATION_CONTEXT('',''));\n"
-            + "#19=UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-07),#16,'','');\n"
-            + "#10=MANIFOLD_SURFACE_SHAPE_REPRESENTATION('',(#14,#20),#15);\n#20=SHELL_BASED_SURFACE_MODEL('',(#21));\n"
-            + f"#21=OPEN_SHELL('',({a},{b}));\n" + "\n".join(lines) + "\nENDSEC;\nEND-ISO-10303-21;\n")
+    return (
+        _HEAD
+        + _MILLIMETRE
+        + "#15=(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#19))"
+        "GLOBAL_UNIT_ASSIGNED_CONTEXT((#16,#17,#18))REPRESENTATION_CONTEXT('',''));\n"
+        + "#19=UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-07),#16,'','');\n"
+        + "#10=MANIFOLD_SURFACE_SHAPE_REPRESENTATION('',(#14,#20),#15);\n#20=SHELL_BASED_SURFACE_MODEL('',(#21));\n"
+        + f"#21=OPEN_SHELL('',({a},{b}));\n"
+        + "\n".join(lines)
+        + "\nENDSEC;\nEND-ISO-10303-21;\n"
+    )
 
 
 @pytest.fixture
@@ -91,7 +106,10 @@ def test_faces_are_matched(bent):
             (after,) = result.model.analyze(level=target).seams
             assert after["class"] == "smooth" and after["angle_deg"]["upper"] < 1e-3
             assert result.model.face_count == 2
-            assert after["gap_mm"] == result.after["gap_mm"] and after["faces"] == result.after["faces"]
+            assert (
+                after["gap_mm"] == result.after["gap_mm"]
+                and after["faces"] == result.after["faces"]
+            )
     assert bent.analyze().seams == [seam], "the model is not changed"
 
 
@@ -101,7 +119,9 @@ def test_before_and_after_have_the_keys_of_a_seam(bent):
     assert result.before == seam
     for found in (result.before, result.after):
         assert set(found) >= keys_of_a_seam()
-        jsonschema.Draft202012Validator({**SCHEMA, **SCHEMA["$defs"]["seam"], "$id": "seam"}).validate(found)
+        jsonschema.Draft202012Validator(
+            {**SCHEMA, **SCHEMA["$defs"]["seam"], "$id": "seam"}
+        ).validate(found)
     as_dict = result.to_dict()
     assert as_dict["before"] == result.before and as_dict["after"] == result.after
     assert set(as_dict) == {"matched", "reason", "exact", "largest_move_mm", "before", "after"}
@@ -113,7 +133,11 @@ def test_before_and_after_have_the_keys_of_a_seam(bent):
 def test_what_cannot_be_matched_comes_back_with_a_reason(bent, roof):
     planes = roof.match_faces(1, 2)
     assert not planes.matched and planes.reason == "face 2 is a plane, which has no poles to move"
-    assert planes.before == planes.after and planes.model.face_count == 2 and planes.largest_move_mm == 0
+    assert (
+        planes.before == planes.after
+        and planes.model.face_count == 2
+        and planes.largest_move_mm == 0
+    )
     free = bent.match_faces(1, 2)
     tight = bent.match_faces(1, 2, max_move_mm=free.largest_move_mm / 2)
     assert not tight.matched and "more than" in tight.reason
@@ -131,21 +155,24 @@ def test_tolerances_are_those_of_the_profile_or_given(bent):
     assert bent.match_faces(1, 2, profile="class-a").largest_move_mm > 0
 
 
-@pytest.mark.parametrize("arguments, message", [
-    ((0, 1, {}), "face 0: the model has faces 1 to 2"),
-    ((1, 1, {}), "face 1 is given twice"),
-    ((1, 2.5, {}), "second is 2.5"),
-    (("1", 2, {}), "first is '1'"),
-    ((1, 2, {"target": "G3"}), "target 'G3': known are G1 and G2"),
-    ((1, 2, {"moves": "all"}), "moves 'all': known are first, second and both"),
-    ((1, 2, {"hold_sides": 1}), "hold_sides is 1: True or False is needed"),
-    ((1, 2, {"max_move_mm": -1}), "largest move is -1 mm"),
-    ((1, 2, {"match_mm": float("nan")}), "distance to match is nan mm"),
-    ((1, 2, {"edge": -1}), "edge is -1"),
-    ((1, 2, {"edge": 99}), "edge 99 is no common boundary of the faces; these are: "),
-    ((1, 2, {"gap_mm": -1}), "gap tolerance is -1 mm"),
-    ((1, 2, {"profile": "best"}), "profile 'best'"),
-])
+@pytest.mark.parametrize(
+    "arguments, message",
+    [
+        ((0, 1, {}), "face 0: the model has faces 1 to 2"),
+        ((1, 1, {}), "face 1 is given twice"),
+        ((1, 2.5, {}), "second is 2.5"),
+        (("1", 2, {}), "first is '1'"),
+        ((1, 2, {"target": "G3"}), "target 'G3': known are G1 and G2"),
+        ((1, 2, {"moves": "all"}), "moves 'all': known are first, second and both"),
+        ((1, 2, {"hold_sides": 1}), "hold_sides is 1: True or False is needed"),
+        ((1, 2, {"max_move_mm": -1}), "largest move is -1 mm"),
+        ((1, 2, {"match_mm": float("nan")}), "distance to match is nan mm"),
+        ((1, 2, {"edge": -1}), "edge is -1"),
+        ((1, 2, {"edge": 99}), "edge 99 is no common boundary of the faces; these are: "),
+        ((1, 2, {"gap_mm": -1}), "gap tolerance is -1 mm"),
+        ((1, 2, {"profile": "best"}), "profile 'best'"),
+    ],
+)
 def test_bad_arguments_are_named(bent, arguments, message):
     first, second, keywords = arguments
     with pytest.raises(ValueError) as error:

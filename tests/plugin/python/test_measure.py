@@ -43,8 +43,12 @@ def test_crossed_cylinders(phi):
         pair = seamwright.measure_pair(moved(a, rotation), moved(b, rotation))
         assert pair["gap_mm"] == pytest.approx(0, abs=1e-15)
         assert pair["angle_rad"] == pytest.approx(0, abs=1e-14)
-        assert pair["curvature_per_mm"] == pytest.approx(0.1 * math.sin(math.radians(phi)), abs=1e-14)
-        assert pair["norm_a_per_mm"] == pytest.approx(0.1) and pair["norm_b_per_mm"] == pytest.approx(0.1)
+        assert pair["curvature_per_mm"] == pytest.approx(
+            0.1 * math.sin(math.radians(phi)), abs=1e-14
+        )
+        assert pair["norm_a_per_mm"] == pytest.approx(0.1) and pair[
+            "norm_b_per_mm"
+        ] == pytest.approx(0.1)
 
 
 def test_gap_and_angle():
@@ -76,7 +80,9 @@ def test_tensor_and_principal_curvatures():
         assert sorted(np.linalg.eigvalsh(tensor)) == pytest.approx(sorted([k1, k2, 0]), abs=1e-12)
         found1, found2, d1, d2 = seamwright.principal_curvatures(surface)
         assert (found1, found2) == pytest.approx((k1, k2), abs=1e-12)
-        assert d1 @ tensor @ d1 == pytest.approx(k1, abs=1e-10) and d2 @ tensor @ d2 == pytest.approx(k2, abs=1e-10)
+        assert d1 @ tensor @ d1 == pytest.approx(
+            k1, abs=1e-10
+        ) and d2 @ tensor @ d2 == pytest.approx(k2, abs=1e-10)
 
 
 def test_a_jet_without_tangent_plane_is_an_error():

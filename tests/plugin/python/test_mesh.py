@@ -22,16 +22,24 @@ def box(tmp_path):
 
 def test_arrays_of_a_box(box):
     mesh = box.display_mesh()
-    assert (mesh.points.shape, mesh.normals.shape, mesh.parameters.shape) == ((24, 3), (24, 3), (24, 2))
+    assert (mesh.points.shape, mesh.normals.shape, mesh.parameters.shape) == (
+        (24, 3),
+        (24, 3),
+        (24, 2),
+    )
     assert mesh.triangles.shape == (12, 3) and mesh.triangles.dtype == numpy.int32
-    assert list(mesh.first_nodes) == list(range(0, 25, 4)) and list(mesh.first_triangles) == list(range(0, 13, 2))
+    assert list(mesh.first_nodes) == list(range(0, 25, 4)) and list(mesh.first_triangles) == list(
+        range(0, 13, 2)
+    )
     assert mesh.principal_curvatures.shape == (24, 2) and not mesh.principal_curvatures.any()
     assert not mesh.mean_curvature.any() and not mesh.gaussian_curvature.any()
     assert mesh.moves_mm.shape == (0,) and mesh.faults == []
     middle = mesh.points.mean(axis=0)
     corners = mesh.points[mesh.triangles]
     across = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    assert ((corners.mean(axis=1) - middle) * across).sum(axis=1).min() > 0, "triangles look outward"
+    assert ((corners.mean(axis=1) - middle) * across).sum(
+        axis=1
+    ).min() > 0, "triangles look outward"
     assert ((mesh.points - middle) * mesh.normals).sum(axis=1).min() > 0
 
 
@@ -44,7 +52,9 @@ def test_moves(box):
     mesh = box.display_mesh(before=box, moved_faces=[3], rough_mm=0.1)
     assert mesh.moves_mm.shape == (len(mesh.points),) and not mesh.moves_mm.any()
     sizes = numpy.diff(mesh.first_triangles)
-    assert sizes[2] > 100 and (numpy.delete(sizes, 2) < sizes[2]).all(), "small triangles on the face that moved"
+    assert (
+        sizes[2] > 100 and (numpy.delete(sizes, 2) < sizes[2]).all()
+    ), "small triangles on the face that moved"
 
 
 def test_bad_arguments_and_stopping(box, tmp_path):

@@ -64,24 +64,55 @@ def test_tolerances_are_taken(roof):
     assert not model.analyze().passed
     assert model.analyze(angle_deg=1.01).passed and model.analyze(level="G0").passed
     assert model.analyze(crease_deg=0.5).passed
-    report = model.analyze(gap_mm=0.5, angle_deg=2, curvature_rel=0.25, flat_radius_mm=77, crease_deg=9, level="G2",
-                           jobs=1)
-    expected = {"gap_mm": 0.5, "angle_deg": 2, "curvature_rel": 0.25, "flat_radius_mm": 77, "crease_deg": 9}
+    report = model.analyze(
+        gap_mm=0.5,
+        angle_deg=2,
+        curvature_rel=0.25,
+        flat_radius_mm=77,
+        crease_deg=9,
+        level="G2",
+        jobs=1,
+    )
+    expected = {
+        "gap_mm": 0.5,
+        "angle_deg": 2,
+        "curvature_rel": 0.25,
+        "flat_radius_mm": 77,
+        "crease_deg": 9,
+    }
     tolerance = report.to_dict()["tolerance"]
     assert {key: tolerance[key] for key in expected} == pytest.approx(expected)
     assert tolerance["level"] == "G2"
     assert report.seams[0]["angle_deg"]["lower"] == pytest.approx(1, abs=1e-9)
 
 
-@pytest.mark.parametrize("arguments,number", [
-    ({"gap_mm": -0.25}, "-0.25"), ({"gap_mm": math.nan}, "nan"), ({"angle_deg": -3}, "-3"), ({"angle_deg": math.inf}, "inf"),
-    ({"curvature_rel": -0.5}, "-0.5"), ({"flat_radius_mm": 0}, "0"), ({"crease_deg": 91}, "91"),
-    ({"angle_deg": 4, "crease_deg": 3}, "3"), ({"match_mm": -2}, "-2"), ({"match_mm": math.inf}, "inf"),
-    ({"jobs": -1}, "-1"), ({"jobs": 10**30}, "1000000000"), ({"level": "G9"}, "G9"), ({"profile": "class-b"}, "class-b"),
-    ({"gap_mm": "wide"}, "gap_mm is 'wide'"), ({"angle_deg": []}, r"angle_deg is \[\]"),
-    ({"crease_deg": True}, "crease_deg is True"), ({"match_mm": "near"}, "match_mm is 'near'"),
-    ({"jobs": 1.5}, "jobs is 1.5"), ({"jobs": None}, "jobs is None"), ({"level": 1}, "level is 1"),
-    ({"profile": None}, "profile is None")])
+@pytest.mark.parametrize(
+    "arguments,number",
+    [
+        ({"gap_mm": -0.25}, "-0.25"),
+        ({"gap_mm": math.nan}, "nan"),
+        ({"angle_deg": -3}, "-3"),
+        ({"angle_deg": math.inf}, "inf"),
+        ({"curvature_rel": -0.5}, "-0.5"),
+        ({"flat_radius_mm": 0}, "0"),
+        ({"crease_deg": 91}, "91"),
+        ({"angle_deg": 4, "crease_deg": 3}, "3"),
+        ({"match_mm": -2}, "-2"),
+        ({"match_mm": math.inf}, "inf"),
+        ({"jobs": -1}, "-1"),
+        ({"jobs": 10**30}, "1000000000"),
+        ({"level": "G9"}, "G9"),
+        ({"profile": "class-b"}, "class-b"),
+        ({"gap_mm": "wide"}, "gap_mm is 'wide'"),
+        ({"angle_deg": []}, r"angle_deg is \[\]"),
+        ({"crease_deg": True}, "crease_deg is True"),
+        ({"match_mm": "near"}, "match_mm is 'near'"),
+        ({"jobs": 1.5}, "jobs is 1.5"),
+        ({"jobs": None}, "jobs is None"),
+        ({"level": 1}, "level is 1"),
+        ({"profile": None}, "profile is None"),
+    ],
+)
 def test_bad_arguments_are_value_errors_with_the_number(box, arguments, number):
     with pytest.raises(ValueError, match=number):
         seamwright.read(box).analyze(**arguments)
@@ -100,7 +131,9 @@ def test_unknown_names_and_positions_are_type_errors(box):
 def test_numbers_of_numpy_are_numbers(roof):
     numpy = pytest.importorskip("numpy")
     model = seamwright.read(roof)
-    assert model.analyze(angle_deg=numpy.float32(1.5), gap_mm=numpy.int64(1), jobs=numpy.int32(1)).passed
+    assert model.analyze(
+        angle_deg=numpy.float32(1.5), gap_mm=numpy.int64(1), jobs=numpy.int32(1)
+    ).passed
 
 
 def test_profiles_fill_in_what_is_not_given(box):
@@ -133,7 +166,12 @@ def test_any_byte_in_the_name_of_a_file(tmp_path, box):
 
 
 def test_bad_models_are_model_errors_with_the_file(tmp_path):
-    contents = {"empty.step": "", "text.step": "a letter", "cut.step": box_text()[:2000], "nounit.step": box_text(unit="")}
+    contents = {
+        "empty.step": "",
+        "text.step": "a letter",
+        "cut.step": box_text()[:2000],
+        "nounit.step": box_text(unit=""),
+    }
     for name, content in contents.items():
         (tmp_path / name).write_text(content)
     for name in [*contents, "missing.step"]:
@@ -160,7 +198,11 @@ def test_what_is_false_to_python_cancels(box, answer):
 
 @pytest.mark.parametrize("answer", [None, True, 1, "0", numpy.bool_(True), numpy.float64(0.5)])
 def test_none_and_what_is_true_go_on(box, answer):
-    assert seamwright.read(box, progress=lambda share: answer).analyze(progress=lambda share: answer).passed
+    assert (
+        seamwright.read(box, progress=lambda share: answer)
+        .analyze(progress=lambda share: answer)
+        .passed
+    )
 
 
 def test_an_answer_without_truth_raises_what_python_raises(box):

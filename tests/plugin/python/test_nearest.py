@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""BSplineSurface and nearest_join: shapes, keywords and errors; the figures by seams that are enclosed."""
+"""BSplineSurface and nearest_join: shapes, keywords and errors; the figures by seams that are
+enclosed."""
 
 import numpy as np
 import pytest
@@ -20,14 +21,22 @@ def pair(degree=3):
 
 
 def spline(sense, seed, knots=(0.5,)):
-    return BSplineSurface(net(sense, 3, 4 + len(knots), seed), [0] * 4 + [1] * 4, [0] * 4 + list(knots) + [1] * 4, 3, 3)
+    return BSplineSurface(
+        net(sense, 3, 4 + len(knots), seed),
+        [0] * 4 + [1] * 4,
+        [0] * 4 + list(knots) + [1] * 4,
+        3,
+        3,
+    )
 
 
 def assert_joined(join, order, edge_a="u0", edge_b="u0"):
     assert join["status"] == "joined"
     assert join["residual"] < 1e-13
     assert join["stationarity"] < 1e-10
-    seam = seamwright.enclose_seam(join["a"], edge_a, join["b"], edge_b, angle_deg=1e-8, curvature_rel=1e-8)
+    seam = seamwright.enclose_seam(
+        join["a"], edge_a, join["b"], edge_b, angle_deg=1e-8, curvature_rel=1e-8
+    )
     assert seam["gap_mm"]["upper"] < 1e-9
     assert seam["angle_deg"]["upper"] < 1e-8
     if order == 2:
@@ -81,7 +90,9 @@ def test_degrees_along_the_seam_may_differ():
 def test_reversed_edges():
     a, b = pair()
     back = BezierPatch(b.poles[:, ::-1])
-    join, same = seamwright.nearest_join(a, "u0", back, "u0", reversed=True), seamwright.nearest_join(a, "u0", b, "u0")
+    join, same = seamwright.nearest_join(
+        a, "u0", back, "u0", reversed=True
+    ), seamwright.nearest_join(a, "u0", b, "u0")
     assert np.abs(join["b"].poles[:, ::-1] - same["b"].poles).max() < 1e-11
 
 
@@ -95,18 +106,25 @@ def test_splines_join():
         p, q = join["a"].jet(0, t), join["b"].jet(0, t)
         assert np.abs(p.p - q.p).max() < 1e-12
         beta = (1 - t) * join["beta"][0] + t * join["beta"][1]
-        assert np.abs(q.u + join["alpha"][0] * p.u - beta * p.v).max() < 1e-11  # u runs out of b, so into a
+        assert (
+            np.abs(q.u + join["alpha"][0] * p.u - beta * p.v).max() < 1e-11
+        )  # u runs out of b, so into a
 
 
 def test_surface():
     s = spline(1, 3)
-    assert s.poles.shape == (4, 5, 3) and (s.weights == 1).all() and (s.degree_u, s.degree_v) == (3, 3)
+    assert (
+        s.poles.shape == (4, 5, 3) and (s.weights == 1).all() and (s.degree_u, s.degree_v) == (3, 3)
+    )
     finer = s.with_knot("u", 0.25).with_knot("v", 0.5)
     assert finer.poles.shape == (5, 6, 3)
     assert np.abs(finer.point(0.3, 0.7) - s.point(0.3, 0.7)).max() < 1e-13
     assert np.abs(finer.jet(0.3, 0.7).vvv - s.jet(0.3, 0.7).vvv).max() < 1e-9
     patch = BezierPatch(net(1, 2, 4, 4), np.linspace(1, 2, 12).reshape(3, 4))
-    assert np.abs(BSplineSurface.from_patch(patch).point(0.2, 0.9) - patch.point(0.2, 0.9)).max() < 1e-13
+    assert (
+        np.abs(BSplineSurface.from_patch(patch).point(0.2, 0.9) - patch.point(0.2, 0.9)).max()
+        < 1e-13
+    )
     assert s == spline(1, 3) and s != finer
 
 
@@ -129,7 +147,10 @@ def test_what_cannot_join_is_said():
         ({"weights_b": -np.ones((4, 4))}, "weight 0 of a move of surface b is -1"),
         ({"degree_beta": 9}, "degree of beta is 9"),
         ({"b": spline(1, 2)}, "knots along the seam are 8 and 9"),
-        ({"b": BezierPatch(net(1, 3, 5, 2)), "fixed_a": np.ones((4, 4), bool)}, "raise the degree along the seam"),
+        (
+            {"b": BezierPatch(net(1, 3, 5, 2)), "fixed_a": np.ones((4, 4), bool)},
+            "raise the degree along the seam",
+        ),
     ],
 )
 def test_bad_arguments(change, text):

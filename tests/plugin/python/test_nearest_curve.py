@@ -57,7 +57,9 @@ def test_the_ends_are_one_point_bit_by_bit(moves):
     random = np.random.default_rng(11)
     for _ in range(50):
         a = seamwright.BezierCurve(np.cumsum(random.uniform(0.5, 1.5, (4, 3)), axis=0))
-        b = seamwright.BezierCurve(a.poles[-1] + np.cumsum(random.uniform(0.2, 1.5, (4, 3)), axis=0) - 0.4)
+        b = seamwright.BezierCurve(
+            a.poles[-1] + np.cumsum(random.uniform(0.2, 1.5, (4, 3)), axis=0) - 0.4
+        )
         join = seamwright.nearest_curve_join(a, b, order=1, moves=moves)
         assert join["status"] == "solved"
         assert (join["a"].poles[-1] == join["b"].poles[0]).all()
@@ -81,35 +83,44 @@ def test_splines():
     assert join["status"] == "solved"
     assert isinstance(join["a"], BSplineCurve) and join["b"].knots == spline.knots
     assert (join["b"].poles[3:] == poles[3:]).all()
-    ends = [seamwright.arc_length_derivatives(c.derivatives(t, 3)) for c, t in ((join["a"], 1), (join["b"], 0))]
+    ends = [
+        seamwright.arc_length_derivatives(c.derivatives(t, 3))
+        for c, t in ((join["a"], 1), (join["b"], 0))
+    ]
     differences = np.linalg.norm(ends[1] - ends[0], axis=1)
     assert max(differences[:3]) < 1e-11 < 1e-3 < differences[3]
 
 
-@pytest.mark.parametrize("keywords, words", [
-    ({"order": 0}, "order is 0"),
-    ({"order": 4}, "degree of a is 3, the order 4"),
-    ({"order": 1.5}, "order is 1.5: a whole number is needed"),
-    ({"moves": "c"}, "moves is 'c': 'both', 'a' or 'b' is needed"),
-    ({"moves": 1}, "moves is 1: 'both', 'a' or 'b' is needed"),
-    ({"moves": None}, "moves is None"),
-    ({"moves": []}, r"moves is \[\]"),
-    ({"beta": [True]}, r"beta is \[True\]: a sequence of numbers is needed"),
-    ({"costs_a": np.ones((4, 1))}, "costs_a is array"),
-    ({"costs_a": [1, 2]}, "costs_a has 2 numbers, the curve 4 poles"),
-    ({"costs_b": [1, 1, 0, 1]}, r"costs_b\[2\] is 0"),
-    ({"costs_b": "dear"}, "costs_b is 'dear': a sequence of numbers is needed"),
-    ({"fixed_a": [4]}, r"fixed_a is \[4\]: no pole 4; the curve has 4 poles"),
-    ({"fixed_b": [-5]}, r"fixed_b is \[-5\]: no pole -5; the curve has 4 poles"),
-    ({"fixed_a": [True, False]}, r"fixed_a is \[True, False\]: 2 booleans"),
-    ({"fixed_a": [0.0]}, "not whole numbers"),
-    ({"fixed_a": "ends"}, "fixed_a is 'ends'"),
-    ({"order": np.float32(2.7)}, r"order is (2\.7|np\.float32\(2\.7\)): a whole number is needed"),
-    ({"order": np.array([[2]])}, "order is array"),
-    ({"beta": [1, 0]}, "betas 2, order 1"),
-    ({"beta": [-1]}, "beta_1 is -1"),
-    ({"max_iterations": -1}, "max_iterations is -1"),
-])
+@pytest.mark.parametrize(
+    "keywords, words",
+    [
+        ({"order": 0}, "order is 0"),
+        ({"order": 4}, "degree of a is 3, the order 4"),
+        ({"order": 1.5}, "order is 1.5: a whole number is needed"),
+        ({"moves": "c"}, "moves is 'c': 'both', 'a' or 'b' is needed"),
+        ({"moves": 1}, "moves is 1: 'both', 'a' or 'b' is needed"),
+        ({"moves": None}, "moves is None"),
+        ({"moves": []}, r"moves is \[\]"),
+        ({"beta": [True]}, r"beta is \[True\]: a sequence of numbers is needed"),
+        ({"costs_a": np.ones((4, 1))}, "costs_a is array"),
+        ({"costs_a": [1, 2]}, "costs_a has 2 numbers, the curve 4 poles"),
+        ({"costs_b": [1, 1, 0, 1]}, r"costs_b\[2\] is 0"),
+        ({"costs_b": "dear"}, "costs_b is 'dear': a sequence of numbers is needed"),
+        ({"fixed_a": [4]}, r"fixed_a is \[4\]: no pole 4; the curve has 4 poles"),
+        ({"fixed_b": [-5]}, r"fixed_b is \[-5\]: no pole -5; the curve has 4 poles"),
+        ({"fixed_a": [True, False]}, r"fixed_a is \[True, False\]: 2 booleans"),
+        ({"fixed_a": [0.0]}, "not whole numbers"),
+        ({"fixed_a": "ends"}, "fixed_a is 'ends'"),
+        (
+            {"order": np.float32(2.7)},
+            r"order is (2\.7|np\.float32\(2\.7\)): a whole number is needed",
+        ),
+        ({"order": np.array([[2]])}, "order is array"),
+        ({"beta": [1, 0]}, "betas 2, order 1"),
+        ({"beta": [-1]}, "beta_1 is -1"),
+        ({"max_iterations": -1}, "max_iterations is -1"),
+    ],
+)
 def test_errors_name_the_value(keywords, words):
     with pytest.raises(ValueError, match=words):
         seamwright.nearest_curve_join(*kinked(), **keywords)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""nu_spline, beta_spline, knots_of: shapes, keywords and errors; the conditions of joints by the curve's own derivatives."""
+"""nu_spline, beta_spline, knots_of: shapes, keywords and errors; the conditions of joints by the
+curve's own derivatives."""
 
 import numpy as np
 import pytest
@@ -16,24 +17,36 @@ def at_joint(curve, i):
     before, after = curve.segment((i or curve.segments) - 1), curve.segment(i % curve.segments)
     lengths = np.diff(curve.knots)
     scale = lambda h: np.array([[1], [1 / h], [1 / h**2]])
-    return (before.derivatives(1, 2) * scale(lengths[i - 1]), after.derivatives(0, 2) * scale(lengths[i % curve.segments]))
+    return (
+        before.derivatives(1, 2) * scale(lengths[i - 1]),
+        after.derivatives(0, 2) * scale(lengths[i % curve.segments]),
+    )
 
 
 @pytest.mark.parametrize("ends", ["natural", "clamped", "periodic"])
 def test_nu_spline_keeps_its_joints(ends):
     points = RING if ends == "periodic" else POINTS
     nu = np.linspace(0.5, 20, len(points))
-    given = {"start_derivative": [1, 2, 3], "end_derivative": (0.5, 0, -1)} if ends == "clamped" else {}
+    given = (
+        {"start_derivative": [1, 2, 3], "end_derivative": (0.5, 0, -1)} if ends == "clamped" else {}
+    )
     result = nu_spline(points, nu=nu, ends=ends, **given)
     curve = result["curve"]
-    assert isinstance(curve, BezierSpline) and curve.degree == 3 and curve.closed == (ends == "periodic")
+    assert (
+        isinstance(curve, BezierSpline)
+        and curve.degree == 3
+        and curve.closed == (ends == "periodic")
+    )
     assert curve.knots == knots_of(points)
     assert result["derivatives"].shape == points.shape and result["stationary"] == []
     for i in range(0 if ends == "periodic" else 1, curve.segments):
         a, b = at_joint(curve, i)
         tension = nu[i] + (nu[-1] if i == 0 else 0)
         assert np.abs(b[0] - points[i]).max() < 1e-13
-        assert np.abs(b[1] - a[1]).max() < 1e-12 and np.abs(b[1] - result["derivatives"][i]).max() < 1e-12
+        assert (
+            np.abs(b[1] - a[1]).max() < 1e-12
+            and np.abs(b[1] - result["derivatives"][i]).max() < 1e-12
+        )
         assert np.abs(b[2] - a[2] - tension * b[1]).max() < 1e-10
     if ends == "clamped":
         assert np.abs(curve.derivatives(0, 1)[1] - [1, 2, 3]).max() < 1e-13
@@ -58,9 +71,14 @@ def test_beta_spline():
         assert np.abs(a[1] - bias[i] * b[1]).max() < 1e-12
         assert np.abs(a[2] - bias[i] ** 2 * b[2] - tension[i] * b[1]).max() < 1e-11
     assert all(joint["order_reached"] == 2 for joint in curve.measure_joints(2))
-    plain, uniform = beta_spline(POINTS, start_nu=2)["curve"], nu_spline(POINTS, range(6), nu=[2, 0, 0, 0, 0, 0])["curve"]
+    plain, uniform = (
+        beta_spline(POINTS, start_nu=2)["curve"],
+        nu_spline(POINTS, range(6), nu=[2, 0, 0, 0, 0, 0])["curve"],
+    )
     assert plain.knots == uniform.knots and np.abs(plain.poles - uniform.poles).max() < 1e-13
-    start = beta_spline(POINTS, 1.1, ends="clamped", start_derivative=[1, 0, 0], end_derivative=[0, 1, 0])
+    start = beta_spline(
+        POINTS, 1.1, ends="clamped", start_derivative=[1, 0, 0], end_derivative=[0, 1, 0]
+    )
     assert np.abs(start["derivatives"][[0, -1]] - [[1, 0, 0], [0, 1, 0]]).max() < 1e-15
 
 
@@ -93,9 +111,15 @@ def test_stationary_points_are_named():
         ({"ends": 3}, "ends is 3"),
         ({"ends": "clamped"}, "start_derivative is None"),
         ({"start_derivative": [1, 2, 3]}, r"start_derivative is \[1, 2, 3\]"),
-        ({"ends": "clamped", "start_derivative": [1, 2], "end_derivative": [1, 2, 3]}, "start_derivative is"),
+        (
+            {"ends": "clamped", "start_derivative": [1, 2], "end_derivative": [1, 2, 3]},
+            "start_derivative is",
+        ),
         ({"ends": "periodic"}, r"point 5 is \(4, 7, 2\)"),
-        ({"points": POINTS[:2], "knots": [0, 2], "nu": -1}, "the 2 equations are singular: pivot 1 is 0"),
+        (
+            {"points": POINTS[:2], "knots": [0, 2], "nu": -1},
+            "the 2 equations are singular: pivot 1 is 0",
+        ),
     ],
 )
 def test_bad_arguments(arguments, text):
@@ -116,7 +140,9 @@ def test_bad_beta_arguments():
     with pytest.raises(ValueError, match="start_nu is 'x'"):
         beta_spline(POINTS, start_nu="x")
     for name in ("start_nu", "end_nu"):
-        with pytest.raises(ValueError, match=f"{name} is 5: it has no meaning but with natural ends"):
+        with pytest.raises(
+            ValueError, match=f"{name} is 5: it has no meaning but with natural ends"
+        ):
             beta_spline(RING, ends="periodic", **{name: 5})
     with pytest.raises(ValueError, match="exponent is 'a'"):
         seamwright.knots_of(POINTS, "a")

@@ -15,8 +15,10 @@ QUARTER = BezierCurve([[2, 0, 0], [2, 2, 0], [0, 2, 0]], [1, np.sqrt(0.5), 1])
 
 
 def polylines(picture):
-    return [np.array([[float(x) for x in pair.split(",")] for pair in line.get("points").split()])
-            for line in ElementTree.fromstring(picture.svg()).iter(SVG + "polyline")]
+    return [
+        np.array([[float(x) for x in pair.split(",")] for pair in line.get("points").split()])
+        for line in ElementTree.fromstring(picture.svg()).iter(SVG + "polyline")
+    ]
 
 
 def test_a_quarter_circle_is_round():
@@ -61,7 +63,9 @@ def test_the_comb_of_a_circle_is_a_circle():
     picture = Picture()
     picture.curve(QUARTER, comb=0.5)  # teeth of 0.25 mm
     comb, curve = polylines(picture)
-    assert np.linalg.norm(comb[0] - curve[0]) / (curve[0, 0] - curve[-1, 0]) == pytest.approx(0.125, abs=1e-3)
+    assert np.linalg.norm(comb[0] - curve[0]) / (curve[0, 0] - curve[-1, 0]) == pytest.approx(
+        0.125, abs=1e-3
+    )
     assert comb[0, 0] > curve[0, 0]  # outwards
 
 
@@ -124,16 +128,19 @@ def test_one_point_is_a_picture():
     assert "nan" not in picture.svg() and "inf" not in picture.svg()
 
 
-@pytest.mark.parametrize("draw", [
-    lambda picture: picture.svg(),
-    lambda picture: picture.polygon([[0, np.nan]]),
-    lambda picture: picture.points([]),
-    lambda picture: picture.line([1, 2, 3]),
-    lambda picture: picture.curve(QUARTER, comb=-1),
-    lambda picture: picture.curve(None),
-    lambda picture: picture.curve(QUARTER, width=0),
-    lambda picture: Picture(width=np.nan),
-])
+@pytest.mark.parametrize(
+    "draw",
+    [
+        lambda picture: picture.svg(),
+        lambda picture: picture.polygon([[0, np.nan]]),
+        lambda picture: picture.points([]),
+        lambda picture: picture.line([1, 2, 3]),
+        lambda picture: picture.curve(QUARTER, comb=-1),
+        lambda picture: picture.curve(None),
+        lambda picture: picture.curve(QUARTER, width=0),
+        lambda picture: Picture(width=np.nan),
+    ],
+)
 def test_bad_arguments_are_value_errors(draw):
     with pytest.raises(ValueError):
         draw(Picture())

@@ -17,9 +17,15 @@ def level():
 
 
 def bent(sense=1):
-    """Height SLOPE 4 v (1 - v) x: it meets the level along x = 0 at an angle of at most atan(SLOPE), at v = 1/2."""
+    """Height SLOPE 4 v (1 - v) x: it meets the level along x = 0 at an angle of at most
+    atan(SLOPE), at v = 1/2."""
     y = np.array([0, 0.5, 1])
-    return BezierPatch([np.stack([0 * y, y, 0 * y], axis=-1), np.stack([0 * y + sense, y, [0, 2 * SLOPE, 0]], axis=-1)])
+    return BezierPatch(
+        [
+            np.stack([0 * y, y, 0 * y], axis=-1),
+            np.stack([0 * y + sense, y, [0, 2 * SLOPE, 0]], axis=-1),
+        ]
+    )
 
 
 def encloses(figure, value, noise=0.0):
@@ -30,8 +36,15 @@ def test_figures_and_verdict():
     angle = math.degrees(math.atan(SLOPE))
     seam = seamwright.enclose_seam(level(), "u1", bent(), "u0")
     assert seam["gap_mm"]["upper"] < 1e-11
-    assert encloses(seam["angle_deg"], angle, 1e-13) and seam["angle_deg"]["at"] == pytest.approx(0.5, abs=0.1)
-    assert (seam["level"], seam["class"], seam["certified"], seam["note"]) == ("G0", "defect", True, "")
+    assert encloses(seam["angle_deg"], angle, 1e-13) and seam["angle_deg"]["at"] == pytest.approx(
+        0.5, abs=0.1
+    )
+    assert (seam["level"], seam["class"], seam["certified"], seam["note"]) == (
+        "G0",
+        "defect",
+        True,
+        "",
+    )
     accepted = seamwright.enclose_seam(level(), "u1", bent(), "u0", angle_deg=2 * angle)
     assert (accepted["level"], accepted["class"], accepted["certified"]) == ("G1", "smooth", True)
 
@@ -41,7 +54,8 @@ def triangle(sense, slope):
     return BezierTriangle([[0, 1, 0], [0, 0, 0], [sense, 0, slope]])
 
 
-# Planes that meet at 180 degrees less atan(slope) agree as well as those of a smooth seam: only the note tells.
+# Planes that meet at 180 degrees less atan(slope) agree as well as those of a smooth seam: only the
+# note tells.
 @pytest.mark.parametrize("slope", [0, 1e-4, 0.05])
 def test_a_fold_is_told_of_patches_and_triangles(slope):
     flap = BezierPatch([[[0, 0, 0], [0, 1, 0]], [[-1, 0, slope], [-1, 1, slope]]])
@@ -60,11 +74,15 @@ def test_a_fold_is_told_of_patches_and_triangles(slope):
 
 def test_curvature_of_a_rational_patch():
     radius, w = 2.0, math.sqrt(0.5)
-    arc = np.array([[[x, y, z] for y in (0, 1)] for x, z in ((0, radius), (radius, radius), (radius, 0))])
+    arc = np.array(
+        [[[x, y, z] for y in (0, 1)] for x, z in ((0, radius), (radius, radius), (radius, 0))]
+    )
     cylinder = BezierPatch(arc, weights=[[1, 1], [w, w], [1, 1]])
     flat = BezierPatch([[[-1, 0, radius], [-1, 1, radius]], [[0, 0, radius], [0, 1, radius]]])
     seam = seamwright.enclose_seam(flat, "u1", cylinder, "u0", level="G2")
-    assert encloses(seam["curvature_per_mm"], 1 / radius, 1e-9) and encloses(seam["curvature_rel"], 1, 1e-9)
+    assert encloses(seam["curvature_per_mm"], 1 / radius, 1e-9) and encloses(
+        seam["curvature_rel"], 1, 1e-9
+    )
     assert (seam["level"], seam["class"], seam["certified"]) == ("G1", "defect", True)
 
 
@@ -76,7 +94,9 @@ def test_other_edges_and_senses():
     poles = b.poles[:, ::-1]
     turned = seamwright.enclose_seam(a, "u1", BezierPatch(poles), "u0", reversed=True)
     assert turned["level"] == usual["level"] and turned["gap_mm"]["upper"] < 1e-11
-    assert seamwright.enclose_seam(a, "u1", BezierPatch(poles), "u0")["gap_mm"]["lower"] == pytest.approx(1)
+    assert seamwright.enclose_seam(a, "u1", BezierPatch(poles), "u0")["gap_mm"][
+        "lower"
+    ] == pytest.approx(1)
 
 
 def test_a_point_without_tangent_plane_is_named():
@@ -98,9 +118,16 @@ def test_what_figures_leave_out_is_listed():
     assert f"the curvature leaves out the first {last:.3g}" in seam["note"]
 
 
-@pytest.mark.parametrize("arguments, word", [
-    (("u2", "u0", {}), "u2"), (("u1", 3, {}), "edge_b"), (("u1", "u0", {"angle_deg": -1}), "-1"),
-    (("u1", "u0", {"level": "G3"}), "G3"), (("u1", "u0", {"gap_mm": "wide"}), "wide")])
+@pytest.mark.parametrize(
+    "arguments, word",
+    [
+        (("u2", "u0", {}), "u2"),
+        (("u1", 3, {}), "edge_b"),
+        (("u1", "u0", {"angle_deg": -1}), "-1"),
+        (("u1", "u0", {"level": "G3"}), "G3"),
+        (("u1", "u0", {"gap_mm": "wide"}), "wide"),
+    ],
+)
 def test_bad_arguments(arguments, word):
     edge_a, edge_b, keywords = arguments
     with pytest.raises(ValueError, match=word):
@@ -109,15 +136,22 @@ def test_bad_arguments(arguments, word):
 
 def test_arc_length_of_a_circle_at_any_speed():
     radius, speed = 2.5, 7.0
-    by_angle = [[radius * math.cos(k * math.pi / 2), radius * math.sin(k * math.pi / 2), 0] for k in range(6)]
-    found = seamwright.arc_length_derivatives([np.array(d) * speed**k for k, d in enumerate(by_angle)])
+    by_angle = [
+        [radius * math.cos(k * math.pi / 2), radius * math.sin(k * math.pi / 2), 0]
+        for k in range(6)
+    ]
+    found = seamwright.arc_length_derivatives(
+        [np.array(d) * speed**k for k, d in enumerate(by_angle)]
+    )
     expected = [np.array(d) / radius**k for k, d in enumerate(by_angle)]
     assert found == pytest.approx(np.array(expected), abs=1e-14)
     assert seamwright.arc_length_derivatives([[0, 0, 0], [0, 0, 0]]) is None
 
 
 def test_arc_length_of_a_curve():
-    curve = BezierCurve([[0, 0, 0], [1, 0, 0], [2, 0.5, 0]])  # (2 t, t^2 / 2): curvature 2 / 8 at t = 0
+    curve = BezierCurve(
+        [[0, 0, 0], [1, 0, 0], [2, 0.5, 0]]
+    )  # (2 t, t^2 / 2): curvature 2 / 8 at t = 0
     found = seamwright.arc_length_derivatives(curve.derivatives(0, 2))
     assert found == pytest.approx(np.array([[0, 0, 0], [1, 0, 0], [0, 0.25, 0]]))
 
@@ -133,7 +167,9 @@ def test_joint_of_halves_and_of_a_line_with_a_parabola():
     whole = BezierCurve(np.random.default_rng(3).normal(size=(6, 3)))
     joint = seamwright.measure_joint(*whole.split(0.3), order=4)
     assert joint["order_reached"] == 4 and len(joint["differences"]) == len(joint["sizes"]) == 5
-    line, parabola = BezierCurve([[-1, 0, 0], [0, 0, 0]]), BezierCurve([[0, 0, 0], [1, 0, 0], [2, 0.5, 0]])
+    line, parabola = BezierCurve([[-1, 0, 0], [0, 0, 0]]), BezierCurve(
+        [[0, 0, 0], [1, 0, 0], [2, 0.5, 0]]
+    )
     joint = seamwright.measure_joint(line, parabola)
     assert (joint["gap_mm"], joint["angle_rad"], joint["order_reached"]) == (0, 0, 1)
     assert joint["differences"][2] == pytest.approx(0.25)

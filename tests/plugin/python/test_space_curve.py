@@ -9,7 +9,9 @@ import pytest
 import seamwright
 from seamwright import BezierCurve
 
-CUSP = BezierCurve([[1, -1, 0], [-1 / 3, 1, 0], [-1 / 3, -1, 0], [1, 1, 0]])  # (u^2, u^3), u = 2 t - 1
+CUSP = BezierCurve(
+    [[1, -1, 0], [-1 / 3, 1, 0], [-1 / 3, -1, 0], [1, 1, 0]]
+)  # (u^2, u^3), u = 2 t - 1
 S = BezierCurve([[0, 0, 0], [1, 2, 0], [2, -2, 0], [3, 0, 0]])
 QUARTER = BezierCurve([[2, 0, 0], [2, 2, 0], [0, 2, 0]], [1, math.sqrt(0.5), 1])
 SPACE = BezierCurve([[0, 0, 0], [2, 0, 0], [2, 2, 1], [0, 3, 2], [1, 4, 4]])
@@ -20,7 +22,9 @@ def test_frame_of_a_circle():
         frame = seamwright.frenet_frame(QUARTER, t)
         assert frame["kind"] == "regular"
         assert frame["curvature_per_mm"] == pytest.approx(0.5, rel=1e-14)
-        assert abs(frame["torsion_per_mm"]) < 1e-14 and abs(frame["curvature_change_per_mm2"]) < 1e-13
+        assert (
+            abs(frame["torsion_per_mm"]) < 1e-14 and abs(frame["curvature_change_per_mm2"]) < 1e-13
+        )
         assert np.abs(frame["normal"] + QUARTER.point(t) / 2).max() < 1e-14
         assert np.abs(frame["binormal"] - [0, 0, 1]).max() < 1e-14
 
@@ -28,10 +32,14 @@ def test_frame_of_a_circle():
 def test_frame_in_space():
     frame = seamwright.frenet_frame(SPACE, 0.3)
     matrix = np.array([frame[name] for name in ("tangent", "normal", "binormal")])
-    assert np.abs(matrix @ matrix.T - np.eye(3)).max() < 1e-15 and np.linalg.det(matrix) == pytest.approx(1)
+    assert np.abs(matrix @ matrix.T - np.eye(3)).max() < 1e-15 and np.linalg.det(
+        matrix
+    ) == pytest.approx(1)
     x = SPACE.derivatives(0.3, 3)
     cross = np.cross(x[1], x[2])
-    assert frame["curvature_per_mm"] == pytest.approx(np.linalg.norm(cross) / np.linalg.norm(x[1]) ** 3)
+    assert frame["curvature_per_mm"] == pytest.approx(
+        np.linalg.norm(cross) / np.linalg.norm(x[1]) ** 3
+    )
     assert frame["torsion_per_mm"] == pytest.approx(cross @ x[3] / (cross @ cross))
 
 
@@ -69,7 +77,10 @@ def test_where_there_is_no_frame():
 
 def test_degeneracies():
     (place,) = seamwright.find_degeneracies(S)["places"]
-    assert place["kind"] == "inflection" and place["first"] <= 0.5 <= place["last"] < place["first"] + 1e-8
+    assert (
+        place["kind"] == "inflection"
+        and place["first"] <= 0.5 <= place["last"] < place["first"] + 1e-8
+    )
     found = seamwright.find_degeneracies(CUSP)
     assert [place["kind"] for place in found["places"]] == ["cusp"] and found["speed_lower"] == 0
     found = seamwright.find_degeneracies(SPACE, resolution=1e-6)
@@ -101,7 +112,9 @@ def test_length():
 
 
 def test_parameter_at_length():
-    assert seamwright.parameter_at_length(QUARTER, math.pi / 2, 1e-12) == pytest.approx(0.5, abs=1e-11)
+    assert seamwright.parameter_at_length(QUARTER, math.pi / 2, 1e-12) == pytest.approx(
+        0.5, abs=1e-11
+    )
     t = seamwright.parameter_at_length(SPACE, 2, 1e-10)
     assert seamwright.arc_length(SPACE, 1e-12, 0, t)["value_mm"] == pytest.approx(2, abs=1e-10)
 
@@ -130,13 +143,22 @@ def test_moving_frames():
         (lambda: seamwright.arc_length(S, 0), "tolerance is 0"),
         (lambda: seamwright.arc_length(S, None), "tolerance_mm is None"),
         (lambda: seamwright.arc_length(S, 1, 0.5, 2), "range is 0.5 .. 2"),
-        (lambda: seamwright.parameter_at_length(S, 100, 1e-6), "length is 100: the curve has 0 .. "),
+        (
+            lambda: seamwright.parameter_at_length(S, 100, 1e-6),
+            "length is 100: the curve has 0 .. ",
+        ),
         (lambda: seamwright.parameter_at_length(S, math.inf, 1e-6), "length is inf"),
         (lambda: seamwright.rotation_minimizing_frames(S, [0, 0]), "parameter 1 is 0"),
         (lambda: seamwright.rotation_minimizing_frames(S, 0.5), "parameters is 0.5"),
         (lambda: seamwright.rotation_minimizing_frames(S, [0, 1], [1, 2]), r"normal is \[1, 2\]"),
-        (lambda: seamwright.rotation_minimizing_frames(S, [0, 1], [0, 0, math.nan]), "coordinate 2 of the normal is nan"),
-        (lambda: seamwright.rotation_minimizing_frames(S, [0, 1], [1, 2, 0]), "must not lie along it"),
+        (
+            lambda: seamwright.rotation_minimizing_frames(S, [0, 1], [0, 0, math.nan]),
+            "coordinate 2 of the normal is nan",
+        ),
+        (
+            lambda: seamwright.rotation_minimizing_frames(S, [0, 1], [1, 2, 0]),
+            "must not lie along it",
+        ),
         (lambda: seamwright.rotation_minimizing_frames(CUSP, [0, 0.5, 1]), "cusp at parameter 0.5"),
         (lambda: seamwright.rotation_minimizing_frames(CUSP, [0, 1]), "cusp at parameter 0.5"),
     ],

@@ -13,21 +13,36 @@ RANDOM = np.random.default_rng(19)
 def spokes_of(count, closed=True, degree=3, bend=1.0):
     """Curves from (1, 2, 3) along the plane z = 3 at nearly equal angles, bent at random."""
     members = count if closed else count - 1
-    angles = (np.arange(count) + RANDOM.uniform(-0.2, 0.2, count)) * (2 * np.pi if closed else 4) / members
-    net = np.linspace(0, 10, degree + 1)[None, :, None] * np.stack([np.cos(angles), np.sin(angles), 0 * angles], axis=-1)[:, None, :]
+    angles = (
+        (np.arange(count) + RANDOM.uniform(-0.2, 0.2, count))
+        * (2 * np.pi if closed else 4)
+        / members
+    )
+    net = (
+        np.linspace(0, 10, degree + 1)[None, :, None]
+        * np.stack([np.cos(angles), np.sin(angles), 0 * angles], axis=-1)[:, None, :]
+    )
     net[:, 2:] += RANDOM.uniform(-bend, bend, net[:, 2:].shape)
     return net + [1, 2, 3]
 
 
 def pairs(umbrella, closed=True):
-    """For each inner spoke (member before, its edge, member behind, its edge, reversed, connection)."""
+    """For each inner spoke (member before, its edge, member behind, its edge, reversed,
+    connection)."""
     members = umbrella["members"]
     for i, connection in enumerate(umbrella["connections"]):
         if connection is None:
             continue
         before, after = members[i - 1], members[i]
         triangle = isinstance(before, BezierTriangle)
-        yield (before, "l0" if triangle else "u0", after, "l1" if isinstance(after, BezierTriangle) else "v0", triangle, connection)
+        yield (
+            before,
+            "l0" if triangle else "u0",
+            after,
+            "l1" if isinstance(after, BezierTriangle) else "v0",
+            triangle,
+            connection,
+        )
 
 
 @pytest.mark.parametrize("kinds", ["patch", "triangle", "mixed"])
@@ -37,7 +52,9 @@ def test_every_spoke_is_certified_g1(kinds, closed):
         m = count if closed else count - 1
         names = [("patch", "triangle")[k % 2] if kinds == "mixed" else kinds for k in range(m)]
         umbrella = seamwright.umbrella(spokes_of(count, closed), closed=closed, kinds=names)
-        assert [isinstance(member, BezierTriangle) for member in umbrella["members"]] == [n == "triangle" for n in names]
+        assert [isinstance(member, BezierTriangle) for member in umbrella["members"]] == [
+            n == "triangle" for n in names
+        ]
         inner = list(pairs(umbrella, closed))
         assert len(inner) == (m if closed else m - 1)
         for a, edge_a, b, edge_b, backwards, connection in inner:
@@ -48,7 +65,8 @@ def test_every_spoke_is_certified_g1(kinds, closed):
 
 
 def test_connections_are_those_of_the_joins():
-    """Row 1 of a member follows from its neighbour and the connection: seamwright.join_rows is other code."""
+    """Row 1 of a member follows from its neighbour and the connection: seamwright.join_rows is
+    other code."""
     umbrella = seamwright.umbrella(spokes_of(5))
     for before, edge, after, _, _, connection in pairs(umbrella):
         poles, _ = seamwright.join_rows(before, edge, degree_across=3, degree=3, **connection)
@@ -61,19 +79,33 @@ def test_members_given_come_back():
     first = seamwright.umbrella(spokes)
     again = seamwright.umbrella(first["spokes"], members=first["members"])
     assert again["member_move_mm"] < 1e-11 and again["spoke_move_mm"] < 1e-13
-    moved = [BezierPatch(member.poles + RANDOM.uniform(-0.1, 0.1, (4, 4, 3))) for member in first["members"]]
+    moved = [
+        BezierPatch(member.poles + RANDOM.uniform(-0.1, 0.1, (4, 4, 3)))
+        for member in first["members"]
+    ]
     near = seamwright.umbrella(spokes, members=moved)
-    change = [sum(np.sum((a.poles - b.poles) ** 2) for a, b in zip(umbrella["members"], moved)) for umbrella in (near, first)]
+    change = [
+        sum(np.sum((a.poles - b.poles) ** 2) for a, b in zip(umbrella["members"], moved))
+        for umbrella in (near, first)
+    ]
     assert 0 < change[0] < change[1]
 
 
 def test_spokes_of_a_sphere_make_the_normal_of_the_sphere():
-    """Spokes that share the tangent plane and the normal curvature of a sphere: of an even fan nothing has to change."""
+    """Spokes that share the tangent plane and the normal curvature of a sphere: of an even fan
+    nothing has to change."""
     angles = np.array([0, 0.9, 2.1, 3.0, 4.4, 5.3])
     out = np.stack([np.cos(angles), np.sin(angles), 0 * angles], axis=-1)
     step = 2.0
-    poles = np.stack([0 * out, step * out, 2 * step * out + [0, 0, -1.5 * step**2 / 20],
-                      3 * step * out + [0, 0, -4]], axis=1)
+    poles = np.stack(
+        [
+            0 * out,
+            step * out,
+            2 * step * out + [0, 0, -1.5 * step**2 / 20],
+            3 * step * out + [0, 0, -4],
+        ],
+        axis=1,
+    )
     umbrella = seamwright.umbrella(poles)
     assert umbrella["second_change_mm"] < 1e-12
     assert abs(umbrella["normal"]) == pytest.approx([0, 0, 1])
@@ -81,7 +113,10 @@ def test_spokes_of_a_sphere_make_the_normal_of_the_sphere():
     turned[0, 2, 2] += 1
     assert seamwright.umbrella(turned)["second_change_mm"] > 0.1
     shaped = seamwright.umbrella(turned, form=-np.diag([1, 1, 0]) / 20 * umbrella["normal"][2])
-    curvatures = [curve.derivatives(0, 2)[2] @ umbrella["normal"] / (9 * step**2) for curve in shaped["spokes"]]
+    curvatures = [
+        curve.derivatives(0, 2)[2] @ umbrella["normal"] / (9 * step**2)
+        for curve in shaped["spokes"]
+    ]
     assert curvatures == pytest.approx([-umbrella["normal"][2] / 20] * 6)
 
 
@@ -96,25 +131,35 @@ def test_inside_a_boundary():
         assert umbrella["angles_rad"].sum() == pytest.approx(2 * np.pi)
         for k, member in enumerate(umbrella["members"]):
             for t in np.linspace(0, 1, 5):
-                assert member.point(1, t) == pytest.approx(BezierCurve(sides[k]).point((1 + t) / 2), abs=1e-12)
-                assert member.point(t, 1) == pytest.approx(BezierCurve(sides[(k + 1) % n]).point((1 - t) / 2), abs=1e-12)
+                assert member.point(1, t) == pytest.approx(
+                    BezierCurve(sides[k]).point((1 + t) / 2), abs=1e-12
+                )
+                assert member.point(t, 1) == pytest.approx(
+                    BezierCurve(sides[(k + 1) % n]).point((1 - t) / 2), abs=1e-12
+                )
         for a, edge_a, b, edge_b, _, _ in pairs(umbrella):
             assert seamwright.join_condition(a, edge_a, b, edge_b)["angle_bound_rad"] < 1e-9
 
 
-@pytest.mark.parametrize("arguments, words", [
-    ({"closed": 1}, "closed is 1: True or False is needed"),
-    ({"kinds": ["patch", "plane", "patch"]}, "kind 1 is 'plane': 'patch' and 'triangle' are known"),
-    ({"kinds": ["patch"]}, "1 kinds for 3 sectors"),
-    ({"members": [1]}, "member 0 is 1: a BezierPatch or a BezierTriangle is needed"),
-    ({"degree": 2}, "degree 2 of the members"),
-    ({"degree": 3.5}, "degree is 3.5: a whole number is needed"),
-    ({"slopes": [0, 0]}, "2 values of lambda for 3 spokes"),
-    ({"slopes": [0, float("nan"), 0]}, "lambda of spoke 1 is nan"),
-    ({"form": np.eye(2)}, "shape"),
-    ({"gap_mm": -1}, "gap_mm is -1"),
-    ({"flat_rad": "0.1"}, "flat_rad is '0.1'"),
-])
+@pytest.mark.parametrize(
+    "arguments, words",
+    [
+        ({"closed": 1}, "closed is 1: True or False is needed"),
+        (
+            {"kinds": ["patch", "plane", "patch"]},
+            "kind 1 is 'plane': 'patch' and 'triangle' are known",
+        ),
+        ({"kinds": ["patch"]}, "1 kinds for 3 sectors"),
+        ({"members": [1]}, "member 0 is 1: a BezierPatch or a BezierTriangle is needed"),
+        ({"degree": 2}, "degree 2 of the members"),
+        ({"degree": 3.5}, "degree is 3.5: a whole number is needed"),
+        ({"slopes": [0, 0]}, "2 values of lambda for 3 spokes"),
+        ({"slopes": [0, float("nan"), 0]}, "lambda of spoke 1 is nan"),
+        ({"form": np.eye(2)}, "shape"),
+        ({"gap_mm": -1}, "gap_mm is -1"),
+        ({"flat_rad": "0.1"}, "flat_rad is '0.1'"),
+    ],
+)
 def test_bad_arguments(arguments, words):
     with pytest.raises(ValueError) as error:
         seamwright.umbrella(spokes_of(3), **arguments)
@@ -123,10 +168,13 @@ def test_bad_arguments(arguments, words):
 
 def test_bad_spokes():
     spokes = list(spokes_of(4))
-    for change, words in (((2, slice(None), np.nan), "not finite"), ((2, 0, 9.0), "spoke 2 begins"),
-                          ((1, 1, spokes[1][0]), "tangent of spoke 1 has length 0"),
-                          ((1, 1, spokes[1][1] + [0, 0, 1]), "out of the plane"),
-                          ((1, 1, spokes[0][1]), "sector 0, from spoke 0 to 1, has no angle")):
+    for change, words in (
+        ((2, slice(None), np.nan), "not finite"),
+        ((2, 0, 9.0), "spoke 2 begins"),
+        ((1, 1, spokes[1][0]), "tangent of spoke 1 has length 0"),
+        ((1, 1, spokes[1][1] + [0, 0, 1]), "out of the plane"),
+        ((1, 1, spokes[0][1]), "sector 0, from spoke 0 to 1, has no angle"),
+    ):
         bad = [np.array(poles) for poles in spokes]
         bad[change[0]][change[1]] = change[2]
         with pytest.raises(ValueError) as error:

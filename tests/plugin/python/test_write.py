@@ -17,8 +17,15 @@ HERE = pathlib.Path(__file__).parent
 sys.path.insert(0, str(HERE.parent / "cli"))
 from models import OCCT_DATA, box_text, installed  # noqa: E402
 
-FORMATS = {"a.step": "STEP", "a.STP": "STEP", "a.igs": "IGES", "a.iges": "IGES", "a.brep": "BREP", "a.brp": "BREP",
-           "a.bin": "binary BREP"}
+FORMATS = {
+    "a.step": "STEP",
+    "a.STP": "STEP",
+    "a.igs": "IGES",
+    "a.iges": "IGES",
+    "a.brep": "BREP",
+    "a.brp": "BREP",
+    "a.bin": "binary BREP",
+}
 
 
 @pytest.fixture
@@ -34,7 +41,10 @@ def facts(model):
 
 def verdicts(model):
     """Faces, level, class and length of each seam."""
-    return [(seam["faces"], seam["level"], seam["class"], round(seam["length_mm"], 6)) for seam in model.analyze().seams]
+    return [
+        (seam["faces"], seam["level"], seam["class"], round(seam["length_mm"], 6))
+        for seam in model.analyze().seams
+    ]
 
 
 def test_every_format(box, tmp_path):
@@ -51,19 +61,29 @@ def test_real_files_come_back(tmp_path):
     for name in ("step/screw.step", "step/linkrods.step"):
         model = seamwright.read(installed(OCCT_DATA / name))
         report = model.write(tmp_path / "out.step", overwrite=True)
-        assert report == {"format": "STEP", "followed_source": True, "changed_faces": 0, "changed_edges": 0,
-                          "changed_vertices": 0, "notes": []}
+        assert report == {
+            "format": "STEP",
+            "followed_source": True,
+            "changed_faces": 0,
+            "changed_edges": 0,
+            "changed_vertices": 0,
+            "notes": [],
+        }
         back = seamwright.read(tmp_path / "out.step")
         assert facts(back) == facts(model)
         assert verdicts(back) == verdicts(model)
 
 
 def test_attributes_tell_layers(box):
-    assert all(set(entry) == {"kind", "index", "name", "color", "layers"} for entry in box.attributes)
+    assert all(
+        set(entry) == {"kind", "index", "name", "color", "layers"} for entry in box.attributes
+    )
 
 
 def test_from_memory(box, tmp_path):
-    memory = seamwright.bridge._core._model_from_binary(seamwright.bridge._core._binary_from_model(box))
+    memory = seamwright.bridge._core._model_from_binary(
+        seamwright.bridge._core._binary_from_model(box)
+    )
     assert memory.path == ""
     report = memory.write(tmp_path / "memory.step")
     assert report["followed_source"] is False
@@ -73,8 +93,13 @@ def test_from_memory(box, tmp_path):
 def test_refusals_name_the_file(box, tmp_path):
     before = (tmp_path / "box.step").read_bytes()
     (tmp_path / "old.step").write_text("old")
-    for path, words in (("a.stl", "tells no format"), ("a", "tells no format"), ("none/a.step", "no folder"),
-                        ("old.step", "overwrite"), ("box.step", "overwrite the source")):
+    for path, words in (
+        ("a.stl", "tells no format"),
+        ("a", "tells no format"),
+        ("none/a.step", "no folder"),
+        ("old.step", "overwrite"),
+        ("box.step", "overwrite the source"),
+    ):
         with pytest.raises(seamwright.ModelError) as error:
             box.write(tmp_path / path)
         assert words in str(error.value) and str(tmp_path / path) in str(error.value)
@@ -83,10 +108,16 @@ def test_refusals_name_the_file(box, tmp_path):
     with pytest.raises(TypeError):
         box.write(tmp_path / "old.step", True)
     assert sorted(os.listdir(tmp_path)) == ["box.step", "old.step"]
-    assert (tmp_path / "box.step").read_bytes() == before and (tmp_path / "old.step").read_text() == "old"
+    assert (tmp_path / "box.step").read_bytes() == before and (
+        tmp_path / "old.step"
+    ).read_text() == "old"
     box.write(tmp_path / "old.step", overwrite=True)
     box.write(tmp_path / "box.step", overwrite_source=True)
-    assert facts(seamwright.read(tmp_path / "old.step")) == facts(seamwright.read(tmp_path / "box.step")) == facts(box)
+    assert (
+        facts(seamwright.read(tmp_path / "old.step"))
+        == facts(seamwright.read(tmp_path / "box.step"))
+        == facts(box)
+    )
 
 
 def test_a_source_that_is_gone(box, tmp_path):
@@ -137,4 +168,6 @@ def test_killed_at_any_moment(box, tmp_path):
             time.sleep(moments.uniform(0, 0.03))
             writer.send_signal(signal.SIGKILL)
         assert target.read_bytes() in contents
-        assert all(name == "target.brep" or name.endswith(".part") for name in os.listdir(target.parent))
+        assert all(
+            name == "target.brep" or name.endswith(".part") for name in os.listdir(target.parent)
+        )

@@ -63,7 +63,9 @@ class SeamAnalysis(feature.Feature):
         adder.add("App::PropertyLinkListGlobal", "Sources", "Seams",
                   "The objects to analyse; empty means all solids and shells of the document")  # fmt: skip
         adder.add_tolerances(TOLERANCES)
-        adder.add_choice("Level", "Tolerances", "Level every seam should meet", LEVELS, DEFAULT_LEVEL)
+        adder.add_choice(
+            "Level", "Tolerances", "Level every seam should meet", LEVELS, DEFAULT_LEVEL
+        )
         adder.add_results(RESULTS, INTERNAL)
         obj.setEditorMode("Placement", ["Hidden"])
 
@@ -82,7 +84,9 @@ class SeamAnalysis(feature.Feature):
             report["freecad"] = owners(model, level, report)
             return report, seam_edges(model.shape, report), model.objects
 
-        return feature.Job(WORKING, lambda progress: make().analyze(**given, progress=progress).to_dict(), finish)
+        return feature.Job(
+            WORKING, lambda progress: make().analyze(**given, progress=progress).to_dict(), finish
+        )
 
     @staticmethod
     def store(obj, report, shape, objects):

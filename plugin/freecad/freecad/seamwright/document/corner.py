@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The document object Corner Fillet: a solid with the edges at one vertex rounded, each with a radius of its own.
+"""The document object Corner Fillet: a solid with the edges at one vertex rounded, each with a
+radius of its own.
 
-Its shape is the model of the source with fillets that end in sections set back from the vertex, and patches between
-them; the source is only read. The class path is written into documents: neither rename nor move it.
+Its shape is the model of the source with fillets that end in sections set back from the vertex, and
+patches between them; the source is only read. The class path is written into documents: neither
+rename nor move it.
 """
 
 import Part
@@ -27,8 +29,16 @@ TOLERANCES = (
 
 RESULTS = (
     ("Summary", "App::PropertyString", "What came of it, in one line"),
-    ("Met", "App::PropertyBool", "Whether the solid is valid and every new seam surely meets the tolerances"),
-    ("CornerEdges", "App::PropertyStringList", "The edges at the vertex, in the order of Radii and Setbacks"),
+    (
+        "Met",
+        "App::PropertyBool",
+        "Whether the solid is valid and every new seam surely meets the tolerances",
+    ),
+    (
+        "CornerEdges",
+        "App::PropertyStringList",
+        "The edges at the vertex, in the order of Radii and Setbacks",
+    ),
     ("Patches", "App::PropertyInteger", "Number of patches of the corner"),
     ("MaxGap", "App::PropertyLength", "No gap of a new seam is larger, in mm"),
     ("MaxAngle", "App::PropertyAngle", "No angle of a new seam is larger, in degrees"),
@@ -48,7 +58,9 @@ class CornerFillet(feature.Feature):
         """Add the properties an object lacks, with their defaults."""
         adder = properties.Adder(obj)
         adder.add("App::PropertyLinkGlobal", "Source", "Corner", "The object with the corner")
-        adder.add("App::PropertyLinkSubGlobal", "Vertex", "Corner", "The vertex whose edges are rounded")
+        adder.add(
+            "App::PropertyLinkSubGlobal", "Vertex", "Corner", "The vertex whose edges are rounded"
+        )
         tip = "Radii in mm, of the edges in the order of CornerEdges; one number: of all"
         adder.add("App::PropertyFloatList", "Radii", "Corner", tip)
         tip = "Where the fillets end, from the vertex along the edge, in mm, likewise; 0, or none: it is chosen"
@@ -101,8 +113,8 @@ def is_corner(obj):
 def fillet_job(module, obj, private=False):
     """A Job for (report, shape, names of the edges).
 
-    Raises SourceError for links that lead nowhere, ValueError for bad values and corners that cannot be rounded; its
-    ``run`` does likewise.
+    Raises SourceError for links that lead nowhere, ValueError for bad values and corners that
+    cannot be rounded; its ``run`` does likewise.
     """
     shape = elements.source_shape(obj)
     _, vertex, edges, _ = _corner(module, obj)
@@ -150,13 +162,15 @@ def corner_of(obj):
 
 
 def create(source, vertex, radii_mm=None, *, setbacks_mm=None, **tolerances):
-    """Round the edges at a vertex: add a Corner Fillet to the document of the object, compute it and return it.
+    """Round the edges at a vertex: add a Corner Fillet to the document of the object, compute it
+    and return it.
 
-    ``vertex``: "Vertex6" or 6. ``radii_mm``, ``setbacks_mm``: a number for all edges, or a list of numbers in the order of
-    ``corner_of``; a radius of None is a tenth of the shortest edge, a setback of None or 0 is chosen. ``tolerances``:
-    gap_mm, angle_deg, section_mm, and profile, a name of profiles.PROFILES. Raises TypeError and ValueError for bad
-    arguments, kernel.KernelUnavailable when the compiled part is missing. Where the corner cannot be rounded the object
-    has no shape, and ``error_text`` says why.
+    ``vertex``: "Vertex6" or 6. ``radii_mm``, ``setbacks_mm``: a number for all edges, or a list of
+    numbers in the order of ``corner_of``; a radius of None is a tenth of the shortest edge, a
+    setback of None or 0 is chosen. ``tolerances``: gap_mm, angle_deg, section_mm, and profile, a
+    name of profiles.PROFILES. Raises TypeError and ValueError for bad arguments,
+    kernel.KernelUnavailable when the compiled part is missing. Where the corner cannot be rounded
+    the object has no shape, and ``error_text`` says why.
     """
     obj = prepare(source, vertex, radii_mm, setbacks_mm=setbacks_mm, **tolerances)
     obj.Document.recompute()

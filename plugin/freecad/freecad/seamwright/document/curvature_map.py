@@ -22,10 +22,11 @@ ROUGH_MM = 1.0
 
 
 def curvature_map_later(shape):
-    """A callable(progress) -> ShownMesh with ``mean_per_mm`` of a shape as it is now, which any thread may call.
+    """A callable(progress) -> ShownMesh with ``mean_per_mm`` of a shape as it is now, which any
+    thread may call.
 
-    ``progress`` is a callable(fraction) that returns False to stop; then None is returned. Raises KernelUnavailable
-    when the compiled part is missing.
+    ``progress`` is a callable(fraction) that returns False to stop; then None is returned. Raises
+    KernelUnavailable when the compiled part is missing.
     """
     module = kernel.load(Part.OCC_VERSION)
     if shape.isNull() or not shape.Faces:
@@ -56,17 +57,26 @@ def curvature_map_later(shape):
 
 
 def _groups(shape):
-    """A number for each face, the same for the faces of a shell: they have their normals on one side."""
-    shells = {face.hashCode(): number for number, shell in enumerate(shape.Shells) for face in shell.Faces}
+    """A number for each face, the same for the faces of a shell: they have their normals on one
+    side."""
+    shells = {
+        face.hashCode(): number for number, shell in enumerate(shape.Shells) for face in shell.Faces
+    }
     return [shells.get(face.hashCode(), -place) for place, face in enumerate(shape.Faces, 1)]
 
 
 def align(mesh, other):
-    """Let a ShownMesh have its normals on the sides where another has them, of the same faces moved or joined."""
+    """Let a ShownMesh have its normals on the sides where another has them, of the same faces moved
+    or joined."""
     if len(mesh.first_nodes) == len(other.first_nodes):
-        mesh.turn(orientation.agreeing(mesh.normals, mesh.first_nodes, other.normals, other.first_nodes))
+        mesh.turn(
+            orientation.agreeing(mesh.normals, mesh.first_nodes, other.normals, other.first_nodes)
+        )
 
 
 def _mesh(model, small, progress):
-    """Triangles of a Model, small ones on these faces; on some faces that are closed this fails, and large ones do not."""
-    return model.display_mesh(curvatures=True, before=model, moved_faces=small, rough_mm=ROUGH_MM, progress=progress)
+    """Triangles of a Model, small ones on these faces; on some faces that are closed this fails,
+    and large ones do not."""
+    return model.display_mesh(
+        curvatures=True, before=model, moved_faces=small, rough_mm=ROUGH_MM, progress=progress
+    )

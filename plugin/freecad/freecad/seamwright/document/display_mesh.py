@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Triangles of a shape with the normals of its surfaces, fine enough for reflections, as the kernel makes them.
+"""Triangles of a shape with the normals of its surfaces, fine enough for reflections, as the kernel
+makes them.
 
 Nothing is shared between faces, so that a break at a seam stays a break.
 """
@@ -11,11 +12,13 @@ from freecad.seamwright.plain import kernel
 
 
 class ShownMesh:
-    """Arrays to draw: ``points`` and ``normals`` (n, 3), ``triangles`` (m, 3), ``moves_mm`` and ``mean_per_mm`` (n,) or empty.
+    """Arrays to draw: ``points`` and ``normals`` (n, 3), ``triangles`` (m, 3), ``moves_mm`` and
+    ``mean_per_mm`` (n,) or empty.
 
-    ``mean_per_mm``: the mean curvatures in 1/mm, positive where the face bends towards its normal; nan where it has none.
-    The points of face k are those from ``first_nodes[k - 1]`` to ``first_nodes[k]``. ``faults``: dicts of face, from 1, and
-    reason, for the faces whose triangles are missing or do not cover them.
+    ``mean_per_mm``: the mean curvatures in 1/mm, positive where the face bends towards its normal;
+    nan where it has none. The points of face k are those from ``first_nodes[k - 1]`` to
+    ``first_nodes[k]``. ``faults``: dicts of face, from 1, and reason, for the faces whose triangles
+    are missing or do not cover them.
     """
 
     def __init__(self):
@@ -31,11 +34,16 @@ class ShownMesh:
         shown = cls()
         shown.points, shown.normals, shown.triangles = mesh.points, mesh.normals, mesh.triangles
         shown.first_nodes = numpy.asarray(mesh.first_nodes, int)
-        shown.moves_mm, shown.mean_per_mm, shown.faults = mesh.moves_mm, mesh.mean_curvature, mesh.faults
+        shown.moves_mm, shown.mean_per_mm, shown.faults = (
+            mesh.moves_mm,
+            mesh.mean_curvature,
+            mesh.faults,
+        )
         return shown
 
     def turn(self, signs):
-        """Turn over the normals of the faces that have a -1, and with them the signs of the curvatures."""
+        """Turn over the normals of the faces that have a -1, and with them the signs of the
+        curvatures."""
         each = numpy.repeat(signs, numpy.diff(self.first_nodes))
         self.normals, self.mean_per_mm = self.normals * each[:, None], self.mean_per_mm * each
 
@@ -48,18 +56,23 @@ class ShownMesh:
 def display_mesh(shape, progress=None):
     """The ShownMesh of all faces of a Part.Shape, which is left as it is.
 
-    ``progress`` is a callable(fraction) that returns False to stop; then None is returned. Raises KernelUnavailable
-    when the compiled part is missing.
+    ``progress`` is a callable(fraction) that returns False to stop; then None is returned. Raises
+    KernelUnavailable when the compiled part is missing.
     """
     module = kernel.load(Part.OCC_VERSION)
     if shape.isNull() or not shape.Faces:
         return ShownMesh()
     try:
-        return ShownMesh.of(module.Model.from_freecad(shape).display_mesh(curvatures=False, progress=progress))
+        return ShownMesh.of(
+            module.Model.from_freecad(shape).display_mesh(curvatures=False, progress=progress)
+        )
     except module.Cancelled:
         return None
 
 
 def fault_lines(label, faults):
     """A line for each fault, for the user."""
-    return ["%s: Face%d is not drawn as it is: %s" % (label, fault["face"], fault["reason"]) for fault in faults]
+    return [
+        "%s: Face%d is not drawn as it is: %s" % (label, fault["face"], fault["reason"])
+        for fault in faults
+    ]

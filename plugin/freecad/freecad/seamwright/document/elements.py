@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""An object that is made from one source, the property ``Source``, and from faces, edges or vertices of it."""
+"""An object that is made from one source, the property ``Source``, and from faces, edges or
+vertices of it."""
 
 import operator
 
@@ -39,31 +40,42 @@ def link_to(obj, chosen):
 def checked_names(argument, given, kind):
     """["Face3", ...] for a sequence of names or of numbers from 1.
 
-    Raises TypeError for anything else. Whether the source has them is found when the object is computed.
+    Raises TypeError for anything else. Whether the source has them is found when the object is
+    computed.
     """
     if isinstance(given, str) or not hasattr(given, "__iter__"):
-        raise TypeError('%s = %r: a list is needed, of names, "%s1", or of numbers from 1' % (argument, given, kind))
-    return [checked_name("%s[%d]" % (argument, place), each, kind) for place, each in enumerate(given)]
+        raise TypeError(
+            '%s = %r: a list is needed, of names, "%s1", or of numbers from 1'
+            % (argument, given, kind)
+        )
+    return [
+        checked_name("%s[%d]" % (argument, place), each, kind) for place, each in enumerate(given)
+    ]
 
 
 def checked_name(argument, given, kind):
-    """"Face3" for itself or for 3. Raises TypeError for anything else, as ``checked_names``."""
+    """ "Face3" for itself or for 3. Raises TypeError for anything else, as ``checked_names``."""
     try:
         name = given if isinstance(given, str) else "%s%d" % (kind, operator.index(given))
     except TypeError:
         name = ""
     if isinstance(given, bool) or not name:
-        raise TypeError('%s = %r: a name is needed, "%s1", or a number from 1' % (argument, given, kind))
+        raise TypeError(
+            '%s = %r: a name is needed, "%s1", or a number from 1' % (argument, given, kind)
+        )
     return name
 
 
 def numbers(obj, shape, name, kind):
-    """The numbers of the elements that a property names, all of one of ``KINDS``. Raises SourceError for others."""
+    """The numbers of the elements that a property names, all of one of ``KINDS``. Raises
+    SourceError for others."""
     link = getattr(obj, name)
     if not link or link[0] is None:
         return []
     if link[0] != obj.Source:
-        raise sources.SourceError("%s names %s, which is not the source %s" % (name, link[0].Label, obj.Source.Label))
+        raise sources.SourceError(
+            "%s names %s, which is not the source %s" % (name, link[0].Label, obj.Source.Label)
+        )
     count = len(getattr(shape, KINDS[kind]))
     return [_number(obj.Source, element, kind, count) for element in names(obj, name)]
 

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the document objects of the workbench have in common: a Part::FeaturePython that keeps the kernel's report.
+"""What the document objects of the workbench have in common: a Part::FeaturePython that keeps the
+kernel's report.
 
-A computation is a ``Job``. A recompute runs it at once. A window runs it in a thread of its own, see document/plan.py, and
-the recompute that follows takes over what was found.
+A computation is a ``Job``. A recompute runs it at once. A window runs it in a thread of its own,
+see document/plan.py, and the recompute that follows takes over what was found.
 """
 
 import json
@@ -27,8 +28,9 @@ INTERNAL = (
 class Job(NamedTuple):
     """One computation, with all that it needs from the document.
 
-    ``run(progress)`` touches no document: any thread may call it. ``finish(found)`` is called where the document may be
-    read, with what ``run`` returned; it returns the arguments of ``store``. ``text`` says what is going on.
+    ``run(progress)`` touches no document: any thread may call it. ``finish(found)`` is called where
+    the document may be read, with what ``run`` returned; it returns the arguments of ``store``.
+    ``text`` says what is going on.
     """
 
     text: str
@@ -37,10 +39,12 @@ class Job(NamedTuple):
 
 
 class Feature:
-    """Proxy of a document object. A subclass has a ``Type`` and computes; nothing is kept beside the properties.
+    """Proxy of a document object. A subclass has a ``Type`` and computes; nothing is kept beside
+    the properties.
 
-    ``TOLERANCES``: a table as properties.TOLERANCES; ``EMPTY_REPORT``: what a report of nothing has beside target and tolerances.
-    ``INPUTS``: the names of the other properties that a computation depends on.
+    ``TOLERANCES``: a table as properties.TOLERANCES; ``EMPTY_REPORT``: what a report of nothing has
+    beside target and tolerances. ``INPUTS``: the names of the other properties that a computation
+    depends on.
     """
 
     Type = ""
@@ -65,9 +69,11 @@ class Feature:
 
     @staticmethod
     def job(module, obj, private=False):
-        """The Job for the kernel ``module``. ``private``: it works on copies of the shapes, so that another thread may run it.
+        """The Job for the kernel ``module``. ``private``: it works on copies of the shapes, so that
+        another thread may run it.
 
-        Raises SourceError, ModelError or ValueError where there is nothing to compute; its ``run`` does likewise.
+        Raises SourceError, ModelError or ValueError where there is nothing to compute; its ``run``
+        does likewise.
         """
         raise NotImplementedError
 
@@ -105,7 +111,8 @@ class Feature:
     def execute(self, obj):
         """Compute, or take over what was computed; ``Outcome`` and Summary say what came of it.
 
-        Where the source is of no use, or the kernel is missing, the object is marked as in error too.
+        Where the source is of no use, or the kernel is missing, the object is marked as in error
+        too.
         """
         module = kernel.load(Part.OCC_VERSION)
         try:
@@ -188,7 +195,8 @@ def keep_report(obj, report):
 
 
 def model_maker(module, shape, private):
-    """callable() -> Model of a shape; ``private``: of a copy, as it is now, which any thread may make."""
+    """callable() -> Model of a shape; ``private``: of a copy, as it is now, which any thread may
+    make."""
     if private:
         return module.bridge.model_later(shape)
     model = module.Model.from_freecad(shape)
@@ -196,6 +204,7 @@ def model_maker(module, shape, private):
 
 
 def put_shape(obj, shape):
-    """Give the object the shape, where it stands: while it recomputes, FreeCAD moves a shape to the object's Placement."""
+    """Give the object the shape, where it stands: while it recomputes, FreeCAD moves a shape to the
+    object's Placement."""
     obj.Placement = shape.Placement
     obj.Shape = shape

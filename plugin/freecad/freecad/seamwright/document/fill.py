@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The document object Umbrella Fill: a model whose holes are closed with faces tangent to their surroundings.
+"""The document object Umbrella Fill: a model whose holes are closed with faces tangent to their
+surroundings.
 
-Its shape is the model of the source with the new faces sewn in; the source is only read. The class path is written into
-documents: neither rename nor move it.
+Its shape is the model of the source with the new faces sewn in; the source is only read. The class
+path is written into documents: neither rename nor move it.
 """
 
 import Part
@@ -42,7 +43,11 @@ RESULTS = (
     ("NewFaces", "App::PropertyInteger", "Number of new faces"),
     ("MaxGap", "App::PropertyLength", "No gap of a new seam is larger, in mm"),
     ("MaxAngle", "App::PropertyAngle", "No angle of a new seam is larger, in degrees"),
-    ("MaxCurvature", "App::PropertyFloat", "No relative difference of curvature at a new seam is larger"),
+    (
+        "MaxCurvature",
+        "App::PropertyFloat",
+        "No relative difference of curvature at a new seam is larger",
+    ),
 )
 
 
@@ -61,7 +66,13 @@ class UmbrellaFill(feature.Feature):
         adder.add("App::PropertyLinkGlobal", "Source", "Holes", "The object whose holes are filled")
         for name, _, tip in ELEMENTS:
             adder.add("App::PropertyLinkSubGlobal", name, "Holes", tip)
-        adder.add_choice("Target", "Fill", "What every new seam has to meet; G0: position only", TARGETS, TARGETS[0])
+        adder.add_choice(
+            "Target",
+            "Fill",
+            "What every new seam has to meet; G0: position only",
+            TARGETS,
+            TARGETS[0],
+        )
         adder.add("App::PropertyBool", "KeepAnyway", "Fill", "Keep also fills that miss the target")
         adder.add_tolerances(TOLERANCES)
         adder.add_results(RESULTS, feature.INTERNAL)
@@ -113,12 +124,17 @@ def is_fill(obj):
 
 
 def fill_job(module, obj, private=False):
-    """A Job for (report, shape). Raises SourceError for links that lead nowhere, ValueError for bad values; its run too."""
+    """A Job for (report, shape). Raises SourceError for links that lead nowhere, ValueError for bad
+    values; its run too."""
     shape = elements.source_shape(obj)
     edges, faces = (elements.numbers(obj, shape, *entry[:2]) for entry in ELEMENTS)
     if len(faces) > 1:
         raise sources.SourceError("%d faces are chosen: one is replaced at a time" % len(faces))
-    limits, label, make = tolerances(obj), obj.Source.Label, feature.model_maker(module, shape, private)
+    limits, label, make = (
+        tolerances(obj),
+        obj.Source.Label,
+        feature.model_maker(module, shape, private),
+    )
     given = {"target": obj.Target, "keep_anyway": bool(obj.KeepAnyway), **limits}
     report = empty_report(obj)
 
@@ -131,14 +147,17 @@ def fill_job(module, obj, private=False):
 
     def finish(found):
         entries, shapes = found
-        entries, last = _joined(entries, [None if model is None else model.to_freecad() for model in shapes])
+        entries, last = _joined(
+            entries, [None if model is None else model.to_freecad() for model in shapes]
+        )
         return {**report, "fills": entries}, last
 
     return feature.Job("Filling\u2026", run, finish)
 
 
 def _fill_each(model, given, wanted, progress):
-    """(what came of each of the wanted holes or faces, the model after each, or None); the last one comes first."""
+    """(what came of each of the wanted holes or faces, the model after each, or None); the last one
+    comes first."""
     entries, models = [], []
     for place, which in enumerate(reversed(wanted)):  # so the numbers of the others stay
         found = model.fill(**which, progress=_part(progress, place, len(wanted)), **given)
@@ -149,7 +168,8 @@ def _fill_each(model, given, wanted, progress):
 
 
 def _joined(entries, shapes):
-    """(what came of each of the wanted holes or faces in their order, the shape with all filled, or none where none is)."""
+    """(what came of each of the wanted holes or faces in their order, the shape with all filled, or
+    none where none is)."""
     done = [(entry, shape) for entry, shape in zip(entries, shapes) if shape is not None]
     last = done[-1][1] if done else Part.Shape()
     for entry, shape in done[:-1]:
@@ -158,7 +178,8 @@ def _joined(entries, shapes):
 
 
 def _holes(model, limits, label, edges):
-    """(all holes, those that are to be filled). Raises ValueError where there are none, and for other edges."""
+    """(all holes, those that are to be filled). Raises ValueError where there are none, and for
+    other edges."""
     holes = model.holes(corner_deg=limits["corner_deg"], gap_mm=limits["gap_mm"])
     if not holes:
         raise ValueError("%s has no hole: no open edges form a closed loop." % label)
@@ -171,7 +192,8 @@ def _part(progress, place, count):
 
 
 def _renumber(entry, shape, last):
-    """Give faces and edges of a fill the numbers that they have in the last shape, after more holes were filled."""
+    """Give faces and edges of a fill the numbers that they have in the last shape, after more holes
+    were filled."""
     middles = [_middle(edge) for edge in last.Edges]
     faces = {}  # of an edge, by its place in memory
     for number, face in enumerate(last.Faces, 1):
@@ -179,7 +201,9 @@ def _renumber(entry, shape, last):
             faces.setdefault(edge.hashCode(), []).append(number)
     for seam in entry["seams"]:
         middle = _middle(shape.Edges[seam["edges"][0] - 1])
-        place = min(range(len(middles)), key=lambda k, middle=middle: middles[k].distanceToPoint(middle))
+        place = min(
+            range(len(middles)), key=lambda k, middle=middle: middles[k].distanceToPoint(middle)
+        )
         seam["edges"] = [place + 1]
         seam["faces"] = faces[last.Edges[place].hashCode()]
     inside = [seam["faces"] for seam in entry["seams"] if seam["between"] == fill_text.INSIDE]
@@ -191,7 +215,8 @@ def _middle(edge):
 
 
 def holes_of(obj):
-    """(holes of the source as the kernel describes them, numbers of those that would be filled, "").
+    """(holes of the source as the kernel describes them, numbers of those that would be filled,
+    "").
 
     Where they cannot be told there are none, and the text says why.
     """
@@ -209,13 +234,17 @@ def holes_of(obj):
 def create(source, *, edges=(), face=None, target="G1", keep_anyway=False, **tolerances):
     """Fill holes of an object: add an Umbrella Fill to its document, compute it and return it.
 
-    ``edges``: ["Edge5", ...] or [5, ...], whose holes are filled, one edge of each is enough; none means all but rims.
-    ``face``: "Face3" or 3, which is taken out and replaced instead. ``target``: "G1", or "G0" for position only. ``keep_anyway``: keep also
-    what misses the target. ``tolerances``: gap_mm, angle_deg, corner_deg, and profile, a name of profiles.PROFILES, for gap
-    and angle. Raises TypeError and ValueError for bad arguments, kernel.KernelUnavailable when the compiled part is
-    missing. Where no hole could be filled the object has no shape, and ``error_text`` says why.
+    ``edges``: ["Edge5", ...] or [5, ...], whose holes are filled, one edge of each is enough; none
+    means all but rims. ``face``: "Face3" or 3, which is taken out and replaced instead. ``target``:
+    "G1", or "G0" for position only. ``keep_anyway``: keep also what misses the target.
+    ``tolerances``: gap_mm, angle_deg, corner_deg, and profile, a name of profiles.PROFILES, for gap
+    and angle. Raises TypeError and ValueError for bad arguments, kernel.KernelUnavailable when the
+    compiled part is missing. Where no hole could be filled the object has no shape, and
+    ``error_text`` says why.
     """
-    obj = prepare(source, edges=edges, face=face, target=target, keep_anyway=keep_anyway, **tolerances)
+    obj = prepare(
+        source, edges=edges, face=face, target=target, keep_anyway=keep_anyway, **tolerances
+    )
     obj.Document.recompute()
     return obj
 
@@ -226,8 +255,12 @@ def prepare(source, *, edges=(), face=None, target="G1", keep_anyway=False, **to
     edges = elements.checked_names("edges", edges, "Edge")
     faces = [] if face is None else [elements.checked_name("face", face, "Face")]
     if edges and faces:
-        raise ValueError("edges %s and face %r: holes are filled, or a face is replaced" % (edges, face))
-    values = properties.checked({**tolerances, "target": target}, TOLERANCES, {"target": ("Target", TARGETS)})
+        raise ValueError(
+            "edges %s and face %r: holes are filled, or a face is replaced" % (edges, face)
+        )
+    values = properties.checked(
+        {**tolerances, "target": target}, TOLERANCES, {"target": ("Target", TARGETS)}
+    )
     obj = feature.add(source.Document, UmbrellaFill, "Umbrella Fill")
     obj.Source = source
     elements.set_names(obj, "Edges", edges)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The document object Match Surfaces: two faces that join along their common boundary.
 
-Its shape is a shell of the two faces, one or both of them moved; the objects they come from are only read.
-The class path is written into documents: neither rename nor move it.
+Its shape is a shell of the two faces, one or both of them moved; the objects they come from are
+only read. The class path is written into documents: neither rename nor move it.
 """
 
 import Part
@@ -34,13 +34,25 @@ LINKS = (
 RESULTS = (
     ("Summary", "App::PropertyString", "What came of it, in one line"),
     ("Matched", "App::PropertyBool", "Whether the faces join as the target says, for certain"),
-    ("Exact", "App::PropertyBool", "Whether they join in their poles, to rounding, and not just within the tolerance"),
+    (
+        "Exact",
+        "App::PropertyBool",
+        "Whether they join in their poles, to rounding, and not just within the tolerance",
+    ),
     ("Certain", "App::PropertyBool", "Whether the verdict about the new seam is certain"),
     ("LargestMove", "App::PropertyLength", "How far a pole has moved at most, in mm"),
     ("GapBefore", "App::PropertyLength", "Largest distance between the sides, as given, in mm"),
     ("GapAfter", "App::PropertyLength", "Largest distance between the sides, matched, in mm"),
-    ("AngleBefore", "App::PropertyAngle", "Largest angle between tangent planes, as given, in degrees"),
-    ("AngleAfter", "App::PropertyAngle", "Largest angle between tangent planes, matched, in degrees"),
+    (
+        "AngleBefore",
+        "App::PropertyAngle",
+        "Largest angle between tangent planes, as given, in degrees",
+    ),
+    (
+        "AngleAfter",
+        "App::PropertyAngle",
+        "Largest angle between tangent planes, matched, in degrees",
+    ),
     ("CurvatureBefore", "App::PropertyFloat", "Largest relative difference of curvature, as given"),
     ("CurvatureAfter", "App::PropertyFloat", "Largest relative difference of curvature, matched"),
     ("LevelBefore", "App::PropertyString", "Level of continuity, as given"),
@@ -64,8 +76,18 @@ class MatchSurfaces(feature.Feature):
             adder.add("App::PropertyLinkSubGlobal", name, "Faces", tip)
         adder.add_choice("Target", "Match", "Level of continuity to reach", TARGETS, TARGETS[0])
         adder.add_choice("Moves", "Match", "The face that is moved", MOVES, DEFAULT_MOVES)
-        adder.add("App::PropertyLength", "MaxMove", "Match", "No pole may move further, in mm; 0: as far as it takes")
-        adder.add("App::PropertyBool", "HoldSides", "Match", "The two other boundaries that end at the seam stay")
+        adder.add(
+            "App::PropertyLength",
+            "MaxMove",
+            "Match",
+            "No pole may move further, in mm; 0: as far as it takes",
+        )
+        adder.add(
+            "App::PropertyBool",
+            "HoldSides",
+            "Match",
+            "The two other boundaries that end at the seam stay",
+        )
         adder.add_tolerances(TOLERANCES)
         adder.add_results(RESULTS, feature.INTERNAL)
         obj.setEditorMode("Placement", ["Hidden"])
@@ -95,7 +117,11 @@ class MatchSurfaces(feature.Feature):
         obj.Certain = after is not None and after["certified"]
         obj.LargestMove = report["largest_move_mm"] if report["matched"] else 0.0
         for when, seam in (("Before", before), ("After", after)):
-            for word, name in (("Gap", "gap_mm"), ("Angle", "angle_deg"), ("Curvature", "curvature_rel")):
+            for word, name in (
+                ("Gap", "gap_mm"),
+                ("Angle", "angle_deg"),
+                ("Curvature", "curvature_rel"),
+            ):
                 setattr(obj, word + when, match_text.value(seam, name))
             setattr(obj, "Level" + when, "" if seam is None else seam["level"])
         obj.Shape = shape
@@ -135,7 +161,8 @@ def source_objects(obj):
 
 
 def match_job(module, obj, private=False):
-    """A Job for (report, shape). Raises SourceError for links that lead nowhere; its run ValueError for bad values."""
+    """A Job for (report, shape). Raises SourceError for links that lead nowhere; its run ValueError
+    for bad values."""
     found = sources.Elements(_links(obj))
     if any(face.ShapeType != "Face" for face in found.shapes[:2]):
         raise sources.SourceError("FirstFace and SecondFace must be faces")
@@ -172,9 +199,13 @@ def _links(obj):
     links = [link(obj, name) for name, _ in LINKS]
     for target, word, name in zip(links, ("first", "second"), ("FirstFace", "SecondFace")):
         if target is None:
-            raise sources.SourceError("The %s face is gone: choose another one in the property %s" % (word, name))
+            raise sources.SourceError(
+                "The %s face is gone: choose another one in the property %s" % (word, name)
+            )
     if links[0] == links[1]:
-        raise sources.SourceError("%s is chosen twice: two faces are needed" % link_text(obj, "FirstFace"))
+        raise sources.SourceError(
+            "%s is chosen twice: two faces are needed" % link_text(obj, "FirstFace")
+        )
     return [target for target in links if target is not None]
 
 
@@ -188,23 +219,51 @@ def _edge_number(obj, shape, chosen):
     return 0
 
 
-def create(first, second, *, edge=None, target="G1", moves="second", max_move_mm=0.0, hold_sides=False, **tolerances):
+def create(
+    first,
+    second,
+    *,
+    edge=None,
+    target="G1",
+    moves="second",
+    max_move_mm=0.0,
+    hold_sides=False,
+    **tolerances
+):
     """Match two faces: add a Match Surfaces to their document, compute it and return it.
 
-    ``first``, ``second``: (object, "Face3"); ``edge``: (object, "Edge5") where they have several in common.
-    ``target``: "G1" or "G2". ``moves``: "first", "second" or "both". ``max_move_mm``: no pole may move further;
-    0: no limit. ``tolerances``: gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg, match_mm, profile, as
-    for an analysis. Raises TypeError and ValueError for bad arguments, kernel.KernelUnavailable when the compiled
-    part is missing. When the faces do not match the object has no shape, and ``error_text`` says why.
+    ``first``, ``second``: (object, "Face3"); ``edge``: (object, "Edge5") where they have several in
+    common. ``target``: "G1" or "G2". ``moves``: "first", "second" or "both". ``max_move_mm``: no
+    pole may move further; 0: no limit. ``tolerances``: gap_mm, angle_deg, curvature_rel,
+    flat_radius_mm, crease_deg, match_mm, profile, as for an analysis. Raises TypeError and
+    ValueError for bad arguments, kernel.KernelUnavailable when the compiled part is missing. When
+    the faces do not match the object has no shape, and ``error_text`` says why.
     """
     obj = prepare(
-        first, second, edge=edge, target=target, moves=moves, max_move_mm=max_move_mm, hold_sides=hold_sides, **tolerances
+        first,
+        second,
+        edge=edge,
+        target=target,
+        moves=moves,
+        max_move_mm=max_move_mm,
+        hold_sides=hold_sides,
+        **tolerances
     )
     obj.Document.recompute()
     return obj
 
 
-def prepare(first, second, *, edge=None, target="G1", moves="second", max_move_mm=0.0, hold_sides=False, **tolerances):
+def prepare(
+    first,
+    second,
+    *,
+    edge=None,
+    target="G1",
+    moves="second",
+    max_move_mm=0.0,
+    hold_sides=False,
+    **tolerances
+):
     """As ``create``, but nothing is computed yet."""
     kernel.load(Part.OCC_VERSION)
     table = TOLERANCES + (("MaxMove", "max_move_mm"),)

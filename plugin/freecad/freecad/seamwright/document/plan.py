@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Computing a document object apart from its document.
 
-A ``Plan`` is made and applied where the document may be changed; its ``run`` may be called in any thread, and the document
-stays as it is until ``apply``. Then the object is recomputed as always, and its ``execute`` takes over what was found.
+A ``Plan`` is made and applied where the document may be changed; its ``run`` may be called in any
+thread, and the document stays as it is until ``apply``. Then the object is recomputed as always,
+and its ``execute`` takes over what was found.
 """
 
 import FreeCAD as App
@@ -24,9 +25,11 @@ class Values:
 
 
 class Plan:
-    """One computation of an object with some properties changed; ``values``: those that it has otherwise.
+    """One computation of an object with some properties changed; ``values``: those that it has
+    otherwise.
 
-    ``make_job(module, obj, private)`` makes another Job than the one that ``execute`` runs. Raises KernelUnavailable.
+    ``make_job(module, obj, private)`` makes another Job than the one that ``execute`` runs. Raises
+    KernelUnavailable.
     """
 
     def __init__(self, obj, values, make_job=None):
@@ -47,7 +50,8 @@ class Plan:
             self._job, self._error = None, error
 
     def run(self, progress):
-        """Compute: what ``found`` and ``apply`` take. Touches no document. Raises what the Job does."""
+        """Compute: what ``found`` and ``apply`` take. Touches no document. Raises what the Job
+        does."""
         if self._error is not None:
             raise self._error
         return self._job.run(progress)
@@ -59,7 +63,8 @@ class Plan:
         return App.getDocument(self._doc_name).getObject(self._name)
 
     def is_current(self):
-        """Whether the object has, apart from the changed properties, what it had when the plan was made, and its sources too."""
+        """Whether the object has, apart from the changed properties, what it had when the plan was
+        made, and its sources too."""
         obj = self.object()
         return obj is not None and _same(self._inputs, _inputs(obj, Values(obj, self.values)))
 
@@ -86,13 +91,18 @@ class Plan:
 
 def _bring_up_to_date(obj, seen):
     """Recompute what the computation depends on, as a recompute of the object would."""
-    behind = {each for source in obj.Proxy.source_objects(seen) for each in (source, *source.OutListRecursive)}
+    behind = {
+        each
+        for source in obj.Proxy.source_objects(seen)
+        for each in (source, *source.OutListRecursive)
+    }
     if any("Touched" in each.State for each in behind):
         obj.Document.recompute(list(behind))
 
 
 def _inputs(obj, seen):
-    """({property: value}, [(source, shape, where it stands)]) of all that a computation depends on."""
+    """({property: value}, [(source, shape, where it stands)]) of all that a computation depends
+    on."""
     names = (*obj.Proxy.INPUTS, *(name for name, *_ in obj.Proxy.TOLERANCES))
     found = [each for each in obj.Proxy.source_objects(seen) if sources.has_shape(each)]
     placed = [(each.Name, Part.getShape(each), sources.parent_placement(each)) for each in found]
@@ -101,14 +111,23 @@ def _inputs(obj, seen):
 
 def _same(one, other):
     (values, placed), (other_values, other_placed) = one, other
-    return values == other_values and len(placed) == len(other_placed) and all(
-        name == other_name and _same_shape(shape, other_shape) and _same_place(place, other_place)
-        for (name, shape, place), (other_name, other_shape, other_place) in zip(placed, other_placed)
+    return (
+        values == other_values
+        and len(placed) == len(other_placed)
+        and all(
+            name == other_name
+            and _same_shape(shape, other_shape)
+            and _same_place(place, other_place)
+            for (name, shape, place), (other_name, other_shape, other_place) in zip(
+                placed, other_placed
+            )
+        )
     )
 
 
 def _same_shape(one, other):
-    """Whether two shapes are the same where they stand; a compound may be another one of the same parts."""
+    """Whether two shapes are the same where they stand; a compound may be another one of the same
+    parts."""
     if one.isNull() or other.isNull():
         return one.isNull() and other.isNull()
     if one.isPartner(other):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Properties that the document objects of the workbench have in common: tolerances, and results for reading."""
+"""Properties that the document objects of the workbench have in common: tolerances, and results for
+reading."""
 
 import math
 
@@ -86,8 +87,8 @@ def arguments(obj, table):
 def checked(given, table, choices):
     """{property: value} for tolerances given as arguments of the kernel, and ``profile``.
 
-    ``choices``: {argument: (property, allowed values)} of those that are no numbers. Raises TypeError for another name,
-    ValueError for another value.
+    ``choices``: {argument: (property, allowed values)} of those that are no numbers. Raises
+    TypeError for another name, ValueError for another value.
     """
     given = dict(given)
     names = {argument: name for name, argument, *_ in table}
@@ -100,7 +101,9 @@ def checked(given, table, choices):
             values[name] = value
         elif argument in names:
             if not (value >= 0 and math.isfinite(value)):
-                raise ValueError("%s = %r: must be a finite number, not negative" % (argument, value))
+                raise ValueError(
+                    "%s = %r: must be a finite number, not negative" % (argument, value)
+                )
             values[names[argument]] = value
         else:
             raise TypeError("there is no tolerance %r" % argument)
@@ -108,21 +111,29 @@ def checked(given, table, choices):
 
 
 def checked_numbers(argument, given):
-    """A list of lengths for a number, a list of numbers, or None. Raises ValueError for one that is negative or not finite."""
+    """A list of lengths for a number, a list of numbers, or None. Raises ValueError for one that is
+    negative or not finite."""
     numbers = [] if given is None else list(given) if isinstance(given, (list, tuple)) else [given]
     for place, value in enumerate(numbers):
         if not (value >= 0 and math.isfinite(value)):
-            raise ValueError("%s[%d] = %r: must be a finite number, not negative" % (argument, place, value))
+            raise ValueError(
+                "%s[%d] = %r: must be a finite number, not negative" % (argument, place, value)
+            )
     return [float(value) for value in numbers]
 
 
 def _of_profile(profile, names):
-    """The tolerances of a profile that are in ``names``; none for None: the properties have their defaults."""
+    """The tolerances of a profile that are in ``names``; none for None: the properties have their
+    defaults."""
     if profile is None:
         return {}
     if profile not in profiles.PROFILES:
         raise ValueError("profile %r: choose one of %s" % (profile, ", ".join(profiles.PROFILES)))
-    return {argument: value for argument, value in profiles.PROFILES[profile].items() if argument in names}
+    return {
+        argument: value
+        for argument, value in profiles.PROFILES[profile].items()
+        if argument in names
+    }
 
 
 def error_text(obj):
@@ -146,4 +157,6 @@ def plain(value):
 
 def differing(obj, values):
     """Those of the {property: value} that the object has otherwise."""
-    return {name: value for name, value in values.items() if plain(getattr(obj, name)) != plain(value)}
+    return {
+        name: value for name, value in values.items() if plain(getattr(obj, name)) != plain(value)
+    }

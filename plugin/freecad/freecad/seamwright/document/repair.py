@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The document object Seam Repair: a model whose seams join as they should.
 
-Its shape is the model of the source with faces moved where seams fell short, faces and edges in the same order; the
-source is only read. The class path is written into documents: neither rename nor move it.
+Its shape is the model of the source with faces moved where seams fell short, faces and edges in the
+same order; the source is only read. The class path is written into documents: neither rename nor
+move it.
 """
 
 import Part
@@ -40,8 +41,16 @@ RESULTS = (
     ("DefectsAfter", "App::PropertyInteger", "Seams that fall short of the target, repaired"),
     ("MaxGapBefore", "App::PropertyLength", "Largest gap seen apart from creases, as given, in mm"),
     ("MaxGapAfter", "App::PropertyLength", "Largest gap seen apart from creases, repaired, in mm"),
-    ("MaxAngleBefore", "App::PropertyAngle", "Largest angle seen apart from creases, as given, in degrees"),
-    ("MaxAngleAfter", "App::PropertyAngle", "Largest angle seen apart from creases, repaired, in degrees"),
+    (
+        "MaxAngleBefore",
+        "App::PropertyAngle",
+        "Largest angle seen apart from creases, as given, in degrees",
+    ),
+    (
+        "MaxAngleAfter",
+        "App::PropertyAngle",
+        "Largest angle seen apart from creases, repaired, in degrees",
+    ),
 )
 
 
@@ -57,7 +66,9 @@ class SeamRepair(feature.Feature):
     def add_properties(obj):
         """Add the properties an object lacks, with their defaults."""
         adder = properties.Adder(obj)
-        adder.add("App::PropertyLinkGlobal", "Source", "Seams", "The object whose seams are repaired")
+        adder.add(
+            "App::PropertyLinkGlobal", "Source", "Seams", "The object whose seams are repaired"
+        )
         for name, _, tip in ELEMENTS:
             adder.add("App::PropertyLinkSubGlobal", name, "Seams", tip)
         adder.add_choice("Target", "Repair", "Level of continuity to reach", TARGETS, TARGETS[0])
@@ -87,7 +98,11 @@ class SeamRepair(feature.Feature):
         obj.MovedFaces = len(report["moves"])
         obj.LargestMove = repair_text.largest_move_mm(report)
         for place, when in enumerate(("Before", "After")):
-            for name, figure in (("Defects", "defects"), ("MaxGap", "gap_mm"), ("MaxAngle", "angle_deg")):
+            for name, figure in (
+                ("Defects", "defects"),
+                ("MaxGap", "gap_mm"),
+                ("MaxAngle", "angle_deg"),
+            ):
                 setattr(obj, name + when, report[figure][place] or 0)
         feature.put_shape(obj, shape)
         obj.Summary = repair_text.summary_text(report)
@@ -107,7 +122,8 @@ def is_repair(obj):
 
 
 def repair_job(module, obj, private=False):
-    """A Job for (report, shape). Raises SourceError for links that lead nowhere; its run ValueError for bad values."""
+    """A Job for (report, shape). Raises SourceError for links that lead nowhere; its run ValueError
+    for bad values."""
     shape = elements.source_shape(obj)
     edges, faces = (elements.numbers(obj, shape, *entry[:2]) for entry in ELEMENTS)
     target, make = obj.Target, feature.model_maker(module, shape, private)
@@ -132,9 +148,11 @@ def repair_job(module, obj, private=False):
 
 
 def foreseeing(module, obj, private=False):
-    """A Job for (report, text): the seams that a repair would treat, as they are now, and a line about them.
+    """A Job for (report, text): the seams that a repair would treat, as they are now, and a line
+    about them.
 
-    Raises SourceError, ModelError or ValueError where they cannot be told; its ``run`` does likewise.
+    Raises SourceError, ModelError or ValueError where they cannot be told; its ``run`` does
+    likewise.
     """
     shape = elements.source_shape(obj)
     edges, _ = (elements.numbers(obj, shape, *entry[:2]) for entry in ELEMENTS)
@@ -154,15 +172,22 @@ def foreseeing(module, obj, private=False):
 def create(source, *, edges=(), fixed_faces=(), target="G1", max_move_mm=0.0, **tolerances):
     """Repair the seams of an object: add a Seam Repair to its document, compute it and return it.
 
-    ``edges``: ["Edge5", ...] or [5, ...], whose seams are repaired; none means all defects. ``fixed_faces``: ["Face3", ...]
-    or [3, ...], which stay. ``target``: "G1" or "G2". ``max_move_mm``: no point of a face may move
-    further; 0: a hundredth of the size of the face and twice the gap of its seams. ``tolerances``: gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg, match_mm, profile, as for an analysis. Raises TypeError and
-    ValueError for bad arguments, kernel.KernelUnavailable when the compiled part is missing. When nothing can be
-    repaired, the object has no shape, and ``error_text`` says why; seams that
-    could not be repaired are no error, the report has the reasons.
+    ``edges``: ["Edge5", ...] or [5, ...], whose seams are repaired; none means all defects.
+    ``fixed_faces``: ["Face3", ...] or [3, ...], which stay. ``target``: "G1" or "G2".
+    ``max_move_mm``: no point of a face may move further; 0: a hundredth of the size of the face and
+    twice the gap of its seams. ``tolerances``: gap_mm, angle_deg, curvature_rel, flat_radius_mm,
+    crease_deg, match_mm, profile, as for an analysis. Raises TypeError and ValueError for bad
+    arguments, kernel.KernelUnavailable when the compiled part is missing. When nothing can be
+    repaired, the object has no shape, and ``error_text`` says why; seams that could not be repaired
+    are no error, the report has the reasons.
     """
     obj = prepare(
-        source, edges=edges, fixed_faces=fixed_faces, target=target, max_move_mm=max_move_mm, **tolerances
+        source,
+        edges=edges,
+        fixed_faces=fixed_faces,
+        target=target,
+        max_move_mm=max_move_mm,
+        **tolerances
     )
     obj.Document.recompute()
     return obj

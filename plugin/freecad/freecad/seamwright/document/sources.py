@@ -85,7 +85,8 @@ def world_shape(obj):
 
 
 class Elements:
-    """The faces and edges that links name, where they stand in the model; what they share stays shared."""
+    """The faces and edges that links name, where they stand in the model; what they share stays
+    shared."""
 
     def __init__(self, links):
         """``links``: [(object, "Face3"), ...]. Raises SourceError for one that is not there."""
@@ -99,7 +100,9 @@ class Elements:
         shape, digits = self._parts[obj], name[len(kind) :]
         found = {"Face": shape.Faces, "Edge": shape.Edges}.get(kind, [])
         if not digits or not 0 < int(digits) <= len(found):
-            raise SourceError("%s has no %s: choose another one." % (obj.Label, name or "such face"))
+            raise SourceError(
+                "%s has no %s: choose another one." % (obj.Label, name or "such face")
+            )
         return found[int(digits) - 1]
 
     def edge_text(self, edge):

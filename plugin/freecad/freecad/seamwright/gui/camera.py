@@ -59,7 +59,8 @@ def _is_good(view, point, normal, tangent, direction):
 def is_seen(view, point, direction):
     """Whether nothing of the scene lies before the point for an eye far away."""
     scene = view.getSceneGraph()
-    # The viewer knows its region too, but FreeCAD 1.1 crashes when a view is closed that was asked for its viewer.
+    # The viewer knows its region too, but FreeCAD 1.1 crashes when a view is closed that was asked
+    # for its viewer.
     region = coin.SbViewportRegion(*view.getSize())
     bounds = coin.SoGetBoundingBoxAction(region)
     bounds.apply(scene)

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is drawn on document objects in place of their own faces and edges: it changes neither documents nor shapes.
+"""What is drawn on document objects in place of their own faces and edges: it changes neither
+documents nor shapes.
 
-A coat follows the place and the visibility of its object, and ends with it. An object may wear several, of several
-wardrobes: the one put on last is seen.
+A coat follows the place and the visibility of its object, and ends with it. An object may wear
+several, of several wardrobes: the one put on last is seen.
 """
 
 import FreeCAD as App
@@ -26,7 +27,8 @@ def local_shape(obj):
 
 
 class Coats:
-    """Coats of one kind, at most one an object. ``changed(obj)`` is called when the shape of an object that wears one changed."""
+    """Coats of one kind, at most one an object. ``changed(obj)`` is called when the shape of an
+    object that wears one changed."""
 
     def __init__(self, changed):
         self._changed = changed
@@ -57,7 +59,8 @@ class Coats:
             self.forget(*key(obj))
 
     def clear(self):
-        """Take off all coats, and follow documents no longer; not to be called while ``changed`` is."""
+        """Take off all coats, and follow documents no longer; not to be called while ``changed``
+        is."""
         for place in list(self._worn):
             self.forget(*place)
         if self._follower is not None:
@@ -93,15 +96,21 @@ def key(obj):
 
 
 def _place(root, own):
-    """Where a coat goes: before all others, as the first one hides what comes after it, and before the object's own nodes."""
-    worn = [place for place in range(root.getNumChildren()) if root.getChild(place).getName().getString() == NAME]
+    """Where a coat goes: before all others, as the first one hides what comes after it, and before
+    the object's own nodes."""
+    worn = [
+        place
+        for place in range(root.getNumChildren())
+        if root.getChild(place).getName().getString() == NAME
+    ]
     return min([root.findChild(own), *worn])
 
 
 class _Follower:
     """Hears of changes from FreeCAD.
 
-    Of objects only: view providers are announced before they have an object, and asking one for it then ends FreeCAD.
+    Of objects only: view providers are announced before they have an object, and asking one for it
+    then ends FreeCAD.
     """
 
     def __init__(self, coats):

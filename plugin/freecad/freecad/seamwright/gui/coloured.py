@@ -13,7 +13,10 @@ DEFLECTION = 1e-3
 
 def polylines(edges):
     """The edges as lists of points."""
-    lines = [edge.discretize(Deflection=max(DEFLECTION * edge.BoundBox.DiagonalLength, 1e-7)) for edge in edges]
+    lines = [
+        edge.discretize(Deflection=max(DEFLECTION * edge.BoundBox.DiagonalLength, 1e-7))
+        for edge in edges
+    ]
     return [[tuple(point) for point in line] for line in lines]
 
 
@@ -27,10 +30,13 @@ def unpickable():
 def faces(shown, colours, lit=True):
     """A separator that draws a ShownMesh in the colours (red, green, blue, 0..1) of its points.
 
-    ``lit``: from both sides, so that its form is seen; else the colours are just those of the legend.
+    ``lit``: from both sides, so that its form is seen; else the colours are just those of the
+    legend.
     """
     group, hints, offset = coin.SoSeparator(), coin.SoShapeHints(), coin.SoPolygonOffset()
-    hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE  # with an unknown type of shape: lit from both sides
+    hints.vertexOrdering = (
+        coin.SoShapeHints.COUNTERCLOCKWISE
+    )  # with an unknown type of shape: lit from both sides
     light, binding, material = coin.SoLightModel(), coin.SoMaterialBinding(), coin.SoMaterial()
     binding.value = coin.SoMaterialBinding.PER_VERTEX_INDEXED
     light.model = coin.SoLightModel.PHONG if lit else coin.SoLightModel.BASE_COLOR
@@ -43,7 +49,12 @@ def faces(shown, colours, lit=True):
 def lines(polylines):
     """A separator that draws dark lines through lists of points."""
     points = [point for line in polylines for point in line]
-    group, light, colour, style = coin.SoSeparator(), coin.SoLightModel(), coin.SoBaseColor(), coin.SoDrawStyle()
+    group, light, colour, style = (
+        coin.SoSeparator(),
+        coin.SoLightModel(),
+        coin.SoBaseColor(),
+        coin.SoDrawStyle(),
+    )
     light.model = coin.SoLightModel.BASE_COLOR
     colour.rgb, style.lineWidth = EDGE_COLOUR, EDGE_WIDTH
     places, line_set = coin.SoCoordinate3(), coin.SoLineSet()

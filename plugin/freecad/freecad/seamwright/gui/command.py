@@ -27,7 +27,8 @@ class Command:
 
 
 def begin(doc, step, make):
-    """The object that ``make()`` creates, in a step that stays open for its panel; None where the kernel is missing."""
+    """The object that ``make()`` creates, in a step that stays open for its panel; None where the
+    kernel is missing."""
     Gui.getDocument(doc.Name).resetEdit()
     doc.openTransaction(step)
     try:
@@ -41,7 +42,8 @@ def begin(doc, step, make):
 
 
 def open_new(obj):
-    """Open the panel of what ``begin`` returned; its creation belongs to the panel's step: Cancel removes it."""
+    """Open the panel of what ``begin`` returned; its creation belongs to the panel's step: Cancel
+    removes it."""
     if obj is None:
         return
     obj.ViewObject.Proxy.created = True

@@ -31,7 +31,8 @@ class AnalyzeSeams(Command):
     )
 
     def Activated(self):
-        """Create the analysis as one step that can be undone, and open its panel, which measures."""
+        """Create the analysis as one step that can be undone, and open its panel, which
+        measures."""
         doc, chosen = App.ActiveDocument, selected_sources()
         doc.recompute()  # what is to be found by itself must have its shape
         open_new(begin(doc, "Analyze seams", lambda: analysis.prepare(chosen, doc)))
@@ -75,7 +76,9 @@ class MatchSurfaces(Command):
             )
             return
         edge = edges[0] if edges else None
-        open_new(begin(App.ActiveDocument, "Match surfaces", lambda: match.prepare(*faces, edge=edge)))
+        open_new(
+            begin(App.ActiveDocument, "Match surfaces", lambda: match.prepare(*faces, edge=edge))
+        )
 
 
 class RepairSeams(Command):
@@ -90,7 +93,8 @@ class RepairSeams(Command):
     )
 
     def Activated(self):
-        """Create the repair as one step that can be undone, and open its panel; nothing is repaired yet."""
+        """Create the repair as one step that can be undone, and open its panel; nothing is repaired
+        yet."""
         doc = App.ActiveDocument
         chosen = selected_seams() or [(obj, "") for obj in sources.solids_and_shells(doc)]
         objects = list(dict.fromkeys(obj for obj, _ in chosen))
@@ -106,8 +110,13 @@ class RepairSeams(Command):
 
 
 def limits_of_analysis(source):
-    """Target and tolerances of the newest analysis of an object, as ``repair.prepare`` takes them; none without one."""
-    every = [obj for obj in source.Document.Objects if analysis.is_analysis(obj) and source in obj.Analysed]
+    """Target and tolerances of the newest analysis of an object, as ``repair.prepare`` takes them;
+    none without one."""
+    every = [
+        obj
+        for obj in source.Document.Objects
+        if analysis.is_analysis(obj) and source in obj.Analysed
+    ]
     if not every:
         return {}
     given = analysis.tolerances(every[-1])
@@ -127,7 +136,8 @@ class UmbrellaFill(Command):
     )
 
     def Activated(self):
-        """Create the fill as one step that can be undone, and open its panel; nothing is filled yet."""
+        """Create the fill as one step that can be undone, and open its panel; nothing is filled
+        yet."""
         doc = App.ActiveDocument
         chosen = selected_parts(doc)
         if len(chosen) != 1:
@@ -137,7 +147,9 @@ class UmbrellaFill(Command):
             )
             return
         ((source, names),) = chosen.items()
-        edges, faces = ([name for name in names if name.startswith(kind)] for kind in ("Edge", "Face"))
+        edges, faces = (
+            [name for name in names if name.startswith(kind)] for kind in ("Edge", "Face")
+        )
         if len(faces) > 1 or (faces and edges):
             messages.show_error(
                 "Select edges of holes, or one face that is to be replaced. Selected: %s, %s."
@@ -160,7 +172,8 @@ class CornerFillet(Command):
     )
 
     def Activated(self):
-        """Create the fillet as one step that can be undone, and open its panel; nothing is rounded yet."""
+        """Create the fillet as one step that can be undone, and open its panel; nothing is rounded
+        yet."""
         vertices = selected_elements("Vertex")
         if len(vertices) != 1:
             messages.show_error(
@@ -199,7 +212,13 @@ class ZebraStripes(Command):
         elif chosen or striped:
             zebra.hide(chosen or striped)
         else:
-            self._show(with_faces(obj for obj in doc.Objects if obj.ViewObject.Visibility and not sources.in_body(obj)))
+            self._show(
+                with_faces(
+                    obj
+                    for obj in doc.Objects
+                    if obj.ViewObject.Visibility and not sources.in_body(obj)
+                )
+            )
 
     def _show(self, objects):
         if objects:

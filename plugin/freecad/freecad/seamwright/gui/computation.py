@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a task panel computes: one thing at a time, with a bar and a button to stop it; the panel is locked meanwhile."""
+"""What a task panel computes: one thing at a time, with a bar and a button to stop it; the panel is
+locked meanwhile."""
 
 import traceback
 
@@ -19,7 +20,8 @@ CANCELLED, CHANGED = "Cancelled", "The model was changed meanwhile"
 
 
 class _Escape(QtCore.QObject):
-    """Lets Esc stop a computation wherever it is pressed in the window, which does not hear of it then.
+    """Lets Esc stop a computation wherever it is pressed in the window, which does not hear of it
+    then.
 
     The view would end the editing otherwise, when the key goes down and again when it comes up.
     """
@@ -86,8 +88,8 @@ class Computation:
     def start(self, text, run, done, stopped, locks=True):
         """Compute in a thread what ``tasks.start`` takes; what was still computed is dropped.
 
-        Calls ``done(found, error)``, or ``stopped()`` where the user stopped it. ``locks``: the panel waits for it.
-        Returns the Task.
+        Calls ``done(found, error)``, or ``stopped()`` where the user stopped it. ``locks``: the
+        panel waits for it. Returns the Task.
         """
         self.drop()
         self._locks = locks
@@ -102,9 +104,11 @@ class Computation:
         return self._task
 
     def follow(self, plan, keep, left):
-        """Compute a plan.Plan in a thread, then call ``keep(found, error)``: what its ``apply`` takes.
+        """Compute a plan.Plan in a thread, then call ``keep(found, error)``: what its ``apply``
+        takes.
 
-        Where there is nothing to keep, ``left(why)`` is called instead; and nothing where the object was deleted.
+        Where there is nothing to keep, ``left(why)`` is called instead; and nothing where the
+        object was deleted.
         """
 
         def done(found, error):
@@ -113,7 +117,9 @@ class Computation:
             if isinstance(error, plan.cancelled):
                 left(CANCELLED)
             elif error is not None and not isinstance(error, plan.failures):
-                App.Console.PrintError("".join(traceback.format_exception(type(error), error, error.__traceback__)))
+                App.Console.PrintError(
+                    "".join(traceback.format_exception(type(error), error, error.__traceback__))
+                )
                 left("Failed: %s" % error)
             elif not plan.is_current():
                 left(CHANGED)
@@ -161,7 +167,9 @@ class Computation:
 
     def _lock(self):
         children = self._form.findChildren(QtWidgets.QWidget)
-        parts = [each for each in children if each.parentWidget() == self._form and each != self.line]
+        parts = [
+            each for each in children if each.parentWidget() == self._form and each != self.line
+        ]
         self._locked = [each for each in parts if each.isEnabled()]
         self._enable_ok(False)
         focus = QtWidgets.QApplication.focusWidget()
@@ -170,7 +178,8 @@ class Computation:
             widget.setEnabled(False)
 
     def _enable_ok(self, enabled):
-        """OK of the dock that holds the panel; it is not kept, as FreeCAD deletes it and PySide would not notice."""
+        """OK of the dock that holds the panel; it is not kept, as FreeCAD deletes it and PySide
+        would not notice."""
         dock = dock_of(self._form)
         for box in dock.findChildren(QtWidgets.QDialogButtonBox) if dock is not None else ():
             ok = box.button(QtWidgets.QDialogButtonBox.Ok)

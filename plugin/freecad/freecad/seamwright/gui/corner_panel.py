@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The task panel of Corner Fillet: a radius and a setback for each edge, and each of the new seams."""
+"""The task panel of Corner Fillet: a radius and a setback for each edge, and each of the new
+seams."""
 
 from freecad.seamwright.document import corner, elements
 from freecad.seamwright.gui.forms import make_box
@@ -71,7 +72,9 @@ class CornerPanel(NewSeamsPanel):
             field.valueChanged.connect(self.changed)
         self.tolerances.changed.connect(self.changed)
         self.edges.cellClicked.connect(lambda line, _: self.select_in_source([self._edges[line]]))
-        self.same.clicked.connect(lambda *_: [each.setValue(self._values(RADIUS)[0]) for each in self.fields[RADIUS]])
+        self.same.clicked.connect(
+            lambda *_: [each.setValue(self._values(RADIUS)[0]) for each in self.fields[RADIUS]]
+        )
 
     def read_fields(self):
         """Show the values of the object."""
@@ -83,7 +86,8 @@ class CornerPanel(NewSeamsPanel):
         self._describe_edges()
 
     def _describe_edges(self):
-        """Write what is known of the edges; their angles and setbacks only once they were rounded."""
+        """Write what is known of the edges; their angles and setbacks only once they were
+        rounded."""
         known = {"Edge%d" % edge["edge"]: edge for edge in corner.report_of(self.obj)["edges"]}
         for line, (name, length) in enumerate(zip(self._edges, self._lengths)):
             angle = corner_text.edge_text(known[name]) if name in known else ""

@@ -7,9 +7,11 @@ LINES = 1.5
 
 
 class ElementList(QtWidgets.QWidget):
-    """Names such as "Face3" with buttons to add what is selected in the view and to remove from the list.
+    """Names such as "Face3" with buttons to add what is selected in the view and to remove from the
+    list.
 
-    ``picked``: a callable that returns the names that are selected; ``select``: one that selects a name in the view.
+    ``picked``: a callable that returns the names that are selected; ``select``: one that selects a
+    name in the view.
     """
 
     changed = QtCore.Signal()
@@ -28,9 +30,13 @@ class ElementList(QtWidgets.QWidget):
         self.list.setSpacing(1)
         self.list.setFixedHeight(int(LINES * (self.list.fontMetrics().height() + 6)))
         self.list.itemClicked.connect(lambda item: select(item.text()))
-        self.add, self.remove = QtWidgets.QPushButton("Add selected"), QtWidgets.QPushButton("Remove")
+        self.add, self.remove = QtWidgets.QPushButton("Add selected"), QtWidgets.QPushButton(
+            "Remove"
+        )
         self.add.setToolTip("Add what is selected in the view")
-        self.remove.setToolTip("Take what is chosen here off the list; all of it if nothing is chosen")
+        self.remove.setToolTip(
+            "Take what is chosen here off the list; all of it if nothing is chosen"
+        )
         self.add.clicked.connect(self._add)
         self.remove.clicked.connect(self._remove)
         layout.addWidget(self.list, 1)

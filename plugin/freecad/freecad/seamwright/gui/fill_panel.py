@@ -19,7 +19,11 @@ class FillPanel(NewSeamsPanel):
     PREVIEW_TIP = "Fill the holes as the fields say"
 
     def __init__(self, obj, created):
-        changeable = ["Target", "KeepAnyway", *(name for name, *_ in fill.ELEMENTS + fill.TOLERANCES)]
+        changeable = [
+            "Target",
+            "KeepAnyway",
+            *(name for name, *_ in fill.ELEMENTS + fill.TOLERANCES),
+        ]
         super().__init__(obj, created, "Edit umbrella fill", changeable)
 
     # The window.
@@ -33,7 +37,9 @@ class FillPanel(NewSeamsPanel):
         self.which = QtWidgets.QLabel()
         self.holes = HoleList()
         self.pick = QtWidgets.QPushButton("Only selected")
-        self.pick.setToolTip("Fill the holes of the edges that are selected in the view, and no others")
+        self.pick.setToolTip(
+            "Fill the holes of the edges that are selected in the view, and no others"
+        )
         for widget in (self.which, self.holes, self.pick):
             layout.addWidget(widget)
         return box
@@ -42,7 +48,9 @@ class FillPanel(NewSeamsPanel):
         self.tolerances = ToleranceForm(fill.TOLERANCES, ("Target", fill.TARGETS))
         self.tolerances.level.setToolTip("G1: no kink, G0: position only")
         self.keep_anyway = QtWidgets.QCheckBox("Keep anyway")
-        self.keep_anyway.setToolTip("Keep also a fill that misses the target; without, the hole is left as it is")
+        self.keep_anyway.setToolTip(
+            "Keep also a fill that misses the target; without, the hole is left as it is"
+        )
         self.tolerances.layout().addRow("", self.keep_anyway)
         return make_box("Target and tolerances", self.tolerances)[0]
 
@@ -96,7 +104,9 @@ class FillPanel(NewSeamsPanel):
 
     def begin(self):
         """Say what would be filled."""
-        text = self._list_holes() or fill_text.waiting_text(elements.names(self.obj, "Face"), self.holes.chosen())
+        text = self._list_holes() or fill_text.waiting_text(
+            elements.names(self.obj, "Face"), self.holes.chosen()
+        )
         self.fill([], text)
         self.show_before()
 

@@ -30,7 +30,8 @@ def make_text():
 
 
 def show_seams_in(table, height):
-    """Let a table show a seam a line: whole lines are chosen, and it is at least so high, in pixels."""
+    """Let a table show a seam a line: whole lines are chosen, and it is at least so high, in
+    pixels."""
     table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
     table.setAlternatingRowColors(True)
     table.setWordWrap(False)

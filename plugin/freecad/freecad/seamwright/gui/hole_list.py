@@ -10,7 +10,8 @@ LINES = 4
 class HoleList(QtWidgets.QListWidget):
     """Holes, dicts as of the kernel; one of them stays ticked.
 
-    ``changed``: another one is ticked; ``clicked_edges``: a hole was clicked, with the names of its edges.
+    ``changed``: another one is ticked; ``clicked_edges``: a hole was clicked, with the names of its
+    edges.
     """
 
     changed = QtCore.Signal()
@@ -22,7 +23,9 @@ class HoleList(QtWidgets.QListWidget):
         self.setToolTip("The holes that are ticked are filled; a click selects the edges of one")
         self.setFixedHeight(LINES * (self.fontMetrics().height() + 6))
         self.itemChanged.connect(self._ticked)
-        self.itemClicked.connect(lambda item: self.clicked_edges.emit(self._edges(self.holes[self.row(item)])))
+        self.itemClicked.connect(
+            lambda item: self.clicked_edges.emit(self._edges(self.holes[self.row(item)]))
+        )
 
     def set_holes(self, holes, wanted):
         """List the holes, with a tick at those whose number is among ``wanted``."""
@@ -41,7 +44,8 @@ class HoleList(QtWidgets.QListWidget):
         return [hole["id"] for hole, state in zip(self.holes, states) if state == QtCore.Qt.Checked]
 
     def choose_by(self, edges):
-        """Tick the holes of these edges, given by name, and no others; nothing is changed where they are of none."""
+        """Tick the holes of these edges, given by name, and no others; nothing is changed where
+        they are of none."""
         found = [hole["id"] for hole in self.holes if not edges.isdisjoint(self._edges(hole))]
         if found and found != self.chosen():
             self.set_holes(self.holes, found)

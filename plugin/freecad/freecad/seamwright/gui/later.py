@@ -16,7 +16,8 @@ def find(doc_name, name):
 
 
 def later(obj, act):
-    """Call ``act(obj)`` after FreeCAD has drawn or opened, if the document object is still there then."""
+    """Call ``act(obj)`` after FreeCAD has drawn or opened, if the document object is still there
+    then."""
     place = obj.Document.Name, obj.Name
 
     def act_if_there():

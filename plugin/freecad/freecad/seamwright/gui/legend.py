@@ -31,7 +31,8 @@ class Legend:
         self._switch.whichChild = coin.SO_SWITCH_ALL if visible else coin.SO_SWITCH_NONE
 
     def update(self, title, entries, footer, text_px):
-        """Draw anew: a title, (SeamClass, name, meaning) lines, and the lines of the footer below them."""
+        """Draw again: a title, (SeamClass, name, meaning) lines, and the lines of the footer below
+        them."""
         set_image(self._image, draw(title, entries, footer, text_px))
 
 
@@ -64,7 +65,11 @@ def draw(title, entries, footer, text_px):
     meaning_x = pad + bar + pad + name_width + pad
     meaning_width = max([_width(font, meaning) for _, _, meaning in entries] + [0])
     last = footer.split("\n")
-    right = max(meaning_x + meaning_width, pad + _width(bold, title), *(pad + _width(font, text) for text in last))
+    right = max(
+        meaning_x + meaning_width,
+        pad + _width(bold, title),
+        *(pad + _width(font, text) for text in last)
+    )
     height = (len(entries) + 1 + len(last)) * line + 2 * pad
     image = QtGui.QImage(right + pad, height, QtGui.QImage.Format_ARGB32)
     image.fill(QtGui.QColor(*PANEL))

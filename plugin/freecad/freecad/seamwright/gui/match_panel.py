@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The task panel of Match Surfaces: what is matched how, the seam before and after, and ways to look at it.
+"""The task panel of Match Surfaces: what is matched how, the seam before and after, and ways to
+look at it.
 
 The document follows the fields: each change is computed at once.
 """
@@ -27,7 +28,9 @@ class MatchPanel(ResultPanel):
     """Shows and changes one Match Surfaces; ``created``: Cancel removes it."""
 
     def __init__(self, obj, created):
-        super().__init__(obj, created, "Edit match surfaces", KEPT + tuple(name for name, *_ in match.TOLERANCES))
+        super().__init__(
+            obj, created, "Edit match surfaces", KEPT + tuple(name for name, *_ in match.TOLERANCES)
+        )
         self._swapped = False
         self._striped = []
         self._timer = QtCore.QTimer()
@@ -82,7 +85,9 @@ class MatchPanel(ResultPanel):
         self.moves.addItems(match.MOVES)
         self.moves.setToolTip("The face that is moved; its shape far from the seam stays")
         self.swap = QtWidgets.QPushButton("Swap")
-        self.swap.setToolTip("Let first and second change places, and with them the face that is moved")
+        self.swap.setToolTip(
+            "Let first and second change places, and with them the face that is moved"
+        )
         line.addWidget(self.moves, 1)
         line.addWidget(self.swap)
         layout.addRow("Moves", line)

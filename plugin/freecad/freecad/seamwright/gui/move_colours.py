@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Scene nodes that draw a model with its points coloured by how far they moved, instead of its own faces and edges."""
+"""Scene nodes that draw a model with its points coloured by how far they moved, instead of its own
+faces and edges."""
 
 from pivy import coin
 
@@ -8,7 +9,8 @@ from freecad.seamwright.plain import moves
 
 
 class MoveColours:
-    """Add ``node`` at the start of the root of a view provider: what comes after it is not drawn while it shows."""
+    """Add ``node`` at the start of the root of a view provider: what comes after it is not drawn
+    while it shows."""
 
     def __init__(self):
         self.node = coin.SoSwitch()

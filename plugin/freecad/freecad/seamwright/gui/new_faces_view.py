@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The look of an object that is its source with new faces: as the source; in its panel the new ones are tinted."""
+"""The look of an object that is its source with new faces: as the source; in its panel the new ones
+are tinted."""
 
 from freecad.seamwright.document import elements
 from freecad.seamwright.gui.result_view import ResultView
@@ -30,7 +31,9 @@ class NewFacesView(ResultView):
     def paint(self, tinted):
         """Colour the faces as those of the source; the new ones alike, or tinted."""
         obj = self.object
-        if not self.has_result(obj) or not hasattr(getattr(obj.Source, "ViewObject", None), "ShapeColor"):
+        if not self.has_result(obj) or not hasattr(
+            getattr(obj.Source, "ViewObject", None), "ShapeColor"
+        ):
             return
         look, vobj = obj.Source.ViewObject, obj.ViewObject
         new, replaced = self.new_faces(obj)
@@ -44,14 +47,19 @@ class NewFacesView(ResultView):
 
 
 def _kept_colours(obj, look, new, replaced):
-    """The colours of the faces that were kept, in their order; none where all have one, or the order is another one."""
+    """The colours of the faces that were kept, in their order; none where all have one, or the
+    order is another one."""
     colours = [colour[:3] for colour in look.DiffuseColor]
     before = elements.source_shape(obj).Faces
     if len(colours) != len(before) or len(set(colours)) == 1:
         return []
-    old = [(face, colour) for n, (face, colour) in enumerate(zip(before, colours), 1) if n != replaced]
+    old = [
+        (face, colour) for n, (face, colour) in enumerate(zip(before, colours), 1) if n != replaced
+    ]
     kept = [face for n, face in enumerate(obj.Shape.Faces, 1) if n not in new]
-    in_order = len(kept) == len(old) and all(_lies_on(face, other) for face, (other, _) in zip(kept, old))
+    in_order = len(kept) == len(old) and all(
+        _lies_on(face, other) for face, (other, _) in zip(kept, old)
+    )
     return [colour for _, colour in old] if in_order else []
 
 

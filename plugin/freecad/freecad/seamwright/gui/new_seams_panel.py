@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The task panel of an object that is its source with new faces: a table of the seams that these have."""
+"""The task panel of an object that is its source with new faces: a table of the seams that these
+have."""
 
 import FreeCADGui as Gui
 
@@ -38,7 +39,8 @@ class NewSeamsPanel(PreviewPanel):
         return new_seams.build_rows(*self.seams()), error_text(self.obj) or self.obj.Summary
 
     def marked(self, chosen, shown):
-        """(report, seams) of rows; none where the source is shown, or the new faces were not kept."""
+        """(report, seams) of rows; none where the source is shown, or the new faces were not
+        kept."""
         seams, tolerance, _ = self.seams()
         wanted = [seams[row.place] for row in chosen if seams[row.place]["edges"]]
         if shown != self.obj:

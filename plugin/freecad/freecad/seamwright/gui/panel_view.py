@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the views of the document objects have in common: an icon, a task panel, and marks at chosen seams."""
+"""What the views of the document objects have in common: an icon, a task panel, and marks at chosen
+seams."""
 
 import FreeCADGui as Gui
 
@@ -37,10 +38,13 @@ class PanelView:
         self.created = False  # by the command, in the step that is still open
         self.halo, self.marker = Halo(), Marker()
         for node in (self.halo.node, self.marker.node):
-            vobj.RootNode.insertChild(node, 0)  # before the placement of the shape: what they show stands in the model
+            vobj.RootNode.insertChild(
+                node, 0
+            )  # before the placement of the shape: what they show stands in the model
 
     def updateData(self, obj, prop):
-        """Let the panel show the object as it is once all of it has changed: a step back restores one property at a time."""
+        """Let the panel show the object as it is once all of it has changed: a step back restores
+        one property at a time."""
         if self.panel is not None and not self._follows:
             self._follows = True
             later(obj, self._reload)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The task panel of an object that is computed when Preview or OK is pressed: summary, table of seams, before and after."""
+"""The task panel of an object that is computed when Preview or OK is pressed: summary, table of
+seams, before and after."""
 
 import Part
 
@@ -12,7 +13,7 @@ from freecad.seamwright.plain import repair_text
 
 TABLE_HEIGHT = 190
 
-PREVIEW, PREVIEW_AGAIN = "Preview", "Preview again"
+PREVIEW, PREVIEW_AGAIN = "Preview", "Update preview"
 
 #: Colours of the last column's text, by the state of a row.
 INKS = {repair_text.REPAIRED: (0, 120, 88), repair_text.LEFT: (190, 80, 0)}
@@ -21,7 +22,8 @@ INKS = {repair_text.REPAIRED: (0, 120, 88), repair_text.LEFT: (190, 80, 0)}
 class PreviewPanel(ResultPanel):
     """Shows and changes one object; a subclass says what its fields and rows are.
 
-    A row has ``cells``, a text for each of ``COLUMNS``, ``detail``, its tool tip, and ``state``, one of ``INKS``.
+    A row has ``cells``, a text for each of ``COLUMNS``, ``detail``, its tool tip, and ``state``,
+    one of ``INKS``.
     """
 
     DOCK_WIDTH = 600
@@ -60,7 +62,8 @@ class PreviewPanel(ResultPanel):
         raise NotImplementedError
 
     def marked(self, rows, shown):
-        """(report, seams) of rows, as they are in what is shown, for ``seam_view.show``; no seams where it has none."""
+        """(report, seams) of rows, as they are in what is shown, for ``seam_view.show``; no seams
+        where it has none."""
         raise NotImplementedError
 
     def note(self, rows):
@@ -90,7 +93,8 @@ class PreviewPanel(ResultPanel):
         return self.table
 
     def _fit_columns(self):
-        """Columns as wide as what they say; the last one to the end of the table where there is room."""
+        """Columns as wide as what they say; the last one to the end of the table where there is
+        room."""
         header, last = self.table.horizontalHeader(), len(self.COLUMNS) - 1
         header.setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
         if header.length() <= self.table.viewport().width():
@@ -105,7 +109,9 @@ class PreviewPanel(ResultPanel):
             self.show_line.addWidget(widget)
         self.show_line.addStretch(1)
         self.preview_button = QtWidgets.QPushButton(PREVIEW)
-        self.preview_button.setToolTip("%s; nothing is kept before OK is pressed" % self.PREVIEW_TIP)
+        self.preview_button.setToolTip(
+            "%s; nothing is kept before OK is pressed" % self.PREVIEW_TIP
+        )
         self.show_line.addWidget(self.preview_button)
         return self.show_line
 
@@ -167,7 +173,9 @@ class PreviewPanel(ResultPanel):
         self._name_preview()
 
     def _name_preview(self):
-        self.preview_button.setText(PREVIEW_AGAIN if self.is_due() and self.has_result() else PREVIEW)
+        self.preview_button.setText(
+            PREVIEW_AGAIN if self.is_due() and self.has_result() else PREVIEW
+        )
 
     def shown_object(self):
         """The object that is seen: the result or its source."""

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Progress of work that FreeCAD waits for, such as a recompute, with a button to cancel it.
 
-While it lasts, the window sees no key and no click but those for the dialog: what they do would change or delete what
-is being computed. Panels compute in threads instead, see computation.py.
+While it lasts, the window sees no key and no click but those for the dialog: what they do would
+change or delete what is being computed. Panels compute in threads instead, see computation.py.
 """
 
 import contextlib
@@ -49,7 +49,8 @@ def progress_dialog(text):
 
 
 class _Guard(QtCore.QObject):
-    """Keeps input from all but the dialog, also before it is shown; Esc cancels wherever it is pressed."""
+    """Keeps input from all but the dialog, also before it is shown; Esc cancels wherever it is
+    pressed."""
 
     def __init__(self, dialog):
         super().__init__()

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The task panel of Repair Seams: which seams are to be repaired to what, and each of them before and after."""
+"""The task panel of Repair Seams: which seams are to be repaired to what, and each of them before
+and after."""
 
 import FreeCADGui as Gui
 
@@ -19,8 +20,14 @@ NONE, MOVES = "None", "Moves"
 COLOURS = (
     (NONE, "The faces as they look in the document"),
     (MOVES, "After: each point coloured by how far it moved"),
-    (CURVATURE, "Before and after: each point coloured by its mean curvature, both with the same scale"),
-    (ZEBRA, "Before and after: stripes that break where faces meet at an angle, and bend at a step of curvature"),
+    (
+        CURVATURE,
+        "Before and after: each point coloured by its mean curvature, both with the same scale",
+    ),
+    (
+        ZEBRA,
+        "Before and after: stripes that break where faces meet at an angle, and bend at a step of curvature",
+    ),
 )
 ALL_DEFECTS = "All defects; to choose, select rows or edges and add them:"
 
@@ -34,7 +41,11 @@ class RepairPanel(PreviewPanel):
     def __init__(self, obj, created):
         self._report = repair.empty_report(obj)
         self._lines = [each.Name for each in _analyses(obj) if each.ViewObject.Visibility]
-        changeable = ["Target", "MaxMove", *(name for name, *_ in repair.ELEMENTS + repair.TOLERANCES)]
+        changeable = [
+            "Target",
+            "MaxMove",
+            *(name for name, *_ in repair.ELEMENTS + repair.TOLERANCES),
+        ]
         super().__init__(obj, created, "Edit seam repair", changeable)
 
     def sources(self):
@@ -46,7 +57,8 @@ class RepairPanel(PreviewPanel):
         return self.sources() + [each for each in _analyses(self.obj) if each.Name in self._lines]
 
     def release(self):
-        """Drop the selection, and let the faces look as those of the source, and the source as it did."""
+        """Drop the selection, and let the faces look as those of the source, and the source as it
+        did."""
         Gui.Selection.clearSelection()
         self.obj.ViewObject.ShowMoves = False
         self.surface.end()
@@ -113,7 +125,9 @@ class RepairPanel(PreviewPanel):
 
     def wanted(self):
         """{property: value} as the fields say."""
-        chosen = {name: elements.link_to(self.obj, each.names()) for name, each in self.lists.items()}
+        chosen = {
+            name: elements.link_to(self.obj, each.names()) for name, each in self.lists.items()
+        }
         return {**chosen, "MaxMove": self.max_move.value(), **self.tolerances.values()}
 
     # What it does.
@@ -133,7 +147,9 @@ class RepairPanel(PreviewPanel):
             self.fill(repair_text.build_rows(self._report), text)
             self.show_before()
 
-        self.computation.follow(plan, keep, lambda why: self.say("%s; Preview analyses and repairs the seams." % why))
+        self.computation.follow(
+            plan, keep, lambda why: self.say("%s; Preview analyses and repairs the seams." % why)
+        )
 
     def stored(self):
         """(rows, text) of the results as they are stored now."""
@@ -177,7 +193,8 @@ class RepairPanel(PreviewPanel):
         self.which.setText(CHOSEN if self.lists["Edges"].names() else ALL_DEFECTS)
 
     def _picked(self, kind):
-        """The elements of a kind that are selected, on the source or on the result: they have the same names."""
+        """The elements of a kind that are selected, on the source or on the result: they have the
+        same names."""
         own = (self.obj, *self.sources())
         chosen = [each for each in Gui.Selection.getSelectionEx() if each.Object in own]
         return [name for each in chosen for name in each.SubElementNames if name.startswith(kind)]
@@ -195,10 +212,19 @@ class RepairPanel(PreviewPanel):
         return report, [by_number[row.seam] for row in chosen]
 
     def note(self, chosen):
-        """Why the seams of the chosen rows were not repaired, in full: the column is too narrow for it."""
-        return "\n".join("%s: %s" % (row.cells[0], row.cells[-1]) for row in chosen if row.state == repair_text.LEFT)
+        """Why the seams of the chosen rows were not repaired, in full: the column is too narrow for
+        it."""
+        return "\n".join(
+            "%s: %s" % (row.cells[0], row.cells[-1])
+            for row in chosen
+            if row.state == repair_text.LEFT
+        )
 
 
 def _analyses(obj):
     """The analyses of the source of a repair: their coloured lines tell how it was before."""
-    return [each for each in obj.Document.Objects if analysis.is_analysis(each) and obj.Source in each.Analysed]
+    return [
+        each
+        for each in obj.Document.Objects
+        if analysis.is_analysis(each) and obj.Source in each.Analysed
+    ]

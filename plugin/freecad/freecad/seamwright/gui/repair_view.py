@@ -34,7 +34,9 @@ class SeamRepairView(ResultView):
         add_properties(vobj)
         self.legend, self.colours = Legend(), MoveColours()
         root = vobj.RootNode
-        root.insertChild(self.colours.node, root.findChild(self.halo.node) + 1)  # it hides what comes after it
+        root.insertChild(
+            self.colours.node, root.findChild(self.halo.node) + 1
+        )  # it hides what comes after it
         root.insertChild(self.legend.node, 0)
         self._drawn = None  # the report whose moves are drawn
         self._left = None  # the one whose moves are not to be drawn: the user stopped it
@@ -65,7 +67,8 @@ class SeamRepairView(ResultView):
             self._draw(vobj)
 
     def _draw(self, vobj):
-        """Show the moves in colour, or no longer; those that are not known yet are computed in a thread."""
+        """Show the moves in colour, or no longer; those that are not known yet are computed in a
+        thread."""
         wanted, report = bool(vobj.ShowMoves and vobj.Visibility), vobj.Object.Report
         shown = wanted and self._drawn == report
         self.colours.show(shown)
@@ -77,7 +80,8 @@ class SeamRepairView(ResultView):
             self._map_moves(vobj.Object)
 
     def _map_moves(self, obj):
-        """Compute the moves in a thread, on copies of the shapes, and draw them then; not where they cannot be told."""
+        """Compute the moves in a thread, on copies of the shapes, and draw them then; not where
+        they cannot be told."""
         try:
             before = elements.source_shape(obj)
         except sources.SourceError:
@@ -91,7 +95,9 @@ class SeamRepairView(ResultView):
             self._task = None
             if isinstance(error, kernel.KernelUnavailable):
                 self._left = report
-                App.Console.PrintWarning("Seamwright: the moves of %s are not shown: %s\n" % (place[1], error))
+                App.Console.PrintWarning(
+                    "Seamwright: the moves of %s are not shown: %s\n" % (place[1], error)
+                )
                 return
             if error is not None:
                 raise error
@@ -100,7 +106,9 @@ class SeamRepairView(ResultView):
                 self._show_moves(there, mapped, found, count)
 
         self._mapped = report
-        self._task = self._start(lambda progress: move_map(before, after, found, progress), done, report)
+        self._task = self._start(
+            lambda progress: move_map(before, after, found, progress), done, report
+        )
 
     def _start(self, run, done, report):
         """Let the panel show how far it is, where there is one that has nothing else to show."""
@@ -110,12 +118,16 @@ class SeamRepairView(ResultView):
         def stopped():
             self._left = report
 
-        return self.panel.computation.start("Computing moves\u2026", run, done, stopped, locks=False)
+        return self.panel.computation.start(
+            "Computing moves\u2026", run, done, stopped, locks=False
+        )
 
     def _show_moves(self, obj, mapped, found, count):
         self.colours.update(mapped, obj.Shape.Edges)
         entries = moves.legend_entries(mapped.largest_mm)
-        self.legend.update("Moves of points", entries, moves.legend_footer(found, count), LEGEND_TEXT_PX)
+        self.legend.update(
+            "Moves of points", entries, moves.legend_footer(found, count), LEGEND_TEXT_PX
+        )
         self._drawn = obj.Report
         self._draw(obj.ViewObject)
 

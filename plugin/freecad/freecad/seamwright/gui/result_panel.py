@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The task panel of an object that stands for its sources: OK keeps what is seen, Cancel takes all of it back.
+"""The task panel of an object that stands for its sources: OK keeps what is seen, Cancel takes all
+of it back.
 
 What is done in the panel is one step that can be undone.
 """
@@ -16,20 +17,24 @@ from freecad.seamwright.gui.steps import remove, step
 from freecad.seamwright.plain import kernel
 
 #: Behind why a computation came to nothing.
-NO_RESULTS, OLD_RESULTS = "; there are no results yet.", "; the results are those of the last complete run."
+NO_RESULTS, OLD_RESULTS = (
+    "; there are no results yet.",
+    "; the results are those of the last complete run.",
+)
 
 
 class ResultPanel:
     """Shows and changes one object; a subclass builds ``form`` and says what the object is like.
 
-    It computes in a thread: ``computation`` is made by the subclass when its form is built. The object stays as it was until
-    that has come to an end.
+    It computes in a thread: ``computation`` is made by the subclass when its form is built. The
+    object stays as it was until that has come to an end.
     """
 
     DOCK_WIDTH = 440
 
     def __init__(self, obj, created, title, changeable):
-        """``created``: Cancel removes the object. ``title``: of the step. ``changeable``: names of properties."""
+        """``created``: Cancel removes the object. ``title``: of the step. ``changeable``: names of
+        properties."""
         self.obj = obj
         self._created = created
         self._doc = obj.Document
@@ -38,7 +43,11 @@ class ResultPanel:
         self._ended = False
         self._edits = self._computed_edits = 0
         self._seen = self._state()
-        self._hidden = [each.Name for each in self.replaced() if not self.has_result() and not each.ViewObject.Visibility]
+        self._hidden = [
+            each.Name
+            for each in self.replaced()
+            if not self.has_result() and not each.ViewObject.Visibility
+        ]
         if not created:
             self._doc.openTransaction(title)
 
@@ -91,7 +100,8 @@ class ResultPanel:
         widen_dock(self.form, self.DOCK_WIDTH)
 
     def accept(self):
-        """Keep the result, which may have to be computed first; a failure is said, and the panel stays."""
+        """Keep the result, which may have to be computed first; a failure is said, and the panel
+        stays."""
         if self.computation.busy:
             return False
         if self.is_due() or not self.has_result() or error_text(self.obj):
@@ -111,7 +121,8 @@ class ResultPanel:
         Gui.getDocument(self._doc.Name).resetEdit()
 
     def reject(self):
-        """Stop what is computed; when nothing is, take back what was done since the panel was opened."""
+        """Stop what is computed; when nothing is, take back what was done since the panel was
+        opened."""
         if self.computation.stop():
             return False
         self._end()
@@ -133,7 +144,8 @@ class ResultPanel:
         return True
 
     def leave(self):
-        """The panel closes, by OK, by Cancel or because FreeCAD ends the editing; what was never computed is removed."""
+        """The panel closes, by OK, by Cancel or because FreeCAD ends the editing; what was never
+        computed is removed."""
         if self._ended:
             return
         self._end()
@@ -194,4 +206,8 @@ class ResultPanel:
         self.refresh()
 
     def _state(self):
-        return [plain(getattr(self.obj, name)) for name in self._kept], self.obj.Report, error_text(self.obj)
+        return (
+            [plain(getattr(self.obj, name)) for name in self._kept],
+            self.obj.Report,
+            error_text(self.obj),
+        )

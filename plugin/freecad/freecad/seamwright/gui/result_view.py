@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The look of an object that stands for its sources: they are hidden while it has a result, as those of a boolean
-operation are, and stand below it in the tree.
+"""The look of an object that stands for its sources: they are hidden while it has a result, as
+those of a boolean operation are, and stand below it in the tree.
 """
 
 from freecad.seamwright.gui.panel_view import PanelView
 
 
 class ResultView(PanelView):
-    """Proxy of a view provider; a subclass says what the sources are, when there is a result, and which panel it has."""
+    """Proxy of a view provider; a subclass says what the sources are, when there is a result, and
+    which panel it has."""
 
     def sources(self, obj):
         """The objects that the result stands for."""
@@ -26,7 +27,8 @@ class ResultView(PanelView):
         self._had_result = self.has_result(vobj.Object)
 
     def updateData(self, obj, prop):
-        """Hide the sources when there begins to be a result, show them when there no longer is one."""
+        """Hide the sources when there begins to be a result, show them when there no longer is
+        one."""
         super().updateData(obj, prop)
         if prop != "Summary" or "Restore" in obj.State:  # the Summary is written last
             return

@@ -14,7 +14,8 @@ CONTEXT = 0.15
 
 
 def show(obj, report, seams, size, look=True):
-    """Select the edges of the given seams (dicts of the report) on their objects and mark them on ``obj``.
+    """Select the edges of the given seams (dicts of the report) on their objects and mark them on
+    ``obj``.
 
     ``size``: of the model, in mm. ``look``: turn and zoom the view to them.
     """

@@ -26,7 +26,8 @@ def selected_analysis():
 
 
 def selected_elements(kind):
-    """[(object, "Face3"), ...]: the selected "Face"s, "Edge"s or "Vertex"es, in the order they were picked.
+    """[(object, "Face3"), ...]: the selected "Face"s, "Edge"s or "Vertex"es, in the order they were
+    picked.
 
     An object that is selected as a whole counts as its face if it has just one.
     """
@@ -52,9 +53,13 @@ def selected_seams():
     for chosen in Gui.Selection.getSelectionEx():
         edges = [name for name in chosen.SubElementNames if name.startswith("Edge")]
         if analysis.is_analysis(chosen.Object):
-            found += _edges_of_lines(chosen.Object, edges) or [(obj, "") for obj in chosen.Object.Analysed]
+            found += _edges_of_lines(chosen.Object, edges) or [
+                (obj, "") for obj in chosen.Object.Analysed
+            ]
         else:
-            found += [(obj, edge) for obj in sources.expand([chosen.Object]) for edge in edges or [""]]
+            found += [
+                (obj, edge) for obj in sources.expand([chosen.Object]) for edge in edges or [""]
+            ]
     return found
 
 
@@ -62,11 +67,15 @@ def _edges_of_lines(found, lines):
     report = analysis.report_of(found)
     numbers = [rows.edge_number(report, found.Name, found.Name, line) for line in lines]
     owners = [rows.owner_of(report, "edges", number) for number in numbers if number is not None]
-    return [(found.Document.getObject(name), edge) for name, edge in (owner for owner in owners if owner)]
+    return [
+        (found.Document.getObject(name), edge)
+        for name, edge in (owner for owner in owners if owner)
+    ]
 
 
 def selected_parts(doc):
-    """{object: [names of its selected elements]}; with nothing selected, all solids and shells of the document.
+    """{object: [names of its selected elements]}; with nothing selected, all solids and shells of
+    the document.
 
     An analysis stands for what it analysed.
     """

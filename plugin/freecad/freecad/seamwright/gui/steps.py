@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Changes of a document as steps that can be undone.
 
-Where none is open, FreeCAD opens one for any change and leaves it open, so that later changes would become part of it.
+Where none is open, FreeCAD opens one for any change and leaves it open, so that later changes would
+become part of it.
 """
 
 import contextlib

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Scene nodes that draw triangles as a mirror of stripes: light tubes in a dark room, far away.
 
-What a mirror shows is told by its normal, seen from the eye. A shader works it out for each pixel, so the stripes
-glide over the faces as the view turns. They are the same for a normal and its opposite.
+What a mirror shows is told by its normal, seen from the eye. A shader works it out for each pixel,
+so the stripes glide over the faces as the view turns. They are the same for a normal and its
+opposite.
 """
 
 import math
@@ -68,7 +69,9 @@ def node(shown):
 
 def _mirror():
     program = coin.SoShaderProgram()
-    for place, (shader, text) in enumerate(((coin.SoVertexShader(), VERTEX), (coin.SoFragmentShader(), FRAGMENT))):
+    for place, (shader, text) in enumerate(
+        ((coin.SoVertexShader(), VERTEX), (coin.SoFragmentShader(), FRAGMENT))
+    ):
         shader.sourceType = coin.SoShaderObject.GLSL_PROGRAM
         shader.sourceProgram = text
         program.shaderObject.set1Value(place, shader)

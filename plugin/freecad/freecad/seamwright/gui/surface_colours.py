@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Ways to look at a surface and at what became of it: the curvature of both in the same colours, or zebra stripes."""
+"""Ways to look at a surface and at what became of it: the curvature of both in the same colours, or
+zebra stripes."""
 
 from typing import Any, NamedTuple
 
@@ -23,7 +24,8 @@ LEGEND_TEXT_PX = 13
 
 
 class Surface(NamedTuple):
-    """What is drawn of one object: its ShownMesh, the colours of its points, and lines along its edges."""
+    """What is drawn of one object: its ShownMesh, the colours of its points, and lines along its
+    edges."""
 
     mesh: Any
     colours: Any
@@ -31,18 +33,20 @@ class Surface(NamedTuple):
 
 
 class Found(NamedTuple):
-    """What was computed: {name of an object: Surface}, and the curvature that has the end colour, in 1/mm."""
+    """What was computed: {name of an object: Surface}, and the curvature that has the end colour,
+    in 1/mm."""
 
     surfaces: dict
     limit: float
 
 
 class SurfaceColours:
-    """Draws on a source and on the result that has its faces; ``computation``: of the panel, which shows how far it is.
+    """Draws on a source and on the result that has its faces; ``computation``: of the panel, which
+    shows how far it is.
 
-    ``surfaces()``: these objects, the source first, those that there are. What was computed is kept until they have other
-    shapes; ``changed()`` is called when one that is drawn has. ``left()`` is called where nothing can be drawn: the user
-    stopped it, or the compiled part is missing.
+    ``surfaces()``: these objects, the source first, those that there are. What was computed is kept
+    until they have other shapes; ``changed()`` is called when one that is drawn has. ``left()`` is
+    called where nothing can be drawn: the user stopped it, or the compiled part is missing.
     """
 
     def __init__(self, obj, computation, surfaces, left, changed):
@@ -58,7 +62,8 @@ class SurfaceColours:
         self._nodes = {}  # of (kind, name)
 
     def show(self, kind):
-        """Draw CURVATURE or ZEBRA, as soon as it is computed; None: the objects look as they do themselves."""
+        """Draw CURVATURE or ZEBRA, as soon as it is computed; None: the objects look as they do
+        themselves."""
         if not self._is_current():
             self._found = None
             self._cancel()
@@ -84,7 +89,9 @@ class SurfaceColours:
     def _is_current(self):
         """Whether the objects have the shapes that were computed, wherever they stand now."""
         now = self._shapes()
-        return now.keys() == self._of.keys() and all(shape.isPartner(self._of[name]) for name, shape in now.items())
+        return now.keys() == self._of.keys() and all(
+            shape.isPartner(self._of[name]) for name, shape in now.items()
+        )
 
     def _undress(self):
         self._coats.clear()
@@ -96,7 +103,8 @@ class SurfaceColours:
         later(obj, lambda _: self._told_changed())
 
     def _cancel(self):
-        """Compute no more. What another computation of the panel has taken the place of was cancelled by that."""
+        """Compute no more. What another computation of the panel has taken the place of was
+        cancelled by that."""
         if self._task is not None and self._task.wanted:
             (self._computation.drop if self._in_panel else self._task.cancel)()
         self._task = None
@@ -125,13 +133,19 @@ class SurfaceColours:
         """Let the panel show how far it is, where it has nothing else to show."""
         self._in_panel = not self._computation.busy
         if self._in_panel:
-            self._task = self._computation.start("Computing colours\u2026", run, done, self._told_left, locks=False)
+            self._task = self._computation.start(
+                "Computing colours\u2026", run, done, self._told_left, locks=False
+            )
         else:
             self._task = tasks.start(run, done)
 
     def _drawn(self):
         """[(object, its Surface)] of what was computed."""
-        return [(obj, self._found.surfaces[obj.Name]) for obj in self._surfaces() if obj.Name in self._found.surfaces]
+        return [
+            (obj, self._found.surfaces[obj.Name])
+            for obj in self._surfaces()
+            if obj.Name in self._found.surfaces
+        ]
 
     def _warn(self):
         for obj, surface in self._drawn():
@@ -154,17 +168,20 @@ class SurfaceColours:
 
 
 def work_on(objects):
-    """A callable(progress) -> Found of objects as they are now, which any thread may call; None where it was stopped.
+    """A callable(progress) -> Found of objects as they are now, which any thread may call; None
+    where it was stopped.
 
-    The objects after the first have its faces, moved or joined. ``progress`` is a callable(fraction) that returns False to stop.
-    Raises KernelUnavailable when the compiled part is missing.
+    The objects after the first have its faces, moved or joined. ``progress`` is a
+    callable(fraction) that returns False to stop. Raises KernelUnavailable when the compiled part
+    is missing.
     """
     works = {obj.Name: _work(local_shape(obj)) for obj in objects}
     return lambda progress: _run(works, progress)
 
 
 def _work(shape):
-    """A callable(progress) -> (ShownMesh, lines) of a shape as it is now, for any thread; None where it was stopped."""
+    """A callable(progress) -> (ShownMesh, lines) of a shape as it is now, for any thread; None
+    where it was stopped."""
     mesh_of, edges = curvature_map_later(shape), shape.copy().Edges if shape.Faces else []
 
     def run(progress):
@@ -184,9 +201,12 @@ def _run(works, progress):
     for mesh in meshes[1:]:
         align(mesh, meshes[0])
     values = numpy.concatenate([mesh.mean_per_mm for mesh in meshes])
-    limit = curvature.limit(values, numpy.concatenate([curvature.areas(mesh.points, mesh.triangles) for mesh in meshes]))
+    limit = curvature.limit(
+        values, numpy.concatenate([curvature.areas(mesh.points, mesh.triangles) for mesh in meshes])
+    )
     surfaces = {
-        name: Surface(mesh, curvature.colours(mesh.mean_per_mm, limit), lines) for name, (mesh, lines) in drawn.items()
+        name: Surface(mesh, curvature.colours(mesh.mean_per_mm, limit), lines)
+        for name, (mesh, lines) in drawn.items()
     }
     return Found(surfaces, limit)
 

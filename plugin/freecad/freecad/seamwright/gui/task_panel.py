@@ -26,12 +26,14 @@ DOCK_WIDTH = 600
 class TaskPanel:
     """Shows one Seam Analysis.
 
-    A click on a row selects the seam's edge, marks its worst point and zooms to it; picking an
-    edge in the 3D view selects its row. It measures in a thread, and the object stays as it was until that is done.
+    A click on a row selects the seam's edge, marks its worst point and zooms to it; picking an edge
+    in the 3D view selects its row. It measures in a thread, and the object stays as it was until
+    that is done.
     """
 
     def __init__(self, obj, created):
-        """``created``: nothing was measured yet; the object is removed where that is cancelled, or fails."""
+        """``created``: nothing was measured yet; the object is removed where that is cancelled, or
+        fails."""
         self.obj = obj
         self._doc, self._name = obj.Document, obj.Name
         self._created = created
@@ -116,7 +118,9 @@ class TaskPanel:
         line.addWidget(repair)
         for kind in ("csv", "json"):
             button = QtWidgets.QPushButton("Export %s\u2026" % kind.upper())
-            button.clicked.connect(lambda *_, kind=kind: export_dialog.ask_and_export(self.obj, (kind,)))
+            button.clicked.connect(
+                lambda *_, kind=kind: export_dialog.ask_and_export(self.obj, (kind,))
+            )
             line.addWidget(button)
         return line
 
@@ -230,7 +234,13 @@ class TaskPanel:
         if places:
             chosen = [self.seams[self.model.row(place).seam] for place in places]
             with self.picker.paused():
-                seam_view.show(self.obj, self.report, chosen, self.obj.Shape.BoundBox.DiagonalLength, self._look)
+                seam_view.show(
+                    self.obj,
+                    self.report,
+                    chosen,
+                    self.obj.Shape.BoundBox.DiagonalLength,
+                    self._look,
+                )
 
     def _edge_picked(self, number):
         """Select the rows of an edge, when FreeCAD is done with its own selecting."""

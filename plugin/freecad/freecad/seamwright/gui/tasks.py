@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Long work in threads of its own; what came of it is told in the thread of the window.
 
-A thread of a task touches neither documents nor widgets. A timer of the window looks at the tasks, so no thread ever calls
-into the window.
+A thread of a task touches neither documents nor widgets. A timer of the window looks at the tasks,
+so no thread ever calls into the window.
 """
 
 import contextlib
@@ -73,10 +73,11 @@ class Tasks:
         return not self._running
 
     def start(self, run, done):
-        """Call ``run(progress)`` in a thread and then, in this one, ``done(found, error)``: what it returned, or raised.
+        """Call ``run(progress)`` in a thread and then, in this one, ``done(found, error)``: what it
+        returned, or raised.
 
-        ``done`` is not called after ``cancel`` of the Task, which is returned; nor while a document is being recomputed,
-        or a dialog waits for its answer, but after that.
+        ``done`` is not called after ``cancel`` of the Task, which is returned; nor while a document
+        is being recomputed, or a dialog waits for its answer, but after that.
         """
         if self._timer is None:
             self._timer = QtCore.QTimer()
@@ -94,7 +95,8 @@ class Tasks:
 
     @contextlib.contextmanager
     def hold(self):
-        """Within it nothing is told: work goes on that FreeCAD waits for, and lets the window live meanwhile."""
+        """Within it nothing is told: work goes on that FreeCAD waits for, and lets the window live
+        meanwhile."""
         self._held += 1
         try:
             yield
@@ -113,7 +115,11 @@ class Tasks:
         if self._collects and gc.get_count()[0] > gc.get_threshold()[0] > 0:
             gc.collect(1)
         self._forget([task for task in self._running if task.is_over() and not task.wanted])
-        while not self._held and documents_rest() and QtWidgets.QApplication.activeModalWidget() is None:
+        while (
+            not self._held
+            and documents_rest()
+            and QtWidgets.QApplication.activeModalWidget() is None
+        ):
             over = [task for task in self._running if task.is_over()]
             if not over:
                 return
@@ -129,7 +135,8 @@ class Tasks:
 
 
 def documents_rest():
-    """Whether documents may be changed now: none is within a recompute or a step back, or being opened."""
+    """Whether documents may be changed now: none is within a recompute or a step back, or being
+    opened."""
     documents = App.listDocuments().values()
     return not any(doc.Recomputing or doc.Transacting or doc.Restoring for doc in documents)
 

@@ -39,7 +39,8 @@ class NumberField(QtWidgets.QDoubleSpinBox):
 
 
 class ToleranceForm(QtWidgets.QWidget):
-    """Fields for the tolerances of an object, by a table of its module; nothing is written, ``values`` says what they say.
+    """Fields for the tolerances of an object, by a table of its module; nothing is written,
+    ``values`` says what they say.
 
     ``choice``: the property for the level of continuity, and its values; None where there is none.
     """
@@ -58,7 +59,11 @@ class ToleranceForm(QtWidgets.QWidget):
         profile = self._build_profile()
         if choice:
             first_line = QtWidgets.QHBoxLayout()
-            for widget, stretch in ((self.level, 1), (QtWidgets.QLabel("Tolerances"), 0), (profile, 2)):
+            for widget, stretch in (
+                (self.level, 1),
+                (QtWidgets.QLabel("Tolerances"), 0),
+                (profile, 2),
+            ):
                 first_line.addWidget(widget, stretch)
             layout.addRow(self._level_name, first_line)
         else:
@@ -81,7 +86,9 @@ class ToleranceForm(QtWidgets.QWidget):
             tip = profiles.tip(name)
             self.profile.setItemData(self.profile.count() - 1, tip, QtCore.Qt.ToolTipRole)
         self.profile.addItem(CUSTOM, None)
-        self.profile.setToolTip("Fills in the fields below with what a kind of work usually accepts")
+        self.profile.setToolTip(
+            "Fills in the fields below with what a kind of work usually accepts"
+        )
         self.profile.activated.connect(self._profile_chosen)
         return self.profile
 
@@ -89,7 +96,9 @@ class ToleranceForm(QtWidgets.QWidget):
         name = self.profile.itemData(place)
         if name is not None:
             for field_name, field in self.fields.items():
-                field.setValue(profiles.PROFILES[name].get(self._arguments[field_name], field.value()))
+                field.setValue(
+                    profiles.PROFILES[name].get(self._arguments[field_name], field.value())
+                )
         self._field_changed()  # "Custom" by itself changes nothing
 
     def _field_changed(self, *_):

@@ -55,21 +55,19 @@ class SeamAnalysisView(PanelView):
             self._refresh(obj.ViewObject)
 
     def onChanged(self, vobj, prop):
-        """Follow the view properties that concern the legend or make FreeCAD draw anew."""
+        """Follow the view properties that concern the legend or make FreeCAD draw again."""
         if prop == "LineWidth":
             self.line_width = vobj.LineWidth
         if prop in DRAWN_ANEW and hasattr(self, "legend"):
             self._refresh_later(vobj.Object)
 
     def _refresh_later(self, obj):
-        """Refresh once FreeCAD has drawn: drawing the edges anew drops their colours."""
+        """Refresh once FreeCAD has drawn: drawing the edges again drops their colours."""
         later(obj, lambda found: self._refresh(found.ViewObject))
 
     def _refresh(self, vobj):
         report = analysis.report_of(vobj.Object)
-        colours = [
-            palette.BY_KEY[key].unit_rgb for key in summary.edge_classes(report).values()
-        ]
+        colours = [palette.BY_KEY[key].unit_rgb for key in summary.edge_classes(report).values()]
         if colours:
             vobj.LineColorArray = colours
         self._update_legend(vobj, report)

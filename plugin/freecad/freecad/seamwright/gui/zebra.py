@@ -29,7 +29,8 @@ class Zebra:
         with progress_dialog("Computing zebra stripes\u2026") as progress:
             for place, obj in enumerate(objects):
                 found = display_mesh(
-                    local_shape(obj), lambda part, place=place: progress((place + part) / len(objects))
+                    local_shape(obj),
+                    lambda part, place=place: progress((place + part) / len(objects)),
                 )
                 if found is None:
                     return False
@@ -43,14 +44,18 @@ class Zebra:
         self._coats.take_off(objects)
 
     def _follow_shape(self, obj):
-        """Draw the stripes of a changed object anew, once FreeCAD is done with its recompute."""
+        """Draw the stripes of a changed object again, once FreeCAD is done with its recompute."""
         if not self._stale:
             QtCore.QTimer.singleShot(0, self._redraw)
         self._stale.add(key(obj))
 
     def _redraw(self):
         stale, self._stale = self._stale, set()
-        found = [App.getDocument(doc).getObject(name) for doc, name in stale if doc in App.listDocuments()]
+        found = [
+            App.getDocument(doc).getObject(name)
+            for doc, name in stale
+            if doc in App.listDocuments()
+        ]
         self.show([obj for obj in found if obj is not None and self._coats.wears(obj)])
 
 

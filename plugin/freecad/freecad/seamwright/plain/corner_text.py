@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is said about a corner of several fillets.
 
-The report is a dict: ``tolerance``, ``met``, ``reason`` (why not), ``edges`` (a dict each of edge, convex, angle_deg,
-radius_mm, contact_mm, setback_mm, with the numbers of the source) and ``seams`` (see new_seams).
+The report is a dict: ``tolerance``, ``met``, ``reason`` (why not), ``edges`` (a dict each of edge,
+convex, angle_deg, radius_mm, contact_mm, setback_mm, with the numbers of the source) and ``seams``
+(see new_seams).
 """
 
 import math
@@ -27,7 +28,10 @@ SUGGESTED = 0.1
 
 def build_report(found, tolerance):
     """The report from what the kernel found."""
-    seams = [new_seams.deciding({**seam, "between": BETWEEN[seam["between"]]}, TARGET) for seam in found["seams"]]
+    seams = [
+        new_seams.deciding({**seam, "between": BETWEEN[seam["between"]]}, TARGET)
+        for seam in found["seams"]
+    ]
     if not found["met"]:
         seams = [{**seam, "edges": [], "faces": [], "worst": None} for seam in seams]
     return {
@@ -66,7 +70,9 @@ def patches(report):
 
 def _faces(report, *words):
     kinds = [BETWEEN[word] for word in words]
-    return {number for seam in report["seams"] if seam["between"] in kinds for number in seam["faces"]}
+    return {
+        number for seam in report["seams"] if seam["between"] in kinds for number in seam["faces"]
+    }
 
 
 def edge_text(edge):
@@ -82,12 +88,18 @@ def suggested_radius_mm(lengths_mm):
 
 
 def by_edge(numbers, edges, name):
-    """{edge: number} for a number each, or one number for all. Raises ValueError for another count."""
+    """{edge: number} for a number each, or one number for all. Raises ValueError for another
+    count."""
     if len(numbers) == 1:
         numbers = list(numbers) * len(edges)
     if len(numbers) != len(edges):
         raise ValueError(
             "%s has %s for the %d edges of the corner (%s): give one for each, or one for all"
-            % (name, summary.counted(len(numbers), "number"), len(edges), repair_text.edges_text({"edges": edges}))
+            % (
+                name,
+                summary.counted(len(numbers), "number"),
+                len(edges),
+                repair_text.edges_text({"edges": edges}),
+            )
         )
     return dict(zip(edges, numbers))

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Colours that say how a surface is bent: white where its mean curvature is 0, orange where it is hollow, blue where it bulges.
+"""Colours that say how a surface is bent: white where its mean curvature is 0, orange where it is
+hollow, blue where it bulges.
 
-They grow darker with the curvature, to both sides alike, so that every eye tells flat from bent and hollow from bulging.
+They grow darker with the curvature, to both sides alike, so that every eye tells flat from bent and
+hollow from bulging.
 """
 
 import math
@@ -53,14 +55,16 @@ class Sample:
 
 
 def areas(points, triangles):
-    """The share of the area of the triangles that belongs to each point: a third of those around it."""
+    """The share of the area of the triangles that belongs to each point: a third of those around
+    it."""
     a, b, c = (points[triangles[:, corner]] for corner in range(3))
     each = numpy.linalg.norm(numpy.cross(b - a, c - a), axis=1) / 6
     return numpy.bincount(triangles.ravel(), numpy.repeat(each, 3), len(points))
 
 
 def quantiles(values, weights, shares):
-    """For each share the least value up to which that share of the weight lies; zeros where there is no weight."""
+    """For each share the least value up to which that share of the weight lies; zeros where there
+    is no weight."""
     order = numpy.argsort(values)
     sums = numpy.cumsum(weights[order])
     if not len(values) or sums[-1] <= 0:
@@ -70,9 +74,11 @@ def quantiles(values, weights, shares):
 
 
 def limit(values, weights):
-    """The curvature, in 1/mm, that has the end colour: nearly all of the area lies within it, to both sides of 0.
+    """The curvature, in 1/mm, that has the end colour: nearly all of the area lies within it, to
+    both sides of 0.
 
-    It is a round figure. Where nearly all is flat it is the largest curvature; 0 where nothing is bent.
+    It is a round figure. Where nearly all is flat it is the largest curvature; 0 where nothing is
+    bent.
     """
     told = numpy.isfinite(values)
     values, weights = values[told], weights[told]
@@ -88,9 +94,14 @@ def _round_up(value):
 
 
 def colours(values, limit_per_mm):
-    """The colour of each curvature, as rows of numbers 0..1; those beyond the limit have the colours of the ends."""
+    """The colour of each curvature, as rows of numbers 0..1; those beyond the limit have the
+    colours of the ends."""
     told = numpy.isfinite(values)
-    shares = numpy.where(told, values, 0.0) / limit_per_mm if limit_per_mm > 0 else numpy.zeros(len(values))
+    shares = (
+        numpy.where(told, values, 0.0) / limit_per_mm
+        if limit_per_mm > 0
+        else numpy.zeros(len(values))
+    )
     places, rgb = [share for share, _ in RAMP], numpy.array([colour for _, colour in RAMP], float)
     found = numpy.stack([numpy.interp(shares, places, channel) for channel in rgb.T], axis=1)
     found[~told] = UNTOLD
@@ -103,7 +114,8 @@ def legend(limit_per_mm):
 
 
 def legend_entries(limit_per_mm):
-    """[(Sample, "0.02 1/mm", "ball of radius 50 mm")], the most hollow first; one line where nothing is bent."""
+    """[(Sample, "0.02 1/mm", "ball of radius 50 mm")], the most hollow first; one line where
+    nothing is bent."""
     if limit_per_mm <= 0:
         return [_entry(0.0, 1.0)]
     return [_entry(share * limit_per_mm, limit_per_mm) for share in LEGEND_SHARES]
@@ -111,7 +123,11 @@ def legend_entries(limit_per_mm):
 
 def _entry(value, limit_per_mm):
     rgb = colours(numpy.array([value]), limit_per_mm)[0] * 255
-    meaning = "as a ball of radius %s mm" % enclosure.number(1 / abs(value)) if value else "flat, or a saddle"
+    meaning = (
+        "as a ball of radius %s mm" % enclosure.number(1 / abs(value))
+        if value
+        else "flat, or a saddle"
+    )
     return Sample(tuple(int(round(channel)) for channel in rgb)), "%s 1/mm" % signed(value), meaning
 
 
@@ -126,4 +142,7 @@ def legend_footer(limit_per_mm):
     signs = "+ hollow, %s bulging, seen from where the normals point" % MINUS
     if limit_per_mm <= 0:
         return signs
-    return "%s\nwhat is beyond \u00b1%s 1/mm has the end colours" % (signs, enclosure.number(limit_per_mm))
+    return "%s\nwhat is beyond \u00b1%s 1/mm has the end colours" % (
+        signs,
+        enclosure.number(limit_per_mm),
+    )

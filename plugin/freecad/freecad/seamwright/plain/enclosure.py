@@ -26,7 +26,8 @@ ROUNDING_NOISE = 1e-6
 
 
 def text(figure, factor=1.0, limit=None):
-    """A figure {lower, upper, at} times ``factor``; ``limit`` is what is accepted, in the unit shown."""
+    """A figure {lower, upper, at} times ``factor``; ``limit`` is what is accepted, in the unit
+    shown."""
     lower = factor * figure["lower"]
     if figure.get("upper") is None:
         return "\u2265" + number(lower)

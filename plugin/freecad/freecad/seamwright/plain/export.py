@@ -30,7 +30,9 @@ def csv_text(report):
     """One line a seam; each figure as three columns: lower, upper, at. Empty where unmeasured."""
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
-    parts = ["%s_%s" % (figure, part) for figure in rows.QUANTITIES for part in ("lower", "upper", "at")]
+    parts = [
+        "%s_%s" % (figure, part) for figure in rows.QUANTITIES for part in ("lower", "upper", "at")
+    ]
     writer.writerow([*HEAD, *parts, *TAIL])
     for seam in report.get("seams", ()):
         writer.writerow(_csv_line(report, seam))

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is said about holes and their fills.
 
-The report is a dict: ``target``, ``tolerance``, and ``fills``, a dict each of ``hole`` (its number, or None), ``face``
-(the number of the face that was replaced, or None), ``filled``, ``reached``, ``reason``, ``faces`` (the new ones) and
-``seams`` (see new_seams). Numbers of faces and edges are those of the result, in reasons those of the source.
+The report is a dict: ``target``, ``tolerance``, and ``fills``, a dict each of ``hole`` (its number,
+or None), ``face`` (the number of the face that was replaced, or None), ``filled``, ``reached``,
+``reason``, ``faces`` (the new ones) and ``seams`` (see new_seams). Numbers of faces and edges are
+those of the result, in reasons those of the source.
 """
 
 from freecad.seamwright.plain import new_seams, repair_text, summary
@@ -19,7 +20,8 @@ def edges_of(hole):
 
 
 def default_holes(holes):
-    """The holes that are filled when none is chosen: the longest loop of connected faces is mostly their rim.
+    """The holes that are filled when none is chosen: the longest loop of connected faces is mostly
+    their rim.
 
     Where each is the longest, all of them.
     """
@@ -27,17 +29,21 @@ def default_holes(holes):
 
 
 def chosen_holes(holes, edges):
-    """The holes that the edges are of, one edge is enough. Raises ValueError for an edge that is of none."""
+    """The holes that the edges are of, one edge is enough. Raises ValueError for an edge that is of
+    none."""
     owners = {number: hole for hole in holes for number in edges_of(hole)}
     for number in edges:
         if number not in owners:
-            raise ValueError("edge %d is no edge of a hole: it is not open, or part of no closed loop" % number)
+            raise ValueError(
+                "edge %d is no edge of a hole: it is not open, or part of no closed loop" % number
+            )
     wanted = {owners[number]["id"] for number in edges}
     return [hole for hole in holes if hole["id"] in wanted]
 
 
 def hole_text(hole, holes):
-    """ "Hole 2: 4 sides, 63.1 mm around (5, 0, 2.5)", with a remark at one that is not filled unless it is chosen."""
+    """ "Hole 2: 4 sides, 63.1 mm around (5, 0, 2.5)", with a remark at one that is not filled unless
+    it is chosen."""
     sides = summary.counted(len(hole["sides"]), "side") if hole["has_corners"] else "no corner"
     centre = ", ".join("%.4g" % (round(coordinate, 9) + 0.0) for coordinate in hole["centre_mm"])
     text = "Hole %d: %s, %.4g mm around (%s)" % (hole["id"], sides, hole["length_mm"], centre)
@@ -50,7 +56,8 @@ def hole_tip(hole):
 
 
 def entry(found, hole=None, face=None):
-    """What is kept of a fill, ``found``: what the kernel says. Numbers are those of the filled model."""
+    """What is kept of a fill, ``found``: what the kernel says. Numbers are those of the filled
+    model."""
     new = set(found["faces"])
     seams = [
         new_seams.deciding({**seam, "between": _between(seam, new, face)}, found["target"])
@@ -100,16 +107,22 @@ def missed(report):
 def new_faces(report):
     """(numbers of the new faces, number of the face that they replace or None)."""
     replaced = [fill["face"] for fill in kept(report)]
-    return {number for fill in kept(report) for number in fill["faces"]}, replaced[0] if replaced else None
+    return {number for fill in kept(report) for number in fill["faces"]}, replaced[
+        0
+    ] if replaced else None
 
 
 def waiting_text(faces, holes):
     """What would be done: names of faces that are replaced, none or one, or numbers of holes."""
-    return "%s to replace." % faces[0] if faces else "%s to fill." % summary.counted(len(holes), "hole")
+    return (
+        "%s to replace." % faces[0]
+        if faces
+        else "%s to fill." % summary.counted(len(holes), "hole")
+    )
 
 
 def name_of(fill):
-    """ "Hole 2" or "Face16". """
+    """ "Hole 2" or "Face16"."""
     return "Hole %d" % fill["hole"] if fill["face"] is None else "Face%d" % fill["face"]
 
 
@@ -130,6 +143,8 @@ def summary_text(report):
     if not done:
         return "%s: %s" % (text, " ".join(reasons(report)))
     made = summary.counted(sum(len(fill["faces"]) for fill in done), "face")
-    seams = new_seams.largest_text([seam for fill in done for seam in fill["seams"]], report["tolerance"])
+    seams = new_seams.largest_text(
+        [seam for fill in done for seam in fill["seams"]], report["tolerance"]
+    )
     verdict = "%s is met" if all(fill["reached"] for fill in done) else "%s is missed, kept anyway"
     return "%s with %s; %s; %s." % (text, made, seams, verdict % target)

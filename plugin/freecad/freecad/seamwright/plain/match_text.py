@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is said about two matched faces: the table before and after, and the summary.
 
-The report is a dict: what the kernel found (matched, reason, exact, largest_move_mm, before, after; the seams
-are None where the faces have no common boundary), with the ``tolerance`` and the names of the ``faces``.
+The report is a dict: what the kernel found (matched, reason, exact, largest_move_mm, before, after;
+the seams are None where the faces have no common boundary), with the ``tolerance`` and the names of
+the ``faces``.
 """
 
 import re
@@ -14,7 +15,14 @@ FIGURES = ("gap_mm", "angle_deg", "curvature_rel")
 HEADINGS = {"gap_mm": "Gap mm", "angle_deg": "Angle \u00b0", "curvature_rel": "Curvature %"}
 UNKNOWN = "\u2013"
 
-EMPTY_REPORT = {"matched": False, "reason": "", "exact": False, "largest_move_mm": 0.0, "before": None, "after": None}
+EMPTY_REPORT = {
+    "matched": False,
+    "reason": "",
+    "exact": False,
+    "largest_move_mm": 0.0,
+    "before": None,
+    "after": None,
+}
 
 
 def table(report):
@@ -37,7 +45,8 @@ def _certain(seam):
 
 
 def summary(report):
-    """One line: that the faces match, by how much they moved and what their seam is like; or why they do not match."""
+    """One line: that the faces match, by how much they moved and what their seam is like; or why
+    they do not match."""
     if not report["matched"]:
         return "Not matched: %s." % report["reason"].rstrip(".")
     parts = ["%s is met" % report["target"]]
@@ -58,7 +67,9 @@ def named(text, faces, edge_name):
     text = re.sub(r"\bface ([12])\b", lambda found: faces[int(found.group(1)) - 1], text)
     text = re.sub(r"\bedge (\d+)\b", lambda found: edge_name(int(found.group(1))), text)
     listed = re.compile(r"(?<=these are: )\d+(?:, \d+)*")
-    return listed.sub(lambda found: ", ".join(edge_name(int(n)) for n in found.group().split(", ")), text)
+    return listed.sub(
+        lambda found: ", ".join(edge_name(int(n)) for n in found.group().split(", ")), text
+    )
 
 
 def value(seam, name):

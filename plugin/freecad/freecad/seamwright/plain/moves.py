@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Colours that say how far a point moved: from a light grey, where it stays, over yellow to a dark red.
+"""Colours that say how far a point moved: from a light grey, where it stays, over yellow to a dark
+red.
 
 They grow darker with the move, so that the lightness alone tells them apart, for every eye.
 """
@@ -29,7 +30,8 @@ class Sample:
 
 
 def colour(share):
-    """The colour of a share, 0..1, of the largest move, as numbers 0..255; shares beyond are those at the ends."""
+    """The colour of a share, 0..1, of the largest move, as numbers 0..255; shares beyond are those
+    at the ends."""
     share = min(max(share, 0.0), 1.0)
     for (low, one), (high, other) in zip(RAMP, RAMP[1:]):
         if share <= high:
@@ -49,7 +51,11 @@ def legend_entries(largest_mm):
     if largest_mm <= 0:
         return [(Sample(RAMP[0][1]), "0 mm", "")]
     return [
-        (Sample(tuple(round(channel) for channel in colour(share))), "%s mm" % enclosure.number(share * largest_mm), "")
+        (
+            Sample(tuple(round(channel) for channel in colour(share))),
+            "%s mm" % enclosure.number(share * largest_mm),
+            "",
+        )
         for share in LEGEND_SHARES
     ]
 
@@ -59,4 +65,8 @@ def legend_footer(moves, faces):
     if not moves:
         return "no face moved"
     largest = max(move["largest_move_mm"] for move in moves)
-    return "%d of %d faces moved, poles by up to %s mm" % (len(moves), faces, enclosure.number(largest))
+    return "%d of %d faces moved, poles by up to %s mm" % (
+        len(moves),
+        faces,
+        enclosure.number(largest),
+    )

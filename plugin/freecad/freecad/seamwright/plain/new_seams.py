@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Seams of faces that were made anew, a row of a table each: what meets there, how, and whether that was asked for.
+"""Seams of faces that were made again, a row of a table each: what meets there, how, and whether
+that was asked for.
 
-A seam is a dict of the kernel's report with ``between``, what it separates. Where its faces were not kept it has no
-``edges`` and no ``faces``: the model that they are numbers of is gone.
+A seam is a dict of the kernel's report with ``between``, what it separates. Where its faces were
+not kept it has no ``edges`` and no ``faces``: the model that they are numbers of is gone.
 """
 
 from dataclasses import dataclass
@@ -31,34 +32,56 @@ class Row:
 
 
 def surely_meets(seam, tolerance, target):
-    """Whether the figures that decide at the target are within the tolerance for every value that they may have."""
-    figures = [(seam.get(name), tolerance[rows.TOLERANCE_OF.get(name, name)]) for name in rows.DECIDING[target]]
-    return all(figure and figure["upper"] is not None and figure["upper"] <= limit for figure, limit in figures)
+    """Whether the figures that decide at the target are within the tolerance for every value that
+    they may have."""
+    figures = [
+        (seam.get(name), tolerance[rows.TOLERANCE_OF.get(name, name)])
+        for name in rows.DECIDING[target]
+    ]
+    return all(
+        figure and figure["upper"] is not None and figure["upper"] <= limit
+        for figure, limit in figures
+    )
 
 
 def build_rows(seams, tolerance, target):
-    """The rows of seams: those that fall short come first, then the largest share of the tolerance."""
+    """The rows of seams: those that fall short come first, then the largest share of the
+    tolerance."""
     every = [_row(place, seam, tolerance, target) for place, seam in enumerate(seams)]
     return sorted(
         every,
-        key=lambda row: (row.state != repair_text.LEFT, -rows.severity(seams[row.place], tolerance, target)),
+        key=lambda row: (
+            row.state != repair_text.LEFT,
+            -rows.severity(seams[row.place], tolerance, target),
+        ),
     )
 
 
 def _row(place, seam, tolerance, target):
     met = surely_meets(seam, tolerance, target)
-    figures = (rows.figure_text(seam, name, tolerance) for name in ("angle_deg", "gap_mm", "curvature_rel"))
+    figures = (
+        rows.figure_text(seam, name, tolerance) for name in ("angle_deg", "gap_mm", "curvature_rel")
+    )
     return Row(
         place=place,
         state=repair_text.REPAIRED if met else repair_text.LEFT,
-        cells=(repair_text.edges_text(seam) or "\u2013", seam["between"], *figures, _verdict(seam, tolerance, target)),
+        cells=(
+            repair_text.edges_text(seam) or "\u2013",
+            seam["between"],
+            *figures,
+            _verdict(seam, tolerance, target),
+        ),
         detail=rows.detail_text(seam, tolerance),
     )
 
 
 def surely_misses(seam, tolerance, target):
-    """Whether a figure that decides at the target is beyond the tolerance for every value that it may have."""
-    figures = [(seam.get(name), tolerance[rows.TOLERANCE_OF.get(name, name)]) for name in rows.DECIDING[target]]
+    """Whether a figure that decides at the target is beyond the tolerance for every value that it
+    may have."""
+    figures = [
+        (seam.get(name), tolerance[rows.TOLERANCE_OF.get(name, name)])
+        for name in rows.DECIDING[target]
+    ]
     return any(figure and figure["lower"] > limit for figure, limit in figures)
 
 
@@ -84,7 +107,8 @@ def bound(seams, name):
 
 
 def largest_text(seams, tolerance):
-    """ "12 seams, gap at most 1.4e-4 mm, angle at most 0.0028°, curvature unknown": unknown where some have none. """
+    """ "12 seams, gap at most 1.4e-4 mm, angle at most 0.0028°, curvature unknown": unknown where
+    some have none."""
     parts = [summary.counted(len(seams), "seam")]
     for name, word in (("gap_mm", "gap"), ("angle_deg", "angle"), ("curvature_rel", "curvature")):
         figure = largest(seams, name)

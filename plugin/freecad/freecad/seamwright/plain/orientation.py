@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """One side for the normals of faces that lie beside each other, though they were never joined.
 
-The sign of a mean curvature goes with the normal. Faces of one shell have their normals on one side; loose faces need not.
+The sign of a mean curvature goes with the normal. Faces of one shell have their normals on one
+side; loose faces need not.
 """
 
 import numpy
@@ -17,10 +18,12 @@ TOLD = 1e-2
 
 
 def signs(points, normals, first_nodes, groups):
-    """1 or -1 for each face: -1 where its normals should be turned over, so that smooth neighbours have theirs on one side.
+    """1 or -1 for each face: -1 where its normals should be turned over, so that smooth neighbours
+    have theirs on one side.
 
-    The points of face k are those from ``first_nodes[k]`` to ``first_nodes[k + 1]``. ``groups``: a number for each face;
-    faces with the same one, as those of a shell, are turned over together. Of what is connected the smaller part is.
+    The points of face k are those from ``first_nodes[k]`` to ``first_nodes[k + 1]``. ``groups``: a
+    number for each face; faces with the same one, as those of a shell, are turned over together. Of
+    what is connected the smaller part is.
     """
     numbers, groups = numpy.unique(groups, return_inverse=True)
     if len(numbers) < 2:
@@ -34,7 +37,8 @@ def signs(points, normals, first_nodes, groups):
 
 
 def _meetings(points, normals, owner):
-    """[(group, other group, sum of the products of their normals at points in common)], the clearest first."""
+    """[(group, other group, sum of the products of their normals at points in common)], the
+    clearest first."""
     cell = NEAR * numpy.ptp(points, axis=0).max() if len(points) else 0.0
     if cell <= 0:
         return []
@@ -42,11 +46,17 @@ def _meetings(points, normals, owner):
     keys = cells @ numpy.array([73856093, 19349663, 83492791])
     order = numpy.lexsort((owner, keys))
     here, there = order[:-1], order[1:]
-    meet = (keys[here] == keys[there]) & (cells[here] == cells[there]).all(axis=1) & (owner[here] != owner[there])
+    meet = (
+        (keys[here] == keys[there])
+        & (cells[here] == cells[there]).all(axis=1)
+        & (owner[here] != owner[there])
+    )
     here, there = here[meet], there[meet]
     products = (normals[here] * normals[there]).sum(axis=1)
     clear = abs(products) > SMOOTH
-    pairs, place = numpy.unique(numpy.stack([owner[here], owner[there]], axis=1)[clear], axis=0, return_inverse=True)
+    pairs, place = numpy.unique(
+        numpy.stack([owner[here], owner[there]], axis=1)[clear], axis=0, return_inverse=True
+    )
     sums = numpy.bincount(place.ravel(), products[clear], len(pairs))
     return [(*pairs[k], sums[k]) for k in numpy.argsort(-abs(sums))]
 
@@ -61,7 +71,8 @@ class _Parts:
         self._turned = [False] * len(weights)
 
     def join(self, one, other, opposite):
-        """Two groups have their normals on one side, or on opposite ones; no matter where they are of one part already."""
+        """Two groups have their normals on one side, or on opposite ones; no matter where they are
+        of one part already."""
         a, b = self._of[one], self._of[other]
         if a == b:
             return
@@ -84,7 +95,8 @@ class _Parts:
 
 
 def agreeing(normals, first_nodes, other_normals, other_first_nodes):
-    """1 or -1 for each face: -1 where the normals of the same face of another model point to the opposite side."""
+    """1 or -1 for each face: -1 where the normals of the same face of another model point to the
+    opposite side."""
     one, other = _means(normals, first_nodes), _means(other_normals, other_first_nodes)
     return numpy.where((one * other).sum(axis=1) < -TOLD, -1, 1)
 

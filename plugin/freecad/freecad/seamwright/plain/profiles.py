@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Tolerances by name, as the kernel has them (``seamwright.PROFILES``); docs/seams.md explains them.
+"""Tolerances by name, as the kernel has them (``seamwright.PROFILES``); docs/seams.md explains
+them.
 
 They are written here too because the panel works without the compiled module.
 """
@@ -25,7 +26,8 @@ LABELS = {
 
 
 def name_of(tolerances):
-    """The first profile with these tolerances, those that are given, or None; other keys than tolerances do not count."""
+    """The first profile with these tolerances, those that are given, or None; other keys than
+    tolerances do not count."""
     for name, figures in PROFILES.items():
         known = [(tolerances[key], value) for key, value in figures.items() if key in tolerances]
         if all(abs(given - value) <= 1e-12 * value for given, value in known):

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is said about a repair: the table of the seams that were to be repaired, and the summary.
 
-The report is a dict: ``target`` ("G1"), ``tolerance``, ``chosen`` (whether the user named the seams), ``seams`` (each a
-dict of before, after, repaired and reason; of those that were to be repaired), ``moves`` (each a dict of face and
-largest_move_mm), ``total`` (number of all seams), and of the whole model before and after: ``defects``, ``gap_mm``,
-``angle_deg``. What stands for "after" is None where nothing was repaired yet.
+The report is a dict: ``target`` ("G1"), ``tolerance``, ``chosen`` (whether the user named the
+seams), ``seams`` (each a dict of before, after, repaired and reason; of those that were to be
+repaired), ``moves`` (each a dict of face and largest_move_mm), ``total`` (number of all seams), and
+of the whole model before and after: ``defects``, ``gap_mm``, ``angle_deg``. What stands for "after"
+is None where nothing was repaired yet.
 """
 
 import math
@@ -58,8 +59,9 @@ CURVATURE_COLUMN = 4
 def build_report(before, after, seams, moves, target, chosen, edges_led=0):
     """The report from what the kernel found.
 
-    ``before``, ``after``: reports of the analysis; ``after`` is None before the repair. ``seams``: dicts of before,
-    after, treated, repaired, reason, and sewn where one was, of all seams. ``edges_led``: how many edges have new paths.
+    ``before``, ``after``: reports of the analysis; ``after`` is None before the repair. ``seams``:
+    dicts of before, after, treated, repaired, reason, and sewn where one was, of all seams.
+    ``edges_led``: how many edges have new paths.
     """
     wanted = [
         {name: seam[name] for name in ("before", "after", "repaired", "reason")}
@@ -76,7 +78,9 @@ def build_report(before, after, seams, moves, target, chosen, edges_led=0):
         "edges_led": edges_led,
         "sewn": sum(seam.get("sewn", False) for seam in seams),
         "total": len(before["seams"]),
-        "defects": [None if each is None else summary.class_counts(each)["defect"] for each in both],
+        "defects": [
+            None if each is None else summary.class_counts(each)["defect"] for each in both
+        ],
         **{name: [_largest(each, name) for each in both] for name in ("gap_mm", "angle_deg")},
     }
 
@@ -88,8 +92,8 @@ def _largest(report, name):
 def waiting(before, target, edges):
     """The seams that a repair would treat, as ``build_report`` takes them.
 
-    ``before``: the report of an analysis at the level ``target``; ``edges``: the numbers of those that the user named,
-    none for all defects.
+    ``before``: the report of an analysis at the level ``target``; ``edges``: the numbers of those
+    that the user named, none for all defects.
     """
 
     def is_wanted(seam):
@@ -157,7 +161,8 @@ def build_rows(report):
     """The rows of the table, the worst before the repair first."""
     tolerance, target = report["tolerance"], report["target"]
     ranked = sorted(
-        report["seams"], key=lambda seam: (-_severity(seam["before"], tolerance, target), seam["before"]["id"])
+        report["seams"],
+        key=lambda seam: (-_severity(seam["before"], tolerance, target), seam["before"]["id"]),
     )
     return [_row(seam, tolerance, is_done(report)) for seam in ranked]
 
@@ -170,7 +175,10 @@ def _severity(seam, tolerance, target):
 def _row(seam, tolerance, done):
     before, after = seam["before"], seam["after"]
     state = WAITING if not done else REPAIRED if seam["repaired"] else LEFT
-    figures = (_change_text(before, after, name, tolerance) for name in ("angle_deg", "gap_mm", "curvature_rel"))
+    figures = (
+        _change_text(before, after, name, tolerance)
+        for name in ("angle_deg", "gap_mm", "curvature_rel")
+    )
     reason = named(seam["reason"])
     result = {WAITING: "", REPAIRED: "repaired", LEFT: reason}[state]
     faces = ", ".join(str(number) for number in before["faces"])
@@ -190,12 +198,16 @@ def edges_text(seam):
 
 def named(text):
     """A sentence of the kernel with its faces and edges as the user reads them: "Face3"."""
-    return re.sub(r"\b(face|edge) (\d+)\b", lambda found: found.group(1).capitalize() + found.group(2), text)
+    return re.sub(
+        r"\b(face|edge) (\d+)\b", lambda found: found.group(1).capitalize() + found.group(2), text
+    )
 
 
 def _change_text(before, after, name, tolerance):
     """ "0.62 \u2192 \u22641e-9", or the figure before alone where there is none after."""
-    texts = [rows.figure_text(seam, name, tolerance) for seam in (before, after) if seam is not None]
+    texts = [
+        rows.figure_text(seam, name, tolerance) for seam in (before, after) if seam is not None
+    ]
     return ARROW.join(texts)
 
 

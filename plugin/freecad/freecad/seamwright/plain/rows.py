@@ -104,7 +104,8 @@ COLUMNS = (
 
 
 def figure_value(figure):
-    """The number to show for a figure: its upper bound, else the largest seen; None if unmeasured."""
+    """The number to show for a figure: its upper bound, else the largest seen; None if
+    unmeasured."""
     if figure is None:
         return None
     upper = figure.get("upper")
@@ -139,7 +140,8 @@ def owner_of(report, kind, number):
 
 
 def located(seams, tolerance, name):
-    """What the view needs of a report, with each face and edge of the seams as part of the object ``name``."""
+    """What the view needs of a report, with each face and edge of the seams as part of the object
+    ``name``."""
     seams = list(seams)
     return {
         "tolerance": tolerance,
@@ -167,7 +169,9 @@ def edge_number(report, analysis, name, element):
 
 def edge_numbers(report):
     """The edges of all seams in the order of the report, each once."""
-    return list(dict.fromkeys(number for seam in report.get("seams", ()) for number in seam["edges"]))
+    return list(
+        dict.fromkeys(number for seam in report.get("seams", ()) for number in seam["edges"])
+    )
 
 
 def build_rows(report):
@@ -265,7 +269,9 @@ def worst_label(seam, tolerance):
     if worst is None:
         return ""
     name = WORST_FIGURE[worst["quantity"]]
-    return "" if seam.get(name) is None else figure_text(seam, name, tolerance) + QUANTITIES[name].unit
+    return (
+        "" if seam.get(name) is None else figure_text(seam, name, tolerance) + QUANTITIES[name].unit
+    )
 
 
 def sort_rows(rows, field, descending=False):

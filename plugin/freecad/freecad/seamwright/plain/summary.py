@@ -54,7 +54,7 @@ def passed(report):
 
 
 def counted(number, noun):
-    """ "1 seam", "2 seams", "no seams". """
+    """ "1 seam", "2 seams", "no seams"."""
     return "%s %s%s" % (number or "no", noun, "" if number == 1 else "s")
 
 
@@ -65,7 +65,9 @@ def summary_text(report):
     if total == 0:
         text = "No seams: no two faces share an edge."
         if report.get("open"):
-            text += " %s can be matched, see the tolerances." % counted(len(report["open"]), "open edge")
+            text += " %s can be matched, see the tolerances." % counted(
+                len(report["open"]), "open edge"
+            )
         return text
     parts = [
         "%s: %s, %s, %d smooth"
@@ -99,12 +101,16 @@ def _largest_text(report):
 
 
 def _largest_enclosed(report, name):
-    """The largest figure over the seams that are no creases, written as an enclosure; empty if there is none."""
+    """The largest figure over the seams that are no creases, written as an enclosure; empty if
+    there is none."""
     figures = [seam[name] for seam in report["seams"] if seam["class"] != "crease" and seam[name]]
     if not figures:
         return ""
     uppers = [figure["upper"] for figure in figures]
-    largest_figure = {"lower": largest(report, name), "upper": None if None in uppers else max(uppers)}
+    largest_figure = {
+        "lower": largest(report, name),
+        "upper": None if None in uppers else max(uppers),
+    }
     return enclosure.text(largest_figure, limit=report["tolerance"][name])
 
 
