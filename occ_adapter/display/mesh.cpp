@@ -143,6 +143,24 @@ void attemptFace(FaceWork& face, const Step& step) {
   }
 }
 
+/// What is wrong with the triangles of a face; empty if nothing is.
+std::string areaFault(const TopoDS_Face& face, const FaceMesh& mesh) {
+  const double found = mesh.areaMm2();
+  double exact = 0;
+  // The quick figure is off by several percent on some surfaces; then the slow one decides.
+  for (const auto& area : {quickAreaMm2, adaptiveAreaMm2}) {
+    const std::optional<double> given = area(face);
+    if (!given) return {};  // nothing to compare with
+    exact = *given;
+    // A face narrower than its own tolerance has no area to speak of.
+    const double allowed = area_share * exact + BRep_Tool::Tolerance(face) * mesh.sizeMm();
+    if (std::abs(found - exact) <= allowed) return {};
+  }
+  char text[120];
+  std::snprintf(text, sizeof text, "triangles of %.4g mm^2 on a face of %.4g mm^2", found, exact);
+  return text;
+}
+
 class DisplayMeshBuilder {
  public:
   DisplayMeshBuilder(const Model& model, const DisplayMeshOptions& options, const MovedFaces& moved)
@@ -265,25 +283,10 @@ class DisplayMeshBuilder {
     if (options_.curvatures) attemptFace(face, [&] { face.curvatures = face.mesh->curvatures(); });
   }
 
-  /// What is wrong with the triangles of a face; empty if nothing is.
   std::string faultOf(int place) const {
     const FaceWork& face = work_[place];
     if (!face.mesh) return "no triangles: " + face.reason;
-    const TopoDS_Face& shape = TopoDS::Face(faces_(place + 1));
-    const double found = face.mesh->areaMm2();
-    double exact = 0;
-    // The quick figure is off by several percent on some surfaces; then the slow one decides.
-    for (const auto& area : {quickAreaMm2, adaptiveAreaMm2}) {
-      const std::optional<double> given = area(shape);
-      if (!given) return {};  // nothing to compare with
-      exact = *given;
-      // A face narrower than its own tolerance has no area to speak of.
-      const double allowed = area_share * exact + BRep_Tool::Tolerance(shape) * face.mesh->sizeMm();
-      if (std::abs(found - exact) <= allowed) return {};
-    }
-    char text[120];
-    std::snprintf(text, sizeof text, "triangles of %.4g mm^2 on a face of %.4g mm^2", found, exact);
-    return text;
+    return areaFault(TopoDS::Face(faces_(place + 1)), *face.mesh);
   }
 
   /// Triangulates a face by itself and finer, and keeps that if it is right.

@@ -20,6 +20,22 @@ namespace seamwright::occ {
 
 namespace {
 
+/// A few faces, one of each seam at least: again and again the one that most seams have.
+std::set<int> coverOf(std::vector<std::set<int>> seams) {
+  std::set<int> chosen;
+  std::erase_if(seams, [](const std::set<int>& faces) { return faces.empty(); });
+  while (!seams.empty()) {
+    std::map<int, int> counts;
+    for (const std::set<int>& faces : seams)
+      for (const int face : faces) ++counts[face];
+    const int face =
+        std::ranges::max_element(counts, {}, [](const auto& one) { return one.second; })->first;
+    chosen.insert(face);
+    std::erase_if(seams, [face](const std::set<int>& faces) { return faces.count(face) > 0; });
+  }
+  return chosen;
+}
+
 class Converting {
  public:
   Converting(const Model& model, const RepairOptions& options, const PlainRepair& repair,
@@ -94,7 +110,7 @@ class Converting {
 
   static bool isOpen(const SeamRepair& seam) { return !seam.repaired && !seam.reason.empty(); }
 
-  /// Faces beside seams where nothing may move: again and again the one that has most of them.
+  /// Faces beside seams where nothing may move.
   std::set<int> fewest(const RepairReport& plain) const {
     std::vector<std::set<int>> seams;
     for (const SeamRepair& seam : plain.seams) {
@@ -103,18 +119,7 @@ class Converting {
           std::ranges::none_of(faces, [this](int face) { return choice_.faces[face].may_move; });
       if (isOpen(seam) && stuck && !hasLevel(seam)) seams.push_back(convertibleOf(faces));
     }
-    std::set<int> chosen;
-    std::erase_if(seams, [](const std::set<int>& faces) { return faces.empty(); });
-    while (!seams.empty()) {
-      std::map<int, int> counts;
-      for (const std::set<int>& faces : seams)
-        for (const int face : faces) ++counts[face];
-      const int face =
-          std::ranges::max_element(counts, {}, [](const auto& one) { return one.second; })->first;
-      chosen.insert(face);
-      std::erase_if(seams, [face](const std::set<int>& faces) { return faces.count(face) > 0; });
-    }
-    return chosen;
+    return coverOf(std::move(seams));
   }
 
   bool hasLevel(const SeamRepair& seam) const {

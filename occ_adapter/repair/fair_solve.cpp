@@ -6,7 +6,9 @@
 #include <optional>
 
 #include <seamwright/occ_adapter/repair/fair_solve.hpp>
+#include <seamwright/occ_adapter/repair/free_coefficients.hpp>
 #include <seamwright/occ_adapter/repair/natural_sides.hpp>
+#include <seamwright/occ_adapter/repair/step_problem.hpp>
 
 namespace seamwright::occ {
 
@@ -27,6 +29,47 @@ constexpr double wanting_knots = 10;
 /// it is tried again alone.
 constexpr std::size_t many_faces = 12;
 
+using HalvedSpans = std::array<std::set<int>, 2>;  ///< by direction
+
+/// By face: the spans of displacements beside samples that are missed, but for short ones.
+std::map<int, HalvedSpans> missedSpans(const std::vector<Joint>& joints,
+                                       const JointSamples& samples) {
+  constexpr double shortest = 1.0 / 128;
+  std::map<int, HalvedSpans> spans;
+  for (std::size_t j = 0; j < joints.size(); ++j)
+    for (const JointSample& sample : samples[j]) {
+      if (sample.ratio <= enough) continue;
+      for (std::size_t k = 0; k < sample.sides.size(); ++k) {
+        const JointSide& side = sample.sides[k];
+        if (side.mover == nullptr) continue;
+        const SurfaceBasis& basis = side.mover->displacement.basis();
+        for (const int direction : {0, 1}) {
+          const SplineAxis& axis = direction == 0 ? basis.u() : basis.v();
+          double t = side.uv[direction];
+          const int span = axis.span(t, side.into[direction]);
+          if (axis.length(span) > shortest * (axis.last - axis.first))
+            spans[joints[j].sides[k].face][direction].insert(span);
+        }
+      }
+    }
+  return spans;
+}
+
+bool halve(Displacement& displacement, const HalvedSpans& spans) {
+  constexpr std::size_t most_coefficients = 1500;
+  const SurfaceBasis& basis = displacement.basis();
+  const std::size_t count =
+      (basis.u().poles + spans[0].size()) * (basis.v().poles + spans[1].size());
+  return count <= most_coefficients && displacement.halve(spans);
+}
+
+/// The weight of the sample that is nearest.
+double nearestWeight(const SampleWeights& weights, double s) {
+  return std::ranges::min_element(weights, {},
+                                  [s](const auto& one) { return std::abs(one.first - s); })
+      ->second;
+}
+
 class FairSolving {
  public:
   FairSolving(const std::vector<Joint>& joints, const ContinuityTolerance& tolerance,
@@ -39,13 +82,13 @@ class FairSolving {
     inherit(start.weights);
     look();
     if (start.is_new)
-      freeAll();
+      unknowns_.freeAll(movers_, naturalSides());
     else
       freeWhereNeeded(start.relaxed);
     int in_vain = 0;
     for (int refinement = 0;; ++refinement) {
       const double before = refinement == 0 ? std::numeric_limits<double>::infinity() : worst();
-      if (unknowns_ > 0) solve(start.is_new, refinement < most_refinements);
+      if (unknowns_.count() > 0) solve(start.is_new, refinement < most_refinements);
       in_vain = worst() > helps * before ? in_vain + 1 : 0;
       const bool is_hopeless =
           in_vain > 1 || (refinement > 0 && movers_.size() > many_faces && worst() > wanting_knots);
@@ -66,14 +109,8 @@ class FairSolving {
       const auto known = weights.find(joints_[j].seam);
       if (joints_[j].ask == Ask::Outline || known == weights.end()) continue;
       for (JointSample& sample : samples_[j])
-        sample.weight = std::sqrt(nearest(known->second, sample.s));
+        sample.weight = std::sqrt(nearestWeight(known->second, sample.s));
     }
-  }
-
-  static double nearest(const SampleWeights& weights, double s) {
-    return std::ranges::min_element(weights, {},
-                                    [s](const auto& one) { return std::abs(one.first - s); })
-        ->second;
   }
 
   double worst() const { return missed_.empty() ? 0 : std::ranges::max(missed_); }
@@ -92,47 +129,18 @@ class FairSolving {
       }
   }
 
-  void freeAll() {
-    for (auto& [face, mover] : movers_)
-      unknown_[face].assign(static_cast<std::size_t>(mover.displacement.count()), 0);
-    number();
-  }
-
-  /// Coefficients near samples that are missed; what is far from them was found with fewer knots.
-  /// \param whole faces of which all are free.
+  /// \param whole faces of which all coefficients are free.
   void freeWhereNeeded(const std::set<int>& whole) {
-    for (auto& [face, mover] : movers_)
-      unknown_[face].assign(static_cast<std::size_t>(mover.displacement.count()),
-                            whole.count(face) > 0 ? 0 : -1);
+    std::map<int, std::set<int>> needed;
     for (std::size_t j = 0; j < joints_.size(); ++j)
       for (const JointSample& sample : samples_[j]) {
         if (sample.ratio <= enough) continue;
         for (std::size_t k = 0; k < sample.sides.size(); ++k)
           if (const JointSide& side = sample.sides[k]; side.mover != nullptr)
             for (const int coefficient : side.mover->displacement.coefficientsNear(side.uv))
-              unknown_[joints_[j].sides[k].face][coefficient] = 0;
+              needed[joints_[j].sides[k].face].insert(coefficient);
       }
-    number();
-  }
-
-  /// Numbers what is free. Coefficients that are one are free if one of them is.
-  void number() {
-    const NaturalSides sides = naturalSides();
-    std::map<std::pair<int, int>, int> numbers;  // by first of those that are one
-    const auto forEach = [&](const auto& work) {
-      for (auto& [face, all] : unknown_)
-        for (std::size_t k = 0; k < all.size(); ++k)
-          work(sides.first(face, static_cast<int>(k)), all[k]);
-    };
-    forEach([&](const auto& first, int& own) {
-      if (own >= 0) numbers[first] = 0;
-    });
-    unknowns_ = 0;
-    for (auto& [first, number] : numbers) number = unknowns_++;
-    forEach([&](const auto& first, int& own) {
-      const auto found = numbers.find(first);
-      own = found == numbers.end() ? -1 : found->second;
-    });
+    unknowns_.free(needed, whole, movers_, naturalSides());
   }
 
   NaturalSides naturalSides() const {
@@ -141,151 +149,6 @@ class FairSolving {
       gaps_stay.push_back(joints_[j].ask == Ask::Keep ||
                           std::ranges::all_of(samples_[j], &JointSample::keeps_gap));
     return {joints_, gaps_stay, movers_};
-  }
-
-  struct FaceEnergy {
-    int face = 0, cell = 0;
-    EnergyBlock block;
-    std::vector<Eigen::Index> free;  ///< places in the block
-  };
-
-  int cellOf(std::vector<int> unknowns) {
-    const auto [found, is_new] = cell_numbers_.emplace(unknowns, static_cast<int>(cells_.size()));
-    if (is_new) cells_.push_back(std::move(unknowns));
-    return found->second;
-  }
-
-  /// Which unknowns stand in a condition together.
-  StepSystem prepare() {
-    cells_.clear();
-    cell_numbers_.clear();
-    prepareEnergies();
-    for (std::size_t j = 0; j < joints_.size(); ++j)
-      for (JointSample& sample : samples_[j]) prepareSample(joints_[j], sample);
-    return {unknowns_, cells_};
-  }
-
-  void prepareEnergies() {
-    energies_.clear();
-    for (const auto& [face, mover] : movers_) {
-      const std::vector<int>& unknown = unknown_[face];
-      const double unit =
-          std::pow(fairness * mover.stiffness / mover.budget_per_mm, 2) / mover.area_mm2;
-      for (EnergyBlock& block : mover.displacement.bending()) {
-        FaceEnergy energy{face, 0, std::move(block), {}};
-        const auto numberOf = [&](Eigen::Index k) { return unknown[energy.block.coefficients[k]]; };
-        for (Eigen::Index k = 0; k < std::ssize(energy.block.coefficients); ++k)
-          if (numberOf(k) >= 0) energy.free.push_back(k);
-        if (energy.free.empty()) continue;
-        std::ranges::sort(energy.free, {}, numberOf);
-        std::vector<int> unknowns;
-        std::ranges::transform(energy.free, std::back_inserter(unknowns), numberOf);
-        energy.block.matrix *= unit;
-        energy.cell = cellOf(std::move(unknowns));
-        energies_.push_back(std::move(energy));
-      }
-    }
-  }
-
-  void prepareSample(const Joint& joint, JointSample& sample) {
-    std::vector<int> unknowns;
-    for (std::size_t k = 0; k < sample.sides.size(); ++k)
-      if (sample.sides[k].mover != nullptr)
-        for (const int coefficient : sample.sides[k].shares.poles)
-          if (const int number = unknown_[joint.sides[k].face][coefficient]; number >= 0)
-            unknowns.push_back(number);
-    std::ranges::sort(unknowns);
-    unknowns.erase(std::unique(unknowns.begin(), unknowns.end()), unknowns.end());
-    sample.cell = -1;
-    if (unknowns.empty()) return;
-    for (std::size_t k = 0; k < sample.sides.size(); ++k) {
-      JointSide& side = sample.sides[k];
-      side.column.clear();
-      if (side.mover == nullptr) continue;
-      for (const int coefficient : side.shares.poles) {
-        const int number = unknown_[joint.sides[k].face][coefficient];
-        side.column.push_back(
-            number < 0 ? -1 : std::ranges::lower_bound(unknowns, number) - unknowns.begin());
-      }
-    }
-    sample.cell = cellOf(std::move(unknowns));
-  }
-
-  void assemble(StepSystem& system) {
-    system.clear();
-    for (const FaceEnergy& energy : energies_) {
-      const PointRows& all = movers_.at(energy.face).displacement.coefficients();
-      const PointRows at = all(energy.block.coefficients, Eigen::indexing::all);
-      const PointRows pull = energy.block.matrix * at;
-      system.addEnergy(energy.cell, ease_ * energy.block.matrix(energy.free, energy.free),
-                       ease_ * pull(energy.free, Eigen::indexing::all));
-    }
-    for (auto& [face, mover] : movers_) addDamping(face, mover, system);
-    for (std::size_t j = 0; j < joints_.size(); ++j)
-      for (const JointSample& sample : samples_[j])
-        if (sample.cell >= 0) addConditions(joints_[j], sample, system);
-  }
-
-  /// The integral of |D|^2 / size^4, as if coefficients were spread evenly, is this times the sum
-  /// of their squares: the size of the move comes second, but for faces that moved too far.
-  static double damping(const MovingFace& mover) {
-    const double of_size =
-        std::pow(fairness * mover.stiffness / (mover.budget_per_mm * mover.size_mm), 2) /
-        mover.area_mm2;
-    return (of_size + std::pow(fairness / mover.restraint_mm, 2)) / mover.displacement.count();
-  }
-
-  void addDamping(int face, const MovingFace& mover, StepSystem& system) {
-    const std::vector<int>& unknown = unknown_[face];
-    const double factor = ease_ * damping(mover);
-    for (std::size_t k = 0; k < unknown.size(); ++k)
-      if (unknown[k] >= 0)
-        system.addDamping(
-            unknown[k], factor,
-            mover.displacement.coefficients().row(static_cast<Eigen::Index>(k)).transpose());
-  }
-
-  void take(const PointRows& step) {
-    for (auto& [face, mover] : movers_) {
-      PointRows own = mover.displacement.coefficients();
-      const std::vector<int>& unknown = unknown_[face];
-      for (std::size_t k = 0; k < unknown.size(); ++k)
-        if (unknown[k] >= 0) own.row(static_cast<Eigen::Index>(k)) += step.row(unknown[k]);
-      mover.displacement.setCoefficients(std::move(own));
-    }
-  }
-
-  double cost() const {
-    double sum = 0;
-    for (const FaceEnergy& energy : energies_) {
-      const PointRows& all = movers_.at(energy.face).displacement.coefficients();
-      const PointRows at = all(energy.block.coefficients, Eigen::indexing::all);
-      sum += ease_ * (at.transpose() * energy.block.matrix * at).trace();
-    }
-    for (const auto& [face, mover] : movers_)
-      sum += ease_ * damping(mover) * mover.displacement.coefficients().squaredNorm();
-    for (std::size_t j = 0; j < joints_.size(); ++j)
-      for (const JointSample& sample : samples_[j])
-        if (sample.cell >= 0) sum += costOf(joints_[j], sample);
-    return sum;
-  }
-
-  /// Takes the step, or as much of it as makes the cost smaller; if a quarter does not, a damped
-  /// one.
-  void descend(StepSystem& system) {
-    constexpr std::array<double, 4> dampings = {0, 1e-3, 3e-2, 1};
-    constexpr int halvings = 2;
-    const double before = cost();
-    for (const double damping : dampings) {
-      system.damp(damping);
-      PointRows step = system.solve();
-      for (int k = 0; k <= halvings; ++k) {
-        take(step);
-        if (cost() <= before) return;
-        take(-step);
-        step *= 0.5;
-      }
-    }
   }
 
   struct State {
@@ -318,7 +181,7 @@ class FairSolving {
   void solve(bool is_first, bool may_refine) {
     constexpr int most_passes = 10;
     constexpr double diverges = 4, far = 3, stands_still = 0.01;
-    StepSystem system = prepare();
+    StepProblem problem(joints_, samples_, movers_, unknowns_);
     std::optional<State> plain, best;
     double best_ratio = std::numeric_limits<double>::infinity(), last = best_ratio;
     int idle = 0;
@@ -326,8 +189,7 @@ class FairSolving {
     for (int pass = 0; pass < most_passes; ++pass) {
       easeBy(pass == 0 ? std::numeric_limits<double>::infinity() : ease_);
       if (progress_ && !progress_(0)) throw Cancelled();
-      assemble(system);
-      descend(system);
+      problem.step(ease_);
       look();
       if (worst() < best_ratio) {
         best_ratio = worst();
@@ -372,24 +234,7 @@ class FairSolving {
 
   /// Halves spans beside samples that are missed. \returns whether any was.
   bool refine() {
-    constexpr double shortest = 1.0 / 128;
-    std::map<int, std::array<std::set<int>, 2>> spans;
-    for (std::size_t j = 0; j < joints_.size(); ++j)
-      for (const JointSample& sample : samples_[j]) {
-        if (sample.ratio <= enough) continue;
-        for (std::size_t k = 0; k < sample.sides.size(); ++k) {
-          const JointSide& side = sample.sides[k];
-          if (side.mover == nullptr) continue;
-          const SurfaceBasis& basis = side.mover->displacement.basis();
-          for (const int way : {0, 1}) {
-            const SplineAxis& axis = way == 0 ? basis.u() : basis.v();
-            double t = side.uv[way];
-            const int span = axis.span(t, side.into[way]);
-            if (axis.length(span) > shortest * (axis.last - axis.first))
-              spans[joints_[j].sides[k].face][way].insert(span);
-          }
-        }
-      }
+    std::map<int, HalvedSpans> spans = missedSpans(joints_, samples_);
     naturalSides().spread(spans, movers_);
     bool any = false;
     for (const auto& [face, halves] : spans)
@@ -409,33 +254,17 @@ class FairSolving {
     SampleWeights weights;
     for (const JointSample& sample : samples_[j]) weights.emplace_back(sample.s, sample.weight);
     samples_[j] = sampled(joints_[j], movers_, tolerance_);
-    for (JointSample& sample : samples_[j]) sample.weight = nearest(weights, sample.s);
+    for (JointSample& sample : samples_[j]) sample.weight = nearestWeight(weights, sample.s);
   }
-
-  static bool halve(Displacement& displacement, const std::array<std::set<int>, 2>& spans) {
-    constexpr std::size_t most_coefficients = 1500;
-    const SurfaceBasis& basis = displacement.basis();
-    const std::size_t count =
-        (basis.u().poles + spans[0].size()) * (basis.v().poles + spans[1].size());
-    return count <= most_coefficients && displacement.halve(spans);
-  }
-
-  /// Of the energy that spends a face's budget to a sample that is missed by a quarter of its
-  /// tolerance.
-  static constexpr double fairness = 300;
 
   const std::vector<Joint>& joints_;
   const ContinuityTolerance& tolerance_;
   MovingFaces& movers_;
   const Progress& progress_;
-  std::vector<std::vector<JointSample>> samples_;  ///< by joint
-  std::vector<double> missed_;                     ///< by joint
-  std::map<int, std::vector<int>> unknown_;  ///< by face and coefficient: its number, -1: it stays
-  int unknowns_ = 0;
+  JointSamples samples_;        ///< by joint
+  std::vector<double> missed_;  ///< by joint
+  FreeCoefficients unknowns_;
   double ease_ = 1;  ///< factor of energies
-  std::vector<std::vector<int>> cells_;
-  std::map<std::vector<int>, int> cell_numbers_;
-  std::vector<FaceEnergy> energies_;
 };
 
 }  // namespace

@@ -42,6 +42,145 @@ struct LeftReason {
   }
 };
 
+/// The model on its way through the stages.
+struct RepairState {
+  TopoDS_Shape shape;
+  Report after;
+  std::vector<Seam> seams;
+  std::vector<SeamResult> to_keep;   ///< what no seam may be worse than: as given, or as repaired
+  std::vector<LeftReason> reasons;   ///< by seam
+  std::map<int, double> moves;       ///< by face
+  std::map<int, FaceMove> judged;    ///< by face that moved
+  std::map<int, double> edge_moves;  ///< by edge
+
+  /// Takes what a stage found. \param asked order that it tried, by seam. \param sharp see Choice.
+  void keep(const std::vector<int>& asked, const RepairOptions& options,
+            const std::vector<bool>& sharp, Improvement done);
+
+ private:
+  void addEdgeMoves(const std::vector<PathChange>& paths);
+};
+
+void RepairState::keep(const std::vector<int>& asked, const RepairOptions& options,
+                       const std::vector<bool>& sharp, Improvement done) {
+  for (const auto& [i, why] : done.reasons)
+    (asked[i] < options.order && !reasons[i].target.empty() ? reasons[i].g1 : reasons[i].target) =
+        why;
+  if (done.changes.empty() && done.paths.empty()) return;
+  shape = done.shape;
+  after.seams = std::move(done.after);
+  seams = seamsIn(done.shape, seams);
+  for (const FaceChange& change : done.changes) moves[change.face] += change.largest_move_mm;
+  for (auto& [face, move] : done.judged) judged[face] = std::move(move);
+  addEdgeMoves(done.paths);
+  for (std::size_t i = 0; i < done.orders.size(); ++i) {
+    // By how much a fold may turn depends on the seams beside it, and has been judged.
+    if (SeamResult& kept = to_keep[i]; isFold(kept, options.tolerance))
+      kept.figures.angle_rad = after.seams[i].figures.angle_rad;
+    if (done.orders[i] == 0) continue;
+    to_keep[i] = after.seams[i];
+    if (done.orders[i] == options.order || sharp[i])
+      reasons[i] = {};
+    else
+      reasons[i].has_g1 = true;
+  }
+}
+
+/// Of an edge with new paths on both faces the larger one counts.
+void RepairState::addEdgeMoves(const std::vector<PathChange>& paths) {
+  std::map<int, double> by_edge;
+  for (const PathChange& change : paths)
+    by_edge[change.edge] = std::max(by_edge[change.edge], change.largest_move_mm);
+  for (const auto& [edge, move_mm] : by_edge) edge_moves[edge] += move_mm;
+}
+
+/// As many of these seams as have no face in common that moves for them, nor faces that meet.
+std::vector<std::size_t> apart(const RepairState& now, const std::set<std::size_t>& seams,
+                               bool neighbours_help) {
+  std::vector<std::size_t> order(seams.begin(), seams.end());
+  const auto angle = [&now](std::size_t i) {
+    const auto& figure = now.after.seams[i].figures.angle_rad;
+    return figure ? figure->lower : 0;
+  };
+  std::ranges::stable_sort(order, {}, angle);
+  const FacesAtVertices around(now.shape);
+  std::map<int, std::set<int>> beside;
+  for (const Seam& seam : now.seams) {
+    beside[seam.sides[0].face].insert(seam.sides[1].face);
+    beside[seam.sides[1].face].insert(seam.sides[0].face);
+  }
+  std::set<int> taken;
+  std::vector<std::size_t> chosen;
+  for (const std::size_t i : order) {
+    const auto& sides = now.seams[i].sides;
+    const std::set<int> moving =
+        neighbours_help ? around.of(now.seams[i]) : std::set<int>{sides[0].face, sides[1].face};
+    if (std::ranges::any_of(moving, [&taken](int face) { return taken.count(face) > 0; })) continue;
+    chosen.push_back(i);
+    for (const int face : moving) {
+      taken.insert(face);
+      taken.insert(beside[face].begin(), beside[face].end());
+    }
+  }
+  return chosen;
+}
+
+/// Faces that have an end of a wanted seam, and can be computed with.
+std::set<int> facesAround(const TopoDS_Shape& shape, const std::vector<Seam>& seams,
+                          const std::vector<bool>& wanted, const UnusableParts& unusable) {
+  const FacesAtVertices around(shape);
+  std::set<int> faces;
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    if (wanted[i]) faces.merge(around.of(seams[i]));
+  std::erase_if(faces, [&unusable](int face) { return unusable.hasFace(face); });
+  return faces;
+}
+
+/// Seams at kinks of a surface are left.
+void leaveKinks(const std::vector<bool>& sharp, const ContinuityTolerance& tolerance,
+                RepairState& now, std::vector<bool>& wanted) {
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (!wanted[i] || sharp[i]) continue;
+    try {
+      now.reasons[i].target = whyKinked(now.seams[i], tolerance);
+    } catch (const Standard_Failure& failure) {
+      now.reasons[i].target = whyFailed(failure);
+    }
+    wanted[i] = now.reasons[i].target.empty();
+  }
+}
+
+/// Seams that are to lose their angle.
+std::vector<bool> turned(std::vector<bool> wanted, const std::vector<bool>& sharp) {
+  for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] = wanted[i] && !sharp[i];
+  return wanted;
+}
+
+/// \param shape that was sewn
+void takeSewn(const Model& given, const TopoDS_Shape& shape, SewSolution solution,
+              RepairReport& report) {
+  report.model.shape = solution.sewn.shape;
+  report.model.attributes = attributesAfter(given.attributes, shape, solution.sewn);
+  report.after.seams = std::move(solution.after);
+  report.after.open = std::move(solution.open);
+  report.after.non_manifold = std::move(solution.non_manifold);
+  report.after.model.edges = report.model.edgeCount();
+  report.faces_now = std::move(solution.sewn.faces);
+  report.edges_now = std::move(solution.sewn.edges);
+}
+
+/// What moved goes into the report.
+void tellMoves(const RepairState& now, RepairReport& report) {
+  for (const auto& [face, move_mm] : now.moves) {
+    if (!(move_mm > 0)) continue;
+    FaceMove move = now.judged.at(face);
+    move.largest_move_mm = move_mm;
+    if (move.surface) move.surface->move_mm.upper = std::max(move.surface->move_mm.lower, move_mm);
+    report.moves.push_back(std::move(move));
+  }
+  for (const auto& [edge, move_mm] : now.edge_moves) report.edge_moves.push_back({edge, move_mm});
+}
+
 /// One call of repair(): first edges get other paths, then faces move, then what meets is sewn.
 class Repairing {
  public:
@@ -64,12 +203,13 @@ class Repairing {
     std::vector<bool> wanted = std::move(choice.treated);
     if (std::ranges::count(wanted, true) > 0) {
       now_.seams = seamsOf(model_.shape, options_, {});
-      leaveKinks(wanted);
+      leaveKinks(sharp_, options_.tolerance, now_, wanted);
     }
     if (std::ranges::count(wanted, true) > 0) {
-      needed_ = neededVariation(model_.shape, result_.before.seams, turned(wanted));
+      needed_ = neededVariation(model_.shape, result_.before.seams, turned(wanted, sharp_));
       limits_mm_ =
-          moveLimits(model_.shape, result_.before.seams, facesAround(wanted), wanted, options_);
+          moveLimits(model_.shape, result_.before.seams,
+                     facesAround(model_.shape, now_.seams, wanted, unusable_), wanted, options_);
       const double all = options_.match_mm > 0 && options_.sew ? share_before_sewing : 1;
       repair(wanted, choice.faces, partOf(progress_, share_of_analysis, all));
     }
@@ -88,18 +228,6 @@ class Repairing {
   /// Shares of a time limit after which a stage is stopped: what follows repairs single seams,
   /// which is quick for each.
   static constexpr double time_of_paths = 0.5, time_of_g2 = 0.6, time_of_moves = 0.9;
-
-  /// The model on its way.
-  struct State {
-    TopoDS_Shape shape;
-    Report after;
-    std::vector<Seam> seams;
-    std::vector<SeamResult> to_keep;   ///< what no seam may be worse than: as given, or as repaired
-    std::vector<LeftReason> reasons;   ///< by seam
-    std::map<int, double> moves;       ///< by face
-    std::map<int, FaceMove> judged;    ///< by face that moved
-    std::map<int, double> edge_moves;  ///< by edge
-  };
 
   void repair(const std::vector<bool>& wanted, const std::vector<FaceChoice>& faces,
               const Progress& progress) {
@@ -158,7 +286,7 @@ class Repairing {
         left.insert(i);
     for (int batch = 0; batch < most_batches && !left.empty(); ++batch) {
       std::vector<int> of_batch(orders.size(), 0);
-      for (const std::size_t i : apart(left, neighbours_help)) {
+      for (const std::size_t i : apart(now_, left, neighbours_help)) {
         of_batch[i] = orders[i];
         left.erase(i);
       }
@@ -169,65 +297,6 @@ class Repairing {
             return improveByMoves(taskOf(faces, of_batch, neighbours_help), part);
           });
     }
-  }
-
-  /// As many of these seams as have no face in common that moves for them, nor faces that meet.
-  std::vector<std::size_t> apart(const std::set<std::size_t>& seams, bool neighbours_help) const {
-    std::vector<std::size_t> order(seams.begin(), seams.end());
-    const auto angle = [this](std::size_t i) {
-      const auto& figure = now_.after.seams[i].figures.angle_rad;
-      return figure ? figure->lower : 0;
-    };
-    std::ranges::stable_sort(order, {}, angle);
-    const FacesAtVertices around(now_.shape);
-    std::map<int, std::set<int>> beside;
-    for (const Seam& seam : now_.seams) {
-      beside[seam.sides[0].face].insert(seam.sides[1].face);
-      beside[seam.sides[1].face].insert(seam.sides[0].face);
-    }
-    std::set<int> taken;
-    std::vector<std::size_t> chosen;
-    for (const std::size_t i : order) {
-      const auto& sides = now_.seams[i].sides;
-      const std::set<int> moving =
-          neighbours_help ? around.of(now_.seams[i]) : std::set<int>{sides[0].face, sides[1].face};
-      if (std::ranges::any_of(moving, [&taken](int face) { return taken.count(face) > 0; }))
-        continue;
-      chosen.push_back(i);
-      for (const int face : moving) {
-        taken.insert(face);
-        taken.insert(beside[face].begin(), beside[face].end());
-      }
-    }
-    return chosen;
-  }
-
-  /// Faces that have an end of a wanted seam, and can be computed with.
-  std::set<int> facesAround(const std::vector<bool>& wanted) const {
-    const FacesAtVertices around(model_.shape);
-    std::set<int> faces;
-    for (std::size_t i = 0; i < wanted.size(); ++i)
-      if (wanted[i]) faces.merge(around.of(now_.seams[i]));
-    std::erase_if(faces, [this](int face) { return unusable_.hasFace(face); });
-    return faces;
-  }
-
-  void leaveKinks(std::vector<bool>& wanted) {
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-      if (!wanted[i] || sharp_[i]) continue;
-      try {
-        now_.reasons[i].target = whyKinked(now_.seams[i], options_.tolerance);
-      } catch (const Standard_Failure& failure) {
-        now_.reasons[i].target = whyFailed(failure);
-      }
-      wanted[i] = now_.reasons[i].target.empty();
-    }
-  }
-
-  /// Seams that are to lose their angle.
-  std::vector<bool> turned(std::vector<bool> wanted) const {
-    for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] = wanted[i] && !sharp_[i];
-    return wanted;
   }
 
   RepairTask taskOf(const std::vector<FaceChoice>& faces, std::vector<int> orders,
@@ -244,41 +313,9 @@ class Repairing {
                   const Stage& stage) {
     std::optional<Improvement> done = time_.within(share, progress, stage);
     if (done)
-      keep(asked, std::move(*done));
+      now_.keep(asked, options_, sharp_, std::move(*done));
     else
       out_of_time_ = true;
-  }
-
-  void keep(const std::vector<int>& asked, Improvement done) {
-    for (const auto& [i, why] : done.reasons)
-      (asked[i] < options_.order && !now_.reasons[i].target.empty() ? now_.reasons[i].g1
-                                                                    : now_.reasons[i].target) = why;
-    if (done.changes.empty() && done.paths.empty()) return;
-    now_.shape = done.shape;
-    now_.after.seams = std::move(done.after);
-    now_.seams = seamsIn(done.shape, now_.seams);
-    for (const FaceChange& change : done.changes) now_.moves[change.face] += change.largest_move_mm;
-    for (auto& [face, move] : done.judged) now_.judged[face] = std::move(move);
-    addEdgeMoves(done.paths);
-    for (std::size_t i = 0; i < done.orders.size(); ++i) {
-      // By how much a fold may turn depends on the seams beside it, and has been judged.
-      if (SeamResult& kept = now_.to_keep[i]; isFold(kept, options_.tolerance))
-        kept.figures.angle_rad = now_.after.seams[i].figures.angle_rad;
-      if (done.orders[i] == 0) continue;
-      now_.to_keep[i] = now_.after.seams[i];
-      if (done.orders[i] == options_.order || sharp_[i])
-        now_.reasons[i] = {};
-      else
-        now_.reasons[i].has_g1 = true;
-    }
-  }
-
-  /// Of an edge with new paths on both faces the larger one counts.
-  void addEdgeMoves(const std::vector<PathChange>& paths) {
-    std::map<int, double> moves;
-    for (const PathChange& change : paths)
-      moves[change.edge] = std::max(moves[change.edge], change.largest_move_mm);
-    for (const auto& [edge, move_mm] : moves) now_.edge_moves[edge] += move_mm;
   }
 
   static constexpr const char* out_of_time = "the time limit was reached first";
@@ -306,14 +343,7 @@ class Repairing {
         sewFreeEdges({shape, seams, before, options_}, partOf(progress_, share_before_sewing, 1));
     not_sewn_ = std::move(solution.reasons);
     if (solution.sewn.shape.IsNull()) return;
-    result_.model.shape = solution.sewn.shape;
-    result_.model.attributes = attributesAfter(model_.attributes, shape, solution.sewn);
-    result_.after.seams = std::move(solution.after);
-    result_.after.open = std::move(solution.open);
-    result_.after.non_manifold = std::move(solution.non_manifold);
-    result_.after.model.edges = result_.model.edgeCount();
-    result_.faces_now = std::move(solution.sewn.faces);
-    result_.edges_now = std::move(solution.sewn.edges);
+    takeSewn(model_, shape, std::move(solution), result_);
   }
 
   void tell(const std::vector<bool>& wanted) {
@@ -336,16 +366,7 @@ class Repairing {
         seam.reason = seam.before.note + "; " + seam.reason;
       result_.seams.push_back(std::move(seam));
     }
-    for (const auto& [face, move_mm] : now_.moves) {
-      if (!(move_mm > 0)) continue;
-      FaceMove move = now_.judged.at(face);
-      move.largest_move_mm = move_mm;
-      if (move.surface)
-        move.surface->move_mm.upper = std::max(move.surface->move_mm.lower, move_mm);
-      result_.moves.push_back(std::move(move));
-    }
-    for (const auto& [edge, move_mm] : now_.edge_moves)
-      result_.edge_moves.push_back({edge, move_mm});
+    tellMoves(now_, result_);
   }
 
   const Model& model_;
@@ -354,7 +375,7 @@ class Repairing {
   const UnusableParts unusable_;
   const TimeLimit time_;
   bool out_of_time_ = false;  ///< a stage was stopped, or not begun
-  State now_;
+  RepairState now_;
   std::vector<bool> sharp_, wants_conversion_;  ///< by seam, see Choice
   NeededVariation needed_;                      ///< by face
   MoveLimits limits_mm_;
