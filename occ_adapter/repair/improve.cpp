@@ -34,7 +34,7 @@ std::string nameOf(int face) {
   return "face " + std::to_string(face);
 }
 
-/// A task while seams of it are given up.
+/// A task while seams of it are excluded.
 class Rounds {
  public:
   explicit Rounds(RepairTask task) : task_(std::move(task)) {}
@@ -50,8 +50,8 @@ class Rounds {
       const bool has_g1 =
           isRepaired(task_.before[i], task_.sharp[i], task_.options.tolerance, Level::G1);
       task_.orders[i] = task_.orders[i] == 2 && !has_g1 && !task_.sharp[i] ? 1 : 0;
-      std::string& reason = reasons_[i];
-      reason = reason.empty() || task_.options.order == 1 ? why : reason + "; G1: " + why;
+      const bool lost_g2 = reasons_.count(i) > 0 && task_.options.order > 1;
+      (lost_g2 ? g1_reasons_ : reasons_)[i] = why;
     }
   }
 
@@ -72,21 +72,26 @@ class Rounds {
 
   Improvement kept(std::vector<FaceChange> changes, std::map<int, FaceMove> judged,
                    std::vector<PathChange> paths, Proof proof) const {
-    return {changed_,         std::move(changes),     std::move(judged),
-            std::move(paths), std::move(proof.after), task_.orders,
-            reasons_};
+    return {changed_,
+            std::move(changes),
+            std::move(judged),
+            std::move(paths),
+            std::move(proof.after),
+            task_.orders,
+            reasons_,
+            g1_reasons_};
   }
 
   Improvement nothing() const {
-    return {task_.shape, {}, {}, {}, task_.before, std::vector<int>(task_.seams.size(), 0),
-            reasons_};
+    return {task_.shape, {},         {}, {}, task_.before, std::vector<int>(task_.seams.size(), 0),
+            reasons_,    g1_reasons_};
   }
 
  private:
   RepairTask task_;
   MeasuredSeams measured_;
   TopoDS_Shape changed_;
-  Reasons reasons_;
+  Reasons reasons_, g1_reasons_;
 };
 
 bool touches(const Seam& seam, int face) {

@@ -21,14 +21,15 @@ struct Improvement {
   std::vector<SeamResult> after;  ///< in the order of the task
   std::vector<int> orders;        ///< by seam: what it has got, 0: nothing
   Reasons reasons;                ///< of seams that did not get all that was asked for
+  Reasons g1_reasons;  ///< of those that were tried with G1 instead of G2: why they did not get it
 };
 
 /// Edges get other paths, see joinPaths(). \throws Cancelled.
 Improvement improveByPaths(const RepairTask& task, const Progress& progress);
 
-/// Faces move, see displaceFaces(). What can't be met, or spoils a face or another seam, is given
-/// up, one seam of a face after the other, until what is left can be proven; a seam that can't have
-/// G2 is tried with G1. \throws Cancelled.
+/// Faces move, see displaceFaces(). What can't be met, or spoils a face or another seam, is
+/// excluded, one seam of a face after the other, until what is left can be proven; a seam that
+/// can't have G2 is tried with G1. \throws Cancelled.
 Improvement improveByMoves(const RepairTask& task, const Progress& progress);
 
 }  // namespace seamwright::occ

@@ -66,6 +66,7 @@ void RepairState::keep(const std::vector<int>& asked, const RepairOptions& optio
   for (const auto& [i, why] : done.reasons)
     (asked[i] < options.order && !reasons[i].target.empty() ? reasons[i].g1 : reasons[i].target) =
         why;
+  for (const auto& [i, why] : done.g1_reasons) reasons[i].g1 = why;
   if (done.changes.empty() && done.paths.empty()) return;
   shape = done.shape;
   after.seams = std::move(done.after);
