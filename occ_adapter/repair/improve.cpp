@@ -113,10 +113,145 @@ std::set<std::pair<int, int>> besideSeams(const RepairTask& task) {
   return pairs;
 }
 
+/// What the next solution does otherwise than the last one.
+class NextTry {
+ public:
+  /// \param task is kept by reference.
+  explicit NextTry(const RepairTask& task) : task_(task) {}
+
+  const MissedPlaces& missed() const { return missed_; }
+  const Restraints& restraints() const { return restraints_; }
+
+  /// The next solution has samples where a figure is largest, as long as such samples help.
+  bool looksAgain(std::size_t i, const SeamResult& seam) {
+    constexpr double is_less = 0.9;
+    Look& look = looks_[i];
+    const double missed = missedBy(seam);
+    if (++look.count > most_looks || !(missed < is_less * look.missed)) return false;
+    look.missed = missed;
+    for (const auto* figure :
+         {&seam.figures.gap_mm, &seam.figures.angle_rad, &seam.figures.curvature_rel})
+      if (*figure) missed_[i].insert((*figure)->at);
+    return true;
+  }
+
+  /// The next solution spends less on a face.
+  bool stiffens(int face) {
+    constexpr double factor = 2, most = 4;
+    double& stiffness = restraints_[face].stiffness;
+    if (stiffness >= most) return false;
+    stiffness *= factor;
+    return true;
+  }
+
+  /// In the next solution no edge slides on the faces around those that move beside this one.
+  bool keepsEdges(int face, const std::vector<FairComponent>& components) {
+    bool any = false;
+    for (const FairComponent& component : components) {
+      const bool is_beside = std::ranges::any_of(task_.seams, [&](const Seam& seam) {
+        return touches(seam, face) && (component.movers.count(seam.sides[0].face) > 0 ||
+                                       component.movers.count(seam.sides[1].face) > 0);
+      });
+      if (!is_beside) continue;
+      for (const PathChange& path : component.paths)
+        if (bool& keeps_edges = restraints_[path.face].keeps_edges; !keeps_edges)
+          any = keeps_edges = true;
+    }
+    return any;
+  }
+
+  /// The next solution moves a face less, for the price of more bending.
+  bool restrains(int face) {
+    constexpr double factor = 0.5, least = 0.1;
+    const double limit_mm = task_.limits_mm.at(face);
+    double& move_mm = restraints_[face].move_mm;
+    if (!(limit_mm > 0) || move_mm <= least * limit_mm) return false;
+    move_mm = std::min(limit_mm, factor * move_mm);
+    return true;
+  }
+
+ private:
+  /// The largest of what its figures are over their tolerances.
+  double missedBy(const SeamResult& seam) const {
+    const ContinuityTolerance& tolerance = task_.options.tolerance;
+    const auto share = [](const std::optional<Figure>& figure, double limit) {
+      return figure ? figure->lower / limit : std::numeric_limits<double>::infinity();
+    };
+    const double g1 = std::max(share(seam.figures.gap_mm, tolerance.gap_mm),
+                               share(seam.figures.angle_rad, tolerance.angle_rad));
+    return task_.options.order == 1
+               ? g1
+               : std::max(g1, share(seam.figures.curvature_rel, tolerance.curvature_rel));
+  }
+
+  const RepairTask& task_;
+  MissedPlaces missed_;
+  Restraints restraints_;
+  /// How often a seam had more samples, and what it missed the last time.
+  struct Look {
+    int count = 0;
+    double missed = std::numeric_limits<double>::max();
+  };
+  std::map<std::size_t, Look> looks_;  ///< by seam
+};
+
+/// Treated seams of a face; of one that has none, as it stays, those of the faces beside it.
+std::vector<std::size_t> treatedAt(const RepairTask& task, int face) {
+  std::set<int> faces = {face};
+  const auto seamsOf = [&] {
+    std::vector<std::size_t> seams;
+    for (std::size_t i = 0; i < task.seams.size(); ++i)
+      if (task.isTreated(i) &&
+          std::ranges::any_of(faces, [&](int one) { return touches(task.seams[i], one); }))
+        seams.push_back(i);
+    return seams;
+  };
+  std::vector<std::size_t> own = seamsOf();
+  if (!own.empty()) return own;
+  for (const Seam& seam : task.seams)
+    if (touches(seam, face)) faces.insert({seam.sides[0].face, seam.sides[1].face});
+  return seamsOf();
+}
+
+/// Of those that move with the face, and of which most is asked. What curvature spoils beside a
+/// face is not the tangent plane's fault.
+std::vector<std::size_t> mostAskedAt(const RepairTask& task,
+                                     const std::vector<FairComponent>& components, int face) {
+  std::vector<std::size_t> seams = treatedAt(task, face);
+  int most = 0;
+  for (const FairComponent& component : components)
+    if (component.movers.count(face) > 0)
+      for (const auto& [i, order] : component.orders) most = std::max(most, task.orders[i]);
+  std::erase_if(seams, [&](std::size_t i) { return task.orders[i] < most; });
+  if (!seams.empty()) return seams;
+  for (const FairComponent& component : components)
+    if (component.movers.count(face) > 0)
+      for (const auto& [i, order] : component.orders)
+        if (task.orders[i] == most) seams.push_back(i);
+  return seams;
+}
+
+/// Of the solver, for a seam.
+double effortOf(const std::vector<FairComponent>& components, std::size_t seam) {
+  for (const FairComponent& component : components)
+    if (const auto effort = component.effort.find(seam); effort != component.effort.end())
+      return effort->second;
+  return 0;
+}
+
+/// Of a face at fault the seam that took most effort is excluded.
+void excludeAt(const RepairTask& task, const std::vector<FairComponent>& components, int face,
+               const std::string& why, Reasons& seams) {
+  const std::vector<std::size_t> treated = mostAskedAt(task, components, face);
+  const auto effort = [&components](std::size_t i) { return effortOf(components, i); };
+  if (!treated.empty()) seams.emplace(*std::ranges::max_element(treated, {}, effort), why);
+}
+
 class Moving {
  public:
   explicit Moving(const RepairTask& task)
       : rounds_(task),
+        next_(rounds_.task()),
         open_(findSeams(task.shape).open_uses),
         passed_(task.given, besideSeams(task), task.options.tolerance.gap_mm) {
     TopExp::MapShapes(task.given, TopAbs_FACE, faces_);
@@ -130,8 +265,8 @@ class Moving {
       const Progress solving = partOf(progress, done, (done + next) / 2),
                      proving = partOf(progress, (done + next) / 2, next);
       done = next;
-      components_ =
-          displaceFaces(rounds_.task(), open_, missed_, restraints_, components_, solving);
+      components_ = displaceFaces(rounds_.task(), open_, next_.missed(), next_.restraints(),
+                                  components_, solving);
       std::vector<FaceChange> changes;
       std::vector<PathChange> paths;
       Reasons failures;
@@ -232,38 +367,39 @@ class Moving {
     };
     for (const auto& [i, why] : faults.proof.unrepaired) {
       addSides(i, why);
-      if (looksAgain(i, faults.proof.after[i]))
+      if (next_.looksAgain(i, faults.proof.after[i]))
         tries_again = true;
       else
         seams[i] = why;
     }
     for (const auto& [i, why] : faults.proof.worse) {
       addSides(i, why);
-      if (looksAgain(i, faults.proof.after[i]))
+      if (next_.looksAgain(i, faults.proof.after[i]))
         tries_again = true;
       else
-        for (const Coedge& side : task().seams[i].sides) excludeAt(side.face, why, seams);
+        for (const Coedge& side : task().seams[i].sides)
+          excludeAt(task(), components_, side.face, why, seams);
     }
     for (const auto& [face, why] : faults.unfair) {
       at_fault.emplace(face, why);
-      if (stiffens(face))
+      if (next_.stiffens(face))
         tries_again = true;
       else
-        excludeAt(face, nameOf(face) + ": " + why, seams);
+        excludeAt(task(), components_, face, nameOf(face) + ": " + why, seams);
     }
     for (const auto& [face, why] : faults.too_far) {
       at_fault.emplace(face, why);
-      if (restrains(face))
+      if (next_.restrains(face))
         tries_again = true;
       else
-        excludeAt(face, nameOf(face) + ": " + why, seams);
+        excludeAt(task(), components_, face, nameOf(face) + ": " + why, seams);
     }
     for (const auto& [face, why] : faults.proof.faces) {
       at_fault.emplace(face, why);
-      if (keepsEdges(face))
+      if (next_.keepsEdges(face, components_))
         tries_again = true;
       else
-        excludeAt(face, nameOf(face) + ": " + why, seams);
+        excludeAt(task(), components_, face, nameOf(face) + ": " + why, seams);
     }
     for (const FairComponent& component : components_)
       for (const auto& [face, why] : at_fault)
@@ -290,134 +426,19 @@ class Moving {
     std::vector<std::size_t> asked;
     for (const auto& [i, effort] : component.effort)
       if (task().orders[i] == most) asked.push_back(i);
-    std::ranges::stable_sort(asked, std::greater(), [this](std::size_t i) { return effortOf(i); });
+    std::ranges::stable_sort(asked, std::greater(),
+                             [this](std::size_t i) { return effortOf(components_, i); });
     asked.resize((asked.size() + 1) / 2);
     for (const std::size_t i : asked) seams.emplace(i, why);
   }
 
-  /// Treated seams of a face; of one that has none, as it stays, those of the faces beside it.
-  std::vector<std::size_t> treatedAt(int face) const {
-    std::set<int> faces = {face};
-    const auto seamsOf = [&] {
-      std::vector<std::size_t> seams;
-      for (std::size_t i = 0; i < task().seams.size(); ++i)
-        if (task().isTreated(i) &&
-            std::ranges::any_of(faces, [&](int one) { return touches(task().seams[i], one); }))
-          seams.push_back(i);
-      return seams;
-    };
-    std::vector<std::size_t> own = seamsOf();
-    if (!own.empty()) return own;
-    for (const Seam& seam : task().seams)
-      if (touches(seam, face)) faces.insert({seam.sides[0].face, seam.sides[1].face});
-    return seamsOf();
-  }
-
-  /// Of those that move with the face, and of which most is asked. What curvature spoils beside a
-  /// face is not the tangent plane's fault.
-  std::vector<std::size_t> mostAskedAt(int face) const {
-    std::vector<std::size_t> seams = treatedAt(face);
-    int most = 0;
-    for (const FairComponent& component : components_)
-      if (component.movers.count(face) > 0)
-        for (const auto& [i, order] : component.orders) most = std::max(most, task().orders[i]);
-    std::erase_if(seams, [&](std::size_t i) { return task().orders[i] < most; });
-    if (!seams.empty()) return seams;
-    for (const FairComponent& component : components_)
-      if (component.movers.count(face) > 0)
-        for (const auto& [i, order] : component.orders)
-          if (task().orders[i] == most) seams.push_back(i);
-    return seams;
-  }
-
-  void excludeAt(int face, const std::string& why, Reasons& seams) const {
-    const std::vector<std::size_t> treated = mostAskedAt(face);
-    const auto effort = [this](std::size_t i) { return effortOf(i); };
-    if (!treated.empty()) seams.emplace(*std::ranges::max_element(treated, {}, effort), why);
-  }
-
-  double effortOf(std::size_t seam) const {
-    for (const FairComponent& component : components_)
-      if (const auto effort = component.effort.find(seam); effort != component.effort.end())
-        return effort->second;
-    return 0;
-  }
-
-  /// The next solution has samples where a figure is largest, as long as such samples help.
-  bool looksAgain(std::size_t i, const SeamResult& seam) {
-    constexpr double is_less = 0.9;
-    Look& look = looks_[i];
-    const double missed = missedBy(seam);
-    if (++look.count > most_looks || !(missed < is_less * look.missed)) return false;
-    look.missed = missed;
-    for (const auto* figure :
-         {&seam.figures.gap_mm, &seam.figures.angle_rad, &seam.figures.curvature_rel})
-      if (*figure) missed_[i].insert((*figure)->at);
-    return true;
-  }
-
-  /// The largest of what its figures are over their tolerances.
-  double missedBy(const SeamResult& seam) const {
-    const ContinuityTolerance& tolerance = task().options.tolerance;
-    const auto share = [](const std::optional<Figure>& figure, double limit) {
-      return figure ? figure->lower / limit : std::numeric_limits<double>::infinity();
-    };
-    const double g1 = std::max(share(seam.figures.gap_mm, tolerance.gap_mm),
-                               share(seam.figures.angle_rad, tolerance.angle_rad));
-    return task().options.order == 1
-               ? g1
-               : std::max(g1, share(seam.figures.curvature_rel, tolerance.curvature_rel));
-  }
-
-  /// The next solution spends less on a face.
-  bool stiffens(int face) {
-    constexpr double factor = 2, most = 4;
-    double& stiffness = restraints_[face].stiffness;
-    if (stiffness >= most) return false;
-    stiffness *= factor;
-    return true;
-  }
-
-  /// In the next solution no edge slides on the faces around those that move beside this one.
-  bool keepsEdges(int face) {
-    bool any = false;
-    for (const FairComponent& component : components_) {
-      const bool is_beside = std::ranges::any_of(task().seams, [&](const Seam& seam) {
-        return touches(seam, face) && (component.movers.count(seam.sides[0].face) > 0 ||
-                                       component.movers.count(seam.sides[1].face) > 0);
-      });
-      if (!is_beside) continue;
-      for (const PathChange& path : component.paths)
-        if (bool& keeps_edges = restraints_[path.face].keeps_edges; !keeps_edges)
-          any = keeps_edges = true;
-    }
-    return any;
-  }
-
-  /// The next solution moves a face less, for the price of more bending.
-  bool restrains(int face) {
-    constexpr double factor = 0.5, least = 0.1;
-    const double limit_mm = task().limits_mm.at(face);
-    double& move_mm = restraints_[face].move_mm;
-    if (!(limit_mm > 0) || move_mm <= least * limit_mm) return false;
-    move_mm = std::min(limit_mm, factor * move_mm);
-    return true;
-  }
-
   Rounds rounds_;
+  NextTry next_;
   const std::vector<Coedge> open_;
   PassedFaces passed_;
   TopTools_IndexedMapOfShape faces_;  ///< as given
   std::vector<FairComponent> components_;
-  MissedPlaces missed_;
-  Restraints restraints_;
-  /// How often a seam had more samples, and what it missed the last time.
-  struct Look {
-    int count = 0;
-    double missed = std::numeric_limits<double>::max();
-  };
-  std::map<std::size_t, Look> looks_;  ///< by seam
-  std::map<std::size_t, int> ages_;    ///< by seam
+  std::map<std::size_t, int> ages_;  ///< by seam
   std::map<handle<Geom_Surface>, FaceMove> judged_;
 };
 
