@@ -84,7 +84,7 @@ TEST_F(ReaderProcess, UsesUpItsTime) {
        {"exec sleep 1000", "exec 3>&-\nexec sleep 1000", "exec cat /dev/zero >&3"}) {
     const occ::ModelError error = errorWith(script(commands));
     EXPECT_EQ(error.code(), ModelErrc::ReaderDied) << commands;
-    EXPECT_THAT(error.what(), HasSubstr("in 0.25 s")) << commands;
+    EXPECT_THAT(error.what(), HasSubstr("limit of 0.25 s")) << commands;
     EXPECT_THAT(error.what(), HasSubstr("SEAMWRIGHT_READER_SECONDS")) << commands;
   }
 }
