@@ -26,8 +26,8 @@ struct SewnShape {
   std::vector<int> faces;  ///< by number of the given shape, from 1
   std::vector<std::vector<int>> edges;    ///< the same; several where one was cut
   std::map<std::size_t, int> seam_edges;  ///< by sewn seam
-  /// Vertices, wires, shells, solids and compounds that were made again, one for one; not those that
-  /// were sewn to faces of another shell.
+  /// Vertices, wires, shells, solids and compounds that were made again, one for one; not those
+  /// that were sewn to faces of another shell.
   TopTools_DataMapOfShapeShape became;
 };
 
