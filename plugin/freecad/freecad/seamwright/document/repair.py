@@ -162,11 +162,11 @@ def create(source, *, edges=(), fixed_faces=(), target="G1", max_move_mm=0.0, **
     ``edges``: ["Edge5", ...] or [5, ...]; the seams of these edges are repaired. Without edges, all
     defects are repaired. ``fixed_faces``: ["Face3", ...] or [3, ...]; these faces stay. ``target``:
     "G1" or "G2". ``max_move_mm``: no point of a face may move further; 0 means a hundredth of the
-    size of the face plus twice the gap of its seams. ``tolerances``: gap_mm, angle_deg,
-    curvature_rel, flat_radius_mm, crease_deg, match_mm, profile, as for an analysis. Raises
-    TypeError and ValueError for bad arguments, kernel.KernelUnavailable when the compiled part is
-    missing. When nothing can be repaired, the object has no shape and ``error_text`` says why.
-    Seams that could not be repaired are no error; the report has the reasons.
+    size of the face plus twice the largest gap of its seams to be repaired. ``tolerances``: gap_mm,
+    angle_deg, curvature_rel, flat_radius_mm, crease_deg, match_mm, profile, as for an analysis.
+    Raises TypeError and ValueError for bad arguments, kernel.KernelUnavailable when the compiled
+    part is missing. When nothing can be repaired, the object has no shape and ``error_text`` says
+    why. Seams that could not be repaired are no error; the report has the reasons.
     """
     obj = prepare(
         source, edges=edges, fixed_faces=fixed_faces, target=target, max_move_mm=max_move_mm, **tolerances
