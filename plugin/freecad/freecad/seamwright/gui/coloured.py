@@ -31,7 +31,8 @@ def faces(shown, colours, lit=True):
     their form is visible. Unlit faces have exactly the colours of the legend.
     """
     group, hints, offset = coin.SoSeparator(), coin.SoShapeHints(), coin.SoPolygonOffset()
-    hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE  # with an unknown shape type: lit from both sides
+    # With an unknown shape type, this means lit from both sides.
+    hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
     light, binding, material = coin.SoLightModel(), coin.SoMaterialBinding(), coin.SoMaterial()
     binding.value = coin.SoMaterialBinding.PER_VERTEX_INDEXED
     light.model = coin.SoLightModel.PHONG if lit else coin.SoLightModel.BASE_COLOR

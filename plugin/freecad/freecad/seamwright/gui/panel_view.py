@@ -37,7 +37,8 @@ class PanelView:
         self.created = False  # whether the command created the object in the open transaction
         self.halo, self.marker = Halo(), Marker()
         for node in (self.halo.node, self.marker.node):
-            vobj.RootNode.insertChild(node, 0)  # before the placement of the shape: they use world coordinates
+            # Before the placement of the shape, since marks have world coordinates.
+            vobj.RootNode.insertChild(node, 0)
 
     def updateData(self, obj, prop):
         """Let the panel show the object once all changes are done.

@@ -34,7 +34,8 @@ class SeamRepairView(ResultView):
         add_properties(vobj)
         self.legend, self.colours = Legend(), MoveColours()
         root = vobj.RootNode
-        root.insertChild(self.colours.node, root.findChild(self.halo.node) + 1)  # it hides all nodes after it
+        # The colours hide all nodes after them.
+        root.insertChild(self.colours.node, root.findChild(self.halo.node) + 1)
         root.insertChild(self.legend.node, 0)
         self._drawn = None  # the report whose moves are drawn
         self._left = None  # the report whose moves are not drawn, since the user stopped it
