@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Seams of new faces, one in each row of a table: what meets there, how, and whether it is G1.
+"""Seams of new faces, one in each row of a table: the faces, the figures, and the verdict.
 
 A seam is a dict of the kernel's report with the additional key ``between``: what it separates.
 Where the new faces were not kept, ``edges`` and ``faces`` are empty, since the model to which the
