@@ -7,7 +7,7 @@
 
 namespace seamwright::occ {
 
-/// Numbers that are joined to groups; each group is known by its smallest number.
+/// Disjoint groups of numbers. The smallest number of a group names the group.
 class Groups {
  public:
   explicit Groups(int count = 0) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
