@@ -42,8 +42,9 @@ struct Verdict {
 /// most G0.
 ///
 /// Class: Crease iff G0 holds and the angle is above crease_rad or the seam folds, unless the angle
-/// is within crease_rad over more than half of the length: a sharp spot makes the seam a Defect.
-/// Otherwise Smooth iff the level reaches \p required, else Defect.
+/// is within crease_rad over more than half of the length. In that case the seam has a sharp spot
+/// and is not a crease. A seam that is no crease is Smooth iff the level reaches \p required, else
+/// Defect.
 ///
 /// Level and class are those of the lower ends of the enclosures. The verdict is certain iff the
 /// upper ends give the same level and class, and nothing else on which these depend is only

@@ -32,7 +32,6 @@ struct PieceFigures {
   std::optional<PieceBound> curvature_per_mm;
   /// The upper bound may exceed largest_relative_difference: it then tells how far the figure is
   /// from being known.
-  /// is.
   std::optional<PieceBound> curvature_rel;
 };
 

@@ -15,8 +15,6 @@ namespace seamwright {
 /// unchanged. The poles of row k behind the seam differ from the exact ones by at most k / n
 /// conversionNoise(), which is not part of the enclosure. So the direction across the seam, n times
 /// a difference of poles, is that of the triangle up to conversionNoise().
-/// enclosure. So the direction across the seam, n times a difference of poles, is that of the
-/// triangle to conversionNoise().
 /// \throws std::invalid_argument if the degree is above 25, the largest that is enclosed.
 SeamSide seamSide(const BezierTriangle& triangle, TriangleEdge edge, bool reversed = false);
 
