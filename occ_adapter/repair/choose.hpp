@@ -22,12 +22,10 @@ struct FaceChoice {
 struct Choice {
   std::vector<bool> treated;  ///< by seam, in the order of the report
   std::vector<bool> sharp;    ///< by seam: only the gap of a treated seam is to be closed
-  std::vector<std::string>
-      /// by seam: why a seam that was meant is not treated; otherwise empty
-      reasons;
-  std::vector<bool>
-      /// by seam: it misses its level, and its faces can move only as splines
-      wants_conversion;
+  /// by seam: why a seam that was meant is not treated; otherwise empty
+  std::vector<std::string> reasons;
+  /// by seam: it misses its level, and its faces can move only as splines
+  std::vector<bool> wants_conversion;
   std::vector<FaceChoice> faces;
 };
 

@@ -104,9 +104,8 @@ class Displacement {
   double largestOf(opencascade::handle<Geom_BSplineSurface> moves) const;
 
   opencascade::handle<Geom_BSplineSurface> given_;
-  opencascade::handle<Geom_BSplineSurface>
-      /// knots, degrees and weights of D; its poles are not used
-      shape_;
+  /// knots, degrees and weights of D; its poles are not used
+  opencascade::handle<Geom_BSplineSurface> shape_;
   double collapse_mm_;  ///< see PreparedSurface
   std::array<double, 4> range_;
   double near_mm_;

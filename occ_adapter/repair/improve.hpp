@@ -15,9 +15,8 @@ namespace seamwright::occ {
 struct Improvement {
   TopoDS_Shape shape;  ///< the task's shape if there are no changes
   std::vector<FaceChange> changes;
-  std::map<int, FaceMove>
-      /// by changed face: its change since the given model
-      judged;
+  /// by changed face: its change since the given model
+  std::map<int, FaceMove> judged;
   std::vector<PathChange> paths;
   std::vector<SeamResult> after;  ///< in the order of the task
   std::vector<int> orders;        ///< by seam: what it has reached; 0: nothing

@@ -58,9 +58,8 @@ struct JointSide {
   const MovingFace* mover = nullptr;  ///< null: the face stays
   Eigen::Vector2d uv = Eigen::Vector2d::Zero(), into = Eigen::Vector2d::Zero();
   PoleShares shares;  ///< of the mover's coefficients
-  std::vector<Eigen::Index>
-      /// by coefficient of the shares: its index in the sample's cell; -1: it stays
-      column;
+  /// by coefficient of the shares: its index in the sample's cell; -1: it stays
+  std::vector<Eigen::Index> column;
   /// before any move; on a side on which the edge slides: beside the other side as it is now
   SidePoint shown;
   std::shared_ptr<const StayingSurface> slides_on =
@@ -73,9 +72,8 @@ struct Differences {
   Eigen::Vector3d gap = Eigen::Vector3d::Zero();
   std::optional<Eigen::Vector3d>
       normal;  ///< difference of the unit normals, where both sides have one
-  Eigen::Vector3d bend =
-      /// entries of the difference of the curvature tensors: along, mixed, across
-      Eigen::Vector3d::Zero();
+  /// entries of the difference of the curvature tensors: along, mixed, across
+  Eigen::Vector3d bend = Eigen::Vector3d::Zero();
 };
 
 /// Accepted differences of a sample.
@@ -92,9 +90,8 @@ struct JointSample {
   double s = 0;
   std::vector<JointSide> sides;
   JointLimits limits;
-  Eigen::Vector3d across =
-      /// direction across the seam, in the tangent plane of the first side
-      Eigen::Vector3d::Zero();
+  /// direction across the seam, in the tangent plane of the first side
+  Eigen::Vector3d across = Eigen::Vector3d::Zero();
   /// differences that may stay; for a joint that is to meet at most a small gap
   Differences given;
   bool keeps_gap = false;  ///< the gap may stay as it was

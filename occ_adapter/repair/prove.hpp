@@ -31,9 +31,8 @@ struct Proof {
   std::map<std::size_t, std::string>
       unrepaired;  ///< by treated seam that does not have the level: the reason
   std::map<std::size_t, std::string> worse;  ///< other seams
-  std::map<int, std::string>
-      /// by face: it folded, moved further than its limit, or fails OpenCASCADE's checks
-      faces;
+  /// by face: it folded, moved further than its limit, or fails OpenCASCADE's checks
+  std::map<int, std::string> faces;
   std::string whole;  ///< what is wrong with the shape as a whole
 
   bool holds() const {
@@ -49,10 +48,10 @@ struct Proof {
 std::vector<Seam> seamsAfter(const RepairTask& task, const TopoDS_Shape& changed,
                              const Progress& progress);
 
-/// Measures seams beside new faces and edges again; the other seams keep their figures. Costly
-/// checks run only if the cheaper ones before them find nothing wrong: first the faces and the
-/// treated seams, then the other seams, then OpenCASCADE's checks, then the volumes. A point of a
-/// face must not move further than FaceChange::largest_move_mm.
+/// Measures seams beside new faces and edges again; the by other seam that is worse: how keep their
+/// figures. Costly checks run only if the cheaper ones before them find nothing wrong: first the
+/// faces and the treated seams, then the other seams, then OpenCASCADE's checks, then the volumes.
+/// A point of a face must not move further than FaceChange::largest_move_mm.
 /// \param known measurements of the task's shape; new ones are added.
 /// \throws Cancelled.
 Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes,
