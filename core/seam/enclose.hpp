@@ -33,8 +33,9 @@ struct EncloseOptions {
 ///   - A piece that holds a point without tangent plane and is shorter than 2^-30 of the seam, in
 ///     parameter and in length, is left out of both figures. \p degenerate names it.
 ///   - The curvature also leaves out what lies within 2^-20 of the seam of such a point, because
-///     curvature may grow without limit there. The same holds near a boundary of a spline whose
-///     poles all coincide, although the tangent plane may be known there.
+///     curvature may grow without limit there. The distance is 2^-16 where no bound of the angle is
+///     known up to a point at an end. The same holds near a boundary of a spline whose poles all
+///     coincide, although the tangent plane may be known there.
 /// What is left out is bounded separately. Outside \p range only the gap is known.
 ///
 /// Where the path crosses a knot line, both sides of the line count. Along a knot line, the side on
