@@ -33,8 +33,8 @@ struct FrenetFrame {
   double speed_error = 0;
   std::optional<Eigen::Vector3d> tangent;  ///< T
   std::optional<double> tangent_error_rad;
-  std::optional<Eigen::Vector3d> normal;    ///< N, towards the centre of curvature; its error is at
-                                            ///< most that of T plus that of B
+  std::optional<Eigen::Vector3d> normal;    ///< N, towards the centre of curvature; its error is
+                                            ///< at most that of T plus that of B
   std::optional<Eigen::Vector3d> binormal;  ///< B = T x N
   std::optional<double> binormal_error_rad;
   std::optional<double> curvature_per_mm;  ///< kappa >= 0
@@ -94,7 +94,8 @@ struct CurveDegeneracies {
 /// that there is one. Intervals that touch are merged; the merged interval is a cusp if it may
 /// contain a cusp. The interval of a cusp is wider than the resolution, typically 1e-7: X' x X''
 /// has a double zero there, so rounding hides an inflection nearby. On a line the intervals of
-/// cusps are short, and all the rest is reported as without curvature.
+/// cusps are short, and all the rest is reported as without curvature. A curve that is one point
+/// has one interval of kind Point.
 /// \throws std::invalid_argument for a resolution outside 1e-12..1.
 /// Source: docs/theory/curves.md C1.4.
 CurveDegeneracies findDegeneracies(const BezierCurve& curve, double resolution = 1e-9);
