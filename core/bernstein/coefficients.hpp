@@ -236,12 +236,12 @@ Values scaledBy(const Values& values, int exponent) {
   return values.unaryExpr([&](double c) { return std::ldexp(c, exponent); });
 }
 
-/// scaledBy, rounded upwards.
+/// The value of scaledBy(), rounded upwards.
 inline double scaledUp(double value, int exponent) {
   return exponent == 0 || value == 0 ? value : rounding::up(std::ldexp(value, exponent));
 }
 
-/// c_ij C(m, i) C(n, j), m by n the degrees.
+/// The weighted coefficients c_ij C(m, i) C(n, j), with m and n the degrees.
 template <class Values>
 Values weighted(const Values& values) {
   return binomials(values.rows() - 1).asDiagonal() * values *

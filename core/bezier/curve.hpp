@@ -25,7 +25,7 @@ class BezierCurve {
   /// \throws std::invalid_argument that names the invalid index and value.
   BezierCurve(const Eigen::Ref<const Poles>& poles,
               const Eigen::Ref<const Eigen::VectorXd>& weights);
-  /// The curve with these homogeneous poles, taken over bitwise. \throws as the constructors do.
+  /// The curve with these homogeneous poles, copied bitwise. \throws as the constructors do.
   static BezierCurve fromHomogeneous(HomogeneousPoles poles);
 
   int degree() const { return static_cast<int>(homogeneous_.rows()) - 1; }

@@ -14,7 +14,7 @@
 ///   (1) degeneratePatch(T, 0) is T(1-u, u(1-v), uv). At u = 0 it is P0, at u = 1 the edge L0 in
 ///       its own direction, at v = 0 the edge from P0 to P1, at v = 1 the edge from P0 to P2. Its
 ///       row r is the row i = n - r of the triangle, which has degree r, raised to degree n. The
-///       row u = 1 is taken over bitwise.
+///       row u = 1 is copied bitwise.
 ///   (2) Patch k of regularPatches(T) is T over the quadrangle Pk, (Pk + Pk+1)/2, centroid, (Pk +
 ///       Pk+2)/2 (indices modulo 3), at (u, v) = (0, 0), (1, 0), (1, 1), (0, 1).
 ///   (3) Common boundaries of the three patches have bitwise the same poles. The patches are parts

@@ -39,7 +39,7 @@ struct SplineDirection {
 /// parameter plane. A curve is a spline of degree 0 in v.
 ///
 /// Between two knots the spline is one polynomial, or a quotient of two. It is converted to
-/// Chebyshev form, relative to an origin of its own, when it is first evaluated. So large
+/// Chebyshev form, relative to its own origin, when it is first evaluated. So large
 /// coordinates cost no accuracy, and a spline of many spans costs only the spans that are used.
 /// Beyond the ends of the parameter range the outermost polynomials continue; a periodic spline
 /// repeats.

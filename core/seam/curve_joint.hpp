@@ -37,8 +37,8 @@ struct CurveJoint {
 ///   (2) A rigid motion changes no figure; a scale s multiplies differences[k] and sizes[k] (k >=
 ///       1) by s^(1-k).
 ///   (3) Reparametrising either curve changes no figure.
-///   (4) For the two halves of one curve, each with a parameter of its own, all differences are
-///       rounding only.
+///   (4) For the two halves of one curve, each with its own parameter, all differences are rounding
+///       only.
 ///   (5) An arc of radius r meets a clothoid that starts with curvature 1/r and changes it at the
 ///       rate c by arc length: the differences are 0, 0, 0, |c|, so the joint is G2 and not G3.
 ///   (6) Arcs of radii r and R lie on one side of their common tangent: differences[2] = |1/r -

@@ -149,8 +149,8 @@ bool Enclosure::isEnough(Quantity quantity, double upper) const {
          lower_[quantity] > tolerated(quantity);
 }
 
-/// Whether the curvature is certainly within the tolerance or certainly above it. Nothing else
-/// matters for a curvature that is left out.
+/// Whether the curvature is certainly within the tolerance or certainly above it: all that matters
+/// for a curvature that is left out.
 bool Enclosure::isOnOneSide(const PieceBound& relative_curvature) const {
   return relative_curvature.upper <= tolerance_.curvature_rel ||
          relative_curvature.lower > tolerance_.curvature_rel;

@@ -15,9 +15,9 @@ class SideLength {
   explicit SideLength(const SideEvaluator& side) : side_(side) {}
 
   /// Bounds of the length over an interval of the parameter of the seam. Chords give the lower
-  /// bound and control polygons the upper one. Across knot lines the upper bound assumes that the
-  /// side runs the whole interval on each side of the line. It is infinite if there are too many
-  /// knot lines.
+  /// bound and control polygons the upper one. Where a short interval lies across a knot line, the
+  /// upper bound is that of the longest alternative. The upper bound is infinite if there are too
+  /// many knot lines.
   Interval of(double from, double to) const { return of(from, to, 6); }
 
   /// A lower bound of the length of the side: the length of a polygon through those points that are
