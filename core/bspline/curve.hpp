@@ -40,7 +40,7 @@ BSplineCurve splineCurve(const BezierCurve& curve);
 ///   (1) For splineCurve(curve) the result is curve.derivatives().
 ///   (2) Within a span row k + 1 is the derivative of row k.
 /// The cost is O(poles), because the whole curve is checked. Where a value exceeds the range of a
-/// double, the derivatives of a rational curve from that order on are NaN.
+/// double, the derivatives of a rational curve from that order on are not finite.
 /// \throws std::invalid_argument as requireValid() does, and for a parameter that is not finite or
 /// a negative order.
 CurveDerivatives derivatives(const BSplineCurve& curve, double t, int order);
