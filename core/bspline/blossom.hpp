@@ -15,8 +15,9 @@ inline Eigen::RowVector4d between(const Eigen::RowVector4d& x, const Eigen::RowV
 }
 
 /// The blossom of the polynomial that a B-spline curve is on one span, by de Boor's algorithm. It
-/// takes as many arguments as the degree n. Arguments in the span combine the poles convexly. An
-/// argument that is a knot removes, exactly, the poles that do not depend on it.
+/// takes as many arguments as the degree n. Arguments in the span combine the poles convexly.
+/// Arguments that are knots give shares of 0 or 1, so the poles that do not contribute drop out
+/// exactly.
 /// \param poles the n + 1 poles of the span.
 /// \param knots the n knots before the span and the n after it: the span lies between knots[n - 1]
 /// < knots[n].

@@ -16,9 +16,9 @@ struct KnotCurve {
   /// degree + 1. The first and the last knot of a periodic curve are the same knot and have the
   /// same multiplicity.
   std::vector<int> multiplicities;
-  /// Number of poles of an open curve: the sum of the multiplicities minus degree + 1. Number of
-  /// poles of a periodic curve: the sum of all multiplicities but the first; pole 0 belongs to the
-  /// \p degree knots that end with the last copy of the first knot.
+  /// Number of poles of an open curve: the sum of the multiplicities minus (degree + 1). Number of
+  /// poles of a periodic curve: the sum of all multiplicities except the first; pole 0 belongs to
+  /// the \p degree knots that end with the last copy of the first knot.
   HomogeneousPoles poles;
   bool periodic = false;
 };
