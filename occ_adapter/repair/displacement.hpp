@@ -71,7 +71,9 @@ class Displacement {
   const opencascade::handle<Geom_BSplineSurface>& givenSurface() const { return given_; }
 
   /// Halves these spans of D in u and v by a knot in each: a knot of X in the middle half of the
-  /// span if there is one, otherwise the middle. D itself does not change.
+  /// span if there is one, otherwise the middle. At an end of such a span where second derivatives
+  /// of X jump, the knot gets the multiplicity with which those of D may jump too. D itself does
+  /// not change.
   /// \returns whether a knot was inserted.
   bool halve(const std::array<std::set<int>, 2>& spans);
 

@@ -12,19 +12,21 @@ namespace seamwright::occ {
 
 namespace {
 
-/// A sample is met if it misses less than this share of the tolerance: between samples it may be
-/// more.
+/// A sample is met if it misses less than this share of the tolerance. The rest is a reserve for
+/// points between samples.
 constexpr double enough = 0.6;
 
-/// More weight, or more knots, help if they make the worst miss so much smaller.
+/// More weight, or more knots, help if they reduce the worst miss below this share of its old
+/// value.
 constexpr double helps = 0.7;
 
-/// What misses more wants knots.
+/// A sample that misses by more tolerances than this needs more knots; weight alone does not help.
 constexpr double wanting_knots = 10;
 
-/// Where more faces move, what still wants knots after it got some can't be had together with the
-/// rest: it would cost most of the time. Nor may it weigh as much as where few faces are at stake;
-/// it is tried again alone.
+/// Limits the cost of large parts. If more faces move than this, seams that still need knots after
+/// a refinement are not refined further, since they would take most of the time. Their samples also
+/// have a smaller largest weight, because otherwise they would spoil the solution for all other
+/// faces. Such seams are tried again alone.
 constexpr std::size_t many_faces = 12;
 
 class FairSolving {
@@ -60,7 +62,8 @@ class FairSolving {
   }
 
  private:
-  /// Less than before: what made a sample hard may be gone.
+  /// Takes over the square roots of earlier weights, since the reason for a large weight may be
+  /// gone.
   void inherit(const std::map<std::size_t, SampleWeights>& weights) {
     for (std::size_t j = 0; j < joints_.size(); ++j) {
       const auto known = weights.find(joints_[j].seam);
@@ -98,8 +101,9 @@ class FairSolving {
     number();
   }
 
-  /// Coefficients near samples that are missed; what is far from them was found with fewer knots.
-  /// \param whole faces of which all are free.
+  /// Frees the coefficients near missed samples. Coefficients far from these keep the values, and
+  /// the fairness, that they got with fewer knots.
+  /// \param whole faces of which all coefficients are free.
   void freeWhereNeeded(const std::set<int>& whole) {
     for (auto& [face, mover] : movers_)
       unknown_[face].assign(static_cast<std::size_t>(mover.displacement.count()),
@@ -115,10 +119,10 @@ class FairSolving {
     number();
   }
 
-  /// Numbers what is free. Coefficients that are one are free if one of them is.
+  /// Numbers the free coefficients. Tied coefficients are free if one of them is.
   void number() {
     const NaturalSides sides = naturalSides();
-    std::map<std::pair<int, int>, int> numbers;  // by first of those that are one
+    std::map<std::pair<int, int>, int> numbers;  // by first of the tied coefficients
     const auto forEach = [&](const auto& work) {
       for (auto& [face, all] : unknown_)
         for (std::size_t k = 0; k < all.size(); ++k)
@@ -146,7 +150,7 @@ class FairSolving {
   struct FaceEnergy {
     int face = 0, cell = 0;
     EnergyBlock block;
-    std::vector<Eigen::Index> free;  ///< places in the block
+    std::vector<Eigen::Index> free;  ///< indices in the block
   };
 
   int cellOf(std::vector<int> unknowns) {
@@ -155,7 +159,7 @@ class FairSolving {
     return found->second;
   }
 
-  /// Which unknowns stand in a condition together.
+  /// Collects the cells: sets of unknowns that occur together in a condition.
   StepSystem prepare() {
     cells_.clear();
     cell_numbers_.clear();
@@ -226,8 +230,9 @@ class FairSolving {
         if (sample.cell >= 0) addConditions(joints_[j], sample, system);
   }
 
-  /// The integral of |D|^2 / size^4, as if coefficients were spread evenly, is this times the sum
-  /// of their squares: the size of the move comes second, but for faces that moved too far.
+  /// Weight of the sum of squares of the coefficients. It stands for the integral of |D|^2 /
+  /// size^4, as if the coefficients were evenly distributed over the face. The size of the move is
+  /// secondary, except for faces that moved too far.
   static double damping(const MovingFace& mover) {
     const double of_size =
         std::pow(fairness * mover.stiffness / (mover.budget_per_mm * mover.size_mm), 2) /
@@ -270,8 +275,8 @@ class FairSolving {
     return sum;
   }
 
-  /// Takes the step, or as much of it as makes the cost smaller; if a quarter does not, a damped
-  /// one.
+  /// Takes the step. If it does not reduce the cost it is halved, at most twice, and then replaced
+  /// by a damped step.
   void descend(StepSystem& system) {
     constexpr std::array<double, 4> dampings = {0, 1e-3, 3e-2, 1};
     constexpr int halvings = 2;
@@ -313,8 +318,9 @@ class FairSolving {
     look();
   }
 
-  /// Passes until all samples are met, or more weight does not help. Where weight is far from
-  /// helping knots are wanting: what it did goes.
+  /// Repeats passes until all samples are met or more weight does not help. If the miss stays large
+  /// in spite of weight, knots are missing: the effect of the weights is undone before knots are
+  /// inserted.
   void solve(bool is_first, bool may_refine) {
     constexpr int most_passes = 10;
     constexpr double diverges = 4, far = 3, stands_still = 0.01;
@@ -335,7 +341,7 @@ class FairSolving {
       }
       if (worst() <= enough) return;
       const std::size_t worst_joint = worstJoint();
-      // Where another joint is worst now, weight has not been tried yet.
+      // If another joint is worst now, weight has not been tried on it yet.
       if (ease_ > 1 || worst() <= helps * last)
         idle = 0;
       else if (worst_joint == last_joint)
@@ -352,8 +358,10 @@ class FairSolving {
     if (best) returnTo(may_refine && plain && best_ratio > wanting_knots ? *plain : *best);
   }
 
-  /// Normals turn in a straight line for small turns only. Where much is missed energies count for
-  /// more at first, as if tolerances were larger, less in each pass.
+  /// The conditions on normals are linear only for small turns. If samples miss by more than 20
+  /// tolerances, the energies count more in the first step, as if tolerances were larger, and at
+  /// most a tenth of that in each further step. So large kinks close in steps that are nearly
+  /// linear.
   void easeBy(double last) {
     constexpr double near = 20, less = 0.1;
     const double far = worst() / near;
@@ -370,7 +378,7 @@ class FairSolving {
               most_weight, sample.weight * std::min(most_growth, sample.ratio / (0.7 * enough)));
   }
 
-  /// Halves spans beside samples that are missed. \returns whether any was.
+  /// Halves spans beside missed samples. \returns whether any span was halved.
   bool refine() {
     constexpr double shortest = 1.0 / 128;
     std::map<int, std::array<std::set<int>, 2>> spans;
@@ -404,7 +412,8 @@ class FairSolving {
     return true;
   }
 
-  /// As many samples as the new knots need; each has the weight of the one that was nearest.
+  /// Samples the joint again, as densely as the new knots need. Each sample takes over the weight
+  /// of the nearest old one.
   void sampleAgain(std::size_t j) {
     SampleWeights weights;
     for (const JointSample& sample : samples_[j]) weights.emplace_back(sample.s, sample.weight);
@@ -420,8 +429,9 @@ class FairSolving {
     return count <= most_coefficients && displacement.halve(spans);
   }
 
-  /// Of the energy that spends a face's budget to a sample that is missed by a quarter of its
-  /// tolerance.
+  /// Price of the energy that spends a face's budget, in terms of a sample that stands for a
+  /// sixteenth of a seam and misses by a quarter of its tolerance (docs/theory/repair.md,
+  /// "Prices").
   static constexpr double fairness = 300;
 
   const std::vector<Joint>& joints_;
@@ -432,7 +442,7 @@ class FairSolving {
   std::vector<double> missed_;                     ///< by joint
   std::map<int, std::vector<int>> unknown_;  ///< by face and coefficient: its number, -1: it stays
   int unknowns_ = 0;
-  double ease_ = 1;  ///< factor of energies
+  double ease_ = 1;  ///< factor on energies, see easeBy()
   std::vector<std::vector<int>> cells_;
   std::map<std::vector<int>, int> cell_numbers_;
   std::vector<FaceEnergy> energies_;

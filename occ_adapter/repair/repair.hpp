@@ -168,8 +168,8 @@ struct RepairReport {
 /// that edges keep their pcurves. Planes and extrusions of splines are converted exactly, others to
 /// a thousandth of the gap tolerance. Conversion is done where it helps: first for one face of each
 /// seam that has no movable face, then for faces beside seams that were not repaired. A face that
-/// did not move stays what it was. No seam has a lower level afterwards than it certainly had
-/// before conversion.
+/// did not move stays the kind of surface before. No seam has a lower level afterwards than it
+/// certainly had before conversion.
 ///
 /// A part with several instances is repaired in its first instance, and all others change alike. An
 /// edge picked or a face fixed in one instance is so in all. The seams of the other instances are
