@@ -275,8 +275,8 @@ class Moving {
     return seams;
   }
 
-  /// Excludes half of the seams of a component that was at fault in many rounds: those that take
-  /// more effort, and of these the ones with the highest target.
+  /// Excludes seams of a component that was at fault in many rounds: of the seams with the highest
+  /// target the half that took more effort.
   void addAge(const FairComponent& component, const std::string& why, Reasons& seams) {
     int age = 0, most = 0;
     for (const auto& [i, effort] : component.effort) {

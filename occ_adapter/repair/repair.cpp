@@ -30,7 +30,8 @@ std::vector<Seam> seamsOf(const TopoDS_Shape& shape, const RepairOptions& option
   return std::move(graph.seams);
 }
 
-/// One call of repair(): first edges get other paths, then faces move, then what meets is sewn.
+/// One call of repair(). First edges get new pcurves, then faces move, then seams that meet are
+/// sewn.
 class Repairing {
  public:
   Repairing(const Model& model, const RepairOptions& options, const Progress& progress)
@@ -79,16 +80,17 @@ class Repairing {
  private:
   static constexpr double share_of_analysis = 0.2, share_of_paths = 0.1, share_of_moves = 0.6,
                           share_of_g1 = 0.7, share_before_sewing = 0.9;
-  /// Shares of a time limit after which a stage is stopped: what follows repairs single seams,
-  /// which is quick for each.
+  /// Shares of the time limit after which a stage is stopped. They leave time for the stages that
+  /// repair single seams, each of which is quick.
   static constexpr double time_of_paths = 0.5, time_of_g2 = 0.6, time_of_moves = 0.9;
 
-  /// The model on its way.
+  /// The model between stages.
   struct State {
     TopoDS_Shape shape;
     Report after;
     std::vector<Seam> seams;
-    std::vector<SeamResult> to_keep;   ///< what no seam may be worse than: as given, or as repaired
+    std::vector<SeamResult>
+        to_keep;  ///< by seam: figures that may not get worse, as given or as repaired
     std::vector<std::string> reasons;  ///< by seam
     std::map<int, double> moves;       ///< by face
     std::map<int, FaceMove> judged;    ///< by face that moved
@@ -130,9 +132,9 @@ class Repairing {
     if (order > 1) repairAlone(asked, Level::G2, faces, partOf(progress, alone, 1));
   }
 
-  /// Seams that were left below the level, from the smallest angle on, by themselves: what was
-  /// asked for together with them may be what can't be had. What is left then is tried with the
-  /// faces around its ends moving too.
+  /// Repairs seams that are still below the level one by one, from the smallest angle on. They may
+  /// have failed only because of seams that were solved together with them. Seams that fail again
+  /// are tried once more, with the faces around their ends moving too.
   void repairAlone(const std::vector<int>& orders, Level level,
                    const std::vector<FaceChoice>& faces, const Progress& progress) {
     for (const bool neighbours_help : {false, true})
@@ -140,7 +142,7 @@ class Repairing {
                   partOf(progress, neighbours_help ? 0.5 : 0, neighbours_help ? 1 : 0.5));
   }
 
-  /// Several at a time, as long as no face of one is next to a face of another.
+  /// Repairs several seams at a time, as long as no face of one is next to a face of another.
   void repairAlone(const std::vector<int>& orders, Level level,
                    const std::vector<FaceChoice>& faces, bool neighbours_help,
                    const Progress& progress) {
@@ -164,7 +166,7 @@ class Repairing {
     }
   }
 
-  /// As many of these seams as have no face in common that moves for them, nor faces that meet.
+  /// Chooses seams whose moving faces are distinct and do not meet.
   std::vector<std::size_t> apart(const std::set<std::size_t>& seams, bool neighbours_help) const {
     std::vector<std::size_t> order(seams.begin(), seams.end());
     const auto angle = [this](std::size_t i) {
@@ -195,7 +197,7 @@ class Repairing {
     return chosen;
   }
 
-  /// Faces that have an end of a wanted seam, and can be computed with.
+  /// The faces around the ends of wanted seams, as far as they can be computed with.
   std::set<int> facesAround(const std::vector<bool>& wanted) const {
     const FacesAtVertices around(model_.shape);
     std::set<int> faces;
@@ -230,7 +232,8 @@ class Repairing {
             model_.shape, now_.moves, std::move(orders), neighbours_help};
   }
 
-  /// \param share of the time after which the stage is stopped, without effect.
+  /// Runs a stage and keeps its result. \param share share of the time limit after which the stage
+  /// is stopped, without effect.
   template <class Stage>
   void keepInTime(double share, const Progress& progress, const Stage& stage) {
     std::optional<Improvement> done = time_.within(share, progress, stage);
@@ -250,7 +253,8 @@ class Repairing {
     for (auto& [face, move] : done.judged) now_.judged[face] = std::move(move);
     addEdgeMoves(done.paths);
     for (std::size_t i = 0; i < done.orders.size(); ++i) {
-      // By how much a fold may turn depends on the seams beside it, and has been judged.
+      // The accepted turn of a fold depends on the seams beside it and has been judged, so the new
+      // angle is the one to keep.
       if (SeamResult& kept = now_.to_keep[i]; isFold(kept, options_.tolerance))
         kept.figures.angle_rad = now_.after.seams[i].figures.angle_rad;
       if (done.orders[i] == 0) continue;
@@ -262,7 +266,7 @@ class Repairing {
     }
   }
 
-  /// Of an edge with new paths on both faces the larger one counts.
+  /// Adds moves of edges. For an edge with new pcurves on both faces the larger move counts.
   void addEdgeMoves(const std::vector<PathChange>& paths) {
     std::map<int, double> moves;
     for (const PathChange& change : paths)
@@ -277,7 +281,7 @@ class Repairing {
     return reason.substr(0, reason.find(g1_too));
   }
 
-  /// Of a seam that was asked for G2 before, and for G1 now, both reasons.
+  /// Sets the reason. A seam with target G2 before and G1 now gets both reasons.
   void tellWhy(std::size_t i, const std::string& why) {
     std::string& reason = now_.reasons[i];
     if (reason.starts_with(g1_reached)) {
@@ -358,7 +362,7 @@ class Repairing {
   const Progress& progress_;
   const UnusableParts unusable_;
   const TimeLimit time_;
-  bool out_of_time_ = false;  ///< a stage was stopped, or not begun
+  bool out_of_time_ = false;  ///< a stage was stopped or did not begin
   State now_;
   std::vector<bool> sharp_, wants_conversion_;  ///< by seam, see Choice
   NeededVariation needed_;                      ///< by face

@@ -25,7 +25,7 @@ double fade(double from_end) {
   return (1 - t) * (1 - t) * (1 + 2 * t);
 }
 
-/// Where an edge runs on a face that stays.
+/// The new position of an edge on a face that stays.
 class Slide {
  public:
   Slide(const Coedge& stays, const Coedge& moves, const handle<Geom_Surface>& moved, double gap_mm)
@@ -85,7 +85,8 @@ class Slide {
     return handle<Geom2d_Curve>(interpolation.Curve());
   }
 
-  /// With the middle between two of them where the curve misses it.
+  /// The parameters, with the middle between two of them added where the curve misses the foot
+  /// there.
   std::vector<double> withMissed(const std::vector<double>& places,
                                  const Geom2d_Curve& curve) const {
     std::vector<double> denser = {places.front()};
