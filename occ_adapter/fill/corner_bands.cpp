@@ -45,6 +45,7 @@ using opencascade::handle;
 /// The point in [0, 1] at which f, negative at first, becomes positive; nothing if it does not.
 template <class Function>
 std::optional<double> crossingOf(const Function& f) {
+  // Steps of the search for a change of sign.
   constexpr int steps = 200;
   double low = 0;
   for (int k = 1; k <= steps; ++k) {

@@ -63,8 +63,8 @@ struct Tube {
   std::array<double, 2> u{};  ///< u of both contact lines
 };
 
-/// The section of a cylinder by the plane at the far end: a circle or an ellipse, with parameter u
-/// - highest_u.
+/// The section of a cylinder by the plane at the far end: a circle or an ellipse, whose parameter is
+/// u - highest_u.
 struct FarCut {
   gp_Ax2 axes;
   bool upright = true;

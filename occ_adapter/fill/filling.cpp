@@ -282,9 +282,9 @@ class Filling {
     return sides;
   }
 
-  /// How much the degree is raised above the one that G1 needs: to at least \p more than that of
-  /// the cross-boundary derivatives. Nothing for target G1 in high degrees, because the time grows
-  /// with the sixth power of the degree.
+  /// How much the degree is raised above the one that G1 needs, which is by \p more higher than the
+  /// largest degree of edges and cross-boundary derivatives. Nothing for target G1 in high degrees,
+  /// because the time grows with the sixth power of the degree.
   std::optional<int> curvatureDegrees(const std::vector<FillSide>& sides, int more) const {
     if (!attempt_.curvature_raise) return std::nullopt;
     Eigen::Index degree = 0;

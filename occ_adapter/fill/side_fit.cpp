@@ -22,9 +22,9 @@ using Eigen::Index, Eigen::Vector3d;
 /// - Own: that of its edge.
 /// - ArcLength.
 /// - Centripetal: between arc length and the centripetal one, in which each edge has the square
-/// root of its length. Short edges get more of the freedom of a polynomial.
+///   root of its length. Short edges get more of the freedom of a polynomial.
 /// - AffineArcLength: nearly affine arc length, in which ellipses and parabolas have their standard
-/// parametrisation.
+///   parametrisation.
 enum class Parametrisation { Own, ArcLength, Centripetal, AffineArcLength };
 
 /// The share of an interval as a function of t, with dt / ds proportional to the cube root of the
@@ -66,6 +66,7 @@ class AffineArcLengthShare {
 
  private:
   static constexpr int pieces = 128;
+  /// Least turning per interval: an absolute part and a share of the mean turning.
   static constexpr double straight_rad = 0.02, straight_share = 0.03;
 
   /// The cubic Hermite interpolant on a piece, and its derivative by x.
@@ -263,6 +264,7 @@ BezierCurve fittedEdge(const std::vector<SideSample>& samples,
 Poles fittedCross(const std::vector<SideSample>& samples,
                   const std::array<Vector3d, 2>& corner_normals, double length_mm, int degree,
                   const Eigen::VectorXd& weights) {
+  // Large enough that the normal parts at the ends vanish.
   constexpr double weight_at_ends = 1e6;
   const Index unknowns = 3 * (degree + 1), count = static_cast<Index>(samples.size());
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(4 * count, unknowns);
@@ -406,6 +408,7 @@ class SideFit {
   /// offset on a shorter interval, and so tilts the edge more.
   EdgeFit nearestEdge(Parametrisation parametrisation,
                       const std::array<SideFitEnd, 2>& ends) const {
+    // A higher degree counts as better if it reduces the error by a tenth.
     constexpr double nearer = 0.9;
     constexpr int patience = 2;  // symmetric paths improve only with every second degree
     const std::shared_ptr<const Samples> samples = samplesAt(parametrisation);
@@ -435,6 +438,7 @@ class SideFit {
   /// largest value, may have the right planes but makes folds. So the evenness decides too.
   void fitCross(const EdgeFit& edge, const std::array<Vector3d, 2>& corner_normals,
                 FittedSide& side) const {
+    // Smaller weights trade angle for evenness, so large ones are tried first.
     constexpr std::array<double, 4> weights_of_normal_part = {1e6, 1e5, 1e4, 1e3};
     const double enough_rad = std::max(enough_rad_, rounding * edge.tilt_rad);
     const std::vector<SideSample>& samples = edge.samples->fitted;

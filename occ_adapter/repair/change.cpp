@@ -379,6 +379,7 @@ class Changer {
       for (const gp_Pnt& end : of_place) sum += end.XYZ();
       place = gp_Pnt(sum / static_cast<double>(of_place.size()));
     }
+    // Margin: rounding must not leave an end outside of the tolerance.
     constexpr double rounding = 1.001;
     double reach = std::max(Precision::Confusion(), ends.tolerance_mm);
     for (const std::vector<gp_Pnt>* points : {&ends.curves, &ends.images})

@@ -235,6 +235,7 @@ namespace {
 
 /// The jump of a side's unit normal at a parameter of its pcurve; zero where it has no normal.
 Eigen::Vector3d turnAt(const FaceStrip& strip, double s) {
+  // Step to either side of the parameter, which runs over 0..1.
   constexpr double beside = 1e-7;
   std::array<Eigen::Vector3d, 2> normals;
   for (const int k : {0, 1}) {

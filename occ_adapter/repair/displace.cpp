@@ -78,6 +78,8 @@ class TaskFaces {
 /// is invisible or needed (docs/theory/repair.md, "The budget").
 MovingFace moverOf(int number, const TopoDS_Face& face, const TopoDS_Face& given,
                    const RepairTask& task) {
+  // Spans of the first displacement; refinement adds more where samples miss. A side within a
+  // hundredth of the gap tolerance of one point becomes that point.
   constexpr int first_spans = 4;
   constexpr double share_of_gap = 0.01, share_of_variation = 0.5;
   const handle<Geom_BSplineSurface> surface = splineOfFace(face);
@@ -327,6 +329,7 @@ FairComponent solved(const RepairTask& task, const Part& part, std::string key,
   FairResult result =
       fairSolve(part.joints, task.options.tolerance, start, component.movers, progress);
   component.weights = std::move(result.weights);
+  // No later solution starts from one that misses by more tolerances.
   constexpr double far = 10;
   double most_missed = 1;
   int most_asked = 0;

@@ -79,6 +79,7 @@ std::array<bool, 2> denominatorVaries(const Geom_BSplineSurface& surface) {
 
 /// Whether the denominator varies along a side. \param side poles, as SurfaceBasis counts them.
 bool denominatorVaries(const Geom_BSplineSurface& surface, const std::vector<int>& side) {
+  // Relative difference of weights that count as equal.
   constexpr double same_share = 1e-6;
   const auto weight = [&surface](int pole) {
     return surface.Weight(pole / surface.NbVPoles() + 1, pole % surface.NbVPoles() + 1);
@@ -230,6 +231,7 @@ Displacement::Displacement(const PreparedSurface& given, bool given_periodic,
       given_basis_(*given_),
       basis_(*given_),
       given_poles_(polesOf(*given_)) {
+  // With simple knots degree 3 gives two continuous derivatives.
   constexpr int least_degree = 3;
   constexpr int most_degree = 5;
   const int u = std::clamp(degrees_[0], least_degree, most_degree),
@@ -376,6 +378,7 @@ bool Displacement::halve(const std::array<std::set<int>, 2>& spans) {
 }
 
 EnergyBlock Displacement::bendingOfSpan(int span_u, int span_v, double least_metric) const {
+  // Weight of the energy beyond the parameters that the face shows, see bending().
   constexpr double share_outside = 0.03;
   const SplineAxis &u = basis_.u(), &v = basis_.v();
   const GaussRule rule_u = gaussRule(u.degree), rule_v = gaussRule(v.degree);
@@ -414,6 +417,7 @@ EnergyBlock Displacement::bendingOfSpan(int span_u, int span_v, double least_met
 }
 
 std::vector<EnergyBlock> Displacement::bending() const {
+  // Keeps the metric regular at degenerate points, relative to its mean size.
   constexpr double share_of_metric = 1e-12;
   const SplineAxis &u = basis_.u(), &v = basis_.v();
   const double least_metric =

@@ -224,6 +224,7 @@ SurfaceChange measureChange(const TopoDS_Face& face,
   LineWalk walk(before, &moved, rangeOf(face), grid);
   walk.walk(face, after, change);
   change.move_mm.upper = std::max(change.move_mm.lower, bound_mm);
+  // Share of the variation before that belongs to the noise, see measureChange().
   constexpr double unseen = 0.05;
   const double noise = visible_per_mm + unseen * walk.before(0).variation_per_mm;
   change.before = walk.before(noise);
@@ -306,6 +307,7 @@ double sizeOf_mm(const TopoDS_Face& face) {
 MoveLimits moveLimits(const TopoDS_Shape& shape, const std::vector<SeamResult>& seams,
                       const std::set<int>& may_move, const std::vector<bool>& treated,
                       const RepairOptions& options) {
+  // docs/theory/repair.md, "How far", derives both from R1.
   constexpr double share_of_size = 0.01, times_gap = 2;
   const TopTools_IndexedMapOfShape faces = partsOf(shape, TopAbs_FACE);
   std::map<int, double> gaps_mm;

@@ -278,6 +278,7 @@ class FairSolving {
   /// Takes the step. If it does not reduce the cost it is halved, at most twice, and then replaced
   /// by a damped step.
   void descend(StepSystem& system) {
+    // Marquardt's factors on the diagonal; 0 is the undamped Gauss-Newton step.
     constexpr std::array<double, 4> dampings = {0, 1e-3, 3e-2, 1};
     constexpr int halvings = 2;
     const double before = cost();
@@ -323,6 +324,9 @@ class FairSolving {
   /// inserted.
   void solve(bool is_first, bool may_refine) {
     constexpr int most_passes = 10;
+    // A pass whose worst miss exceeds the best one so far by the factor 4 ends the passes. Passes
+    // without progress end them too: two if the worst miss is above 3 tolerances, else four. After
+    // weights were added, a pass that changes the worst miss by less than a hundredth counts twice.
     constexpr double diverges = 4, far = 3, stands_still = 0.01;
     StepSystem system = prepare();
     std::optional<State> plain, best;
@@ -380,6 +384,9 @@ class FairSolving {
 
   /// Halves spans beside missed samples. \returns whether any span was halved.
   bool refine() {
+    // Least length of a span as a share of the surface. It keeps a fair face from being spent on a
+    // seam that needs much in a short interval (docs/theory/repair.md, "What cannot be repaired
+    // fairly").
     constexpr double shortest = 1.0 / 128;
     std::map<int, std::array<std::set<int>, 2>> spans;
     for (std::size_t j = 0; j < joints_.size(); ++j)

@@ -343,6 +343,7 @@ class Moving {
 
   /// Adds samples to the next solution where a figure is largest, as long as such samples help.
   bool looksAgain(std::size_t i, const SeamResult& seam) {
+    // More samples help if they reduce the miss by at least a tenth.
     constexpr double is_less = 0.9;
     Look& look = looks_[i];
     const double missed = missedBy(seam);

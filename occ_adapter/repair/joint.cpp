@@ -57,6 +57,7 @@ std::vector<double> evenPlaces(const Joint& joint, std::size_t side,
 }
 
 std::vector<double> sampleParameters(const Joint& joint, const MovingFaces& movers) {
+  // Parameters in 0..1 nearer than this are the same sample.
   constexpr double distinct = 1e-9;
   std::vector<double> best;
   for (std::size_t side = 0; side < joint.sides.size(); ++side)

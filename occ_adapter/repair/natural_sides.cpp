@@ -45,6 +45,7 @@ std::vector<int> NaturalSides::coefficients(const Side& side, const MovingFaces&
 
 std::optional<NaturalSides::Side> NaturalSides::find(const Joint& joint, std::size_t k,
                                                      const MovingFaces& movers) {
+  // Number of intervals whose ends are compared with the side.
   constexpr int looks = 4;
   Side side;
   side.face = joint.sides[k].face;

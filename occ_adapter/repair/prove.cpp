@@ -148,6 +148,7 @@ std::string whyWorse(const SeamResult& after, const SeamResult& before,
     return "a larger angle";
   const auto &curvature = after.figures.curvature_rel,
              &curvature_before = before.figures.curvature_rel;
+  // A difference of curvature, which is relative, must also grow by a tenth.
   constexpr double seen = 1.1;
   if (options.order == 2 && before.verdict.level >= Level::G1 && curvature_before &&
       isLarger(curvature, curvature_before, options.tolerance.curvature_rel) &&

@@ -78,6 +78,7 @@ class Repairing {
   }
 
  private:
+  /// Progress at the ends of the stages.
   static constexpr double share_of_analysis = 0.2, share_of_paths = 0.1, share_of_moves = 0.6,
                           share_of_g1 = 0.7, share_before_sewing = 0.9;
   /// Shares of the time limit after which a stage is stopped. They leave time for the stages that

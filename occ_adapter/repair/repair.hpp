@@ -87,7 +87,7 @@ struct EdgeMove {
 /// the same parameters.
 struct FaceConversion {
   int face = 0;         ///< number in the given model
-  std::string kind;     ///< what it was
+  std::string kind;     ///< the kind of surface before
   double error_mm = 0;  ///< error of the spline before it moved; its move includes it
 };
 
@@ -142,17 +142,19 @@ struct RepairReport {
 /// - The shape passes OpenCASCADE's checks as before.
 /// - Closed solids stay closed, and their volume changed by no more than the moves explain.
 ///
-/// A seam that could not be repaired is reported with the reason and left as it was. Only a seam on
-/// a moved face, or between two, may be better than before.
+/// A seam that could not be repaired is reported with the reason and left as it was. A seam on a
+/// moved face, or between two moved faces, may be better than before.
 ///
 /// A seam is worse in these cases:
 /// - It was a crease and is a defect, or it is less certain.
 /// - Its level is lower. Above the target this counts only with keep_curvature, and only if the
-/// seam certainly had the higher level (where a side is nearly flat the figures often can't tell).
+///   seam certainly had the higher level (where a side is nearly flat the figures often can't
+///   tell).
 /// - It was a crease, and its largest angle changed by more than the angle tolerance plus the angle
-/// that treated seams lose at its ends.
+///   that treated seams lose at its ends.
 /// - A figure that the target asks for (of a crease the gap alone) is certainly above its tolerance
-/// and exceeds its upper bound in the given model by more than a tenth of the tolerance.
+///   and exceeds its upper bound in the given model by more than a tenth of the tolerance. A
+///   difference of curvature must also exceed that bound by a tenth of itself.
 ///
 /// Figures within the tolerance count as equal, and so do figures that differ by less than that
 /// tenth. A model without seams to treat or to sew is returned as it is and shares everything.
@@ -168,8 +170,8 @@ struct RepairReport {
 /// that edges keep their pcurves. Planes and extrusions of splines are converted exactly, others to
 /// a thousandth of the gap tolerance. Conversion is done where it helps: first for one face of each
 /// seam that has no movable face, then for faces beside seams that were not repaired. A face that
-/// did not move stays the kind of surface before. No seam has a lower level afterwards than it
-/// certainly had before conversion.
+/// did not move stays what it was. No seam has a lower level afterwards than it certainly had
+/// before conversion.
 ///
 /// A part with several instances is repaired in its first instance, and all others change alike. An
 /// edge picked or a face fixed in one instance is so in all. The seams of the other instances are

@@ -244,6 +244,7 @@ class EdgeSewer {
     gp_XYZ sum;
     for (const gp_Pnt& end : of_place) sum += end.XYZ();
     corner.place = gp_Pnt(sum / static_cast<double>(of_place.size()));
+    // Margin: rounding must not leave an end outside of the tolerance.
     constexpr double rounding = 1.001;
     corner.tolerance_mm = std::max(Precision::Confusion(), corner.tolerance_mm);
     for (const gp_Pnt& end : all)

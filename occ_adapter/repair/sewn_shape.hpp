@@ -42,7 +42,7 @@ struct SewnShape {
 ///
 /// A seam is refused in these cases:
 /// - A face of it occurs in the shape several times, is in a solid of several shells, or shares its
-/// surface with the other face.
+///   surface with the other face.
 /// - Another interval interrupts its interval or has taken it.
 /// - The tolerance of one of its vertices would exceed both twice \p gap_mm and its old value.
 /// - It would close a band that has only one side, such as a Moebius band.

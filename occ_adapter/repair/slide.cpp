@@ -56,6 +56,7 @@ class Slide {
   }
 
  private:
+  /// Accuracy of the new pcurve as a share of the gap tolerance, see slidPath().
   static constexpr double share_of_gap = 0.02;
 
   double parameter(const Pcurve& path, double s) const {
@@ -107,6 +108,7 @@ class Slide {
 };
 
 bool keepsAway(double value, double first, double last, bool is_periodic) {
+  // Margin at the ends of the parameters as a share of their range.
   constexpr double share = 0.02;
   if (is_periodic || Precision::IsInfinite(first) || Precision::IsInfinite(last)) return true;
   const double margin = share * (last - first);
@@ -117,6 +119,7 @@ bool keepsAway(double value, double first, double last, bool is_periodic) {
 
 gp_Pnt2d StayingSurface::nearest(const gp_Pnt& point, const gp_Pnt2d& start) const {
   constexpr int most_steps = 10;
+  // Length of the last step in mm, far below any tolerance.
   constexpr double near = 1e-10;
   gp_Pnt2d uv = start;
   for (int k = 0; k < most_steps; ++k) {

@@ -43,6 +43,8 @@ PointNormal at(const GeomAdaptor_Surface& surface, double u, double v) {
 SurfaceDifference differenceOf(const opencascade::handle<Geom_Surface>& before,
                                const opencascade::handle<Geom_BSplineSurface>& after,
                                const std::array<double, 4>& range) {
+  // Where X_u x X_v is shorter than this share of the longest one, the surface is nearly
+  // degenerate.
   constexpr double collapsed = 1e-4;
   SurfaceDifference difference;
   struct Turned {

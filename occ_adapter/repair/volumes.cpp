@@ -138,6 +138,7 @@ VolumeChange volumeChange(std::vector<FaceCone>& cones, double error, int jobs,
                           const Progress& progress) {
   runParallel(
       cones.size(), jobs, [&cones, error](std::size_t k) { cones[k].integrate(error); }, progress);
+  // Relative error of a volume by fixed quadrature that is accepted as noise.
   constexpr double noise = 1e-6;
   VolumeChange result;
   for (const FaceCone& cone : cones) {
