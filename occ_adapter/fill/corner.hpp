@@ -26,15 +26,15 @@ struct CornerEdge {
   /// after it, counter-clockwise as seen from outside.
   std::array<Eigen::Vector3d, 2> into;
   bool convex = true;
-  /// angle between the two faces: inside the solid, or, at a concave edge, outside of it; in (0,
-  /// pi)
+  /// Angle between the two faces: inside the solid, or, at a concave edge, outside of it; in (0,
+  /// pi).
   double opening_rad = 0;
   TopoDS_Vertex far;
-  /// the third face at the far vertex; this and the next members are set only for a polyhedral
-  /// corner
+  /// The third face at the far vertex; this and the next members are set only for a polyhedral
+  /// corner.
   TopoDS_Face end;
   Eigen::Vector3d end_normal;  ///< unit
-  /// edges of that face with the face before and with the face after
+  /// Edges of that face with the face before and with the face after.
   std::array<TopoDS_Edge, 2> end_edges;
 };
 
@@ -54,8 +54,8 @@ struct Corner {
   TopoDS_Shell shell;
   std::vector<CornerEdge> edges;
   std::vector<CornerFace> faces;
-  TopTools_IndexedMapOfShape given_faces,
-      given_edges;  ///< all of the given shape; their indices are the numbers in messages
+  /// All of the given shape; their indices are the numbers in messages.
+  TopTools_IndexedMapOfShape given_faces, given_edges;
   /// The faces are planes and the edges are lines. At the far end of each edge, two more edges and
   /// one more plane meet, and that plane does not pass through the corner.
   bool polyhedral = false;

@@ -18,9 +18,9 @@ struct RoundedOutside {
   TopoDS_Shape solid;
   std::vector<TopoDS_Face> caps;   ///< faces on the ball
   std::vector<TopoDS_Face> bands;  ///< by edge: the part of its fillet that ends on the ball
-  std::vector<std::vector<TopoDS_Edge>>
-      band_ends;  ///< by edge: the edges in which its band ends on the ball, in any order
-  /// by face of the corner: the edges in which the ball cuts it, in any order
+  /// By edge: the edges in which its band ends on the ball, in any order.
+  std::vector<std::vector<TopoDS_Edge>> band_ends;
+  /// By face of the corner: the edges in which the ball cuts it, in any order.
   std::vector<std::vector<TopoDS_Edge>> arcs;
   std::map<int, TopoDS_Face> became;  ///< new face by number of a face in the given solid
 };

@@ -10,7 +10,7 @@ namespace seamwright::occ {
 struct BandedCorner {
   CornerShell shell;
   std::vector<CornerFilletEdge> edges;
-  /// only patches (none if some had to be splines), corners and regular are set
+  /// Only patches (none if some had to be splines), corners and regular are set.
   NSidedFill fill;
   double section_error_mm = 0;
 };

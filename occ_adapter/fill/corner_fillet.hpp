@@ -51,8 +51,8 @@ struct CornerSeam {
 struct CornerFilletEdge {
   int edge = 0;  ///< number in the given model
   bool convex = true;
-  /// angle between its faces at the vertex: inside the solid, or, at a concave edge, outside of
-  /// it
+  /// Angle between its faces at the vertex: inside the solid, or, at a concave edge, outside of
+  /// it.
   double angle_rad = 0;
   double radius_mm = 0;
   double contact_mm = 0;  ///< distance of the contact lines from the edge, at the section
@@ -65,8 +65,8 @@ struct CornerFillet {
   /// The patches. Side 2 i is the section of edge i, side 2 i + 1 the spring curve after it. At
   /// curved faces only patches (none if some had to be splines), corners and regular are set.
   NSidedFill fill;
-  /// sampled distance of the section curves from their circles; at curved faces the sampled
-  /// distance of all sides
+  /// Sampled distance of the section curves from their circles; at curved faces the sampled
+  /// distance of all sides.
   double section_error_mm = 0;
   std::vector<CornerSeam> seams;  ///< new seams, by edge number
   bool valid = false;             ///< OpenCASCADE's checks of the new shell pass

@@ -16,9 +16,8 @@ namespace {
 using Eigen::Vector3d;
 using std::numbers::pi;
 
-constexpr int least_section_degree = 5,
-              most_section_degree =
-                  11;  ///< degrees of section curves; patches are one degree higher
+/// Degrees of section curves; patches are one degree higher.
+constexpr int least_section_degree = 5, most_section_degree = 11;
 
 /// The Bernstein polynomials B_0 .. B_n at t.
 Eigen::RowVectorXd bernsteinRow(int n, double t) {

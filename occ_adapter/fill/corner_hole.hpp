@@ -17,9 +17,9 @@ struct CornerStrip {
   double radius_mm = 0, contact_mm = 0, setback_mm = 0;
   double sweep_rad = 0;                              ///< angle of the section's arc, in (0, pi)
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< centre of the section
-  /// unit vector from the centre towards the edge, through the middle of the section
+  /// Unit vector from the centre towards the edge, through the middle of the section.
   Eigen::Vector3d to_edge = Eigen::Vector3d::Zero();
-  /// ends of the section, in the face before and in the face after the edge
+  /// Ends of the section, in the face before and in the face after the edge.
   std::array<Eigen::Vector3d, 2> contacts{};
   std::array<Eigen::Vector3d, 2> far_contacts{};  ///< far ends of the contact lines
 };

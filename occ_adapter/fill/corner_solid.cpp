@@ -63,8 +63,8 @@ struct Tube {
   std::array<double, 2> u{};  ///< u of both contact lines
 };
 
-/// The section of a cylinder by the plane at the far end: a circle or an ellipse, whose parameter is
-/// u - highest_u.
+/// The section of a cylinder by the plane at the far end: a circle or an ellipse, with the
+/// parameter u - highest_u.
 struct FarCut {
   gp_Ax2 axes;
   bool upright = true;
@@ -404,13 +404,13 @@ class ShellBuilder {
   std::vector<Tube> tubes_;
   std::vector<TubeEdges> edges_;
   std::vector<TopoDS_Face> patches_;
-  std::vector<std::array<TopoDS_Edge, 2>>
-      halves_;                       ///< halves of the sides, in the direction of the sides
+  /// Halves of the sides, in the direction of the sides.
+  std::vector<std::array<TopoDS_Edge, 2>> halves_;
   std::vector<TopoDS_Edge> spokes_;  ///< from the centre
   TopoDS_Vertex centre_;
   TopTools_IndexedMapOfShape old_;  ///< edges at far ends
-  std::map<int, std::array<TopoDS_Vertex, 2>>
-      trims_;  ///< new ends of these edges; null where an end stays
+  /// New ends of these edges; null where an end stays.
+  std::map<int, std::array<TopoDS_Vertex, 2>> trims_;
   std::map<int, TopoDS_Edge> trimmed_;
 };
 

@@ -17,10 +17,10 @@ struct FillHoleOptions {
   /// in higher degrees.
   Level target = Level::G1;
   ContinuityTolerance tolerance{.gap_mm = 0.001, .angle_rad = 0.01 * 0.017453292519943295};
-  /// a fill that closes the hole is kept even if it misses the target
+  /// A fill that closes the hole is kept even if it misses the target.
   bool keep_anyway = false;
-  /// if a surface beside the hole continues through it, the fill is one face on it; false:
-  /// always patches
+  /// If a surface beside the hole continues through it, the fill is one face on it; false:
+  /// always patches.
   bool continue_surface = true;
   double corner_rad = 0.26;  ///< see HoleOptions::corner_rad
   int most_degree = 9;       ///< largest degree of the polynomials fitted to a side, 3 to 11
@@ -48,23 +48,23 @@ struct FilledSide {
 struct FillHoleReport {
   Model model;          ///< with the fill, or as given
   bool filled = false;  ///< the fill is in the model
-  /// every new seam certainly reaches the target, and the new faces are regular and within their
-  /// size limit
+  /// Every new seam certainly reaches the target, and the new faces are regular and within their
+  /// size limit.
   bool reached = false;
-  /// why the target is not reached, with numbers of the given model; empty if it is reached
+  /// Why the target is not reached, with numbers of the given model; empty if it is reached.
   std::string reason;
   std::vector<FilledSide> sides;
   std::vector<FillCorner> corners;
   bool regular = false;       ///< see NSidedFill::regular
   bool meets_others = false;  ///< the new faces run into others, or into each other
-  /// distance of the farthest pole of the fill from the middle of the box of the hole's sides,
-  /// over half the diagonal of that box
+  /// Distance of the farthest pole of the fill from the middle of the box of the hole's sides,
+  /// over half the diagonal of that box.
   double reach = 0;
   /// See NSidedFill, relative to the fitted curvature of the neighbours; nothing if it was not
   /// minimised: with target G0, and with target G1 in high degrees.
   std::optional<double> curvature_jump_per_mm;
-  /// seams between the new faces and the others, measured in the filled model even if that was not
-  /// kept
+  /// Seams between the new faces and the others, measured in the filled model even if that was not
+  /// kept.
   std::vector<SeamResult> outer;
   std::vector<SeamResult> inner;  ///< seams between the new faces
   std::vector<int> faces;         ///< numbers of the new faces in the filled model

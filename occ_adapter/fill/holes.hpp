@@ -38,8 +38,8 @@ struct Hole {
 
 struct HoleOptions {
   double corner_rad = 0.26;  ///< a corner is where the tangent turns by more than this
-  /// ends of edges nearer than this, or within their tolerances of each other, count as one
-  /// point
+  /// Ends of edges nearer than this, or within their tolerances of each other, count as one
+  /// point.
   double gap_mm = 0.01;
 
   /// \throws std::invalid_argument with the offending number.
@@ -48,7 +48,7 @@ struct HoleOptions {
 
 struct Holes {
   std::vector<Hole> holes;
-  /// on free edges outside of closed loops, and edges that can't be evaluated
+  /// On free edges outside of closed loops, and on edges that can't be evaluated.
   std::vector<std::string> notes;
 };
 

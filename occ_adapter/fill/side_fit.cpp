@@ -482,7 +482,7 @@ class SideFit {
 
   struct CrossForm {
     double angle_rad = 0;
-    /// smallest component across the edge, out of the hole, over the largest one
+    /// Smallest component across the edge, out of the hole, over the largest one.
     double evenness = 0;
 
     bool isEven() const { return evenness >= 0.7; }

@@ -14,8 +14,8 @@ struct SideFitOptions {
   double gap_mm = 0;     ///< accepted distance of points with the same parameter
   double angle_rad = 0;  ///< accepted angle to the tangent planes of the faces
   int most_degree = 9;   ///< largest degree of edges and cross-boundary derivatives, 3 to 11
-  /// largest angle between a corner's tangents and the tangent plane of a side that keeps its
-  /// tangent planes
+  /// Largest angle between a corner's tangents and the tangent plane of a side that keeps its
+  /// tangent planes.
   double planar_rad = 0;
   bool curvature = false;  ///< FillSide::bend is also fitted
 };
@@ -25,12 +25,12 @@ struct SideFitOptions {
 struct FittedSide {
   FillSide side;
   double gap_mm = 0;
-  /// angle of the planes spanned by E' and T to those of the faces; 0 for position alone
+  /// Angle of the planes spanned by E' and T to those of the faces; 0 for position alone.
   double angle_rad = 0;
   /// Angle, at both corners, between the plane of the side and that of the face. The fill has that
   /// angle to its neighbour there.
   std::array<double, 2> corner_rad{};
-  /// difference between the fitted curvature across the side and that of the faces
+  /// Difference between the fitted curvature across the side and that of the faces.
   double curvature_per_mm = 0;
 };
 

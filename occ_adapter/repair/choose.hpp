@@ -15,16 +15,16 @@ struct FaceChoice {
   bool may_move = false;
   bool may_be_trimmed = false;  ///< its edges may get new pcurves on it
   std::string cannot_move;      ///< the reason, as the text that follows "face 3 "
-  bool convertible =
-      false;  ///< it could move as a spline: its only obstacle is that it has no poles
+  /// It could move as a spline: its only obstacle is that it has no poles.
+  bool convertible = false;
 };
 
 struct Choice {
   std::vector<bool> treated;  ///< by seam, in the order of the report
   std::vector<bool> sharp;    ///< by seam: only the gap of a treated seam is to be closed
-  /// by seam: why a seam that was meant is not treated; otherwise empty
+  /// By seam: why a seam that was meant is not treated; otherwise empty.
   std::vector<std::string> reasons;
-  /// by seam: it misses its level, and its faces can move only as splines
+  /// By seam: it misses its level, and its faces can move only as splines.
   std::vector<bool> wants_conversion;
   std::vector<FaceChoice> faces;
 };

@@ -19,8 +19,8 @@ struct CommonEdge {
   opencascade::handle<Geom_Curve> curve;
   double first = 0, last = 0;
   std::vector<EdgeSide> sides;  ///< pcurves over [first, last]
-  double tolerance_mm =
-      0;  ///< largest distance between the curve and the images of both pcurves, as measured
+  /// Largest distance between the curve and the images of both pcurves, as measured.
+  double tolerance_mm = 0;
 };
 
 /// The curve lies halfway between both sides; a curve that both edges share is kept. The first side

@@ -166,8 +166,8 @@ class Converting {
     return found;
   }
 
-  /// The model with these faces as splines. Faces that can't be converted are removed from \p
-  /// chosen.
+  /// The model with these faces as splines. Faces that can't be converted are removed from
+  /// \p chosen.
   Model converted(std::set<int>& chosen) {
     std::vector<FaceChange> changes;
     errors_mm_.clear();

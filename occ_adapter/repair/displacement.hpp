@@ -106,7 +106,7 @@ class Displacement {
   double largestOf(opencascade::handle<Geom_BSplineSurface> moves) const;
 
   opencascade::handle<Geom_BSplineSurface> given_;
-  /// knots, degrees and weights of D; its poles are not used
+  /// Knots, degrees and weights of D; its poles are not used.
   opencascade::handle<Geom_BSplineSurface> shape_;
   double collapse_mm_;  ///< see PreparedSurface
   std::array<double, 4> range_;

@@ -42,8 +42,8 @@ class Outline {
     }
   }
 
-  /// The intervals inside the face of the iso-line with that parameter, as pairs of ends. \param
-  /// fixed 0: u is constant, 1: v is.
+  /// The intervals inside the face of the iso-line with that parameter, as pairs of ends.
+  /// \param fixed 0: u is constant, 1: v is.
   std::vector<std::pair<double, double>> inside(int fixed, double at) const {
     std::vector<double> crossings;
     for (const auto& [a, b] : chords_) {

@@ -421,8 +421,8 @@ class Moving {
   std::map<handle<Geom_Surface>, FaceMove> judged_;
 };
 
-/// Runs the work. Any exception other than Cancelled becomes the reason of all seams. \throws
-/// Cancelled.
+/// Runs the work. Any exception other than Cancelled becomes the reason of all seams.
+/// \throws Cancelled.
 template <class Work>
 Improvement orNothing(const RepairTask& task, const Work& work) {
   Rounds none(task);

@@ -15,7 +15,7 @@ namespace seamwright::occ {
 struct Improvement {
   TopoDS_Shape shape;  ///< the task's shape if there are no changes
   std::vector<FaceChange> changes;
-  /// by changed face: its change since the given model
+  /// By changed face: its change since the given model.
   std::map<int, FaceMove> judged;
   std::vector<PathChange> paths;
   std::vector<SeamResult> after;  ///< in the order of the task

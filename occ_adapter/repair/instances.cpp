@@ -273,8 +273,8 @@ class RepairingOnce {
   const RepairOptions& options_;
   const std::map<const TopoDS_TShape*, PartPlaces>& parts_;
   const InstanceNumbers faces_, edges_;
-  std::map<const TopoDS_TShape*, TopoDS_Shape>
-      own_;  ///< copies for the first instances, without location
+  /// Copies for the first instances, without location.
+  std::map<const TopoDS_TShape*, TopoDS_Shape> own_;
 };
 
 }  // namespace

@@ -26,10 +26,10 @@ struct MovingFace {
   double budget_per_mm = 0;  ///< how much the variation of the mean curvature may grow
   double area_mm2 = 0;
   double size_mm = 0;  ///< size of the face, see sizeOf_mm()
-  double stiffness =
-      1;  ///< factor on the cost of bending: the face spends less where it is above 1
-  double restraint_mm =
-      std::numeric_limits<double>::infinity();  ///< a move of this size costs as much as the budget
+  /// Factor on the cost of bending: the face spends less where it is above 1.
+  double stiffness = 1;
+  /// A move of this size costs as much as the budget.
+  double restraint_mm = std::numeric_limits<double>::infinity();
 };
 
 using MovingFaces = std::map<int, MovingFace>;  ///< by number of the face
@@ -58,21 +58,21 @@ struct JointSide {
   const MovingFace* mover = nullptr;  ///< null: the face stays
   Eigen::Vector2d uv = Eigen::Vector2d::Zero(), into = Eigen::Vector2d::Zero();
   PoleShares shares;  ///< of the mover's coefficients
-  /// by coefficient of the shares: its index in the sample's cell; -1: it stays
+  /// By coefficient of the shares: its index in the sample's cell; -1: it stays.
   std::vector<Eigen::Index> column;
-  /// before any move; on a side on which the edge slides: beside the other side as it is now
+  /// Before any move; on a side on which the edge slides: beside the other side as it is now.
   SidePoint shown;
-  std::shared_ptr<const StayingSurface> slides_on =
-      {};  ///< null: the edge keeps its position on this side
+  /// Null: the edge keeps its position on this side.
+  std::shared_ptr<const StayingSurface> slides_on = {};
 };
 
 /// Differences of two sides, with aligned normals. For an outline: the vector from its given
 /// position.
 struct Differences {
   Eigen::Vector3d gap = Eigen::Vector3d::Zero();
-  std::optional<Eigen::Vector3d>
-      normal;  ///< difference of the unit normals, where both sides have one
-  /// entries of the difference of the curvature tensors: along, mixed, across
+  /// Difference of the unit normals, where both sides have one.
+  std::optional<Eigen::Vector3d> normal;
+  /// Entries of the difference of the curvature tensors: along, mixed, across.
   Eigen::Vector3d bend = Eigen::Vector3d::Zero();
 };
 
@@ -90,9 +90,9 @@ struct JointSample {
   double s = 0;
   std::vector<JointSide> sides;
   JointLimits limits;
-  /// direction across the seam, in the tangent plane of the first side
+  /// Direction across the seam, in the tangent plane of the first side.
   Eigen::Vector3d across = Eigen::Vector3d::Zero();
-  /// differences that may stay; for a joint that is to meet at most a small gap
+  /// Differences that may stay; for a joint that is to meet at most a small gap.
   Differences given;
   bool keeps_gap = false;  ///< the gap may stay as it was
   /// Largest differences anywhere along a kept joint. Local differences may grow up to these, as

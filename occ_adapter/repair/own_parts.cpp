@@ -50,8 +50,8 @@ class Parting {
 
  private:
   BRep_Builder builder_;
-  std::set<const TopoDS_TShape*>
-      parted_;  ///< parts each occurrence of which becomes a part of its own
+  /// Parts each occurrence of which becomes a part of its own.
+  std::set<const TopoDS_TShape*> parted_;
   TopTools_DataMapOfShapeShape done_;
 };
 

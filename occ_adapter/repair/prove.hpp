@@ -28,10 +28,10 @@ using MeasuredSeams =
 /// What is wrong with a change. The change may be kept if nothing is.
 struct Proof {
   std::vector<SeamResult> after;  ///< in the order of RepairTask::before
-  std::map<std::size_t, std::string>
-      unrepaired;  ///< by treated seam that does not have the level: the reason
+  /// By treated seam that does not have the level: the reason.
+  std::map<std::size_t, std::string> unrepaired;
   std::map<std::size_t, std::string> worse;  ///< other seams
-  /// by face: it folded, moved further than its limit, or fails OpenCASCADE's checks
+  /// By face: it folded, moved further than its limit, or fails OpenCASCADE's checks.
   std::map<int, std::string> faces;
   std::string whole;  ///< what is wrong with the shape as a whole
 

@@ -90,8 +90,8 @@ class Repairing {
     TopoDS_Shape shape;
     Report after;
     std::vector<Seam> seams;
-    std::vector<SeamResult>
-        to_keep;  ///< by seam: figures that may not get worse, as given or as repaired
+    /// By seam: figures that may not get worse, as given or as repaired.
+    std::vector<SeamResult> to_keep;
     std::vector<std::string> reasons;  ///< by seam
     std::map<int, double> moves;       ///< by face
     std::map<int, FaceMove> judged;    ///< by face that moved

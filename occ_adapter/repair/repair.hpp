@@ -22,10 +22,10 @@ struct RepairOptions {
   /// class defect.
   std::vector<int> edges;
   std::vector<int> fixed_faces;  ///< faces that stay
-  double match_mm =
-      0;            ///< free edges within this distance of each other also form seams; 0: none do
+  /// Free edges within this distance of each other also form seams; 0: none do.
+  double match_mm = 0;
   bool sew = true;  ///< matched seams that meet within the gap tolerance become one edge
-  /// analytic faces may become splines where they have to move
+  /// Analytic faces may become splines where they have to move.
   bool convert_analytic = false;
   /// Factor by which the variation of a face's curvature may grow, see judgeSurface().
   double fairness = 1.5;
@@ -79,7 +79,7 @@ struct FaceMove {
 /// An edge that has a new path on its faces, or runs along the old one at another speed.
 struct EdgeMove {
   int edge = 0;
-  /// largest distance between its old and new image on a face; the sum if it moved several times
+  /// Largest distance between its old and new image on a face; the sum if it moved several times.
   double largest_move_mm = 0;
 };
 

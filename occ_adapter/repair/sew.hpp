@@ -23,8 +23,8 @@ struct SewSolution {
   SewnShape sewn;                 ///< has no shape if nothing is sewn
   std::vector<SeamResult> after;  ///< in the order of before, with the numbers of the sewn shape
   std::vector<NonSeamEdge> open, non_manifold;  ///< of the sewn shape
-  std::map<std::size_t, std::string>
-      reasons;  ///< by seam that was to be sewn and is not: the reason
+  /// By seam that was to be sewn and is not: the reason.
+  std::map<std::size_t, std::string> reasons;
 };
 
 /// Sews the seams for which sewing can be proven. \throws Cancelled.

@@ -23,7 +23,7 @@ using opencascade::handle;
 
 /// An edge, or a piece of one, after sewing.
 struct EdgePiece {
-  /// in the frame of the shape; FORWARD: in the direction of the edge of which it is a piece
+  /// In the frame of the shape; FORWARD: in the direction of the edge of which it is a piece.
   TopoDS_Edge edge;
   int interval = -1;           ///< index of the interval, for a common edge; otherwise -1
   std::array<int, 2> nodes{};  ///< nodes at the first and the last end of the old edge's piece
@@ -299,7 +299,7 @@ class EdgeSewer {
   Groups nodes_;                                  ///< vertices, by number, and cuts
   std::map<int, Corner> corners_;                 ///< by node that becomes a new vertex
   std::vector<CommonEdge> common_;                ///< by interval
-  /// by edge and piece: interval and side
+  /// By edge and piece: interval and side.
   std::map<std::pair<int, int>, std::pair<int, int>> interval_at_;
   std::map<int, std::vector<EdgePiece>> pieces_;  ///< by edge that changes
   SewnEdges result_;

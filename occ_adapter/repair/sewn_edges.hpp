@@ -11,13 +11,13 @@ namespace seamwright::occ {
 
 struct SewnEdges {
   std::vector<SewnInterval> intervals;
-  /// by interval: the edge that replaces both, in the direction of the first
+  /// By interval: the edge that replaces both, in the direction of the first.
   std::vector<TopoDS_Edge> common;
   /// By number of an edge that changes: the edges that it becomes, in the order and the direction
   /// of its curve.
   std::map<int, std::vector<TopoDS_Edge>> pieces;
   std::map<int, TopoDS_Vertex> vertices;  ///< by number of a vertex that changes
-  /// by seam that prevents sewing: the reason; then the other members are incomplete
+  /// By seam that prevents sewing: the reason; then the other members are incomplete.
   std::map<std::size_t, std::string> refused;
 };
 

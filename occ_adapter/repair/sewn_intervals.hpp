@@ -22,8 +22,8 @@ struct SewnInterval {
 /// Edges cut into pieces, and the pieces that become one.
 struct SewnIntervals {
   std::vector<SewnInterval> intervals;
-  std::map<int, std::vector<double>>
-      cuts;  ///< by edge: parameters of the cuts, from 0 to 1, both included
+  /// By edge: parameters of the cuts, from 0 to 1, both included.
+  std::map<int, std::vector<double>> cuts;
   std::map<std::size_t, std::string> refused;  ///< by seam: the reason
 };
 

@@ -21,7 +21,7 @@ std::string numberedFace(int number);
 /// A shape with some of its matched seams sewn, and the new parts by the given ones.
 struct SewnShape {
   TopoDS_Shape shape;  ///< null where seams were refused
-  /// by seam that prevents sewing: the reason; the caller tries again without these seams
+  /// By seam that prevents sewing: the reason; the caller tries again without these seams.
   std::map<std::size_t, std::string> refused;
   std::vector<int> faces;  ///< by number in the given shape, from 1: the number in this one
   std::vector<std::vector<int>> edges;    ///< the same for edges; several where an edge was cut

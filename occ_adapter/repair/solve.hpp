@@ -22,13 +22,13 @@ namespace seamwright::occ {
 struct RepairTask {
   const TopoDS_Shape& shape;
   const std::vector<Seam>& seams;  ///< of the shape, in the order of the report before
-  /// by seam: figures in the given model, or at its repair; no seam may get worse than these
+  /// By seam: figures in the given model, or at its repair; no seam may get worse than these.
   const std::vector<SeamResult>& to_keep;
   const std::vector<SeamResult>& before;  ///< figures in the shape
   const std::vector<FaceChoice>& faces;   ///< from 1
   const std::vector<bool>& sharp;         ///< by seam, see Choice
   const RepairOptions& options;
-  /// parts of the shape that can't be computed with; their faces stay in every task
+  /// Parts of the shape that can't be computed with; their faces stay in every task.
   const UnusableParts& unusable;
   const NeededVariation& needed;          ///< by face
   const MoveLimits& limits_mm;            ///< of the faces beside treated seams

@@ -46,7 +46,7 @@ class StepSystem {
   void forPairs(int cell, const Eigen::VectorXd& factors, const Take& take);
 
   std::vector<std::vector<int>> cells_;
-  /// by cell and pair of its points, row by row of the lower triangle: index of the block
+  /// By cell and pair of its points, row by row of the lower triangle: index of the block.
   std::vector<std::vector<int>> places_;
   BlockCholesky cholesky_;
   std::vector<int> diagonal_;  ///< by point: index of its block

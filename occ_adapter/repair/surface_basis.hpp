@@ -24,12 +24,12 @@ struct SplineAxis {
   int poles = 0;
   bool periodic = false;
   double first = 0, last = 0;
-  /// span i has the basis functions of the poles i - degree .. i, counted modulo the number of
-  /// poles if periodic
+  /// Span i has the basis functions of the poles i - degree .. i, counted modulo the number of
+  /// poles if periodic.
   std::vector<double> knots;
   double step = 1;  ///< mean length of the spans, at most 1
 
-  /// t shifted by periods into [first, last[ if periodic; otherwise t.
+  /// The parameter, shifted by periods into [first, last[ if periodic.
   double wrapped(double t) const;
   /// The span that contains t. At a knot it is the span on the side to which \p toward points. \p t
   /// is wrapped into the domain.

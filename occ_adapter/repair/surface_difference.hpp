@@ -11,8 +11,8 @@ namespace seamwright::occ {
 /// Differences, sampled on a grid of 4 by 4 points in each knot span.
 struct SurfaceDifference {
   double largest_mm = 0;  ///< largest distance of points with the same parameters
-  /// where the normal turned by 90 degrees or more; points at which both surfaces are nearly
-  /// degenerate don't count
+  /// Where the normal turned by 90 degrees or more; points at which both surfaces are nearly
+  /// degenerate don't count.
   std::optional<gp_Pnt> folded_at;
 };
 
