@@ -113,12 +113,12 @@ struct FillHoleReport {
 ///
 /// Then every new seam is measured as one edge, by enclosures. The fill reaches the target if every
 /// seam certainly reaches it, and if the new faces are proved regular, reach out to at most three
-/// times the size of the hole, and touch only faces with which they share a vertex. Otherwise sides
-/// of degree 5 are tried, and a fill that ignores curvature; the better one counts. The fill is
-/// kept if it reaches the target and OpenCASCADE's checks pass for the new faces, and as before for
-/// the neighbours and the shape. With keep_anyway it is kept even if it misses the target, as long
-/// as it could be sewn. Otherwise the model is returned as it is, and the report says how near the
-/// fill came. Names, colours and layers stay.
+/// times the size of the hole, and touch other faces only near shared edges and vertices. Otherwise
+/// sides of degree 5 are tried, and a fill that ignores curvature; the better one counts. The fill
+/// is kept if it reaches the target and OpenCASCADE's checks pass for the new faces, and as before
+/// for the neighbours and the shape. With keep_anyway it is kept even if it misses the target, as
+/// long as it could be sewn. Otherwise the model is returned as it is, and the report says how near
+/// the fill came. Names, colours and layers stay.
 ///
 /// A smooth loop with target G0 gets no tangent planes, so the fill of a flat loop is flat.
 ///

@@ -119,8 +119,9 @@ void followSlide(JointSample& sample);
 
 Differences differencesAt(const Joint& joint, const JointSample& sample);
 
-/// The miss of a sample over its tolerance. A difference that may stay counts where it grows by
-/// more than a tenth of the tolerance.
+/// The largest miss of a sample over its tolerance; infinite if a figure can't be computed. A
+/// difference that may stay counts by its growth: up to half the tolerance it is free, beyond that
+/// the accepted growth is a tenth of the tolerance.
 double missedShare(const Joint& joint, const JointSample& sample);
 
 /// The sum of squares of a sample's conditions.
