@@ -21,7 +21,8 @@ enum class Across { Into, OutOf };
 /// s - t, t) for OutOf.
 ///
 /// So everything about joins is said once, for tensor-product patches and triangles, polynomial and
-/// rational, in any pairing. Identities (each has a test of its number):
+/// rational, in any pairing.
+/// Identities (each has a test of its number):
 ///   (1) The polynomials take the derivatives of the patch at (s, t) = (0, t).
 ///   (2) OutOf has the first derivative of Into with the other sign, and the same position and
 ///       second one.
