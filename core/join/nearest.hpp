@@ -89,13 +89,14 @@ struct NearestJoin {
 /// for a positive alpha.
 ///
 /// **Tangent planes.** A join is invalid if a side that had a tangent plane loses it. Both |P_s x
-/// P_t| and |Q_s x Q_t| must stay above 1e-6 of their given values. P_s x P_t with the tangent of
-/// the mean seam must stay above 1/1000 of its length and turn by less than a right angle. This is
-/// tested at 4 degree + 1 parameters of each span. So a regular side does not join a fixed side
-/// whose seam, or whose corner at the seam, is one point. Where a given side has no tangent plane,
-/// there is no such demand, and the equations do not create a tangent plane. If all poles at an end
-/// of the seam stay and the cross-boundary derivatives there are parallel, beta (and q) is zero at
-/// that end. This keeps the seam's tangent from becoming parallel to them.
+/// P_t| and |Q_s x Q_t| must stay above 1e-6 of their given values. Let N be P_s x P_t of surface a
+/// with its seam moved to the mean of both seams. The component of P_s x P_t along N must stay
+/// above |N| / 1000, so the normal turns by less than a right angle. This is tested at 4 degree + 1
+/// parameters of each span. So a regular side does not join a fixed side whose seam, or whose
+/// corner at the seam, is one point. Where a given side has no tangent plane, there is no such
+/// demand, and the equations do not create a tangent plane. If all poles at an end of the seam stay
+/// and the cross-boundary derivatives there are parallel, beta (and q) is zero at that end. This
+/// keeps the seam's tangent from becoming parallel to them.
 ///
 /// **Infeasible** means that no join was found that holds up to rounding, with tangent planes as
 /// above and positive weights. Possible causes are fixed poles, knots, collapsed edges or corners,
