@@ -22,35 +22,36 @@ enum class MemberKind { Tensor, Triangle };
 ///
 /// Across an inner spoke C, with U the derivative of member i - 1 by u and V that of member i by v:
 /// V = a C' + b U, b < 0. As a Connection it has alpha = -b and beta = a. Bernstein coefficients on
-/// [0, 1], one where a function is constant; none at a rim.
+/// [0, 1]; one coefficient if a function is constant, none on a boundary spoke.
 struct SpokeFunctions {
   Eigen::VectorXd a, b;
 };
 
-/// Poles of all members together that are solved for at once: the system is dense, its time grows
-/// with the cube of their number.
+/// Largest number of poles of all members together. The system is dense, and its time grows with
+/// the cube of this number.
 constexpr int most_umbrella_poles = 1600;
 
 struct UmbrellaOptions {
   bool closed = true;
-  /// Of the members; none: those of the members given, else all tensor products.
+  /// Kinds of the members; empty: those of the given members, or all tensor products if there are
+  /// none.
   std::vector<MemberKind> kinds = {};
-  /// To be changed as little as possible: the least sum of squared moves of poles. None: the
-  /// members are made fair instead.
+  /// Members to be changed as little as possible, by the sum of squared moves of poles. Empty: the
+  /// result is made fair instead.
   std::vector<UmbrellaMember> members = {};
-  /// Of all members in u and v; nothing: the lowest that does, and no lower than that of a member
-  /// given.
+  /// Degree of all members in u and v; nothing: the lowest possible degree that is at least that of
+  /// each given member.
   std::optional<int> degree = std::nullopt;
-  /// a' (0) and b'(0) of each spoke. Without lambda the best is sought; without mu it is 0.
+  /// a'(0) and b'(0) of each spoke. Without lambda the best values are sought; without mu it is 0.
   std::optional<Eigen::VectorXd> lambda = std::nullopt, mu = std::nullopt;
-  /// A second fundamental form at O, in 1/mm: spokes get the normal curvature it has along them.
-  /// Nothing: they keep theirs.
+  /// A second fundamental form at O, in 1/mm. The spokes get its normal curvatures. Nothing: they
+  /// keep their own.
   std::optional<Eigen::Matrix3d> form = std::nullopt;
-  double gap_mm = 1e-9;  ///< starts of spokes this near to their mean count as one point
+  double gap_mm = 1e-9;  ///< starts of spokes within this distance of their mean count as one point
   VertexOptions vertex = {};
 };
 
-/// Members around a point that join G1 across every spoke, and what became of what was given.
+/// Members around a point that join G1 across every spoke, and the changes of the given data.
 struct Umbrella {
   std::vector<UmbrellaMember> members;
   std::vector<BezierCurve> spokes;
@@ -59,15 +60,15 @@ struct Umbrella {
   double largest_spoke_move_mm = 0;   ///< of a pole of a spoke
   double largest_second_change = 0;   ///< |C''(0)|, in mm
   double largest_lambda_change = 0;   ///< of a given lambda
-  double largest_member_move_mm = 0;  ///< of a pole of a given member; 0 without
-  Eigen::Index free_vectors = 0;      ///< how many poles might have been chosen otherwise
+  double largest_member_move_mm = 0;  ///< of a pole of a given member; 0 without given members
+  Eigen::Index free_vectors = 0;      ///< number of free vectors in the poles
 };
 
-/// The lowest degree of members around spokes of that degree, for laws with a linear, b constant:
-///   patch next to patch, patch next to triangle: that of the spokes; triangle next to triangle:
-///   one more, or if a is constant none.
-/// With b linear (mu not 0) a patch next to a patch, or a patch behind a triangle, needs that of
-/// the spokes; others are impossible.
+/// The lowest degree of members around spokes of degree \p spoke_degree, for laws with a linear and
+/// b constant. For a patch next to a patch or a triangle it is the degree of the spokes. For a
+/// triangle next to a triangle it is one more, or the degree of the spokes if a is constant. With b
+/// linear (mu not 0) a patch next to a patch, or a patch behind a triangle, needs the degree of the
+/// spokes; other pairs are impossible.
 int lowestUmbrellaDegree(const std::vector<MemberKind>& kinds, bool closed, int spoke_degree);
 
 /// The umbrella around spokes.
