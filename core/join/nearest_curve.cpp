@@ -25,7 +25,7 @@ using nearest_curve::Side;
 using Moves = NearestCurveJoinOptions::Moves;
 using NearestPoles = NearestCurveJoin<HomogeneousPoles>;
 
-/// Share of its length to which an end's first derivative may not fall.
+/// Share of its given length above which an end's first derivative must stay.
 constexpr double lost = 1e-6;
 /// Defect above which rounding hides the join.
 constexpr double largest_curve_rounding = 1e-6;

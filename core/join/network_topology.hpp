@@ -55,7 +55,8 @@ std::vector<int> strips(std::size_t surfaces, const std::vector<NetworkSeam>& se
 /// The poles as unknowns; a shared pole is one unknown.
 struct Unknowns {
   std::vector<std::vector<int>> of_pole;  ///< unknown of each pole, per surface
-  /// Given positions relative to the centre; the mean for shared poles.
+  /// Given positions relative to the centre; for shared poles the fixed position or the weighted
+  /// mean.
   Eigen::MatrixXd target;
   Eigen::VectorXd pull;     ///< weight of a move; 0: the pole stays
   std::vector<int> shared;  ///< number of poles
