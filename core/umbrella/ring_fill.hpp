@@ -8,9 +8,9 @@
 namespace seamwright {
 
 struct RingFillOptions {
-  int fairness_order = 2;                               ///< as of FillOptions
-  double corner_tolerance_rad = 0;                      ///< as of FillOptions
-  std::optional<int> curvature_degrees = std::nullopt;  ///< as of FillOptions
+  int fairness_order = 2;                               ///< as in FillOptions
+  double corner_tolerance_rad = 0;                      ///< as in FillOptions
+  std::optional<int> curvature_degrees = std::nullopt;  ///< as in FillOptions
 };
 
 /// A hole of four sides filled by a ring of four patches around a fifth.
@@ -24,11 +24,11 @@ struct RingFill {
   /// FillCorner, for both sides next to the corner.
   std::vector<FillCorner> corners;
   double fairness_mm2 = 0;  ///< sum of the squared differences of poles
-  bool regular = false;     ///< as of NSidedFill
+  bool regular = false;     ///< as in NSidedFill
   /// The chosen length of the spokes' ends, divided by two thirds of the distance of the corner
   /// from the mean of the corners (at least a quarter of the mean distance).
   double spoke_scale = 1;
-  std::optional<double> curvature_jump_per_mm = std::nullopt;  ///< as of NSidedFill
+  std::optional<double> curvature_jump_per_mm = std::nullopt;  ///< as in NSidedFill
 };
 
 /// Fills a hole of four sides with five tensor-product Bezier patches. They meet each other, and

@@ -12,7 +12,7 @@ namespace seamwright {
 
 struct ThreeSidedFillOptions {
   int fairness_order = 3;           ///< of the derivatives whose squares are summed, 2 or 3
-  double corner_tolerance_rad = 0;  ///< as of FillOptions
+  double corner_tolerance_rad = 0;  ///< as in FillOptions
 };
 
 /// A hole of three sides filled by three triangles around a centre.
@@ -29,7 +29,7 @@ struct ThreeSidedFill {
   /// neighbours need not agree.
   std::vector<FillCorner> corners;
   double fairness_mm2 = 0;  ///< the sum that was made least
-  bool regular = false;     ///< as of NSidedFill
+  bool regular = false;     ///< as in NSidedFill
 };
 
 /// Fills a hole of three sides with Bezier triangles. They meet each other, and the tangent planes

@@ -12,7 +12,7 @@ struct CentreFields {
   std::vector<std::optional<Poles>> sides;  ///< nothing: position alone
   std::vector<std::optional<Connection>> joins;
   std::vector<FillCorner> corners;
-  Poles spokes;  ///< from corner k to the centre: S' in the corner, one a row
+  Poles spokes;  ///< from corner k to the centre: S' in the corner, one per row
 };
 
 /// \throws as threeSidedFill() does for corners.

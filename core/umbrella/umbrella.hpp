@@ -66,9 +66,10 @@ struct Umbrella {
 
 /// The lowest degree of members around spokes of degree \p spoke_degree, for laws with a linear and
 /// b constant. For a patch next to a patch or a triangle it is the degree of the spokes. For a
-/// triangle next to a triangle it is one more, or the degree of the spokes if a is constant. With b
-/// linear (mu not 0) a patch next to a patch, or a patch behind a triangle, needs the degree of the
-/// spokes; other pairs are impossible.
+/// triangle next to a triangle it is one more. (With a constant a the degree of the spokes would be
+/// sufficient; umbrellaAround() uses that if lambda is given.) Triangles have at least degree 2.
+/// With b linear (mu not 0) a patch next to a patch, or a patch behind a triangle, needs the degree
+/// of the spokes; other pairs are impossible.
 int lowestUmbrellaDegree(const std::vector<MemberKind>& kinds, bool closed, int spoke_degree);
 
 /// The umbrella around spokes.
