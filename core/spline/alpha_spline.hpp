@@ -29,16 +29,15 @@ struct AlphaSplineShape {
 };
 
 /// The spline of a control polygon. With n segments its poles are
-///   order 1 P_0, then P_1 and P_2 of each segment, then P_3 of the last one: 2 n + 2; closed 2 n,
-///                without the first and the last. A joint lies on the line from P_2 to the next P_1
-///                and divides it in the ratio 1 : first.
-///   order 2, 3 P_0, then D_0 .. D_n, then P_3 of the last one: n + 3; closed D_0 .. D_(n-1), n.
-///   The poles
-///                P_1, P_2 of segment i lie on D_i D_(i+1) and divide it in the ratio mu : 1 :
-///                lambda, with
-///                  mu = (1 + first) / (second - first - third),   lambda = third mu
-///                of the joints at D_i and at D_(i+1); at the ends of an open spline 0. Joints as
-///                above.
+///   order 1     P_0, then P_1 and P_2 of each segment, then P_3 of the last one: 2 n + 2 poles.
+///               Closed: 2 n, without the first and the last. A joint lies on the line from P_2 to
+///               the next P_1 and divides it in the ratio 1 : first.
+///   order 2, 3  P_0, then D_0 .. D_n, then P_3 of the last segment: n + 3 poles.
+///               Closed: D_0 .. D_(n-1), n poles. The poles P_1, P_2 of segment i lie on
+///               D_i D_(i+1) and divide it in the ratio mu : 1 : lambda, with
+///                 mu = (1 + first) / (second - first - third),   lambda = third mu
+///               of the joints at D_i and at D_(i+1); both are 0 at the ends of an open spline.
+///               Joints lie as for order 1.
 /// first, second, third are the factors of alphaJoinPoles(): Q_1 = P_3 + first (P_3 - P_2),
 /// Q_2 = P_3 + second (P_3 - P_2) + third (P_1 - P_3).
 ///

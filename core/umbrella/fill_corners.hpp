@@ -24,7 +24,8 @@ namespace seamwright {
 /// which changes no point of the sides and nothing up to second order at the spokes. It changes the
 /// second derivatives by a bounded multiple of delta for any K: terms of one k are of size h_k^2
 /// over a square of size h_k. Because phi_k is straight, second derivatives across the sides change
-/// only by the part of phi_0, and not beside the corner. So the curvature across the sides stays.
+/// only by the part of phi_0, see (4). This change vanishes at the corner, so the curvature across
+/// the sides stays there.
 ///
 /// Identities (each has a test of its number):
 ///   (1) Points of all four edges, and first and second derivatives at the spokes, equal those of
