@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Costs of the operations on Bernstein forms, by degree.
+// Times of the operations on Bernstein forms, by degree.
 #include <benchmark/benchmark.h>
 
 #include <random>
@@ -15,7 +15,7 @@ Eigen::MatrixXd randomMatrix(Eigen::Index rows, Eigen::Index cols, double lower 
   return Eigen::MatrixXd::NullaryExpr(rows, cols, [&] { return uniform(random); });
 }
 
-/// Padded as a polynomial in the middle of a chain of operations is.
+/// Has an error bound, like a polynomial in the middle of a chain of operations.
 BernsteinPolynomial polynomial(benchmark::State& state) {
   return BernsteinPolynomial(randomMatrix(state.range(0) + 1, 1), 1e-15);
 }
@@ -64,7 +64,7 @@ void tensorRestrict(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(f.restricted({0.2, 0.4}, {0.5, 0.9}));
 }
 
-/// A surface of bi-degree n along a parameter curve of degree 3.
+/// The composition of a surface of bi-degree n with a parameter curve of degree 3.
 void tensorComposed(benchmark::State& state) {
   const BernsteinTensor f = tensor(state);
   const BernsteinPolynomial u(randomMatrix(4, 1, 0)), v(u.coefficients().reverse());

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Holes filled by fillHole() and by what OpenCASCADE has for it: BRepOffsetAPI_MakeFilling, asked
-// for G1 and for G2, and GeomFill_ConstrainedFilling. A face is taken out of a model; each fills
-// what it leaves. Angles and gaps are upper ends of the enclosures along all new seams, the outer
-// ones and, where a fill has several faces, the inner ones; times are of building alone, the least
-// of some. What the neighbours of a hole ask of every fill is told by OpenCASCADE's evaluation at
-// its corners alone.
+// Holes filled by fillHole() and by the fills of OpenCASCADE: BRepOffsetAPI_MakeFilling, for G1 and
+// for G2, and GeomFill_ConstrainedFilling. A face is taken out of a model, and each method fills
+// the hole that is left. Angles and gaps are upper bounds of the enclosures along all new seams:
+// the outer seams and, where a fill has several faces, the inner ones. Times are those of building
+// alone, the least of several repetitions. The lower bounds for any fill come from OpenCASCADE's
+// evaluation of the neighbours at the corners of the hole.
 #include <Adaptor3d_CurveOnSurface.hxx>
 #include <BRepAdaptor_Curve2d.hxx>
 #include <BRepAdaptor_Surface.hxx>
@@ -59,10 +59,10 @@ double secondsOf(const std::function<void()>& work, int times) {
 }
 
 struct Outcome {
-  double angle_deg = -1, gap_mm = -1, curvature_rel = -1;  ///< negative: not known
+  double angle_deg = -1, gap_mm = -1, curvature_rel = -1;  ///< negative: unknown
   double seconds = -1;
   std::string note;
-  bool reached = false;  ///< ours: kept without asking twice
+  bool reached = false;  ///< fillHole() only: kept even without keep_anyway
 };
 
 double upperOf(const std::optional<Figure>& figure) {
@@ -91,7 +91,8 @@ Outcome ours(const TopoDS_Shape& shape, int face, Level target, int times) {
   return outcome;
 }
 
-/// What another fill has along the boundary of the hole, as loose face beside the rest.
+/// Figures of another method's fill along the boundary of the hole; the fill is a loose face beside
+/// the rest of the model.
 Outcome measured(const TopoDS_Shape& rest, const TopoDS_Face& fill, double length_mm) {
   BRep_Builder builder;
   TopoDS_Compound whole;
@@ -220,7 +221,7 @@ TopoDS_Shape roundedBox(const std::array<double, 3>& radii) {
   return fillet.Shape();
 }
 
-/// Whether the face meets all its neighbours within a degree: only then there is a smooth fill.
+/// Whether the face meets all its neighbours within one degree; only then a smooth fill exists.
 bool isSmooth(const TopoDS_Shape& shape, int face) {
   bool is_smooth = true;
   for (const occ::Seam& seam : occ::findSeams(shape).seams)
@@ -230,7 +231,8 @@ bool isSmooth(const TopoDS_Shape& shape, int face) {
   return is_smooth;
 }
 
-/// Whether every edge of the face bounds the hole: else that is open to the rim of the shell.
+/// Whether every edge of the face bounds the hole; otherwise the hole is part of the boundary of
+/// the shell.
 bool isClosed(const TopoDS_Shape& face, const Hole& hole) {
   TopTools_IndexedMapOfShape edges;
   for (TopExp_Explorer edge(face, TopAbs_EDGE); edge.More(); edge.Next())
@@ -240,7 +242,8 @@ bool isClosed(const TopoDS_Shape& face, const Hole& hole) {
   return count == static_cast<std::size_t>(edges.Extent());
 }
 
-/// Every face that leaves a hole of that many sides with smooth surroundings.
+/// Adds every face whose removal leaves a hole with \p least to \p most sides and smooth
+/// surroundings.
 void addFaces(const std::string& name, const TopoDS_Shape& shape, std::size_t least,
               std::size_t most, std::vector<HoleCase>& cases) {
   TopTools_IndexedMapOfShape faces;
@@ -262,7 +265,7 @@ TopoDS_Shape read(const std::string& path) {
 
 struct Compared {
   CornerBounds bounds;
-  Outcome ours, curved;           ///< asked for G1, and for G2
+  Outcome ours, curved;           ///< fillHole() for G1, and for G2
   std::array<Outcome, 3> others;  ///< MakeFilling for G1 and G2, ConstrainedFilling
 };
 
@@ -290,7 +293,7 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// How the angles and times compare where both have one.
+/// Prints the ratios of angles and times over the holes that both methods fill.
 void printRatios(const char* name, std::size_t other, const std::vector<Compared>& all) {
   std::vector<double> angles, times;
   int least_a_tenth = 0, no_slower = 0;
@@ -309,8 +312,8 @@ void printRatios(const char* name, std::size_t other, const std::vector<Compared
       name, angles.size(), median(angles), least_a_tenth, median(times), no_slower);
 }
 
-/// How the jumps of curvature compare where both have one; what differs by less than a hundredth,
-/// as where a neighbour is flat, is equal.
+/// Prints the ratios of curvature differences over the holes where both methods have one. Values
+/// that differ by less than a hundredth count as equal, as where a neighbour is flat.
 void printCurvature(const char* name, std::size_t other, const std::vector<Compared>& all) {
   constexpr double equal = 1.01;
   for (const auto ours : {&Compared::ours, &Compared::curved}) {
@@ -332,7 +335,7 @@ void printCurvature(const char* name, std::size_t other, const std::vector<Compa
   }
 }
 
-/// Holes within 0.01 degrees, and what no fill comes within.
+/// Prints how many holes are filled within 0.01 degrees, and for how many this is impossible.
 void printReached(const std::vector<Compared>& all) {
   constexpr double wanted_deg = 0.01;
   const auto count = [&all](const auto& holds) { return std::ranges::count_if(all, holds); };

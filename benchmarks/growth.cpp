@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// How time and memory of an analysis grow with the model: a sheet with a pattern of rounded
-// pockets, 1,251 to 20,001 faces.
+// Growth of time and memory of an analysis with the size of the model: a sheet with a pattern of
+// rounded pockets, 1,251 to 20,001 faces.
 //   bench_growth [POCKETS] [--benchmark_...]
-// Memory that one analysis gave back is not counted again in the next, so each size wants a process
-// of its own: that is what POCKETS is for and what benchmarks/compare does.
+// Memory that one analysis freed is not counted again in the next one. So each size needs a process
+// of its own: benchmarks/compare starts one for each value of POCKETS.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>

@@ -23,12 +23,12 @@ Vector3d vector(const gp_Vec& v) {
 
 /// A neighbour at one end of its edge.
 struct End {
-  Vector3d along;  ///< the edge in the sense of the hole
-  Vector3d up;     ///< unit, the hole is to the left of the edge; zero where there is no normal
+  Vector3d along;  ///< derivative of the edge in the direction of the hole's boundary
+  Vector3d up;     ///< unit normal, the hole is to the left of the edge; zero without a normal
   Vector3d u, v, uu, uv, vv;  ///< partial derivatives of the face
-  bool has_form = false;      ///< u and v span the tangent plane
+  bool has_form = false;      ///< whether u and v span the tangent plane
 
-  /// The second fundamental form, of vectors as far as they are in the tangent plane.
+  /// The second fundamental form of the parts of \p a and \p b in the tangent plane.
   double form(const Vector3d& a, const Vector3d& b) const {
     Eigen::Matrix<double, 3, 2> plane;
     plane << u, v;
@@ -58,7 +58,7 @@ End endOf(const occ::HoleEdge& edge, bool last) {
   if (end.has_form) {
     end.up = end.u.cross(end.v).normalized();
   } else {
-    // The face collapses: its normal goes to a limit along the edge.
+    // The face is degenerate here; its normal has a limit along the edge.
     constexpr double beside = 1e-4;
     const bool at_first = last == edge.reversed;
     const double range = last_parameter - first_parameter;
@@ -82,8 +82,8 @@ double norm(const Matrix2d& form) {
       .maxCoeff();
 }
 
-/// By how much the curvature of what is tangent to both differs from theirs, relative to the
-/// larger.
+/// The largest difference between the curvature of a surface tangent to both neighbours and the
+/// curvature of either of them, relative to the larger of the two.
 std::optional<double> curvatureAsked(const End& in, const End& out) {
   constexpr double least_sine = 0.05, flat_per_mm = 1e-6;
   const Vector3d up = (in.up + out.up).normalized();

@@ -5,15 +5,16 @@
 
 namespace seamwright {
 
-/// What the neighbours of a hole ask of any fill that has one tangent plane where two of its sides,
-/// or two edges of one, meet; by OpenCASCADE's evaluation alone.
+/// Lower bounds for any fill of a hole that has one tangent plane where two sides, or two edges of
+/// one side, meet. They follow from the neighbours of the hole, evaluated by OpenCASCADE alone.
 struct CornerBounds {
-  /// Half the largest angle between the normals of two neighbours where they meet: every fill
-  /// leaves one of them by so much.
+  /// Half the largest angle between the normals of two neighbours where they meet: every fill has
+  /// at least this angle to one of them.
   double angle_rad = 0;
-  /// The largest relative difference of curvature to either neighbour there of what is tangent to
-  /// both and has a curvature: across one side that is the curvature of the next side's edge.
-  /// Corners of less than 3 degrees, and of degenerate faces, are left out.
+  /// The largest relative difference of curvature between a fill that is tangent to both neighbours
+  /// and either neighbour, at a point where they meet. The normal curvature of such a fill across
+  /// one side is that along the edge of the next side. Corners of less than 3 degrees, and those of
+  /// degenerate faces, are left out.
   double curvature_rel = 0;
 };
 

@@ -9,7 +9,7 @@ struct Memory {
   double peak_kB = 0;  ///< largest resident_kB since forgetPeak()
 };
 
-/// \throws std::runtime_error where /proc/self/status can't be read.
+/// \throws std::runtime_error where /proc/self/status cannot be read.
 Memory memoryNow();
 void forgetPeak();
 

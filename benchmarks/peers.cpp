@@ -81,7 +81,7 @@ LocalAnalysisSummary localAnalysis(const std::vector<occ::Seam>& seams, int poin
   for (const occ::Seam& seam : seams) {
     try {
       analyzeSeam(seam, points, summary);
-    } catch (const Standard_Failure&) {  // a point without a tangent plane ends its seam
+    } catch (const Standard_Failure&) {  // skip the rest of a seam after a point without a normal
     }
   }
   return summary;

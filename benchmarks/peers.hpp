@@ -7,32 +7,32 @@
 
 #include <seamwright/occ_adapter/seams/find.hpp>
 
-/// What a user of OpenCASCADE would call in Seamwright's place, as fast as its interface allows.
+/// What a user of OpenCASCADE would call instead of Seamwright, as fast as its interface allows.
 namespace seamwright::bench {
 
-/// The model as OpenCASCADE's own reader gives it, in this process: STEPControl_Reader,
-/// IGESControl_Reader or BRepTools, by the ending of the file's name.
-/// \throws std::runtime_error if the file can't be read.
+/// Reads a model in this process with OpenCASCADE's own reader: STEPControl_Reader,
+/// IGESControl_Reader or BRepTools, by the extension of the file.
+/// \throws std::runtime_error if the file cannot be read.
 TopoDS_Shape readWithOpenCascade(const std::filesystem::path& path);
 
-/// What LocalAnalysis_SurfaceContinuity saw.
+/// The results of LocalAnalysis_SurfaceContinuity.
 struct LocalAnalysisSummary {
   double gap_mm = 0;     ///< largest distance
-  double angle_rad = 0;  ///< largest angle of the normals, 0 to pi / 2
-  int points = 0;        ///< points that it could judge
+  double angle_rad = 0;  ///< largest angle between the normals, 0 to pi / 2
+  int points = 0;        ///< number of points that it could evaluate
 };
 
-/// LocalAnalysis_SurfaceContinuity to order G2 at \p points places spread evenly over each seam,
-/// not at its ends. Surfaces and pcurves are taken out of the shape and GeomLProp_SLProps is made
-/// once for each side of a seam.
+/// LocalAnalysis_SurfaceContinuity to order G2 at \p points parameters of each seam, equally spaced
+/// and without its ends. For each side of a seam, its surface and pcurve are taken out of the shape
+/// once, and GeomLProp_SLProps is made once.
 LocalAnalysisSummary localAnalysis(const std::vector<occ::Seam>& seams, int points);
 
-/// A copy of a shape whose edges BRepLib::EncodeRegularity can judge again and again.
+/// A copy of a shape for repeated calls of BRepLib::EncodeRegularity.
 class RegularityPeer {
  public:
-  /// Geometry is shared with \p shape, topology is copied.
+  /// Shares the geometry of \p shape and copies its topology.
   explicit RegularityPeer(const TopoDS_Shape& shape);
-  /// Every edge forgets its regularity: EncodeRegularity skips edges that have one.
+  /// Resets the regularity of every edge, since EncodeRegularity skips edges that have one.
   void forget();
   void encode(double angle_rad) const;
 

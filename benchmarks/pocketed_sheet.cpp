@@ -28,8 +28,8 @@ namespace seamwright::bench {
 
 namespace {
 
-constexpr double cell_mm = 10;   // distance of pockets; the sheet lies at this height
-constexpr double margin_mm = 2;  // of a pocket's walls from its cell
+constexpr double cell_mm = 10;   // distance between pockets, and height of the sheet
+constexpr double margin_mm = 2;  // distance of the walls of a pocket from its cell
 constexpr double radius_mm = 0.5;
 
 Bnd_Box boxOf(const TopoDS_Shape& shape) {
@@ -38,7 +38,7 @@ Bnd_Box boxOf(const TopoDS_Shape& shape) {
   return box;
 }
 
-/// Rounds the edges whose box is chosen.
+/// The shape with those edges rounded whose box \p chosen accepts.
 TopoDS_Shape rounded(const TopoDS_Shape& shape, const std::function<bool(const Bnd_Box&)>& chosen) {
   BRepFilletAPI_MakeFillet fillet(shape);
   TopTools_IndexedMapOfShape edges;
@@ -48,7 +48,7 @@ TopoDS_Shape rounded(const TopoDS_Shape& shape, const std::function<bool(const B
   return fillet.Shape();
 }
 
-/// Whether it lies inside its cell, away from the outer walls.
+/// Whether the box lies inside its cell, away from the outer walls.
 bool isInside(const Bnd_Box& box) {
   return box.CornerMin().X() > margin_mm / 4 && box.CornerMax().X() < cell_mm - margin_mm / 4;
 }
@@ -57,7 +57,7 @@ bool isBelow(const Bnd_Box& box, double z_mm) {
   return box.CornerMin().Z() < z_mm;
 }
 
-/// The faces of one pocket, an open shell whose rim lies in the plane z = cell_mm.
+/// The faces of one pocket: an open shell whose boundary lies in the plane z = cell_mm.
 TopoDS_Shape makePocket() {
   const double far_mm = cell_mm - margin_mm;
   const TopoDS_Shape block = BRepPrimAPI_MakeBox(cell_mm, cell_mm, cell_mm).Shape();

@@ -6,10 +6,10 @@
 #include <iostream>
 #include <string_view>
 
-/// What the programs of this folder have in common.
+/// The common parts of the programs of this folder.
 namespace seamwright::bench {
 
-/// For main(): what \p body returns, or 2 after the message of an error.
+/// For main(): returns the value of \p body, or prints the message of an error and returns 2.
 template <class Body>
 int guarded(const Body& body) try {
   return body();
@@ -21,7 +21,7 @@ int guarded(const Body& body) try {
   return 2;
 }
 
-/// Whether the only argument is --smoke: run, but measure little.
+/// Whether the only argument is --smoke: run everything once, with small sizes.
 inline bool isSmoke(int argc, char** argv) {
   return argc == 2 && std::string_view(argv[1]) == "--smoke";
 }

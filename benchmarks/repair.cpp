@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Repairs of more and more seams beside the analysis of the same models: grids of natural and of
-// trimmed faces, and chains of trimmed ones, all broken by noise of 0.01 mm. One process, one
-// thread, medians of processor time of three turns, what is slow once; a table on standard output.
-// Or files, with all defaults on two threads: the least wall time and processor time of the turns.
+// Repair beside analysis, for models with growing numbers of seams.
 //   bench_repair [--smoke | MODEL...]
+// Without files, the models are grids of faces with natural boundaries, grids of trimmed faces, and
+// chains of trimmed faces, all broken by noise of 0.01 mm. Times are medians of the processor time
+// of three turns in one process with one thread; slow repairs run once. For files, all options have
+// their defaults, on two threads; times are the least wall time and processor time of the turns.
+// The table goes to standard output.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -102,7 +104,7 @@ Times timesOf(const test::NetShape& shape) {
   return times;
 }
 
-/// Of the time over the seams, between the last two sizes.
+/// The exponent p of time ~ seams^p between two sizes.
 double exponent(const Times& less, const Times& more, double Times::*time) {
   return std::log(more.*time / less.*time) / std::log(static_cast<double>(more.seams) / less.seams);
 }

@@ -1,15 +1,22 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Repairs models that are files, with the command, and tells what became of their defects.
+"""Repairs model files with the command and tabulates what happened to their defects.
 
   benchmarks/repair_survey.py [--command build/release/bin/seamwright] [--limit SECONDS] [--out DIR]
                               MODEL... [-- OPTIONS OF REPAIR]
 
-For each model: seams; defects before, after in memory, and in the written file; seams that are
-defects in the file but were none before, without those that writing the given model spoils; faces
-moved, and those of them that are worse; the largest move; and the time of the repair beside that of
-the analysis. Then the sums, the median of the times, and how often each reason was given for a seam
-that was left. The reports stay in DIR, and models that have one are not repaired again.
+The columns for each model are:
+
+* seams
+* defects, after, in file: defects before the repair, after it in memory, and in the written file
+* worse seams: seams that are defects in the file but were none before, without those that
+  writing the given model spoils
+* moved, worse: faces that moved, and those of them that became worse
+* move mm: the largest move
+* time: the time of the repair divided by that of the analysis
+
+Then follow the sums, the median of the times, and how often each reason was given for a seam that
+was not repaired. The reports stay in DIR; models that have a report there are not repaired again.
 """
 import argparse
 import collections
@@ -45,8 +52,10 @@ def run(command, limit_s):
 
 
 def report_of(model, out, arguments, options):
-    """The report of the repair, with the time of the analysis and the seams that are worse in the
-    file."""
+    """Return the report of the repair, with the time of the analysis.
+
+    A report from an earlier run is read; else the model is analysed and repaired.
+    """
     kept = out / (model.name + ".json")
     if not kept.exists():
         analysis = json.loads(
@@ -83,8 +92,10 @@ def faces_of(seam):
 
 
 def worse_in_file(report):
-    """Defects of the file alone between faces that had fewer before the repair, but for those that
-    writing alone spoils."""
+    """Return the number of seams that are defects in the file but were none before the repair.
+
+    Defects are counted for each pair of faces. Defects that writing alone causes are not counted.
+    """
     before = collections.Counter(
         faces_of(s["before"]) for s in report["seams"] if s["before"]["class"] == "defect"
     )

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What Seamwright takes for the seams of a model, beside what its user would call instead.
+// Times of Seamwright for the seams of a model, beside what its user would call instead.
 //   bench_seams MODEL... [--benchmark_...]
-// For each model: reading it, finding its seams, analysing them (certified and sampled; one thread,
-// two), and OpenCASCADE's own two answers. Times are of the whole model; the counter "seams"
-// divides them. Processor time is that of all threads of this process; the reading program that
-// readModel() starts is not in it.
+// For each model: reading it, finding its seams, analysing them (certified and sampled; on one and
+// on two threads), and the two analyses of OpenCASCADE. Times are those of the whole model; divide
+// by the counter "seams" for the time of a seam. Processor time is that of all threads of this
+// process, without the reading program that readModel() starts.
 #include <benchmark/benchmark.h>
 
 #include <Message.hxx>
@@ -69,7 +69,7 @@ double threadMicroseconds() {
   return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
 }
 
-/// Counts what the calling thread does by itself as "serial_us": the seams are measured by others.
+/// Counts the processor time of the calling thread as "serial_us": other threads measure the seams.
 void analyze(benchmark::State& state, const SubjectPtr& subject, bool certify, int jobs) {
   occ::AnalyzeOptions options;
   options.certify = certify;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // nu-splines of up to a million points beside OpenCASCADE's interpolation and a plain tridiagonal
-// solution.
+// solver.
 //   bench_splines [--smoke]
-// One process, repetitions of all in turn, medians of processor time; a table on standard output.
+// One process; the methods take turns for each repetition. Times are medians of processor time. The
+// table goes to standard output.
 #include <Eigen/Core>
 #include <GeomAPI_Interpolate.hxx>
 #include <GeomAPI_PointsToBSpline.hxx>
@@ -34,7 +35,7 @@ double processorSeconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// A noisy spiral; its end is its beginning.
+/// A noisy spiral; a periodic one ends at its first point.
 NuSplineData dataOf(int points, SplineEnds ends) {
   std::mt19937_64 random(points);
   std::normal_distribution<double> noise(0, 0.01);
@@ -56,8 +57,8 @@ NuSplineData dataOf(int points, SplineEnds ends) {
   return data;
 }
 
-/// The derivatives of the natural nu-spline by Thomas's algorithm as a textbook has it: nothing
-/// checked, no poles made.
+/// The derivatives of the natural nu-spline by Thomas's textbook algorithm, without checks and
+/// without poles.
 Poles thomas(const NuSplineData& data) {
   const Eigen::Index count = data.points.rows();
   const auto h = [&](Eigen::Index i) { return data.knots[i + 1] - data.knots[i]; };
@@ -107,7 +108,7 @@ double fitted(const NuSplineData& data) {
 
 struct Contender {
   std::string name;
-  int most;  ///< points
+  int most;  ///< largest number of points
   std::function<double(const NuSplineData&)> run;
   SplineEnds ends;
 };
@@ -158,7 +159,7 @@ int main(int argc, char** argv) {
     for (int repetition = 0; repetition < repetitions; ++repetition)
       for (std::size_t k = 0; k < contenders.size(); ++k) {
         if (size > contenders[k].most) continue;
-        if (!times[k].empty() && times[k].front() > 1) continue;  // slow ones once
+        if (!times[k].empty() && times[k].front() > 1) continue;  // slow methods run once
         const NuSplineData data = dataOf(size, contenders[k].ends);
         const double start = processorSeconds();
         checksum += contenders[k].run(data);

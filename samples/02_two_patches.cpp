@@ -22,8 +22,8 @@ int main() {
   bent << 1, 0, 0, 1, 1, 0, 1.5, 0, 0, 1.5, 1, 0, 2, 0, 0.25, 2, 1, 0.25;
   const BezierPatch a(2, 1, flat), b(2, 1, bent);
 
-  // The seam runs along u = 1 of a and u = 0 of b, both in the sense of v; a lies to its left, b to
-  // its right.
+  // The seam runs along u = 1 of a and u = 0 of b, both in the direction of v; a lies to its left,
+  // b to its right.
   const auto pair_at = [&](double v) {
     const SidePoint left{a.jet(1, v), a.noise(), a.jet(1, v).v, true};
     const SidePoint right{b.jet(0, v), b.noise(), b.jet(0, v).v, false};

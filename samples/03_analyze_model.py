@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which seams of a model fall short of G1, and by how much? python3 03_analyze_model.py
-MODEL.step"""
+"""Which seams of a model fall short of G1, and by how much?
+
+    python3 03_analyze_model.py MODEL.step
+"""
 
 import sys
 

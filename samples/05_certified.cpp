@@ -2,11 +2,10 @@
 // Is a seam of two Bézier patches G1, at every point of it? The core alone: no files, no
 // OpenCASCADE.
 //
-// Both patches are of degree 4 along the seam x = 0, patch a level, z = 0. The slope of patch b
-// across the seam is
-// 0.002 times (4 v (1 - v) (1 - 2 v)^2): nought at v = 0, 1/2 and 1, where a quick look would put
-// its points, and largest,
-// 0.0005, at (1 -+ sqrt(1/2)) / 2 between them. So the angle is atan(0.0005) = 0.0286479 degrees.
+// Both patches have degree 4 along the seam x = 0. Patch a is level, z = 0. The slope of patch b
+// across the seam is 0.002 times (4 v (1 - v) (1 - 2 v)^2). It is zero at v = 0, 1/2 and 1, where a
+// coarse check would put its points. It is largest, 0.0005, at (1 -+ sqrt(1/2)) / 2 between them.
+// So the angle is atan(0.0005) = 0.0286479 degrees.
 #include <cmath>
 #include <iostream>
 #include <numbers>
@@ -17,8 +16,8 @@
 using seamwright::BezierPatch;
 using seamwright::PatchEdge;
 
-/// Degree 1 across the seam, 4 along it: x from \p from to \p to, heights of the poles at both
-/// ends.
+/// A patch of degree 1 across the seam and 4 along it. x goes from \p from to \p to; the poles at
+/// both ends have the given heights.
 BezierPatch strip(double from, double to, const double (&heights_from)[5],
                   const double (&heights_to)[5]) {
   seamwright::Poles poles(10, 3);

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A narrow crease that samples miss and enclosures find, as a picture. python3 06_hidden_crease.py
-OUT.svg
+"""A narrow crease that samples miss and enclosures find, as a picture.
+
+    python3 06_hidden_crease.py OUT.svg
 
 A level strip meets a spline strip of 128 spans along the line x = 0. The angle between them is 0.05
-degrees along most of the seam; one pole, raised a little, makes it 0.3 degrees over four spans,
-between two of the places that a checker with 21 points looks at. Span by span the enclosure is
-drawn beside what the checker sees. The picture is written by hand: no library.
+degrees along most of the seam. One pole is raised a little, which makes the angle 0.3 degrees over
+four spans. These lie between two of the positions that a checker with 21 points samples. The
+picture shows the enclosure of each span beside the samples of the checker. It is written without a
+drawing library.
 """
 
 import math
@@ -19,13 +21,15 @@ if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
     sys.exit(__doc__)
 
 SPANS = 128
-HIGH_POLE = 69  # it counts in spans 66 to 69, from 0.516 to 0.547 of the seam
+HIGH_POLE = 69  # it affects spans 66 to 69, from 0.516 to 0.547 of the seam
 ACCEPTED_DEG = 0.1
 
 
 def slopes():
-    """Slope across the seam, in each span: the four Bezier coefficients of a uniform cubic
-    B-spline."""
+    """Yield the slope across the seam in each span of a uniform cubic B-spline.
+
+    The slope is given by its four Bezier coefficients.
+    """
     poles = np.full(SPANS + 3, math.tan(math.radians(0.05)))
     poles[HIGH_POLE] = math.tan(math.radians(0.45))
     for i in range(SPANS):
@@ -34,8 +38,10 @@ def slopes():
 
 
 def strip(span, x_to, heights):
-    """Degree 1 across the seam, 3 along it; from x = 0, at height 0, to x_to at the heights
-    given."""
+    """Return a strip of degree 1 across the seam and 3 along it.
+
+    It goes from x = 0, at height 0, to x_to at the given heights.
+    """
     y = (span + np.linspace(0, 1, 4)) / SPANS
     level = np.stack([0 * y, y, 0 * y], axis=-1)
     far = np.stack([0 * y + x_to, y, heights], axis=-1)

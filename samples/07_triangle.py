@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A Bezier triangle as patches that a CAD kernel can hold, and back, as a picture. python3
-07_triangle.py OUT.svg
+"""A Bezier triangle as patches that a CAD kernel can hold, and back, as a picture.
 
-A dome of degree 4 over a triangle becomes one patch with a collapsed edge, and three regular
-patches. The seams between the three are enclosed; the triangle is recognised in the one. The
-picture is written by hand: no library.
+    python3 07_triangle.py OUT.svg
+
+A dome of degree 4 over a triangle becomes one patch with a collapsed edge, and also three regular
+patches. The seams between the three patches are enclosed. The triangle is recovered from the one
+patch. The picture is written without a drawing library.
 """
 
 import math
@@ -24,8 +25,10 @@ CORNERS = 20.0 * np.array(
 
 
 def dome():
-    """Poles (i, j), i = 0..n, j = 0..n-i, above the plane triangle: higher where all three corners
-    count."""
+    """Return a triangle above the plane triangle of the corners.
+
+    Its poles are (i, j), i = 0..n, j = 0..n-i. They are higher between the corners.
+    """
     poles = []
     for i in range(DEGREE + 1):
         for j in range(DEGREE + 1 - i):

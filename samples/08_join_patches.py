@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A gap between two patches closed G1 and G2, and why the difference shows. python3
-08_join_patches.py OUT.svg
+"""A gap between two patches closed G1 and G2, and why the difference is visible.
+
+    python3 08_join_patches.py OUT.svg
 
 Two curved patches are 6 mm apart. blend() puts one patch between them, once with common tangent
 planes (G1), once with common curvature as well (G2). join_condition() proves the joins from control
-points; the picture shows a section in the middle with its curvature as a comb, whose length jumps
-where the curvature does. Written by hand: no library draws it.
+points. The picture shows a section in the middle with its curvature as a comb, whose length jumps
+where the curvature does. It is written without a drawing library.
 """
 
 import sys
@@ -37,8 +38,10 @@ WIDTH, HEIGHT, SCALE, COMB = 760, 360, 38, 120
 
 
 def comb(patch):
-    """Points of the section v = 1/2, and where the comb ends: along the normal, as long as the
-    curvature in the sense of u."""
+    """Yield the points of the section v = 1/2 and the ends of the comb.
+
+    The comb goes along the normal. Its length is the curvature in the direction of u.
+    """
     for u in np.linspace(0, 1, 25):
         jet = patch.jet(u, 0.5)
         normal = np.cross(jet.u, jet.v)

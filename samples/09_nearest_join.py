@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Two patches that meet with a crease, made to join with G1 and G2 by the smallest moves. python3
-09_nearest_join.py OUT.svg
+"""Two patches that meet with a crease, made to join with G1 and G2 by the smallest moves.
 
-Both patches are bicubic, 40 mm by 60 mm. Along their common edge lie a gap of up to 0.2 mm and an
-angle of some degrees. The picture shows the sections through the middle before and after, heights
-five times enlarged. It is written by hand: no library.
+    python3 09_nearest_join.py OUT.svg
+
+Both patches are bicubic, 40 mm by 60 mm. Their common edge has a gap of up to 0.2 mm and an angle
+of some degrees. The picture shows the sections through the middle before and after, with heights
+enlarged five times. It is written without a drawing library.
 """
 
 import sys
@@ -20,7 +21,7 @@ rows, columns = np.arange(4), np.arange(4)
 
 
 def patch(sense, crease):
-    """Rows go away from the seam, x = 0, to x = 40 sense."""
+    """Return a patch whose rows go away from the seam, from x = 0 to x = 40 sense."""
     x, y = np.meshgrid(sense * 40 * rows / 3, 20 * columns, indexing="ij")
     height = 0.003 * (40 * np.sin(y / 25) + y * x / 40) - 0.0008 * x**2
     height += crease * np.abs(x) * (1 + y / 60) / 20

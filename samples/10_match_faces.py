@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Two sheets that meet at an angle, made to join G1 and G2 by the smallest move. python3
-10_match_faces.py FOLDER
+"""Two sheets that meet at an angle, made to join G1 and G2 by the smallest move.
+
+    python3 10_match_faces.py FOLDER
 
 Writes before.brep, G1.brep and G2.brep to the folder. seam-picture draws them side by side with
 zebra stripes:
 
-    plugin/freecad/tools/seam-picture --zebra --pair FOLDER/before.brep FOLDER/G2.brep OUT.png --mod
-    build/release/Mod/Seamwright
+    plugin/freecad/tools/seam-picture --zebra --pair FOLDER/before.brep FOLDER/G2.brep OUT.png
+        --mod build/release/Mod/Seamwright
 """
 
 import sys
@@ -27,8 +28,10 @@ ACROSS = (0.0, 10.0, 10.0, 0.0)  # heights of poles along the seam, mm
 
 
 def sheet(sense, slope, bend):
-    """A bicubic sheet from x = 0 to x = WIDTH sense, of height slope |x| + bend x^2 / 2 and an arch
-    across."""
+    """Return a bicubic sheet from x = 0 to x = WIDTH sense.
+
+    Its height is slope |x| + bend x^2 / 2 plus an arch along the seam.
+    """
     rise, sag = slope * WIDTH, bend * WIDTH**2
     heights = [0, rise / 3, 2 * rise / 3 + sag / 6, rise + sag / 2]
     surface = Part.BezierSurface()

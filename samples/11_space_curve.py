@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where a space curve has no Frenet frame, frames that go on there, and its length. python3
-11_space_curve.py OUT.svg
+"""Where a space curve has no Frenet frame, frames that continue there, and its length.
 
-One curve has an inflection, at which its Frenet normal turns to the other side; one has a cusp. The
-picture shows normals of both kinds, the places where the frame is lost, and points at equal
-distances along the curve with the cusp.
+    python3 11_space_curve.py OUT.svg
+
+One curve has an inflection, at which its Frenet normal turns to the other side. Another one has a
+cusp. The picture shows normals of both kinds, the points where the Frenet frame is undefined, and
+points at equal distances along the curve with the cusp.
 """
 
 import sys
@@ -20,7 +21,7 @@ if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
 
 
 def curve(*powers, at=(0, 0, 0)):
-    """Coordinates by coefficients of 1, u, u^2, ... with u = 2 t - 1, of degree 4."""
+    """Return a curve of degree 4 from coefficients of 1, u, u^2, ... with u = 2 t - 1."""
     poles = np.tile(np.array(at, dtype=float), (5, 1))
     for axis, coefficients in enumerate(powers):
         for power, coefficient in enumerate(coefficients):

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One curve continued G2 in five ways, by beta_1 and beta_2, towards the same end. python3
-12_curve_join.py OUT.svg
+"""One curve continued G2 in five ways, by beta_1 and beta_2, towards the same end.
+
+    python3 12_curve_join.py OUT.svg
 
 Position, tangent and curvature at the joint are the same each time, and so are the last three
-poles; what differs is how fast the curve sets off (beta_1) and how much it gains speed (beta_2).
-The next order, c_3, is left to each: the combs meet, with a kink.
+poles. The curves differ in their speed at the joint (beta_1) and in the growth of that speed
+(beta_2). The next order, c_3, is not prescribed: the combs meet with a kink.
 """
 
 import sys

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Two curves with a kink, made to join with G1, G2 and G3 by the smallest moves of poles. python3
-13_nearest_curve_join.py OUT.svg
+"""Two curves with a kink, made to join with G1, G2 and G3 by the smallest moves of poles.
+
+    python3 13_nearest_curve_join.py OUT.svg
 
 The curves are of degree 5 and meet in the origin at an angle. The picture shows them and their
-combs of curvature before and after; the arrows are the moves of the poles, five times enlarged.
+combs of curvature before and after. The arrows are the moves of the poles, enlarged five times.
 """
 
 import sys

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One polygon, two families of cubic splines that are G2 by construction. python3 14_g2_spline.py
-OUT.svg
+"""One polygon, two families of cubic splines that are G2 by construction.
+
+    python3 14_g2_spline.py OUT.svg
 
 Left: the direct G2 spline for several shares alpha, omega of the edges. Right: the gamma-spline for
 gamma 1 (the C2 B-spline), 0.3, 0.05 and 5. Combs show the curvature; where it is continuous they
-have no steps. Each spline is handed over as a B-spline curve with the fewest knots it allows.
+have no steps. Each spline is converted to a B-spline curve with the fewest knots that it allows.
 """
 
 import sys

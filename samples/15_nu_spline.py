@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One set of points, tensioned more and more, at one point only, and biased. python3
-15_nu_spline.py OUT.svg"""
+"""One set of points with growing tension, with tension at one point only, and with bias.
+
+    python3 15_nu_spline.py OUT.svg
+"""
 
 import sys
 
@@ -20,7 +22,7 @@ knots = seamwright.knots_of(points, 1) / np.float64(20)
 
 
 def from_polygon(curve):
-    """The largest distance of the curve from its polygon."""
+    """Return the largest distance of the curve from its polygon."""
     worst = 0
     for i in range(curve.segments):
         x = np.array([curve.segment(i).point(t) for t in np.linspace(0, 1, 65)])

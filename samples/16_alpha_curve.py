@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Alpha-curves: four poles and a shape that pulls the curve to its polygon. python3
-16_alpha_curve.py OUT.svg
+"""Alpha-curves: four poles and a shape that pulls the curve to its polygon.
 
-Above, one polygon with shapes from 0 to 1 and the cubic Bézier curve of the same poles; in the
-middle the shapes of least energy; below, a spline of eight poles whose five segments have shapes of
-their own, joined with C2, and its curvature comb.
+    python3 16_alpha_curve.py OUT.svg
+
+Above: one polygon with shapes from 0 to 1, and the cubic Bézier curve of the same poles. In the
+middle: the shapes of least energy. Below: a spline of eight poles with its curvature comb; its five
+segments have shapes of their own and are joined with C2.
 """
 
 import sys

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A sheet whose seams are broken by noise, repaired by small moves of its poles. python3
-17_repair_model.py sheet.step FOLDER
+"""A sheet whose seams are broken by noise, repaired by small moves of its poles.
 
-sheet.step is made by samples/models/make_models.py. Writes broken.step, G1.step and G2.step to the
+    python3 17_repair_model.py sheet.step FOLDER
+
+samples/models/make_models.py makes sheet.step. Writes broken.step, G1.step and G2.step to the
 folder. The command does the same:
 
     seamwright repair FOLDER/broken.step -o FOLDER/G2.step --target G2
@@ -26,7 +27,7 @@ NOISE = 0.03  # mm
 
 
 def broken(shape):
-    """Noise on the inner poles of every face: boundaries stay, tangent planes don't."""
+    """Add noise to the inner poles of every face: boundaries stay, tangent planes change."""
     noise = random.Random(17)
     faces = []
     for face in shape.Faces:

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Patches around a point that join with common tangent planes.   python3 19_umbrella.py OUT.svg
+"""Patches around a point that join with common tangent planes.
 
-Left, five spokes with three patches and two triangles between them; right, an umbrella that needs
-no spokes: it fills a boundary of five sides. Lines at constant u and v; the spokes are drawn thick.
-enclose_seam() certifies every one of them.
+    python3 19_umbrella.py OUT.svg
+
+Left: five spokes with three patches and two triangles between them. Right: an umbrella that needs
+no spokes; it fills a boundary of five sides. The picture shows lines at constant u and v, and thick
+spokes. enclose_seam() certifies the seam at every spoke.
 """
 
 import sys
@@ -22,14 +24,17 @@ def around(k, n):
 
 
 def spoke(k):
-    """From (0, 0, 4) outwards and down, first along the plane z = 4, each in its own way."""
+    """Return a spoke from (0, 0, 4) outwards and down.
+
+    It starts along the plane z = 4. The spokes have different shapes.
+    """
     reach = (13, 10, 12, 9, 11)[k]
     plane = around(k + 0.15 * (-1) ** k, 5)[None, :] * reach * np.array([[0], [0.3], [0.7], [1]])
     return np.column_stack([plane, (4, 4, 3, (0, 2.5, 0.5, 2, 1)[k])])
 
 
 def side(k):
-    """From corner k to corner k + 1, bent upwards and inwards."""
+    """Return a curve from corner k to corner k + 1, bent upwards and inwards."""
     begin, end = 12 * around(k, 5), 12 * around(k + 1, 5)
     plane = [begin, 0.9 * (2 * begin + end) / 3, 0.9 * (begin + 2 * end) / 3, end]
     height = (0, 4, 2, 3, 1)
@@ -37,7 +42,7 @@ def side(k):
 
 
 def certified(umbrella):
-    """The largest angle of the tangent planes along the spokes, in rad: an upper bound."""
+    """Return an upper bound of the angle between tangent planes along the spokes, in rad."""
     largest = 0
     for i, after in enumerate(umbrella["members"]):
         before = umbrella["members"][i - 1]
@@ -58,7 +63,7 @@ COLORS = {"patch": "#0072b2", "triangle": "#009e73", "spoke": "#d55e00"}
 
 
 def labels():
-    """The word for a kind of line where it is drawn first."""
+    """Return a function that returns the label of a kind of line, but only at its first use."""
     words = {kind: kind for kind in COLORS}
     return lambda kind: words.pop(kind, None)
 

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A hole of five sides between bicubic patches, filled with five biquartic ones. python3
-20_n_sided_fill.py OUT.svg
+"""A hole of five sides between bicubic patches, filled with five biquartic ones.
 
-The patches around the hole are parts of one surface, so there is something to compare the fill
-with, and the hole's corners are compatible. The picture shows the net of parameter lines before and
-after. It is written by hand: no library.
+    python3 20_n_sided_fill.py OUT.svg
+
+The patches around the hole are parts of one surface. So the fill can be compared with that surface,
+and the corners of the hole are compatible. The picture shows the net of parameter lines before and
+after. It is written without a drawing library.
 """
 
 import sys
@@ -26,8 +27,10 @@ def height(x, y):
 
 
 def lifted(corners):
-    """The bicubic patch above a quadrilateral, corners (u, v) = 00, 01, 10, 11; by its values at 4
-    by 4 places."""
+    """Return the bicubic patch above a quadrilateral with corners (u, v) = 00, 01, 10, 11.
+
+    The patch interpolates the height at 4 by 4 parameters.
+    """
     t = np.arange(4) / 3
     basis = np.stack([(1 - t) ** 3, 3 * t * (1 - t) ** 2, 3 * t**2 * (1 - t), t**3], axis=-1)
     u, v = np.meshgrid(t, t, indexing="ij")
@@ -55,7 +58,10 @@ print(
 
 
 def halves(patch):
-    """The neighbour's edge u0 in two: the fill meets each half with a patch of its own."""
+    """Split the neighbour at the middle of its edge u0.
+
+    One patch of the fill meets each half.
+    """
     poles = np.asarray(patch.poles)
     levels = [poles]
     while levels[-1].shape[1] > 1:

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A face at a corner taken out of a block, and the hole filled again. python3 21_fill_hole.py
-rounded_block.step FOLDER
+"""A face at a corner of a block is taken out, and the hole is filled.
 
-rounded_block.step is made by samples/models/make_models.py. Writes filled.step and fill_hole.svg to
-the folder. The command does the same:
+    python3 21_fill_hole.py rounded_block.step FOLDER
+
+samples/models/make_models.py makes rounded_block.step. Writes filled.step and fill_hole.svg to the
+folder. The command does the same:
 
     seamwright fill rounded_block.step -o FOLDER/filled.step --face N
 """
@@ -56,7 +57,7 @@ def points_of(line, count=40):
 
 
 def lines_of(face, count=9):
-    """Parameter lines of a face that covers its whole surface."""
+    """Yield parameter lines of a face that covers its whole surface."""
     u0, u1, v0, v1 = face.ParameterRange
     for s in np.linspace(0, 1, count):
         for line in (face.Surface.uIso(u0 + s * (u1 - u0)), face.Surface.vIso(v0 + s * (v1 - v0))):

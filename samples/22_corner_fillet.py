@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The corner of a wedge of a cylinder rounded, each edge with a radius of its own. python3
-22_corner_fillet.py FOLDER
+"""The corner of a wedge of a cylinder rounded, with a different radius at each edge.
 
-One of the three edges is an arc, one of the three faces the cylinder. Writes rounded.step and
-corner_fillet.svg to the folder. For a model in a file the command does the same:
+    python3 22_corner_fillet.py FOLDER
+
+One of the three edges is an arc, and one of the three faces is the cylinder. Writes rounded.step
+and corner_fillet.svg to the folder. For a model in a file the command does the same:
 
     seamwright corner wedge.step -o rounded.step --vertex 2 --radius 1,2,3
 """
@@ -57,7 +58,7 @@ print(
 
 
 def near_corner(points, reach=9):
-    """The part of a line near the corner; None where there is too little of it."""
+    """Return the part of a line near the corner; None where it has fewer than two points."""
     points = points[np.linalg.norm(points - CORNER, axis=1) < reach]
     return points if len(points) > 1 else None
 

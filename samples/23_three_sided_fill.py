@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The corner of a box where three fillets meet, filled with three triangles. python3
-23_three_sided_fill.py OUT.svg
+"""The corner of a box where three fillets meet, filled with three triangles.
 
-The fillets are quarters of cylinders, as near to them as cubics come, so the corner ought to be an
-eighth of a sphere. Facets of the picture are shaded by their normals. It is written by hand: no
-library.
+    python3 23_three_sided_fill.py OUT.svg
+
+The fillets are cubic approximations of quarter cylinders, so the corner should be an eighth of a
+sphere. Facets of the picture are shaded by their normals. It is written without a drawing library.
 """
 
 import itertools
@@ -22,7 +22,10 @@ AXES = np.eye(3)
 
 
 def fillet(k):
-    """From the arc between axes k and k + 1, edge u0, away from the corner."""
+    """Return the fillet that starts with edge u0, the arc between axes k and k + 1.
+
+    It goes away from the corner.
+    """
     a, b, along = AXES[k], AXES[(k + 1) % 3], AXES[(k + 2) % 3]
     arc = RADIUS * np.array([a, a + HANDLE * b, HANDLE * a + b, b])
     return seamwright.BezierPatch(np.stack([arc, arc - LENGTH * along]))
@@ -103,7 +106,7 @@ def shaded_triangle(triangle, left, color):
 
 
 def web(triangle, left):
-    """Lines along the side, lines to the centre, and the spoke."""
+    """Yield lines along the side, lines to the centre, and the spoke."""
     for out in np.arange(1, 5) / 5:
         yield line(
             [triangle.point(out * (1 - t), out * t) for t in np.linspace(0, 1, 13)], left, 0.3

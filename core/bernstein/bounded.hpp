@@ -9,23 +9,23 @@
 
 namespace seamwright {
 
-/// A computed number and how far the true one may be from it, infinitely far where nothing is
-/// known; not a public header. Holds under the conditions of rounding.hpp. Sums with 0, differences
-/// of equal numbers and products with 0 or 1 are exact.
+/// A computed number with a bound of its error; not a public header. The error is infinite where
+/// nothing is known of the true number. The bounds hold under the conditions of rounding.hpp. Sums
+/// with 0, differences of equal numbers and products with 0 or 1 are exact.
 struct Bounded {
   double value = 0;
   double error = 0;
 
   Bounded() = default;
-  /// Exact.
+  /// The number is exact.
   explicit Bounded(double number) : value(number) {}
-  /// Nothing is known of a number that is not finite.
+  /// A number that is not finite gets an infinite error.
   Bounded(double number, double radius) : value(number), error(radius) {
     if (!std::isfinite(number)) *this = unknown();
   }
 
   double size() const { return std::abs(value); }
-  /// Bounds of the true number's absolute value.
+  /// Upper and lower bound of the absolute value of the true number.
   double sizeUpper() const { return rounding::sumUp(size(), error); }
   double sizeLower() const { return size() > error ? -rounding::up(error - size()) : 0; }
 
@@ -59,7 +59,7 @@ struct Bounded {
             rounding::sumUp(inherited == 0 ? 0 : rounding::up(inherited / least),
                             exact ? 0 : ofResult(quotient), exact ? 0 : rounding::kUnderflow)};
   }
-  /// |sqrt(x) - sqrt(a)| is at most |x - a| / sqrt(a), and at most sqrt(|x - a|).
+  /// |sqrt(x) - sqrt(a)| is at most |x - a| / sqrt(a), and also at most sqrt(|x - a|).
   /// \pre the true number is not negative.
   friend Bounded sqrt(const Bounded& a) {
     const double root = std::sqrt(std::max(a.value, 0.0));
@@ -67,7 +67,7 @@ struct Bounded {
     if (root > 0) inherited = std::min(inherited, rounding::up(a.error / std::nextafter(root, 0)));
     return {root, rounding::sumUp(inherited, ofResult(root))};
   }
-  /// Times 2^exponent.
+  /// a 2^exponent.
   friend Bounded ldexp(const Bounded& a, int exponent) {
     const double result = std::ldexp(a.value, exponent);
     const bool exact = a.value == 0 || std::abs(result) >= std::numeric_limits<double>::min();

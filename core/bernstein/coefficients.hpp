@@ -12,15 +12,16 @@
 
 #include <seamwright/core/bernstein/rounding.hpp>
 
-/// What Bernstein forms in one and in two variables share; not a public header.
+/// The algorithms that Bernstein forms in one and in two variables share; not a public header.
 ///
-/// Values is Eigen::VectorXd or Eigen::MatrixXd. Algorithms in one variable run down the rows, each
-/// column on its own. Form is BernsteinPolynomial or BernsteinTensor: coefficients() and padding(),
-/// and made of the two.
+/// Values is Eigen::VectorXd or Eigen::MatrixXd. An algorithm in one variable runs down the rows
+/// and treats each column independently. Form is BernsteinPolynomial or BernsteinTensor: it has
+/// coefficients() and padding() and is constructed from these two.
 namespace seamwright::bernstein {
 
-/// Sum of the degrees (in all variables) up to which products are formed: with coefficients scaled
-/// to below 2^100 their terms, weighted by binomials, stay below 2^1000.
+/// Largest degree of a product, summed over all variables. Coefficients are scaled to below 2^100
+/// before they are multiplied. Up to this degree the terms of the product, weighted by binomials,
+/// then stay below 2^1000.
 inline constexpr int kMaxDegree = 800;
 
 inline std::string text(double value) {
@@ -35,8 +36,8 @@ double largest(const Values& values) {
   return values.cwiseAbs().maxCoeff();
 }
 
-/// "coefficient 3 is nan" for the first one that is not below kLimit in size; empty if there is
-/// none.
+/// The message "coefficient 3 is nan" for the first coefficient whose absolute value is not below
+/// kLimit; empty if there is none.
 template <class Values>
 std::string offender(const Values& values) {
   for (Eigen::Index j = 0; j < values.cols(); ++j)
@@ -86,7 +87,7 @@ inline void requireUnit(const Interval& domain) {
                                 "] is no interval in [0, 1]");
 }
 
-/// C(n, 0..n), exact for n <= 56 and with binomialRoundings(n) roundings above.
+/// C(n, 0..n). Exact for n <= 56; above, each number has binomialRoundings(n) roundings.
 inline const Eigen::VectorXd& binomials(Eigen::Index n) {
   thread_local std::deque<Eigen::VectorXd> pascal{Eigen::VectorXd::Ones(1)};
   while (static_cast<Eigen::Index>(pascal.size()) <= n) {
@@ -106,15 +107,15 @@ inline int binomialRoundings(Eigen::Index n) {
 struct Step {
   double keep;    ///< 1 - t
   double take;    ///< t
-  int roundings;  ///< how many factors 1 + d each term takes, those of the weights included
+  int roundings;  ///< factors 1 + d that each term takes, including those of the weights
 
-  /// The step of a given double: 1 - t, product and sum are rounded; at 1/2 only the sum is, at the
-  /// ends nothing.
+  /// The step of a given double t. In general 1 - t, the product and the sum are rounded; at t =
+  /// 1/2 only the sum is rounded, and at t = 0 and 1 nothing is.
   static Step at(double t) { return {1 - t, t, t == 0 || t == 1 ? 0 : t == 0.5 ? 1 : 3}; }
 
   /// The step that takes [a, 1] to [a, b]: t = (b - a) / (1 - a), 1 - t = (1 - b) / (1 - a). Each
-  /// weight has 3 roundings; a quotient that underflows has an absolute error eta <= u instead,
-  /// which the sixth stands for.
+  /// weight has 3 roundings; with product and sum that makes 5. A quotient that underflows has an
+  /// absolute error eta <= u instead; the sixth rounding accounts for it.
   static Step within(double a, double b) {
     if (a == b) return at(0);
     if (b == 1) return at(1);
@@ -123,9 +124,9 @@ struct Step {
 
   double operator()(double a, double b) const { return keep * a + take * b; }
 
-  /// Rounding of de Casteljau's triangle. Each result is a sum of coefficients times weights that
-  /// add up to 1, each term with at most degree x roundings factors 1 + d; besides, each step may
-  /// underflow twice.
+  /// Bound of the rounding in de Casteljau's triangle. Each result is a sum of coefficients times
+  /// weights that add up to 1. Each term has at most degree x roundings factors 1 + d. In addition,
+  /// each step may underflow twice.
   double error(Eigen::Index degree, double magnitude) const {
     if (roundings == 0) return 0;
     const int n = static_cast<int>(degree);
@@ -134,7 +135,7 @@ struct Step {
   }
 };
 
-/// The two edges of de Casteljau's triangle: coefficients over [0, t] and [t, 1].
+/// The two edges of de Casteljau's triangle: the coefficients over [0, t] and over [t, 1].
 template <class Values>
 std::pair<Values, Values> casteljau(const Values& values, const Step& step) {
   Values left(values.rows(), values.cols());
@@ -148,7 +149,7 @@ std::pair<Values, Values> casteljau(const Values& values, const Step& step) {
   return {left, right};
 }
 
-/// The values at a parameter, one a column.
+/// The values at a parameter, one for each column.
 template <class Values>
 Eigen::VectorXd collapsed(Values values, const Step& step) {
   for (Eigen::Index j = 0; j < values.cols(); ++j)
@@ -168,7 +169,7 @@ std::pair<Form, Form> split(const Form& p, double t) {
           result<Form>(std::move(right), padding, "split")};
 }
 
-/// First [a, 1], then [a, b] in it.
+/// The restriction to [a, b]: first to [a, 1], then to [a, b] within it.
 template <class Form>
 Form restricted(const Form& p, const Interval& domain) {
   requireUnit(domain);
@@ -179,7 +180,8 @@ Form restricted(const Form& p, const Interval& domain) {
                       rounding::sumUp(upper.padding(), error), "restriction");
 }
 
-/// n (c_(i+1) - c_i): two roundings; a multiple of a denormal is exact.
+/// The coefficients are n (c_(i+1) - c_i), with two roundings each. A multiple of a denormal is
+/// exact.
 template <class Form>
 Form derivative(const Form& p) {
   using Values = std::decay_t<decltype(p.coefficients())>;
@@ -193,7 +195,7 @@ Form derivative(const Form& p) {
   return result<Form>(std::move(values), padding, "derivative");
 }
 
-/// \pre same shape.
+/// \pre p and q have coefficients of the same shape.
 template <class Form>
 Form sum(const Form& p, const Form& q) {
   std::decay_t<decltype(p.coefficients())> values = p.coefficients() + q.coefficients();
@@ -213,15 +215,15 @@ Form scaled(double factor, const Form& p) {
   return result<Form>(std::move(values), padding, "multiple");
 }
 
-/// Coefficients, each within error of the true one.
+/// Coefficients, each within \p error of the true one.
 template <class Values>
 struct Rounded {
   Values values;
   double error;
 };
 
-/// The power of two that coefficients are divided by before they meet binomials; 0 while they are
-/// moderate.
+/// The exponent of the power of two by which coefficients are divided before they are multiplied by
+/// binomials. It is 0 while the coefficients are of moderate size.
 inline int scaleExponent(double magnitude) {
   int exponent = 0;
   std::frexp(magnitude, &exponent);
@@ -234,12 +236,12 @@ Values scaledBy(const Values& values, int exponent) {
   return values.unaryExpr([&](double c) { return std::ldexp(c, exponent); });
 }
 
-/// scaledBy, rounded upwards.
+/// The value of scaledBy(), rounded upwards.
 inline double scaledUp(double value, int exponent) {
   return exponent == 0 || value == 0 ? value : rounding::up(std::ldexp(value, exponent));
 }
 
-/// c_ij C(m, i) C(n, j), m by n the degrees.
+/// The weighted coefficients c_ij C(m, i) C(n, j), with m and n the degrees.
 template <class Values>
 Values weighted(const Values& values) {
   return binomials(values.rows() - 1).asDiagonal() * values *
@@ -261,8 +263,9 @@ Values combined(const Values& a, const Values& b) {
   return values;
 }
 
-/// How many factors 1 + d a term of combined(weighted(a), weighted(b)) takes: the binomials,
-/// weighting of both factors and division in each variable, product and sum.
+/// The number of factors 1 + d in a term of combined(weighted(a), weighted(b)). They come from the
+/// binomials, the weighting of both factors, the division in each variable, the product and the
+/// sum.
 template <class Values>
 int productRoundings(const Values& a, const Values& b) {
   const Eigen::Index terms = std::min(a.rows(), b.rows()) * std::min(a.cols(), b.cols());
@@ -276,14 +279,16 @@ int productRoundings(const Values& a, const Values& b) {
 
 /// The product of a, known within padding_a, and b, known within padding_b.
 ///
-/// With |a| the polynomial of the absolute coefficients and 1 that of coefficients 1, the error is
-/// at most gamma_k max(|a| |b|) + padding_a max(1 |b|) + padding_b max(|a| 1) + padding_a padding_b
-/// and what underflows. The maxima are computed with as many roundings as the product, hence
-/// gamma_(k+1) (rounding::gamma). In units of 2^(exponents) the larger of magnitude and padding of
-/// a factor is at least 2^-101, or 0, and no weight of a term in a coefficient is below 2^-800. So
-/// the largest of the four terms, gamma_k apart, is at least 2^-1002, and the few eta that scaling,
-/// products, quotients and maxima may lose are less than u times it, hence gamma_(k+2). Only
-/// scaling back adds an eta.
+/// Let |a| be the polynomial of the absolute coefficients, and 1 the polynomial of coefficients 1.
+/// The error is at most gamma_k max(|a| |b|) + padding_a max(1 |b|) + padding_b max(|a| 1) +
+/// padding_a padding_b, plus what underflows. The maxima are computed with as many roundings as the
+/// product, hence gamma_(k+1) (rounding::gamma).
+///
+/// Underflow: in units of 2^(exponents) the larger of magnitude and padding of a factor is at least
+/// 2^-101, or 0. No weight of a term in a coefficient is below 2^-800. So the largest of the four
+/// terms, without its factor gamma_k, is at least 2^-1002. Scaling, products, quotients and maxima
+/// may lose a few eta, which is less than u times that term, hence gamma_(k+2). Only scaling back
+/// adds an eta.
 template <class Values>
 Rounded<Values> product(const Values& a, double padding_a, const Values& b, double padding_b) {
   using rounding::gamma, rounding::productUp, rounding::sumUp;
@@ -326,8 +331,9 @@ Interval range(const Form& p) {
   return rounding::widened({p.coefficients().minCoeff(), p.coefficients().maxCoeff()}, p.padding());
 }
 
-/// Padding and rounding about a value; companion is the value that the absolute coefficients have.
-/// \pre the steps took this many roundings in all, and might underflow.
+/// The value, widened by padding and rounding. \p companion is the value that the absolute
+/// coefficients give.
+/// \pre The steps took \p roundings roundings in all, and each of them may have underflowed.
 inline Interval enclosure(double value, double companion, double padding, int roundings,
                           int steps) {
   if (roundings == 0) return rounding::widened({value, value}, padding);

@@ -10,19 +10,20 @@ namespace {
 
 struct Piece {
   BernsteinPolynomial p;
-  double lower;  ///< of its range
+  double lower;  ///< lower end of its range
 
   explicit Piece(BernsteinPolynomial polynomial)
       : p(std::move(polynomial)), lower(p.range().lower) {}
   bool operator<(const Piece& other) const {
     return lower > other.lower;
-  }  // the lowest is on top of the queue
+  }  // the queue has the lowest piece on top
   double lowerEnd() const { return std::min(p.coefficients()(0), p.coefficients()(p.degree())); }
-  /// The hull is lower than an end by no more than padding: a split would not raise it for certain.
+  /// Whether the hull is below the lower end by no more than the padding: a split would then not
+  /// certainly raise it.
   bool exhausted() const { return lowerEnd() - p.coefficients().minCoeff() <= p.padding(); }
 };
 
-/// A lower bound of p, too low by at most tolerance as far as padding allows.
+/// A lower bound of p, below the minimum by at most tolerance as far as the padding allows.
 double lowerBound(const BernsteinPolynomial& p, double tolerance) {
   std::priority_queue<Piece> pieces;
   pieces.emplace(p);

@@ -10,31 +10,33 @@ namespace seamwright {
 
 /// A real polynomial p(t) = sum_i c_i B_i^n(t) on [0, 1], known up to rounding.
 ///
-/// **Padding.** What is stored is n + 1 coefficients and one number, the padding: each true
-/// coefficient lies within padding of the stored one, hence p(t) within padding of sum_i c_i
-/// B_i^n(t) for all t in [0, 1]. A polynomial made from given doubles has padding 0: the doubles
-/// are exact. Each operation returns coefficients rounded to double and a padding that covers what
-/// the operands' paddings can do to the exact result plus the rounding of the operation itself. So
-/// the statement "the true polynomial is in here" survives any chain of operations, in every
-/// rounding mode (of IEEE doubles, denormals included; not under -ffast-math).
+/// **Padding.** The class stores n + 1 coefficients and one number, the padding. Each true
+/// coefficient lies within the padding of the stored one. Hence p(t) lies within the padding of
+/// sum_i c_i B_i^n(t) for all t in [0, 1]. A polynomial made from given doubles has padding 0: the
+/// doubles are exact. Each operation returns coefficients rounded to double. Its padding covers
+/// what the paddings of the operands can do to the exact result, and the rounding of the operation
+/// itself. So the statement "the true polynomial is in here" survives any chain of operations. It
+/// holds in every rounding mode of IEEE doubles, denormals included, but not under -ffast-math.
 ///
-/// Let u = 2^-52, gamma_k = k u / (1 - k u), eta = 2^-1074; M the largest |c_i| and e the padding
-/// of the operand (with an index if there are two), M' the largest coefficient of the result; |p|
-/// the polynomial of coefficients |c_i|, max(|p|) its largest coefficient. The padding of the
-/// result is at most, but for the rounding of the formula itself, which is upwards:
+/// Let u = 2^-52, gamma_k = k u / (1 - k u) and eta = 2^-1074. M is the largest |c_i| and e the
+/// padding of the operand, with an index if there are two operands; M' is the largest coefficient
+/// of the result. |p| is the polynomial of coefficients |c_i|, and max(|p|) its largest
+/// coefficient. The padding of the result is at most the following, plus the rounding of the
+/// formula itself, which is upwards:
 ///
 ///   p'             2 n e + gamma_3 M'
 ///   p + q, p - q   e_p + e_q + u M'                           after elevation to the same degree
 ///   s p            |s| e + u M' + eta
 ///   p q            e_p max(1 |q|) + e_q max(1 |p|) + e_p e_q + gamma_(k+2) max(|p| |q|) + eta,
-///                  with 1 written in the degree of the other factor, so that max(1 |q|) <= M_q; k
-///                  = min(m, n) + 4 + r(m) + r(n) + r(m+n), and r(d) = max(0, d - 56) the roundings
-///                  in binomials of degree d (up to 56 they are exact doubles)
-///   elevation that of p times the polynomial 1 of degree `by` split e + gamma_(3n) M + 4 n eta
-///   gamma_n at t = 1/2; just e at t = 0 and 1 restriction e + gamma_(9n) M + 8 n eta
+///                  with 1 written in the degree of the other factor, so that max(1 |q|) <= M_q;
+///                  k = min(m, n) + 4 + r(m) + r(n) + r(m+n), with r(d) = max(0, d - 56) the
+///                  roundings in binomials of degree d (up to 56 they are exact doubles)
+///   elevation      that of p times the polynomial 1 of degree `by`
+///   split          e + gamma_(3n) M + 4 n eta; with gamma_n at t = 1/2; only e at t = 0 and 1
+///   restriction    e + gamma_(9n) M + 8 n eta
 ///
-/// and evaluate(t) returns an interval of radius e + gamma_(3n+1) sum_i |c_i| B_i^n(t) + 4 n eta
-/// (just e at 0 and 1).
+/// evaluate(t) returns an interval of radius e + gamma_(3n+1) sum_i |c_i| B_i^n(t) + 4 n eta (only
+/// e at 0 and 1).
 ///
 /// Identities, true within the padding (each has a test of its number):
 ///   (1) All coefficients 1: p(t) = 1 (partition of unity).
@@ -43,32 +45,33 @@ namespace seamwright {
 ///   (4) Elevation changes no value.
 ///   (5) The pieces of a split take the values of p: left(s) = p(t s), right(s) = p(t + (1 - t) s);
 ///       restricted({a, b})(s) = p(a + (b - a) s).
-///   (6) range() contains p(t) for all t in [0, 1]. What it is too wide by shrinks by 4 when the
+///   (6) range() contains p(t) for all t in [0, 1]. Its excess shrinks by a factor of 4 when the
 ///       interval is halved.
-///   (7) The ends are known as well as the coefficients: evaluate(0) = c_0 and evaluate(1) = c_n,
+///   (7) The ends are known as well as the coefficients: evaluate(0) is c_0 and evaluate(1) is c_n,
 ///       within e.
 ///
-/// Coefficients and padding are below 2^1023 in size; an operation whose result is not throws
+/// Coefficients and padding are below 2^1023 in size. An operation whose result exceeds that throws
 /// std::overflow_error. No result is ever NaN or infinite, except that a bound of an interval may
 /// be infinite.
 /// Source: docs/theory/enclosures.md E1.1 to E1.3, E4.1; [FaroukiRajan1987].
 class BernsteinPolynomial {
  public:
   /// \param coefficients n + 1 >= 1 numbers. \param padding not negative.
-  /// \throws std::invalid_argument if there is no coefficient, one is not finite or not below
-  /// 2^1023 in size (the message has its index and value), or the padding is out of range.
+  /// \throws std::invalid_argument if there is no coefficient, if a coefficient is not finite or
+  /// not below 2^1023 in size (the message has its index and value), or if the padding is out of
+  /// range.
   explicit BernsteinPolynomial(Eigen::VectorXd coefficients, double padding = 0);
 
   int degree() const { return static_cast<int>(coefficients_.size()) - 1; }
   const Eigen::VectorXd& coefficients() const { return coefficients_; }
   double padding() const { return padding_; }
 
-  /// Contains p(t). \throws std::invalid_argument if t is not in [0, 1].
+  /// An interval that contains p(t). \throws std::invalid_argument if t is not in [0, 1].
   Interval evaluate(double t) const;
-  /// Degree n - 1; of a constant, the constant 0.
+  /// The derivative, of degree n - 1; that of a constant is the constant 0.
   BernsteinPolynomial derivative() const;
-  /// The same polynomial written in degree n + by. The end coefficients are kept, or off by a
-  /// rounding within padding.
+  /// The same polynomial written in degree n + by. The end coefficients are kept, or change by a
+  /// rounding within the padding.
   /// \throws std::invalid_argument if by < 0 or n + by > 800.
   BernsteinPolynomial elevated(int by) const;
   /// The pieces over [0, t] and [t, 1], each reparametrised to [0, 1]. At t = 0 or 1 one of them is
@@ -80,12 +83,15 @@ class BernsteinPolynomial {
   /// \throws std::invalid_argument if the interval is not in [0, 1] or is reversed.
   BernsteinPolynomial restricted(const Interval& domain) const;
 
-  /// Contains p(t) for all t in [0, 1]: the hull of the coefficients, widened by the padding.
+  /// An interval that contains p(t) for all t in [0, 1]: the hull of the coefficients, widened by
+  /// the padding.
   Interval range() const;
-  /// The same by subdivision, until it is wider than the true range by at most tolerance. Padding
-  /// may forbid that: then each end is off by at most 3 times the padding of the piece [a, b] where
-  /// it is taken, which is the padding of p plus log2(1 / (b - a)) times what a split adds.
-  /// \param tolerance not negative, in the unit of p; 0 asks for all that padding lets be known.
+  /// The same by subdivision, until the interval exceeds the true range by at most \p tolerance.
+  /// The padding may prevent that. Then each end is off by at most 3 times the padding of the piece
+  /// [a, b] that gives it. The padding of that piece is the padding of p plus log2(1 / (b - a))
+  /// times what a split adds.
+  /// \param tolerance not negative, in the unit of p; 0 asks for the best range that the padding
+  /// allows.
   /// \throws std::invalid_argument if the tolerance is negative or NaN.
   Interval range(double tolerance) const;
 

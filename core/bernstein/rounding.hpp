@@ -8,13 +8,13 @@
 
 /// Upper bounds of rounding errors; shared by the Bernstein forms, not a public header.
 ///
-/// All of it holds in every IEEE rounding mode, with or without fused products, but neither with
-/// -ffast-math nor with denormals flushed to zero. Bounds are computed in double and rounded
-/// upwards by std::nextafter, which no rounding mode alters.
+/// The bounds hold in every IEEE rounding mode, with or without fused products. They do not hold
+/// with -ffast-math, nor with denormals flushed to zero. Bounds are computed in double and rounded
+/// upwards by std::nextafter, which is independent of the rounding mode.
 namespace seamwright::rounding {
 
-/// Largest relative error of one operation in any rounding mode (half of it would do for
-/// round-to-nearest).
+/// Largest relative error of one operation in any rounding mode. For round-to-nearest half of it is
+/// enough.
 inline constexpr double kUnit = std::numeric_limits<double>::epsilon();
 /// Largest absolute error of a product or a quotient that underflows. Sums and differences are
 /// exact there.
@@ -41,10 +41,11 @@ inline double productUp(double a, double b) {
   return a == 0 || b == 0 ? 0 : up(a * b);
 }
 
-/// Upper bound of gamma_k = k u / (1 - k u), which bounds |theta| in 1 + theta = product of k
+/// Upper bound of gamma_k = k u / (1 - k u). gamma_k bounds |theta| in 1 + theta = product of k
 /// factors (1 + d)^(+-1), |d| <= u (Higham, Accuracy and Stability of Numerical Algorithms, lemma
-/// 3.1). \pre 0 <= k < 2^26, where gamma_k <= gamma_(k+1) (1 - gamma_k) also lets a computed value
-/// stand for an exact one.
+/// 3.1).
+/// \pre 0 <= k < 2^26. There gamma_k <= gamma_(k+1) (1 - gamma_k), so a computed value can stand
+/// for an exact one.
 inline double gamma(int k) {
   const double relative = k * kUnit;
   return k == 0 ? 0 : up(relative / (1 - relative));

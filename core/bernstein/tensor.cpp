@@ -13,12 +13,12 @@ std::pair<BernsteinTensor, BernsteinTensor> transposed(
   return {pieces.first.transposed(), pieces.second.transposed()};
 }
 
-/// One step of de Casteljau with a polynomial for parameter: (1 - w) a + w b, for a and b of one
+/// One step of de Casteljau with a polynomial as parameter: (1 - w) a + w b, for a and b of equal
 /// degree.
 ///
-/// What the paddings of a and b do to a coefficient is a convex combination of |1 - w_i| e_a +
-/// |w_i| e_b, and
-/// |1 - w_i| + |w_i| = 1 + 2 (distance of w_i from [0, 1]); the padding of w enters times b - a.
+/// The effect of the paddings of a and b on a coefficient is a convex combination of |1 - w_i| e_a
+/// + |w_i| e_b, and
+/// |1 - w_i| + |w_i| = 1 + 2 (distance of w_i from [0, 1]). The padding of w enters times b - a.
 BernsteinPolynomial blend(const BernsteinPolynomial& w, const BernsteinPolynomial& a,
                           const BernsteinPolynomial& b) {
   using rounding::kUnit, rounding::productUp, rounding::sumUp, rounding::up;
@@ -42,7 +42,7 @@ BernsteinPolynomial blend(const BernsteinPolynomial& w, const BernsteinPolynomia
       "composition");
 }
 
-/// The value at w of the Bernstein form whose coefficients are polynomials of one degree.
+/// The value at w of the Bernstein form whose coefficients are polynomials of equal degree.
 BernsteinPolynomial collapsed(std::vector<BernsteinPolynomial> coefficients,
                               const BernsteinPolynomial& w) {
   while (coefficients.size() > 1) {

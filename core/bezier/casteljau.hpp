@@ -8,15 +8,15 @@
 /// header.
 namespace seamwright::casteljau {
 
-/// Coefficients in Bernstein form, one a row: (degree + 1) by any number of columns.
+/// Coefficients in Bernstein form, one per row: (degree + 1) by any number of columns.
 template <int Columns>
 using Coefficients = Eigen::Matrix<double, Eigen::Dynamic, Columns, Eigen::RowMajor>;
 
-/// Value and derivatives, one a row; \p Count of them, or Eigen::Dynamic.
+/// Value and derivatives, one per row. \p Count is their number, or Eigen::Dynamic.
 template <int Columns, int Count>
 using Derivatives = Eigen::Matrix<double, Count, Columns, Eigen::RowMajor>;
 
-/// Value at t; overwrites the coefficients.
+/// Returns the value at t; overwrites the coefficients.
 template <int Columns>
 Eigen::Matrix<double, 1, Columns> collapse(Coefficients<Columns>& c, double t) {
   for (Eigen::Index rows = c.rows() - 1; rows > 0; --rows)
@@ -24,8 +24,8 @@ Eigen::Matrix<double, 1, Columns> collapse(Coefficients<Columns>& c, double t) {
   return c.row(0);
 }
 
-/// Orders 0..count - 1. The k-th derivative is n!/(n-k)! times the Bernstein form of the k-th
-/// differences.
+/// The value and the derivatives of orders 0..count - 1. The k-th derivative is n!/(n-k)! times the
+/// Bernstein form of the k-th differences.
 template <int Columns, int Count>
 Derivatives<Columns, Count> derivatives(const Coefficients<Columns>& coefficients, double t,
                                         Eigen::Index count = Count) {
@@ -43,7 +43,7 @@ Derivatives<Columns, Count> derivatives(const Coefficients<Columns>& coefficient
   return result;
 }
 
-/// The two halves of de Casteljau's triangle: coefficients over [0, t] and [t, 1].
+/// The two edges of de Casteljau's triangle: the coefficients over [0, t] and over [t, 1].
 template <int Columns>
 std::pair<Coefficients<Columns>, Coefficients<Columns>> split(
     const Coefficients<Columns>& coefficients, double t) {

@@ -8,10 +8,10 @@
 
 namespace seamwright {
 
-/// Poles, one a row: #P by 3.
+/// Poles, one per row: #P by 3.
 using Poles = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
-/// Homogeneous poles (w x, w y, w z, w), one a row: #P by 4. A polynomial curve or patch has w = 1
-/// throughout.
+/// Homogeneous poles (w x, w y, w z, w), one per row: #P by 4. For a polynomial curve or patch w =
+/// 1 for all poles.
 using HomogeneousPoles = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>;
 
 /// A (rational) Bézier curve of degree n on [0, 1]:
@@ -19,13 +19,13 @@ using HomogeneousPoles = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajo
 class BezierCurve {
  public:
   /// Polynomial curve. \param poles (n+1) by 3, at least one row, finite.
-  /// \throws std::invalid_argument naming the offending row.
+  /// \throws std::invalid_argument that names the invalid row.
   explicit BezierCurve(const Eigen::Ref<const Poles>& poles);
   /// Rational curve. \param weights n+1 positive finite numbers.
-  /// \throws std::invalid_argument naming the offending index and value.
+  /// \throws std::invalid_argument that names the invalid index and value.
   BezierCurve(const Eigen::Ref<const Poles>& poles,
               const Eigen::Ref<const Eigen::VectorXd>& weights);
-  /// The curve with these homogeneous poles, taken over bit by bit. \throws as the constructors.
+  /// The curve with these homogeneous poles, copied bitwise. \throws as the constructors do.
   static BezierCurve fromHomogeneous(HomogeneousPoles poles);
 
   int degree() const { return static_cast<int>(homogeneous_.rows()) - 1; }
@@ -36,14 +36,14 @@ class BezierCurve {
   const HomogeneousPoles& homogeneousPoles() const { return homogeneous_; }
 
   Eigen::Vector3d point(double t) const;
-  /// Point and derivatives to third order at t. Outside [0, 1] the polynomial continues; accuracy
-  /// falls there.
+  /// Point and derivatives up to third order at t. Outside [0, 1] the polynomial continues with
+  /// less accuracy.
   CurveJet jet(double t) const;
-  /// Point and derivatives to that order at t, (order + 1) by 3.
+  /// Point and derivatives at t up to \p order, (order + 1) by 3.
   /// \throws std::invalid_argument if the order is negative.
   CurveDerivatives derivatives(double t, int order) const;
   /// Bound of the rounding in the first derivative on [0, 1]: 8 (n + 4) eps n |P|_max w_max /
-  /// w_min. A bound of the evaluation, not of the poles, which count as exact.
+  /// w_min. It bounds the error of the evaluation only: the poles count as exact.
   double noise() const;
 
   /// The same curve run backwards: X(1 - t).

@@ -12,7 +12,7 @@
 
 namespace seamwright {
 
-/// A fused product rounds A_i - w_i O once, so what is far from the origin loses nothing.
+/// A fused product rounds A_i - w_i O only once, so poles far from the origin lose no accuracy.
 LocalPoles localPoles(const HomogeneousPoles& poles, Eigen::Index pivot) {
   const Eigen::Vector3d origin = poles.row(pivot).head<3>().transpose() / poles(pivot, 3);
   LocalPoles local{affinePoles(about(poles, origin)), 0};
@@ -30,7 +30,7 @@ LocalPoles localPoles(const HomogeneousPoles& poles, Eigen::Index pivot) {
 
 namespace {
 
-/// z and ds / dt.
+/// The parameter z and the rate ds / dt.
 struct LogParameter {
   GradedTerm z, rate;
 };
@@ -44,13 +44,13 @@ class GradedSums {
  public:
   GradedSums(const HomogeneousPoles& poles, double t);
 
-  /// Goes on to the next order.
+  /// Proceeds to the next order.
   void differentiate();
   GradedVector derivative() const;
   double pivot() const { return static_cast<double>(pivot_); }
-  /// The sum of the terms over that of order 0.
+  /// The sum of the terms, divided by the sum of order 0.
   GradedNumber weight() const;
-  /// The term i over the sum of all, of the order that is current.
+  /// The term i of the current order, divided by the sum of order 0.
   GradedTerm share(Eigen::Index i) const {
     return GradedTerm(terms_[static_cast<std::size_t>(i)].mantissa / first_weight_,
                       terms_[static_cast<std::size_t>(i)].exponent - first_exponent_);
@@ -61,16 +61,16 @@ class GradedSums {
  private:
   void choosePivot();
 
-  double rounding_;  ///< relative, of a term (five roundings for each power of z) and of a sum
+  double rounding_;  ///< relative, of a term (five roundings per power of z) and of a sum
   std::vector<GradedTerm> terms_;
   Eigen::Index pivot_ = 0;
-  Eigen::VectorXd shares_;         ///< terms over a power of 2, that of the pivot in [0.5, 1)
-  LocalPoles local_;               ///< about the first pivot
-  int first_exponent_ = 0;         ///< of the shares of order 0
-  double first_weight_ = 0;        ///< sum of the shares of order 0
+  Eigen::VectorXd shares_;   ///< terms divided by a power of 2; that of the pivot is in [0.5, 1)
+  LocalPoles local_;         ///< relative to the first pivot
+  int first_exponent_ = 0;   ///< exponent of the shares of order 0
+  double first_weight_ = 0;  ///< sum of the shares of order 0
   double first_weight_error_ = 0;  ///< relative
-  Eigen::RowVector3d point_;       ///< among the local poles
-  double point_size_ = 0;          ///< bounds what it is summed from
+  Eigen::RowVector3d point_;       ///< the point relative to the first pivot
+  double point_size_ = 0;          ///< sum of the absolute values of its terms
 };
 
 void GradedSums::choosePivot() {
@@ -114,7 +114,8 @@ void GradedSums::differentiate() {
 GradedVector GradedSums::derivative() const {
   GradedVector result;
   result.value = (shares_.transpose() * aboutPoint()).transpose() / first_weight_;
-  // The point is off by up to twice what its sum is: both sums of the quotient are rounded.
+  // The error of the point is up to twice that of its sum, because both sums of the quotient are
+  // rounded.
   const Eigen::VectorXd sizes = local_.poles.rowwise().norm().array() + 3 * point_size_;
   result.error = rounding_ * shares_.cwiseAbs().dot(sizes) / std::abs(first_weight_) +
                  first_weight_error_ * result.value.norm();
@@ -134,9 +135,9 @@ GradedNumber GradedSums::weight() const {
           terms_[static_cast<std::size_t>(pivot_)].exponent - first_exponent_};
 }
 
-/// By the parameter whose derivative of order 2 is that with the pivots p_0 and p_1 the third one
-/// has p_2 replaced by 2 p_1 - p_0; three times the first derivative of the weight comes from the
-/// quotient.
+/// The shift for the parameter whose derivative of order 2 is the one with the pivots p_0 and p_1.
+/// In its third derivative 2 p_1 - p_0 replaces p_2. The quotient adds three times the first
+/// derivative of the weight.
 GradedNumber shiftOf(double pivot_shift, const GradedNumber& weight) {
   if (pivot_shift == 0) return {3 * weight.value, 3 * weight.error, weight.exponent};
   return {pivot_shift + std::ldexp(3 * weight.value, weight.exponent),
@@ -166,9 +167,9 @@ GradedDerivatives gradedDerivatives(const HomogeneousPoles& poles, double t, int
 
 namespace {
 
-/// Coefficients of a function of a by the powers of b, with a = b / (1 - turn b), over 1 / (1 -
-/// turn b): sum_k c_k b^k (1 - turn b)^(1 - k). \pre where it has one, the coefficient c_1 takes up
-/// that of c_0.
+/// Coefficients, by powers of b with a = b / (1 - turn b), of a function of a divided by 1 / (1 -
+/// turn b): sum_k c_k b^k (1 - turn b)^(1 - k).
+/// \pre If c_0 is not zero, the coefficient c_1 includes its contribution.
 template <class Rows>
 Rows projectedSeries(const Rows& c, double turn) {
   Rows result = c;
@@ -182,8 +183,8 @@ Rows projectedSeries(const Rows& c, double turn) {
   return result;
 }
 
-/// Coefficients by a of sum_i share_i (1 + a)^x_i (P_i - X), x_i = (i - p_0) / (p_1 - p_0), and of
-/// the weight, with a in units of 2^unit.
+/// Coefficients by powers of a of sum_i share_i (1 + a)^x_i (P_i - X), x_i = (i - p_0) / (p_1 -
+/// p_0), and of the weight. a is in units of 2^unit.
 struct OwnSeries {
   CurveDerivatives points;
   Eigen::VectorXd weights;
@@ -214,7 +215,7 @@ OwnDerivatives ownDerivatives(const HomogeneousPoles& poles, double t, int order
   sums.differentiate();
   const GradedVector first = sums.derivative();
   if (order == 0 || first.value.isZero(0)) return result;
-  // In units in which the speed is about 1.
+  // The unit of a makes the speed about 1.
   const double step = sums.pivot() - start.pivot();
   const OwnSeries series = ownSeries(start, start.pivot(), sums.pivot(), -first.exponent, order);
   const CurveDerivatives points = projectedSeries(series.points, series.weights(1));

@@ -7,11 +7,11 @@
 
 #include <seamwright/core/bezier/curve.hpp>
 
-/// Numbers with an exponent of their own: powers of a high degree, and parameters at an end, leave
+/// Numbers with a separate exponent: powers of a high degree, and parameters near an end, exceed
 /// the range of a double. Not a public header.
 namespace seamwright {
 
-/// mantissa 2^exponent
+/// The number mantissa 2^exponent.
 struct GradedTerm {
   int exponent = 0;
   double mantissa = 0;
@@ -32,19 +32,19 @@ struct GradedTerm {
     if (exponent != other.exponent) return exponent > other.exponent;
     return std::abs(mantissa) > std::abs(other.mantissa);
   }
-  /// Over 2^unit; far below the range it is 0.
+  /// The number divided by 2^unit; 0 if it is far below the range of a double.
   double overPowerOf2(int unit) const { return std::ldexp(mantissa, exponent - unit); }
 };
 
-/// Stands for a parameter of 0: so small that of each order all but the first terms vanish beside
-/// any weights.
+/// The exponent that stands for a parameter of 0. It is so small that, for any weights, only the
+/// first terms of each order count.
 constexpr int graded_end_exponent = -(1 << 14);
 
 inline GradedTerm gradedParameter(double t) {
   return t == 0 ? GradedTerm(1, graded_end_exponent) : GradedTerm(t);
 }
 
-/// The index of the largest term.
+/// The index of the term of largest absolute value.
 inline std::size_t largestTerm(const std::vector<GradedTerm>& terms) {
   std::size_t largest = 0;
   for (std::size_t i = 1; i < terms.size(); ++i)
@@ -52,14 +52,14 @@ inline std::size_t largestTerm(const std::vector<GradedTerm>& terms) {
   return largest;
 }
 
-/// poles 2^exponent, smaller than 1.
+/// The poles poles 2^exponent; all entries of \p poles are below 1.
 struct LocalPoles {
   Poles poles;
   int exponent = 0;
 };
 
-/// The affine poles about the one with that index. \throws std::invalid_argument where a distance
-/// is not finite.
+/// The affine poles relative to the pole with index \p pivot. \throws std::invalid_argument if a
+/// distance is not finite.
 LocalPoles localPoles(const HomogeneousPoles& poles, Eigen::Index pivot);
 
 }  // namespace seamwright

@@ -7,7 +7,8 @@ namespace seamwright {
 
 namespace {
 
-/// Leibniz' rule on A = w X: w X_kl = A_kl - sum_{(i,j) != (0,0)} C(k,i) C(l,j) w_ij X_{k-i,l-j}.
+/// A partial of X, from Leibniz' rule on A = w X: w X_kl = A_kl - sum_{(i,j) != (0,0)} C(k,i)
+/// C(l,j) w_ij X_{k-i,l-j}.
 Eigen::Vector3d rationalPartial(const HomogeneousPartials& h, int k, int l,
                                 const std::array<std::array<Eigen::Vector3d, 4>, 4>& lower) {
   static constexpr double binomial[4][4] = {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}};
@@ -20,7 +21,7 @@ Eigen::Vector3d rationalPartial(const HomogeneousPartials& h, int k, int l,
 
 }  // namespace
 
-/// A fused product rounds A - w X once.
+/// A fused product rounds A - w X only once.
 HomogeneousPoles about(const HomogeneousPoles& poles, const Eigen::Vector3d& origin) {
   HomogeneousPoles result = poles;
   for (Eigen::Index i = 0; i < poles.rows(); ++i)

@@ -9,22 +9,23 @@
 /// Homogeneous poles, shared by curves, patches and triangles; not a public header.
 namespace seamwright {
 
-/// (w x, w y, w z, w) of each pole. \throws std::invalid_argument naming the index and value that
-/// cannot be.
+/// The homogeneous poles (w x, w y, w z, w). \throws std::invalid_argument that names the invalid
+/// index and value.
 HomogeneousPoles homogeneousPoles(const Eigen::Ref<const Poles>& poles,
                                   const Eigen::VectorXd& weights);
 
-/// \throws std::invalid_argument for no poles, a number that is not finite or a weight that is not
-/// positive; with index and value.
+/// Checks homogeneous poles.
+/// \throws std::invalid_argument, with index and value, if there are no poles, a number is not
+/// finite or a weight is not positive.
 void requireValid(const HomogeneousPoles& poles);
 
 Poles affinePoles(const HomogeneousPoles& poles);
 
 bool isRational(const HomogeneousPoles& poles);
 
-/// The poles P_i - \p origin with their weights. About the point evaluated there is nothing to
-/// cancel in Leibniz' rule, where w^(i) X would be of the size of A^(i): a heavy pole is near that
-/// point.
+/// The homogeneous poles of P_i - \p origin, with the same weights. With the evaluated point as
+/// origin nothing cancels in Leibniz' rule, because a pole of large weight is near that point. With
+/// another origin w^(i) X may be as large as A^(i).
 HomogeneousPoles about(const HomogeneousPoles& poles, const Eigen::Vector3d& origin);
 
 /// Point and derivatives of the curve from those of its homogeneous form A = w X, by Leibniz' rule:
@@ -46,7 +47,7 @@ casteljau::Derivatives<3, Count> affineDerivatives(const casteljau::Derivatives<
 /// Homogeneous partials h[k][l] = d^(k+l) H / du^k dv^l for k + l <= 3.
 using HomogeneousPartials = std::array<std::array<Eigen::Vector4d, 4>, 4>;
 
-/// The jet of the surface with these homogeneous partials.
+/// The jet of the surface that has these homogeneous partials.
 SurfaceJet affineJet(const HomogeneousPartials& h);
 
 }  // namespace seamwright

@@ -19,7 +19,7 @@ namespace seamwright {
 namespace {
 
 constexpr int nodes = 7;
-/// Gauss' nodes on [0, 1] are (1 +- x) / 2.
+/// The roots x of the Legendre polynomial of degree 7. Gauss' nodes on [0, 1] are (1 +- x) / 2.
 constexpr std::array<double, nodes> legendre_roots = {
     -0.94910791234275852453, -0.74153118559939443986, -0.40584515137739716691, 0,
     0.40584515137739716691,  0.74153118559939443986,  0.94910791234275852453};
@@ -28,7 +28,8 @@ double node(int i) {
   return 0.5 * (1 + legendre_roots[i]);
 }
 
-/// From values at the nodes to the Bernstein coefficients of the polynomial through them.
+/// The matrix from values at the nodes to the Bernstein coefficients of the polynomial through
+/// them.
 Eigen::Matrix<double, nodes, nodes> interpolation() {
   Eigen::Matrix<double, nodes, nodes> values;
   const Eigen::VectorXd& binomials = bernstein::binomials(nodes - 1);
@@ -38,25 +39,26 @@ Eigen::Matrix<double, nodes, nodes> interpolation() {
   return values.inverse();
 }
 
-/// Rounded downwards, but not below 0. \pre not negative.
+/// x rounded downwards, but not below 0. \pre x is not negative.
 double down(double x) {
   return x == 0 ? 0 : std::nextafter(x, 0.0);
 }
 
-/// Upper bound of a / b for a >= 0, b > 0; 0 if a is.
+/// Upper bound of a / b for a >= 0, b > 0; 0 if a is 0.
 double quotientUp(double a, double b) {
   return a == 0 ? 0 : rounding::up(a / b);
 }
 
-/// The integral of the speed over a piece, its parameter from 0 to 1.
+/// The integral of the speed over a piece whose parameter runs from 0 to 1.
 struct Estimate {
   Interval bracket;
-  double value = 0;     ///< within
-  double rounding = 0;  ///< what of the bracket's width is due to it
+  double value = 0;     ///< within the bracket
+  double rounding = 0;  ///< the part of the width of the bracket that is rounding
 };
 
-/// |integral of the velocity| <= length <= integral of its control polygon's norm, both over the
-/// divisor: of a polynomial curve chord and polygon. The value is Gravesen's.
+/// |integral of the velocity| <= length <= integral of the norm of its control polygon, both
+/// divided by the divisor. For a polynomial curve these are chord and polygon. The value is
+/// Gravesen's.
 Estimate chordAndPolygon(const VelocityForm& form) {
   const int m = form.velocity[0].degree();
   Eigen::Matrix3Xd c(3, m + 1);
@@ -74,7 +76,7 @@ Estimate chordAndPolygon(const VelocityForm& form) {
   return result;
 }
 
-/// Speed at the nodes, rounded.
+/// The speed at the nodes, with rounding.
 Eigen::Matrix<double, nodes, 1> speeds(const VelocityForm& form) {
   Eigen::Matrix<double, nodes, 1> values;
   for (int i = 0; i < nodes; ++i) {
@@ -87,13 +89,13 @@ Eigen::Matrix<double, nodes, 1> speeds(const VelocityForm& form) {
   return values;
 }
 
-/// Gauss' quadrature with its remainder: the polynomial g through the speeds at the nodes has their
-/// quadrature for integral. With v the velocity, d the divisor,
+/// Gauss' quadrature with its remainder. The integral of the polynomial g through the speeds at the
+/// nodes is the quadrature of these speeds. With v the velocity and d the divisor,
 ///
 ///   |v| / d - g = (v.v - (g d)^2) / ((|v| + g d) d),
 ///
-/// and all that is on the right has Bernstein forms. Whatever rounding did to g is seen there.
-/// Nothing where |v| + g d has no positive lower bound.
+/// and the right side has Bernstein forms, which also show the effect of rounding on g. Nothing
+/// where |v| + g d has no positive lower bound.
 std::optional<Estimate> quadrature(const VelocityForm& form) {
   static const Eigen::Matrix<double, nodes, nodes> to_bernstein = interpolation();
   const double least_speed = lowerNorm(form.velocity);
@@ -124,12 +126,13 @@ Estimate estimated(const VelocityForm& form) {
   return sharp && sharp->bracket.width() < plain.bracket.width() ? *sharp : plain;
 }
 
-/// Sums over pieces, halved until each is known to the tolerance or as well as rounding lets it.
+/// Sums the lengths of pieces. Pieces are halved until each is known to the tolerance, or as well
+/// as rounding allows.
 class LengthSum {
  public:
   explicit LengthSum(double tolerance) : tolerance_(tolerance) {}
 
-  /// \param share of the range that the form is over.
+  /// \param share the share of the range that the form covers.
   void add(const VelocityForm& form, const Estimate& estimate, double share) {
     const double width = estimate.bracket.width();
     constexpr double shortest = 0x1p-100;
@@ -137,7 +140,8 @@ class LengthSum {
     ++halvings_;
     const auto [left, right] = form.halves();
     const Estimate of_left = estimated(left), of_right = estimated(right);
-    // A remainder falls with the seventh power of the length, rounding only where the speed does.
+    // The remainder falls with the seventh power of the length; rounding falls only where the speed
+    // does.
     const bool falls = of_left.bracket.width() + of_right.bracket.width() <= width;
     const bool small = width <= 4 * estimate.rounding || width <= 0x1p-36 * estimate.bracket.upper;
     if (small && !falls) return take(estimate, share);
@@ -170,7 +174,8 @@ void requirePositive(double tolerance_mm) {
                                 ": it must be positive and finite");
 }
 
-/// (g d)^2 of quadrature() has degree 4 n + 12, v.v of a polynomial curve 2 n - 2.
+/// The degree of (g d)^2 in quadrature() is 4 n + 12 for a rational curve; v.v of a polynomial
+/// curve has degree 2 n - 2.
 void requireDegree(const BezierCurve& curve) {
   const int most =
       curve.isRational() ? (bernstein::kMaxDegree - 12) / 4 : (bernstein::kMaxDegree + 2) / 2;
@@ -212,7 +217,7 @@ double parameterAtLength(const BezierCurve& curve, double length_mm, double tole
   if (!(length_mm >= 0 && length_mm <= whole.upper_mm))
     throw std::invalid_argument("length is " + bernstein::text(length_mm) +
                                 ": the curve has 0 .. " + bernstein::text(whole.value_mm) + " mm");
-  Interval range{0, 1};  // what is asked is in here
+  Interval range{0, 1};  // contains the result
   double t = whole.value_mm > 0 ? std::min(1.0, length_mm / whole.value_mm) : 0;
   double nearest = t, least = std::numeric_limits<double>::infinity();
   for (int step = 1;; ++step) {
@@ -225,8 +230,8 @@ double parameterAtLength(const BezierCurve& curve, double length_mm, double tole
     if (least <= std::max(2 * accuracy, rounding * length)) return nearest;
     (missing > 0 ? range.lower : range.upper) = t;
     if (range.middle() <= range.lower || range.middle() >= range.upper) return nearest;
-    // Every second step of three goes twice as far, so that the range closes from both sides; every
-    // third halves it, since Newton's may creep where the speed is about zero.
+    // The second of every three steps goes twice as far, so that the range closes from both sides.
+    // The third halves the range, because Newton's steps may creep where the speed is about zero.
     const double speed = curve.derivatives(t, 1).row(1).stableNorm();
     const double newton = t + (step % 3 == 2 ? 2 : 1) * missing / speed;
     const bool usable = newton > range.lower && newton < range.upper && step % 3 != 0;

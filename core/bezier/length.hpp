@@ -5,44 +5,46 @@
 
 namespace seamwright {
 
-/// The length of a curve: between lower and upper for certain, rounding included.
+/// The length of a curve. It certainly lies between lower and upper, rounding included.
 struct ArcLength {
   double lower_mm = 0, upper_mm = 0;
-  double value_mm = 0;  ///< the best estimate, within both
-  bool reached = true;  ///< upper - lower is within the tolerance asked
+  double value_mm = 0;  ///< the best estimate, within the bounds
+  bool reached = true;  ///< upper - lower is at most the given tolerance
 };
 
-/// The length over [first, last], to upper - lower <= tolerance_mm if rounding allows. In general
-/// there is no closed form, and no rational curve but a line has unit speed.
+/// The length over [first, last]. The result has upper - lower <= tolerance_mm if rounding allows
+/// it. In general there is no closed form, and lines are the only rational curves of unit speed.
 ///
-/// Chord <= length <= polygon on pieces by halving (rational curves: chord and polygon of the
-/// velocity's numerator, over bounds of the denominator). Where the speed has a positive lower
-/// bound Gauss' quadrature of 7 nodes takes over: with g the polynomial through the speeds at the
-/// nodes, v / d the velocity,
+/// On each piece chord <= length <= polygon, and pieces are halved. For a rational curve chord and
+/// polygon are those of the numerator of the velocity, divided by bounds of the denominator. Where
+/// the speed has a positive lower bound, Gauss' quadrature with 7 nodes replaces them. Let g be the
+/// polynomial through the speeds at the nodes and v / d the velocity. Then
 /// |v| / d - g = (v.v - (g d)^2) / ((|v| + g d) d) has bounds by Bernstein forms, rounding
-/// included. So the bracket narrows with the seventh power of the pieces' length; the value is
-/// nearer by far, but that is not proved. Rounding ends that at a bracket of 1e-13 to 1e-11 of the
-/// length, growing with the degree and the ratio of weights; and at most 2^14 halvings are made.
+/// included. So the bracket narrows with the seventh power of the length of the pieces. The value
+/// is far more accurate, but that is not proved. Rounding limits the bracket to 1e-13 to 1e-11 of
+/// the length, growing with the degree and the ratio of weights. At most 2^14 halvings are made.
 ///
 /// Identities (each has a test of its number):
-///   (1) A line: its length, bracket of rounding. (2) A rational quarter circle: pi r / 2.
-///   (3) Sum of the parts; reversal, elevation and rigid motion change nothing but rounding; scale
-///       multiplies.
-///   (4) A cusp inside: the bracket holds the length of both branches.
-/// \throws std::invalid_argument for a tolerance that is not positive and finite, a range outside
-/// 0 <= first <= last <= 1, or a degree above 401, of a rational curve 197.
+///   (1) A line: the value is its length, and the bracket is rounding only. (2) A rational quarter
+///       circle: pi r / 2.
+///   (3) The length is the sum of the lengths of the parts. Reversal, elevation and rigid motion
+///       change only rounding; a scale multiplies the length.
+///   (4) With a cusp inside, the bracket contains the length of both branches.
+/// \throws std::invalid_argument for a tolerance that is not positive and finite, a range outside 0
+/// <= first <= last <= 1, or a degree above 401 (polynomial curve) or 197 (rational curve).
 /// Source: docs/theory/curves.md C1.5; [Gravesen1997].
 ArcLength arcLength(const BezierCurve& curve, double tolerance_mm, double first = 0,
                     double last = 1);
 
 /// The parameter t at which the length from t = 0 is \p length_mm, by Newton's method between
 /// bounds.
-///   (5) arcLength(curve, tolerance_mm / 4, 0, t).value_mm is within tolerance_mm / 2 of it. So
-///       where that length is reached the true one is within tolerance_mm; else it is so near as
-///       those bounds are, which weights of very different size widen. Where no t has such a value
-///       it is the one that came nearest, but for rounding.
-/// \throws std::invalid_argument for a length outside 0 .. the whole (with both numbers), else as
-/// arcLength().
+///   (5) arcLength(curve, tolerance_mm / 4, 0, t).value_mm is within tolerance_mm / 2 of length_mm.
+///       So if that arcLength() reached its tolerance, the true length at t is within tolerance_mm
+///       of length_mm. Otherwise the error is limited by its bounds, which weights of very
+///       different size widen. If no t has such a value, the result is, except for rounding, the t
+///       that came nearest.
+/// \throws std::invalid_argument for a length outside 0 .. the whole length (with both numbers),
+/// and as arcLength() does.
 double parameterAtLength(const BezierCurve& curve, double length_mm, double tolerance_mm);
 
 }  // namespace seamwright

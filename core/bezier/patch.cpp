@@ -21,7 +21,8 @@ void requireNetSize(int degree_u, int degree_v, Eigen::Index rows) {
 
 HomogeneousPartials patchPartials(const HomogeneousPoles& poles, int degree_u, int degree_v,
                                   double u, double v) {
-  // Along v first: row i of along_v[l] is the l-th v-derivative of the i-th row of the net.
+  // Derivatives along v first: row i of along_v[l] is the l-th v-derivative of the i-th row of the
+  // net.
   std::array<HomogeneousPoles, 4> along_v;
   along_v.fill(HomogeneousPoles(degree_u + 1, 4));
   for (int i = 0; i <= degree_u; ++i) {
@@ -104,7 +105,7 @@ BezierPatch BezierPatch::reversedU() const {
 }
 
 std::pair<BezierPatch, BezierPatch> BezierPatch::splitU(double t) const {
-  // One row of the net is one coefficient of a polynomial in u with 4 (n+1) columns.
+  // Each row of the net is one coefficient of a polynomial in u with 4 (n+1) columns.
   using Net = casteljau::Coefficients<Eigen::Dynamic>;
   const Net net = homogeneous_.reshaped<Eigen::RowMajor>(degree_u_ + 1, 4 * (degree_v_ + 1));
   const auto [left, right] = casteljau::split<Eigen::Dynamic>(net, t);

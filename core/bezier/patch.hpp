@@ -31,20 +31,20 @@ class BezierPatch {
   Eigen::Vector3d pole(int i, int j) const;
 
   Eigen::Vector3d point(double u, double v) const;
-  /// Point and partials to third order at (u, v).
+  /// Point and partials up to third order at (u, v).
   SurfaceJet jet(double u, double v) const;
   /// Bound of the rounding in the first partials of jet() on [0, 1]^2: 8 (m + n + 4) eps d |P|_max
-  /// w_max / w_min with d the degree in that direction. A bound of the evaluation, not of the
-  /// poles, which count as exact.
+  /// w_max / w_min with d the degree in that direction. It bounds the error of the evaluation only:
+  /// the poles count as exact.
   JetNoise noise() const;
 
   /// The same patch with u and v exchanged; its natural normal changes sign.
   BezierPatch transposed() const;
-  /// X(1 - u, v); the natural normal changes sign.
+  /// The patch X(1 - u, v); its natural normal changes sign.
   BezierPatch reversedU() const;
   /// The pieces over u in [0, t] and [t, 1], each reparametrised to [0, 1].
   std::pair<BezierPatch, BezierPatch> splitU(double t) const;
-  /// The isoparametric curve u = const.
+  /// The iso-line at constant u.
   BezierCurve isoCurveU(double u) const;
 
   bool operator==(const BezierPatch& other) const {

@@ -32,13 +32,13 @@ int area(const Index2& a, const Index2& b) {
 
 /// The surface as sum_q g_q P_q / sum_q g_q.
 struct GradedNet {
-  std::vector<GradedTerm> terms;  ///< g_q, one for each pole
-  std::vector<Index2> indices;    ///< q
-  GradedTerm jacobian{1};  ///< of the logarithms of the two quotients of parameters, by u and v
-  double rounding = 0;     ///< relative, of a term and of sums of terms
+  std::vector<GradedTerm> terms;  ///< g_q, one per pole
+  std::vector<Index2> indices;    ///< the q of each term
+  GradedTerm jacobian{1};         ///< of the logarithms of the two parameter quotients, by u and v
+  double rounding = 0;            ///< relative error of a term and of sums of terms
 };
 
-/// Powers 0..degree of a term, with binomial coefficients.
+/// Powers 0..degree of a term, multiplied by binomial coefficients.
 std::vector<GradedTerm> binomialPowers(const GradedTerm& base, int degree) {
   std::vector<GradedTerm> powers = {GradedTerm(1)};
   for (int i = 0; i < degree; ++i)
@@ -84,7 +84,7 @@ GradedNet netOf(const BezierTriangle& triangle, double l0, double l1) {
   return net;
 }
 
-/// A vector, summed from terms, with its error; and the sum of the terms.
+/// A vector that is a sum of terms, with its error, and the sum of the terms.
 struct ShapeSum {
   Vector3d value = Vector3d::Zero();
   double error = 0;
@@ -106,12 +106,12 @@ class OwnJet {
   const GradedNet& net_;
   std::array<std::size_t, 3> pivots_{};
   LocalPoles local_;
-  std::vector<GradedTerm> shares_;  ///< g_q over their sum
-  std::vector<double> sizes_;       ///< bounds what a pole about the point is summed from
-  Poles poles_;                     ///< about the point
-  double weight_error_ = 0;         ///< relative, of the sum of g_q
-  int span_ = 0;                    ///< area of q_1 - q_0 and q_2 - q_0
-  std::array<int, 2> units_{};      ///< exponents of the units of a and b
+  std::vector<GradedTerm> shares_;  ///< g_q divided by their sum
+  std::vector<double> sizes_;   ///< bounds of the summed sizes of each pole relative to the point
+  Poles poles_;                 ///< relative to the point
+  double weight_error_ = 0;     ///< relative error of the sum of g_q
+  int span_ = 0;                ///< area of q_1 - q_0 and q_2 - q_0
+  std::array<int, 2> units_{};  ///< exponents of the units of a and b
 };
 
 OwnJet::OwnJet(const GradedNet& net, const HomogeneousPoles& poles) : net_(net) {
@@ -137,7 +137,7 @@ OwnJet::OwnJet(const GradedNet& net, const HomogeneousPoles& poles) : net_(net) 
   }
 }
 
-/// False if all poles are in line by their indices.
+/// Chooses q_1 and q_2. False if the indices of all poles are in line.
 bool OwnJet::choosePivots() {
   const Index2& first = net_.indices[pivots_[0]];
   const auto largest = [&](auto steps) {
@@ -150,7 +150,7 @@ bool OwnJet::choosePivots() {
   const Index2 along = between(first, net_.indices[pivots_[1]]);
   pivots_[2] = largest([&](const Index2& q) { return area(along, q); });
   span_ = area(along, between(first, net_.indices[pivots_[2]]));
-  // X_a x X_b in the sense of X_u x X_v.
+  // X_a x X_b must have the direction of X_u x X_v.
   if ((span_ < 0) != (net_.jacobian.mantissa < 0)) {
     std::swap(pivots_[1], pivots_[2]);
     span_ = -span_;
@@ -158,8 +158,8 @@ bool OwnJet::choosePivots() {
   return span_ != 0;
 }
 
-/// sum_q g_q x (x - 1) ... y (y - 1) ... (P_q - X) / sum_q g_q with k and l factors, q - q_0 = x
-/// (q_1 - q_0) + y (q_2 - q_0).
+/// The partial sum_q g_q x (x - 1) ... y (y - 1) ... (P_q - X) / sum_q g_q with k and l factors,
+/// where q - q_0 = x (q_1 - q_0) + y (q_2 - q_0).
 ShapeSum OwnJet::partial(int k, int l) const {
   const Index2& first = net_.indices[pivots_[0]];
   const Index2 a = between(first, net_.indices[pivots_[1]]),
@@ -185,8 +185,9 @@ ShapeSum OwnJet::partial(int k, int l) const {
   return sum;
 }
 
-/// Whether X_u x X_v is within rounding of zero. At the end of a parameter it is of the size that
-/// terms of a higher order there have if it is zero but for them.
+/// Whether X_u x X_v is within rounding of zero. At an end of a parameter only terms of a higher
+/// order may be left of X_u x X_v; graded_end_exponent makes these tiny, and X_u x X_v then counts
+/// as zero.
 bool OwnJet::isFlat(const ShapeSum& a, const ShapeSum& b) const {
   const double size = a.value.cross(b.value).norm();
   const double noise = a.error * b.value.norm() + b.error * a.value.norm() + a.error * b.error +
@@ -201,8 +202,8 @@ void OwnJet::setJet(const ShapeSum& a, const ShapeSum& b, SurfaceShape& shape) c
   const std::array<const ShapeSum*, 3> second = {&aa, &ab, &bb};
   std::array<Vector3d, 4> third;
   for (int l = 0; l < 4; ++l) {
-    // The weight has no first derivative by a / (1 + w_a a + w_b b), b / (...): third derivatives
-    // gain w_i X_jk + ...
+    // By the parameters a / (1 + w_a a + w_b b) and b / (...) the weight has no first derivative.
+    // The third derivatives gain w_i X_jk + ...
     const ShapeSum sum = partial(3 - l, l);
     third[l] = sum.value;
     shape.third_errors[l] = sum.error;
@@ -225,11 +226,11 @@ void OwnJet::setJet(const ShapeSum& a, const ShapeSum& b, SurfaceShape& shape) c
   for (double& error : shape.third_errors) error *= unit;
 }
 
-/// The dual basis of X_a and X_b, and by how much each of its vectors may be off.
+/// The dual basis of X_a and X_b, with a bound of the error of each vector.
 struct DualBasis {
   std::array<Vector3d, 2> d;
   std::array<double, 2> error;
-  double turn;  ///< bounds |J+ dJ|, J = [X_a X_b]
+  double turn;  ///< bound of |J+ dJ|, J = [X_a X_b]
 };
 
 DualBasis dualBasisOf(const SurfaceShape& shape) {
@@ -243,7 +244,7 @@ DualBasis dualBasisOf(const SurfaceShape& shape) {
   const double turn = dual.d[0].norm() * shape.first_errors[0] +
                       dual.d[1].norm() * shape.first_errors[1] + 8 * shape_epsilon * spread;
   dual.turn = turn < 1 ? turn / (1 - turn) : std::numeric_limits<double>::infinity();
-  // J+ changes by -J+ dJ J+ in the plane, and turns with it.
+  // In the plane J+ changes by -J+ dJ J+; in addition it turns with the plane.
   for (int i = 0; i < 2; ++i)
     dual.error[i] = dual.d[i].norm() * (dual.turn + shape.normal_error_rad);
   return dual;
@@ -276,7 +277,7 @@ SurfaceShape OwnJet::shape() {
   };
   if (!poles_.allFinite()) return degenerate(Degeneracy::NotFinite);
   if (!choosePivots()) return degenerate(Degeneracy::VanishingNormal);
-  // In units of a and b in which X_a and X_b are about as large as the distances of the poles.
+  // The units of a and b make X_a and X_b about as large as the distances of the poles.
   for (const int i : {0, 1}) {
     units_[i] = -shares_[pivots_[i + 1]].exponent;
     int rest = 0;
@@ -320,7 +321,8 @@ BoundedChange curvatureChange(const SurfaceShape& shape, const Eigen::Vector3d& 
   const SurfaceJet& jet = shape.jet;
   const Vector3d* second[] = {&jet.uu, &jet.uv, &jet.vv};
   const Vector3d* third[] = {&jet.uuu, &jet.uuv, &jet.uvv, &jet.vvv};
-  // v1 holds the direction in a and b, v2 what the parameter curve needs to stay over it.
+  // v1 is the direction in the parameters a and b. v2 is the second derivative of the parameter
+  // curve that keeps its image in the normal section.
   std::array<double, 2> v1{}, e1{}, v2{}, e2{};
   for (int i = 0; i < 2; ++i) {
     v1[i] = dual.d[i].dot(direction);

@@ -13,7 +13,7 @@ namespace seamwright {
 
 namespace {
 
-/// The degree n of a net of (n+1)(n+2)/2 poles.
+/// The degree n of a net with (n+1)(n+2)/2 poles.
 int degreeOf(Eigen::Index poles) {
   int degree = 0;
   while (BezierTriangle::row(degree, degree, 0) + 1 < poles) ++degree;
@@ -23,8 +23,8 @@ int degreeOf(Eigen::Index poles) {
   return degree;
 }
 
-/// One step of de Casteljau's algorithm, from that degree to the next lower one: rows move to the
-/// front.
+/// One step of de Casteljau's algorithm, from the given degree to the next lower one. The rows of
+/// the result are at the front of the net.
 void step(HomogeneousPoles& net, int degree, const Barycentric& l) {
   Eigen::Index to = 0;
   for (int i = 0; i < degree; ++i)
@@ -39,8 +39,8 @@ Eigen::Vector4d collapse(HomogeneousPoles net, int degree, const Barycentric& l)
   return net.row(0).transpose();
 }
 
-/// The net, of one degree less, of the derivative by l0 (di = 1, dj = 0) or l1 (0, 1) at constant
-/// other one.
+/// The net of a derivative, of one degree less: by l0 (di = 1, dj = 0) at constant l1, or by l1 (di
+/// = 0, dj = 1) at constant l0.
 HomogeneousPoles derivativeNet(const HomogeneousPoles& net, int degree, int di, int dj) {
   if (degree == 0) return HomogeneousPoles::Zero(1, 4);
   HomogeneousPoles result(net.rows() - degree - 1, 4);
@@ -52,7 +52,7 @@ HomogeneousPoles derivativeNet(const HomogeneousPoles& net, int degree, int di, 
   return result;
 }
 
-/// By l0 and l1.
+/// Homogeneous partials by l0 and l1.
 HomogeneousPartials trianglePartials(HomogeneousPoles by_l0, int of_degree, const Barycentric& l) {
   HomogeneousPartials h;
   for (int k = 0; k < 4; ++k) {
@@ -118,8 +118,8 @@ Eigen::Vector4d BezierTriangle::blossom(std::span<const Barycentric> arguments) 
   for (std::size_t i = 0; i < arguments.size(); ++i)
     if (!arguments[i].allFinite())
       throw std::invalid_argument("argument " + std::to_string(i) + " is not finite");
-  // In an order of their own, so that rounding is symmetric too; corners first, which only choose
-  // poles.
+  // The arguments are sorted, so that rounding is symmetric too. Corners come first, since they
+  // only choose poles.
   std::vector<Barycentric> sorted(arguments.begin(), arguments.end());
   std::ranges::sort(sorted, [](const Barycentric& a, const Barycentric& b) {
     const double top_a = a.maxCoeff(), top_b = b.maxCoeff();

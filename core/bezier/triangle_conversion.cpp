@@ -14,7 +14,7 @@ namespace seamwright {
 
 namespace {
 
-/// Coefficients of a polynomial in Bernstein form, one a row.
+/// Coefficients of a polynomial in Bernstein form, one per row.
 using Coefficients = casteljau::Coefficients<Eigen::Dynamic>;
 
 Coefficients elevated(Coefficients c, int degree) {
@@ -25,16 +25,15 @@ Coefficients elevated(Coefficients c, int degree) {
     higher.row(count) = c.row(count - 1);
     for (Eigen::Index i = 1; i < count; ++i) {
       const double share = static_cast<double>(i) / static_cast<double>(count);
-      higher.row(i) =
-          c.row(i) + share * (c.row(i - 1) - c.row(i));  // so constants stay, bit by bit
+      higher.row(i) = c.row(i) + share * (c.row(i - 1) - c.row(i));  // so constants stay bitwise
     }
     c = std::move(higher);
   }
   return c;
 }
 
-/// The polynomial of that degree, or of the given one where that is lower, with the same ends whose
-/// coefficients are nearest when raised to the given degree.
+/// The polynomial of that degree, or of the given degree if it is lower. It has the same ends; its
+/// coefficients, raised to the given degree, are nearest to the given ones.
 Coefficients lowered(const Coefficients& c, int degree) {
   const int given = static_cast<int>(c.rows()) - 1;
   if (degree >= given) return c;
@@ -51,14 +50,13 @@ Coefficients lowered(const Coefficients& c, int degree) {
   return result;
 }
 
-/// One row of the net is one coefficient of a polynomial in u.
+/// The net as rows; each row is one coefficient of a polynomial in u.
 Coefficients rowsOf(const BezierPatch& patch) {
   return patch.homogeneousPoles().reshaped<Eigen::RowMajor>(patch.degreeU() + 1,
                                                             4 * (patch.degreeV() + 1));
 }
 
-/// The net of T(1-u, u(1-v), uv), raised to degree_v where that is higher than the triangle's
-/// degree.
+/// The net of T(1-u, u(1-v), uv), raised to degree_v if that is above the degree of the triangle.
 Coefficients degenerateNet(const HomogeneousPoles& triangle, int degree, int degree_v) {
   const int columns = std::max(degree, degree_v) + 1;
   Coefficients net(degree + 1, 4 * columns);
@@ -70,7 +68,7 @@ Coefficients degenerateNet(const HomogeneousPoles& triangle, int degree, int deg
   return net;
 }
 
-/// Homogeneous poles of the triangle of that degree whose degenerate net is near the given one.
+/// The homogeneous poles of the triangle of that degree whose degenerate net is near the given net.
 HomogeneousPoles nearbyTriangle(const Coefficients& net, int degree) {
   const Coefficients rows = lowered(net, degree);
   HomogeneousPoles result(BezierTriangle::row(degree, degree, 0) + 1, 4);
@@ -82,8 +80,8 @@ HomogeneousPoles nearbyTriangle(const Coefficients& net, int degree) {
   return result;
 }
 
-/// Bound of |a / w_a - b / w_b| over [0, 1]^2 of two nets of the same degrees: a / w_a - b / w_b is
-/// ((a - b) - x_b (w_a - w_b)) / w_a, and x_b lies within its poles.
+/// Bound of |a / w_a - b / w_b| over [0, 1]^2 for two nets of the same degrees. The difference is
+/// ((a - b) - x_b (w_a - w_b)) / w_a, and x_b lies within the poles of b.
 double distanceBound(const HomogeneousPoles& a, const HomogeneousPoles& b) {
   const Poles poles = affinePoles(b);
   const Eigen::RowVector3d centre = poles.row(0);
@@ -100,7 +98,8 @@ struct Candidate {
   double deviation;
 };
 
-/// Nothing where the poles near the patch have a weight that is not positive.
+/// The triangle of that degree that is near the patch; nothing if one of its weights is not
+/// positive.
 std::optional<Candidate> candidate(const BezierPatch& patch, int degree) {
   HomogeneousPoles h = nearbyTriangle(rowsOf(patch), degree);
   if (!patch.isRational()) h.col(3).setConstant(patch.homogeneousPoles()(0, 3));
@@ -120,7 +119,7 @@ std::optional<Candidate> candidate(const BezierPatch& patch, int degree) {
                                            ours.reshaped<Eigen::RowMajor>(count, 4))};
 }
 
-/// The patch turned in its parameter plane so that this edge is u = 0.
+/// The patch, turned in its parameter plane so that the given edge is u = 0.
 BezierPatch turnedToU0(const BezierPatch& patch, PatchEdge edge) {
   switch (edge) {
     case PatchEdge::U1:

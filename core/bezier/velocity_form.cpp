@@ -9,7 +9,7 @@ namespace seamwright {
 
 namespace {
 
-/// The homogeneous poles as forms, in moderate units.
+/// The homogeneous poles as Bernstein forms, in units that keep the numbers moderate.
 struct HomogeneousForm {
   VectorForm a;
   BernsteinPolynomial w;
@@ -37,14 +37,14 @@ HomogeneousForm homogeneousForm(const BezierCurve& curve) {
           std::ldexp(1, of_poles)};
 }
 
-/// Relative to the first pole, which keeps products small.
+/// The form relative to the first pole, which keeps products small.
 HomogeneousForm aboutFirstPole(HomogeneousForm form) {
   for (BernsteinPolynomial& a : form.a)
     a = a - (a.coefficients()(0) / form.w.coefficients()(0)) * form.w;
   return form;
 }
 
-/// The coefficients from \p first on, \p drop fewer than there are.
+/// The form of the coefficients from \p first on, \p drop fewer than p has.
 BernsteinPolynomial part(const BernsteinPolynomial& p, int first, int drop) {
   return BernsteinPolynomial(p.coefficients().segment(first, p.degree() + 1 - drop), p.padding());
 }
@@ -65,7 +65,7 @@ VectorForm cross(const VectorForm& a, const VectorForm& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// One coefficient a column.
+/// The coefficients, one per column.
 Eigen::Matrix3Xd coefficients(const VectorForm& form) {
   Eigen::Matrix3Xd result(3, form[0].degree() + 1);
   for (int i = 0; i < 3; ++i) result.row(i) = form[i].coefficients().transpose();
@@ -99,7 +99,7 @@ VelocityForm velocityForm(const BezierCurve& curve) {
 VectorForm curvatureForm(const BezierCurve& curve) {
   if (curve.degree() < 2) return zeroForm();
   if (!curve.isRational()) {
-    // (1 - t) V_0 + t V_1 for the velocity: X' x X'' is V_0 x V_1 times its degree.
+    // The velocity is (1 - t) V_0 + t V_1, so X' x X'' is V_0 x V_1 times its degree.
     const VectorForm velocity = velocityForm(curve).velocity;
     return cross(part(velocity, 0, 1), part(velocity, 1, 1));
   }
@@ -147,7 +147,8 @@ double lowerNorm(const VectorForm& form) {
   const Eigen::Vector3d mean = c.rowwise().mean();
   const double length = mean.stableNorm();
   if (!(length > 0)) return 0;
-  // The direction is a unit vector to 4 units, the products are off by as many of the largest.
+  // The direction is a unit vector within 4 units of rounding; the products are off by as many
+  // units of the largest coefficient.
   const double least = ((mean / length).transpose() * c).minCoeff();
   const double error = rounding::sumUp(padding(form), 8 * rounding::kUnit * largestNorm(form));
   return std::max(0.0, least - rounding::up(error));

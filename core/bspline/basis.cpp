@@ -11,7 +11,7 @@ namespace seamwright::bspline {
 
 namespace {
 
-/// The recursion of Cox, de Boor and Mansfield.
+/// The values of the basis functions, by the recursion of Cox, de Boor and Mansfield.
 Eigen::RowVectorXd basisValues(int degree, const std::vector<double>& knots, int span, double t) {
   Eigen::RowVectorXd values = Eigen::RowVectorXd::Zero(degree + 1);
   values(0) = 1;
@@ -28,8 +28,8 @@ Eigen::RowVectorXd basisValues(int degree, const std::vector<double>& knots, int
   return values;
 }
 
-/// A functional of the coefficients of a derivative, of degree p - 1, as one of the coefficients of
-/// the spline of degree p.
+/// Converts a functional of the coefficients of the derivative, of degree p - 1, to a functional of
+/// the coefficients of the spline of degree p.
 Eigen::RowVectorXd onSpline(const Eigen::RowVectorXd& functional, const std::vector<double>& knots,
                             int span) {
   const int p = static_cast<int>(functional.size());

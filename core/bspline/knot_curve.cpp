@@ -19,7 +19,8 @@ namespace {
 using bernstein::text;
 using Eigen::Index;
 
-/// Beyond them a period has no more than its leading digits left.
+/// The largest number of turns. Beyond 2^40 turns a double near the parameter keeps only the
+/// leading 12 to 13 bits of a period.
 constexpr double kMostTurns = 0x1p40;
 
 void requireMultiplicities(const KnotCurve& curve) {
@@ -58,7 +59,7 @@ void requireNumbers(const KnotCurve& curve) {
   requireValid(curve.poles);
 }
 
-/// Flat knots, clamped or not, and their poles.
+/// The curve with flat knots, clamped or not, and its poles.
 BSplineCurve flat(const KnotCurve& curve) {
   BSplineCurve result{curve.degree, {}, curve.poles};
   for (std::size_t i = 0; i < curve.knots.size(); ++i)
@@ -67,8 +68,8 @@ BSplineCurve flat(const KnotCurve& curve) {
   return result;
 }
 
-/// The turns of a periodic curve around [first, last], and before and after them as many as hold
-/// degree + 1 knots.
+/// The turns of a periodic curve that cover [first, last], and as many turns before and after them
+/// as hold degree + 1 knots.
 BSplineCurve unwound(const KnotCurve& curve, double first, double last) {
   const double start = curve.knots.front(), end = curve.knots.back(), period = end - start;
   std::vector<double> turn;
@@ -90,7 +91,8 @@ BSplineCurve unwound(const KnotCurve& curve, double first, double last) {
   return result;
 }
 
-/// From u on: the last poles of de Boor's triangle at u, then those that u does not reach.
+/// The curve from u on. Its first poles are the last ones of de Boor's triangle at u; the poles
+/// that u does not affect follow.
 BSplineCurve begunAt(const BSplineCurve& curve, double u) {
   const int n = curve.degree, span = bspline::spanOf(n, curve.knots, u);
   const double* left = curve.knots.data() + span - n;

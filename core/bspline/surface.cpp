@@ -14,7 +14,7 @@ namespace seamwright {
 
 namespace {
 
-/// One row for each pole of a direction.
+/// A net with one row for each pole of one direction.
 using Net = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 Net netAlong(const BSplineSurface& surface, SurfaceDirection direction) {
@@ -25,7 +25,7 @@ Net netAlong(const BSplineSurface& surface, SurfaceDirection direction) {
   return net;
 }
 
-/// The surface with another net, knots and degree in one direction.
+/// The surface with a new net, new knots and a new degree in one direction.
 BSplineSurface replaced(const BSplineSurface& surface, SurfaceDirection direction, const Net& net,
                         int degree, std::vector<double> knots) {
   BSplineSurface result = surface;
@@ -58,8 +58,9 @@ bool hasInnerKnots(const Direction& d) {
   return d.knots.size() > 2 * static_cast<std::size_t>(d.degree + 1);
 }
 
-/// \param in_u, in_v derivatives of the basis functions of the span, one order a row; \p poles
-/// those of the span.
+/// Homogeneous partials of the polynomial of a span.
+/// \param in_u, in_v derivatives of the basis functions of the span, one order per row.
+/// \param poles the poles of the span.
 HomogeneousPartials splinePartials(const HomogeneousPoles& poles, const Eigen::MatrixXd& in_u,
                                    const Eigen::MatrixXd& in_v) {
   HomogeneousPartials h;

@@ -11,8 +11,8 @@ namespace seamwright {
 /// A (rational) tensor-product B-spline surface with clamped ends, stored by its homogeneous poles.
 ///
 /// Row i count_v + j of the pole matrix is the pole P[i][j]; i belongs to u, j to v. Knots are
-/// flat: each repeated by its multiplicity, degree + 1 times at both ends. The numbers are plain;
-/// requireValid() says whether they make a surface.
+/// flat: each is repeated by its multiplicity, degree + 1 times at both ends. The struct does not
+/// check its numbers; requireValid() tells whether they make a surface.
 struct BSplineSurface {
   int degree_u = 0;
   int degree_v = 0;
@@ -31,37 +31,37 @@ struct BSplineSurface {
 
 enum class SurfaceDirection { U, V };
 
-/// Degrees are 1 to 25; inner knots have multiplicity at most the degree, so the surface is
-/// continuous.
-/// \throws std::invalid_argument if counts and knots do not fit, knots decrease or are not clamped,
-/// a number or the range of the knots is not finite (or that range underflows), or a weight is not
-/// positive; with the index and the value.
+/// Requires a valid surface: degrees of 1 to 25, and inner knots of multiplicity at most the
+/// degree, so that the surface is continuous.
+/// \throws std::invalid_argument, with the index and the value, if counts and knots do not match,
+/// if knots decrease or are not clamped, if a number or the range of the knots is not finite (or
+/// that range underflows), or if a weight is not positive.
 void requireValid(const BSplineSurface& surface);
 
-/// The same patch with knots 0 and 1.
+/// The Bézier patch as a B-spline surface with knots 0 and 1.
 BSplineSurface splineSurface(const BezierPatch& patch);
-/// The patch that a surface without inner knots is; its parameters are those of the surface, mapped
-/// to 0..1.
+/// A surface without inner knots as a Bézier patch. The parameters of the surface are mapped to
+/// 0..1.
 /// \throws std::invalid_argument if there are inner knots.
 BezierPatch bezierPatch(const BSplineSurface& surface);
 
-/// Point and partials to third order. On a knot line the derivatives are those of the side of
-/// greater parameters, at the end of the range those from inside; beyond the range the outermost
-/// polynomials go on. Identities (each has a test of its number):
-///   (1) Of splineSurface(patch) it is patch.jet().
+/// Point and partials up to third order. On a knot line the derivatives are those of the side of
+/// larger parameters; at the end of the range, those from inside. Beyond the range the outermost
+/// polynomials continue. Identities (each has a test of its number):
+///   (1) For splineSurface(patch) the result is patch.jet().
 ///   (2) Within a span the partials are derivatives of the point.
 /// \throws std::invalid_argument as requireValid() does, and for a parameter that is not finite.
 SurfaceJet jet(const BSplineSurface& surface, double u, double v);
 
-/// The same surface with one more knot there (Boehm's algorithm; each new pole is a convex
-/// combination of two).
-///   (3) Points and partials do not change, but for rounding.
+/// The same surface with one more knot at the given parameter, by Boehm's algorithm: each new pole
+/// is a convex combination of two poles.
+///   (3) Points and partials do not change, except for rounding.
 /// \throws std::invalid_argument if the knot is not strictly inside the range, or has the
 /// multiplicity of the degree already.
 BSplineSurface withKnot(const BSplineSurface& surface, SurfaceDirection direction, double knot);
 
 /// The same surface with the multiplicity of each inner knot of that direction raised by \p times,
-/// to the degree at most.
+/// but at most to the degree.
 BSplineSurface withRaisedKnots(const BSplineSurface& surface, SurfaceDirection direction,
                                int times);
 

@@ -9,21 +9,21 @@ namespace seamwright {
 
 namespace {
 
-/// Taylor coefficients of X' in the parameter t |X'(0)|, from the derivatives of X.
+/// Taylor coefficients of X' in the parameter t |X'(0)|, from the derivatives of X by t.
 CurveDerivatives unitVelocity(const CurveDerivatives& derivatives, double speed) {
   CurveDerivatives velocity = derivatives.bottomRows(derivatives.rows() - 1);
   double factorial = 1;
   for (Eigen::Index k = 0; k < velocity.rows(); ++k) {
     if (k > 0) factorial *= static_cast<double>(k);
     for (Eigen::Index i = 0; i <= k; ++i)
-      velocity.row(k) /= speed;  // speed^(k+1) may leave the range of a double
+      velocity.row(k) /= speed;  // speed^(k+1) may exceed the range of a double
     velocity.row(k) /= factorial;
   }
   return velocity;
 }
 
-/// Taylor coefficients of (X'.X')^(-1/2). For p = q^a: k q_0 p_k = sum_{i=1..k} (i (a + 1) - k) q_i
-/// p_{k-i}.
+/// Taylor coefficients of (X'.X')^(-1/2). The coefficients of p = q^a follow from k q_0 p_k =
+/// sum_{i=1..k} (i (a + 1) - k) q_i p_{k-i}.
 Eigen::VectorXd inverseSpeed(const CurveDerivatives& velocity) {
   const Eigen::Index count = velocity.rows();
   Eigen::VectorXd square = Eigen::VectorXd::Zero(count);
@@ -40,7 +40,7 @@ Eigen::VectorXd inverseSpeed(const CurveDerivatives& velocity) {
   return inverse;
 }
 
-/// The product of two power series, as long as the first.
+/// The product of two power series, with as many terms as the first.
 CurveDerivatives vectorsTimes(const CurveDerivatives& vectors, const Eigen::VectorXd& scalars) {
   CurveDerivatives result = CurveDerivatives::Zero(vectors.rows(), 3);
   for (Eigen::Index k = 0; k < vectors.rows(); ++k)

@@ -7,26 +7,26 @@
 
 namespace seamwright {
 
-/// Derivatives of a curve by its arc length s, from those by any regular parameter: c_0 is the
-/// point, c_1 the unit tangent, c_2 the curvature vector, c_k = d^k X / ds^k in mm^(1-k). Two
+/// Derivatives of a curve by its arc length s, from those by any regular parameter. c_0 is the
+/// point, c_1 the unit tangent, c_2 the curvature vector and c_k = d^k X / ds^k in mm^(1-k). Two
 /// curves meet with G^n iff c_0..c_n agree.
 ///
-/// c_{k+1} is the derivative of c_k divided by the speed: with power series of X' and of 1/|X'| =
-/// (X'.X')^(-1/2), cut off at the order that is left, in O(n^3) operations. The parameter is scaled
-/// to unit speed first.
+/// c_{k+1} is the derivative of c_k divided by the speed. The computation uses power series of X'
+/// and of 1/|X'| = (X'.X')^(-1/2), cut off at the order that is still needed, in O(n^3) operations.
+/// The parameter is first scaled to unit speed.
 ///
 /// Identities (each has a test of its number):
 ///   (1) A circle of radius r: c_k = (N, -T, -N, T, ...) / r^(k-1) for k = 2, 3, 4, 5, ...
 ///   (2) c_2 = kappa N, c_3 = -kappa^2 T + kappa_s N + kappa tau B.
-///   (3) Independent of the parameter, if the sense is kept; reversing it changes the sign of c_k
-///       for odd k.
+///   (3) Independent of the parameter, if its direction is kept. Reversing the parameter changes
+///       the sign of c_k for odd k.
 ///   (4) A rigid motion moves c_0 and turns the others; a scale s multiplies c_k by s^(1-k).
-///   (5) Arc-length derivatives are their own arc-length derivatives.
+///   (5) The arc-length derivatives of arc-length derivatives are the same numbers.
 ///
-/// \param derivatives by the parameter, of orders 0..n, (n+1) by 3.
-/// \param speed_noise what rounding may have added to the first derivative.
-/// \returns c_0..c_n, (n+1) by 3; nothing where the tangent is lost (|X'| <= speed_noise) or a
-/// number is not finite. With n = 0 the point alone.
+/// \param derivatives derivatives by the parameter, orders 0..n, (n+1) by 3.
+/// \param speed_noise bound of the rounding in the first derivative.
+/// \returns c_0..c_n, (n+1) by 3. Nothing where the tangent is lost (|X'| <= speed_noise) or a
+/// number is not finite. For n = 0 the point alone.
 /// \throws std::invalid_argument if there is no row.
 /// Source: docs/theory/curves.md C1.2.
 std::optional<CurveDerivatives> arcLengthDerivatives(const CurveDerivatives& derivatives,

@@ -14,7 +14,7 @@ namespace seamwright {
 
 namespace {
 
-/// Where a form is not proved to be free of zeros, as intervals that do not touch.
+/// Finds where a form is not proved free of zeros, as intervals that do not touch.
 class ZeroSearch {
  public:
   explicit ZeroSearch(double resolution) : resolution_(resolution) {}
@@ -28,7 +28,7 @@ class ZeroSearch {
  private:
   void search(const VectorForm& form, const Interval& domain) {
     if (lowerNorm(form) > 0) return;
-    // Below twice the padding a smaller piece would be seen no better.
+    // A form below twice its padding gains nothing from a smaller piece.
     if (domain.width() <= resolution_ || largestNorm(form) <= 2 * padding(form)) return add(domain);
     const auto [left, right] = halves(form);
     search(left, {domain.lower, domain.middle()});
@@ -46,7 +46,8 @@ class ZeroSearch {
   std::vector<Interval> found_;
 };
 
-/// A lower bound of |X'| that is at least half of what it is as a rule. \pre no cusps.
+/// A lower bound of |X'|, as a rule at least half of the minimum.
+/// \pre There are no cusps.
 class SpeedBound {
  public:
   explicit SpeedBound(double resolution) : resolution_(resolution) {}
@@ -81,15 +82,15 @@ class SpeedBound {
   double bound_ = std::numeric_limits<double>::infinity();
 };
 
-/// The line that the poles lie on to their rounding.
+/// The line on which the poles lie within their rounding.
 struct Line {
   bool exists = false;
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< zero if all poles are one point
 };
 
-/// Of poles up to r from the origin, each off by 2 roundings of r / 2^53, an offset is off by 6; so
-/// is the direction times any offset, and the product of both, up to 2 r in size, by 5 more of
-/// these: 22 in all.
+/// The poles are up to r from the origin and each is off by 2 roundings of r / 2^53. An offset of
+/// two poles is then off by 6 of these, and so is the direction times any offset. The product of
+/// both, up to 2 r in size, adds 5 times 2. That makes 22 in all, or 11 machine epsilons of r.
 Line lineOf(const BezierCurve& curve) {
   const Poles poles = curve.poles();
   const double rounding = 11 * machine_epsilon * poles.rowwise().stableNorm().maxCoeff();
@@ -109,7 +110,7 @@ VectorForm along(const VectorForm& form, const Eigen::Vector3d& direction) {
   return {direction(0) * form[0] + direction(1) * form[1] + direction(2) * form[2], zero, zero};
 }
 
-/// On a line everything but the cusps is without curvature.
+/// On a line everything except the cusps is without curvature.
 std::vector<CurveDegeneracies::Place> placesOnLine(const std::vector<Interval>& cusps) {
   std::vector<CurveDegeneracies::Place> places;
   double last = 0;
@@ -122,7 +123,8 @@ std::vector<CurveDegeneracies::Place> placesOnLine(const std::vector<Interval>& 
   return places;
 }
 
-/// X' = 0 makes X' x X'' = 0, so each cusp is part of a place. \pre both are in order.
+/// X' = 0 makes X' x X'' = 0, so each cusp is part of an interval without curvature.
+/// \pre Both lists are in increasing order.
 std::vector<CurveDegeneracies::Place> placesOf(const std::vector<Interval>& without_curvature,
                                                const std::vector<Interval>& cusps) {
   std::vector<Interval> all = without_curvature;

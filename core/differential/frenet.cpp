@@ -40,7 +40,7 @@ std::optional<double> finite(double value) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-/// What a vector may be turned by, in radians. \pre error < size
+/// The largest angle, in radians, by which an error turns a vector. \pre error < size
 double turnedBy(double error, double size) {
   return std::asin(std::min(1.0, error / size)) + 4 * machine_epsilon;
 }
@@ -49,8 +49,8 @@ bool isKnown(const GradedVector& vector) {
   return vector.value.norm() > vector.error;
 }
 
-/// At a cusp: X(t + h) - X(t) begins with the first derivative that is not zero. \param sense -1: s
-/// decreases with t.
+/// Sets the tangent at a cusp: X(t + h) - X(t) begins with the first derivative that is not zero.
+/// \param sense -1 if s decreases with t.
 void setLeavingTangent(const GradedDerivatives& derivatives, double sense, FrenetFrame& frame) {
   frame.kind = CurvePoint::Point;
   double side = sense;
@@ -70,7 +70,7 @@ struct Uncertain {
   double value, error;
 };
 
-/// x y^-n. \pre |y| > its error
+/// The quotient x y^-n. \pre |y| exceeds its error.
 Uncertain quotient(const Uncertain& x, const Uncertain& y, int n) {
   const double size = std::abs(y.value), least = size - y.error;
   const double inverse = std::pow(size, -n), most = std::pow(least, -n);
@@ -96,8 +96,8 @@ GradedVector cross(const GradedVector& x, const GradedVector& y) {
           x.exponent + y.exponent};
 }
 
-/// An error of one factor counts with the area of the other two, which is less than with their
-/// lengths.
+/// The determinant of x, y, z. An error of one factor is multiplied by the area of the other two,
+/// which is less than the product of their lengths.
 Uncertain determinant(const GradedVector& x, const GradedVector& y, const GradedVector& z) {
   const double a = x.value.norm(), b = y.value.norm(), c = z.value.norm();
   const double first = x.error * y.value.cross(z.value).norm() +
@@ -112,17 +112,17 @@ void setFigure(const Uncertain& figure, int exponent, std::optional<double>& val
                std::optional<double>& error) {
   value = finite(std::ldexp(figure.value, exponent));
   error = finite(std::ldexp(figure.error, exponent));
-  // Without a bound a value says nothing.
+  // A value without a bound is of no use.
   if (!value || !error) value = error = std::nullopt;
 }
 
-/// value 2^exponent
+/// The number value 2^exponent.
 struct Scaled {
   Uncertain value;
   int exponent = 0;
 };
 
-/// The exponent of the largest; terms that are zero have none.
+/// The exponent of the largest term; terms that are zero are ignored.
 int commonExponent(std::span<const Scaled> terms) {
   std::optional<int> common;
   for (const Scaled& term : terms)
@@ -132,8 +132,8 @@ int commonExponent(std::span<const Scaled> terms) {
   return common.value_or(0);
 }
 
-/// The rate by which curvature changes, over kappa / |d|: c.(d x d'') / |c|^2 - 3 d.d' / |d|^2 +
-/// shift
+/// The rate of change of curvature, divided by kappa / |d|: c.(d x d'') / |c|^2 - 3 d.d' / |d|^2 +
+/// shift.
 Scaled relativeChange(const GradedDerivatives& derivatives, const GradedVector& c) {
   const GradedVector &d = derivatives.by_order[0], &d2 = derivatives.by_order[1],
                      &d3 = derivatives.by_order[2];
@@ -154,7 +154,9 @@ Scaled relativeChange(const GradedDerivatives& derivatives, const GradedVector& 
   return sum;
 }
 
-/// \pre X' is known. \param sense -1: s decreases with t.
+/// Sets curvature and what follows from it.
+/// \pre X' is known.
+/// \param sense -1 if s decreases with t.
 void setCurvature(const GradedDerivatives& derivatives, double sense, FrenetFrame& frame) {
   const GradedVector &d = derivatives.by_order[0], &d2 = derivatives.by_order[1];
   const GradedVector c = cross(d, d2);

@@ -15,8 +15,8 @@ bool isFinite(const SurfaceJet& jet) {
          jet.uv.allFinite() && jet.vv.allFinite();
 }
 
-/// The dual basis of two vectors in their plane. From cross products it keeps its accuracy where
-/// they are nearly parallel and E G - F^2 would cancel.
+/// The dual basis of two vectors in their plane. Cross products keep its accuracy where the vectors
+/// are nearly parallel and E G - F^2 would cancel.
 std::pair<Eigen::Vector3d, Eigen::Vector3d> dualBasis(const Eigen::Vector3d& u,
                                                       const Eigen::Vector3d& v) {
   const Eigen::Vector3d cross = u.cross(v);
@@ -46,8 +46,8 @@ Degeneracy degeneracy(const SurfaceJet& jet, const JetNoise& noise) {
 
 std::optional<Eigen::Vector3d> unitNormal(const SurfaceJet& jet, const JetNoise& noise) {
   if (degeneracy(jet, noise) != Degeneracy::None) return std::nullopt;
-  // Directions first: the product of two long or two short partials may leave the range of a
-  // double.
+  // The partials are normalised first: the product of two long or two short partials may exceed the
+  // range of a double.
   return jet.u.stableNormalized().cross(jet.v.stableNormalized()).stableNormalized();
 }
 
@@ -60,7 +60,7 @@ SecondForm secondForm(const SurfaceJet& jet, const Eigen::Vector3d& normal) {
 }
 
 Eigen::Matrix3d curvatureTensor(const SurfaceJet& jet, const Eigen::Vector3d& normal) {
-  // In parameters stretched to unit partials no product leaves the range of a double.
+  // The parameters are scaled to unit partials, so no product exceeds the range of a double.
   const double length_u = jet.u.stableNorm();
   const double length_v = jet.v.stableNorm();
   const double L = normal.dot(jet.uu) / length_u / length_u;
@@ -77,7 +77,7 @@ double curvatureChange(const SurfaceJet& jet, const Eigen::Vector3d& normal,
   const double U = jet.u.stableNorm();
   const double V = jet.v.stableNorm();
   const auto dual = dualBasis(jet.u / U, jet.v / V);
-  // Parameter vectors in stretched parameters; the partials are stretched in the same measure.
+  // Parameter vectors are taken in the scaled parameters; the partials are scaled in the same way.
   const auto parameters = [&](const Eigen::Vector3d& vector) {
     return Eigen::Vector2d(dual.first.dot(vector), dual.second.dot(vector));
   };

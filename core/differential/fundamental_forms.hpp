@@ -17,7 +17,7 @@ struct FirstForm {
   double determinant() const { return E * G - F * F; }
 };
 
-/// Second fundamental form to the unit normal n: L = n.X_uu, M = n.X_uv, N = n.X_vv.
+/// Second fundamental form for the unit normal n: L = n.X_uu, M = n.X_uv, N = n.X_vv.
 struct SecondForm {
   double L = 0;
   double M = 0;
@@ -26,17 +26,17 @@ struct SecondForm {
 
 /// Why a surface has no tangent plane at a point.
 enum class Degeneracy {
-  None,             ///< it has one
+  None,             ///< it has a tangent plane
   VanishingNormal,  ///< |X_u x X_v| is within rounding of zero: a pole, a cusp, a collapsed edge
   NotFinite         ///< the jet holds infinities or NaN
 };
 
 std::string_view name(Degeneracy degeneracy);
 
-/// Decides whether X_u x X_v tells a direction.
+/// Decides whether X_u x X_v has a reliable direction.
 ///
 /// VanishingNormal iff |X_u x X_v| <= noise.u |X_v| + noise.v |X_u| + noise.u noise.v: the cross
-/// product could be rounding alone. With zero noise only an exactly vanishing normal counts.
+/// product may then be rounding alone. With zero noise only a normal that vanishes exactly counts.
 Degeneracy degeneracy(const SurfaceJet& jet, const JetNoise& noise = {});
 
 /// Unit normal X_u x X_v / |X_u x X_v|; nothing where degeneracy() is not None.
@@ -44,13 +44,13 @@ std::optional<Eigen::Vector3d> unitNormal(const SurfaceJet& jet, const JetNoise&
 
 FirstForm firstForm(const SurfaceJet& jet);
 
-/// \param normal unit normal; its negative changes the sign of the form.
+/// \param normal unit normal; the opposite normal changes the sign of the form.
 SecondForm secondForm(const SurfaceJet& jet, const Eigen::Vector3d& normal);
 
 /// The curvature tensor of a surface at a point as a symmetric 3 by 3 matrix W in space, in 1/mm.
 ///
-/// For a unit tangent vector d the normal curvature is d.W d; its eigenvectors are the principal
-/// directions and the normal, with eigenvalues k1, k2 and 0. It does not depend on the
+/// For a unit tangent vector d the normal curvature is d.W d. The eigenvectors of W are the
+/// principal directions and the normal, with eigenvalues k1, k2 and 0. W does not depend on the
 /// parametrisation: W = J I^-1 II I^-1 J^T with J = [X_u X_v].
 ///
 /// Identities (each has a test of its number):
@@ -68,10 +68,10 @@ Eigen::Matrix3d curvatureTensor(const SurfaceJet& jet, const Eigen::Vector3d& no
 /// The change of curvature in a tangent direction d: the derivative by arc length of the curvature
 /// of the normal section along d, in 1/mm^2.
 ///
-/// It is f_ddd, the third derivative along d of the height f of the surface over its tangent plane,
-/// and the covariant derivative of the second fundamental form, (D II)(d, d, d). With v1 the
-/// parameter vector of d and v2 that of minus the tangential part of D2X[v1, v1]: n.(D3X[v1, v1,
-/// v1] + 3 D2X[v1, v2]).
+/// It is f_ddd, the third derivative along d of the height f of the surface over its tangent plane.
+/// It is also (D II)(d, d, d), the covariant derivative of the second fundamental form. The formula
+/// is n.(D3X[v1, v1, v1] + 3 D2X[v1, v2]): v1 is the parameter vector of d, and v2 that of minus
+/// the tangential part of D2X[v1, v1].
 ///
 /// Identities (each has a test of its number):
 ///   (1) It changes sign with the normal and with the direction.
@@ -83,15 +83,17 @@ Eigen::Matrix3d curvatureTensor(const SurfaceJet& jet, const Eigen::Vector3d& no
 ///       the arc length of the meridian.
 ///   (6) The graph z = (quadratic form) + (cubic form c) + ... over its tangent plane: 6 c(d).
 ///
-/// \param jet to third order. \pre degeneracy(jet) is None; \p normal is the unit normal or its
-/// negative; \p direction is a unit vector of the tangent plane. Not finite where third partials
-/// are not, or leave the range of a double.
+/// \param jet jet with third partials.
+/// \pre degeneracy(jet) is None; \p normal is the unit normal or its negative; \p direction is a
+/// unit vector of the tangent plane.
+/// \returns the change of curvature; not finite if third partials are not finite or exceed the
+/// range of a double.
 /// Source: docs/theory/surfaces.md S1.6.
 double curvatureChange(const SurfaceJet& jet, const Eigen::Vector3d& normal,
                        const Eigen::Vector3d& direction);
 
-/// Principal curvatures, k1 >= k2, with unit directions. At an umbilic (k1 = k2) the directions are
-/// any orthonormal pair.
+/// Principal curvatures k1 >= k2 with their unit directions. At an umbilic (k1 = k2) the directions
+/// are any orthonormal pair.
 struct PrincipalCurvatures {
   double k1 = 0;
   double k2 = 0;
@@ -99,11 +101,11 @@ struct PrincipalCurvatures {
   Eigen::Vector3d direction2 = Eigen::Vector3d::Zero();
 };
 
-/// \pre as curvatureTensor().
+/// \pre The same as for curvatureTensor().
 PrincipalCurvatures principalCurvatures(const SurfaceJet& jet, const Eigen::Vector3d& normal);
 
-/// A symmetric bilinear form on a tangent plane, in an orthonormal basis of it: [[xx, xy], [xy,
-/// yy]].
+/// A symmetric bilinear form on a tangent plane, as the matrix [[xx, xy], [xy, yy]] in an
+/// orthonormal basis of that plane.
 struct PlaneTensor {
   double xx = 0;
   double xy = 0;

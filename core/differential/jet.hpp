@@ -5,8 +5,7 @@
 
 namespace seamwright {
 
-/// Point and derivatives of a curve at one parameter value. Lengths in mm, the parameter has no
-/// unit.
+/// Point and derivatives of a curve at one parameter. Lengths are in mm; the parameter has no unit.
 struct CurveJet {
   Eigen::Vector3d p = Eigen::Vector3d::Zero();
   Eigen::Vector3d d1 = Eigen::Vector3d::Zero();
@@ -14,10 +13,10 @@ struct CurveJet {
   Eigen::Vector3d d3 = Eigen::Vector3d::Zero();
 };
 
-/// Point and derivatives of a curve to any order, one a row: row k is the k-th derivative.
+/// Point and derivatives of a curve up to any order; row k is the k-th derivative.
 using CurveDerivatives = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
-/// Point and partial derivatives of a surface at one parameter pair (u, v). Lengths in mm,
+/// Point and partial derivatives of a surface at one parameter pair (u, v). Lengths are in mm;
 /// parameters have no unit.
 struct SurfaceJet {
   Eigen::Vector3d p = Eigen::Vector3d::Zero();
@@ -32,9 +31,9 @@ struct SurfaceJet {
   Eigen::Vector3d vvv = Eigen::Vector3d::Zero();
 };
 
-/// What rounding may have added to the first partials of a jet: |error of jet.u| <= u, |error of
-/// jet.v| <= v. Whoever evaluates a surface knows its size and its parameter range, so noise is
-/// computed there and not guessed here.
+/// Bounds of the rounding in the first partials of a jet: |error of jet.u| <= u, |error of jet.v|
+/// <= v. The code that evaluates a surface computes the noise, since it knows the size and the
+/// parameter range of the surface.
 struct JetNoise {
   double u = 0;
   double v = 0;

@@ -33,13 +33,14 @@ Vector3d reflected(const Vector3d& vector, const Vector3d& across) {
   return vector - (2 * across.dot(vector) / across.squaredNorm()) * across;
 }
 
-/// The normal at \p a carried to \p b: reflected in the plane that swaps the points, then in the
-/// one that takes the tangent to that of \p b. Where a step turns too far for that it is halved.
+/// The normal at \p a, carried to \p b by two reflections. The first plane swaps the points, the
+/// second takes the reflected tangent to the tangent at \p b. A step that turns too far for that is
+/// halved.
 Vector3d carried(const BezierCurve& curve, const Place& a, const Place& b, const Vector3d& normal,
                  int depth) {
   const Vector3d chord = b.point - a.point;
-  // Points that coincide (a closed curve, a tiny step) leave the reflection that turns the tangent
-  // back.
+  // Where the points coincide (a closed curve, a tiny step), the first reflection is the one that
+  // reverses the tangent.
   const Vector3d across = chord.isZero(0) ? a.tangent : chord.stableNormalized();
   const Vector3d tangent = reflected(a.tangent, across);
   if (tangent.dot(b.tangent) <= 0 && a.tangent.dot(b.tangent) >= 0)
@@ -79,7 +80,7 @@ void requireIncreasing(const std::vector<double>& parameters) {
   }
 }
 
-/// Long steps may not show a cusp that they pass.
+/// Checks for cusps separately, because a long step may pass a cusp without showing it.
 void requireNoCusp(const BezierCurve& curve, double first, double last) {
   for (const CurveDegeneracies::Place& place : findDegeneracies(curve).places) {
     const double t = 0.5 * (place.first + place.last);

@@ -13,8 +13,8 @@ namespace {
 
 constexpr int model_size = ChebyshevModel::size;
 
-/// A bound computed from non-negative numbers by a few dozen operations, made safe against their
-/// rounding.
+/// Makes a bound safe against rounding, where a few dozen operations computed it from non-negative
+/// numbers.
 double up(double bound) {
   return bound * (1 + 16 * machine_epsilon) + std::numeric_limits<double>::min();
 }
@@ -27,8 +27,8 @@ double binomial(int n, int k) {
   return value;
 }
 
-/// Column k: the Bernstein coefficients of T_k, elevated to the degree. The coefficients of T_k of
-/// degree k are (-1)^(k - j) C(2 k, 2 j) / C(k, j).
+/// Column k holds the Bernstein coefficients of T_k, elevated to the degree. In degree k the
+/// coefficients of T_k are (-1)^(k - j) C(2 k, 2 j) / C(k, j).
 Matrix chebyshevToBernstein(int degree) {
   Matrix matrix{};
   for (int k = 0; k <= degree; ++k)
@@ -46,7 +46,7 @@ std::array<Matrix, model_size> bernsteinTables() {
   return tables;
 }
 
-/// Row i: T_k at the i-th of model_size Chebyshev points.
+/// Row i holds T_k at the i-th of model_size Chebyshev points.
 Matrix chebyshevAtPoints() {
   Matrix matrix{};
   for (int i = 0; i < model_size; ++i)
@@ -58,8 +58,8 @@ Matrix chebyshevAtPoints() {
 const std::array<Matrix, model_size> to_bernstein = bernsteinTables();
 const Matrix at_points = chebyshevAtPoints();
 
-/// The series that takes the values function(f) at the Chebyshev points: close to function(f), no
-/// more is claimed.
+/// The series that takes the values function(f) at the Chebyshev points. It is only a guess for
+/// function(f): the caller bounds its error.
 template <class Function>
 ChebyshevModel interpolate(const ChebyshevModel& f, const Function& function) {
   if (f.degree() == 0) return ChebyshevModel(function(f.coefficient(0)));
@@ -158,8 +158,8 @@ ChebyshevModel::Coefficients ChebyshevModel::bernstein(int degree) const {
 }
 
 double ChebyshevModel::bernsteinRounding() const {
-  // The Bernstein coefficients of T_k are at most C(2 k, k') / C(k, k') < 2^k in absolute value;
-  // each is rounded a few times.
+  // The Bernstein coefficients of T_k are at most C(2 k, k') / C(k, k') < 2^k in absolute value,
+  // and each is rounded a few times.
   double sum = 0;
   double bound = 1;
   for (int k = 0; k <= degree_; ++k, bound *= 2) sum += bound * std::abs(coefficients_[k]);
@@ -238,7 +238,7 @@ ProductSum& ProductSum::add(const ChebyshevModel& a, const ChebyshevModel& b, do
   degree_ = std::max(degree_, a.degree_ + b.degree_);
   terms_ += 2 * std::min(a.degree_, b.degree_) + 3;
   absolute_ += absolute_a * absolute_b;
-  if (a.radius_ != 0 || b.radius_ != 0)  // true for NaN, which is what unknown times zero may give
+  if (a.radius_ != 0 || b.radius_ != 0)  // also true for NaN, which unknown times zero may give
     radius_ += absolute_a * b.radius_ + (absolute_b + b.radius_) * a.radius_;
   return *this;
 }
@@ -284,8 +284,8 @@ ChebyshevModel inverseSqrt(const ChebyshevModel& f) {
 
 namespace {
 
-/// Cosine and sine of f (sign -1), or the hyperbolic ones (sign 1), given both at the middle of f.
-/// The addition theorems are those of cos and sin up to the sign.
+/// Cosine and sine of f (sign -1), or hyperbolic cosine and sine (sign 1), from both values at the
+/// middle of f. The addition theorems differ only in the sign.
 std::pair<ChebyshevModel, ChebyshevModel> aroundMiddle(const ChebyshevModel& f, double sign,
                                                        double cosine_there, double sine_there) {
   const ChebyshevModel offset = f - ChebyshevModel(f.coefficient(0));
@@ -301,8 +301,8 @@ std::pair<ChebyshevModel, ChebyshevModel> aroundMiddle(const ChebyshevModel& f, 
     sin_middle.widen(change);
     return {cos_middle, sin_middle};
   }
-  // Taylor series in offset, until the next term is below rounding; Lagrange's remainder has that
-  // term times at most cosh(2) < 4.
+  // The Taylor series in offset ends when the next term is below rounding. Lagrange's remainder is
+  // at most that term times cosh(2) < 4.
   int terms = 1;
   double next = reach * reach / 2;
   while (next > 0x1p-44 && terms < 16) {

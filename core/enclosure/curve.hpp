@@ -35,8 +35,8 @@ struct ParabolaEvaluator {
   Eigen::Vector3d vertex, axis, tangent;
 };
 
-/// A curve for evaluation over pieces of it; in the parameter plane of a surface the third
-/// coordinate is zero.
+/// A curve that can be evaluated over pieces of its parameter range. For a curve in the parameter
+/// plane of a surface the third coordinate is zero.
 class CurveEvaluator {
  public:
   // NOLINTBEGIN(google-explicit-constructor): each of these is a curve
@@ -52,8 +52,9 @@ class CurveEvaluator {
   std::vector<double> knotsInside(const Interval& range) const;
   /// Largest absolute knot, 0 if there are none.
   double parameterSize() const;
-  /// \param hint a parameter in the smooth piece that is meant. \param order 0, 1 or 2: highest
-  /// derivative wanted.
+  /// Point and derivatives along t.
+  /// \param hint a parameter inside the smooth piece to evaluate.
+  /// \param order 0, 1 or 2: highest derivative wanted.
   CurveJetModel jet(const ChebyshevModel& t, double hint, int order) const;
 
  private:

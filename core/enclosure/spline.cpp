@@ -17,9 +17,9 @@ constexpr int max_size = max_spline_degree + 1;
 using SmallMatrix =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, max_size, max_size>;
 
-/// Column j: Chebyshev coefficients on [-1, 1] of the Bernstein polynomial B_j = C(n, j) (1 + x)^j
-/// (1 - x)^(n - j) / 2^n of the degree n, each rounded once: without C(n, j) they are multiples of
-/// 4^-n that are at most 1, which doubles hold.
+/// Column j holds the Chebyshev coefficients on [-1, 1] of the Bernstein polynomial B_j = C(n, j)
+/// (1 + x)^j (1 - x)^(n - j) / 2^n of degree n. Each is rounded once: without C(n, j) the
+/// coefficients are multiples of 4^-n and at most 1, which are exact doubles.
 SmallMatrix bezierToChebyshev(int degree) {
   SmallMatrix matrix(degree + 1, degree + 1);
   double binomial = 1;
@@ -42,8 +42,8 @@ SmallMatrix bezierToChebyshev(int degree) {
   return matrix;
 }
 
-/// Row j: the Bezier point j of the span [knots[s], knots[s + 1]] as a combination of its degree +
-/// 1 poles, by blossoming.
+/// Row j holds the Bézier point j of the span [knots[s], knots[s + 1]] as a combination of the
+/// degree + 1 poles of the span, by blossoming.
 SmallMatrix splineToBezier(const std::vector<double>& knots, int degree, int s) {
   const int n = degree + 1;
   SmallMatrix matrix(n, n);
@@ -63,8 +63,8 @@ SmallMatrix splineToBezier(const std::vector<double>& knots, int degree, int s) 
   return matrix;
 }
 
-/// What the differences of neighbouring poles are multiplied by to give the poles of the derivative
-/// on the span
+/// The factors that turn differences of neighbouring poles into the poles of the derivative on the
+/// span
 /// [knots[s], knots[s + 1]]; none for degree 0.
 Eigen::VectorXd derivativeFactors(const std::vector<double>& knots, int degree, int s) {
   Eigen::VectorXd factors(degree);
@@ -73,8 +73,8 @@ Eigen::VectorXd derivativeFactors(const std::vector<double>& knots, int degree, 
   return factors;
 }
 
-/// T_0(x), ..., T_degree(x), by T_(i + j) = 2 T_i T_j - T_(j - i): halving the index, radii grow
-/// like its square, by steps of one they would grow like 2.4^k.
+/// T_0(x), ..., T_degree(x), by T_(i + j) = 2 T_i T_j - T_(j - i). With halved indices the radii
+/// grow with the square of the index k; with steps of one they would grow like 2.4^k.
 std::vector<ChebyshevModel> chebyshevPolynomials(const ChebyshevModel& x, int degree) {
   std::vector<ChebyshevModel> t = {ChebyshevModel(1), x};
   for (int k = 2; k <= degree; ++k) t.push_back(2 * (t[k / 2] * t[k - k / 2]) - t[k % 2]);
@@ -88,7 +88,8 @@ VectorModel space(const HomogeneousModel& h) {
   return {h[0], h[1], h[2]};
 }
 
-/// Partial derivatives of the quotient of h's space part and weight: the product rule, solved.
+/// Partial derivatives of the quotient of the space part and the weight of h, by the product rule
+/// solved for them.
 /// Source: docs/theory/enclosures.md E2.4.
 JetModel projected(const std::array<HomogeneousModel, 6>& h, int order) {
   const ChebyshevModel w = inverse(h[0][3]);
@@ -104,7 +105,7 @@ JetModel projected(const std::array<HomogeneousModel, 6>& h, int order) {
   return jet;
 }
 
-/// Of a jet to that order: p; u, v; uu, uv, vv.
+/// The number of nets of a jet of that order: p; u, v; uu, uv, vv.
 int netCount(int order) {
   return order == 0 ? 1 : order == 1 ? 3 : 6;
 }
@@ -205,8 +206,8 @@ SplineEvaluator::Local SplineEvaluator::localize(int direction, const ChebyshevM
                                                  double hint) const {
   const std::vector<Span>& spans = spans_[direction];
   const double period = directions_[direction].period;
-  // The same numbers as in knotsInside(), so that a hint next to a knot is on the side of it that
-  // is meant.
+  // These are the same numbers as in knotsInside(), so a hint next to a knot stays on its side of
+  // the knot.
   const double base = spans.front().lower;
   double k = period == 0 ? 0 : std::floor((hint - base) / period);
   if (period != 0 && hint < base + k * period) --k;
@@ -232,14 +233,14 @@ const SplineEvaluator::Cell& SplineEvaluator::cell(int span_u, int span_v, int n
   return cell;
 }
 
-/// Poles of one coordinate, and bounds of their errors.
+/// The poles of one coordinate, with bounds of their errors.
 struct SplineEvaluator::RoundedNet {
   SmallMatrix value, error;
 
   RoundedNet transposed() const { return {value.transpose(), error.transpose()}; }
 
-  /// The net of the derivative down the rows. Difference, factor and product are rounded in 5
-  /// steps.
+  /// The net of the derivative down the rows. Difference, factor and product have 5 roundings
+  /// together.
   RoundedNet derivative(const Eigen::VectorXd& factors) const {
     const Eigen::Index rows = factors.size(), columns = value.cols();
     if (rows == 0) return {SmallMatrix::Zero(1, columns), SmallMatrix::Zero(1, columns)};
@@ -250,13 +251,13 @@ struct SplineEvaluator::RoundedNet {
     return result;
   }
 
-  /// The Bezier points of h / tau, down the rows, of a polynomial h that vanishes where tau does.
-  /// With x = tau / width, B_j(x) of degree n is x n / j times B_(j - 1)(x) of degree n - 1; at the
-  /// end of the range tau and the order of the points are reversed.
+  /// The Bézier points of h / tau, down the rows, for a polynomial h that vanishes where tau
+  /// vanishes. With x = tau / width, B_j(x) of degree n is x n / j times B_(j - 1)(x) of degree n -
+  /// 1. At the end of the range tau and the order of the points are reversed.
   RoundedNet quotient(const SmallMatrix& to_bezier, double width, bool at_end) const {
     const Eigen::Index degree = value.rows() - 1;
     const SmallMatrix bezier = to_bezier * value;
-    // A convex combination, of as many roundings as in makeMatrices().
+    // This is a convex combination, with as many roundings as in makeMatrices().
     SmallMatrix bezier_error = to_bezier * error;
     if (!to_bezier.isIdentity(0))
       bezier_error += 0.5 * machine_epsilon * static_cast<double>(8 * degree + 3) *
@@ -274,7 +275,8 @@ struct SplineEvaluator::RoundedNet {
   }
 };
 
-/// The nets of one coordinate in Chebyshev form: derivatives of \p poles, positions of \p local.
+/// The nets of one coordinate in Chebyshev form. Derivatives come from \p poles, positions from \p
+/// local.
 void SplineEvaluator::addNets(const RoundedNet& poles, const RoundedNet& local,
                               const SpanMatrices& mu, const SpanMatrices& mv, int coordinate,
                               Cell& cell) const {
@@ -298,7 +300,8 @@ void SplineEvaluator::addNets(const RoundedNet& poles, const RoundedNet& local,
         mu.to_chebyshev[du] * net * mv.to_chebyshev[dv].transpose();
     cell.nets[k].coefficients[coordinate] =
         Eigen::Map<Eigen::VectorXd>(series.data(), series.size());
-    // What errors of poles add to a polynomial is nowhere larger than in the poles.
+    // The errors of the poles change the polynomial nowhere by more than the largest of these
+    // errors.
     const double of_terms =
         (mu.to_chebyshev_terms[du] * net.cwiseAbs() * mv.to_chebyshev_terms[dv].transpose()).sum();
     cell.nets[k].error[coordinate] =
@@ -341,7 +344,7 @@ SplineEvaluator::Cell SplineEvaluator::makeCell(int span_u, int span_v, int nets
       addNets(local, local, mu, mv, c, cell);
       continue;
     }
-    // Differences of the poles themselves know nothing of the origin, and are rounded once.
+    // Differences of the original poles do not depend on the origin and are rounded once.
     RoundedNet poles = localNet(span_u, span_v, c, Eigen::Vector3d::Zero());
     poles.error.setZero();
     addNets(poles, local, mu, mv, c, cell);
@@ -359,15 +362,15 @@ JetModel SplineEvaluator::jet(const ChebyshevModel& u, const ChebyshevModel& v, 
   return jet;
 }
 
-/// About the origin of the cell.
+/// The jet relative to the origin of the cell.
 JetModel SplineEvaluator::evaluated(const Cell& c, const ChebyshevModel& x, const ChebyshevModel& y,
                                     int order) const {
   const int nets = netCount(order);
   const std::vector<ChebyshevModel> tx = chebyshevPolynomials(x, directions_[0].degree);
   const std::vector<ChebyshevModel> ty = chebyshevPolynomials(y, directions_[1].degree);
   const int dimension = weights_.empty() ? 3 : 4;
-  // Products of Chebyshev polynomials along the path, one a column, and what they may be off and
-  // amount to.
+  // Column by column the products of Chebyshev polynomials along the path, with the radius and the
+  // largest value of each.
   const Eigen::Index terms = static_cast<Eigen::Index>(tx.size() * ty.size());
   Eigen::Matrix<double, ChebyshevModel::size, Eigen::Dynamic> series(ChebyshevModel::size, terms);
   Eigen::Matrix<double, Eigen::Dynamic, 2> off(terms, 2);
@@ -381,7 +384,7 @@ JetModel SplineEvaluator::evaluated(const Cell& c, const ChebyshevModel& x, cons
       off.row(column++) << product.radius(), product.magnitude();
       degree = std::max(degree, product.degree());
     }
-  const double outside = off.col(1).maxCoeff();  // by which a coefficient's error may count
+  const double outside = off.col(1).maxCoeff();  // largest factor of the error of a coefficient
   std::array<HomogeneousModel, 6> h;
   for (int k = 0; k < nets; ++k)
     for (int d = 0; d < dimension; ++d) {
@@ -398,7 +401,7 @@ JetModel SplineEvaluator::evaluated(const Cell& c, const ChebyshevModel& x, cons
   return {space(h[0]), space(h[1]), space(h[2]), space(h[3]), space(h[4]), space(h[5])};
 }
 
-/// If all poles of the boundary are one point.
+/// The common point of all poles of the boundary; nothing if they differ.
 std::optional<Eigen::Vector3d> SplineEvaluator::collapsedPoint(int span_u, int span_v,
                                                                const Boundary& boundary) const {
   const int d = boundary.direction;
@@ -420,7 +423,7 @@ std::optional<Eigen::Vector3d> SplineEvaluator::collapsedPoint(int span_u, int s
   return pole(0);
 }
 
-/// Of the quotient, which is of one degree less and in Bezier form over the span.
+/// The matrices of the quotient, which has one degree less and is in Bézier form over the span.
 SplineEvaluator::SpanMatrices SplineEvaluator::quotientMatrices(int direction, int span) const {
   const double width = spans_[direction][span].upper - spans_[direction][span].lower;
   SpanMatrices matrices;
@@ -472,9 +475,9 @@ std::optional<CollapsedJetModel> SplineEvaluator::collapsedJet(const ChebyshevMo
                                                                const ChebyshevModel& v,
                                                                double hint_u, double hint_v,
                                                                int order) const {
-  constexpr double near = 0x1p-4;  // of the span; further away the jet itself is as good
+  constexpr double near = 0x1p-4;  // of the span; further away the jet itself is as accurate
   constexpr double rounding =
-      0x1p-36;  // of the span, or of the parameter if that is all that the path is known to
+      0x1p-36;  // of the span, or of the parameter if the path is only known to that
   constexpr std::size_t most_kept = 1000;
   const std::array<Local, 2> local = {localize(0, u, hint_u), localize(1, v, hint_v)};
   for (const int d : {0, 1})

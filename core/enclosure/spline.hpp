@@ -17,8 +17,9 @@ struct JetModel {
   VectorModel p, u, v, uu, uv, vv;
 };
 
-/// A surface next to a boundary that is one point P0: P0 + tau Q, with tau the distance in its
-/// parameter from that boundary, negative before one at the end of the range.
+/// A surface next to a boundary that is one point P0: the surface is P0 + tau Q. tau is the
+/// distance from that boundary in the parameter across it; it is negative if the boundary is at the
+/// end of the range.
 struct CollapsedJetModel {
   Eigen::Vector3d point;  ///< P0
   JetModel quotient;      ///< Q and its partial derivatives
@@ -35,70 +36,72 @@ struct SplineDirection {
   double period = 0;  ///< 0: none
 };
 
-/// A (rational) tensor-product B-spline in space, for evaluation along a path of its parameter
-/// plane. A curve is one of degree 0 in v.
+/// A (rational) tensor-product B-spline in space that can be evaluated along a path of its
+/// parameter plane. A curve is a spline of degree 0 in v.
 ///
-/// Between two knots the spline is one polynomial (or a quotient of two), which is converted to
-/// Chebyshev form, about a point of its own, when first met; so large coordinates cost no accuracy,
-/// and a spline of many pieces costs what is used of it. Beyond the ends of the parameter range the
-/// outermost polynomials go on, or the spline repeats if it is periodic.
+/// Between two knots the spline is one polynomial, or a quotient of two. It is converted to
+/// Chebyshev form, relative to its own origin, when it is first evaluated. So large
+/// coordinates cost no accuracy, and a spline of many spans costs only the spans that are used.
+/// Beyond the ends of the parameter range the outermost polynomials continue; a periodic spline
+/// repeats.
 ///
-/// Not to be shared between threads: pieces met are kept.
+/// An object must not be shared between threads: it caches the spans it has converted.
 /// Source: docs/theory/enclosures.md E2.4, E5.1.
 class SplineEvaluator {
  public:
-  /// \param poles row by row: pole (i, j) is poles[i * count_v + j]; cartesian. \param weights
-  /// empty: polynomial.
-  /// \throws std::invalid_argument if a number is not finite, a weight not positive, or counts and
-  /// knots do not fit.
+  /// \param poles row by row: pole (i, j) is poles[i * count_v + j]; cartesian.
+  /// \param weights empty for a polynomial spline.
+  /// \throws std::invalid_argument if a number is not finite, if a weight is not positive, or if
+  /// counts and knots do not match.
   SplineEvaluator(SplineDirection u, SplineDirection v, std::vector<Eigen::Vector3d> poles,
                   std::vector<double> weights);
 
-  /// Knots strictly inside the range, those of other periods too, increasing.
+  /// Knots strictly inside the range, in increasing order; for a periodic spline also those of
+  /// other periods.
   std::vector<double> knotsInside(int direction, const Interval& range) const;
 
-  /// Largest absolute knot: the size by which places in this parameter can be told apart.
+  /// Largest absolute knot. It sets the size of the rounding of this parameter.
   double parameterSize(int direction) const;
 
-  /// The jet along (u, v), of the polynomial of the span that holds hint_u and hint_v. \param order
-  /// 0, 1 or 2: highest derivatives wanted.
+  /// The jet along (u, v) of the polynomial of the span that holds (hint_u, hint_v).
+  /// \param order 0, 1 or 2: highest derivatives wanted.
   JetModel jet(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u, double hint_v,
                int order) const;
 
-  /// The same divided by the distance from a boundary of the span all of whose poles coincide, for
-  /// a path that comes near it: there the partial derivatives along the boundary vanish, those of
-  /// the quotient need not. Nothing if there is no such boundary near the path, or if the path goes
-  /// beyond it by more than rounding.
+  /// The jet divided by the distance from a boundary of the span whose poles all coincide, for a
+  /// path that comes near that boundary. On such a boundary the partial derivatives along it
+  /// vanish; those of the quotient need not vanish. Nothing if there is no such boundary near the
+  /// path, or if the path goes beyond it by more than rounding.
   std::optional<CollapsedJetModel> collapsedJet(const ChebyshevModel& u, const ChebyshevModel& v,
                                                 double hint_u, double hint_v, int order) const;
 
  private:
-  /// Of a degree up to 25, OpenCASCADE's largest, kept without allocation.
+  /// A matrix for degrees up to 25, OpenCASCADE's largest degree, stored without allocation.
   using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
                                     max_spline_degree + 1, max_spline_degree + 1>;
   struct Span {
-    int knot = 0;  ///< the span begins at this one
+    int knot = 0;  ///< index of the knot at which the span begins
     double lower = 0;
     double upper = 0;
   };
-  /// By order of the derivative.
+  /// The matrices of one span, indexed by the order of the derivative.
   struct SpanMatrices {
     std::array<Eigen::VectorXd, 2>
-        factors;  ///< of differences of poles, which give those of the next order
+        factors;  ///< factors that turn differences of poles into poles of the next order
     std::array<SmallMatrix, 3> to_chebyshev;  ///< from poles to Chebyshev coefficients
     std::array<SmallMatrix, 3>
-        to_chebyshev_terms;  ///< absolute values of what its entries are summed from
+        to_chebyshev_terms;  ///< sums of the absolute values of the terms of each entry
     std::array<int, 3>
-        roundings{};  ///< in such a term, times a pole and summed up, in units of 2^-53
+        roundings{};  ///< roundings of an entry times a pole, summed up, in units of 2^-53
   };
   struct Net {
     std::array<Eigen::VectorXd, 4>
-        coefficients;               ///< of T_i(x) T_j(y) at i + j (degree_u + 1), by coordinate
-    std::array<double, 4> error{};  ///< bound of the sum of their errors
+        coefficients;  ///< that of T_i(x) T_j(y) at i + j (degree_u + 1), by coordinate
+    std::array<double, 4> error{};  ///< bound of the sum of the errors of the coefficients
   };
   struct Cell {
     Eigen::Vector3d origin;
-    int count = 0;            ///< of nets that are made
+    int count = 0;            ///< number of nets that are computed
     std::array<Net, 6> nets;  ///< p, u, v, uu, uv, vv
   };
   struct Local {
@@ -114,14 +117,15 @@ class SplineEvaluator {
   struct RoundedNet;
   void addNets(const RoundedNet& poles, const RoundedNet& local, const SpanMatrices& mu,
                const SpanMatrices& mv, int coordinate, Cell& cell) const;
-  /// The poles of a span, relative to a point and times their weights; coordinate 3: the weights.
+  /// The poles of a span, relative to a point and multiplied by their weights; coordinate 3 is the
+  /// weights.
   RoundedNet localNet(int span_u, int span_v, int coordinate, const Eigen::Vector3d& origin) const;
   JetModel evaluated(const Cell& cell, const ChebyshevModel& x, const ChebyshevModel& y,
                      int order) const;
 
   /// A boundary of a span.
   struct Boundary {
-    int direction = 0;  ///< of the parameter that is constant on it
+    int direction = 0;  ///< the parameter that is constant on it
     bool at_end = false;
     auto operator<=>(const Boundary&) const = default;
   };
@@ -141,7 +145,8 @@ class SplineEvaluator {
   std::vector<double> weights_;
   int count_v_ = 0;
   std::array<std::vector<Span>, 2> spans_;
-  /// By lowering of the degree: from Bezier points to Chebyshev coefficients.
+  /// The matrices from Bézier points to Chebyshev coefficients, indexed by how far the degree is
+  /// lowered.
   std::array<std::array<SmallMatrix, 3>, 2> bezier_to_chebyshev_;
   mutable std::array<std::map<int, SpanMatrices>, 2> matrices_;
   mutable std::map<std::pair<int, int>, Cell> cells_;

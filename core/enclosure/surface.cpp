@@ -12,7 +12,7 @@ VectorModel vectorModel(const ChebyshevModel& x, const ChebyshevModel& y, const 
   return {x, y, z};
 }
 
-/// Matrix K to M K M^T.
+/// The matrix M K M^T.
 SymmetricModel turned(const Eigen::Matrix3d& m, const SymmetricModel& k) {
   const VectorModel columns[] = {m * VectorModel{k[0], k[3], k[5]},
                                  m * VectorModel{k[3], k[1], k[4]},
@@ -41,15 +41,15 @@ SurfaceFields unknownPlane(SurfaceFields fields) {
   return fields;
 }
 
-/// -1 or 1; 0 if both occur.
+/// The sign of the model, -1 or 1; 0 if both signs may occur.
 int signOf(const ChebyshevModel& model) {
   const Interval range = model.range();
   if (range.lower > 0) return 1;
   return range.upper < 0 ? -1 : 0;
 }
 
-/// The sign of the distance from the axis, of a surface of this size. At an apex, which a path
-/// meets but for rounding, it is that of the surface beside it.
+/// The sign of the distance from the axis of a surface of the given size. A path meets an apex only
+/// up to rounding; there the sign is that of the surface next to the apex.
 int sideOfAxis(const ChebyshevModel& rho, double size) {
   const double rounding = 0x1p-36 * std::abs(size);
   const Interval range = rho.range();
@@ -76,7 +76,7 @@ struct Profile {
   ChebyshevModel circle_curvature, curve_curvature;
 };
 
-/// The fields of a turned profile: e(u) and its derivative span the plane of the circle.
+/// The fields of a turned profile. e(u) and its derivative span the plane of the circle.
 SurfaceFields turnedFields(const ChebyshevModel& u, const Profile& profile, Detail detail) {
   const auto [cosine, sine] = cosSin(u);
   const ChebyshevModel zero(0);
@@ -159,8 +159,8 @@ class Sphere : public SurfaceEvaluator {
   SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double, double,
                        Detail detail) const override {
     const auto [cosine, sine] = cosSin(v);
-    // Beyond a pole X_u x X_v points inward; at the pole itself the sphere has its plane all the
-    // same.
+    // Beyond a pole X_u x X_v points inward. At the pole itself the parametrisation has no normal,
+    // but the sphere has a tangent plane.
     constexpr double rounding = 0x1p-36;
     const Interval height = cosine.range();
     const double side = height.lower >= -rounding ? 1 : height.upper <= rounding ? -1 : 0;
@@ -233,7 +233,7 @@ class Revolution : public SurfaceEvaluator {
     const VectorModel d1 = into_frame * curve.d1;
     const VectorModel d2 = into_frame * curve.d2;
     const ChebyshevModel zero(0);
-    // The jet at u = 0: turning about z takes (x, y, z) to (-y, x, 0) per radian.
+    // The jet at u = 0. A turn about z moves (x, y, z) by (-y, x, 0) per radian.
     return turn(fieldsOf({p, vectorModel(-p[1], p[0], zero), d1, vectorModel(-p[0], -p[1], zero),
                           vectorModel(-d1[1], d1[0], zero), d2},
                          detail),
@@ -254,7 +254,7 @@ class Revolution : public SurfaceEvaluator {
     if (detail >= Detail::Curvature) {
       const SymmetricModel& k = start.tensor;
       const VectorModel x =
-          turn({k[0], k[3], k[5]});  // rows of the matrix with their columns turned
+          turn({k[0], k[3], k[5]});  // the rows of the matrix, with columns turned
       const VectorModel y = turn({k[3], k[1], k[4]});
       const VectorModel z = turn({k[5], k[4], k[2]});
       const VectorModel first = turn({x[0], y[0], z[0]});
@@ -282,9 +282,9 @@ class Offset : public SurfaceEvaluator {
     SurfaceFields fields;
     fields.point = basis.point + distance_ * basis.normal;
     if (detail == Detail::Position) return fields;
-    // With the Weingarten map S of the basis, X_u moves to (I - d S) X_u and the map becomes S (I -
-    // d S)^-1; as S is of rank 2, that is (S - d K P) / (1 - d tr S + d^2 K), K the Gauss curvature
-    // and P the projection onto the tangent plane.
+    // Let S be the Weingarten map of the basis. X_u becomes (I - d S) X_u, and the map becomes S (I
+    // - d S)^-1. As S has rank 2, that is (S - d K P) / (1 - d tr S + d^2 K), with K the Gauss
+    // curvature and P the projection onto the tangent plane.
     const ChebyshevModel mean = trace(basis.tensor);
     const ChebyshevModel gauss = 0.5 * (mean * mean - contraction(basis.tensor, basis.tensor));
     const ChebyshevModel stretch =
@@ -341,8 +341,8 @@ struct TangentBasis {
     normal = inverse_length * product;
   }
 
-  /// The tensor of the second form with the coefficients l, m, k in this basis, by way of the dual
-  /// basis.
+  /// The tensor of the second form with the coefficients l, m, k in this basis, computed with the
+  /// dual basis.
   SymmetricModel tensor(const ChebyshevModel& l, const ChebyshevModel& m,
                         const ChebyshevModel& k) const {
     const VectorModel dual_a = inverse_length * cross(b, normal);
@@ -384,7 +384,8 @@ SurfaceFields collapsedFieldsOf(const CollapsedJetModel& jet, Detail detail) {
   if (detail == Detail::TangentPlane) return fields;
   const VectorModel& n = fields.normal;
   const VectorModel& q_tau_tau = along_v ? q.vv : q.uu;
-  // X_ss = tau Q_ss, X_s,tau = Q_s + tau Q_s,tau with n.Q_s = 0, by tau^2 and by tau.
+  // X_ss = tau Q_ss and X_s,tau = Q_s + tau Q_s,tau with n.Q_s = 0. The coefficients of the basis
+  // (Q_s, X_tau) are these, divided by tau^2 and by tau.
   fields.tensor = basis.tensor(inverse(tau) * dot(n, along_v ? q.uu : q.vv), dot(n, q.uv),
                                dot(n, 2 * q_tau + tau * q_tau_tau));
   return fields;

@@ -5,10 +5,10 @@ namespace seamwright {
 
 namespace {
 
-/// Row and column of the entries stored.
+/// Row and column of each stored entry.
 constexpr std::array<std::array<int, 2>, 6> places = {
     {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {2, 0}}};
-/// Entry that stores row i, column j.
+/// Index of the entry that stores row i, column j.
 constexpr std::array<std::array<int, 3>, 3> entry = {{{0, 3, 5}, {3, 1, 4}, {5, 4, 2}}};
 
 template <std::size_t Size, class Operation>

@@ -24,7 +24,7 @@ VectorModel operator*(const ChebyshevModel& factor, const VectorModel& vector);
 VectorModel operator*(double factor, const VectorModel& vector);
 ChebyshevModel dot(const VectorModel& a, const VectorModel& b);
 VectorModel cross(const VectorModel& a, const VectorModel& b);
-/// Matrix of exact numbers times a vector.
+/// A matrix times a vector; the entries of the matrix count as exact.
 VectorModel operator*(const Eigen::Matrix3d& matrix, const VectorModel& vector);
 
 SymmetricModel operator+(const SymmetricModel& a, const SymmetricModel& b);
@@ -33,10 +33,10 @@ SymmetricModel operator-(const SymmetricModel& a);
 SymmetricModel operator*(const ChebyshevModel& factor, const SymmetricModel& matrix);
 SymmetricModel operator*(double factor, const SymmetricModel& matrix);
 VectorModel operator*(const SymmetricModel& matrix, const VectorModel& vector);
-/// (a b^T + b a^T) / 2.
+/// The symmetric matrix (a b^T + b a^T) / 2.
 SymmetricModel symmetricProduct(const VectorModel& a, const VectorModel& b);
 ChebyshevModel trace(const SymmetricModel& matrix);
-/// Sum of the products of corresponding entries of two symmetric matrices, tr(A B).
+/// tr(A B), the sum of the products of corresponding entries of two symmetric matrices.
 ChebyshevModel contraction(const SymmetricModel& a, const SymmetricModel& b);
 
 /// Points whose convex hull, widened by \p radius in every direction, holds the function.
@@ -47,8 +47,8 @@ struct ControlPolygon {
   double radius = 0;
 };
 
-/// \tparam Dimension 3 for a VectorModel, 6 for a SymmetricModel. The radius is Euclidean over the
-/// entries stored.
+/// The control polygon of a model; its radius is Euclidean over the stored entries.
+/// \tparam Dimension 3 for a VectorModel, 6 for a SymmetricModel.
 template <std::size_t Dimension>
 ControlPolygon<static_cast<int>(Dimension)> controlPolygon(
     const std::array<ChebyshevModel, Dimension>& model) {

@@ -20,22 +20,22 @@ using Eigen::Index, Eigen::Vector2d, Eigen::Vector3d;
 /// x, y, z.
 using Form = Eigen::RowVectorXd;
 
-constexpr int finer =
-    3;  ///< jumps are looked at in so many places for one where they are made small
-constexpr Index last_place = 3 * 12;  ///< along each edge, besides its first end
-/// Of the mean squared third derivative, or what differences make of it, in turn: jumps come down
-/// in steps.
+/// Jumps are measured at this number of parameters per parameter at which they are minimised.
+constexpr int finer = 3;
+constexpr Index last_place = 3 * 12;  ///< index of the last parameter along each edge
+/// Weights of the mean squared third derivative (from differences), used in turn. The decreasing
+/// weights lower the jumps in steps.
 constexpr std::array<double, 5> fairness_weights = {100, 10, 1, 1e-1, 1e-2};
 
-/// Differences of poles become derivatives by this factor. Degrees 6 and higher are compared: their
-/// weights mean the same.
+/// Factor that converts differences of poles into derivatives, relative to degree 6. So the weights
+/// have the same meaning in all degrees from 6 on.
 double derivativeScale(int degree, int order) {
   double scale = 1;
   for (int k = 0; k < order; ++k) scale *= static_cast<double>(degree - k) / (6 - k);
   return scale;
 }
 
-/// The places of an edge from one parameter to another.
+/// The sampled parameters of an edge from one parameter to another.
 Eigen::VectorXd placesOf(double from, double to) {
   Eigen::VectorXd all(last_place + 1);
   for (Index k = 0; k <= last_place; ++k)
@@ -66,20 +66,20 @@ Vector3d at(const Poles& vectors, Index place) {
   return vectors.row(place);
 }
 
-/// Patches along one of their edges, as far as curvature asks, at all places: x runs into the
-/// patch, s along the edge.
+/// The derivatives of a patch along one edge that curvature needs, at all sampled parameters: x
+/// runs into the patch, s along the edge.
 struct Strip {
   Poles x, s, xx, xs, ss;
 };
 
-/// What lies beyond a side, at the places of an edge of the fill.
+/// The surface on the other side of an edge of the fill, at the sampled parameters.
 struct Beyond {
   Poles edge1, edge2, cross, cross1, bend;
 };
 
-/// Across an edge at a place, along the normal: xx of the patch, or of the one after, less alpha^2
-/// xx + 2 alpha beta xs + beta^2 ss of the one before, less what is wanted; times the scale that
-/// makes it a normal curvature.
+/// The jump across an edge at a sampled parameter, along the normal: xx of the patch (or of the
+/// patch after the edge) minus alpha^2 xx + 2 alpha beta xs + beta^2 ss of the patch before it,
+/// minus the wanted value. The scale converts it into a normal curvature.
 struct Jump {
   Index place = 0;
   Vector3d normal = Vector3d::Zero();
@@ -121,15 +121,15 @@ bool isKnown(const FillSide& side) {
   return side.cross && side.bend;
 }
 
-/// Along the edges of a fill.
+/// The jumps along the edges of a fill.
 struct Jumps {
   std::vector<std::vector<Jump>> outer,
-      inner;  ///< of each edge; none where nothing is known beyond
+      inner;  ///< of each edge; empty if the other side is unknown
   double largest_per_mm = 0;
   double squares = 0;  ///< their sum
 };
 
-/// Where jumps are looked at.
+/// The sampled parameters at which jumps are measured.
 class Places {
  public:
   Places(int degree, const FillEdges& edges, const std::vector<FillSide>& sides) : edges_(edges) {
@@ -147,7 +147,7 @@ class Places {
   }
 
   const FillEdges& edges() const { return edges_; }
-  /// Of the patches' degree, or derivatives.
+  /// The Bernstein polynomials of the patches' degree, or their derivatives.
   const Eigen::MatrixXd& basis(int order) const { return basis_.at(order); }
 
   Jumps jumps(const std::vector<BezierPatch>& patches) const {
@@ -211,7 +211,7 @@ class Problem {
     rows_.clear(), values_.clear();
   }
 
-  /// The jumps are to be small, linearised where they were taken.
+  /// Adds the squared jumps, linearised at the patches where they were measured.
   void add(const Jumps& jumps, double weight) {
     const FillEdges& edges = places_.edges();
     for (std::size_t e = 0; e < edges.outer.size(); ++e)
@@ -228,17 +228,16 @@ class Problem {
     for (Index i = 0; i < size; ++i) rows.row(i) = rows_[i];
     matrix_.selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
     right_ += rows.transpose() * Eigen::Map<const Eigen::VectorXd>(values_.data(), size);
-    // Unknowns that move no pole, or that all fills leave free, stay near zero.
+    // The shift keeps unknowns near zero that move no pole or have no influence on the sum.
     matrix_.diagonal().array() += 1e-13 * matrix_.diagonal().maxCoeff();
-    const Eigen::VectorXd solution =
-        matrix_.ldlt().solve(right_);  // of which the lower half counts
+    const Eigen::VectorXd solution = matrix_.ldlt().solve(right_);  // only the lower half is read
     Poles unknowns(count_, 3);
     for (int c = 0; c < 3; ++c) unknowns.col(c) = solution.segment(c * count_, count_);
     return unknowns;
   }
 
  private:
-  /// weight (normal . form - wanted) is to be small.
+  /// Adds the square of weight (normal . form - wanted).
   void add(const Form& form, const Jump& jump, double weight) {
     weight *= jump.scale;
     Form row(3 * count_);

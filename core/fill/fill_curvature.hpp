@@ -5,11 +5,11 @@
 #include <seamwright/core/bezier/patch_edge.hpp>
 #include <seamwright/core/fill/fill_space.hpp>
 
-/// The fills of a space with the least jumps of curvature; not a public header.
+/// The fill of a space with the smallest curvature jumps; not a public header.
 namespace seamwright::fill {
 
-/// An edge of a patch along a side, whose parameter it covers from \p from to \p to in the edge's
-/// own sense.
+/// An edge of a patch along a side. In its own sense it covers the side's parameters from \p from
+/// to \p to.
 struct OuterEdge {
   int patch = 0;
   PatchEdge edge = PatchEdge::U0;
@@ -21,7 +21,7 @@ struct OuterEdge {
 struct InnerEdge {
   int before = 0;
   PatchEdge before_edge = PatchEdge::U0;
-  bool reversed = false;  ///< its own sense runs against that of the other
+  bool reversed = false;  ///< its sense is opposite to that of the other edge
   int after = 0;
   PatchEdge after_edge = PatchEdge::U0;
 };
@@ -36,18 +36,19 @@ FillEdges ringEdges();
 
 struct CurvedPatches {
   std::vector<BezierPatch> patches;
-  /// The largest difference of normal curvatures across the edges, at some places of each; sides
-  /// without second derivatives are left out.
+  /// The largest difference of normal curvatures across the edges, at sampled parameters of each.
+  /// Sides without second derivatives are left out.
   double curvature_jump_per_mm = 0;
 };
 
-/// Patches of a space near to given ones of it, with less of a curvature jump: its squares at
-/// places along all edges, and little of the squared differences of poles of that order, are made
-/// least. Across the outer edges the jump is linear in the poles, as position and first derivatives
-/// there are fixed; across inner ones it is linearised at the patches given, and this is repeated.
-/// What is not proved regular, or has a larger jump by a fiftieth, is not taken: where nothing
-/// better comes out, the patches come back.
-/// \param patchesOf the patches of unknowns.
+/// Patches of a space near given ones, with smaller curvature jumps. The minimised sum consists of
+/// the squared jumps at sampled parameters of all edges and, with a small weight, the squared
+/// differences of poles of order \p order. Across the outer edges the jump is linear in the poles,
+/// because position and first derivatives are fixed there. Across inner edges it is linearised at
+/// the given patches, and this is repeated. A result that is not proven regular, or whose largest
+/// jump is larger by a fiftieth, is rejected. If there is no better result, the given patches are
+/// returned.
+/// \param patchesOf returns the patches of unknowns.
 /// Source: docs/theory/fills.md F2.7.
 CurvedPatches leastCurvatureJump(
     const FillSpace& space, const std::vector<BezierPatch>& given, const FillEdges& edges,

@@ -9,7 +9,7 @@ namespace seamwright::fill {
 
 namespace {
 
-/// Weights of a difference of that order.
+/// Binomial weights of a difference of that order.
 Eigen::RowVectorXd differenceWeights(int order) {
   Eigen::RowVectorXd weights = bernstein::binomials(order).transpose();
   for (int i = order - 1; i >= 0; i -= 2) weights(i) *= -1;
@@ -33,7 +33,8 @@ Values differences(const FillSpace& space, const Values& poles, int order) {
   return result;
 }
 
-/// unknowns = basis * rest + offset, rest without the star if that is prescribed.
+/// unknowns = basis * rest + offset, where rest excludes the tangents of the spokes if they are
+/// prescribed.
 struct Substitution {
   Eigen::MatrixXd basis;
   Poles offset;
@@ -46,7 +47,8 @@ Substitution substitution(const FillSpace& space, std::optional<double> spoke_sc
   const Eigen::Index star = space.centre + 1;
   result.basis.topLeftCorner(star, star).setIdentity();
   result.basis.bottomRightCorner(count - star - 2, count - star - 2).setIdentity();
-  // The centre drops out of the star: the cosines, and the sines, add up to zero.
+  // The centre has no influence on the tangents, because the cosines, and the sines, add up to
+  // zero.
   for (int k = 0; k < space.patches; ++k) {
     const double angle = 2 * std::numbers::pi * k / space.patches,
                  weight = 2 * *spoke_scale / space.patches;

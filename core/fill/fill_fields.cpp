@@ -32,8 +32,8 @@ Scalars scalarsOf(const HoleCorner& begin, const HoleCorner& end, SpokeLaw law, 
   return s;
 }
 
-/// Steps 3 and 6: slopes of q such that the mixed derivatives of the fill agree but for a normal
-/// part, which is the result.
+/// Steps 3 and 6: slopes of q such that the mixed derivatives of the fill agree except for a normal
+/// part, which is returned.
 Vector3d meetTwists(const HoleCorner& corner, Scalars& before, Scalars& after,
                     FillCorner& figures) {
   const SideEnd &b = *corner.before(), &a = *corner.after();
@@ -52,8 +52,8 @@ Vector3d meetTwists(const HoleCorner& corner, Scalars& before, Scalars& after,
   return known + slopes(0) * a.edge + slopes(1) * b.edge;
 }
 
-/// Step 4: Bernstein coefficients of p and q on the halves; q is such that the slope of G jumps in
-/// the middle as the spoke asks for.
+/// Step 4: Bernstein coefficients of p and q on the halves; q is chosen such that the slope of G
+/// jumps in the middle as the spoke requires.
 struct HalfScalars {
   Eigen::VectorXd p, q;
 };
@@ -65,7 +65,8 @@ std::array<HalfScalars, 2> halfScalars(const Scalars& s, SpokeLaw law, int n) {
           HalfScalars{Eigen::Vector2d(s.p_middle, s.p_end), Vector3d(middle, right, s.q_end)}};
 }
 
-/// One half of a side while it is built: what the tangent planes ask for, and what is taken.
+/// One half of a side during construction: the derivative that the tangent planes require, and the
+/// one used.
 struct Half {
   Poles edge1, wanted, taken;
 };

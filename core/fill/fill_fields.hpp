@@ -5,11 +5,11 @@
 #include <numbers>
 #include <seamwright/core/fill/n_sided_fill.hpp>
 
-/// The cross derivatives that a fill has along sides with tangent planes; not a public header.
+/// The cross-boundary derivatives of a fill along sides with tangent planes; not a public header.
 namespace seamwright::fill {
 
-/// 2 cos(2 pi / n), exactly 0 for n = 4: a regular star of n tangents r_k has r_(k+1) = c r_k -
-/// r_(k-1).
+/// c = 2 cos(2 pi / n), exactly 0 for n = 4. The n tangents r_k of a regular polygon have r_(k+1) =
+/// c r_k - r_(k-1).
 inline double starFactor(int n) {
   return n == 4 ? 0 : 2 * std::cos(2 * std::numbers::pi / n);
 }
@@ -31,12 +31,12 @@ struct CrossBoundaryDerivatives {
   std::vector<FillCorner> corners;
 };
 
-/// \throws as nSidedFill() for what concerns corners.
+/// \throws as nSidedFill() does for corners.
 /// Source: docs/theory/fills.md F2.1 to F2.3, F3.1.
 CrossBoundaryDerivatives crossBoundaryDerivatives(const std::vector<FillSide>& sides, SpokeLaw law,
                                                   int degree, double tolerance_rad);
 
-/// Both halves of a polynomial.
+/// The coefficients of a polynomial on [0, 1/2] and on [1/2, 1].
 std::array<Poles, 2> halved(const Poles& coefficients);
 
 }  // namespace seamwright::fill

@@ -4,10 +4,10 @@
 #include <Eigen/Core>
 #include <seamwright/core/join/bernstein_rows.hpp>
 
-/// Polynomials of which the coefficients are combinations of unknown points; not a public header.
+/// Polynomials whose coefficients are combinations of unknown points; not a public header.
 namespace seamwright::fill {
 
-/// Bernstein coefficients of a polynomial, or poles of a row, one a row.
+/// Bernstein coefficients of a polynomial, or poles of a row of a net; one per matrix row.
 using Forms = Eigen::MatrixXd;
 
 inline Forms derivative(const Forms& polynomial) {

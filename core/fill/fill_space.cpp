@@ -22,8 +22,8 @@ class Builder {
         n_(static_cast<int>(sides.size())),
         degree_(degree) {
     spoke_degree_ = law == SpokeLaw::Linear || n_ == 4 ? degree : degree - 1;
-    // Before forms are made their length must be known: centre, star, spokes, twist, cross fields,
-    // differences, interiors.
+    // Forms need their length in advance: centre, tangents of the spokes, spokes, twist,
+    // cross-boundary derivatives, differences, interiors.
     const int inner = degree - 3;
     unknowns_ = 3 + n_ * (spoke_degree_ - 3) - (isConstrained() ? 1 : 0) + (n_ % 2 == 0 ? 1 : 0) +
                 n_ * inner + n_ * inner * inner;
@@ -77,8 +77,9 @@ class Builder {
     }
   }
 
-  /// Cross derivatives out of the hole. Those of a side of position alone are free but for values
-  /// and mixed derivatives at the corners, and the jump of their slope in the middle.
+  /// The cross-boundary derivatives out of the hole. On a side of position alone they are free
+  /// except for the values and mixed derivatives at the corners and the jump of the slope in the
+  /// middle.
   void makeFields() {
     fields_.resize(n_);
     for (int k = 0; k < n_; ++k)
@@ -148,7 +149,8 @@ class Builder {
     for (int k = 0; k + 1 < n_; ++k) twists_.emplace_back(sums[k] - twists_[k]);
   }
 
-  /// The rows along the sides, with the cross derivatives, and the poles next to the centre.
+  /// The rows along the sides, from the cross-boundary derivatives, and the poles next to the
+  /// centre.
   void setBoundary(int k) {
     const Forms &right = edges_[before(k)][1], &left = edges_[k][0];
     const Forms &across_right = fields_[before(k)][1], &across_left = fields_[k][0];

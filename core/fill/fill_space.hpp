@@ -3,7 +3,7 @@
 
 #include <seamwright/core/fill/fill_fields.hpp>
 
-/// All fills of a hole whose joins are exact; not a public header.
+/// The space of all fills of a hole with exact joins; not a public header.
 namespace seamwright::fill {
 
 /// The poles of all patches as affine functions of unknown points: poles = coefficients * unknowns
@@ -13,9 +13,10 @@ struct FillSpace {
   int degree = 0;
   Eigen::MatrixXd coefficients;  ///< #P by #U
   Poles constants;               ///< #P by 3
-  Eigen::Index centre =
-      0;  ///< the unknown that is the centre; those behind it span the star of the spokes' tangents
-  Poles middles;  ///< of the sides, where the spokes end
+  /// Index of the unknown that is the centre; the unknowns after it span the tangents of the
+  /// spokes.
+  Eigen::Index centre = 0;
+  Poles middles;  ///< middles of the sides, where the spokes end
 
   Eigen::Index row(int patch, int i, int j) const {
     return (static_cast<Eigen::Index>(patch) * (degree + 1) + i) * (degree + 1) + j;

@@ -53,7 +53,7 @@ void requireSide(const FillSide& side, std::size_t k) {
   requireField(side.bend, sideName(k), "second derivative");
 }
 
-/// Size of the coordinates: their rounding is that of everything.
+/// Size of the coordinates; their rounding determines all other rounding.
 double extent(const std::vector<FillSide>& sides) {
   double size = 0;
   for (const FillSide& side : sides) size = std::max(size, rows::size(side.edge.poles()));

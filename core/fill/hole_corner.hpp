@@ -6,15 +6,15 @@
 #include <string>
 #include <vector>
 
-/// The sides of a hole as they are given, and what they say where they meet; not a public header.
+/// The given sides of a hole, and their data at the corners; not a public header.
 namespace seamwright::fill {
 
 /// "12.5 degrees", to six digits.
 std::string degreesText(double angle_rad);
 
-/// \throws std::invalid_argument as nSidedFill() for sides alone: rational, degrees, not finite,
-/// not closed, without a tangent; and for a tolerance outside [0, 0.1] and an order other than 2
-/// and 3.
+/// \throws std::invalid_argument as nSidedFill() does for sides: rational, degrees, not finite, not
+/// closed, without a tangent; for a tolerance outside [0, 0.1]; and for an order other than 2 and
+/// 3.
 void requireSides(const std::vector<FillSide>& sides);
 void requireFairness(int order);
 void requireTolerance(double corner_tolerance_rad);
@@ -32,26 +32,26 @@ struct SideEnd {
   double noise = 0;               // of T and E', by rounding of coordinates
 };
 
-/// The coefficients of the vector by the two others, least squares.
+/// The coefficients of \p vector by the two other vectors, by least squares.
 Eigen::Vector2d combination(const Eigen::Vector3d& first, const Eigen::Vector3d& second,
                             const Eigen::Vector3d& vector);
 
-/// What both sides say of the corner where side k begins and side k - 1 ends.
+/// The data of both sides at the corner where side k begins and side k - 1 ends.
 class HoleCorner {
  public:
-  /// \throws std::invalid_argument for a cross field parallel to the edge.
+  /// \throws std::invalid_argument for a cross-boundary derivative parallel to the edge.
   HoleCorner(const std::vector<FillSide>& sides, std::size_t k);
 
-  /// Angles. \throws std::invalid_argument for planes that differ by more than the tolerance and
-  /// rounding.
+  /// The angles at the corner. \throws std::invalid_argument for planes that differ by more than
+  /// the tolerance and rounding.
   FillCorner figures(double tolerance_rad) const;
-  /// The same. \throws std::invalid_argument too for angles of the hole of 0, and of 180 degrees or
-  /// more.
+  /// The same for a convex corner. \throws std::invalid_argument also for an angle of the hole of
+  /// 0, and of 180 degrees or more.
   FillCorner convexFigures(double tolerance_rad) const;
-  /// What rounding makes of the angles.
+  /// Bound of the rounding of the angles.
   double noise_rad() const { return noise_rad_; }
-  /// Up where a viewer sees the hole to the left of its sides; zero where no side has a tangent
-  /// plane.
+  /// The direction from which a viewer sees the hole to the left of its sides; zero if no side has
+  /// a tangent plane.
   Eigen::Vector3d up() const;
 
   const Eigen::Vector3d& in() const { return in_; }

@@ -38,7 +38,7 @@ Connection acrossSpokes(SpokeLaw law, int n) {
   return connection;
 }
 
-/// Fills \p result as fairly as its patches stay regular.
+/// Sets \p result to the fairest fill whose patches are regular.
 void chooseFairest(NSidedFill& result, const fill::FillSpace& space, int order) {
   const auto attempt = [&](int differences, std::optional<double> scale) {
     const fill::Fairest best = fill::fairest(space, differences, scale);

@@ -36,12 +36,12 @@ bool isRegular(const Coordinates& x_u, const Coordinates& x_v) {
   return area.range().lower > 0;
 }
 
-/// Around a normal that vanishes no piece is small enough.
+/// The limit is needed because around a vanishing normal no piece is small enough.
 constexpr int most_cuts = 16;
 
 struct Piece {
   Coordinates x_u, x_v;
-  int cuts = 0;  ///< by turns in u and in v
+  int cuts = 0;  ///< alternating in u and in v
 
   bool cutU() const { return cuts % 2 == 0; }
 };

@@ -16,11 +16,12 @@ namespace {
 using bernstein::text;
 using Eigen::Vector2d, Eigen::Vector3d;
 
-/// Corners that turn by less are neither smooth nor do they tell where their spoke goes.
+/// Corners that turn by less than this are not smooth and do not define a direction for their
+/// spoke.
 constexpr double least_turn_rad = 0.01;
 
-/// A ring of which spokes are two thirds as long as the way to the centre has a middle patch with
-/// tangents as long as they.
+/// If the spokes' length is two thirds of the distance to the centre, the tangents of the middle
+/// patch have the same length as the spokes.
 constexpr double spoke_share = 2.0 / 3;
 
 FillCorner figuresOf(const HoleCorner& corner, std::size_t k, double tolerance_rad) {
@@ -63,8 +64,8 @@ Eigen::VectorXd cubic(const RingScalars& s, int function) {
                          s.end(function) - s.slope_end(function) / 3, s.end(function));
 }
 
-/// The least change of slopes of p and q with which c V + d U = e S' holds to first order in the
-/// corner, S'' = 0. What it leaves is along the normal.
+/// The smallest change of the slopes of p and q for which c V + d U = e S' holds to first order in
+/// the corner, with S'' = 0. The remaining defect is along the normal.
 Vector3d meetSlopes(const HoleCorner& corner, const SpokeEnd& spoke, RingScalars& before,
                     RingScalars& after) {
   const SideEnd &b = *corner.before(), &a = *corner.after();
@@ -76,8 +77,8 @@ Vector3d meetSlopes(const HoleCorner& corner, const SpokeEnd& spoke, RingScalars
                           (spoke.d - 1) * corner.in();
   const Vector3d missed = wanted - spoke.c * slope(a, after.begin, after.slope_begin) +
                           spoke.d * slope(b, before.end, before.slope_end);
-  // In the tangent plane, where any two of the directions decide: in space rounding would make a
-  // third dimension of them.
+  // The equations are solved in the tangent plane, where any two of the directions are sufficient.
+  // In space rounding would add a third dimension.
   const Vector3d up = corner.up().normalized(), along = corner.out().normalized();
   Eigen::Matrix<double, 2, 3> plane;
   plane << along.transpose(), up.cross(along).transpose();
@@ -112,7 +113,7 @@ RingFields ringFields(const std::vector<FillSide>& sides, double spoke_scale, do
   for (std::size_t k = 0; k < n; ++k) {
     corners.emplace_back(sides, k);
     result.corners.push_back(figuresOf(corners[k], k, tolerance_rad));
-    // A reflex corner may lie in the middle.
+    // The lower bound is needed because a reflex corner may lie near the centre.
     const double way_mm = std::max((sides[k].edge.point(0) - centre).norm(), mean_mm / 4);
     const double length_mm = spoke_scale * spoke_share * way_mm;
     result.spokes.push_back(spokeEnd(corners[k], result.corners[k], length_mm));

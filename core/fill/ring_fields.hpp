@@ -6,15 +6,15 @@
 #include <seamwright/core/fill/hole_corner.hpp>
 #include <vector>
 
-/// What a ring fill has along its sides; not a public header.
+/// The derivatives of a ring fill along its sides; not a public header.
 namespace seamwright::fill {
 
-/// Where a spoke ends: c V + d U = e S' there.
+/// The end of a spoke, at which c V + d U = e S'.
 struct SpokeEnd {
   std::optional<Eigen::Vector3d>
-      derivative;  ///< S', out of the hole; nothing: both sides ask for position alone
+      derivative;  ///< S', out of the hole; nothing: both sides have position alone
   double c = 1, d = 1, e = 0;
-  bool smooth = false;  ///< the sides go on as one smooth line
+  bool smooth = false;  ///< the sides continue each other as one smooth line
 };
 
 struct RingFields {
@@ -24,7 +24,7 @@ struct RingFields {
   int degree = 0;  ///< of the patches
 };
 
-/// \throws as ringFill() for what concerns corners.
+/// \throws as ringFill() does for corners.
 /// Source: docs/theory/fills.md F5.1.
 RingFields ringFields(const std::vector<FillSide>& sides, double spoke_scale, double tolerance_rad,
                       int more_degrees);

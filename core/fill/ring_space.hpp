@@ -4,10 +4,10 @@
 #include <seamwright/core/fill/fill_space.hpp>
 #include <seamwright/core/fill/ring_fill.hpp>
 
-/// All ring fills of a hole whose joins are exact; not a public header.
+/// The space of all ring fills of a hole with exact joins; not a public header.
 namespace seamwright::fill {
 
-/// Where a pole of the ring is kept: neighbours share those of their common edge.
+/// The row in which a pole of the ring is stored. Neighbours share the poles of their common edge.
 Eigen::Index sharedRow(const FillSpace& space, int patch, int i, int j);
 
 struct RingSpace {
@@ -15,8 +15,7 @@ struct RingSpace {
   std::vector<FillCorner> corners;
 };
 
-/// \throws as ringFill() for what concerns corners; std::runtime_error if the joins contradict each
-/// other.
+/// \throws as ringFill() does for corners; std::runtime_error if the joins contradict each other.
 RingSpace ringSpace(const std::vector<FillSide>& sides, double spoke_scale, double tolerance_rad,
                     int more_degrees);
 

@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector2d, Eigen::Vector3d;
 
-/// One side: -(p T + q E') with its linear functions, and the same with the spokes at its ends.
+/// One side: -(p T + q E') with its linear functions, and the same for the spokes at its ends.
 struct Across {
   Vector2d p, q;
   Poles wanted, taken;

@@ -65,7 +65,7 @@ class TriangleBuilder {
       for (int j = 1; i + j <= n - 2; ++j) pole(k, i, j) = unknown();
   }
 
-  /// Each pole is the mean of those of the row before it.
+  /// Each pole is the mean of the three poles of the previous row.
   void setSpokes() {
     const int n = space_.degree;
     for (int s = 1; s < n; ++s)

@@ -4,19 +4,18 @@
 #include <optional>
 #include <seamwright/core/fill/three_sided_fill.hpp>
 
-/// All fills of a hole of three sides by triangles; not a public header.
+/// The space of all fills of a three-sided hole by triangles; not a public header.
 namespace seamwright::fill {
 
-/// Derivatives of the fill from each side to the centre, in one degree less than that of the
-/// triangles.
+/// Derivatives of the fill from each side to the centre, of one degree less than the triangles.
 struct CentreFields {
   std::vector<std::optional<Poles>> sides;  ///< nothing: position alone
   std::vector<std::optional<Connection>> joins;
   std::vector<FillCorner> corners;
-  Poles spokes;  ///< from corner k to the centre: S' in the corner, one a row
+  Poles spokes;  ///< from corner k to the centre: S' in the corner, one per row
 };
 
-/// \throws as threeSidedFill() for what concerns corners.
+/// \throws as threeSidedFill() does for corners.
 /// Source: docs/theory/fills.md F4.1.
 CentreFields centreFields(const std::vector<FillSide>& sides, int degree, double tolerance_rad);
 
@@ -36,8 +35,8 @@ struct TriangleSpace {
 TriangleSpace triangleSpace(const std::vector<FillSide>& sides, const CentreFields& fields,
                             int degree);
 
-/// One row for each entry of the tensors of derivatives of that order, of poles or of what stands
-/// for them: the sum of squares is fairness.
+/// One row for each entry of the tensors of derivatives of order \p order, of poles or of their
+/// coefficients. The sum of squares is fairness.
 Eigen::MatrixXd tensorsOf(const TriangleSpace& space, const Eigen::MatrixXd& poles, int order);
 
 /// Poles of neighbours along a spoke are bitwise the same.

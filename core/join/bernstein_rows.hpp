@@ -10,11 +10,11 @@
 #include <seamwright/core/bernstein/coefficients.hpp>
 #include <seamwright/core/bernstein/polynomial.hpp>
 
-/// Vector-valued polynomials in Bernstein form on [0, 1], one coefficient a row; not a public
+/// Vector-valued polynomials in Bernstein form on [0, 1], one coefficient per row; not a public
 /// header.
 ///
-/// Plain doubles, without padding: what is built here is rounded, what is judged is judged against
-/// noise.
+/// The numbers are plain doubles without padding. So constructed values are rounded, and a
+/// judgement compares with the noise.
 namespace seamwright::rows {
 
 /// Degree + 1 coefficients of Size numbers each.
@@ -27,13 +27,13 @@ int degree(const Rows& rows) {
   return static_cast<int>(rows.rows()) - 1;
 }
 
-/// Size of the largest coefficient.
+/// Length of the largest coefficient.
 template <class Rows>
 double size(const Rows& rows) {
   return rows.rowwise().norm().maxCoeff();
 }
 
-/// Any bilinear operation on two polynomials: coefficient k is the mean of op(a_i, b_j), i + j = k,
+/// A bilinear operation on two polynomials. Coefficient k is the mean of op(a_i, b_j), i + j = k,
 /// with the weights C(m,i) C(n,j) / C(m+n,k).
 template <int Size, class A, class B, class Operation>
 Field<Size> combined(const A& a, const B& b, const Operation& op) {
@@ -47,7 +47,8 @@ Field<Size> combined(const A& a, const B& b, const Operation& op) {
   return result;
 }
 
-/// Factor times field. A constant factor is applied as it is, so 1 changes nothing.
+/// Factor times field. A constant factor multiplies the coefficients directly, so the factor 1
+/// changes no bit.
 template <int Size>
 Field<Size> product(const Eigen::VectorXd& factor, const Field<Size>& field) {
   if (factor.size() == 1) return factor(0) * field;
@@ -69,7 +70,7 @@ inline Eigen::VectorXd determinant(const Field<3>& a, const Field<3>& b, const F
   return dot<3>(cross(a, b), c);
 }
 
-/// The minors 01, 02, 03, 23, 31, 12 of two rows of four.
+/// The minors 01, 02, 03, 23, 31, 12 of two vectors of four entries.
 inline Field<6> minors(const Field<4>& a, const Field<4>& b) {
   return combined<6>(a, b, [](const auto& x, const auto& y) {
     const auto minor = [&](int i, int j) { return x(i) * y(j) - x(j) * y(i); };
@@ -94,7 +95,8 @@ Field<Size> derivative(const Field<Size>& field) {
   return static_cast<double>(n) * (field.bottomRows(n) - field.topRows(n));
 }
 
-/// The same polynomial in a degree no lower. Columns that are constant stay so bitwise.
+/// The same polynomial in the degree \p to, or in its own degree if that is higher. Constant
+/// columns stay constant bitwise.
 template <int Size>
 Field<Size> elevated(Field<Size> field, int to) {
   while (degree(field) < to) {
@@ -116,7 +118,7 @@ Field<Size> sum(const Field<Size>& a, const Field<Size>& b) {
   return elevated<Size>(a, to) + elevated<Size>(b, to);
 }
 
-/// Elevation from one degree to another as a matrix.
+/// Degree elevation as a matrix.
 inline Eigen::MatrixXd elevation(int from, int to) {
   Eigen::MatrixXd matrix(to + 1, from + 1);
   for (int j = 0; j <= from; ++j)
@@ -124,16 +126,16 @@ inline Eigen::MatrixXd elevation(int from, int to) {
   return matrix;
 }
 
-/// A polynomial in a lower degree, and by how much its coefficients in the old degree miss the
-/// given ones.
+/// A polynomial of lower degree, and the largest distance of its coefficients, raised to the old
+/// degree, from the given ones.
 template <int Size>
 struct Lowered {
   Field<Size> field;
   double defect = 0;
 };
 
-/// The nearest polynomial of that degree, by least squares of the coefficients; exact where there
-/// is one, and bitwise in columns that are constant.
+/// The nearest polynomial of degree \p to, by least squares of the coefficients. If the polynomial
+/// has that degree, the result is exact up to rounding. Constant columns stay constant bitwise.
 template <int Size>
 Lowered<Size> lowered(const Field<Size>& field, int to) {
   if (degree(field) <= to) return {elevated<Size>(field, to), 0};
@@ -145,7 +147,7 @@ Lowered<Size> lowered(const Field<Size>& field, int to) {
   return {std::move(low), defect};
 }
 
-/// A function whose coefficients are all the same is a constant.
+/// The function, reduced to degree 0 if all its coefficients are the same.
 inline Eigen::VectorXd trimmed(const Eigen::VectorXd& function) {
   if ((function.array() == function(0)).all()) return function.head(1);
   return function;
@@ -155,8 +157,8 @@ inline bool isZero(const Eigen::VectorXd& function) {
   return (function.array() == 0).all();
 }
 
-/// A place where the polynomial is not positive, or too near to zero to tell; nothing where it is
-/// positive on all of [0, 1].
+/// A parameter at which the polynomial is not positive, or is too near to zero to tell; nothing if
+/// it is positive on the whole of [0, 1].
 inline std::optional<double> notPositiveAt(const BernsteinPolynomial& p, double begin = 0,
                                            double end = 1) {
   const double at_begin = p.coefficients()(0), at_end = p.coefficients()(p.degree());
@@ -170,7 +172,7 @@ inline std::optional<double> notPositiveAt(const BernsteinPolynomial& p, double 
   return notPositiveAt(right, middle, end);
 }
 
-/// A sum of terms factor times field; those that vanish count for nothing, not even for the degree.
+/// A sum of terms factor times field. Terms that vanish are skipped and do not raise the degree.
 template <int Size>
 class Sum {
  public:

@@ -3,13 +3,13 @@
 
 #include <seamwright/core/join/connection.hpp>
 
-/// What connection functions must be; not a public header.
+/// Checks of connection functions; not a public header.
 namespace seamwright {
 
-/// The same functions, those whose coefficients are all the same as constants.
+/// The same functions; a function whose coefficients are all the same is reduced to a constant.
 /// \throws std::invalid_argument, with name, index and value, for a function without coefficients,
-/// above degree 100, or with one that is not finite; for alpha or e0 that is not positive
-/// everywhere on [0, 1].
+/// of a degree above 100, or with a coefficient that is not finite; and for an alpha or e0 that is
+/// not positive everywhere on [0, 1].
 Connection checked(const Connection& connection);
 
 }  // namespace seamwright

@@ -26,8 +26,8 @@ struct Unknown {
 
 struct FieldFit {
   std::vector<Eigen::VectorXd> factors;
-  double residual = 0;  ///< largest coefficient that remains, relative to the right side, the terms
-                        ///< and the size given
+  /// Largest remaining coefficient, relative to the right side, the terms and the given size.
+  double residual = 0;
   double condition = 0;
 };
 
@@ -36,9 +36,10 @@ Eigen::VectorXd column(const Field<4>& field, int degree) {
   return rows::elevated<4>(field, degree).reshaped();
 }
 
-/// Columns scaled to length 1, so that neither units nor speeds count for the condition.
-/// \param size what residuals are relative to at least: a right side of rounding alone must not
-/// count as one of its own size.
+/// Solves by least squares. Columns are scaled to length 1, so units and speeds do not influence
+/// the condition.
+/// \param size lower bound of the size that residuals are relative to. So a right side that is only
+/// rounding is not taken as significant.
 FieldFit solve(const std::vector<Unknown>& unknowns, const Field<4>& right, double size) {
   int degree = rows::degree(right);
   Eigen::Index count = 0;
@@ -85,7 +86,7 @@ bool isPolynomial(const Ribbon& ribbon) {
   return rows::trimmed(ribbon.position.col(3)).size() == 1;
 }
 
-/// The steps of recognition, each of which needs the ones before it.
+/// The steps of the fit. Each step needs the previous ones.
 class Recognition {
  public:
   Recognition(const Ribbon& a, const Ribbon& b, const ConnectionFitOptions& options)
@@ -113,8 +114,8 @@ class Recognition {
     return options_.tolerance.value_or(noise);
   }
 
-  /// Tries (first, second) degrees, given or ascending, and keeps the first that is within the
-  /// tolerance, or the best.
+  /// Tries (first, second) degrees, given or ascending. Keeps the first pair within the tolerance,
+  /// or the best one.
   template <class Try>
   bool ascend(const std::optional<int>& first, const std::optional<int>& second, int last,
               double allowed, const char* names, const Try& attempt) {

@@ -10,10 +10,10 @@
 #include <stdexcept>
 #include <string>
 
-/// Two ribbons in coordinates in which their size is 1; not a public header.
+/// Two ribbons in coordinates where their size is 1; not a public header.
 namespace seamwright {
 
-/// What rounding may make of a relative residual of 0 without hiding what is to be told.
+/// Largest noise of a relative residual for which a condition is still decided.
 inline constexpr double kLargestNoise = 1e-2;
 
 inline void requireTolerance(const std::optional<double>& tolerance) {
@@ -41,12 +41,12 @@ inline void requireUsable(const Ribbon& ribbon, const char* name) {
                                   ": it must be positive");
 }
 
-/// The joins of two ribbons do not depend on the place of the origin, the unit of length and that
-/// of weights.
+/// Two ribbons with a normalised origin, unit of length and unit of weights. The join of two
+/// ribbons does not depend on these.
 struct NormalizedPair {
   Ribbon a, b;
-  double length = 1;    ///< mm, what is 1 in the ribbons
-  double rounding = 0;  ///< of a pole, in that unit: an eps of the original coordinates
+  double length = 1;    ///< in mm, the unit of length of the ribbons
+  double rounding = 0;  ///< rounding of a pole in that unit: one eps of the original coordinates
 
   NormalizedPair(const Ribbon& given_a, const Ribbon& given_b) : a(given_a), b(given_b) {
     requireUsable(a, "a");
@@ -72,7 +72,7 @@ struct NormalizedPair {
   static double reach(const Ribbon& ribbon) {
     return ribbon.position.leftCols<3>().cwiseAbs().maxCoeff();
   }
-  /// Of poles of the seam and of the row behind it.
+  /// Size of the poles of the seam and of the row behind it.
   static double size(const Ribbon& ribbon) {
     return std::max(reach(ribbon), ribbon.first.leftCols<3>().cwiseAbs().maxCoeff() /
                                        std::max(ribbon.degree_across, 1));

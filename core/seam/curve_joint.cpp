@@ -23,7 +23,8 @@ void requirePoint(const CurveEnd& end) {
     throw std::invalid_argument("an end without derivatives: at least the point is needed");
 }
 
-/// By a parameter that keeps the digits of curves with uneven weights: figures do not depend on it.
+/// The end in a parameter that keeps the digits of curves with uneven weights. The figures do not
+/// depend on the parameter.
 CurveEnd curveEnd(const BezierCurve& curve, double t, int order) {
   OwnDerivatives own = ownDerivatives(curve.homogeneousPoles(), t, order);
   own.derivatives.row(0) = curve.point(t).transpose();

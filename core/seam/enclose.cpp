@@ -16,18 +16,20 @@ namespace seamwright {
 
 namespace {
 
-/// Of the seam's parameter: a shorter piece with bounds is not cut to make them narrower.
+/// Share of the parameter of the seam. A shorter piece that has bounds is not cut to make them
+/// narrower.
 constexpr double shortest_piece = 0x1p-24;
-/// Of the seam, in parameter and in length: a shorter piece without known tangent plane is left
-/// out.
+/// Share of the seam, in parameter and in length. A shorter piece without known tangent plane is
+/// left out.
 constexpr double pole_piece = 0x1p-30;
-/// Of the seam's parameter: no piece is cut to less.
+/// Share of the parameter of the seam. No piece is cut to less; this is four units in the last
+/// place of 1.
 constexpr double last_piece = 0x1p-50;
-/// Of the seam, in parameter and in length: so near a point without tangent plane, where curvature
-/// is as large as one likes, it is no part of the figures.
+/// Share of the seam, in parameter and in length. The figures leave out the curvature this close to
+/// a point without tangent plane, where it may grow without limit.
 constexpr double degenerate_reach = 0x1p-20;
-/// The same where no bound of the angle is known up to the point: its poles are scattered by
-/// rounding, which counts for curvature by the square of the distance.
+/// The same where no bound of the angle is known up to the point. Rounding scatters the poles of
+/// such a point, and its effect on curvature grows with the inverse square of the distance.
 constexpr double scattered_reach = 0x1p-16;
 
 struct Piece {
@@ -36,15 +38,15 @@ struct Piece {
   PieceFigures figures;
   bool left_out = false;            ///< only the gap counts
   bool curvature_left_out = false;  ///< only gap and angle count
-  /// by what its bounds are too wide, in units of what is allowed
+  /// How wide its bounds are, in units of the allowed width; 0 if they are narrow enough.
   double excess = infinite;
-  int stalled = 0;  ///< cuts in a row that helped no part
+  int stalled = 0;  ///< number of cuts in a row that improved no part
   double width() const { return to - from; }
   double at(double x) const { return 0.5 * ((1 - x) * from + (1 + x) * to); }
 };
 
-/// Of a piece that lies across knot lines each combination of sides is possible: nothing is known
-/// to be reached.
+/// On a piece across knot lines every combination of sides is possible, so no value is known to be
+/// attained.
 void include(PieceFigures& sum, const PieceFigures& more) {
   const auto merge = [](PieceBound& bound, const PieceBound& other) {
     bound = {0, std::max(bound.upper, other.upper), 0};
@@ -77,7 +79,7 @@ class Enclosure {
  private:
   enum Quantity { Gap, Angle, Curvature, RelativeCurvature, Quantities };
 
-  /// Above the crease angle curvature is no figure.
+  /// Above the crease angle there are no curvature figures.
   Detail detail() const {
     return lower_[Angle] > tolerance_.crease_rad ? Detail::TangentPlane : Detail::Curvature;
   }
@@ -121,10 +123,10 @@ class Enclosure {
   std::array<double, Quantities> at_{};
   double curvature_norm_ = 0;
   int looks_ = 0;
-  int cuts_ = 0;  ///< at knot lines
+  int cuts_ = 0;  ///< number of cuts at knot lines
   bool exhausted_ = false;
   std::vector<DegeneratePoint> degenerate_;
-  Interval curvature_range_ = {0, 1};  ///< off the poles at the ends
+  Interval curvature_range_ = {0, 1};  ///< the seam without the poles at its ends
 };
 
 double Enclosure::tolerated(Quantity quantity) const {
@@ -147,7 +149,8 @@ bool Enclosure::isEnough(Quantity quantity, double upper) const {
          lower_[quantity] > tolerated(quantity);
 }
 
-/// All that matters of a curvature that is left out.
+/// Whether the curvature is certainly within the tolerance or certainly above it: all that matters
+/// for a curvature that is left out.
 bool Enclosure::isOnOneSide(const PieceBound& relative_curvature) const {
   return relative_curvature.upper <= tolerance_.curvature_rel ||
          relative_curvature.lower > tolerance_.curvature_rel;
@@ -159,8 +162,8 @@ bool Enclosure::isSettled(const Piece& piece) const {
   if (piece.left_out) return true;
   const double crease = tolerance_.crease_rad;
   const bool sharp = lower_[Angle] > crease;
-  // The share of the length below the crease angle is told to a hundredth; a fold counts however
-  // short.
+  // The share of the length below the crease angle is needed to a hundredth. A fold counts at any
+  // length.
   const bool across = f.smallest_angle_rad <= crease && f.angle_rad.upper > crease;
   if (across && (!sharp || folds(piece) || piece.width() > 0.01)) return false;
   if (!isEnough(Angle, f.angle_rad.upper)) return false;
@@ -176,7 +179,7 @@ double Enclosure::excess(const PieceBound& bound, Quantity quantity) const {
          std::max(allowed(quantity), std::numeric_limits<double>::min());
 }
 
-/// Largest width of a bound that is not enough, in units of what is allowed; infinite where no
+/// Largest width of a bound that is too wide, in units of the allowed width; infinite where no
 /// bound is known.
 double Enclosure::excess(const Piece& piece) const {
   const PieceFigures& figures = piece.figures;
@@ -187,8 +190,8 @@ double Enclosure::excess(const Piece& piece) const {
     if (isOnOneSide(*figures.curvature_rel)) return largest;
     return std::max(largest, excess(*figures.curvature_rel, RelativeCurvature));
   }
-  // A step from 0 to 1, where one side becomes flat, does not shrink with the piece: it has to be
-  // found.
+  // Where one side becomes flat the figure steps from 0 to 1. The step does not shrink with the
+  // piece, so the pieces must locate it.
   if (figures.curvature_rel->upper == 1 && figures.curvature_rel->lower < 1) return infinite;
   return std::max({largest, excess(*figures.curvature_per_mm, Curvature),
                    excess(*figures.curvature_rel, RelativeCurvature)});
@@ -213,14 +216,14 @@ void Enclosure::see(const Piece& piece) {
 }
 
 void Enclosure::leaveOut(const Piece& piece, const SideFields& a, const SideFields& b) {
-  if (!curvature_range_.contains(piece.at(0))) return;  // named by findPoles()
+  if (!curvature_range_.contains(piece.at(0))) return;  // findPoles() has named it
   const auto kind = [](const SideFields& side) {
     return side.hasPlane() ? Degeneracy::None : Degeneracy::VanishingNormal;
   };
   degenerate_.push_back({piece.at(0), kind(a), kind(b)});
 }
 
-/// False if the piece has to be cut at \p split first.
+/// Measures the piece. False if it must first be cut at \p split.
 bool Enclosure::measure(Piece& piece, Detail detail, std::optional<double>& split) {
   ++looks_;
   const SideFields a = a_.fields(piece.from, piece.to, detail);
@@ -247,7 +250,8 @@ bool Enclosure::measure(Piece& piece, Detail detail, std::optional<double>& spli
     }
   const bool without_plane =
       detail != Detail::Position && !std::isfinite(piece.figures.angle_rad.upper);
-  // Of a short seam far from the origin the length of so short a piece is rounding.
+  // For a short seam far from the origin the length of such a short piece is only rounding, so a
+  // larger share is allowed.
   const double share = piece.width() < 2 * last_piece ? shortest_piece : pole_piece;
   if (without_plane && piece.width() > 0 && length_a_.isShort(piece.from, piece.to, share)) {
     piece.left_out = true;
@@ -256,7 +260,7 @@ bool Enclosure::measure(Piece& piece, Detail detail, std::optional<double>& spli
   return true;
 }
 
-/// Whether there is work left, and a place, for a cut at a knot line.
+/// Whether a cut at a knot line is possible and within the work limit.
 bool Enclosure::mayCut(const Piece& piece, const std::optional<double>& split) {
   if (cuts_ < options_.max_knot_cuts && piece.from < *split && *split < piece.to) {
     ++cuts_;
@@ -286,7 +290,7 @@ void Enclosure::look(double from, double to) {
   look(*split, to);
 }
 
-/// Outside the range the gap is all there is to measure.
+/// Measures only the gap, for pieces outside the range.
 void Enclosure::lookAtGap(double from, double to) {
   Piece piece{from, to, {}, true};
   std::optional<double> split;
@@ -302,8 +306,8 @@ void Enclosure::lookAtGap(double from, double to) {
   pieces_.push_back(piece);
 }
 
-/// A cut of which no part is much better than the whole is stalled by rounding; beside a kink of a
-/// figure one part is.
+/// If no part of a cut is much better than the whole, rounding has stalled the piece. Next to a
+/// kink of a figure one part is better.
 void Enclosure::cut(const Piece& piece) {
   const std::size_t first = pieces_.size();
   look(piece.from, piece.at(0));
@@ -333,7 +337,7 @@ void Enclosure::refine() {
       if (looks_ >= limit) {
         exhausted_ = true;
         pieces_.push_back(piece);
-      } else if (isSettled(piece)) {  // by what was seen since
+      } else if (isSettled(piece)) {  // by values found since it was opened
         pieces_.push_back(piece);
       } else {
         cut(piece);
@@ -343,8 +347,8 @@ void Enclosure::refine() {
   }
 }
 
-/// Up to where curvature is no part of the figures, if a side lacks it on a short piece at an end,
-/// which is named then.
+/// The distance from an end over which the figures leave out the curvature. Nothing unless a side
+/// has no bounded curvature on a short piece at that end; that end is then named as degenerate.
 std::optional<double> Enclosure::poleReach(double end) {
   const double from = end == 0 ? 0 : 1 - pole_piece, to = end == 0 ? pole_piece : 1;
   bool has_plane = true;
@@ -359,7 +363,8 @@ std::optional<double> Enclosure::poleReach(double end) {
   return has_plane ? degenerate_reach : scattered_reach;
 }
 
-/// The ends, where edges end at poles; poles elsewhere are met by pieces that shrink to them.
+/// Looks for poles at the ends of the seam, where edges end at poles. Poles elsewhere are found by
+/// pieces that shrink to them.
 void Enclosure::findPoles() {
   const auto [first, last] = options_.range;
   const auto reach = [&](int end, double share) {
@@ -394,7 +399,8 @@ void Enclosure::leaveOutCurvatureNearDegenerate() {
   for (const Piece& piece : pieces_) see(piece);
 }
 
-/// Too near a point without tangent plane, or without curvature, to be told from it.
+/// Whether the piece is too near a point without tangent plane or without curvature to be
+/// distinguished from it.
 bool Enclosure::isAtPole(const Piece& piece) {
   if (piece.left_out) return true;
   const auto is_near = [&](double pole) {
@@ -441,8 +447,8 @@ SeamFigures Enclosure::run() {
   std::vector<double> breaks = {range.lower, range.upper, 1};
   a_.addBreaks(breaks);
   b_.addBreaks(breaks);
-  // The middle first: a seam that is a crease there has no curvature figures, which saves their
-  // work.
+  // The middle is measured first: a seam that is a crease there has no curvature figures, which
+  // saves their computation.
   Piece middle{range.middle(), range.middle(), {}};
   std::optional<double> split;
   if (measure(middle, Detail::TangentPlane, split)) see(middle);
@@ -451,7 +457,7 @@ SeamFigures Enclosure::run() {
   std::ranges::sort(breaks);
   double from = 0;
   for (const double at : breaks) {
-    constexpr double apart = 0x1p-48;  // breaks that only rounding tells apart are one
+    constexpr double apart = 0x1p-48;  // breaks that differ only by rounding are one
     if (at <= from + apart) continue;
     const double to = at > 1 - apart ? 1 : at;
     const double inner = 0.5 * (from + to);

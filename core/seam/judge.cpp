@@ -51,7 +51,7 @@ bool isWithin(const std::optional<Figure>& figure, double limit, End end) {
 Level reachedLevel(const SeamFigures& figures, const ContinuityTolerance& tolerance, End end) {
   if (!isWithin(figures.gap_mm, tolerance.gap_mm, end)) return Level::None;
   if (!isWithin(figures.angle_rad, tolerance.angle_rad, end) || figures.fold_at) return Level::G0;
-  const bool counts_left_out = end == End::Upper;  // its lower end is 0
+  const bool counts_left_out = end == End::Upper;  // the lower end of what is left out is 0
   if (counts_left_out && !figures.angle_left_out.isWithin(tolerance.angle_rad, tolerance))
     return Level::G0;
   if (figures.plane_share < 0.95) return Level::G0;
@@ -79,8 +79,8 @@ Verdict verdictAt(const SeamFigures& figures, const ContinuityTolerance& toleran
   return verdict;
 }
 
-/// The class does not show it: below the crease angle over more than half of the length a seam is
-/// no crease.
+/// A remark on a sharp spot, which the class does not show: a seam that is below the crease angle
+/// over more than half of its length is no crease.
 std::string sharpSpotRemark(const SeamFigures& figures, const ContinuityTolerance& tolerance) {
   if (!figures.angle_rad || figures.angle_rad->lower <= tolerance.crease_rad ||
       figures.below_crease_share <= 0.5)

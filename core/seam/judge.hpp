@@ -10,12 +10,12 @@
 
 namespace seamwright {
 
-/// Geometric continuity reached; None when the sides do not even meet.
+/// Geometric continuity that a seam reaches; None if the sides do not even meet.
 enum class Level { None, G0, G1, G2, G3 };
 
 enum class SeamClass {
-  Smooth,  ///< meets the level asked for
-  Defect,  ///< falls short of it
+  Smooth,  ///< reaches the required level
+  Defect,  ///< does not reach it
   Crease   ///< sharp by design: meets in position, at more than the crease angle
 };
 
@@ -27,34 +27,40 @@ std::optional<Level> levelFromName(std::string_view name);
 struct Verdict {
   Level level = Level::None;
   SeamClass seam_class = SeamClass::Defect;
-  bool certain = false;  ///< the same for every value within the enclosures of the figures
+  bool certain = false;  ///< every value within the enclosures gives the same verdict
 };
 
-/// Judges the figures of a seam by what the user accepts.
+/// Judges the figures of a seam by the tolerances of the user.
 ///
-/// Level: G0 iff gap <= gap_mm; G1 iff moreover angle <= angle_rad and there is no fold; G2 iff
-/// moreover relative curvature difference <= curvature_rel; G3 iff moreover relative difference of
-/// the change of curvature <= curvature_rel. A figure without a value (nothing could be measured,
-/// or the change of curvature was not asked for) stops the climb, and so does a seam that has no
-/// tangent plane over more than a twentieth of its length.
+/// Level: each level requires the level before it.
+///   G0 iff gap <= gap_mm.
+///   G1 iff angle <= angle_rad and there is no fold.
+///   G2 iff the relative curvature difference is <= curvature_rel.
+///   G3 iff the relative difference of the change of curvature is <= curvature_rel.
+/// A figure without a value ends the climb: nothing could be measured, or the change of curvature
+/// was not asked for. A seam without tangent plane over more than a twentieth of its length is at
+/// most G0.
 ///
 /// Class: Crease iff G0 holds and the angle is above crease_rad or the seam folds, unless the angle
-/// is within crease_rad over more than half of its length: a sharp spot is a Defect. Otherwise
-/// Smooth iff the level reaches \p required.
+/// is within crease_rad over more than half of the length. In that case the seam has a sharp spot
+/// and is not a crease. A seam that is no crease is Smooth iff the level reaches \p required, else
+/// Defect.
 ///
-/// Level and class are those of the lower ends of the enclosures; certain iff the upper ends
-/// (infinite where none is known), those of what the figures leave out among them (see
-/// LeftOut::isWithin()), give the same, and nothing else they depend on is only sampled.
+/// Level and class are those of the lower ends of the enclosures. The verdict is certain iff the
+/// upper ends give the same level and class, and nothing else on which these depend is only
+/// sampled. The upper ends include those of what the figures leave out (see LeftOut::isWithin());
+/// an unknown upper end counts as infinite.
 Verdict judge(const SeamFigures& figures, const ContinuityTolerance& tolerance, Level required);
 
-/// The level is reached by every value within the enclosures, also of what the figures leave out;
-/// without an upper end of a figure it is not known, thus false.
+/// Whether every value within the enclosures reaches the level, including what the figures leave
+/// out. False if a figure that matters has no upper end.
 bool surelyReaches(const SeamFigures& figures, const ContinuityTolerance& tolerance, Level level);
 
-/// What the angle and the verdict do not show by themselves, for a note beside them, joined by ";
-/// ": a sharp spot in a seam that is below the crease angle over more than half of its length; a
-/// fold, whose tangent planes agree as those of a smooth seam do; figures that still changed when
-/// sampling ended. Empty if there is nothing of that.
+/// Remarks on what the angle and the verdict do not show, joined by "; ". Empty if there is none of
+/// the following:
+///   - a sharp spot in a seam that is below the crease angle over more than half of its length;
+///   - a fold: its tangent planes agree like those of a smooth seam;
+///   - figures that still changed when sampling ended.
 std::string remarksOn(const SeamFigures& figures, const ContinuityTolerance& tolerance);
 
 }  // namespace seamwright

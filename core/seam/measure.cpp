@@ -9,14 +9,15 @@ namespace seamwright {
 
 namespace {
 
-/// Mean direction of the seam, not of unit length; nothing where the sides contradict one another.
+/// Mean direction of the seam, not of unit length; nothing if the sides contradict each other.
 std::optional<Eigen::Vector3d> seamDirection(const SidePoint& a, const SidePoint& b) {
-  // Where a path is nearly stationary its direction is rounding, and the two sides need not agree.
+  // Where a path is nearly stationary its direction is rounding, and the two sides may differ.
   if (a.tangent.dot(b.tangent) <= 0.5 * a.tangent.norm() * b.tangent.norm()) return std::nullopt;
   return a.tangent.normalized() + b.tangent.normalized();
 }
 
-/// Whether both faces lie to the same side of their common tangent: the directions into them.
+/// Whether both faces lie to the same side of their common tangent, by the directions that point
+/// into the faces.
 /// Source: docs/theory/surfaces.md S1.2.
 bool leaveToTheSameSide(const SidePoint& a, const Eigen::Vector3d& normal_a, const SidePoint& b,
                         const Eigen::Vector3d& normal_b, const Eigen::Vector3d& along) {
@@ -38,8 +39,8 @@ CurvatureDifference curvatureDifference(const SurfaceJet& a, const Eigen::Vector
   return {norm(tensor_b - tensor_a), norm(tensor_a), norm(tensor_b)};
 }
 
-/// Odd in the normal N and in the direction N x T, a side's change is the same for both senses of
-/// its normal.
+/// The change of curvature of each side is odd in the normal N and in the direction N x T. So it
+/// does not depend on the sense of the normal.
 CurvatureChange changeAcross(const SurfaceJet& a, const Eigen::Vector3d& normal_a,
                              const SurfaceJet& b, const Eigen::Vector3d& normal_b,
                              const Eigen::Vector3d& along) {
@@ -69,7 +70,7 @@ PairMeasure measurePair(const SidePoint& a, const SidePoint& b) {
   const CurvatureDifference curvature = curvatureDifference(a.jet, *natural_a, b.jet, aligned_b);
   const bool finite = std::isfinite(curvature.difference_per_mm + curvature.norm_a_per_mm +
                                     curvature.norm_b_per_mm);
-  if (!finite) return result;  // partials of 1e-160 leave the range of a double
+  if (!finite) return result;  // partials of 1e-160 exceed the range of a double
   result.curvature = curvature;
   if (!along || !a.third_order || !b.third_order) return result;
   const CurvatureChange change = changeAcross(a.jet, *natural_a, b.jet, *natural_b, *along);

@@ -7,9 +7,9 @@
 
 namespace seamwright {
 
-/// The side that a patch gives to a seam along one of its edges, for encloseSeam(). s is the
-/// parameter that runs along the edge, or 1 minus it if \p reversed. The numbers of poles() and
-/// weights() count as exact.
+/// The side of a seam that lies on one edge of a patch, for encloseSeam(). s is the parameter that
+/// runs along the edge, or 1 minus it if \p reversed. The numbers of poles() and weights() count as
+/// exact.
 SeamSide seamSide(const BezierPatch& patch, PatchEdge edge, bool reversed = false);
 
 }  // namespace seamwright

@@ -13,14 +13,14 @@ namespace seamwright {
 namespace {
 
 constexpr double rounding =
-    1e-14;  ///< relative, of the short computations that follow; far above 2^-52 times their length
+    1e-14;  ///< relative, for the short computations below; far above 2^-52 times their length
 
-/// Relative, of spectralNorm(): the arccosine turns a rounding of 2^-50 into one of 2^-50 / sqrt(2
+/// Relative rounding of spectralNorm(): the arccosine turns a rounding of 2^-50 into 2^-50 / sqrt(2
 /// nearly_double).
 constexpr double norm_rounding = 1e-12;
 constexpr double nearly_double = 1e-4;
 
-using Tensor = Eigen::Matrix<double, 6, 1>;  ///< as in SymmetricModel
+using Tensor = Eigen::Matrix<double, 6, 1>;  ///< entries in the order of SymmetricModel
 
 Eigen::Matrix3d matrixOf(const Tensor& k) {
   Eigen::Matrix3d matrix;
@@ -43,7 +43,7 @@ double spectralNorm(const Tensor& k) {
   const double smallest = mean + 2 * spread * std::cos(angle + 2 * std::numbers::pi / 3);
   const bool is_double = std::abs(cosine) > 1 - nearly_double && cosine * (largest + smallest) < 0;
   if (std::isfinite(cosine) && !is_double) return std::max(std::abs(largest), std::abs(smallest));
-  // Next to a double eigenvalue the angle is known to half the digits only; cubes may leave the
+  // Near a double eigenvalue the angle is known to half the digits only, and cubes may exceed the
   // range of a double.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(matrixOf(k), Eigen::EigenvaluesOnly);
   return std::max(std::abs(eigen.eigenvalues()[0]), std::abs(eigen.eigenvalues()[2]));
@@ -62,8 +62,8 @@ bool isKnown(const std::array<ChebyshevModel, Dimension>& model) {
   return std::ranges::all_of(model, [](const ChebyshevModel& m) { return m.isKnown(); });
 }
 
-/// Bounds the largest value over x in [-1, 1] of a convex function along a polygon's curve, but for
-/// the radius, by halving.
+/// Bounds the largest value of a convex function along the curve of a control polygon over x in
+/// [-1, 1], by halving. The radius of the polygon is not included.
 template <int Dimension, class Function>
 class PolygonMaximum {
  public:
@@ -82,7 +82,7 @@ class PolygonMaximum {
     double largest = 0;
     for (int i = 0; i <= last_; ++i) largest = std::max(largest, function_(polygon.points[i]));
     add(polygon.points, -1, 1, 5);
-    bound_.lower -= rounding * largest;  // a halving rounds by less than 2^-50 of the largest point
+    bound_.lower -= rounding * largest;  // a halving rounds by < 2^-50 of the largest point
     bound_.upper += rounding * largest;
     return bound_;
   }
@@ -108,7 +108,8 @@ class PolygonMaximum {
       left[level] = right[0];
       for (int i = 0; i < last_ - level; ++i) right[i] = 0.5 * (right[i] + right[i + 1]);
     }
-    // right holds the last point of every level: from the apex outward, those of the right half.
+    // right now holds the last point of every level: these are the points of the right half, from
+    // the apex outward.
     add(left, from, 0.5 * (from + to), halvings - 1);
     add(right, 0.5 * (from + to), to, halvings - 1);
   }
@@ -139,7 +140,7 @@ PieceBound largestNorm(const std::array<ChebyshevModel, Dimension>& model, const
   const auto polygon = controlPolygon(model);
   if constexpr (Dimension == 6)
     return widened(maximumAlong(polygon, spectralNorm, slack),
-                   1.5 * polygon.radius,  // off-diagonals count twice
+                   1.5 * polygon.radius,  // off-diagonal entries occur twice
                    norm_rounding);
   else
     return widened(maximumAlong(
@@ -151,14 +152,14 @@ PieceBound largestNorm(const std::array<ChebyshevModel, Dimension>& model, const
 struct TensorNorm {
   double at_least = 0;
   double at_most = 0;
-  ChebyshevModel
-      below;  ///< a function that is nowhere above the norm, and touches it at the middle
+  ChebyshevModel below;  ///< a function that is nowhere above the norm and touches it at the middle
 };
 
 TensorNorm normOf(const SymmetricModel& tensor) {
   TensorNorm norm;
   norm.at_most = largestNorm(tensor, {0.01, 0}).upper;
-  // v.K v with the principal direction v of the middle, of largest absolute curvature.
+  // The function is v.K v. v is the principal direction of largest absolute curvature at the
+  // middle.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(matrixOf(valueAt(tensor, 0)));
   const int which = std::abs(eigen.eigenvalues()[0]) > std::abs(eigen.eigenvalues()[2]) ? 0 : 2;
   const Eigen::Vector3d v = eigen.eigenvectors().col(which);
@@ -170,8 +171,9 @@ TensorNorm normOf(const SymmetricModel& tensor) {
   return norm;
 }
 
-/// Bounds of |D| / |K| over the piece, where K keeps away from zero: the quotient of convex by
-/// positive linear along a polygon is at most the largest quotient of its control points.
+/// Upper bound of |D| / |K| over the piece, where K stays away from zero. Along a polygon a
+/// quotient of a convex function by a positive linear one is at most its largest value at the
+/// control points.
 double largestQuotient(const SymmetricModel& difference, const ChebyshevModel& below,
                        const Slack& slack, double& at) {
   const ControlPolygon<6> polygon = controlPolygon(difference);
@@ -193,7 +195,7 @@ double largestQuotient(const SymmetricModel& difference, const ChebyshevModel& b
   return bound.upper * (1 + norm_rounding);
 }
 
-/// The relative difference, at least, at a point of the piece.
+/// A lower bound of the relative difference at a point of the piece.
 double relativeAt(const SymmetricModel& a, const SymmetricModel& b,
                   const SymmetricModel& difference, double flat, double x) {
   const auto radius = [](const SymmetricModel& model) {
@@ -247,7 +249,7 @@ PieceBound relativeBound(const SideTensor& a, const SideTensor& b, const Symmetr
   return bound;
 }
 
-/// The tensor of b turned by the smallest rotation that takes n_b to n_a. On the plane of n_b that
+/// The tensor of b, turned by the smallest rotation that takes n_b to n_a. On the plane of n_b that
 /// rotation is I - s n_a^T / (1 + mu) with s = n_a + n_b and mu = n_a.n_b.
 SymmetricModel turned(const SymmetricModel& tensor, const VectorModel& normal_a,
                       const VectorModel& normal_b, const ChebyshevModel& mu) {
@@ -264,9 +266,9 @@ void measureCurvature(const SurfaceFields& a, const SurfaceFields& b, const Cheb
   figures.curvature_rel = unknown;
   if (figures.sense == 0) return;
   const double sense = figures.sense;
-  // Next to no angle: K_b is not turned. In the plane of a, K_b and R K_b R^T differ by less than 2
-  // angle^2 |K_b|, so the norm of K_b - K_a is below that of the difference by no more; and above
-  // it by no more than |K_b - R K_b R^T| <= 2 angle |K_b|.
+  // For a negligible angle K_b is not turned. In the plane of a, K_b and R K_b R^T differ by less
+  // than 2 angle^2 |K_b|. So the norm of K_b - K_a is below that of the turned difference by at
+  // most this. It is above that norm by at most |K_b - R K_b R^T| <= 2 angle |K_b|.
   constexpr double negligible_rad = 1e-9;
   const bool as_it_is = figures.angle_rad.upper < negligible_rad;
   const double angle = as_it_is ? figures.angle_rad.upper : 0;
@@ -304,7 +306,7 @@ PieceFigures measurePiece(const SurfaceFields& a, const SurfaceFields& b, Detail
   const Interval cosine = mu.isKnown() ? mu.range() : Interval{-1, 1};
   if (cosine.lower > 0) figures.sense = 1;
   if (cosine.upper < 0) figures.sense = -1;
-  // The sine tells small angles, the cosine those near 90 degrees.
+  // The sine resolves small angles, the cosine those near 90 degrees.
   const double cosine_least = std::max({0.0, cosine.lower, -cosine.upper});
   const double cosine_most = std::min(1.0, cosine.magnitude());
   const double up = 1 + rounding, down = 1 - rounding;

@@ -8,34 +8,35 @@
 
 namespace seamwright {
 
-/// |A - B| <= |A| + |B| <= 2 max(|A|, |B|).
+/// The largest possible relative difference: |A - B| <= |A| + |B| <= 2 max(|A|, |B|).
 constexpr double largest_relative_difference = 2;
 
 /// Bounds of the largest value of a quantity over a piece of a seam.
 struct PieceBound {
-  double lower = 0;  ///< a value at most the one reached at \p at
+  double lower = 0;  ///< at most the value that is attained at \p at
   double upper = 0;  ///< infinite if nothing is known
-  double at = 0;     ///< -1..1 on the piece
+  double at = 0;     ///< position on the piece, -1..1
 };
 
-/// What two sides measure over a piece of a seam.
+/// The figures of two sides over a piece of a seam.
 struct PieceFigures {
   PieceBound gap_mm;
   PieceBound angle_rad;
   double smallest_angle_rad = 0;  ///< no angle on the piece is smaller
-  /// 1: the normals of both sides as parametrised agree in direction, -1: they are opposed; 0:
-  /// both, or not known.
+  /// 1: the normals of both sides, as parametrised, agree in direction; -1: they are opposed; 0:
+  /// both occur, or the direction is not known.
   int sense = 0;
-  /// The larger of the curvature norms of the sides reaches this.
+  /// A lower bound of the larger curvature norm of both sides.
   double curvature_norm_per_mm = 0;
-  /// Nothing: not asked for.
+  /// Nothing if it was not asked for.
   std::optional<PieceBound> curvature_per_mm;
-  /// Its upper bound may exceed largest_relative_difference: it tells how far from known the figure
-  /// is.
+  /// The upper bound may exceed largest_relative_difference: it then tells how far the figure is
+  /// from being known.
   std::optional<PieceBound> curvature_rel;
 };
 
-/// How much slack of a bound is worth work: upper - lower <= max(relative * lower, absolute).
+/// The slack that a bound may keep without further work: upper - lower <= max(relative * lower,
+/// absolute).
 struct Slack {
   double relative = 0;
   double absolute = 0;
@@ -47,8 +48,8 @@ struct PieceSlack {
 
 /// Bounds gap, angle and curvature difference over a piece, from the fields of both sides there.
 ///
-/// \param detail Curvature: with the curvature figures; TangentPlane: without; Position: the gap
-/// only.
+/// \param detail Curvature: with the curvature figures; TangentPlane: without them; Position: only
+/// the gap.
 /// Source: docs/theory/enclosures.md E3.2 to E3.4.
 PieceFigures measurePiece(const SurfaceFields& a, const SurfaceFields& b, Detail detail,
                           double flat_radius_mm, const PieceSlack& slack);

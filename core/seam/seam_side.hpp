@@ -12,11 +12,12 @@ namespace seamwright {
 struct SeamSide {
   CurveEvaluator path;
   std::shared_ptr<const SurfaceEvaluator> surface;
-  /// The path's parameter as a piecewise linear function of the place on the seam: t[i] at s[i]; s
-  /// increases from 0 to 1, t increases or decreases.
+  /// The parameter of the path as a piecewise linear function of the position s on the seam: t[i]
+  /// at s[i]. s increases from 0 to 1; t increases or decreases.
   std::vector<double> s = {0, 1};
   std::vector<double> t = {0, 1};
-  /// The face lies to the left of the path in the sense of s, in the parameter plane.
+  /// In the parameter plane the face lies to the left of the path, in the direction of increasing
+  /// s.
   bool face_on_left = true;
 };
 

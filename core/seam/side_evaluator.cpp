@@ -11,7 +11,7 @@ namespace seamwright {
 namespace {
 
 constexpr double shortest_crossing =
-    0x1p-30;  ///< of the seam: below it both sides of a knot line are taken
+    0x1p-30;  ///< of the seam: a shorter piece takes both sides of a knot line
 
 double mapped(const std::vector<double>& from, const std::vector<double>& to, double value) {
   const auto upper = std::upper_bound(from.begin() + 1, from.end() - 1, value);
@@ -19,8 +19,8 @@ double mapped(const std::vector<double>& from, const std::vector<double>& to, do
   return to[i - 1] + (value - from[i - 1]) * ((to[i] - to[i - 1]) / (from[i] - from[i - 1]));
 }
 
-/// Where on [-1, 1] a series takes a value between two points at which it is on either side of it;
-/// nothing if none of 8 steps shows a change of side.
+/// The x in [-1, 1] at which a series takes a value, bracketed by two points on either side of the
+/// value. Nothing if none of 8 steps shows a change of side.
 std::optional<double> crossing(const ChebyshevModel& series, double value) {
   constexpr int steps = 8;
   double low = -1;
@@ -102,14 +102,14 @@ ChebyshevModel SideEvaluator::parameter(double from, double to) const {
   return ChebyshevModel::linear(0.5 * (t0 + t1), 0.5 * (t1 - t0), rounding);
 }
 
-/// Points of the smooth pieces of the surface that coordinate d of the path meets.
+/// One point of each smooth piece of the surface that coordinate d of the path meets.
 std::vector<double> SideEvaluator::hints(int d, const VectorModel& uv, double from, double to,
                                          std::optional<double>& split) const {
   const Interval range = uv[d].range();
   const double touch = touchingDistance(d, uv[d]);
   const std::vector<double> met =
       side_.surface->knotsInside(d, {range.lower - touch, range.upper + touch});
-  std::vector<double> knots;  // in the way, not only touched at an end
+  std::vector<double> knots;  // the path crosses these; it does not only touch them
   for (const double knot : met)
     if (knot > range.lower + touch && knot < range.upper - touch) knots.push_back(knot);
   const double size = side_.surface->parameterSize(d);
@@ -120,8 +120,7 @@ std::vector<double> SideEvaluator::hints(int d, const VectorModel& uv, double fr
     const double knot = knots[knots.size() / 2];
     const double x = crossing(uv[d], knot).value_or(0);
     split = 0.5 * ((1 - x) * from + (1 + x) * to);
-    const double margin =
-        0x1p-10 * (to - from);  // a cut nearer to the end than this makes no progress
+    const double margin = 0x1p-10 * (to - from);  // a cut nearer to the end makes no progress
     split = std::clamp(*split, from + (x < -0.999 ? margin : 0), to - (x > 0.999 ? margin : 0));
     return {};
   }
@@ -132,8 +131,8 @@ std::vector<double> SideEvaluator::hints(int d, const VectorModel& uv, double fr
   return hints;
 }
 
-/// How near a knot line coordinate d of the path is on it: within 2^-46 of the parameter, or within
-/// what rounding leaves open of the path, which is the same for a piece as for the whole path.
+/// The distance within which coordinate d of the path counts as on a knot line: 2^-46 of the
+/// parameter, or the rounding of the path, which is the same for a piece as for the whole path.
 double SideEvaluator::touchingDistance(int d, const ChebyshevModel& coordinate) const {
   const Interval range = coordinate.range();
   const double of_parameter =
@@ -142,8 +141,8 @@ double SideEvaluator::touchingDistance(int d, const ChebyshevModel& coordinate) 
   return of_path <= 0x1p-36 * reach_[d] ? std::max(of_parameter, of_path) : of_parameter;
 }
 
-/// Off knot lines that but for rounding are one, to the side of the face; to both if the path has
-/// no direction.
+/// A hint beside knot lines that differ only by rounding, on the side of the face. Hints on both
+/// sides if the path has no direction.
 std::vector<double> SideEvaluator::besideKnots(const std::vector<double>& knots, int d,
                                                const VectorModel& uv) const {
   const double below = std::nextafter(knots.front(), -infinite);

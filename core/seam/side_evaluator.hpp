@@ -11,30 +11,30 @@ namespace seamwright {
 
 /// The fields of one side over a piece of the seam.
 struct SideFields {
-  std::vector<SurfaceFields>
-      alternatives;             ///< more than one where the piece lies across a knot line
-  std::optional<double> split;  ///< no fields: the piece is to be cut here first
+  std::vector<SurfaceFields> alternatives;  ///< more than one if the piece lies across a knot line
+  std::optional<double> split;              ///< there are no fields: cut the piece here first
 
-  /// Whether the side is known to have a tangent plane all over the piece.
+  /// Whether the side is known to have a tangent plane on the whole piece.
   bool hasPlane() const;
-  /// Whether the curvature of the side is known to be bounded all over the piece.
+  /// Whether the curvature of the side is known to be bounded on the whole piece.
   bool hasCurvature() const;
 };
 
-/// Evaluates a side over pieces [from, to] of the seam, s in 0..1, and says where pieces are to be
-/// cut.
+/// Evaluates a side over pieces [from, to] of the seam, with s in 0..1, and tells where to cut
+/// pieces.
 class SideEvaluator {
  public:
   explicit SideEvaluator(const SeamSide& side);
 
   bool faceOnLeft() const { return side_.face_on_left; }
 
-  /// Adds the places in (0, 1) where the path is not smooth.
+  /// Adds the parameters in (0, 1) at which the path is not smooth.
   void addBreaks(std::vector<double>& breaks) const;
 
-  /// Where the path crosses knot lines of the surface inside the piece there are no fields but a
-  /// place to cut; of pieces shorter than 2^-30 of the seam there is one alternative for each side
-  /// of the line. Along a knot line the side of the face counts.
+  /// Where the path crosses knot lines of the surface inside the piece, the result has no fields
+  /// but a parameter at which to cut. A piece shorter than 2^-30 of the seam is not cut: it has one
+  /// alternative for each side of the line. Along a knot line, the side on which the face lies
+  /// counts.
   SideFields fields(double from, double to, Detail detail) const;
 
  private:

@@ -8,21 +8,24 @@
 
 namespace seamwright {
 
-/// Lengths of intervals of a seam's side, in mm.
+/// Lengths, in mm, of intervals of one side of a seam.
 class SideLength {
  public:
-  /// Refers to the evaluator.
+  /// Keeps a reference to the evaluator.
   explicit SideLength(const SideEvaluator& side) : side_(side) {}
 
-  /// Bounds of the length over an interval of the seam's parameter: chords and control polygons.
-  /// Across knot lines as if the side went all the way along each; infinite above if there are too
-  /// many of them.
+  /// Bounds of the length over an interval of the parameter of the seam. Chords give the lower
+  /// bound and control polygons the upper one. Where a short interval lies across a knot line, the
+  /// upper bound is that of the longest alternative. The upper bound is infinite if there are too
+  /// many knot lines.
   Interval of(double from, double to) const { return of(from, to, 6); }
 
-  /// At least so long is the side: a polygon of those of its points that are known.
+  /// A lower bound of the length of the side: the length of a polygon through those points that are
+  /// known.
   double whole_mm() const;
 
-  /// Whether an interval is no longer than a share of the seam, by length as by parameter.
+  /// Whether an interval is no longer than the given share of the seam, both by length and by
+  /// parameter.
   bool isShort(double from, double to, double share) const;
 
  private:

@@ -39,10 +39,10 @@ class Survey {
   bool mayHideMaximum(const Sample& before, const Sample& middle, const Sample& after) const;
   bool halveWhereNeeded(Span& span, double shortest);
   double place(double t) const { return (t - first_) / (last_ - first_); }
-  /// Share of the length over which something holds.
+  /// Share of the length over which the predicate holds.
   template <class Predicate>
   double share(const Predicate& predicate) const;
-  /// From neighbour to neighbour of samples without a value.
+  /// The intervals around samples without a value, each up to the neighbouring samples.
   LeftOut leftOut(Quantity quantity) const;
 
   const PairAt& pair_at_;
@@ -94,7 +94,7 @@ void Survey::note(const Sample& sample) {
 }
 
 void Survey::start(double from, double to, int count) {
-  // Inner breaks are approached from inside: derivatives may jump there.
+  // Samples lie just inside inner breaks, because derivatives may jump there.
   const double inset = 1e-7 * (to - from);
   const double a = from > first_ ? from + inset : from;
   const double b = to < last_ ? to - inset : to;
@@ -115,7 +115,7 @@ double Survey::allowedError(Quantity quantity) const {
                                                     tolerance_.curvature_rel,
                                                     tolerance_.curvature_rel * norm * norm,
                                                     tolerance_.curvature_rel};
-  return 0.005 * std::max(seen, floors[quantity]);  // half of what is promised
+  return 0.005 * std::max(seen, floors[quantity]);  // half of the 1 % that surveySeam() promises
 }
 
 bool Survey::mayHideMaximum(const Sample& before, const Sample& middle, const Sample& after) const {
@@ -123,7 +123,7 @@ bool Survey::mayHideMaximum(const Sample& before, const Sample& middle, const Sa
   for (int q = 0; q < QuantityCount; ++q) {
     const auto &f0 = before.values[q], &f1 = middle.values[q], &f2 = after.values[q];
     if (!f1 || (!f0 && !f2)) continue;
-    // Next to a point without a value (a pole) the figure may go on growing as it grew.
+    // Next to a point without a value (a pole) the figure may continue to grow at the same rate.
     const double deviation =
         f0 && f2 ? std::abs(*f1 - (*f0 + share * (*f2 - *f0))) : *f1 - *(f0 ? f0 : f2);
     const double reach = std::max({f0.value_or(*f1), *f1, f2.value_or(*f1)}) + deviation;

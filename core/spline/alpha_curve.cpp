@@ -16,12 +16,12 @@ void requirePoles(const AlphaCurve::Polygon& poles) {
                                   bernstein::text(poles(i, 2)) + "): it must be finite");
 }
 
-/// First differences of the quintic's poles: those for a = 0, and what each unit of a adds.
+/// First differences of the quintic's poles: those for a = 0, and their derivative by a.
 struct Differences {
   Poles without, by_shape;
 };
 
-/// Made of the legs of the polygon, which do not depend on the origin.
+/// Computed from the legs of the polygon, which are independent of the origin.
 Differences differences(const AlphaCurve::Polygon& legs) {
   const Eigen::RowVector3d half = legs.row(1) / 2;
   Differences result{Poles::Zero(5, 3), Poles::Zero(5, 3)};

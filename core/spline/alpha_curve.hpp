@@ -13,7 +13,7 @@ struct AlphaCurve {
   using Polygon = Eigen::Matrix<double, 4, 3, Eigen::RowMajor>;
 
   Polygon poles = Polygon::Zero();
-  double a = 1;  ///< shape, 0..1; 1 hugs the polygon
+  double a = 1;  ///< shape, 0..1; with 1 the curve is closest to the polygon
 };
 
 /// b_0..b_3 at t.
@@ -24,48 +24,50 @@ struct AlphaCurve {
 ///   (3) No plane meets the curve more often than the polygon (a in 0..1).
 Eigen::Vector4d alphaBasis(double a, double t);
 
-/// The same curve as a quintic Bézier curve: exact. Derivatives, splitting, conversion go through
-/// it.
+/// The same curve as a quintic Bézier curve, exactly. Use it for derivatives, splitting and
+/// conversion.
 /// \throws std::invalid_argument for a pole that is not finite, or a shape outside 0..1.
 /// Source: docs/theory/curves.md C8.1, C8.2; [TuYanXu2022].
 BezierCurve alphaCurveBezier(const AlphaCurve& curve);
 
-/// How the next alpha-curve goes on at the end of a given one.
+/// The rule by which the next alpha-curve continues a given one.
 struct AlphaCurveJoin {
   int order = 1;  ///< 1, 2 or 3
-  double beta1 = 1,
-         beta2 = 0;        ///< C^1, C^2: 1 and 0. With order 3 beta2 is not free and is not read
-  double length = 1;       ///< of the given curve in the common parameter
-  double next_length = 1;  ///< of the next one
+  /// 1 and 0 for C^1 and C^2. With order 3 beta2 is determined and not read.
+  double beta1 = 1, beta2 = 0;
+  double length = 1;       ///< length of the given curve in the common parameter
+  double next_length = 1;  ///< length of the next curve
   double next_a = 1;
 };
 
-/// The poles Q_0, Q_1 and, with order 2 or 3, Q_2 of the next curve; the others are free.
+/// The poles Q_0, Q_1 and, for order 2 or 3, Q_2 of the next curve; its other poles are free.
 ///
-///   (4) The joint is G^order with beta1, beta2 (with order 3 beta2, beta3 of C8.5).
-///   (5) A C2 join has continuous curvature and torsion (FC^3), since alpha-curves have no torsion
-///       at their ends, and is not G3 unless X'' is parallel to X'. A G2 join is G3 only for beta2
-///       = -2 beta1 (beta1 / h + 1 / k).
+///   (4) The joint is G^order with beta1, beta2 (for order 3 with beta2, beta3 of C8.5).
+///   (5) A C2 join has continuous curvature and torsion (FC^3), because alpha-curves have zero
+///       torsion at their ends. It is G3 only if X'' is parallel to X'. A G2 join is G3 only for
+///       beta2 = -2 beta1 (beta1 / h + 1 / k).
 /// \throws std::invalid_argument for an order, length, beta1 or shape out of range (shapes of a
-/// join are 1e-6 to 1), for given poles P_2 = P_3, and for poles that come out beyond the range of
-/// a double (index and value).
+/// join are 1e-6 to 1), for given poles P_2 = P_3, and for resulting poles beyond the range of a
+/// double (index and value).
 /// Source: docs/theory/curves.md C8.3 to C8.5; [TuYanXu2022].
 Poles alphaJoinPoles(const AlphaCurve& given, const AlphaCurveJoin& join);
 
-/// What an energy measures: the integral of |X^(k)|^2 over [0, 1], k = 1, 2, 3.
+/// The energies: the integral of |X^(k)|^2 over [0, 1], k = 1, 2, 3.
 enum class AlphaEnergy { Length = 1, Curvature = 2, CurvatureVariation = 3 };
 
 struct AlphaOptimum {
   double a = 1;       ///< within the bounds
-  double free_a = 1;  ///< where the energy is least without bounds
-  double energy = 0;  ///< at a
-  bool any = false;   ///< the energy does not depend on a: P_0 = P_1 and P_2 = P_3
+  double free_a = 1;  ///< the shape of least energy without bounds
+  double energy = 0;  ///< the energy at a
+  bool any = false;   ///< the energy is independent of a: P_0 = P_1 and P_2 = P_3
 };
 
-/// The shape of least energy for four poles; exact, since the energy is a quadratic of a.
-///   (6) The derivative of the energy vanishes at free_a, and no shape within the bounds has less
-///       than a.
-/// \throws std::invalid_argument for poles not finite or bounds outside 0 <= a_min <= a_max <= 1.
+/// The shape of least energy for four poles. It is exact, because the energy is a quadratic
+/// polynomial of a.
+///   (6) The derivative of the energy vanishes at free_a, and a has the least energy of all shapes
+///       within the bounds.
+/// \throws std::invalid_argument for poles that are not finite or bounds outside 0 <= a_min <=
+/// a_max <= 1.
 /// Source: docs/theory/curves.md C8.7 (the printed sign differs); [TuYanXu2022].
 AlphaOptimum energyOptimalAlpha(const AlphaCurve::Polygon& poles, AlphaEnergy energy,
                                 double a_min = 0.05, double a_max = 1);

@@ -9,11 +9,11 @@
 #include <seamwright/core/bernstein/coefficients.hpp>
 #include <seamwright/core/bezier/curve.hpp>
 
-/// What alpha-curves and alpha-surfaces share; not a public header.
+/// Common functions of alpha-curves and alpha-surfaces; not a public header.
 namespace seamwright::alpha {
 
 inline constexpr double kSmallestShape =
-    1e-6;  ///< of a join: below it the end derivatives are too small
+    1e-6;  ///< Smallest shape of a join. Below it the end derivatives are too small
 
 inline void requireWithin(const std::string& name, double value, double low, double high) {
   if (!(low <= value && value <= high))
@@ -31,7 +31,7 @@ inline void requireFinite(const std::string& name, double value) {
     throw std::invalid_argument(name + " is " + bernstein::text(value) + ": it must be finite");
 }
 
-/// From the poles of an alpha-curve to those of its quintic.
+/// The matrix that maps the poles of an alpha-curve to those of its quintic.
 inline Eigen::Matrix<double, 6, 4> quintic(double a) {
   Eigen::Matrix<double, 6, 4> map;
   map << 1, 0, 0, 0,   //
@@ -46,12 +46,13 @@ inline Eigen::Matrix<double, 6, 4> quintic(double a) {
 /// The poles of an alpha-curve, or a row of the net of an alpha-surface.
 using Row = Eigen::Matrix<double, 4, 3, Eigen::RowMajor>;
 
-/// By how much a row misses X_0 + X_3 = X_1 + X_2.
+/// The defect of a row in the equation X_0 + X_3 = X_1 + X_2.
 inline Eigen::RowVector3d defect(const Row& row) {
   return row.row(0) + row.row(3) - row.row(1) - row.row(2);
 }
 
-/// The row without defect that has the same curve in another shape, ratio the old by the new one.
+/// For a row without defect: the row of the same curve in another shape. \p ratio is the old shape
+/// divided by the new one.
 inline Row reshaped(const Row& row, double ratio) {
   Row result = row;
   result.row(1) = (1 - ratio) * row.row(0) + ratio * row.row(1);
@@ -64,7 +65,7 @@ struct Side {
   double a = 1, length = 1;
 };
 
-/// What the poles after a joint are made of:
+/// Factors that give the poles after a joint:
 ///   Q_1 = P_3 + first (P_3 - P_2),   Q_2 = P_3 + second (P_3 - P_2) + third (P_1 - P_3).
 struct Factors {
   double first = 1, second = 0, third = 1;
@@ -85,7 +86,8 @@ inline Factors factors(const Side& given, const Side& next, double beta1, double
           third};
 }
 
-/// Of poles that a join made. \param first the index of the first of them.
+/// Checks the poles that a join gives.
+/// \param first the index of the first pole.
 inline void requireInRange(const Eigen::Ref<const Poles>& poles, Eigen::Index first = 0) {
   for (Eigen::Index i = 0; i < poles.rows(); ++i)
     if (!poles.row(i).allFinite())
@@ -96,7 +98,7 @@ inline void requireInRange(const Eigen::Ref<const Poles>& poles, Eigen::Index fi
           "): beta1, beta2 or the lengths are too large or too small for it");
 }
 
-/// What AlphaCurveJoin and AlphaJoin have in common.
+/// Checks the common members of AlphaCurveJoin and AlphaJoin.
 template <class Join>
 void requireJoin(const Join& join) {
   if (join.order < 1 || join.order > 3)

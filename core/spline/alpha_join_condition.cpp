@@ -15,7 +15,7 @@ using bernstein::text;
 using Quintic = Eigen::Matrix<double, 6, 3>;
 using Quartic = Eigen::Matrix<double, 5, 3>;
 
-/// What is said to be rounding, by the size of the poles.
+/// Up to this share of the size of the poles a value counts as rounding.
 constexpr double slack = 64 * std::numeric_limits<double>::epsilon();
 
 Row rowOf(const AlphaSurface& surface, int i) {
@@ -30,7 +30,7 @@ double longest(const Quintic& values) {
   return values.rowwise().stableNorm().maxCoeff();
 }
 
-/// In a unit of length that keeps squares within the range of a double.
+/// The surface in a unit of length for which squares stay within the range of a double.
 AlphaSurface inUnits(AlphaSurface surface, int exponent) {
   surface.poles = bernstein::scaledBy<AlphaSurface::Net>(surface.poles, -exponent);
   return surface;
@@ -46,7 +46,7 @@ void requireUsable(const AlphaSurface& surface, const char* prefix = "") {
   alphaSurfacePatch(surface);  // refuses poles that are not finite
 }
 
-/// What X_u and X_v are along the seam: coefficients of degree 5 and 4.
+/// X_u and X_v along the seam: coefficients of degree 5 and 4.
 struct Seam {
   Quintic across;
   Quartic along;
@@ -95,7 +95,7 @@ Row alphaRow(const Quintic& q, double shape) {
   return row;
 }
 
-/// The family of first rows, of fields divided by their sizes.
+/// Finds the family of first rows, with fields divided by their sizes.
 void findFamily(const AlphaSurface& given, double next_a_v, AlphaSeamCondition& condition) {
   const Seam seam = seamOf(given);
   requireRegular(seam);
@@ -185,7 +185,7 @@ struct Betas {
   double beta1 = 1, beta2 = 0;
 };
 
-/// From betas by the surfaces' own u to those by the common parameter.
+/// Converts betas by the surfaces' own u into betas by the common parameter.
 Betas byCommonParameter(const Betas& own, double length, double next_length) {
   return {own.beta1 * (length / next_length), own.beta2 * (length / next_length) / next_length};
 }
@@ -202,7 +202,7 @@ std::optional<Betas> cheapest(const AlphaSurface& given, const AlphaSurface& nex
   double c3 = 0, c1 = unit.first * unit.first * product(across, across),
          c0 = -unit.first * product(across, wanted1);
   const double square = product(across, across);
-  if (order == 2) {  // beta2 makes up for what lies along `across`
+  if (order == 2) {  // beta2 compensates the component along `across`
     const Row side = before - product(before, across) / square * across;
     c3 = 2 * unit.third * unit.third * product(side, side);
     c1 -= 2 * unit.third * product(side, wanted2);
@@ -270,7 +270,7 @@ Poles alphaSlidingRows(const AlphaSurface& given, double next_a_u, double next_a
 }
 
 AlphaSurface alphaBalanced(const AlphaSurface& given, int order) {
-  alphaSurfacePatch(given);  // refuses what is no surface
+  alphaSurfacePatch(given);  // refuses an invalid surface
   requireOrder(order);
   AlphaSurface result = given;
   for (int i = 3; i >= 3 - order; --i) {
@@ -304,7 +304,7 @@ AlphaSeamFit alphaSeamFit(const AlphaSurface& a, const AlphaSurface& b, double l
       {longest(y.second), beta1 * beta1 * longest(x.second), std::abs(beta2) * longest(x.first)});
   fit.first = relative(longest(y.first - beta1 * x.first), first);
   fit.second = relative(longest(bent - beta2 * x.first), second);
-  // Shares of u in the common parameter, the faster one 1.
+  // Speeds of u by the common parameter, scaled such that the larger one is 1.
   const double of_x = std::min(1.0, next_length / length),
                of_y = std::min(1.0, length / next_length);
   fit.c_first = relative(longest(of_y * y.first - of_x * x.first),

@@ -81,7 +81,8 @@ std::vector<Factors> jointFactors(const AlphaSplineShape& shape) {
   return joints;
 }
 
-/// How far mu goes before and lambda behind the poles on an edge, in their distance.
+/// Lengths of the parts of an edge before the first inner pole (mu) and after the second one
+/// (lambda), relative to the distance of these poles.
 struct Share {
   double mu = 0, lambda = 0;
 };
@@ -187,7 +188,7 @@ AlphaSpline alphaSpline(const Poles& polygon, const AlphaSplineShape& shape) {
 AlphaSpline alphaChain(const AlphaCurve& first, double length,
                        const std::vector<AlphaLink>& links) {
   alpha::requirePositive("length", length);
-  alphaCurveBezier(first);  // refuses what is no curve
+  alphaCurveBezier(first);  // refuses an invalid curve
   AlphaSpline spline{{first}, {0, length}, false};
   for (std::size_t i = 0; i < links.size(); ++i) {
     spline.segments.push_back(linked(spline.segments.back(), links[i], length, i));

@@ -16,12 +16,13 @@ namespace {
 
 using Eigen::Index;
 
-/// Where the unknowns of a closed matrix stand: 0, n-1, 1, n-2, ..
+/// Position of an unknown of a closed matrix in the order 0, n-1, 1, n-2, ..
 Index placeInRing(Index i, Index count) {
   return i < (count + 1) / 2 ? 2 * i : 2 * (count - 1 - i) + 1;
 }
 
-/// L U of a band with Width neighbours on each side; pivoting fills in Width more above.
+/// The LU factorisation of a band matrix with Width neighbours on each side. Pivoting fills Width
+/// more diagonals above.
 template <int Width, bool Pivoting>
 class BandFactor {
  public:
@@ -34,7 +35,7 @@ class BandFactor {
   Index smallestPivot() const { return smallest_; }
   double pivot(Index k) const { return pivots_(k); }
 
-  /// Right sides and unknowns by their places; Upper rows of 0 follow.
+  /// Right sides and unknowns in the order of the factorisation; Upper rows of zeros follow.
   template <class Right>
   void solve(Right& y) const {
     for (Index k = 0; k < count_; ++k) {
@@ -47,7 +48,7 @@ class BandFactor {
     }
   }
 
-  /// The transposed equations.
+  /// Solves the transposed equations.
   void solveTransposed(Eigen::VectorXd& y) const {
     for (Index k = 0; k < count_; ++k) {
       y(k) /= pivots_(k);
@@ -152,7 +153,7 @@ class BandFactor {
 
   bool closed_;
   Index count_, smallest_ = 0;
-  /// Row r: columns r - Width .. r + Upper; left of the diagonal stand the multipliers.
+  /// Row r: columns r - Width .. r + Upper; the multipliers are stored left of the diagonal.
   std::vector<std::array<double, Width + 1 + Upper>> rows_;
   Eigen::VectorXd pivots_;
   std::vector<Index> swaps_;
@@ -162,7 +163,7 @@ double rowNorm(const BandMatrix& m) {
   return (m.lower.cwiseAbs() + m.diagonal.cwiseAbs() + m.upper.cwiseAbs()).maxCoeff();
 }
 
-/// What the inverse's maximum norm is at most; infinite unless every row is strictly dominant.
+/// Upper bound of the inverse's maximum norm; infinite unless every row is strictly dominant.
 double dominanceBound(const BandMatrix& m) {
   const double margin =
       (m.diagonal.cwiseAbs() - m.lower.cwiseAbs() - m.upper.cwiseAbs()).minCoeff();

@@ -35,7 +35,8 @@ double biasAt(const BetaSplineData& data, Index j) {
   return j == 0 || j == n ? 1 : data.bias[j];
 }
 
-/// Lengths of the segments, each the one before divided by the bias between them.
+/// Knots whose steps are the lengths of the segments. Each length is the previous one divided by
+/// the bias between them.
 std::vector<double> knotsOf(const BetaSplineData& data) {
   std::vector<double> knots = {0};
   double length = 1;
@@ -48,8 +49,8 @@ std::vector<double> knotsOf(const BetaSplineData& data) {
 }
 
 /// The unknowns are m_j / units(j). With units_j = units_(j-1) / bias_j the equations are those of
-/// a nu-spline; round a ring a common factor at each step brings them back to the first, biases of
-/// one value to 1 throughout.
+/// a nu-spline. In a closed spline each step has an additional common factor, so that the last unit
+/// equals the first one. For equal biases all units are then 1.
 Eigen::VectorXd unitsOf(const BetaSplineData& data) {
   const Index n = data.points.rows() - 1;
   const bool closed = data.ends == SplineEnds::Periodic;

@@ -7,12 +7,12 @@
 
 namespace seamwright {
 
-/// Points to interpolate, n + 1 of them, with every segment over an interval of length 1, and how
-/// they join.
+/// The n + 1 points to interpolate, and the joints of the segments. Every segment has an interval
+/// of length 1.
 struct BetaSplineData {
   Poles points;
-  /// n + 1 each; at joint j, X'(-) = bias_j X'(+) and X''(-) = bias_j^2 X''(+) + tension_j X'(+).
-  /// Entry 0 changes nothing, nor does entry n of an open one; finite they must be. The curve
+  /// n + 1 entries each. At joint j, X'(-) = bias_j X'(+) and X''(-) = bias_j^2 X''(+) + tension_j
+  /// X'(+). Entry 0, and for an open spline entry n, have no effect but must be finite. The curve
   /// tightens for tension -> -infinity.
   std::vector<double> bias;
   std::vector<double> tension;
@@ -23,29 +23,30 @@ struct BetaSplineData {
 };
 
 struct BetaSpline {
-  /// In knots in which it is C1 as far as they hold the lengths: h_{j+1} = h_j / bias_j, the first
-  /// is 1. Knots add the lengths up, so shrinking ones lose digits, and continuity() then finds 0:
-  /// the curve, whose poles need no knots, stays
-  /// G2. Reversed points with inverse biases make lengths grow. Round a periodic one the biases
-  /// need not multiply to 1: then it is G2 and not C1 at its seam.
+  /// The curve with knots by which it is C1, as far as knots can represent the lengths: h_{j+1} =
+  /// h_j / bias_j, and the first length is 1. Knots are sums of lengths, so decreasing lengths lose
+  /// digits, and continuity() may find 0. The curve stays G2, because its poles do not depend on
+  /// the knots. For reversed points with inverse biases the lengths increase. In a periodic spline
+  /// the product of the biases may differ from 1; then the curve is G2 and not C1 at its seam.
   BezierSpline curve;
-  Poles derivatives;  ///< m_j = X'(+) at the points in the parameter of a segment, n + 1 rows
-  std::vector<int> stationary;  ///< as of NuSpline
+  Poles derivatives;  ///< m_j = X'(+) at the points by the parameter of a segment, n + 1 rows
+  std::vector<int> stationary;  ///< as NuSpline::stationary
 };
 
-/// The interpolating beta-spline, G2 at all joints where X' != 0.
+/// The interpolating beta-spline. It is G2 at all joints where X' != 0.
 ///
-/// Open ones are nu-splines with nu_j = -tension_j / (bias_j h_j). Periodic ones whose biases do
-/// not multiply to 1 may have no solution (all bias (3 + sqrt 5) / 2, no tension, n even): the
-/// cyclic system is solved with pivoting in O(n) and judged by its condition.
+/// Open beta-splines are nu-splines with nu_j = -tension_j / (bias_j h_j). A periodic spline whose
+/// product of biases differs from 1 may have no solution (for example all biases (3 + sqrt 5) / 2,
+/// no tension, n even). The cyclic system is solved with pivoting in O(n) and judged by its
+/// condition.
 ///
 /// Identities (each has a test of its number):
 ///   (1) Both equations of every joint.
 ///   (2) The end conditions.
 ///   (3) bias = 1, tension = 0: the C2 cubic spline with uniform knots.
-///   (4) The nu-spline that it is.
-/// \throws as nuSpline(), and std::invalid_argument for a bias that is not positive, and where the
-/// lengths shrink so far that the knots do not increase; with the index.
+///   (4) An open beta-spline equals the nu-spline above.
+/// \throws as nuSpline() does, and std::invalid_argument, with the index, for a bias that is not
+/// positive, and if the lengths decrease so much that the knots do not increase.
 /// Source: docs/theory/curves.md C7.1 to C7.3; [BarskyBeatty1983].
 BetaSpline betaSpline(const BetaSplineData& data);
 

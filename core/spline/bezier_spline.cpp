@@ -74,8 +74,8 @@ void requireGap(const Eigen::RowVector4d& end, const Eigen::RowVector4d& start, 
            " mm apart, allowed " + text(gap_mm));
 }
 
-/// By how much the homogeneous derivatives of order 0.. jump at inner knot i, and what rounding of
-/// the poles makes of it: each row (jump, bound).
+/// The jumps of the homogeneous derivatives of orders 0.. at inner knot i, and bounds of the jumps
+/// that rounding of the poles causes. Each row is (jump, bound).
 Eigen::MatrixX2d jumps(const BezierSpline& spline, int i, int order) {
   const int n = spline.degree;
   const int last = i > 0 ? i - 1 : spline.segments() - 1;
@@ -111,9 +111,9 @@ void requireContinuity(const BezierSpline& spline, int order) {
   }
 }
 
-/// The segment to take a blossom at increasing arguments from: the longest between them, which
-/// extrapolates least; where they are all one knot, the one that begins there (the last one ends
-/// there).
+/// The segment whose blossom is evaluated at increasing arguments. It is the longest segment
+/// between the arguments, because it extrapolates least. If all arguments are one knot, it is the
+/// segment that begins there (at the last knot: that ends there).
 int segmentFor(const std::vector<double>& knots, const double* first, const double* last) {
   const auto from =
       static_cast<int>(std::lower_bound(knots.begin(), knots.end(), *first) - knots.begin());
@@ -145,9 +145,9 @@ BSplineCurve merged(const BezierSpline& spline, int order) {
   return result;
 }
 
-/// The first segment whose poles the curve gives back with more than rounding, or -1. Beside a
-/// short segment the jumps alone would not tell: what rounding makes of its derivatives hides those
-/// of its neighbours.
+/// The first segment whose poles the curve does not reproduce up to rounding, or -1. The jumps
+/// alone are not sufficient beside a short segment, because the rounding of its derivatives hides
+/// the derivatives of its neighbours.
 int strayed(const BezierSpline& spline, const BSplineCurve& curve, int order) {
   const int n = spline.degree;
   const HomogeneousPoles back = bezierSpline(curve).poles;
@@ -163,8 +163,9 @@ int strayed(const BezierSpline& spline, const BSplineCurve& curve, int order) {
   return -1;
 }
 
-/// Up to \p degree segments before and after the seam of a closed spline, which is the knot 0: so
-/// lengths beside it keep their digits. Knots that are one but for them end it.
+/// Up to \p degree segments before and after the seam of a closed spline, with the seam at knot 0.
+/// So lengths beside the seam keep their digits. The range ends before knots that would become
+/// equal.
 BezierSpline aroundSeam(const BezierSpline& spline) {
   const std::vector<double>& knots = spline.knots;
   const int segments = spline.segments(), most = std::min(segments, spline.degree);
@@ -182,7 +183,7 @@ BezierSpline aroundSeam(const BezierSpline& spline) {
   return result;
 }
 
-/// Whether a curve of that order gives all segments back.
+/// Whether a curve of that order reproduces all segments.
 bool isMerged(const BezierSpline& spline, int order) {
   return strayed(spline, merged(spline, order), order) < 0;
 }

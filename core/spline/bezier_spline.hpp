@@ -9,17 +9,17 @@
 
 namespace seamwright {
 
-/// Bézier segments of one degree end to end: what every spline of this library is made as.
+/// Bézier segments of one degree end to end. Every spline of this library is built in this form.
 ///
 /// Segment i runs over [knots[i], knots[i + 1]] and has the poles i degree .. (i + 1) degree:
-/// neighbours share the pole between them, so gaps cannot be. How smoothly they meet is in the
-/// poles; measureJoints() says it. Homogeneous, as BezierCurve: a polynomial spline has w = 1
-/// throughout.
+/// neighbours share the pole between them, so gaps are impossible. Their smoothness depends on the
+/// poles; measureJoints() measures it. Poles are homogeneous as in BezierCurve: for a polynomial
+/// spline w = 1 for all poles.
 struct BezierSpline {
   int degree = 0;
   std::vector<double> knots;  ///< segments + 1, increasing
-  HomogeneousPoles poles;     ///< segments degree + 1 rows
-  bool closed = false;        ///< the end and the beginning are one point, and a joint
+  HomogeneousPoles poles;     ///< segments * degree + 1 rows
+  bool closed = false;        ///< the end and the beginning are the same point, which is a joint
 
   int segments() const { return static_cast<int>(knots.size()) - 1; }
 
@@ -29,56 +29,58 @@ struct BezierSpline {
   }
 };
 
-/// \throws std::invalid_argument if counts and knots do not fit, knots do not increase, a number is
-/// not finite, a weight is not positive, or a closed spline does not end where it begins: its last
-/// homogeneous pole is the first one times the ratio of the two weights, bit by bit; with the index
-/// and the value.
+/// Checks a spline. \throws std::invalid_argument, with index and value, if counts and knots do not
+/// match, knots do not increase, a number is not finite, a weight is not positive, or a closed
+/// spline does not end at its beginning. In a closed spline the last homogeneous pole is bitwise
+/// the first one times the ratio of the two weights.
 void requireValid(const BezierSpline& spline);
 
 /// Segment i with the parameter 0..1. \throws std::invalid_argument for another i.
 BezierCurve segment(const BezierSpline& spline, int i);
 
-/// Joins segments, raised to the highest of their degrees; the homogeneous poles of each are
-/// multiplied by what makes its first weight the last one of the segment before, which changes no
-/// point. The pole between two is that of the later one. \param knots one more than segments.
-/// \throws std::invalid_argument for no segments, knots as requireValid(), and where ends are
-/// further apart than
-/// \p gap_mm, with the index of the joint (that of its knot) and the distance.
+/// Joins segments, raised to the highest of their degrees. The homogeneous poles of each segment
+/// are multiplied by a factor, so that its first weight equals the last weight of the previous
+/// segment; this changes no point. The pole between two segments is taken from the later one.
+/// \param knots one more than segments.
+/// \throws std::invalid_argument for no segments, knots that requireValid() refuses, and ends that
+/// are further apart than \p gap_mm, with the index of the joint (the index of its knot) and the
+/// distance.
 BezierSpline bezierSpline(const std::vector<BezierCurve>& segments,
                           const std::vector<double>& knots, bool closed = false, double gap_mm = 0);
 
-/// Point and derivatives by the spline's own parameter, (order + 1) by 3. At a knot those of the
-/// segment after it; at the end and beyond, those of the outermost segment. O(log segments +
-/// order^2). Beyond what a double holds they are infinite.
-/// \throws std::invalid_argument if counts do not fit, for a parameter that is not finite and a
-/// negative order.
+/// Point and derivatives by the spline's parameter, (order + 1) by 3. At a knot they belong to the
+/// segment after it; at the end and beyond the ends, to the outermost segment. The time is O(log
+/// segments + order^2). Values beyond the range of a double are infinite.
+/// \throws std::invalid_argument if counts do not match, for a parameter that is not finite, and
+/// for a negative order.
 CurveDerivatives derivatives(const BezierSpline& spline, double t, int order);
 
-/// The joints at knots[1] .. knots[segments - 1], and of a closed spline that of its end with its
-/// beginning last. O(segments).
+/// The joints at knots[1] .. knots[segments - 1], and for a closed spline as the last one the joint
+/// of its end with its beginning. The time is O(segments).
 std::vector<CurveJoint> measureJoints(const BezierSpline& spline, int order);
 
-/// The order, up to degree - 1, to which derivatives by the parameter agree at every inner knot
-/// (and, \p around, from the end of a closed spline to its beginning) but for rounding: a jump is
-/// at most what 8 (degree + 4) eps, relative to the poles beside the knot, makes of it, and poles
-/// of the merged curve give the segments back to 4^order times that. Of a rational spline it is the
-/// derivatives of the homogeneous curve that must agree. -1 for
-/// \p around of a spline that is not closed, or one whose first and last weight differ.
-/// \throws std::invalid_argument as requireValid(), and for a degree above 25.
+/// The order, up to degree - 1, up to which derivatives by the parameter agree at every inner knot
+/// except for rounding. With \p around, the end and the beginning of a closed spline have to agree
+/// too. Rounding means two things: a jump is at most what an error of 8 (degree + 4) eps, relative
+/// to the poles beside the knot, causes; and the poles of the merged curve reproduce the segments
+/// up to 4^order times that. For a rational spline the derivatives of the homogeneous curve have to
+/// agree. The result is -1 for \p around if the spline is not closed, or if its first and last
+/// weights differ.
+/// \throws std::invalid_argument as requireValid() does, and for a degree above 25.
 int continuity(const BezierSpline& spline, bool around = false);
 
-/// The same curve with the fewest knots for which derivatives by the parameter agree up to \p order
-/// at every inner knot: multiplicity degree - order. Exact: poles are blossoms (for C^1 the inner
-/// poles themselves), nothing is fitted.
+/// The same curve with inner knots of multiplicity degree - order: the fewest knots if derivatives
+/// by the parameter agree up to \p order at every inner knot. It is exact: poles are blossoms (for
+/// C^1 the inner poles themselves), and nothing is fitted.
 /// \param order 0 to degree - 1; at most continuity().
-/// \throws std::invalid_argument for another order, a degree above 25, and where a derivative jumps
-/// by more than continuity() allows, with the knot's index, the order, the jump and what rounding
-/// makes of it; or with the index of the segment that is not given back.
+/// \throws std::invalid_argument for another order, a degree above 25, and for a derivative that
+/// jumps by more than continuity() allows, with the knot's index, the order, the jump and its bound
+/// of rounding; or with the index of the segment that is not reproduced.
 /// Source: docs/theory/curves.md C10.1, C10.2; [Ramshaw1989].
 BSplineCurve bsplineCurve(const BezierSpline& spline, int order);
 
-/// The Bézier segments of a B-spline curve (knots inserted until they are as many as the degree),
-/// with its knots.
+/// The Bézier segments of a B-spline curve, with its knots. Knots are inserted until their
+/// multiplicity is the degree.
 BezierSpline bezierSpline(const BSplineCurve& curve, bool closed = false);
 
 }  // namespace seamwright

@@ -16,7 +16,7 @@ namespace {
 
 using bernstein::text;
 
-/// Which edge a segment lies on, and which vertices and edges there are.
+/// The vertices and edges of a polygon, and the edge on which each segment lies.
 class Layout {
  public:
   /// \throws std::invalid_argument for too few vertices.
@@ -61,7 +61,7 @@ void requireVertices(const Poles& vertices, const Layout& layout) {
              " and " + std::to_string(layout.endOf(e)) + " are one point");
 }
 
-/// The shares of the edges that carry segments, those set at open ends included.
+/// The polygon with the shares at open ends set.
 G2Polygon completed(G2Polygon polygon, const Layout& layout) {
   requireCount("alpha", polygon.alpha.size(), layout.edges(), "edges");
   requireCount("omega", polygon.omega.size(), layout.edges(), "edges");

@@ -25,7 +25,7 @@ std::string text(const Eigen::RowVector3d& v) {
   return std::string("(") + text(v(0)) + ", " + text(v(1)) + ", " + text(v(2)) + ")";
 }
 
-/// Whether moving the point by this is lost in its rounding.
+/// Whether the distance from the point to the pole is lost in the rounding of the point.
 bool isLost(const Eigen::RowVector3d& point, const Eigen::RowVector3d& pole) {
   return ((pole - point).array().abs() <= 2 * kEpsilon * point.array().abs()).all();
 }

@@ -146,8 +146,8 @@ class Frame {
     }
   }
 
-  /// V = a C' + b U: V follows from U, but if the member behind V alone is a triangle, whose field
-  /// has the lower degree.
+  /// V = a C' + b U: V follows from U, except if only the member behind V is a triangle: its
+  /// derivative has the lower degree.
   void placeFields(int spoke) {
     const Side u = before(spoke), v = after(spoke);
     const SpokeFunctions& law = in_.laws[spoke];

@@ -10,16 +10,16 @@
 
 /// The poles of all umbrellas with the same laws across their spokes; not a public header.
 ///
-/// With the laws fixed, G1 is linear in the poles, and the three coordinates do not mix. So every
-/// pole is a fixed combination of a few free vectors and a constant one, and any choice of the free
-/// vectors makes exact joins.
+/// With fixed laws G1 is linear in the poles, and the three coordinates are independent. So every
+/// pole is a fixed combination of a few free vectors and a constant vector. Any choice of the free
+/// vectors gives exact joins.
 namespace seamwright::umbrella {
 
-/// Vectors as combinations: one a row, first the coefficients of the free vectors, then the
+/// Vectors as combinations, one per row: first the coefficients of the free vectors, then the
 /// constant vector.
 using Forms = Eigen::MatrixXd;
 
-/// Where free vectors come from. At most so many are handed out.
+/// Hands out free vectors, at most \p capacity.
 class FreeVectors {
  public:
   explicit FreeVectors(Eigen::Index capacity) : capacity_(capacity) {}
@@ -33,7 +33,7 @@ class FreeVectors {
   Eigen::Index capacity_, count_ = 0;
 };
 
-/// The net of a member among the poles of all.
+/// The net of a member in the poles of all members.
 struct Net {
   MemberKind kind = MemberKind::Tensor;
   int degree = 1;
@@ -42,12 +42,12 @@ struct Net {
   bool isTriangle() const { return kind == MemberKind::Triangle; }
   int last(int r) const {
     return isTriangle() ? degree - r : degree;
-  }  ///< of the poles (r, 0), (r, 1), ...
+  }  ///< last index s of the poles (r, 0), (r, 1), ...
   Eigen::Index size() const {
     return isTriangle() ? (degree + 1) * (degree + 2) / 2 : (degree + 1) * (degree + 1);
   }
   Eigen::Index at(int r, int s) const;
-  /// Of the derivative across an edge through O.
+  /// Degree of the derivative across an edge through O.
   int crossDegree() const { return isTriangle() ? degree - 1 : degree; }
 };
 
@@ -56,10 +56,10 @@ struct Net {
 std::vector<Net> netsOf(const std::vector<MemberKind>& kinds, int degree);
 Eigen::Index polesOf(const std::vector<Net>& nets);
 
-/// The law of an inner spoke; those of a rim are empty.
+/// The laws of the inner spokes; those of boundary spokes are empty.
 std::vector<SpokeFunctions> lawsOf(const UmbrellaVertex& vertex, const SpokeSeconds& seconds);
 
-/// Poles that are given, one a row, and which of them are.
+/// Poles, one per row, and which of them are given.
 struct GivenPoles {
   Poles poles;
   std::vector<bool> given;
@@ -73,16 +73,16 @@ struct FrameInput {
   std::optional<GivenPoles> outer = std::nullopt;  ///< must agree with the laws
 };
 
-/// All poles: one a row, as combinations of as many free vectors as are handed out by then.
+/// All poles, one per row, as combinations of the free vectors handed out so far.
 /// \pre the degrees allow the laws, see lowestUmbrellaDegree().
 /// Source: docs/theory/fills.md F1.7, F1.8.
 Forms framed(const FrameInput& input, FreeVectors& free);
 
-/// Sum of squares of what the rows times the poles are is the energy: second derivatives by u, by v
-/// and, twice, mixed, as differences of poles.
+/// Rows whose products with the poles have the energy as their sum of squares: second derivatives
+/// by u and by v, and twice the mixed ones, as differences of poles.
 Eigen::MatrixXd energyRows(const std::vector<Net>& nets);
 
-/// The part of the forms that belongs to the free vectors, and the constant part.
+/// The coefficients of the free vectors in the forms, and the constant part.
 Eigen::MatrixXd linearPart(const Forms& forms, const FreeVectors& free);
 Poles constantPart(const Forms& forms);
 

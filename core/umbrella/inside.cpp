@@ -39,7 +39,7 @@ void requireSides(const std::vector<BezierCurve>& sides, double gap_mm) {
   }
 }
 
-/// The halves of a side in that degree, the first one run backwards: both begin in the middle.
+/// The halves of a side in that degree. The first one is reversed, so both begin in the middle.
 struct Halves {
   Poles to_begin, to_end;
 };
@@ -75,7 +75,7 @@ umbrella::GivenPoles outerPoles(const std::vector<Net>& nets, const std::vector<
   return outer;
 }
 
-/// The tangents of a regular fan.
+/// The tangents of a regular closed fan.
 Eigen::Matrix3Xd regularTangents(int n) {
   Eigen::Matrix3Xd tangents(3, n);
   for (int i = 0; i < n; ++i) {

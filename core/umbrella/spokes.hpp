@@ -9,21 +9,20 @@
 /// The curves of an umbrella and their derivatives at O; not a public header.
 namespace seamwright::umbrella {
 
-/// The curves in one degree, begun in the mean of their starts.
-/// \throws std::invalid_argument for rational curves, curves of degree 0, and starts further than
-/// that, and rounding, from their mean.
+/// The curves raised to one degree, with their starts moved to the mean of the starts.
+/// \throws std::invalid_argument for rational curves, curves of degree 0, and starts that are
+/// further from their mean than \p gap_mm and rounding.
 std::vector<BezierCurve> fromOnePoint(const std::vector<BezierCurve>& curves, double gap_mm);
 
 /// First and second derivatives at 0; 3 by #spokes.
 Eigen::Matrix3Xd tangentsOf(const std::vector<BezierCurve>& spokes);
 Eigen::Matrix3Xd secondsOf(const std::vector<BezierCurve>& spokes);
 
-/// The spokes with these tangents, and with the second derivatives that they had if their degree is
-/// 3 or more.
+/// The spokes with these tangents. If their degree is 3 or more, the second derivatives stay.
 std::vector<BezierCurve> withTangents(const std::vector<BezierCurve>& spokes,
                                       const Eigen::Matrix3Xd& tangents);
-/// The spokes with these second derivatives, raised to degree 3 first. What differs by rounding
-/// stays.
+/// The spokes with these second derivatives, raised to degree 3 before. A spoke whose second
+/// derivative differs only by rounding stays.
 std::vector<BezierCurve> withSeconds(const std::vector<BezierCurve>& spokes,
                                      const Eigen::Matrix3Xd& seconds);
 
@@ -31,7 +30,7 @@ std::vector<BezierCurve> withSeconds(const std::vector<BezierCurve>& spokes,
 Eigen::Matrix3Xd shaped(const UmbrellaVertex& vertex, const Eigen::Matrix3d& form,
                         const Eigen::Matrix3Xd& second);
 
-/// Of a pole, after raising the first ones to the degree of the second.
+/// The largest move of a pole, after \p from is raised to the degree of \p to.
 double largestMove(const std::vector<BezierCurve>& from, const std::vector<BezierCurve>& to);
 
 }  // namespace seamwright::umbrella

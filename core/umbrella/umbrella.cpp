@@ -91,7 +91,7 @@ Poles raised(const std::vector<UmbrellaMember>& members, int degree) {
   return result;
 }
 
-/// What is made small: rows times (poles - target).
+/// The minimised vector: rows times (poles - target).
 struct Aim {
   Eigen::MatrixXd rows;  ///< empty: the identity
   Poles target;
@@ -107,7 +107,7 @@ struct LambdaFamily {
   Eigen::MatrixXd basis;
 };
 
-/// All changes of lambda that let an even fan stay closed.
+/// All changes of lambda for which an even fan stays closed.
 LambdaFamily lambdaFamily(const UmbrellaVertex& vertex, const Eigen::VectorXd& start) {
   Eigen::MatrixXd inner =
       Eigen::MatrixXd::Zero(vertex.spokes(), vertex.closed ? vertex.spokes() : vertex.spokes() - 2);
@@ -122,7 +122,7 @@ LambdaFamily lambdaFamily(const UmbrellaVertex& vertex, const Eigen::VectorXd& s
           linear::singularValues(defects, Eigen::ComputeFullV).v.rightCols(defects.cols() - 2)};
 }
 
-/// All poles that the vertex, the spokes and the second order leave open, chosen by the aim.
+/// Chooses, by the aim, all poles that the vertex, the spokes and the second order leave free.
 class Choice {
  public:
   Choice(const UmbrellaVertex& vertex, const std::vector<BezierCurve>& spokes,
@@ -141,7 +141,8 @@ class Choice {
     return fixed + linear_ * best(aim_(aim_.target - fixed));
   }
 
-  /// The best lambda of the family: what no free vector can mend is affine in it, and made small.
+  /// The best lambda of the family. The residual that no free vector can remove is affine in
+  /// lambda, and it is minimised.
   Eigen::VectorXd lambda(SpokeSeconds seconds, const LambdaFamily& family) const {
     const auto rest = [&](const Eigen::VectorXd& lambda) {
       seconds.lambda = lambda;

@@ -38,7 +38,7 @@ Eigen::Matrix3Xd unit(const Eigen::Matrix3Xd& tangents) {
   return result;
 }
 
-/// Across the plane nearest to all directions, on the side from which most sectors turn
+/// The normal of the plane nearest to all directions, on the side from which most sectors turn
 /// counter-clockwise.
 Eigen::Vector3d normalOf(const Eigen::Matrix3Xd& directions, bool closed) {
   const linear::SingularValues svd = linear::singularValues(directions, Eigen::ComputeFullU);
@@ -52,7 +52,7 @@ Eigen::Vector3d normalOf(const Eigen::Matrix3Xd& directions, bool closed) {
   return area.dot(normal) < 0 ? Eigen::Vector3d(-normal) : normal;
 }
 
-/// Puts the tangents into the plane, and says how far out of it they were.
+/// Puts the tangents into the plane and returns their largest angle with it before.
 double flatten(Eigen::Matrix3Xd& tangents, const Eigen::Vector3d& normal, double flat_rad) {
   double largest = 0;
   for (Eigen::Index i = 0; i < tangents.cols(); ++i) {

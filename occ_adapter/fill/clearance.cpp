@@ -25,7 +25,7 @@ namespace seamwright::occ {
 
 namespace {
 
-/// The edges and vertices that two faces share; null: none.
+/// The edges and vertices that two faces share; null if there are none.
 TopoDS_Shape commonOf(const TopoDS_Shape& one, const TopoDS_Shape& other) {
   const BRep_Builder builder;
   TopoDS_Compound common;
@@ -45,7 +45,7 @@ double distance(const TopoDS_Shape& one, const TopoDS_Shape& other) {
   return found.IsDone() ? found.Value() : HUGE_VAL;
 }
 
-/// Close around the face, which takes a while.
+/// A tight box around the face. It is costly, so loose boxes are tested first.
 Bnd_Box tightBox(const TopoDS_Shape& face) {
   Bnd_Box box;
   BRepBndLib::AddOptimal(face, box, false, false);
@@ -53,8 +53,8 @@ Bnd_Box tightBox(const TopoDS_Shape& face) {
   return box;
 }
 
-/// Places on edges that are on a face, and not near what it shares with the face that the edges are
-/// of.
+/// Finds points of edges that lie on a face, away from the parts that the face shares with the face
+/// of these edges.
 class Clearance {
  public:
   Clearance(const TopoDS_Shape& face, const TopoDS_Shape& common)
@@ -90,21 +90,22 @@ class Clearance {
   double near_mm_;
 };
 
-/// Edges along which two faces cross or touch.
+/// Edges along which two faces intersect or touch.
 TopoDS_Shape sectionOf(const TopoDS_Shape& one, const TopoDS_Shape& other) {
   BRepAlgoAPI_Section section(one, other, false);
   section.Build();
   return section.IsDone() ? section.Shape() : TopoDS_Compound();
 }
 
-/// The least distance of faces that cross need not be found.
+/// Whether two faces meet. The section is needed too, because OpenCASCADE may miss the zero
+/// distance of faces that intersect.
 bool meet(const TopoDS_Shape& one, const TopoDS_Shape& other) {
   return distance(one, other) <= Precision::Confusion() ||
          TopExp_Explorer(sectionOf(one, other), TopAbs_EDGE).More();
 }
 
 /// Whether two faces meet further from what they share than a hundredth of the first one's extent.
-/// \param with_section also within both, not at edges of the other one alone.
+/// \param with_section also test the interior of both faces, not only edges of the other one.
 bool meetElsewhere(const TopoDS_Shape& one, const TopoDS_Shape& other, const TopoDS_Shape& common,
                    bool with_section) {
   const Clearance contact(one, common);
@@ -118,7 +119,7 @@ std::optional<std::pair<int, int>> touchingFaces(const TopoDS_Shape& shape,
   const TopTools_IndexedMapOfShape faces = partsOf(shape, TopAbs_FACE);
   std::vector<Bnd_Box> boxes(static_cast<std::size_t>(faces.Extent()) + 1);
   const UnusableParts unusable(shape);
-  // Other boxes stay void, so that nothing meets them.
+  // The boxes of faces that are not tested stay void, so that nothing meets them.
   for (int f = 1; f <= faces.Extent(); ++f)
     if (unusable.whyLeftOut(f).empty() && allEdgesHaveCurves(faces(f)))
       BRepBndLib::Add(faces(f), boxes[f], false);

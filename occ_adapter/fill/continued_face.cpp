@@ -43,7 +43,7 @@ namespace {
 using Eigen::Vector2d, Eigen::Vector3d;
 using opencascade::handle;
 
-/// An edge of the hole, and what is seen along it in the sense of the hole.
+/// An edge of the hole, with samples along it in the direction of the hole.
 struct EdgeInterval {
   HoleEdge edge;
   std::vector<SideSample> samples;
@@ -62,7 +62,7 @@ std::vector<EdgeInterval> intervalsOf(const Hole& hole, double gap_mm) {
   return intervals;
 }
 
-/// Twice the area that a closed polygon goes around, to its left.
+/// Twice the signed area of a closed polygon, positive if the inside is to its left.
 double signedArea(const std::vector<Vector2d>& polygon) {
   double area = 0;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
@@ -72,7 +72,7 @@ double signedArea(const std::vector<Vector2d>& polygon) {
   return area;
 }
 
-/// The least box of parameters around the hole.
+/// The smallest box of parameters around the hole.
 struct Range {
   Vector2d low, high;
 };
@@ -102,7 +102,7 @@ bool isRegular(const handle<Geom_Surface>& surface, const Range& at) {
   return true;
 }
 
-/// The plane of least squares through the hole.
+/// The least squares plane through the hole.
 handle<Geom_Surface> planeOf(const std::vector<EdgeInterval>& intervals, const Vector3d& centre) {
   std::vector<Vector3d> points;
   for (const EdgeInterval& interval : intervals)
@@ -113,7 +113,8 @@ handle<Geom_Surface> planeOf(const std::vector<EdgeInterval>& intervals, const V
   return new Geom_Plane(pointOf(centre), directionOf(axes.matrixU().col(2)));
 }
 
-/// A copy in place; a sphere is turned so that the hole is far from its poles.
+/// A copy of the face's surface, with the location applied. A sphere is rotated so that the hole is
+/// far from its poles.
 handle<Geom_Surface> copyOf(const TopoDS_Face& face, const Vector3d& centre) {
   const handle<Geom_Surface> surface =
       handle<Geom_Surface>::DownCast(BRep_Tool::Surface(face)->Copy());
@@ -127,7 +128,7 @@ handle<Geom_Surface> copyOf(const TopoDS_Face& face, const Vector3d& centre) {
   return surface;
 }
 
-/// One face made on one surface.
+/// Makes one face on one surface.
 class FaceMaker {
  public:
   FaceMaker(const std::vector<EdgeInterval>& intervals, handle<Geom_Surface> surface,
@@ -157,7 +158,7 @@ class FaceMaker {
   }
 
  private:
-  /// Unit.
+  /// Unit normal of the surface.
   Vector3d normalAt(const gp_Pnt2d& at) const {
     gp_Pnt point;
     gp_Vec u, v;
@@ -186,15 +187,15 @@ class FaceMaker {
     return true;
   }
 
-  /// In the sense of the hole.
+  /// The parameters at a share of edge k, in the direction of the hole.
   gp_Pnt2d at(std::size_t k, double share) const {
     const Path& path = paths_[k];
     const double place = intervals_[k].edge.reversed ? 1 - share : share;
     return path.on_surface->Value(path.first + place * (path.last - path.first));
   }
 
-  /// Moves paths by whole periods until each begins where the one before it ends; false where one
-  /// does not.
+  /// Moves pcurves by whole periods until each begins where the one before it ends. Returns false
+  /// if one can't.
   bool closePaths(double gap_mm) {
     const GeomAdaptor_Surface adaptor(surface_);
     const Vector2d period(adaptor.IsUPeriodic() ? adaptor.UPeriod() : 0,
@@ -225,7 +226,8 @@ class FaceMaker {
     return found;
   }
 
-  /// The faces beside the hole are outside of the loop, where they go on in the surface.
+  /// Whether the faces beside the hole lie outside of the loop, as far as they continue in the
+  /// surface.
   bool boundsTheHole() {
     for (std::size_t k = 0; k < paths_.size(); ++k)
       for (std::size_t i = 0; i + 1 < intervals_[k].samples.size(); ++i) {
@@ -235,7 +237,8 @@ class FaceMaker {
       }
     const double area = signedArea(polygon_);
     is_left_ = area > 0;
-    constexpr double least_slope = 1e-3;  // of a face beside the hole that is not above or below it
+    constexpr double least_slope = 1e-3;  // least tangential part of the direction into a face that
+                                          // is beside the hole and not above or below it
     for (std::size_t k = 0; k < paths_.size(); ++k)
       for (std::size_t i = 1; i + 1 < intervals_[k].samples.size(); ++i) {
         const SideSample& sample = intervals_[k].samples[i];
@@ -290,10 +293,10 @@ class FaceMaker {
     return face;
   }
 
-  /// Of an edge, on its curve and on the surface.
+  /// An edge as its curve in space and as its pcurve on the surface.
   struct Path {
     handle<Geom_Curve> curve;
-    TopLoc_Location location;  ///< of the curve
+    TopLoc_Location location;  ///< location of the curve
     handle<Geom2d_Curve> on_surface;
     double first = 0, last = 0;
   };
@@ -303,7 +306,7 @@ class FaceMaker {
   bool own_paths_;
   std::vector<Path> paths_;  ///< by edge
   std::vector<Vector2d> polygon_;
-  bool is_left_ = true;  ///< the loop goes around the hole with it to the left, on the surface
+  bool is_left_ = true;  ///< on the surface the hole is to the left of the loop
   std::vector<TopoDS_Edge> edges_;
 };
 

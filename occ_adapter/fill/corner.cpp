@@ -31,7 +31,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Sines below this are no angle between two planes, or of a corner of a face.
+/// If the sine of an angle is below this, two planes count as tangent, or a corner of a face as
+/// degenerate.
 constexpr double flat_sine = 1e-6;
 constexpr std::size_t least_edges = 3, most_edges = 6;
 
@@ -39,7 +40,7 @@ double degrees(double rad) {
   return rad * degrees_per_radian;
 }
 
-/// What is around the vertices and edges of one shell.
+/// The edges and faces around the vertices and edges of one shell.
 class Surroundings {
  public:
   Surroundings(const TopoDS_Shape& shape, const TopoDS_Shell& shell) : shell_(shell) {
@@ -105,7 +106,7 @@ bool holds(const TopoDS_Shape& whole, const TopoDS_Shape& part) {
   return parts.Contains(part);
 }
 
-/// The one solid, and its shell, that the vertex is in.
+/// The only solid, and its shell, that contain the vertex.
 std::pair<TopoDS_Solid, TopoDS_Shell> homeOf(const TopoDS_Shape& shape, const TopoDS_Vertex& vertex,
                                              int number) {
   std::vector<std::pair<TopoDS_Solid, TopoDS_Shell>> homes;
@@ -119,8 +120,8 @@ std::pair<TopoDS_Solid, TopoDS_Shell> homeOf(const TopoDS_Shape& shape, const To
   return homes.front();
 }
 
-/// The edges by which a face arrives at the vertex and leaves it, running with the face to the
-/// left, seen from outside.
+/// The edges by which the boundary of a face arrives at the vertex and leaves it, with the face to
+/// the left as seen from outside.
 struct Turn {
   TopoDS_Edge arriving, leaving;
 };
@@ -165,7 +166,8 @@ class CornerReader {
   }
 
  private:
-  /// From edge to edge around the vertex: a face is left of the edge by which it leaves the vertex.
+  /// Walks from edge to edge around the vertex. A face lies to the left of the edge by which its
+  /// boundary leaves the vertex.
   void walk() {
     const std::size_t expected = around_.edgesAt(corner_.vertex).size();
     if (expected < least_edges || expected > most_edges)
@@ -247,8 +249,8 @@ class CornerReader {
            });
   }
 
-  /// Whether the far vertex has one more face, a plane, which the two faces beside the edge meet in
-  /// lines.
+  /// Whether the far vertex has exactly one more face, a plane that meets both faces beside the
+  /// edge in lines.
   bool readEnd(CornerEdge& edge) {
     const std::vector<TopoDS_Edge> edges = around_.edgesAt(edge.far);
     if (edges.size() != 3) return false;
@@ -268,7 +270,8 @@ class CornerReader {
            isCutOff(edge, beside);
   }
 
-  /// The face at the far end is a plane across the edge that does not pass the corner.
+  /// Whether the face at the far end is a plane across the edge that does not pass through the
+  /// corner.
   bool isCutOff(CornerEdge& edge, const std::array<TopoDS_Face, 2>& beside) {
     if (!isPlane(edge.end) || std::ranges::any_of(corner_.faces, [&edge](const CornerFace& face) {
           return face.face.IsSame(edge.end);
@@ -298,7 +301,7 @@ bool isUnbounded(const TopoDS_Solid& solid) {
   return classifier.State() == TopAbs_IN;
 }
 
-/// The same corner, with what was solid taken for air.
+/// The same corner with inside and outside exchanged.
 Corner turnedInsideOut(Corner corner) {
   corner.shell = TopoDS::Shell(corner.shell.Reversed());
   std::ranges::reverse(corner.edges);

@@ -13,37 +13,40 @@
 #include <utility>
 #include <vector>
 
-/// A vertex of a solid and what meets there; not a public header.
+/// Describes a vertex of a solid with its edges and faces. Not a public header.
 namespace seamwright::occ {
 
-/// An edge that leaves the corner, and what is at its other end.
+/// An edge that leaves the corner, with the topology at its far end.
 struct CornerEdge {
-  int number = 0;  ///< from 1, order of TopExp::MapShapes
+  int number = 0;  ///< from 1, in the order of TopExp::MapShapes
   TopoDS_Edge edge;
-  Eigen::Vector3d axis;  ///< unit, out of the corner; the tangent there
-  double length_mm = 0;  ///< to the far vertex, straight
-  /// Unit, across the edge at the corner: into the face before it and into the face after it, seen
-  /// from outside counter-clockwise.
+  Eigen::Vector3d axis;  ///< unit tangent at the corner, pointing out of the corner
+  double length_mm = 0;  ///< straight distance to the far vertex
+  /// Unit vectors across the edge at the corner: into the face before the edge and into the face
+  /// after it, counter-clockwise as seen from outside.
   std::array<Eigen::Vector3d, 2> into;
   bool convex = true;
-  double opening_rad = 0;  ///< angle between the two faces, of the solid or, where it is concave,
-                           ///< of the air; in (0, pi)
+  /// Angle between the two faces: inside the solid, or, at a concave edge, outside of it; in (0,
+  /// pi).
+  double opening_rad = 0;
   TopoDS_Vertex far;
-  TopoDS_Face end;  ///< the third face at the far vertex; this and what follows: of a polyhedral
-                    ///< corner alone
+  /// The third face at the far vertex; this and the next members are set only for a polyhedral
+  /// corner.
+  TopoDS_Face end;
   Eigen::Vector3d end_normal;  ///< unit
-  std::array<TopoDS_Edge, 2>
-      end_edges;  ///< of that face with the face before and with the face after
+  /// Edges of that face with the face before and with the face after.
+  std::array<TopoDS_Edge, 2> end_edges;
 };
 
 /// The face between an edge and the next one.
 struct CornerFace {
   TopoDS_Face face;
-  Eigen::Vector3d normal;  ///< unit, out of the solid, at the corner
+  Eigen::Vector3d normal;  ///< unit normal at the corner, out of the solid
   double angle_rad = 0;    ///< at the corner, in (0, 2 pi)
 };
 
-/// Edges and faces counter-clockwise, seen from outside; face i lies between edges i and i + 1.
+/// Edges and faces are in counter-clockwise order as seen from outside. Face i lies between edges i
+/// and i + 1.
 struct Corner {
   TopoDS_Vertex vertex;
   Eigen::Vector3d point;
@@ -51,10 +54,10 @@ struct Corner {
   TopoDS_Shell shell;
   std::vector<CornerEdge> edges;
   std::vector<CornerFace> faces;
-  TopTools_IndexedMapOfShape given_faces,
-      given_edges;  ///< of the whole shape: what they are called
-  /// The faces are planes, the edges lines, and at the far end of each edge meet two more and one
-  /// more plane, not through the corner.
+  /// All of the given shape; their indices are the numbers in messages.
+  TopTools_IndexedMapOfShape given_faces, given_edges;
+  /// The faces are planes and the edges are lines. At the far end of each edge, two more edges and
+  /// one more plane meet, and that plane does not pass through the corner.
   bool polyhedral = false;
 
   std::size_t count() const { return edges.size(); }
@@ -65,12 +68,12 @@ struct Corner {
 /// "2.5 mm".
 std::string lengthText(double length_mm);
 
-/// The corner in a solid of its own shell alone; where that is the wall of a void, in what fills
-/// the void, seen from its outside.
-/// \returns the corner, and whether it is that of a void.
+/// The same corner in a solid made of its shell alone. If the shell is the wall of a void, the
+/// solid is the filling of the void, seen from its outside.
+/// \returns the corner, and whether the shell is the wall of a void.
 std::pair<Corner, bool> ofShellAlone(const Corner& corner);
 
-/// \param vertex from 1, order of TopExp::MapShapes.
+/// \param vertex from 1, in the order of TopExp::MapShapes.
 /// \throws std::invalid_argument for a number that the shape does not have; std::domain_error, with
 /// numbers, for a corner that cornerFillet() does not support.
 Corner cornerOf(const TopoDS_Shape& shape, int vertex);

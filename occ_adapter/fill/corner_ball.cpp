@@ -29,7 +29,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Directions from the corner into its faces, about where a small ball cuts them.
+/// Directions from the corner into its faces, approximately where a small ball cuts them.
 std::vector<Vector3d> directionsInFaces(const Corner& corner) {
   std::vector<Vector3d> directions;
   for (std::size_t i = 0; i < corner.count(); ++i)
@@ -40,7 +40,8 @@ std::vector<Vector3d> directionsInFaces(const Corner& corner) {
   return directions;
 }
 
-/// Axes of the ball for which its seam, half a circle from pole to pole, is far from what is cut.
+/// Axes of the ball such that its closing edge, a half circle from pole to pole, is far from the
+/// cuts.
 gp_Ax2 ballAxes(const Corner& corner) {
   const std::vector<Vector3d> faces = directionsInFaces(corner);
   std::mt19937 random(1);
@@ -67,8 +68,8 @@ gp_Ax2 ballAxes(const Corner& corner) {
 
 class OutsideRounder {
  public:
-  /// \param direct the corner's solid, numbered alike, perhaps without faces on left-handed
-  /// surfaces.
+  /// \param direct the corner's solid with the same numbers, possibly converted to have no faces on
+  /// left-handed surfaces.
   OutsideRounder(const Corner& corner, const std::vector<CornerStrip>& strips, double ball_mm,
                  TopoDS_Shape direct)
       : corner_(corner),
@@ -82,7 +83,7 @@ class OutsideRounder {
     TopExp_Explorer solid(cut_.Shape(), TopAbs_SOLID);
     if (!cut_.IsDone() || !solid.More()) fail("OpenCASCADE can't take it away");
     BRepFilletAPI_MakeFillet fillets(solid.Current());
-    // Bands to a tenth of the default tolerances: they are what the corner is joined to.
+    // A tenth of the default tolerances, because the patches of the corner must meet the bands.
     fillets.SetParams(1e-3, 1e-5, 1e-6, 1e-5, 1e-6, 1e-4);
     solid.Next();
     if (solid.More()) fail("the solid falls apart without it");
@@ -98,7 +99,7 @@ class OutsideRounder {
   }
 
  private:
-  /// Edges of the ball, each with the face beyond.
+  /// Edges of the ball, each with the face on its other side.
   using Rim = std::vector<std::pair<TopoDS_Edge, TopoDS_Face>>;
 
   [[noreturn]] void fail(const std::string& why) const {
@@ -134,7 +135,7 @@ class OutsideRounder {
     edges_.push_back(edge);
   }
 
-  /// What a face is after both steps; a null face if it is gone or in several parts.
+  /// The face after both steps; a null face if it is gone or split.
   TopoDS_Face imageOf(const TopoDS_Shape& face, BRepFilletAPI_MakeFillet& fillets) {
     TopoDS_Shape now = face;
     if (const TopTools_ListOfShape& parts = cut_.Modified(face); !parts.IsEmpty()) {
@@ -207,7 +208,7 @@ class OutsideRounder {
            " of them on fillets and faces of the corner");
   }
 
-  /// The one face beyond these edges of the rim.
+  /// The only face on the other side of these edges of the ball.
   TopoDS_Face faceBeyond(const Rim& rim, const std::vector<TopoDS_Edge>& edges) const {
     TopoDS_Face found;
     for (const auto& [edge, face] : rim) {
@@ -230,7 +231,7 @@ class OutsideRounder {
   TopoDS_Shape direct_;
   TopoDS_Shape ball_;
   BRepAlgoAPI_Cut cut_;
-  std::vector<TopoDS_Edge> edges_;  ///< what is left of the corner's
+  std::vector<TopoDS_Edge> edges_;  ///< what is left of the corner's edges
   TopTools_IndexedMapOfShape faces_;
   RoundedOutside result_;
 };
@@ -240,8 +241,8 @@ class OutsideRounder {
 RoundedOutside roundedOutside(const Corner& corner, const std::vector<CornerStrip>& strips,
                               double ball_mm) {
   try {
-    // OpenCASCADE's boolean operations get some faces on left-handed surfaces wrong, and some that
-    // were turned.
+    // OpenCASCADE's Boolean operations fail for some faces on left-handed surfaces, and for some
+    // converted ones. So the given solid is tried first, then the converted one.
     try {
       return OutsideRounder(corner, strips, ball_mm, corner.solid).run();
     } catch (const std::domain_error&) {

@@ -9,24 +9,26 @@
 
 #include <seamwright/occ_adapter/fill/corner_hole.hpp>
 
-/// A corner whose edges OpenCASCADE rounds; not a public header.
+/// Rounds the edges of a corner by OpenCASCADE. Not a public header.
 namespace seamwright::occ {
 
-/// A solid without a ball about the corner, its edges outside the ball rounded.
+/// A solid from which a ball about the corner is removed. The corner's edges are rounded outside
+/// the ball.
 struct RoundedOutside {
   TopoDS_Shape solid;
-  std::vector<TopoDS_Face> caps;   ///< on the ball
-  std::vector<TopoDS_Face> bands;  ///< of edge i: the part of its fillet that ends on the ball
-  std::vector<std::vector<TopoDS_Edge>> band_ends;  ///< where it does, in any order
-  std::vector<std::vector<TopoDS_Edge>>
-      arcs;                           ///< where the ball cuts face i of the corner, in any order
-  std::map<int, TopoDS_Face> became;  ///< by number of a face in the given solid
+  std::vector<TopoDS_Face> caps;   ///< faces on the ball
+  std::vector<TopoDS_Face> bands;  ///< by edge: the part of its fillet that ends on the ball
+  /// By edge: the edges in which its band ends on the ball, in any order.
+  std::vector<std::vector<TopoDS_Edge>> band_ends;
+  /// By face of the corner: the edges in which the ball cuts it, in any order.
+  std::vector<std::vector<TopoDS_Edge>> arcs;
+  std::map<int, TopoDS_Face> became;  ///< new face by number of a face in the given solid
 };
 
-/// Takes the ball away and rounds the edges that are left of the corner's: there none is in the
-/// other's way.
-/// \throws std::domain_error where OpenCASCADE does not, or makes no band from face to face of each
-/// edge.
+/// Removes the ball and rounds what is left of the corner's edges, which do not obstruct each other
+/// there.
+/// \throws std::domain_error if OpenCASCADE fails, or does not make a band from face to face along
+/// each edge.
 RoundedOutside roundedOutside(const Corner& corner, const std::vector<CornerStrip>& strips,
                               double ball_mm);
 

@@ -42,9 +42,10 @@ namespace {
 using Eigen::Vector3d;
 using opencascade::handle;
 
-/// Where f, negative at first, becomes positive in [0, 1]; nothing where it does not.
+/// The point in [0, 1] at which f, negative at first, becomes positive; nothing if it does not.
 template <class Function>
 std::optional<double> crossingOf(const Function& f) {
+  // Steps of the search for a change of sign.
   constexpr int steps = 200;
   double low = 0;
   for (int k = 1; k <= steps; ++k) {
@@ -62,7 +63,7 @@ std::optional<double> crossingOf(const Function& f) {
   return std::nullopt;
 }
 
-/// A point of the edge, and the tangent there, away from the corner.
+/// A point of the edge with the tangent there, pointing away from the corner.
 struct EdgePlace {
   Vector3d point, tangent;
 };
@@ -80,7 +81,8 @@ EdgePlace placeAt(const CornerEdge& edge, double setback_mm) {
   return {vector(point), sense * vector(run).normalized()};
 }
 
-/// Distances from both ends along the tangents to where they come nearest each other.
+/// Distances from both ends, along the tangents, to the points where the tangents are nearest to
+/// each other.
 std::array<double, 2> legsOf(const Vector3d& from, const Vector3d& leaving, const Vector3d& to,
                              const Vector3d& arriving) {
   Eigen::MatrixXd tangents(3, 2);
@@ -89,9 +91,9 @@ std::array<double, 2> legsOf(const Vector3d& from, const Vector3d& leaving, cons
   return {legs(0), legs(1)};
 }
 
-/// What is left of a band, and where it ends now.
+/// The new end of a band.
 struct Section {
-  std::array<double, 2> shares{};  ///< along the contacts, before and after
+  std::array<double, 2> shares{};  ///< shares along the contact lines before and after the edge
   std::array<TopoDS_Vertex, 2> vertices;
 };
 
@@ -120,7 +122,7 @@ class BandTrimmer {
   }
 
   TopoDS_Shape imageOf(const TopoDS_Shape& face) const { return change_->Value(face); }
-  /// Straight, of the hole's.
+  /// Straight length of the hole's shortest side.
   double shortestSide_mm() const {
     double shortest = HUGE_VAL;
     for (std::size_t i = 0; i < corner_.count(); ++i)
@@ -128,7 +130,7 @@ class BandTrimmer {
                            (pointAt(corner_.after(i), 0) - pointAt(i, 1)).norm()});
     return shortest;
   }
-  /// Of the section from the edge, the mean of both sides.
+  /// Distance of the section's ends from the edge, as the mean of both sides.
   double contact_mm(std::size_t i) const {
     const Vector3d foot = placeAt(corner_.edges[i], strips_[i].setback_mm).point;
     return ((pointAt(i, 0) - foot).norm() + (pointAt(i, 1) - foot).norm()) / 2;
@@ -143,7 +145,8 @@ class BandTrimmer {
     return "edge " + std::to_string(corner_.edges[i].number);
   }
 
-  /// The vertex on the ball that the band's end and the arc in the face before or after it share.
+  /// The vertex on the ball shared by the band's end and the arc in the face before or after the
+  /// edge.
   TopoDS_Vertex nearVertex(std::size_t i, bool after) const {
     TopoDS_Vertex vertex;
     for (const TopoDS_Edge& arc : rounded_.arcs[after ? i : corner_.before(i)])
@@ -167,7 +170,8 @@ class BandTrimmer {
     throw std::domain_error(name(i) + ": its fillet has no edge that leaves the ball");
   }
 
-  /// Where the contacts are beside the setback, and the line of the band's parameters between.
+  /// The section at the setback: the points of the contact lines beside it, and the iso-line of the
+  /// band between them.
   Section sectionOf(std::size_t i) const {
     const EdgePlace place = placeAt(corner_.edges[i], strips_[i].setback_mm);
     Section section;
@@ -202,7 +206,7 @@ class BandTrimmer {
 
   static double coordinate(const gp_Pnt2d& at, bool u) { return u ? at.X() : at.Y(); }
 
-  /// The band's parameter that runs along the edge.
+  /// Whether the band's parameter u runs along the edge.
   bool runsInU(std::size_t i) const {
     const Contact& contact = contacts_[2 * i];
     const gp_Pnt2d begin = contact.onBand(0), end = contact.onBand(1);
@@ -241,8 +245,8 @@ class BandTrimmer {
     change_->Replace(old, made);
   }
 
-  /// Puts an edge in the place of those on the ball that lead from a vertex to another. \param
-  /// forward it begins in place of the first.
+  /// Replaces a chain of edges on the ball by one edge. \param forward the new edge begins at the
+  /// begin of the chain.
   void replace(const std::vector<TopoDS_Edge>& old, const TopoDS_Vertex& begin,
                const TopoDS_Edge& made, bool forward) {
     for (const TopoDS_Edge& edge : old) {
@@ -303,7 +307,7 @@ class BandTrimmer {
     replace(rounded_.arcs[i], nearVertex(i, true), made, true);
   }
 
-  /// The curve's points, dropped onto the face, as a path in its parameters.
+  /// The pcurve of the curve projected onto the face.
   static handle<Geom2d_Curve> laidOn(const TopoDS_Face& face, const BezierCurve& curve,
                                      const gp_Pnt2d& from, const gp_Pnt2d& to) {
     constexpr int count = 33;
@@ -331,12 +335,12 @@ class BandTrimmer {
     return handle<Geom2d_Curve>(fit.Curve());
   }
 
-  /// The parameter, by whole periods (0: there is none) next to another.
+  /// The parameter, moved by whole periods to be nearest to another. \param period 0: not periodic.
   static double beside(double parameter, double other, double period) {
     return period > 0 ? parameter + period * std::round((other - parameter) / period) : parameter;
   }
 
-  /// The direction of the parameters that leads there.
+  /// The direction in the parameter plane that belongs to a tangent vector.
   static gp_Vec2d tangentIn(const BRepAdaptor_Surface& surface, const gp_Pnt2d& at,
                             const Vector3d& run) {
     gp_Pnt point;
@@ -358,7 +362,7 @@ class BandTrimmer {
   std::vector<Section> sections_;
 };
 
-/// Beyond it the fillets of flat faces are clear of one another.
+/// The radius of the ball beyond which fillets between planes do not obstruct each other.
 double leastBall_mm(const Corner& corner, const std::vector<CornerStrip>& strips) {
   double ball_mm = 0;
   for (std::size_t i = 0; i < corner.count(); ++i)
@@ -383,7 +387,7 @@ Model holedModel(const RoundedOutside& rounded, const BandTrimmer& trimmer,
   return model;
 }
 
-/// The hole beside all bands, with the section of the first as its first side.
+/// The hole that adjoins all bands, with the section of the first band as its first side.
 Hole holeBesideBands(const Model& holed, std::size_t edges, const TopoDS_Face& first_band,
                      const FillHoleOptions& options) {
   TopTools_IndexedMapOfShape faces;
@@ -403,7 +407,7 @@ Hole holeBesideBands(const Model& holed, std::size_t edges, const TopoDS_Face& f
   throw std::domain_error("no hole is left between the fillets");
 }
 
-/// What the fill is: patches where no spline was needed.
+/// The fill, with patches if no spline was needed.
 NSidedFill fillOf(const FillHoleReport& report) {
   NSidedFill fill;
   fill.regular = report.regular;
@@ -419,7 +423,7 @@ NSidedFill fillOf(const FillHoleReport& report) {
   return fill;
 }
 
-/// The new seams of the filled solid, and what its faces were.
+/// The shell of the filled solid, with its new seams and the new faces by the given ones.
 CornerShell shellOf(const FillHoleReport& report, const Corner& corner) {
   CornerShell shell;
   shell.shell = TopoDS::Shell(TopExp_Explorer(report.model.shape, TopAbs_SHELL).Current());
@@ -457,7 +461,7 @@ CornerShell shellOf(const FillHoleReport& report, const Corner& corner) {
   return shell;
 }
 
-/// Fillets begin on their edges.
+/// Requires that each setback is less than the length of its edge.
 void requireRoom(const Corner& corner, const std::vector<CornerStrip>& strips,
                  const CornerFilletOptions& options) {
   for (std::size_t i = 0; i < corner.count(); ++i)
@@ -468,7 +472,7 @@ void requireRoom(const Corner& corner, const std::vector<CornerStrip>& strips,
                               " would begin beyond its end");
 }
 
-/// What the faces of the holed model are called in reasons.
+/// Names of the faces of the holed model in reasons.
 FaceNames namesOf(const Corner& corner, const RoundedOutside& rounded, const BandTrimmer& trimmer,
                   const Model& holed) {
   const TopTools_IndexedMapOfShape faces = partsOf(holed.shape, TopAbs_FACE),
@@ -484,7 +488,8 @@ FaceNames namesOf(const Corner& corner, const RoundedOutside& rounded, const Ban
   return [names](int face) { return names[static_cast<std::size_t>(face)]; };
 }
 
-/// Of a corner that was made inside out, in the order and sense that it has in its solid.
+/// Returns a corner that was made with inside and outside exchanged to the order and orientation of
+/// its solid.
 BandedCorner turnedBack(BandedCorner made) {
   made.shell.shell.Reverse();
   std::ranges::reverse(made.edges);
@@ -495,22 +500,22 @@ BandedCorner turnedBack(BandedCorner made) {
   return made;
 }
 
-/// What a corner is tried with.
+/// Parameters of an attempt.
 struct Attempt {
-  double margin = 1;    ///< of the ball over what flat faces would need
-  int most_degree = 9;  ///< of the polynomials that stand for the sides of the hole
+  double margin = 1;    ///< radius of the ball over that needed for planes
+  int most_degree = 9;  ///< largest degree of the polynomials fitted to the sides of the hole
 };
 
-/// A corner that was made, and whether it is what was asked for.
+/// A finished corner, and whether it reaches the target.
 struct Made {
   BandedCorner corner;
   bool reached = false;
 
-  /// Of two corners the better one.
+  /// Rank of the corner: the better of two has the larger rank.
   int rank() const { return (corner.fill.regular ? 2 : 0) + (reached ? 1 : 0); }
 };
 
-/// Sections whose place is not given begin well outside the ball.
+/// Moves sections without a given setback well outside the ball.
 void setBackFromBall(const Corner& corner, const CornerFilletOptions& options, double least_mm,
                      std::vector<CornerStrip>& strips) {
   for (std::size_t i = 0; i < corner.count(); ++i) {
@@ -559,8 +564,9 @@ BandedCorner bandedCorner(const Corner& given, const CornerFilletOptions& option
   const std::pair<Corner, bool> alone = ofShellAlone(given);
   const Corner& corner = alone.first;
   const std::vector<CornerStrip> strips = cornerStrips(corner, options);
-  // Lower degrees follow the sides less closely and make fairer patches; where faces bend, fillets
-  // may come clear of one another further out only.
+  // Attempts in their order, as margin and degree. Lower degrees fit the sides less closely and
+  // make fairer patches. Between curved faces, fillets may need a larger ball before they do not
+  // obstruct each other.
   constexpr std::array<Attempt, 5> attempts = {{{1.1, 9}, {1.1, 5}, {1.3, 9}, {1.3, 5}, {1.6, 5}}};
   std::optional<Made> best;
   std::string reason;

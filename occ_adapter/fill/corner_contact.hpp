@@ -13,10 +13,10 @@
 
 #include <seamwright/occ_adapter/convert/points.hpp>
 
-/// Where the fillet of an edge touches a face; not a public header.
+/// The contact line of an edge's fillet with a face. Not a public header.
 namespace seamwright::occ {
 
-/// The edge between a band and a face, from the ball outward.
+/// The edge between a band and a face, directed outward from the ball.
 class Contact {
  public:
   Contact(const TopoDS_Edge& edge, const TopoDS_Face& band, const TopoDS_Face& face,
@@ -31,14 +31,14 @@ class Contact {
   const TopoDS_Face& face() const { return face_; }
   bool nearFirst() const { return near_first_; }
 
-  /// The curve's parameter at a share of the way from the ball.
+  /// The curve's parameter at a share, in [0, 1], of the edge's parameter range from the ball.
   double at(double share) const {
     return near_first_ ? first_ + share * (last_ - first_) : last_ - share * (last_ - first_);
   }
   Eigen::Vector3d point(double share) const { return vector(curve_.Value(at(share)).XYZ()); }
   gp_Pnt2d onBand(double share) const { return on_band_->Value(at(share)); }
   gp_Pnt2d onFace(double share) const { return on_face_->Value(at(share)); }
-  /// Unit, towards the ball.
+  /// Unit tangent towards the ball.
   Eigen::Vector3d inward(double share) const {
     gp_Pnt point;
     gp_Vec run;

@@ -39,7 +39,8 @@ void requireNotNegative(const std::map<int, double>& lengths, const char* what) 
                                   ": a finite one above 0 is needed, or 0: chosen");
 }
 
-/// The linear law is the fairer one where it needs no help to be regular.
+/// The fill with the linear spoke law if that is regular without scaled spokes, because it is
+/// fairer then. Otherwise the fill with the quadratic law.
 NSidedFill fairestFill(const std::vector<FillSide>& sides) {
   NSidedFill linear = nSidedFill(sides, {SpokeLaw::Linear});
   if (linear.regular && !linear.spoke_scale) return linear;
@@ -73,7 +74,7 @@ std::vector<CornerSeam> measured(const TopoDS_Shape& shape, const CornerShell& m
   return seams;
 }
 
-/// Those of faces and solids that are still there; of faces with the numbers that they have now.
+/// The attributes of faces and solids that are still there, with the new face numbers.
 std::vector<ShapeAttribute> attributesAfter(const Model& model, const TopoDS_Shape& shape,
                                             const CornerShell& made) {
   TopTools_IndexedMapOfShape before, after;
@@ -103,7 +104,8 @@ std::vector<CornerFilletEdge> described(const Corner& corner, const CornerHole& 
   return edges;
 }
 
-/// Cylinders along lines between planes, and a fill that meets them exactly but for the sections.
+/// Makes cylinders along lines between planes, and a fill that meets them exactly except at the
+/// sections.
 BandedCorner polyhedralCorner(const Corner& corner, const CornerFilletOptions& options) {
   const CornerHole hole = cornerHole(corner, options);
   NSidedFill fill = fairestFill(hole.sides);
@@ -122,7 +124,7 @@ double largestUpper(const std::vector<CornerSeam>& seams,
   return largest;
 }
 
-/// Numbers of the fillets and patches: in the new shell they come after the faces that there were.
+/// Numbers of the fillets and patches. In the new shell they come after the old faces.
 std::set<int> freshFaces(const TopoDS_Shape& shape, const Corner& corner, const CornerShell& made) {
   const TopTools_IndexedMapOfShape all = partsOf(shape, TopAbs_FACE),
                                    of_shell = partsOf(made.shell, TopAbs_FACE);
@@ -132,7 +134,7 @@ std::set<int> freshFaces(const TopoDS_Shape& shape, const Corner& corner, const 
   return fresh;
 }
 
-/// The face of the new shape as the user knows it: "face 3" with the number in the given one.
+/// The name of a face of the new shape for the user: "face 3", with the number in the given shape.
 std::string nameOf(int face, const TopoDS_Shape& shape, const Corner& corner,
                    const CornerShell& made) {
   const TopoDS_Shape is = partsOf(shape, TopAbs_FACE)(face);
@@ -143,7 +145,8 @@ std::string nameOf(int face, const TopoDS_Shape& shape, const Corner& corner,
   return "a new face";
 }
 
-/// What meets at a new seam; names of faces that are not the corner's are those of the given shape.
+/// The kinds of faces that meet at a new seam. Faces outside of the corner are named by their
+/// numbers in the given shape.
 std::string betweenText(const CornerSeam& seam, const CornerFillet& result, const Corner& corner,
                         const CornerShell& made) {
   if (seam.kind == CornerSeamKind::Spoke) return "two patches";
@@ -153,7 +156,7 @@ std::string betweenText(const CornerSeam& seam, const CornerFillet& result, cons
   return (seam.kind == CornerSeamKind::Spring ? "a patch and " : "a fillet and ") + face;
 }
 
-/// What keeps the result from being a rounded corner.
+/// Why the result is not a valid rounded corner; empty if it is one.
 std::string shortfallOf(const CornerFillet& result, const Corner& corner, const CornerShell& made) {
   if (!result.valid)
     return "the new shell fails OpenCASCADE's checks: the fillets may overlap something";
@@ -205,8 +208,8 @@ std::vector<int> cornerEdges(const Model& model, int vertex) {
 CornerFillet cornerFillet(const Model& model, int vertex, const CornerFilletOptions& options,
                           const Progress& progress) {
   options.validate();
-  // Which side of the shell is solid is asked of OpenCASCADE's classifier, which looks at all its
-  // faces and may crash on numbers that are not finite.
+  // OpenCASCADE's classifier decides which side of the shell is solid. It evaluates all faces and
+  // may crash on numbers that are not finite.
   requireUsable(model.shape, model.path, "rounded");
   const Corner corner = cornerOf(model.shape, vertex);
   constexpr double built = 0.5;

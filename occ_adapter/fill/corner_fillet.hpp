@@ -13,28 +13,28 @@
 
 namespace seamwright::occ {
 
-/// Edges are named by number, from 1, in the order of TopExp::MapShapes.
+/// Options of cornerFillet(). Edges are numbered from 1, in the order of TopExp::MapShapes.
 struct CornerFilletOptions {
   std::map<int, double> radii_mm;  ///< of every edge at the vertex
-  /// From the vertex along the edge to the section where its fillet ends. Edges that are not named,
-  /// or with 0, get the least one that the radii allow, and half the mean distance of the contact
-  /// lines from their edges.
+  /// Distance from the vertex, along the edge, to the section where its fillet ends. Edges without
+  /// a value, or with 0, get the smallest setback that the radii allow, plus half the mean distance
+  /// of the contact lines from their edges.
   std::map<int, double> setbacks_mm;
-  /// Largest distance of the polynomial section curves from their circles: the gap between
-  /// cylinders and patches, [1e-9, 0.1]. Where faces are curved the sides are fitted to a twentieth
-  /// of the tolerance instead.
+  /// Largest distance of the polynomial section curves from their circles, in [1e-9, 0.1]. It is
+  /// the gap between cylinders and patches. Where faces are curved, the sides are fitted to a
+  /// twentieth of the tolerance instead.
   double section_mm = 1e-6;
   ContinuityTolerance tolerance;  ///< what the new seams must meet
   int jobs = 0;                   ///< threads; 0: one for each processor
 
-  /// Nothing: it is chosen.
+  /// The setback of an edge; nothing if it is to be chosen.
   std::optional<double> setback_mm(int edge) const;
 
   /// \throws std::invalid_argument with the edge and the offending number.
   void validate() const;
 };
 
-/// What a new edge separates.
+/// The faces that a new edge separates.
 enum class CornerSeamKind {
   Spoke,    ///< two patches
   Section,  ///< a patch and a fillet
@@ -51,29 +51,31 @@ struct CornerSeam {
 struct CornerFilletEdge {
   int edge = 0;  ///< number in the given model
   bool convex = true;
-  double angle_rad =
-      0;  ///< between its faces at the vertex: of the solid, or of the air where it is concave
+  /// Angle between its faces at the vertex: inside the solid, or, at a concave edge, outside of
+  /// it.
+  double angle_rad = 0;
   double radius_mm = 0;
   double contact_mm = 0;  ///< distance of the contact lines from the edge, at the section
   double setback_mm = 0;
 };
 
 struct CornerFillet {
-  Model model;  ///< names and colours are those of the faces and solids that are still there
-  std::vector<CornerFilletEdge> edges;  ///< counter-clockwise, seen from outside
-  NSidedFill fill;  ///< the patches (at curved faces none where some had to be splines, and of the
-                    ///< rest corners and regular alone); side 2 i is the section of edge i, side 2
-                    ///< i + 1 the spring curve after it
-  double section_error_mm = 0;    ///< distance of the section curves from their circles, at curved
-                                  ///< faces of all sides, as sampled
-  std::vector<CornerSeam> seams;  ///< the new ones, by edge number
+  Model model;  ///< faces and solids that are still there keep their names and colours
+  std::vector<CornerFilletEdge> edges;  ///< counter-clockwise as seen from outside
+  /// The patches. Side 2 i is the section of edge i, side 2 i + 1 the spring curve after it. At
+  /// curved faces only patches (none if some had to be splines), corners and regular are set.
+  NSidedFill fill;
+  /// Sampled distance of the section curves from their circles; at curved faces the sampled
+  /// distance of all sides.
+  double section_error_mm = 0;
+  std::vector<CornerSeam> seams;  ///< new seams, by edge number
   bool valid = false;             ///< OpenCASCADE's checks of the new shell pass
-  /// Empty: valid, the patches are proved regular, and the new seams meet the tolerance with G1.
-  /// Else what fails, with numbers.
+  /// What fails, with numbers. Empty if the shell is valid, the patches are proved regular, and the
+  /// new seams meet the tolerance with G1.
   std::string shortfall;
 
   bool met() const { return shortfall.empty(); }
-  /// The largest upper bounds of the new seams; infinite where one has none.
+  /// The largest upper bounds of the new seams; infinite if a seam has none.
   double largestGap_mm() const;
   double largestAngle_rad() const;
 };
@@ -82,26 +84,27 @@ struct CornerFillet {
 /// \throws as cornerFillet().
 std::vector<int> cornerEdges(const Model& model, int vertex);
 
-/// Rounds the edges that meet at a vertex, each with a radius of its own, and closes the corner
-/// with patches that meet each other exactly with G1 (nSidedFill()).
+/// Rounds the edges that meet at a vertex, each with its own radius, and closes the corner with
+/// patches that meet each other exactly with G1 (nSidedFill()).
 ///
-/// Between planes, each edge gets a cylinder that touches both its faces: a rolling ball's, inside
-/// the solid along convex edges, outside along concave ones. It begins set back from the vertex, in
-/// a section across the edge, and runs to the far end, where the face there cuts it. In the faces,
-/// a cubic spring curve leads from the contact line of one cylinder to that of the next, tangent to
-/// both. The sections and spring curves of m edges bound a hole of 2 m sides. Its corners are right
-/// angles at which the neighbours agree to second order, so that the patches meet the planes, and
-/// the cylinders but for section_mm, along all of them.
+/// Between planes, each edge gets a cylinder that touches both its faces: that of a rolling ball,
+/// inside the solid along convex edges, outside along concave ones. The cylinder begins at the
+/// setback from the vertex, in a section across the edge, and runs to the far end, where the face
+/// there cuts it. In each face at the vertex, a cubic spring curve leads from the contact line of
+/// one cylinder to that of the next, tangent to both. The sections and spring curves of m edges
+/// bound a hole of 2 m sides. Its corners are right angles at which the neighbours agree to second
+/// order. So the patches meet the planes along their sides exactly, and the cylinders to within
+/// section_mm.
 ///
-/// Where a face at the vertex is curved, an edge is no line, or its far end is not that of two more
-/// edges and one more plane, the fillets are OpenCASCADE's, of the solid without a ball about the
-/// vertex. They are cut off at the setbacks, the spring curves are dropped onto the faces, and
-/// fillHole() fills the hole. Setbacks that are not given are so large, then, that the sections are
-/// outside the ball.
+/// OpenCASCADE makes the fillets if a face at the vertex is curved, if an edge is not a line, or if
+/// anything but two more edges and one more plane meets at its far end. It rounds the solid from
+/// which a ball about the vertex is removed. The fillets are cut off at the setbacks, the spring
+/// curves are projected onto the faces, and fillHole() fills the hole. Setbacks that are not given
+/// are then large enough that the sections are outside the ball.
 ///
 /// **Supported** is a vertex in one shell of one solid where 3 to 6 edges, convex or concave, and
-/// as many faces meet, no two of them tangent along an edge. It may be in the wall of a void. Other
-/// shells and solids stay.
+/// as many faces meet, no two of them tangent along an edge. The shell may be the wall of a void.
+/// Other shells and solids stay.
 ///
 /// Identities (each has a test of its number):
 ///   (1) Between planes, the distance of the cylinders' axes from both is the radius.
@@ -109,9 +112,9 @@ std::vector<int> cornerEdges(const Model& model, int vertex);
 ///       fillet.
 ///   (3) Rigid motion and scale move the corner likewise.
 ///
-/// \param vertex from 1, order of TopExp::MapShapes.
-/// \throws std::invalid_argument for options that are not valid, a vertex that the model does not
-/// have, radii that miss an edge at the vertex, and radii and setbacks of other edges;
+/// \param vertex from 1, in the order of TopExp::MapShapes.
+/// \throws std::invalid_argument for invalid options, for a vertex that the model does not have,
+/// for an edge at the vertex without a radius, and for radii and setbacks of other edges;
 /// std::domain_error, with numbers, for corners that are not supported, setbacks that leave no room
 /// for spring curves, fillets that reach beyond their faces or that OpenCASCADE does not make, and
 /// openings too sharp for section_mm; ModelError (Malformed) for a model with numbers that are not

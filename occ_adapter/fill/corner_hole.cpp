@@ -17,10 +17,10 @@ namespace {
 using Eigen::Vector3d;
 using std::numbers::pi;
 
-constexpr int least_section_degree = 5,
-              most_section_degree = 11;  ///< of sections; patches are one degree higher
+/// Degrees of section curves; patches are one degree higher.
+constexpr int least_section_degree = 5, most_section_degree = 11;
 
-/// B_0 .. B_n at t.
+/// The Bernstein polynomials B_0 .. B_n at t.
 Eigen::RowVectorXd bernsteinRow(int n, double t) {
   Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(n + 1);
   row(0) = 1;
@@ -48,16 +48,16 @@ UnitArc sectionArc(const CornerEdge& edge, const CornerStrip& strip, double sect
                           ", not to " + lengthText(section_mm));
 }
 
-/// Distances along two edges of a face, from the corner to the foot of the point where the contact
-/// lines cross.
+/// Distances along two edges of a face, from the corner to the feet of the intersection of the
+/// contact lines.
 std::array<double, 2> crossing(double angle_rad, double contact_mm, double next_contact_mm) {
   const double sine = std::sin(angle_rad), cosine = std::cos(angle_rad);
   return {(next_contact_mm + contact_mm * cosine) / sine,
           (contact_mm + next_contact_mm * cosine) / sine};
 }
 
-/// Of an edge and those next to it the one whose contact lines are the farthest away; itself where
-/// none is farther.
+/// The edge, of an edge and its neighbours, whose contact lines are furthest from it; the edge
+/// itself if they are equal.
 std::size_t widest(const Corner& corner, const std::vector<CornerStrip>& strips, std::size_t i) {
   std::size_t found = i;
   for (const std::size_t k : {corner.before(i), corner.after(i)})
@@ -77,7 +77,7 @@ class Roller {
   }
 
  private:
-  /// Radii, and what follows of them and the angles alone.
+  /// Sets the radii, and the values that depend only on these and the angles.
   void roll() {
     for (const CornerEdge& edge : corner_.edges) {
       const auto radius = options_.radii_mm.find(edge.number);
@@ -103,7 +103,8 @@ class Roller {
     }
   }
 
-  /// The setback from which on both contact lines of an edge are clear of their neighbours.
+  /// The smallest setback beyond which both contact lines of an edge are past their intersections
+  /// with those of the neighbours.
   double leastSetback(std::size_t i) const {
     return std::max({0.0, crossingIn(corner_, strips_, i)[0],
                      crossingIn(corner_, strips_, corner_.before(i))[1]});

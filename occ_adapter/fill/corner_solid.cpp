@@ -55,26 +55,26 @@ handle<Geom2d_Curve> straight(const gp_Pnt2d& from, const gp_Pnt2d& to) {
   return new Geom2d_BezierCurve(poles);
 }
 
-/// A cylinder of the corner with its own parameters: v = 0 is the section, u = pi its middle.
+/// A cylinder of the corner. In its parameters the section is v = 0, with its middle at u = pi.
 struct Tube {
   handle<Geom_CylindricalSurface> surface;
   TopoDS_Face face;
-  std::array<double, 2> u{};  ///< of the contact lines
+  std::array<double, 2> u{};  ///< u of both contact lines
 };
 
-/// Where the plane at the far end cuts a cylinder: a circle or an ellipse, whose parameter is u -
-/// highest_u.
+/// The section of a cylinder by the plane at the far end: a circle or an ellipse, with the
+/// parameter u - highest_u.
 struct FarCut {
   gp_Ax2 axes;
   bool upright = true;
-  double cosine = 1;     ///< of the angle between axis and normal
-  double height = 0;     ///< v on the axis
-  double swing = 0;      ///< v is height + swing cos(u - highest_u)
+  double cosine = 1;     ///< cosine of the angle between the axis and the plane's normal
+  double height = 0;     ///< v of the plane on the axis
+  double swing = 0;      ///< the section has v = height + swing cos(u - highest_u)
   double highest_u = 0;  ///< in (-pi, pi]
 };
 
-/// Vertices and edges that are new at one edge of the corner. Contact lines run from the section,
-/// sections and far ends from the face before to the face after.
+/// New vertices and edges at one edge of the corner. Contact lines run away from the section.
+/// Sections and far ends run from the face before the edge to the face after it.
 struct TubeEdges {
   std::array<TopoDS_Vertex, 2> near, far;
   std::array<TopoDS_Edge, 2> contacts;
@@ -182,9 +182,10 @@ class ShellBuilder {
     return cut;
   }
 
-  /// The ends of the arc are beyond the section already, as ends of the contact lines.
+  /// Requires that the far cut is beyond the section. Its ends are, as ends of the contact lines,
+  /// so only its lowest point needs a test.
   void requireBeyondSection(std::size_t i, const FarCut& cut, double first, double last) const {
-    const double lowest_u = cut.highest_u + pi;  // in [0, 2 pi], as the arc
+    const double lowest_u = cut.highest_u + pi;  // in [0, 2 pi], like the arc
     const double lowest = cut.height - cut.swing;
     if (lowest_u > first && lowest_u < last && !(lowest > 0))
       throw std::domain_error("edge " + std::to_string(corner_.edges[i].number) +
@@ -193,7 +194,8 @@ class ShellBuilder {
                               lengthText(lowest) + " beyond the section on: more than 0 is needed");
   }
 
-  /// v = height + swing cos(t) over u = t + highest_u as a polynomial, to half the tolerance.
+  /// The polynomial pcurve of v = height + swing cos(t) over u = t + highest_u, with an error of at
+  /// most half the tolerance.
   handle<Geom2d_Curve> waveOf(const FarCut& cut, double sweep_rad, double first,
                               double last) const {
     int degree = 4;
@@ -237,7 +239,7 @@ class ShellBuilder {
     return from == 0 ? made : TopoDS::Edge(made.Reversed());
   }
 
-  /// The edges of the far face end at the contact lines now.
+  /// Trims the edges of the far face at the contact lines.
   void trimEnd(std::size_t i) {
     const CornerEdge& corner_edge = corner_.edges[i];
     for (std::size_t side = 0; side < 2; ++side) {
@@ -249,7 +251,7 @@ class ShellBuilder {
     }
   }
 
-  /// The given edge, shortened if need be, in its own sense.
+  /// The given edge, trimmed if necessary, with its own orientation.
   TopoDS_Edge trimmed(const TopoDS_Edge& old) {
     const int number = old_.FindIndex(old);
     if (number == 0) return old;
@@ -275,7 +277,7 @@ class ShellBuilder {
     return TopoDS::Edge(made->second.Oriented(old.Orientation()));
   }
 
-  /// Two halves of the side, and the spoke to its middle.
+  /// Makes the two halves of a side and the spoke to its middle.
   void makeSide(std::size_t side) {
     const std::size_t i = side / 2;
     const bool section = side % 2 == 0;
@@ -335,7 +337,7 @@ class ShellBuilder {
     builder_.Add(result_.shell, patches_[k]);
   }
 
-  /// A face of the shell with the edges that it has now; itself if they are the same.
+  /// A face of the shell with its new edges; the face itself if they are the same.
   TopoDS_Face renewed(const TopoDS_Face& old) {
     const TopoDS_Face forward = TopoDS::Face(old.Oriented(TopAbs_FORWARD));
     TopoDS_Face face = TopoDS::Face(forward.EmptyCopied());
@@ -368,8 +370,8 @@ class ShellBuilder {
     return wire;
   }
 
-  /// What stands in the place of an oriented edge of the face, with what follows where it ended at
-  /// a vertex that is gone.
+  /// The edges that replace an oriented edge of the face. If it ended at the removed vertex, the
+  /// edges that follow there are included.
   std::vector<TopoDS_Edge> replacements(const TopoDS_Edge& old, const TopoDS_Face& face) {
     const TopoDS_Vertex last = TopExp::LastVertex(old, true);
     for (std::size_t i = 0; i < count_; ++i) {
@@ -401,11 +403,13 @@ class ShellBuilder {
   std::vector<Tube> tubes_;
   std::vector<TubeEdges> edges_;
   std::vector<TopoDS_Face> patches_;
-  std::vector<std::array<TopoDS_Edge, 2>> halves_;  ///< of the sides, in their sense
-  std::vector<TopoDS_Edge> spokes_;                 ///< from the centre
+  /// Halves of the sides, in the direction of the sides.
+  std::vector<std::array<TopoDS_Edge, 2>> halves_;
+  std::vector<TopoDS_Edge> spokes_;  ///< from the centre
   TopoDS_Vertex centre_;
-  TopTools_IndexedMapOfShape old_;                     ///< edges at far ends
-  std::map<int, std::array<TopoDS_Vertex, 2>> trims_;  ///< new ends of these, null where they stay
+  TopTools_IndexedMapOfShape old_;  ///< edges at far ends
+  /// New ends of these edges; null where an end stays.
+  std::map<int, std::array<TopoDS_Vertex, 2>> trims_;
   std::map<int, TopoDS_Edge> trimmed_;
 };
 

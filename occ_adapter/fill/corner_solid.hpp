@@ -7,12 +7,12 @@
 
 #include <seamwright/occ_adapter/fill/corner_hole.hpp>
 
-/// A shell whose corner is cut out and closed again; not a public header.
+/// Replaces the corner of a shell by fillets and patches. Not a public header.
 namespace seamwright::occ {
 
 struct CornerShell {
   TopoDS_Shell shell;  ///< old faces in their order, then the cylinders, then the patches
-  TopTools_DataMapOfShapeShape became;  ///< faces that were made again
+  TopTools_DataMapOfShapeShape became;  ///< new faces by the faces that they replace
   std::vector<std::pair<TopoDS_Edge, CornerSeamKind>> seams;
 };
 
@@ -20,8 +20,8 @@ struct CornerShell {
 /// into their own sections.
 CornerShell cornerShell(const Corner& corner, const CornerHole& hole, const NSidedFill& fill);
 
-/// The shape with another shell in place of one of its own. Locations and orientations of what
-/// holds it are applied to its parts.
+/// The shape with \p shell replaced by \p other. Locations and orientations of the parts that
+/// contain it are applied to the parts themselves.
 TopoDS_Shape withShell(const TopoDS_Shape& shape, const TopoDS_Shell& shell,
                        const TopoDS_Shell& other);
 

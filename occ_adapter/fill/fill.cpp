@@ -21,8 +21,8 @@ std::optional<int> raiseFor(Level target) {
   return target == Level::G1 ? 1 : 2;
 }
 
-/// What may come out better: polynomials of lower degrees follow the sides less closely and make
-/// fairer faces; without regard to curvature its jumps may yet be smaller.
+/// Attempts that may give a better fill. Polynomials of lower degree fit the sides less closely and
+/// make fairer faces. A fill that ignores curvature may even have smaller jumps of it.
 std::vector<FillAttempt> othersThan(const FillAttempt& first, const FillHoleReport& report) {
   constexpr int fairer_degree = 5;
   std::vector<FillAttempt> others;
@@ -51,7 +51,7 @@ void requireEdges(const Model& model, const Hole& hole) {
                                     ": the model has no such edge " + std::to_string(edge.edge));
 }
 
-/// Why the border of a hole can't be met; empty if it can.
+/// Why the boundary of a hole can't be met; empty if it can.
 std::string whyNotMet(const TopoDS_Shape& shape, const Hole& hole) {
   const UnusableParts unusable(shape);
   for (const HoleSide& side : hole.sides)
@@ -72,9 +72,10 @@ std::optional<double> largest(const FillHoleReport& report,
   return most;
 }
 
-/// Where it can't be made, patches are tried, and say what is wrong.
+/// The face that continues a surface through the hole. Failures give nothing: patches are tried
+/// next, and their reasons are reported.
 std::optional<TopoDS_Face> faceThatGoesOn(const Hole& hole, const FillHoleOptions& options) {
-  constexpr double share = 20;  // of the tolerances, as of patches
+  constexpr double share = 20;  // divisor of the tolerances, the same as for patches
   if (!options.continue_surface) return std::nullopt;
   try {
     return continuedFace(hole, options.tolerance.gap_mm / share,
@@ -165,7 +166,7 @@ FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOpti
   std::optional<FillHoleReport> by_face;
   if (const std::optional<TopoDS_Face> face = faceThatGoesOn(hole, options))
     by_face = filledByFace(model, hole, options, names, *face, partOf(progress, 0, share_of_face));
-  // Patches would lie where the face lies.
+  // If the face meets others, patches would too, because they would lie where the face lies.
   if (by_face && (by_face->reached || by_face->meets_others)) {
     if (progress && !progress(1)) throw Cancelled();
     return std::move(*by_face);

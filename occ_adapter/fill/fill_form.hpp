@@ -7,15 +7,15 @@
 #include <seamwright/core/bspline/surface.hpp>
 #include <seamwright/occ_adapter/fill/side_fit.hpp>
 
-/// The form of a fill beside that of its surroundings; not a public header.
+/// Compares the form of a fill with its surroundings. Not a public header.
 namespace seamwright::occ {
 
-/// The farthest pole of the surface from the middle of the box of the sides, over half its
-/// diagonal.
+/// The distance of the surface's farthest pole from the middle of the box of the sides, over half
+/// the diagonal of that box.
 double reachOf(const BSplineSurface& surface, const std::vector<FittedSide>& sides);
 
-/// Whether the faces lie on both sides, seen along the normal of the hole, where all that they are
-/// tangent to lies on one; looked at on grids. False where a side has position alone.
+/// Whether the normals of the faces point to both sides of the hole's plane although all tangent
+/// planes along the sides face one side. Sampled on grids. False if a side has position only.
 bool turnsBack(const std::vector<TopoDS_Face>& faces, const std::vector<FittedSide>& sides);
 
 }  // namespace seamwright::occ

@@ -8,10 +8,10 @@
 #include <seamwright/occ_adapter/model/usable.hpp>
 #include <seamwright/occ_adapter/topology/sewn_shape.hpp>
 
-/// Fills of models that are parts or stages of what the user gave; not a public header.
+/// Names for fills of models that are parts or stages of the given model. Not a public header.
 namespace seamwright::occ {
 
-/// What the parts of the rest of a model are called in the whole.
+/// Maps numbers of parts of a reduced model to those in the whole model.
 class Numbers {
  public:
   Numbers(const TopoDS_Shape& whole, const TopoDS_Shape& rest, TopAbs_ShapeEnum kind)
@@ -23,17 +23,16 @@ class Numbers {
   TopTools_IndexedMapOfShape whole_, rest_;
 };
 
-/// As withOwnParts(): all numbers stay.
+/// The model with the shape withOwnParts(). All numbers stay.
 Model modelOfOwnParts(Model model);
 
-/// A hole of another model with the same numbers.
+/// The hole, found in another model with the same numbers, in terms of \p model.
 Hole holeIn(const Model& model, Hole hole);
 
-/// Why a hole can't be met at an edge of its border, with a face beside it that stays; empty if it
-/// can.
+/// Why a fill can't meet the face that stays at an edge of the hole's boundary; empty if it can.
 std::string whyNotMet(const UnusableParts& unusable, int edge, int face);
 
-/// As fillHole(); \param names of the model's faces.
+/// As fillHole(). \param names names of the model's faces.
 FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOptions& options,
                         const FaceNames& names, const Progress& progress);
 

@@ -38,30 +38,31 @@ namespace seamwright::occ {
 
 namespace {
 
-/// Tangents that leave a side's tangent plane by more are no part of a smooth surface: the side
-/// gets position alone.
+/// If tangents at a corner leave a side's tangent plane by more than this, no smooth surface
+/// contains both: the side has position only.
 constexpr double most_planar_rad = 0.1;
 
-/// What the sides and the corners may take of the tolerance each: the sum of all errors is to be
-/// well within it.
+/// The errors of the sides and of the corners may each be the tolerance over this number, so that
+/// the sum of all errors is well within the tolerance.
 constexpr double fit_share = 20;
 
-/// The planes of both sides of a corner are made to agree; what is left is rounding.
+/// Bound of the rounding between the planes of both sides of a corner, which are fitted to agree.
 constexpr double plane_noise_rad = 1e-7;
 
 constexpr std::size_t ring_sides = 4;
 
-/// A fill with poles further out than this many times its sides is none: a hemisphere's stand out
-/// by less than 2.
+/// Largest distance of poles from the middle of the hole, over half the diagonal of its sides. A
+/// fill that exceeds it is rejected. For comparison, the poles of a hemisphere reach less than 2.
 constexpr double most_reach = 3;
 
-/// Fills cost the sixth power of the degree, and several are tried for one that is not regular.
+/// Degree from which a fill is costly: the time grows with the sixth power of the degree, and
+/// several fills are tried until one is regular.
 constexpr int costly_degree = 7;
 
-/// Of a smaller angle, or so near to a full turn, is a cusp.
+/// A corner with a smaller angle, or nearer to a full turn than this, is a cusp.
 constexpr double least_corner_rad = 1e-3;
 
-/// Rings around corners of a larger angle curl over.
+/// Around corners with a larger angle, a ring of patches curls over.
 constexpr double most_corner_rad = 5.3;
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
@@ -70,7 +71,7 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
 
 constexpr const char* fill_name = "the fill";
 
-/// The shape and more faces, numbered after its own.
+/// The shape with additional faces, which are numbered after its own.
 TopoDS_Compound withFaces(const TopoDS_Shape& shape, const std::vector<TopoDS_Face>& faces) {
   BRep_Builder builder;
   TopoDS_Compound whole;
@@ -83,8 +84,8 @@ TopoDS_Compound withFaces(const TopoDS_Shape& shape, const std::vector<TopoDS_Fa
   return whole;
 }
 
-/// What stands in the compound of withFaces() where the shape stood, if that was no compound
-/// itself.
+/// The part at the position of the given shape in the compound of withFaces(); the compound itself
+/// if the shape was a compound.
 TopoDS_Shape unwrapped(const TopoDS_Shape& whole, const TopoDS_Shape& given) {
   if (given.ShapeType() == TopAbs_COMPOUND) return whole;
   TopoDS_Iterator part(whole);
@@ -153,7 +154,7 @@ class Filling {
     if (is_ring_ && cuts_.front().misses > 1) addCuts();
   }
 
-  /// Other places where a hole is cut into the sides of a ring, those that are fitted best first.
+  /// Adds other cuts of the hole into the sides of a ring, best fits first.
   void addCuts() {
     const double gap_mm = options_.tolerance.gap_mm / fit_share;
     cuts_.push_back(fitted(cutSides(hole_, ring_sides, gap_mm, false)));
@@ -183,7 +184,7 @@ class Filling {
              std::to_string(ring_sides) + " corners has to be cut in two there, by a face between");
   }
 
-  /// Sides, and what is reached by them over what is asked for.
+  /// A cut of the hole into sides, with the ratio of their errors to the accepted ones.
   struct Cut {
     std::vector<SideInterval> intervals;
     std::vector<FittedSide> fitted;
@@ -191,7 +192,8 @@ class Filling {
   };
 
   Cut fitted(std::vector<SideInterval> intervals) const {
-    // A ring of position alone is asked for; corners say so themselves, smooth loops do not.
+    // With target G0 a smooth loop must be told to have position only. At corners the angle of the
+    // planes decides.
     const bool position_only = is_ring_ && options_.target == Level::G0;
     std::vector<FittedSide> sides = fitSides(hole_.sides, intervals,
                                              {.gap_mm = options_.tolerance.gap_mm / fit_share,
@@ -248,7 +250,8 @@ class Filling {
     }
   }
 
-  /// Of the first cut, or of the first one that may do and is regular.
+  /// The surfaces for the first cut, or, for a ring, for the first acceptable cut with a regular
+  /// fill.
   std::vector<BSplineSurface> surfaces() {
     if (!is_ring_) {
       take(cuts_.front());
@@ -279,9 +282,9 @@ class Filling {
     return sides;
   }
 
-  /// By how much more than the degree that G1 asks for, at least \p more than that of the cross
-  /// fields; time grows with its sixth power, so that with the target G1 higher degrees are left
-  /// alone.
+  /// How much the degree is raised above the one that G1 needs, which is by \p more higher than the
+  /// largest degree of edges and cross-boundary derivatives. Nothing for target G1 in high degrees,
+  /// because the time grows with the sixth power of the degree.
   std::optional<int> curvatureDegrees(const std::vector<FillSide>& sides, int more) const {
     if (!attempt_.curvature_raise) return std::nullopt;
     Eigen::Index degree = 0;
@@ -348,7 +351,7 @@ class Filling {
     requireClosed();
   }
 
-  /// Of a seam of the fill before it is sewn.
+  /// Describes the position of a seam of the fill before sewing.
   std::string placeOf(const Seam& seam) const {
     for (const Coedge& side : seam.sides)
       if (!isNew(side.face))
@@ -367,7 +370,7 @@ class Filling {
       result_.face_names[static_cast<std::size_t>(sewn_.faces[face]) - 1] = nameOf(face);
   }
 
-  /// Seams between new faces, and those between a new face and one beside the hole.
+  /// Whether the seam is between new faces, or between a new face and one beside the hole.
   bool isOfFill(const Seam& seam) const {
     const auto belongs = [this](const Coedge& side) {
       if (isNew(side.face)) return true;
@@ -393,7 +396,8 @@ class Filling {
                       text(options_.tolerance.gap_mm) + " mm" + nearness());
   }
 
-  /// How near the sides come to the hole where that is not near enough, as a further clause.
+  /// A clause on the largest distance of the sides from the hole, if that is too large; otherwise
+  /// empty.
   std::string nearness() const {
     if (fitted_.empty()) return {};
     const auto worst = std::ranges::max_element(fitted_, {}, &FittedSide::gap_mm);
@@ -447,7 +451,7 @@ class Filling {
     result_.faces.assign(numbers_.begin(), numbers_.end());
   }
 
-  /// For every value that the figures may have.
+  /// Whether the seam misses the target for every value that the figures may have.
   bool surelyMisses(const SeamResult& seam) const {
     const auto beyond = [](const std::optional<Figure>& figure, double tolerance) {
       return figure && figure->lower > tolerance;
@@ -478,7 +482,7 @@ class Filling {
            std::string(name(options_.target)) + ": " + figuresText(*worst) + positionAlone();
   }
 
-  /// Where sides could not be met with more, as a further clause.
+  /// A clause on the sides that could only be met in position; empty if there are none.
   std::string positionAlone() const {
     if (options_.target < Level::G1) return {};
     double turn_rad = 0;
@@ -509,7 +513,7 @@ class Filling {
     return {};
   }
 
-  /// What is wrong with the new faces although their seams are good.
+  /// What is wrong with the form of the new faces, whose seams are good; empty if nothing.
   std::string misshapen() {
     if (!result_.regular) return "the new faces are not proved regular: they may fold over";
     if (turnsBack(new_faces_, fitted_))
@@ -545,16 +549,16 @@ class Filling {
   const FaceNames& names_;
   const Progress progress_;
   FillAttempt attempt_;
-  const char* doing_ = "";  ///< for what fails
+  const char* doing_ = "";  ///< current operation, for the text of a failure
   bool is_ring_ = false;
-  std::vector<Cut> cuts_;  ///< of the hole into sides, in the order in which they are tried
+  std::vector<Cut> cuts_;  ///< cuts of the hole into sides, in the order in which they are tried
   std::vector<SideInterval> intervals_;
   std::vector<FittedSide> fitted_;
   std::vector<TopoDS_Face> new_faces_;
   TopoDS_Shape whole_;
   SewnShape sewn_;
-  SeamGraph graph_;        ///< of the sewn shape
-  std::set<int> numbers_;  ///< of the new faces in the sewn shape
+  SeamGraph graph_;        ///< seams of the sewn shape
+  std::set<int> numbers_;  ///< numbers of the new faces in the sewn shape
   FillHoleReport result_;
 };
 

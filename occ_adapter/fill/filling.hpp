@@ -10,35 +10,36 @@
 #include <seamwright/occ_adapter/fill/fill.hpp>
 #include <seamwright/occ_adapter/topology/sewn_shape.hpp>
 
-/// One attempt to fill a hole; not a public header.
+/// Makes one attempt to fill a hole. Not a public header.
 namespace seamwright::occ {
 
-/// What keeps a hole from being filled.
+/// The reason that prevents a hole from being filled.
 class NotFilled : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// What OpenCASCADE says of a failure, with what was done.
+/// The text of a failure of OpenCASCADE, with the operation that failed.
 std::string failureText(const std::string& doing, const Standard_Failure& failure);
 
-/// How a fill is tried.
+/// Parameters of an attempt.
 struct FillAttempt {
-  int most_degree = 9;  ///< of the polynomials that stand for the sides
-  /// What G1 leaves free is spent on small jumps of curvature, in a degree higher by so much at
-  /// most; nothing: on fairness.
+  int most_degree = 9;  ///< largest degree of the polynomials fitted to the sides
+  /// The freedom that G1 leaves minimises the jumps of curvature, in a degree that is higher by at
+  /// most this number. Nothing: the freedom goes into fairness.
   std::optional<int> curvature_raise = std::nullopt;
 };
 
-/// The new faces are regular, and no larger than befits the hole.
+/// Whether the new faces are regular, sewn, and within their size limit: at most three times the
+/// size of the hole.
 bool isSound(const FillHoleReport& report);
 
-/// The hole with patches built for it.
+/// Fills the hole with new patches.
 FillHoleReport filledByPatches(const Model& model, const Hole& hole, const FillHoleOptions& options,
                                const FaceNames& names, const FillAttempt& attempt,
                                const Progress& progress);
 
-/// The hole with a face that is there already, regular, and bounded by copies of the hole's edges.
+/// Fills the hole with a given face, which is regular and bounded by copies of the hole's edges.
 FillHoleReport filledByFace(const Model& model, const Hole& hole, const FillHoleOptions& options,
                             const FaceNames& names, const TopoDS_Face& face,
                             const Progress& progress);

@@ -28,12 +28,12 @@ namespace seamwright::occ {
 
 namespace {
 
-/// An open edge with its ends: begin and end in the sense of the hole.
+/// A free edge with its ends: begin and end in the direction of the hole.
 struct Link {
   HoleEdge edge;
   std::array<int, 2> nodes{};
-  std::array<Eigen::Vector3d, 2> tangents;  ///< unit, in the sense of the hole
-  Eigen::Vector3d centre;                   ///< of mass
+  std::array<Eigen::Vector3d, 2> tangents;  ///< unit, in the direction of the hole
+  Eigen::Vector3d centre;                   ///< centre of mass
 };
 
 Eigen::Vector3d centreOf(const TopoDS_Edge& edge) {
@@ -73,8 +73,8 @@ class Loops {
     return std::ranges::min(loop, {}, [](const Link& link) { return link.edge.edge; }).edge.edge;
   }
 
-  /// The face lies to the left of the edge as used, so the hole is to the right, unless the face is
-  /// turned.
+  /// Whether the hole runs against the edge's curve. The face lies to the left of its coedge, so
+  /// the hole is to the right, unless the face is reversed.
   bool runsAgainst(const Coedge& use) const {
     const bool face_turned = faces_(use.face).Orientation() == TopAbs_REVERSED;
     return (use.edge.Orientation() == TopAbs_REVERSED) == face_turned;
@@ -114,7 +114,7 @@ class Loops {
     return vertices_.Add(vertex) - 1;
   }
 
-  /// Corners in one place are one node, whether the edges share a vertex or not.
+  /// Merges ends at the same position into one node, whether the edges share a vertex or not.
   void mergeNodes() {
     nodes_ = DisjointSets(static_cast<int>(corners_.size()));
     std::vector<int> order(corners_.size());
@@ -141,8 +141,8 @@ class Loops {
     return link;
   }
 
-  /// Follows edges from node to node; what comes back to a node of the path is a loop and leaves
-  /// it.
+  /// Follows edges from node to node. When the path returns to one of its nodes, the loop so closed
+  /// is removed from the path.
   void walk() {
     std::map<int, std::vector<std::size_t>> at_node;
     for (std::size_t k = 0; k < links_.size(); ++k)
@@ -174,7 +174,7 @@ class Loops {
     return text + (edges.size() == 1 ? " is" : " are") + " part of no closed loop";
   }
 
-  /// A link that begins at the node, else one that ends there, turned.
+  /// A link that begins at the node; otherwise one that ends there, reversed.
   std::optional<Link> nextLink(int node, const std::map<int, std::vector<std::size_t>>& at_node,
                                std::vector<bool>& used) const {
     for (const bool turn : {false, true})

@@ -19,7 +19,7 @@ namespace seamwright::occ {
 
 namespace {
 
-/// A model without one of its faces.
+/// The model without one of its faces.
 Model without(const Model& model, const TopoDS_Shape& face) {
   const opencascade::handle<BRepTools_ReShape> change = new BRepTools_ReShape;
   change->Remove(face);
@@ -38,7 +38,8 @@ Model without(const Model& model, const TopoDS_Shape& face) {
   return rest;
 }
 
-/// The edges of the face, and what lies beside them, have to be met by the new one.
+/// Requires that the edges of the face and the faces beside it are usable, because the new face
+/// must meet them.
 void requireUsableBorder(const TopoDS_Shape& whole, int face) {
   const UnusableParts unusable(whole);
   if (unusable.empty()) return;
@@ -55,7 +56,7 @@ void requireUsableBorder(const TopoDS_Shape& whole, int face) {
     }
 }
 
-/// The hole in the rest of a model that a face left.
+/// The hole that a removed face left in the rest of a model.
 Hole holeOf(const Model& rest, const TopoDS_Shape& face, const FillHoleOptions& options) {
   std::set<int> wanted;
   const TopTools_IndexedMapOfShape edges = partsOf(rest.shape, TopAbs_EDGE);

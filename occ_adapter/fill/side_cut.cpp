@@ -13,8 +13,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// How far a side has come at equal shares of its length: length plus turning, each over that of
-/// the hole.
+/// The progress along a side at equal shares of its length: the sum of length and turning, each
+/// over that of the hole.
 class Progression {
  public:
   explicit Progression(const SidePath& path) : length_mm_(path.length_mm()) {
@@ -34,7 +34,7 @@ class Progression {
   }
   double total() const { return come_[count]; }
 
-  /// Where it turns most.
+  /// The progress at which the side turns most.
   double bent() const {
     int most = 0;
     for (int k = 1; k < count; ++k)
@@ -42,7 +42,7 @@ class Progression {
     return (come_[most] + come_[most + 1]) / 2;
   }
 
-  /// Of a loop, any number of times around.
+  /// The share of a loop's length at a progress, for any number of turns around the loop.
   double shareAround(double come) const {
     const double rounds = std::floor(come / total());
     return rounds + shareAt(come - rounds * total());
@@ -75,13 +75,13 @@ std::vector<Progression> progressionsOf(const std::vector<SidePath>& paths) {
     length_mm += progressions.back().length_mm();
     turning_rad += progressions.back().turning_rad();
   }
-  // Straight sides turn by rounding.
+  // Straight sides have a turning from rounding, which does not count.
   if (turning_rad < 1e-9) turning_rad = 0;
   for (Progression& one : progressions) one.relateTo(length_mm, turning_rad);
   return progressions;
 }
 
-/// Numbers of parts of each side.
+/// The number of parts of each side.
 std::vector<int> partsOf(const std::vector<Progression>& progressions, std::size_t count) {
   std::vector<int> parts(progressions.size(), 1);
   for (std::size_t k = progressions.size(); k < count; ++k) {
@@ -95,8 +95,9 @@ std::vector<int> partsOf(const std::vector<Progression>& progressions, std::size
   return parts;
 }
 
-/// By how much the turning on short ways before and after a share of the length differs where that
-/// is a jump, else 0; at 0, from the end of the path to its beginning.
+/// The jump of the turning at a share of the length: the difference of the turnings on short
+/// intervals before and after it. It is 0 if this is too small to be a jump. At share 0 the
+/// interval before is the end of the path.
 double bendAt(const SidePath& path, double at) {
   constexpr double most_step = 1.0 / 256, least_jump = 0.1;
   const double end = at > 0 ? at : 1, step = std::min({most_step, end, 1 - at});
@@ -109,15 +110,15 @@ double bendAt(const SidePath& path, double at) {
   return jump > least_jump * std::max(before, after) + 1e-9 ? jump : 0;
 }
 
-/// Joints at which the curvature of the path jumps, as between a line and an arc: no polynomial
-/// goes across them well.
+/// Joints at which the curvature of the path jumps, as between a line and an arc. Polynomials fit
+/// badly across them.
 std::vector<double> bendJoints(const SidePath& path) {
   std::vector<double> joints = path.joints();
   std::erase_if(joints, [&](double at) { return bendAt(path, at) == 0; });
   return joints;
 }
 
-/// The nearest joint to each cut, each at most once, no farther than \p reach.
+/// Moves each cut to the nearest joint no further than \p reach. Each joint is used at most once.
 void moveToJoints(std::vector<double>& cuts, std::vector<double> joints, double reach) {
   for (double& cut : cuts) {
     if (joints.empty()) return;
@@ -136,7 +137,7 @@ std::vector<SidePath> pathsOf(const Hole& hole, double gap_mm) {
   return paths;
 }
 
-/// The places of a smooth loop, by shares of its length, where it may be cut.
+/// Finds where to cut a smooth loop, as shares of its length.
 class LoopCutter {
  public:
   LoopCutter(const Hole& hole, std::size_t count, double gap_mm)
@@ -159,7 +160,7 @@ class LoopCutter {
     return bends;
   }
 
-  /// Joints where the hole goes from one face to another.
+  /// Joints at which the hole passes from one face to another.
   std::vector<double> faceJoints() const {
     std::vector<double> between;
     for (std::size_t k = 0; k < joints_.size(); ++k) {
@@ -169,14 +170,14 @@ class LoopCutter {
     return between;
   }
 
-  /// By so many intervals after where it turns most.
+  /// The share that lies \p shift intervals after the point where the loop turns most.
   double bent(double shift) const {
     return come_.shareAround(come_.bent() + shift * come_.total() / static_cast<double>(count_));
   }
 
-  /// The first interval begins at a share, or at a joint so near that a sliver would be left; the
-  /// others end at the joints given where these are near, or at any to which a sliver would be
-  /// left.
+  /// Cuts the loop. The first interval begins at \p begin, or at a joint if only a sliver would be
+  /// left between. The others end at the given joints where these are near, or at any joint to
+  /// which only a sliver would be left.
   std::vector<SideInterval> cut(double begin, std::vector<double> joints) const {
     constexpr double near = 1 / 3.0, sliver = 1 / 20.0;
     begin = moved(begin, sliver);
@@ -209,7 +210,7 @@ class LoopCutter {
     return nearest;
   }
 
-  /// In (0, 1), counted from the beginning.
+  /// Joints relative to the begin, in (0, 1).
   static std::vector<double> after(double begin, std::vector<double> joints) {
     for (double& joint : joints) joint -= begin + std::floor(joint - begin);
     std::erase_if(joints, [](double joint) { return !(joint > 0); });
@@ -220,7 +221,7 @@ class LoopCutter {
   std::size_t count_;
   SidePath path_;
   Progression come_;
-  std::vector<double> joints_;  ///< the beginning among them
+  std::vector<double> joints_;  ///< joints of the loop, its begin included
 };
 
 }  // namespace

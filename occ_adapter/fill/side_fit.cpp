@@ -18,23 +18,26 @@ namespace {
 
 using Eigen::Index, Eigen::Vector3d;
 
-/// The parameter along an interval: that of its edge, or arc length, or between arc length and one
-/// in which each edge has as much as the root of its length: then short edges have more of the
-/// freedom of a polynomial; or nearly affine arc length, in which ellipses and parabolas are passed
-/// as by their own parameters.
+/// The parametrisation of an interval:
+/// - Own: that of its edge.
+/// - ArcLength.
+/// - Centripetal: between arc length and the centripetal one, in which each edge has the square
+///   root of its length. Short edges get more of the freedom of a polynomial.
+/// - AffineArcLength: nearly affine arc length, in which ellipses and parabolas have their standard
+///   parametrisation.
 enum class Parametrisation { Own, ArcLength, Centripetal, AffineArcLength };
 
-/// The share of an interval as a function of t with dt / ds as the cube root of the geodesic
-/// curvature, which is smooth where the path goes from one surface to another that is tangent to
-/// it. Straight parts get a little.
+/// The share of an interval as a function of t, with dt / ds proportional to the cube root of the
+/// geodesic curvature. Geodesic curvature is smooth where the path passes from one surface to
+/// another that is tangent to it. Straight parts get a small least rate.
 class AffineArcLengthShare {
  public:
-  /// \param at the path at shares of the interval. Its normals may turn over between edges, as
-  /// faces do.
+  /// \param at the path at shares of the interval. Its normals may change sign between edges, as
+  /// the orientation of faces may.
   explicit AffineArcLengthShare(const std::function<SideSample(double)>& at) {
     std::vector<SideSample> samples;
     for (int k = 0; k <= 2 * pieces; ++k) samples.push_back(at(k / (2.0 * pieces)));
-    std::vector<double> bending(samples.size());  // per interval
+    std::vector<double> bending(samples.size());  // turning per interval
     for (std::size_t k = 1; k + 1 < samples.size(); ++k)
       bending[k] =
           pieces * (samples[k + 1].derivative.normalized() - samples[k - 1].derivative.normalized())
@@ -63,9 +66,10 @@ class AffineArcLengthShare {
 
  private:
   static constexpr int pieces = 128;
+  /// Least turning per interval: an absolute part and a share of the mean turning.
   static constexpr double straight_rad = 0.02, straight_share = 0.03;
 
-  /// Hermite's cubic on a piece, and its derivative by x.
+  /// The cubic Hermite interpolant on a piece, and its derivative by x.
   std::array<double, 2> within(int k, double x) const {
     const double rise = come_[k + 1] - come_[k], a = rate_[k] / pieces, b = rate_[k + 1] / pieces;
     const double square = 3 * rise - 2 * a - b, cube = a + b - 2 * rise;
@@ -103,7 +107,7 @@ class IntervalPath {
  private:
   double range() const { return interval_.end - interval_.begin; }
 
-  /// At a share of the interval.
+  /// The sample at a share of the interval.
   SideSample atShare(double part) const {
     const double share = part == 1 ? interval_.end : interval_.begin + part * range();
     return share > 1 ? path_->atShare(share - 1, part < 1) : path_->atShare(share, part < 1);
@@ -126,8 +130,8 @@ class IntervalPath {
     return sample;
   }
 
-  /// The derivative at the beginning of the parabola from (0, 0) to (1, 1) that comes nearest to
-  /// the joints of the edges.
+  /// The slope at 0 of the parabola from (0, 0) to (1, 1) that best fits the centripetal parameters
+  /// of the joints.
   double centripetalSlope() const {
     constexpr double least = 0.25;
     std::vector<double> ends;
@@ -152,8 +156,8 @@ class IntervalPath {
 
   std::shared_ptr<const SidePath> path_;
   SideInterval interval_;
-  double slope_;  ///< of Parametrisation::Centripetal where the interval begins
-  mutable std::shared_ptr<const AffineArcLengthShare> affine_;  ///< once it is asked for
+  double slope_;  ///< slope of Parametrisation::Centripetal at the begin of the interval
+  mutable std::shared_ptr<const AffineArcLengthShare> affine_;  ///< computed when needed
 };
 
 std::vector<SideSample> samplesOf(const IntervalPath& path, Parametrisation parametrisation,
@@ -176,20 +180,20 @@ double angleToPlane(const Vector3d& direction, const Vector3d& normal) {
   return std::asin(std::min(1.0, std::abs(direction.normalized().dot(normal))));
 }
 
-/// Between planes with these unit normals.
+/// Angle between planes with these unit normals.
 double angleBetween(const Vector3d& a, const Vector3d& b) {
   return std::atan2(a.cross(b).norm(), std::abs(a.dot(b)));
 }
 
-/// Where a side begins or ends: shared with the next side.
+/// The begin or end of a side, shared with the next side.
 struct SideFitEnd {
   Vector3d point;
-  std::optional<Vector3d> direction;  ///< unit; nothing: the side's own
-  double speed_mm = 0;                ///< of both sides, the mean; 0: the side's own
+  std::optional<Vector3d> direction;  ///< unit; nothing: the side's own direction
+  double speed_mm = 0;                ///< mean speed of both sides; 0: the side's own speed
 };
 
-/// Speeds that are nearly the same are made the same: the equations of a ring are ill-conditioned
-/// where they are not quite equal.
+/// The derivative of a side at its end. Nearly equal speeds of both sides are made equal, because
+/// the equations of a ring are ill-conditioned if they differ slightly.
 Vector3d derivativeAt(const SideFitEnd& end, const SideSample& sample) {
   constexpr double nearly = 1e-5;
   if (!end.direction) return sample.derivative;
@@ -198,18 +202,18 @@ Vector3d derivativeAt(const SideFitEnd& end, const SideSample& sample) {
          *end.direction;
 }
 
-/// Where one side ends and the next begins, in one tangent plane.
+/// The end of one side and the begin of the next, in one tangent plane.
 struct FitCorner {
   SideFitEnd end, begin;
   Vector3d normal;
 };
 
-/// The normal of the face, up where the hole is seen to the left of the side.
+/// The normal of the face, oriented so that the hole is to the left of the side as seen from above.
 Vector3d upward(const SideSample& sample) {
   return sample.beyond.cross(sample.derivative).normalized();
 }
 
-/// Both sides go on in one direction.
+/// A corner at which both sides have one direction.
 FitCorner smoothCorner(const SideSample& in, const SideSample& out) {
   const Vector3d along = (in.derivative.normalized() + out.derivative.normalized()).normalized();
   const double speed_mm = (in.derivative.norm() + out.derivative.norm()) / 2;
@@ -217,8 +221,8 @@ FitCorner smoothCorner(const SideSample& in, const SideSample& out) {
   return {end, end, (in.beyond + out.beyond).cross(along).normalized()};
 }
 
-/// The plane is halfway between those of both faces where both sides can be turned into it, by no
-/// more than \p most_turn_rad; else it is that of their own directions.
+/// A corner with an angle. Its plane is halfway between those of both faces if each side can be
+/// turned into it by at most \p most_turn_rad. Otherwise the directions of the sides span it.
 FitCorner sharpCorner(const SideSample& in, const SideSample& out,
                       const std::array<double, 2>& most_turn_rad) {
   const SideFitEnd own{(in.point + out.point) / 2, std::nullopt, 0};
@@ -233,7 +237,7 @@ FitCorner sharpCorner(const SideSample& in, const SideSample& out,
   return {turned(in), turned(out), mean};
 }
 
-/// Ends and end derivatives are kept.
+/// Fits the edge by least squares with fixed ends and end derivatives.
 BezierCurve fittedEdge(const std::vector<SideSample>& samples,
                        const std::array<SideFitEnd, 2>& ends, int degree) {
   Poles poles(degree + 1, 3);
@@ -255,11 +259,12 @@ BezierCurve fittedEdge(const std::vector<SideSample>& samples,
   return BezierCurve(poles);
 }
 
-/// T with the least sum of (T - L beyond)^2 and, by these weights, of its normal parts; at the ends
-/// these are zero.
+/// The T that minimises the sum of (T - L beyond)^2 plus the weighted squares of its normal parts.
+/// The normal parts at the ends are zero.
 Poles fittedCross(const std::vector<SideSample>& samples,
                   const std::array<Vector3d, 2>& corner_normals, double length_mm, int degree,
                   const Eigen::VectorXd& weights) {
+  // Large enough that the normal parts at the ends vanish.
   constexpr double weight_at_ends = 1e6;
   const Index unknowns = 3 * (degree + 1), count = static_cast<Index>(samples.size());
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(4 * count, unknowns);
@@ -287,7 +292,7 @@ Poles fittedCross(const std::vector<SideSample>& samples,
   return cross;
 }
 
-/// II(T, T) of the face, T in its tangent plane.
+/// II(T, T) of the face, for T in its tangent plane.
 double bendAlong(const SideSample& sample, const Vector3d& direction) {
   Eigen::Matrix<double, 3, 2> plane;
   plane << sample.jet.u, sample.jet.v;
@@ -296,7 +301,8 @@ double bendAlong(const SideSample& sample, const Vector3d& direction) {
                            c(1) * c(1) * sample.jet.vv);
 }
 
-/// The polynomial nearest to II(T, T) N, which does not depend on how the face is turned.
+/// The polynomial nearest to II(T, T) N. This product does not depend on the orientation of the
+/// face.
 Poles fittedBend(const std::vector<SideSample>& samples, const Eigen::VectorXd& wanted,
                  int degree) {
   const Index count = static_cast<Index>(samples.size());
@@ -308,7 +314,7 @@ Poles fittedBend(const std::vector<SideSample>& samples, const Eigen::VectorXd& 
   return linear::PivotedQr(matrix).solve(right);
 }
 
-/// One side while it is fitted.
+/// Fits one side.
 class SideFit {
  public:
   SideFit(std::shared_ptr<const SidePath> path, const SideInterval& interval,
@@ -317,13 +323,16 @@ class SideFit {
 
   SideSample end(bool last) const { return path_.at(last ? 1 : 0, parametrisations()[0]); }
 
-  /// An end turned by so much moves a cubic edge by a share of the gap that others leave.
+  /// The largest turn of an end. A turn by θ moves a cubic edge of length L by at most 4 θ L / 27
+  /// (docs/theory/repair.md R1). The move may be five times the gap of the fit, which is itself a
+  /// small share of the tolerance.
   double mostTurn_rad() const {
     constexpr double gap_of_turn = 4.0 / 27, share = 5;
     return share * options_.gap_mm / (gap_of_turn * path_.length_mm());
   }
 
-  /// By the first parameter that is near enough, or by that which comes nearest.
+  /// The fit in the first parametrisation that is near enough, or else in the one that comes
+  /// nearest.
   FittedSide fitted(const FitCorner& begin, const FitCorner& end) {
     corner_rad_ = {angleBetween(begin.normal, this->end(false).normal),
                    angleBetween(end.normal, this->end(true).normal)};
@@ -352,15 +361,15 @@ class SideFit {
   static constexpr double rounding = 1.01;
 
   struct Samples {
-    std::vector<SideSample> checked, fitted;  ///< the second are one in four of the first
+    std::vector<SideSample> checked, fitted;  ///< every fourth checked sample is fitted
   };
 
   struct EdgeFit {
     std::shared_ptr<const Samples> samples;
     BezierCurve edge{Poles(Poles::Zero(1, 3))};
-    std::vector<Vector3d> directions;  ///< at the samples that are checked
+    std::vector<Vector3d> directions;  ///< directions at the checked samples
     double gap_mm = 0, tilt_rad = 0;
-    double miss = HUGE_VAL;  ///< what is reached over what is asked for
+    double miss = HUGE_VAL;  ///< error over accepted error
   };
 
   std::array<Parametrisation, 3> parametrisations() const {
@@ -394,13 +403,14 @@ class SideFit {
     return std::max(side.gap_mm / options_.gap_mm, side.angle_rad / enough_rad_);
   }
 
-  /// The lowest degree that is near enough, or that others come hardly nearer than. Ends may lie a
-  /// little off the path, as neighbours do: the higher the degree the shorter the way on which that
-  /// is made good, and the more the edge tilts.
+  /// The fit of the lowest degree that is near enough, or that higher degrees hardly improve. Ends
+  /// may lie a little off the path because neighbours share them. A higher degree corrects this
+  /// offset on a shorter interval, and so tilts the edge more.
   EdgeFit nearestEdge(Parametrisation parametrisation,
                       const std::array<SideFitEnd, 2>& ends) const {
+    // A higher degree counts as better if it reduces the error by a tenth.
     constexpr double nearer = 0.9;
-    constexpr int patience = 2;  // symmetric paths gain by every other degree
+    constexpr int patience = 2;  // symmetric paths improve only with every second degree
     const std::shared_ptr<const Samples> samples = samplesAt(parametrisation);
     EdgeFit best;
     for (int degree = 3; degree <= options_.most_degree; ++degree) {
@@ -424,9 +434,11 @@ class SideFit {
     return fit;
   }
 
-  /// A field that is nearly zero somewhere, beside its largest, has the planes but makes folds.
+  /// Fits the cross-boundary derivatives. A field that is nearly zero somewhere, compared with its
+  /// largest value, may have the right planes but makes folds. So the evenness decides too.
   void fitCross(const EdgeFit& edge, const std::array<Vector3d, 2>& corner_normals,
                 FittedSide& side) const {
+    // Smaller weights trade angle for evenness, so large ones are tried first.
     constexpr std::array<double, 4> weights_of_normal_part = {1e6, 1e5, 1e4, 1e3};
     const double enough_rad = std::max(enough_rad_, rounding * edge.tilt_rad);
     const std::vector<SideSample>& samples = edge.samples->fitted;
@@ -456,8 +468,8 @@ class SideFit {
     }
   }
 
-  /// The root of the angle to the faces at each place over the mean of all: weights by which the
-  /// largest comes down (Lawson's).
+  /// Weights that reduce the largest angle, as in Lawson's algorithm: the square root of the angle
+  /// to the face at each sample over the mean of all.
   static Eigen::VectorXd unevenness(const std::vector<SideSample>& samples, const Poles& cross) {
     constexpr double least = 0.1;
     const BezierCurve field(cross);
@@ -470,7 +482,8 @@ class SideFit {
 
   struct CrossForm {
     double angle_rad = 0;
-    double evenness = 0;  ///< the smallest part out of the hole, across the edge, over the largest
+    /// Smallest component across the edge, out of the hole, over the largest one.
+    double evenness = 0;
 
     bool isEven() const { return evenness >= 0.7; }
   };
@@ -491,7 +504,8 @@ class SideFit {
   }
 
   void fitBend(const Samples& samples, FittedSide& fitted) const {
-    constexpr double near_enough = 1e-3;  // of the largest curvature, or of one over the length
+    constexpr double near_enough =
+        1e-3;  // share of the largest curvature, or of the reciprocal length
     const BezierCurve cross(*fitted.side.cross);
     const auto bends = [&](const std::vector<SideSample>& at) {
       Eigen::VectorXd along(static_cast<Index>(at.size()));
@@ -522,7 +536,7 @@ class SideFit {
   IntervalPath path_;
   SideFitOptions options_;
   std::array<double, 2> corner_rad_{};
-  double enough_rad_ = 0;  ///< what the corners let be reached, or what is asked for
+  double enough_rad_ = 0;  ///< accepted angle, or the larger one that the corners allow
 };
 
 }  // namespace
@@ -539,7 +553,7 @@ std::vector<FittedSide> fitSides(const std::vector<HoleSide>& sides,
   std::vector<SideFit> fits;
   for (const SideInterval& interval : intervals)
     fits.emplace_back(paths.at(interval.side), interval, options);
-  std::vector<FitCorner> corners;  // where side k begins
+  std::vector<FitCorner> corners;  // by side: the corner at its begin
   for (std::size_t k = 0; k < n; ++k) {
     const SideFit &in = fits[before(k)], &out = fits[k];
     corners.push_back(

@@ -20,6 +20,7 @@ double ArcLength::placeAt(double length_mm) const {
   const int k = static_cast<int>(after - lengths_.begin()) - 1;
   const double rest = length_mm - lengths_[k];
   double place = at(k) + rest / (lengths_[k + 1] - lengths_[k]) / pieces;
+  // Newton's method ends at this share of the length, near rounding.
   constexpr double rounding = 1e-14;
   for (int step = 0; step < 4; ++step) {
     const double beyond_mm = between(at(k), place) - rest;
@@ -30,6 +31,7 @@ double ArcLength::placeAt(double length_mm) const {
 }
 
 double ArcLength::between(double from, double to) const {
+  // Gauss-Legendre nodes and weights of five points on [-1, 1]; the others follow by symmetry.
   constexpr std::array<double, 3> nodes = {0, 0.5384693101056831, 0.9061798459386640};
   constexpr std::array<double, 3> weights = {0.5688888888888889, 0.4786286704993665,
                                              0.2369268850561891};

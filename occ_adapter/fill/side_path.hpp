@@ -9,18 +9,18 @@
 #include <seamwright/occ_adapter/convert/face_strip.hpp>
 #include <seamwright/occ_adapter/fill/holes.hpp>
 
-/// The edges of a side of a hole as one path; not a public header.
+/// Joins the edges of a side of a hole to one path. Not a public header.
 namespace seamwright::occ {
 
-/// What a side shows at t: the point, its derivative by t, and the frame of the face.
+/// A sample of a side at t: the point, its derivative by t, and the frame of the face.
 struct SideSample {
   double t = 0;
   Eigen::Vector3d point, derivative;
-  Eigen::Vector3d normal, beyond;  ///< unit; beyond points into the face, across the edge
+  Eigen::Vector3d normal, beyond;  ///< unit vectors; beyond points across the edge into the face
   SurfaceJet jet;                  ///< of the face
 };
 
-/// The arc length of a path over its places, by Gauss quadrature on short pieces.
+/// The arc length of a path as a function of its parameter, by Gauss quadrature on short pieces.
 class ArcLength {
  public:
   explicit ArcLength(std::shared_ptr<const FaceStrip> strip);
@@ -44,14 +44,14 @@ class SidePath {
 
   bool isOneEdge() const { return strips_.size() == 1; }
   double length_mm() const { return length_mm_; }
-  /// Shares of the length where one edge ends and the next begins, inside (0, 1).
+  /// Shares of the length, inside (0, 1), at which one edge ends and the next begins.
   std::vector<double> joints() const;
   int edgeAt(double share) const { return numbers_[edgeIndex(share, true)]; }
 
-  /// At a share of the length in [0, 1], with the derivative by it. \param after at a joint, the
-  /// edge that begins there.
+  /// The sample at a share of the length in [0, 1], with the derivative by that share.
+  /// \param after at a joint, take the edge that begins there.
   SideSample atShare(double share, bool after) const;
-  /// Of one edge: at a share of the edge's own parameter.
+  /// The sample of a path of one edge at a share of the edge's own parameter.
   SideSample atPlace(double place) const;
   double placeOf(double share) const;
 

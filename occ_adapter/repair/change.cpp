@@ -32,12 +32,12 @@ namespace {
 
 using opencascade::handle;
 
-/// Without place and sense: what instances of a part have in common.
+/// The part without location and orientation, which all its instances share.
 TopoDS_Shape bare(const TopoDS_Shape& shape) {
   return shape.Located(TopLoc_Location()).Oriented(TopAbs_FORWARD);
 }
 
-/// The parts of a kind, numbered as everywhere.
+/// The parts of one kind, numbered in the order of TopExp::MapShapes.
 class Parts {
  public:
   Parts(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
@@ -65,10 +65,10 @@ gp_Trsf outOf(const TopLoc_Location& location) {
   return location.Inverted().Transformation();
 }
 
-/// An edge beside a face that changes, with what it is after the change; all in the frame of the
+/// An edge beside a face that changes, with its geometry after the change, in the frame of the
 /// shape.
 struct NewEdge {
-  TopoDS_Edge bare;                       ///< a part of its own
+  TopoDS_Edge bare;                       ///< new part, without location and orientation
   std::vector<EdgeSide> sides;            ///< after the change
   opencascade::handle<Geom_Curve> curve;  ///< null for a degenerated edge
   double first = 0, last = 0;
@@ -153,7 +153,7 @@ class Changer {
     return numbers;
   }
 
-  /// The path of an edge on a face; two where the face meets itself there.
+  /// The pcurve of an edge on a face; two if the face meets itself there.
   std::vector<PlanarPath> pathsOf(const TopoDS_Edge& edge, int number) const {
     std::vector<PlanarPath> paths = {pathOrBuilt(edge, face(number), gap_mm_)};
     if (const auto changed = new_paths_.find({edges_.number(edge), number});
@@ -181,7 +181,7 @@ class Changer {
     for (const int number : numbers) edges_.requireOnce(number, "edge");
     std::vector<NewEdge> edges(numbers.size());
     std::vector<std::exception_ptr> errors(numbers.size());
-    // Nothing that others read is changed.
+    // Safe on several threads: each call writes only data that no other call reads.
     const auto change = [&](std::size_t k) {
       try {
         edges[k] = changed(numbers[k]);
@@ -223,7 +223,7 @@ class Changer {
     return false;
   }
 
-  /// Paths that only followed from the curve in space are stored where that curve moves.
+  /// Stores pcurves that were implied by the curve in space, where that curve moves.
   void setPaths(const TopoDS_Edge& old, const std::vector<int>& faces, bool moved,
                 TopoDS_Edge& placed) const {
     for (const int number : faces)
@@ -272,7 +272,8 @@ class Changer {
                         BRep_Tool::Continuity(old, face(a), face(b)));
   }
 
-  /// Unless another face beside the edge lies on it and stays.
+  /// Removes the pcurve on the old surface unless another face beside the edge lies on that surface
+  /// and stays.
   void forgetOldSurface(int number, const std::vector<int>& faces,
                         const TopoDS_Edge& placed) const {
     const PlacedSurface old = surfaceOf(face(number));
@@ -322,8 +323,8 @@ class Changer {
     part->Tolerance(edge.tolerance_mm);
   }
 
-  /// Where the edge's curve and its images end at a vertex, and how near the vertex has to keep for
-  /// the edge itself.
+  /// The ends, at a vertex, of edge curves and of their images on faces, with the tolerance that
+  /// the edges themselves require of the vertex.
   struct Ends {
     std::vector<gp_Pnt> curves, images;
     double tolerance_mm = 0;
@@ -336,7 +337,8 @@ class Changer {
       const int number = edges_.number(beside);
       const TopoDS_Edge old = edge(number);
       const auto changed = new_edges_.find(number);
-      if (changed == new_edges_.end() && !isUsable(old)) continue;  // ends nowhere
+      if (changed == new_edges_.end() && !isUsable(old))
+        continue;  // no edge of known position ends here
       const NewEdge edge = changed == new_edges_.end() ? asItIs(old, number) : changed->second;
       ends.tolerance_mm = std::max(ends.tolerance_mm, edge.tolerance_mm);
       ends.any_moved = ends.any_moved || edge.moved;
@@ -370,12 +372,14 @@ class Changer {
     const std::vector<gp_Pnt>& of_place = ends.curves.empty() ? ends.images : ends.curves;
     if (of_place.empty()) return;
     gp_Pnt place = BRep_Tool::Pnt(old);
-    // Readers of files trim edges at their vertices: what stays is to be the same in the file.
+    // Readers of files trim edges at their vertices. So a vertex moves only if no edge that stays
+    // ends there; otherwise the edge that stays would differ in the file.
     if (ends.any_moved && !ends.any_stays) {
       gp_XYZ sum;
       for (const gp_Pnt& end : of_place) sum += end.XYZ();
       place = gp_Pnt(sum / static_cast<double>(of_place.size()));
     }
+    // Margin: rounding must not leave an end outside of the tolerance.
     constexpr double rounding = 1.001;
     double reach = std::max(Precision::Confusion(), ends.tolerance_mm);
     for (const std::vector<gp_Pnt>* points : {&ends.curves, &ends.images})
@@ -387,7 +391,7 @@ class Changer {
     new_parts_.Bind(bare(old), vertex);
   }
 
-  /// The part, or a copy of it where something in it is new.
+  /// The part itself, or a copy if any of its parts is new.
   TopoDS_Shape rebuilt(const TopoDS_Shape& part) {
     if (done_.IsBound(part)) return done_.Find(part);
     std::vector<TopoDS_Shape> children;
@@ -420,7 +424,7 @@ class Changer {
   BRep_Builder builder_;
   std::map<int, handle<Geom_Surface>> surfaces_;  ///< by face, in the frame of the shape
   std::map<std::pair<int, int>, handle<Geom2d_Curve>> new_paths_;  ///< by edge and face
-  std::map<int, PlacedSurface> stored_;  ///< the same as the faces have them
+  std::map<int, PlacedSurface> stored_;  ///< the same surfaces, as stored in the faces
   std::map<int, NewEdge> new_edges_;
   TopTools_DataMapOfShapeShape new_parts_, done_;
 };

@@ -6,37 +6,39 @@
 #include <TopoDS_Shape.hxx>
 #include <vector>
 
-/// Faces of a shape with other surfaces; not a public header.
+/// Replaces surfaces of a shape's faces. Not a public header.
 namespace seamwright::occ {
 
-/// A face's new surface, in the frame of the shape (locations applied), with the parameters of the
-/// old one.
+/// A new surface of a face. It is given in the frame of the shape (locations applied) and has the
+/// parameters of the old surface.
 struct FaceChange {
-  int face = 0;  ///< from 1, order of TopExp::MapShapes
+  int face = 0;  ///< from 1, in the order of TopExp::MapShapes
   opencascade::handle<Geom_Surface> surface;
   double largest_move_mm = 0;  ///< no point of the face moves further
 };
 
-/// Another path of an edge in the parameter plane of a face; from end to end of the old one over
-/// the same range.
+/// A new pcurve of an edge on a face. It has the ends and the range of the old pcurve.
 struct PathChange {
-  int edge = 0;  ///< from 1, order of TopExp::MapShapes
+  int edge = 0;  ///< from 1, in the order of TopExp::MapShapes
   int face = 0;
   opencascade::handle<Geom2d_Curve> path;
-  double largest_move_mm = 0;  ///< of a point of the edge
+  double largest_move_mm = 0;  ///< largest move of a point of the edge
 };
 
-/// A copy of the shape in which these faces have their new surfaces: the same faces, edges,
-/// vertices in the same order, orientations and locations; what does not depend on a changed face
-/// is shared with the given shape. Edges keep their paths in the parameter planes but for those
-/// given; their curves in space are made again where a face beside them or a path changed, halfway
-/// between both sides; vertices are put where their edges end; tolerances are what is measured, and
-/// not below those they had where nothing moved (by more than a thousandth of \p gap_mm). Parts
-/// that stand in one part of an assembly several times become parts of their own: withOwnParts().
+/// Copies the shape and gives these faces their new surfaces. The copy has the same faces, edges
+/// and vertices in the same order, with the same orientations and locations. Parts that do not
+/// depend on a changed face are shared with the given shape.
+///
+/// Edges keep their pcurves, except those in \p paths. The curve in space of an edge is rebuilt
+/// where a face beside the edge or a pcurve changed. It runs halfway between both sides. Vertices
+/// move to where their edges end. Tolerances are the distances as measured. Where nothing moved by
+/// more than a thousandth of \p gap_mm, a tolerance is not below its old value. A face, edge or
+/// vertex that one part of an assembly contains several times becomes several parts:
+/// withOwnParts().
 /// \param jobs threads; 0: one for each processor.
-/// \throws std::invalid_argument for a face number that the shape does not have or that is given
-/// twice, and for a face, edge or vertex that still stands in the shape more than once (of a part
-/// with several instances); std::runtime_error where a curve can't be built; Standard_Failure.
+/// \throws std::invalid_argument if a face number is not in the shape or is given twice, or if a
+/// face, edge or vertex still occurs in the shape more than once (in a part with several
+/// instances); std::runtime_error if a curve can't be built; Standard_Failure.
 TopoDS_Shape withChanges(const TopoDS_Shape& shape, const std::vector<FaceChange>& changes,
                          double gap_mm, const std::vector<PathChange>& paths = {}, int jobs = 1);
 

@@ -42,7 +42,7 @@ void requireSeams(const std::vector<int>& edges, const Report& report) {
   }
 }
 
-/// The first edge of each face where three faces or more meet.
+/// By face: its first non-manifold edge.
 std::map<int, const NonSeamEdge*> crowdedEdges(const Report& report) {
   std::map<int, const NonSeamEdge*> edges;
   for (const NonSeamEdge& edge : report.non_manifold)
@@ -50,7 +50,8 @@ std::map<int, const NonSeamEdge*> crowdedEdges(const Report& report) {
   return edges;
 }
 
-/// Why a face stays with other instances of it or of its edges; empty if there are none.
+/// Tells why a face stays because it, or one of its edges, has several instances; empty if none
+/// has.
 class Instances {
  public:
   explicit Instances(const TopoDS_Shape& shape) : own_(withOwnParts(shape)) {
@@ -80,8 +81,8 @@ class Instances {
   std::map<const TopoDS_TShape*, int> counts_;
 };
 
-/// Why a face stays that can't be computed with, or that has an edge in common with such a face:
-/// where such an edge would have to be is not known.
+/// Tells why a face stays because it can't be computed with, or shares an edge with such a face.
+/// The position of such an edge is not known.
 class Unmovable {
  public:
   explicit Unmovable(const TopoDS_Shape& shape) : unusable_(shape) {
@@ -155,7 +156,7 @@ bool isSharp(const SeamResult& seam, const RepairOptions& options) {
   return judge(closed, options.tolerance, options.level()).seam_class == SeamClass::Crease;
 }
 
-/// No face of the seam moves, but one would as a spline.
+/// Whether no face of the seam can move, but one could as a spline.
 bool mayMoveAsSplines(const std::array<int, 2>& faces, const std::vector<FaceChoice>& choices) {
   const auto any = [&](bool FaceChoice::*is) {
     return std::ranges::any_of(faces, [&](int face) { return choices[face].*is; });
@@ -232,8 +233,9 @@ Choice choose(const Model& model, const Report& before, const RepairOptions& opt
 
 namespace {
 
-/// By how much the normal of a side turns at a place of its path; zero where it has none.
+/// The jump of a side's unit normal at a parameter of its pcurve; zero where it has no normal.
 Eigen::Vector3d turnAt(const FaceStrip& strip, double s) {
+  // Step to either side of the parameter, which runs over 0..1.
   constexpr double beside = 1e-7;
   std::array<Eigen::Vector3d, 2> normals;
   for (const int k : {0, 1}) {
@@ -248,7 +250,8 @@ Eigen::Vector3d turnAt(const FaceStrip& strip, double s) {
 }  // namespace
 
 std::string whyKinked(const Seam& seam, const ContinuityTolerance& tolerance) {
-  // A little more than twice the tolerance, as normals also turn beside the kink.
+  // One side of the kink misses by at least half of its angle: more than twice the tolerance can't
+  // be met. The margin of 0.1 is for the turn of the normals beside the kink.
   constexpr double surely = 2.1;
   if (seam.kind != SeamKind::Shared) return {};
   std::vector<FaceStrip> strips;

@@ -78,7 +78,7 @@ class Converting {
   }
 
  private:
-  /// What keeps seams beside converted faces from being repaired.
+  /// Notes why seams beside converted faces were not repaired.
   void noteTried(const std::set<int>& chosen, const RepairReport& report) {
     for (std::size_t i = 0; i < report.seams.size(); ++i) {
       const SeamRepair& seam = report.seams[i];
@@ -88,7 +88,8 @@ class Converting {
     }
   }
 
-  /// Each run takes half of what is left of the progress, and all that is left of the time.
+  /// Each run takes half of the remaining progress, because the number of runs is not known, and
+  /// all of the remaining time.
   RepairReport repaired(const Model& model) {
     const double from = done_;
     done_ += (1 - done_) / 2;
@@ -110,7 +111,8 @@ class Converting {
 
   static bool isOpen(const SeamRepair& seam) { return !seam.repaired && !seam.reason.empty(); }
 
-  /// Faces beside seams where nothing may move.
+  /// Chooses a small set of convertible faces that covers all seams without a movable face:
+  /// repeatedly the face with most of the seams that are left.
   std::set<int> fewest(const RepairReport& plain) const {
     std::vector<std::set<int>> seams;
     for (const SeamRepair& seam : plain.seams) {
@@ -152,7 +154,7 @@ class Converting {
     return moved;
   }
 
-  /// Of those chosen; never to be chosen again.
+  /// The chosen faces beside seams that got worse. They are never chosen again.
   std::set<int> besideWorse(const std::set<int>& chosen, const RepairReport& report) {
     std::set<int> found;
     for (std::size_t i = 0; i < report.seams.size(); ++i) {
@@ -169,7 +171,8 @@ class Converting {
     return found;
   }
 
-  /// The model with these faces as splines; what can't be converted is taken from them.
+  /// The model with these faces as splines. Faces that can't be converted are removed from
+  /// \p chosen.
   Model converted(std::set<int>& chosen) {
     std::vector<FaceChange> changes;
     errors_mm_.clear();
@@ -177,7 +180,7 @@ class Converting {
     const std::set<int> asked = chosen;
     for (const int face : asked) {
       try {
-        // What withChanges() takes for no move.
+        // withChanges() takes a move of less than a thousandth of the gap for none.
         const PolynomialSurface polynomial =
             polynomialSurface(TopoDS::Face(faces_(face)), gap_mm / 1000);
         changes.push_back({face, opencascade::handle<Geom_Surface>(polynomial.surface), 0});
@@ -223,8 +226,8 @@ class Converting {
   TopTools_IndexedMapOfShape faces_;
   Report original_;
   Choice choice_;
-  std::map<int, double> errors_mm_;           ///< by face converted
-  std::map<int, std::string> failures_;       ///< by face that can't be
+  std::map<int, double> errors_mm_;           ///< by converted face
+  std::map<int, std::string> failures_;       ///< by face that can't be converted
   std::map<std::size_t, std::string> tried_;  ///< by seam
   const TimeLimit time_;
   double done_ = 0;

@@ -5,16 +5,17 @@
 
 #include <seamwright/occ_adapter/repair/repair.hpp>
 
-/// Analytic faces that become splines so that they may move; not a public header.
+/// Converts analytic faces to splines so that they may move. Not a public header.
 namespace seamwright::occ {
 
 /// A repair that converts nothing.
 using PlainRepair =
     std::function<RepairReport(const Model&, const RepairOptions&, const Progress&)>;
 
-/// Repairs a model some of whose analytic faces are converted: at first one face beside each seam
-/// that has none that may move; then those beside seams that were not repaired; and at last those
-/// alone that moved. A face beside a seam that got worse is not converted.
+/// Repairs a model after converting some of its analytic faces. First it converts one face beside
+/// each seam that has no movable face. Then it adds the faces beside seams that were not repaired.
+/// In the end only those faces stay converted that moved. A face beside a seam that got worse is
+/// not converted.
 /// \throws what \p repair throws.
 RepairReport repairConverting(const Model& model, const RepairOptions& options,
                               const PlainRepair& repair, const Progress& progress);

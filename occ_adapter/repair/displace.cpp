@@ -44,8 +44,8 @@ bool isTreatedWhereItCloses(int face, const RepairTask& task) {
   return false;
 }
 
-/// Of the face; where a path is missing it can't be integrated, and counts as its part of the
-/// parameters.
+/// The area of the face. A face without all pcurves can't be integrated; its area is then that of
+/// its parameter rectangle.
 double area_mm2(const TopoDS_Face& face, const handle<Geom_BSplineSurface>& surface,
                 const std::array<double, 4>& range) {
   GProp_GProps of_face, of_range;
@@ -58,7 +58,7 @@ double area_mm2(const TopoDS_Face& face, const handle<Geom_BSplineSurface>& surf
   return of_range.Mass();
 }
 
-/// As they are, and as they were given.
+/// The faces of the task, now and as given.
 class TaskFaces {
  public:
   explicit TaskFaces(const RepairTask& task) {
@@ -74,9 +74,12 @@ class TaskFaces {
   TopTools_IndexedMapOfShape now_, given_;
 };
 
-/// Its budget is half of what its curvature varies by, and what can't be seen or is needed.
+/// A moving face. Its budget is half of the variation of its mean curvature plus the variation that
+/// is invisible or needed (docs/theory/repair.md, "The budget").
 MovingFace moverOf(int number, const TopoDS_Face& face, const TopoDS_Face& given,
                    const RepairTask& task) {
+  // Spans of the first displacement; refinement adds more where samples miss. A side within a
+  // hundredth of the gap tolerance of one point becomes that point.
   constexpr int first_spans = 4;
   constexpr double share_of_gap = 0.01, share_of_variation = 0.5;
   const handle<Geom_BSplineSurface> surface = splineOfFace(face);
@@ -95,7 +98,7 @@ MovingFace moverOf(int number, const TopoDS_Face& face, const TopoDS_Face& given
   return mover;
 }
 
-/// The order to which a seam that is not treated is to stay as it is.
+/// The order up to which a seam that is not treated keeps its figures.
 int orderKept(const SeamResult& seam, const RepairOptions& options) {
   if (isFold(seam, options.tolerance)) return 0;
   if (anyCurvatureDoes(options.tolerance)) return 1;
@@ -110,8 +113,8 @@ Restraint restraintOf(int face, const Restraints& restraints) {
   return found == restraints.end() ? Restraint{} : found->second;
 }
 
-/// A face that stays is trimmed elsewhere where its neighbour moves, if there is surface on both
-/// sides of the edge.
+/// Whether the edge may slide on a side whose face stays while its neighbour moves. The surface
+/// must extend on both sides of the edge.
 bool maySlide(const RepairTask& task, std::size_t i, int side, const Pcurve& path,
               const std::set<int>& moving, const Restraints& restraints) {
   const Seam& seam = task.seams[i];
@@ -221,7 +224,7 @@ std::string keyOf(const Part& part, const Restraints& restraints) {
   return key.str();
 }
 
-/// A seam that was to have G2 is to have G1.
+/// Whether the target of a seam of the part fell from G2 to G1.
 bool getsLower(const Part& part, const FairComponent& component) {
   return std::ranges::any_of(part.joints, [&component](const Joint& joint) {
     const auto order = component.orders.find(joint.seam);
@@ -229,8 +232,9 @@ bool getsLower(const Part& part, const FairComponent& component) {
   });
 }
 
-/// What a solution can take over from those before. Where less continuity is asked for it begins
-/// again: curvature that was in the way has left its traces.
+/// Takes a start from earlier solutions. If the target of a seam was lowered the solution starts
+/// from zero: the curvature condition that could not be met has distorted the earlier
+/// displacements.
 FairStart startOf(const Part& part, const std::vector<FairComponent>& before,
                   const Restraints& restraints, MovingFaces& movers) {
   FairStart start;
@@ -257,7 +261,7 @@ FairStart startOf(const Part& part, const std::vector<FairComponent>& before,
   return start;
 }
 
-/// \param limit_mm finite: of moves that were to be smaller
+/// \param limit_mm finite if the moves were restrained: their limit.
 std::string whyMissed(double missed, double limit_mm) {
   std::ostringstream text;
   text.precision(3);
@@ -267,8 +271,9 @@ std::string whyMissed(double missed, double limit_mm) {
   return text.str();
 }
 
-/// Those that miss most, as others may be missed for their sake. \param with_curvature of the seams
-/// that are to have G2, else of the others.
+/// The seams that miss most, from half of the worst miss on. The others may miss only because of
+/// these.
+/// \param with_curvature consider the seams with target G2; otherwise the others.
 Reasons failuresOf(const Part& part, const std::vector<double>& missed, bool with_curvature,
                    double limit_mm) {
   constexpr double share_of_worst = 0.5;
@@ -285,8 +290,8 @@ Reasons failuresOf(const Part& part, const std::vector<double>& missed, bool wit
   return failures;
 }
 
-/// Of the edges that slide. Those of seams to be repaired may do so although no face moves: the
-/// edge alone may be what strays.
+/// New pcurves of the edges that slide. An edge of a seam to be repaired may slide although no face
+/// moves, because only the edge may stray.
 std::vector<PathChange> slidPaths(const Part& part, const RepairTask& task,
                                   const std::vector<FaceChange>& changes) {
   std::vector<PathChange> paths;
@@ -324,6 +329,7 @@ FairComponent solved(const RepairTask& task, const Part& part, std::string key,
   FairResult result =
       fairSolve(part.joints, task.options.tolerance, start, component.movers, progress);
   component.weights = std::move(result.weights);
+  // No later solution starts from one that misses by more tolerances.
   constexpr double far = 10;
   double most_missed = 1;
   int most_asked = 0;
@@ -352,7 +358,7 @@ FairComponent solved(const RepairTask& task, const Part& part, std::string key,
   return component;
 }
 
-/// The others can do without it.
+/// The result for a part whose solution failed. The other parts continue without it.
 FairComponent failed(const Part& part, std::string key, const std::string& why) {
   FairComponent component;
   component.asked = std::move(key);

@@ -44,7 +44,7 @@ KnotLine knotLine(const Geom_BSplineSurface& surface, int direction) {
   return line;
 }
 
-/// Whether its second derivatives jump there.
+/// Whether second derivatives of the surface may jump at the knot.
 bool bendsAt(const Geom_BSplineSurface& surface, int direction, double knot) {
   const KnotLine own = knotLine(surface, direction);
   const auto found = std::ranges::find(own.knots, knot);
@@ -64,8 +64,8 @@ void insertKnots(Geom_BSplineSurface& surface, int direction, const KnotLine& li
     surface.InsertVKnots(knots, multiplicities, 0, false);
 }
 
-/// Whether the denominator varies in u, and in v. Of an arc moved along a curve it varies along the
-/// arc alone.
+/// Whether the denominator varies in u, and in v. For an arc swept along a curve it varies only
+/// along the arc.
 std::array<bool, 2> denominatorVaries(const Geom_BSplineSurface& surface) {
   std::array<bool, 2> varies = {false, false};
   const auto differ = [](double a, double b) { return std::abs(a - b) > Epsilon(std::abs(a)); };
@@ -77,8 +77,9 @@ std::array<bool, 2> denominatorVaries(const Geom_BSplineSurface& surface) {
   return varies;
 }
 
-/// Along a side. \param side poles, as SurfaceBasis counts them
+/// Whether the denominator varies along a side. \param side poles, as SurfaceBasis counts them.
 bool denominatorVaries(const Geom_BSplineSurface& surface, const std::vector<int>& side) {
+  // Relative difference of weights that count as equal.
   constexpr double same_share = 1e-6;
   const auto weight = [&surface](int pole) {
     return surface.Weight(pole / surface.NbVPoles() + 1, pole % surface.NbVPoles() + 1);
@@ -88,7 +89,7 @@ bool denominatorVaries(const Geom_BSplineSurface& surface, const std::vector<int
   });
 }
 
-/// Of a rational surface: it has continuous first derivatives.
+/// Whether the surface is rational and its denominator has continuous first derivatives.
 bool hasSmoothDenominator(const Geom_BSplineSurface& surface) {
   const std::array<bool, 2> varies = denominatorVaries(surface);
   const auto isSmooth = [&](int direction) {
@@ -103,7 +104,8 @@ bool hasSmoothDenominator(const Geom_BSplineSurface& surface) {
   return (varies[0] || varies[1]) && isSmooth(0) && isSmooth(1);
 }
 
-/// What the first line has in its inside and the second lacks.
+/// The inner knots of the first line that the second one lacks, with the multiplicities of the
+/// first.
 KnotLine lacking(const KnotLine& has, const KnotLine& lacks) {
   KnotLine missing;
   for (std::size_t i = 1; i + 1 < has.knots.size(); ++i) {
@@ -117,14 +119,15 @@ KnotLine lacking(const KnotLine& has, const KnotLine& lacks) {
   return missing;
 }
 
-/// The knot nearest to a place, if it is within that distance.
+/// The knot nearest to \p at if it is within the distance; otherwise \p at.
 double snapped(double at, const std::vector<double>& knots, double within) {
   const auto nearest =
       std::ranges::min_element(knots, {}, [at](double knot) { return std::abs(knot - at); });
   return std::abs(*nearest - at) <= within ? *nearest : at;
 }
 
-/// Even over the range, on knots of the surface where these are near.
+/// Equally spaced knots over the range. A knot of the surface is taken if it is near, so that fewer
+/// knots are inserted into X at the end.
 std::vector<double> coarseKnots(const KnotLine& own, double from, double to, int spans) {
   const double first = own.knots.front(), last = own.knots.back();
   from = std::clamp(from, first, last);
@@ -139,7 +142,8 @@ std::vector<double> coarseKnots(const KnotLine& own, double from, double to, int
   return knots;
 }
 
-/// Of a periodic surface: continuous derivatives that its knots grant where it ends at itself.
+/// The number of continuous derivatives that the knots of a periodic surface guarantee where it
+/// closes.
 int smoothnessAtClosing(const Geom_BSplineSurface& surface, int direction) {
   return direction == 0 ? surface.UDegree() - surface.UMultiplicity(1)
                         : surface.VDegree() - surface.VMultiplicity(1);
@@ -179,7 +183,8 @@ std::vector<int> sortedOnce(std::vector<int> numbers) {
   return numbers;
 }
 
-/// The rows of the Hessian in an orthonormal frame: along both axes and, by the root of 2, mixed.
+/// The Hessian in an orthonormal frame, as rows: along both axes and, times sqrt(2), mixed. So the
+/// sum of squares of the rows is the squared Frobenius norm.
 Eigen::MatrixXd hessianShares(const PoleShares& shares, const SurfaceJet& jet,
                               double least_metric) {
   Eigen::Matrix2d metric;
@@ -226,6 +231,7 @@ Displacement::Displacement(const PreparedSurface& given, bool given_periodic,
       given_basis_(*given_),
       basis_(*given_),
       given_poles_(polesOf(*given_)) {
+  // With simple knots degree 3 gives two continuous derivatives.
   constexpr int least_degree = 3;
   constexpr int most_degree = 5;
   const int u = std::clamp(degrees_[0], least_degree, most_degree),
@@ -264,7 +270,7 @@ Displacement::Displacement(const PreparedSurface& given, bool given_periodic,
   coefficients_ = PointRows::Zero(count_, 3);
 }
 
-/// Sides that are one point have one coefficient.
+/// Numbers the coefficients. A side that is one point has one coefficient.
 void Displacement::number() {
   const int columns = basis_.v().poles, rows = basis_.u().poles;
   number_.assign(static_cast<std::size_t>(rows) * columns, -1);
@@ -372,6 +378,7 @@ bool Displacement::halve(const std::array<std::set<int>, 2>& spans) {
 }
 
 EnergyBlock Displacement::bendingOfSpan(int span_u, int span_v, double least_metric) const {
+  // Weight of the energy beyond the parameters that the face shows, see bending().
   constexpr double share_outside = 0.03;
   const SplineAxis &u = basis_.u(), &v = basis_.v();
   const GaussRule rule_u = gaussRule(u.degree), rule_v = gaussRule(v.degree);
@@ -379,7 +386,7 @@ EnergyBlock Displacement::bendingOfSpan(int span_u, int span_v, double least_met
     return axis.periodic || (t >= range_[k] && t <= range_[k + 1]);
   };
   EnergyBlock block;
-  std::vector<Eigen::Index> column;  // by place among the span's poles
+  std::vector<Eigen::Index> column;  // by index among the span's poles
   Eigen::MatrixXd rows;
   Eigen::Index row = 0;
   for (std::size_t i = 0; i < rule_u.nodes.size(); ++i)
@@ -410,6 +417,7 @@ EnergyBlock Displacement::bendingOfSpan(int span_u, int span_v, double least_met
 }
 
 std::vector<EnergyBlock> Displacement::bending() const {
+  // Keeps the metric regular at degenerate points, relative to its mean size.
   constexpr double share_of_metric = 1e-12;
   const SplineAxis &u = basis_.u(), &v = basis_.v();
   const double least_metric =
@@ -423,7 +431,7 @@ std::vector<EnergyBlock> Displacement::bending() const {
 
 namespace {
 
-/// Values of the polynomial functions of an axis, a row for each place.
+/// Values of the polynomial basis functions of an axis, one row for each parameter.
 Eigen::MatrixXd collocation(const SplineAxis& axis, const std::vector<double>& places) {
   Eigen::MatrixXd values =
       Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(places.size()), axis.poles);
@@ -438,7 +446,8 @@ Eigen::MatrixXd collocation(const SplineAxis& axis, const std::vector<double>& p
   return values;
 }
 
-/// More in each span than it takes to tell a polynomial.
+/// Parameters for a fit: degree + 2 Chebyshev nodes in each span, one more than determine a
+/// polynomial.
 std::vector<double> fitPlaces(const SplineAxis& axis) {
   std::vector<double> places;
   const int inside = axis.degree + 2;
@@ -454,7 +463,7 @@ std::vector<double> fitPlaces(const SplineAxis& axis) {
   return places;
 }
 
-/// Their mean, of sides that are one point.
+/// Replaces the moves of a side that is one point by their mean.
 void joinSides(const SurfaceBasis& basis, const PointRows& given, double near_mm,
                PointRows& moves) {
   for (const std::vector<int>& side : collapsedSides(basis, given, near_mm)) {
@@ -466,8 +475,8 @@ void joinSides(const SurfaceBasis& basis, const PointRows& given, double near_mm
 }  // namespace
 
 /// X in the knots of both, and the moves of its poles. W D, with W the denominator of X, is a
-/// spline in these knots, of the sum of their degrees if D has no denominator: a fit by least
-/// squares finds it.
+/// spline in these knots. If D has no denominator its degree is the sum of the degrees of W and D.
+/// A least squares fit finds it exactly, to rounding.
 std::pair<SplineSurface, PointRows> Displacement::refined() const {
   const SplineSurface x = copied(given_), d = copied(shape_);
   const std::array<bool, 2> varies = denominatorVaries(*x);
@@ -476,7 +485,7 @@ std::pair<SplineSurface, PointRows> Displacement::refined() const {
                     varies[direction] && !has_denominator_ ? degrees_[direction] + of_d : of_d);
   };
   x->IncreaseDegree(degree(0, x->UDegree(), d->UDegree()), degree(1, x->VDegree(), d->VDegree()));
-  // In a higher degree the knots of D stand as often as its smoothness there asks for.
+  // Raising the degree raises the multiplicities of D's knots too, so that D keeps its smoothness.
   d->IncreaseDegree(x->UDegree(), x->VDegree());
   for (const int direction : {0, 1})
     insertKnots(*x, direction, lacking(knotLine(*d, direction), knotLine(*x, direction)));
@@ -492,7 +501,8 @@ std::pair<SplineSurface, PointRows> Displacement::refined() const {
   for (int i = 0; i < rows; ++i)
     for (int j = 0; j < columns; ++j) weights(i, j) = x->Weight(i + 1, j + 1);
   Eigen::MatrixXd factor = x_u * weights * x_v.transpose();
-  // Not that of x: where a surface is periodic its first pole changes with degree and knots.
+  // The weight is taken from the given surface: the first pole of a periodic surface changes with
+  // degree and knots.
   if (has_denominator_) factor.setConstant(given_->Weight(1, 1));
   PointRows moves(static_cast<Eigen::Index>(rows) * columns, 3);
   for (int k = 0; k < 3; ++k) {
@@ -509,8 +519,9 @@ std::pair<SplineSurface, PointRows> Displacement::refined() const {
   return {x, moves};
 }
 
-/// The poles of the part over the face bound the moves of its points. Nothing is cut off in a
-/// periodic direction. \param moves as a surface.
+/// The poles of the part over the face bound the moves of its points. A periodic surface is not
+/// cut.
+/// \param moves the moves as a surface.
 double Displacement::largestOf(SplineSurface moves) const {
   std::array<double, 4> part{};
   moves->Bounds(part[0], part[1], part[2], part[3]);

@@ -42,7 +42,8 @@ class Outline {
     }
   }
 
-  /// Where the line with that parameter is inside, as pairs of ends. \param fixed 0: u is, 1: v.
+  /// The intervals inside the face of the iso-line with that parameter, as pairs of ends.
+  /// \param fixed 0: u is constant, 1: v is.
   std::vector<std::pair<double, double>> inside(int fixed, double at) const {
     std::vector<double> crossings;
     for (const auto& [a, b] : chords_) {
@@ -62,7 +63,7 @@ class Outline {
   std::vector<std::array<std::array<double, 2>, 2>> chords_;
 };
 
-/// Places that are even in knot spans.
+/// Parameters equally spaced in the knot spans.
 class SpanScale {
  public:
   SpanScale(const TColStd_Array1OfReal& knots, double first, double last) : ends_{first} {
@@ -95,7 +96,8 @@ SurfaceJet jetOn(const Adaptor3d_Surface& surface, double u, double v) {
   return jet;
 }
 
-/// Mean curvature, and normal curvature along the line; not a number where there is no normal.
+/// Adds the mean curvature, and the normal curvature along the line. Both are NaN where there is no
+/// normal.
 void addCurvature(const CurvedPoint& point, const Eigen::Vector3d& tangent, CurvatureLine& line) {
   double mean = std::nan(""), along = std::nan("");
   if (point.normal) {
@@ -107,14 +109,14 @@ void addCurvature(const CurvedPoint& point, const Eigen::Vector3d& tangent, Curv
   line.normal_per_mm.push_back(along);
 }
 
-/// Of the parameters that the face shows: u from, to, v from, to.
+/// The parameters that the face shows: u from, to, v from, to.
 std::array<double, 4> rangeOf(const TopoDS_Face& face) {
   std::array<double, 4> range{};
   BRepTools::UVBounds(face, range[0], range[1], range[2], range[3]);
   return range;
 }
 
-/// Lines on a surface, and in the same places on the one after it, if there is one.
+/// Samples lines on a surface and, if there is one, on the surface after it at the same parameters.
 class LineWalk {
  public:
   /// \param after null: none. \param range of the parameters that the face shows: u from, to, v
@@ -123,7 +125,7 @@ class LineWalk {
            const std::array<double, 4>& range, const FaceGrid& grid)
       : before_(before), after_(after), grid_(grid), noise_(noiseOn(range)) {}
 
-  /// \param knots of this surface tell where lines and places are.
+  /// \param knots surface whose knots determine the lines and samples.
   void walk(const TopoDS_Face& face, const opencascade::handle<Geom_BSplineSurface>& knots,
             SurfaceChange& change) {
     const std::array<double, 4> range = rangeOf(face);
@@ -163,7 +165,8 @@ class LineWalk {
   }
 
   void start() { of_before_ = of_after_ = {}; }
-  /// A gap between two parts of a line is no step.
+  /// Ends a line. The next part begins a new line, so that a jump across a hole of the face does
+  /// not count as variation.
   void finish() {
     if (!of_before_.mean_per_mm.empty()) {
       lines_before_.push_back(std::move(of_before_));
@@ -181,8 +184,9 @@ class LineWalk {
     addCurvature(moved, along_u ? is.u : is.v, of_after_);
     include(change, point, moved);
   }
-  /// What is below a millionth of the longest derivative is taken for none. It is looked for on an
-  /// even grid, as lines crowd where knots do, as beside a pole.
+  /// Derivatives below a millionth of the longest one count as zero. The longest one is sought on
+  /// an equally spaced grid, because lines crowd where knots do, for example beside a degenerate
+  /// side.
   JetNoise noiseOn(const std::array<double, 4>& range) const {
     constexpr int places = 8;
     constexpr double share = 1e-6;
@@ -220,6 +224,7 @@ SurfaceChange measureChange(const TopoDS_Face& face,
   LineWalk walk(before, &moved, rangeOf(face), grid);
   walk.walk(face, after, change);
   change.move_mm.upper = std::max(change.move_mm.lower, bound_mm);
+  // Share of the variation before that belongs to the noise, see measureChange().
   constexpr double unseen = 0.05;
   const double noise = visible_per_mm + unseen * walk.before(0).variation_per_mm;
   change.before = walk.before(noise);
@@ -245,7 +250,7 @@ double diagonal_mm(const TopoDS_Face& face) {
   return std::sqrt(box.SquareExtent());
 }
 
-/// 0 where the face can't be integrated.
+/// Area of the face; 0 where the face can't be integrated.
 double area_mm2(const TopoDS_Face& face) {
   try {
     GProp_GProps area;
@@ -256,7 +261,7 @@ double area_mm2(const TopoDS_Face& face) {
   }
 }
 
-/// 0 where the edges can't be integrated.
+/// Length of the face's edges; 0 where they can't be integrated.
 double perimeter_mm(const TopoDS_Face& face) {
   try {
     GProp_GProps boundary;
@@ -267,7 +272,8 @@ double perimeter_mm(const TopoDS_Face& face) {
   }
 }
 
-/// The mean width of a face beside a seam; 0 where the face can't be integrated.
+/// The mean width of a face beside a seam, at most its diagonal; 0 where the face can't be
+/// integrated.
 double widthBeside_mm(const TopoDS_Face& face, double length_mm) {
   return std::min(diagonal_mm(face), area_mm2(face) / length_mm);
 }
@@ -301,6 +307,7 @@ double sizeOf_mm(const TopoDS_Face& face) {
 MoveLimits moveLimits(const TopoDS_Shape& shape, const std::vector<SeamResult>& seams,
                       const std::set<int>& may_move, const std::vector<bool>& treated,
                       const RepairOptions& options) {
+  // docs/theory/repair.md, "How far", derives both from R1.
   constexpr double share_of_size = 0.01, times_gap = 2;
   const TopTools_IndexedMapOfShape faces = partsOf(shape, TopAbs_FACE);
   std::map<int, double> gaps_mm;

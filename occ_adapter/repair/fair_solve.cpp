@@ -14,26 +14,31 @@ namespace seamwright::occ {
 
 namespace {
 
-/// A sample is met if it misses less than this share of the tolerance: between samples it may be
-/// more.
+/// A sample is met if it misses less than this share of the tolerance. The rest is a reserve for
+/// points between samples.
 constexpr double enough = 0.6;
 
-/// More weight, or more knots, help if they make the worst miss so much smaller.
+/// More weight, or more knots, help if they reduce the worst miss below this share of its old
+/// value.
 constexpr double helps = 0.7;
 
-/// What misses more wants knots.
+/// A sample that misses by more tolerances than this needs more knots; weight alone does not help.
 constexpr double wanting_knots = 10;
 
-/// Where more faces move, what still wants knots after it got some can't be had together with the
-/// rest: it would cost most of the time. Nor may it weigh as much as where few faces are at stake;
-/// it is tried again alone.
+/// Limits the cost of large parts. If more faces move than this, seams that still need knots after
+/// a refinement are not refined further, since they would take most of the time. Their samples also
+/// have a smaller largest weight, because otherwise they would spoil the solution for all other
+/// faces. Such seams are tried again alone.
 constexpr std::size_t many_faces = 12;
 
 using HalvedSpans = std::array<std::set<int>, 2>;  ///< by direction
 
-/// By face: the spans of displacements beside samples that are missed, but for short ones.
+/// By face: the spans of displacements beside missed samples, except short ones.
 std::map<int, HalvedSpans> missedSpans(const std::vector<Joint>& joints,
                                        const JointSamples& samples) {
+  // Least length of a span as a share of the surface. It keeps a fair face from being spent on a
+  // seam that needs much in a short interval (docs/theory/repair.md, "What cannot be repaired
+  // fairly").
   constexpr double shortest = 1.0 / 128;
   std::map<int, HalvedSpans> spans;
   for (std::size_t j = 0; j < joints.size(); ++j)
@@ -103,7 +108,8 @@ class FairSolving {
   }
 
  private:
-  /// Less than before: what made a sample hard may be gone.
+  /// Takes over the square roots of earlier weights, since the reason for a large weight may be
+  /// gone.
   void inherit(const std::map<std::size_t, SampleWeights>& weights) {
     for (std::size_t j = 0; j < joints_.size(); ++j) {
       const auto known = weights.find(joints_[j].seam);
@@ -176,10 +182,14 @@ class FairSolving {
     look();
   }
 
-  /// Passes until all samples are met, or more weight does not help. Where weight is far from
-  /// helping knots are wanting: what it did goes.
+  /// Repeats passes until all samples are met or more weight does not help. If the miss stays large
+  /// in spite of weight, knots are missing: the effect of the weights is undone before knots are
+  /// inserted.
   void solve(bool is_first, bool may_refine) {
     constexpr int most_passes = 10;
+    // A pass whose worst miss exceeds the best one so far by the factor 4 ends the passes. Passes
+    // without progress end them too: two if the worst miss is above 3 tolerances, else four. After
+    // weights were added, a pass that changes the worst miss by less than a hundredth counts twice.
     constexpr double diverges = 4, far = 3, stands_still = 0.01;
     StepProblem problem(joints_, samples_, movers_, unknowns_);
     std::optional<State> plain, best;
@@ -197,7 +207,7 @@ class FairSolving {
       }
       if (worst() <= enough) return;
       const std::size_t worst_joint = worstJoint();
-      // Where another joint is worst now, weight has not been tried yet.
+      // If another joint is worst now, weight has not been tried on it yet.
       if (ease_ > 1 || worst() <= helps * last)
         idle = 0;
       else if (worst_joint == last_joint)
@@ -214,8 +224,10 @@ class FairSolving {
     if (best) returnTo(may_refine && plain && best_ratio > wanting_knots ? *plain : *best);
   }
 
-  /// Normals turn in a straight line for small turns only. Where much is missed energies count for
-  /// more at first, as if tolerances were larger, less in each pass.
+  /// The conditions on normals are linear only for small turns. If samples miss by more than 20
+  /// tolerances, the energies count more in the first step, as if tolerances were larger, and at
+  /// most a tenth of that in each further step. So large kinks close in steps that are nearly
+  /// linear.
   void easeBy(double last) {
     constexpr double near = 20, less = 0.1;
     const double far = worst() / near;
@@ -232,7 +244,7 @@ class FairSolving {
               most_weight, sample.weight * std::min(most_growth, sample.ratio / (0.7 * enough)));
   }
 
-  /// Halves spans beside samples that are missed. \returns whether any was.
+  /// Halves spans beside missed samples. \returns whether any span was halved.
   bool refine() {
     std::map<int, HalvedSpans> spans = missedSpans(joints_, samples_);
     naturalSides().spread(spans, movers_);
@@ -249,7 +261,8 @@ class FairSolving {
     return true;
   }
 
-  /// As many samples as the new knots need; each has the weight of the one that was nearest.
+  /// Samples the joint again, as densely as the new knots need. Each sample takes over the weight
+  /// of the nearest old one.
   void sampleAgain(std::size_t j) {
     SampleWeights weights;
     for (const JointSample& sample : samples_[j]) weights.emplace_back(sample.s, sample.weight);

@@ -9,30 +9,31 @@
 #include <seamwright/occ_adapter/progress.hpp>
 #include <seamwright/occ_adapter/repair/joint.hpp>
 
-/// Displacements of faces that joints connect; not a public header.
+/// Solves for the displacements of faces that joints connect. Not a public header.
 namespace seamwright::occ {
 
-/// How much the samples of a seam have to count, by place 0..1.
+/// Weights of the samples of a seam: (parameter in 0..1, weight).
 using SampleWeights = std::vector<std::pair<double, double>>;
 
-/// Where a solution starts from.
+/// The state from which a solution starts.
 struct FairStart {
   bool is_new = true;                            ///< nothing was solved before
   std::map<std::size_t, SampleWeights> weights;  ///< by seam
-  std::set<int> relaxed;  ///< faces of which something else is asked than before
+  std::set<int> relaxed;  ///< faces of which something different is asked than before
 };
 
 struct FairResult {
-  std::vector<double> missed;  ///< by joint: of what its worst sample misses to the tolerance
+  std::vector<double> missed;  ///< by joint: the miss of its worst sample over its tolerance
   std::map<std::size_t, SampleWeights> weights;
 };
 
-/// Minimises, over the displacements of all movers at once, the sum over faces of bending energy
-/// over that which spends the face's budget, with what joints miss held within the tolerance: by
-/// least squares whose samples count the more the longer they are missed, and knots inserted where
-/// that is not enough. Source: docs/theory/repair.md.
-/// \param movers their displacements are where the solution starts and what it finds. \throws
-/// Cancelled; Standard_Failure.
+/// Minimises the fairness objective over the displacements of all movers at once: the sum over
+/// faces of their bending energy, relative to the energy that spends the face's budget. It holds
+/// what joints miss within the tolerance by iteratively reweighted least squares: the weight of a
+/// sample grows while it is missed. Where weights are not enough, knots are inserted.
+/// Source: docs/theory/repair.md.
+/// \param movers in: displacements from which the solution starts; out: the solution.
+/// \throws Cancelled; Standard_Failure.
 FairResult fairSolve(const std::vector<Joint>& joints, const ContinuityTolerance& tolerance,
                      const FairStart& start, MovingFaces& movers, const Progress& progress);
 

@@ -7,11 +7,11 @@
 
 #include <seamwright/occ_adapter/repair/natural_sides.hpp>
 
-/// Which coefficients of displacements are unknowns; not a public header.
+/// Which coefficients of displacements are unknowns. Not a public header.
 namespace seamwright::occ {
 
-/// The unknowns of a problem, numbered from 0. Coefficients that are one, see NaturalSides, have
-/// one number, and are free if one of them is.
+/// The unknowns of a problem, numbered from 0. Tied coefficients (see NaturalSides) have one number
+/// and are free if one of them is.
 class FreeCoefficients {
  public:
   /// All coefficients are free.
@@ -25,7 +25,7 @@ class FreeCoefficients {
   const std::vector<int>& of(int face) const { return numbers_.at(face); }
 
  private:
-  /// Numbers what is not negative.
+  /// Numbers the coefficients that are not marked with a negative number.
   void number(const NaturalSides& sides);
 
   std::map<int, std::vector<int>> numbers_;  ///< by face and coefficient

@@ -24,10 +24,10 @@ namespace {
 
 using opencascade::handle;
 
-/// Rounds in which single seams of a component at fault are given up; each one after them gives up
-/// half of what is left.
+/// Number of rounds in which single seams of a component at fault are excluded. Each further round
+/// excludes half of its remaining seams, which bounds the number of rounds.
 constexpr int single_rounds = 12;
-/// ... and how often a seam is tried again with samples where it was missed.
+/// How often a seam is tried again with more samples where it missed.
 constexpr int most_looks = 3;
 
 std::string nameOf(int face) {
@@ -43,7 +43,7 @@ class Rounds {
   bool isOver() const { return !task_.treatsAny(); }
   const TopoDS_Shape& changed() const { return changed_; }
 
-  /// G2 first becomes G1, where that is wanting.
+  /// Excludes seams. A seam with target G2 that lacks G1 gets target G1 first.
   void exclude(const Reasons& seams) {
     for (const auto& [i, why] : seams) {
       if (!task_.isTreated(i)) continue;
@@ -65,7 +65,8 @@ class Rounds {
                const Progress& progress) {
     changed_ = withChanges(task_.shape, changes, task_.options.tolerance.gap_mm, paths,
                            task_.options.jobs);
-    // Paths beside a face that moves follow from its surface.
+    // New pcurves beside a moving face are determined by its surface, so measurements can be reused
+    // by surface. Without moving faces the pcurves are independent: nothing is reused.
     MeasuredSeams of_paths_alone;
     return prove(task_, changes, changed_, changes.empty() ? of_paths_alone : measured_, progress);
   }
@@ -98,7 +99,7 @@ bool touches(const Seam& seam, int face) {
   return seam.sides[0].face == face || seam.sides[1].face == face;
 }
 
-/// What is wrong with a way to move faces.
+/// What is wrong with a solution.
 struct Faults {
   std::map<int, std::string> too_far, unfair;  ///< by face
   Proof proof;
@@ -113,7 +114,7 @@ std::set<std::pair<int, int>> besideSeams(const RepairTask& task) {
   return pairs;
 }
 
-/// What the next solution does otherwise than the last one.
+/// What the next solution does differently from the last one.
 class NextTry {
  public:
   /// \param task is kept by reference.
@@ -122,8 +123,9 @@ class NextTry {
   const MissedPlaces& missed() const { return missed_; }
   const Restraints& restraints() const { return restraints_; }
 
-  /// The next solution has samples where a figure is largest, as long as such samples help.
+  /// Adds samples to the next solution where a figure is largest, as long as such samples help.
   bool looksAgain(std::size_t i, const SeamResult& seam) {
+    // More samples help if they reduce the miss by at least a tenth.
     constexpr double is_less = 0.9;
     Look& look = looks_[i];
     const double missed = missedBy(seam);
@@ -135,7 +137,7 @@ class NextTry {
     return true;
   }
 
-  /// The next solution spends less on a face.
+  /// Makes a face stiffer in the next solution.
   bool stiffens(int face) {
     constexpr double factor = 2, most = 4;
     double& stiffness = restraints_[face].stiffness;
@@ -144,7 +146,8 @@ class NextTry {
     return true;
   }
 
-  /// In the next solution no edge slides on the faces around those that move beside this one.
+  /// Forbids edges to slide, in the next solution, on the faces around the moving faces beside this
+  /// one.
   bool keepsEdges(int face, const std::vector<FairComponent>& components) {
     bool any = false;
     for (const FairComponent& component : components) {
@@ -160,7 +163,7 @@ class NextTry {
     return any;
   }
 
-  /// The next solution moves a face less, for the price of more bending.
+  /// Makes a face move less in the next solution, at the cost of more bending.
   bool restrains(int face) {
     constexpr double factor = 0.5, least = 0.1;
     const double limit_mm = task_.limits_mm.at(face);
@@ -171,7 +174,7 @@ class NextTry {
   }
 
  private:
-  /// The largest of what its figures are over their tolerances.
+  /// The largest ratio of a figure to its tolerance.
   double missedBy(const SeamResult& seam) const {
     const ContinuityTolerance& tolerance = task_.options.tolerance;
     const auto share = [](const std::optional<Figure>& figure, double limit) {
@@ -187,7 +190,7 @@ class NextTry {
   const RepairTask& task_;
   MissedPlaces missed_;
   Restraints restraints_;
-  /// How often a seam had more samples, and what it missed the last time.
+  /// How often a seam got more samples, and its miss the last time.
   struct Look {
     int count = 0;
     double missed = std::numeric_limits<double>::max();
@@ -195,7 +198,8 @@ class NextTry {
   std::map<std::size_t, Look> looks_;  ///< by seam
 };
 
-/// Treated seams of a face; of one that has none, as it stays, those of the faces beside it.
+/// The treated seams of a face. For a face without any, since it stays, those of the faces beside
+/// it.
 std::vector<std::size_t> treatedAt(const RepairTask& task, int face) {
   std::set<int> faces = {face};
   const auto seamsOf = [&] {
@@ -213,8 +217,8 @@ std::vector<std::size_t> treatedAt(const RepairTask& task, int face) {
   return seamsOf();
 }
 
-/// Of those that move with the face, and of which most is asked. What curvature spoils beside a
-/// face is not the tangent plane's fault.
+/// The treated seams that move with the face and have the highest target. Seams with target G2 are
+/// blamed before those with G1, because the curvature condition is the stronger one.
 std::vector<std::size_t> mostAskedAt(const RepairTask& task,
                                      const std::vector<FairComponent>& components, int face) {
   std::vector<std::size_t> seams = treatedAt(task, face);
@@ -231,7 +235,7 @@ std::vector<std::size_t> mostAskedAt(const RepairTask& task,
   return seams;
 }
 
-/// Of the solver, for a seam.
+/// The solver's effort for a seam.
 double effortOf(const std::vector<FairComponent>& components, std::size_t seam) {
   for (const FairComponent& component : components)
     if (const auto effort = component.effort.find(seam); effort != component.effort.end())
@@ -239,7 +243,7 @@ double effortOf(const std::vector<FairComponent>& components, std::size_t seam) 
   return 0;
 }
 
-/// Of a face at fault the seam that took most effort is excluded.
+/// Excludes the seam of a face at fault that took most effort.
 void excludeAt(const RepairTask& task, const std::vector<FairComponent>& components, int face,
                const std::string& why, Reasons& seams) {
   const std::vector<std::size_t> treated = mostAskedAt(task, components, face);
@@ -335,7 +339,7 @@ class Moving {
     return judged;
   }
 
-  /// Of surfaces that were not judged before.
+  /// Judges the surfaces that were not judged before.
   void judgeFairness(const std::vector<FaceChange>& changes, const Progress& progress) {
     std::vector<const FaceChange*> unknown;
     for (const FaceChange& change : changes)
@@ -357,7 +361,8 @@ class Moving {
       judged_[unknown[k]->surface] = std::move(moves[k]);
   }
 
-  /// Of a face at fault the seam that took most effort, later all of them.
+  /// The seams to exclude: for each face at fault the seam that took most effort, and after many
+  /// rounds half of the component's seams (addAge()).
   Reasons whatToExclude(const Faults& faults) {
     Reasons seams;
     std::map<int, std::string> at_fault;  // by face
@@ -414,8 +419,8 @@ class Moving {
     return seams;
   }
 
-  /// Of a component that was at fault in many rounds the half is given up that takes more effort;
-  /// of that what asks most.
+  /// Excludes seams of a component that was at fault in many rounds: of the seams with the highest
+  /// target the half that took more effort.
   void addAge(const FairComponent& component, const std::string& why, Reasons& seams) {
     int age = 0, most = 0;
     for (const auto& [i, effort] : component.effort) {
@@ -442,7 +447,8 @@ class Moving {
   std::map<handle<Geom_Surface>, FaceMove> judged_;
 };
 
-/// \throws Cancelled. What else is thrown becomes the reason of all.
+/// Runs the work. Any exception other than Cancelled becomes the reason of all seams.
+/// \throws Cancelled.
 template <class Work>
 Improvement orNothing(const RepairTask& task, const Work& work) {
   Rounds none(task);
@@ -462,8 +468,9 @@ Improvement orNothing(const RepairTask& task, const Work& work) {
 
 namespace {
 
-/// New paths are of single edges: those go that repair nothing, and of those on a face that is
-/// spoilt, or beside a seam that is, the one that moves the edge furthest.
+/// The new pcurves to exclude. Each belongs to a single edge, so a pcurve is excluded if it does
+/// not repair its seam. Of the pcurves on a spoilt face, or beside a spoilt seam, the one that
+/// moves its edge furthest is excluded.
 Reasons pathsAtFault(const RepairTask& task, const std::vector<PathChange>& paths,
                      const Proof& proof) {
   Reasons at_fault = proof.unrepaired;

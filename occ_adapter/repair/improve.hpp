@@ -7,29 +7,30 @@
 #include <seamwright/occ_adapter/repair/prove.hpp>
 #include <seamwright/occ_adapter/repair/solve.hpp>
 
-/// Changes of a shape that were proven; not a public header.
+/// Finds changes of a shape that can be proven. Not a public header.
 namespace seamwright::occ {
 
-/// What a task came to: its shape with changes that hold, and the seams that were left for them to
-/// hold.
+/// The outcome of a task: the shape with changes that are proven, and the seams that were excluded
+/// so that these changes could be proven.
 struct Improvement {
-  TopoDS_Shape shape;  ///< that of the task where there are no changes
+  TopoDS_Shape shape;  ///< the task's shape if there are no changes
   std::vector<FaceChange> changes;
-  std::map<int, FaceMove>
-      judged;  ///< by face that changes: what became of it since the model was given
+  /// By changed face: its change since the given model.
+  std::map<int, FaceMove> judged;
   std::vector<PathChange> paths;
   std::vector<SeamResult> after;  ///< in the order of the task
-  std::vector<int> orders;        ///< by seam: what it has got, 0: nothing
-  Reasons reasons;                ///< of seams that did not get all that was asked for
-  Reasons g1_reasons;  ///< of those that were tried with G1 instead of G2: why they did not get it
+  std::vector<int> orders;        ///< by seam: what it has reached; 0: nothing
+  Reasons reasons;                ///< of seams that did not reach their target
+  Reasons g1_reasons;             ///< of seams that were tried with G1 instead of G2 and failed
 };
 
-/// Edges get other paths, see joinPaths(). \throws Cancelled.
+/// Gives edges new pcurves, see joinPaths(). \throws Cancelled.
 Improvement improveByPaths(const RepairTask& task, const Progress& progress);
 
-/// Faces move, see displaceFaces(). What can't be met, or spoils a face or another seam, is
-/// excluded, one seam of a face after the other, until what is left can be proven; a seam that
-/// can't have G2 is tried with G1. \throws Cancelled.
+/// Moves faces, see displaceFaces(). Seams that can't be met, or whose repair spoils a face or
+/// another seam, are excluded, one seam of a face after the other, until the rest can be proven. A
+/// seam that can't have G2 is tried with G1.
+/// \throws Cancelled.
 Improvement improveByMoves(const RepairTask& task, const Progress& progress);
 
 }  // namespace seamwright::occ

@@ -16,7 +16,7 @@ namespace seamwright::occ {
 
 namespace {
 
-/// A part in all its places, in the order of the model.
+/// All instances of a part, in the order of the model.
 using PartPlaces = std::vector<TopoDS_Shape>;
 
 class RepeatedParts {
@@ -47,7 +47,7 @@ class RepeatedParts {
     }
   }
 
-  /// Nothing that a part consists of belongs to anything else.
+  /// Whether the part shares none of its faces, edges or vertices with anything else.
   bool isSelfContained(const TopoDS_Shape& part) const {
     const std::map<const TopoDS_TShape*, int> inside = instancesIn(part);
     return std::ranges::all_of(inside, [&](const auto& inner) {
@@ -58,8 +58,7 @@ class RepeatedParts {
     });
   }
 
-  /// The smallest parts that have all they consist of to themselves. \return whether there is one
-  /// in the shape
+  /// Chooses the smallest self-contained parts. \returns whether the shape contains one.
   bool choose(const TopoDS_Shape& shape) {
     bool has_one = false;
     if (shape.ShapeType() == TopAbs_COMPOUND)
@@ -85,8 +84,9 @@ TopoDS_Shape placedAs(const TopoDS_Shape& place, const TopoDS_Shape& part) {
   return part.Located(place.Location()).Oriented(place.Orientation());
 }
 
-/// An assembly with other parts. Rebuilt compounds keep their places; those that stay are shared.
-/// \param part of a place in the assembly: what stands there now, in this place; null: look inside.
+/// Replaces parts of an assembly. Rebuilt compounds keep their locations; unchanged ones are
+/// shared.
+/// \param part the new part, with its location, for a part of the assembly; null: look inside it.
 template <class Part>
 TopoDS_Shape withParts(const TopoDS_Shape& place, const Part& part) {
   if (const TopoDS_Shape now = part(place); !now.IsNull()) return now;
@@ -104,7 +104,7 @@ TopoDS_Shape withParts(const TopoDS_Shape& place, const Part& part) {
   return copy.Oriented(place.Orientation());
 }
 
-/// Numbers of faces or edges that have instances, and of the same ones in the first place.
+/// Maps the numbers of faces or edges between the first instance of a part and the others.
 class InstanceNumbers {
  public:
   InstanceNumbers(const TopoDS_Shape& shape,
@@ -126,7 +126,7 @@ class InstanceNumbers {
       if (number != first) others_[first].push_back(number);
   }
 
-  /// Itself, where it has no instances or is the first.
+  /// The number in the first instance; the number itself if it has no instances or is the first.
   int first(int number) const {
     const auto found = first_.find(number);
     return found == first_.end() ? number : found->second;
@@ -136,7 +136,7 @@ class InstanceNumbers {
     return numbers;
   }
   bool isRepeat(int number) const { return first(number) != number; }
-  /// Of what stands in the first place.
+  /// The numbers in the other instances, by the number in the first one.
   std::vector<int> others(int number) const {
     const auto found = others_.find(number);
     return found == others_.end() ? std::vector<int>{} : found->second;
@@ -177,7 +177,7 @@ class RepairingOnce {
  private:
   static constexpr double share_of_repair = 0.9;
 
-  /// The model in which what stands in the first place is no instance any more: same numbers.
+  /// The model in which the first instance of each part is an independent copy. All numbers stay.
   Model prepared() {
     Model model = model_;
     model.shape = withParts(model_.shape, [this](const TopoDS_Shape& place) -> TopoDS_Shape {
@@ -198,7 +198,7 @@ class RepairingOnce {
     return options;
   }
 
-  /// Like the first place, all others; what did not change is what it was.
+  /// Gives all other instances the change of the first one. Unchanged parts are shared.
   TopoDS_Shape everywhere(const TopoDS_Shape& repaired) {
     std::map<const TopoDS_TShape*, TopoDS_Shape> now;
     addParts(model_.shape, repaired, now);
@@ -208,7 +208,7 @@ class RepairingOnce {
     });
   }
 
-  /// What the parts of the assembly became.
+  /// Collects the new parts by the old ones.
   void addParts(const TopoDS_Shape& place, const TopoDS_Shape& repaired,
                 std::map<const TopoDS_TShape*, TopoDS_Shape>& now) const {
     const TopoDS_TShape* part = place.TShape().get();
@@ -244,7 +244,8 @@ class RepairingOnce {
     }
   }
 
-  /// In what was asked for. The same seam may be less certain where coordinates are large.
+  /// Whether the verdict is as good as that of the first instance, as far as the target asks. The
+  /// same seam may be less certain where coordinates are large.
   bool isAsGood(const Verdict& verdict, const Verdict& of_first) const {
     return verdict.seam_class == of_first.seam_class &&
            verdict.level >= std::min(of_first.level, options_.level());
@@ -272,8 +273,8 @@ class RepairingOnce {
   const RepairOptions& options_;
   const std::map<const TopoDS_TShape*, PartPlaces>& parts_;
   const InstanceNumbers faces_, edges_;
-  std::map<const TopoDS_TShape*, TopoDS_Shape>
-      own_;  ///< copies for the first places, without place
+  /// Copies for the first instances, without location.
+  std::map<const TopoDS_TShape*, TopoDS_Shape> own_;
 };
 
 }  // namespace

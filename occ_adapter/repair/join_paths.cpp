@@ -23,7 +23,7 @@ namespace {
 
 using opencascade::handle;
 
-/// A side of an edge, and where on its surface the nearest point of another one is.
+/// A side of an edge, with the foot of other points on its surface.
 class TrimmedSide {
  public:
   explicit TrimmedSide(const Coedge& use)
@@ -43,19 +43,20 @@ class TrimmedSide {
   StayingSurface surface_;
 };
 
-/// Points in both parameter planes that are one in space.
+/// Points in both parameter planes with the same image in space.
 using PathMeeting = std::array<gp_Pnt2d, 2>;
 
-/// New paths of one edge. A side that has none keeps its path.
+/// New pcurves of one edge. A side without one keeps its pcurve.
 struct NewPaths {
   std::array<handle<Geom2d_Curve>, 2> curves;
   double apart_mm = 0;
-  double move_mm = 0;  ///< of the edge, across itself
+  double move_mm = 0;  ///< move of the edge, across itself
 };
 
 class PathJoin {
  public:
-  /// Of the gap tolerance that new paths may be apart.
+  /// Share of the gap tolerance by which the images of new pcurves may differ. The rest is a
+  /// reserve for the proof.
   static constexpr double share = 0.6;
 
   PathJoin(const Seam& seam, double gap_mm)
@@ -63,7 +64,8 @@ class PathJoin {
 
   double apartAtEnds_mm() const { return std::max(apart(shown(0)), apart(shown(1))); }
 
-  /// \param may_change by side. \returns nothing where the surfaces do not meet near the edge.
+  /// \param may_change by side.
+  /// \returns nothing if the surfaces do not meet near the edge.
   std::optional<NewPaths> join(const std::array<bool, 2>& may_change) const {
     constexpr int fewest = 16, most = 1024;
     for (int count = fewest; count <= most; count *= 2) {
@@ -87,8 +89,8 @@ class PathJoin {
     return sides_[0].point(at[0]).Distance(sides_[1].point(at[1]));
   }
 
-  /// By projections to and fro, of which the first is enough where the other side's path lies on
-  /// the surface.
+  /// Projects alternately onto both surfaces. The first projection is enough if the image of the
+  /// other side's pcurve lies on the surface.
   PathMeeting met(double s, const std::array<bool, 2>& may_change) const {
     constexpr int most = 100;
     constexpr double near = 1e-3;
@@ -115,7 +117,7 @@ class PathJoin {
     return handle<Geom2d_Curve>(interpolation.Curve());
   }
 
-  /// The ends stay, as other edges end there.
+  /// The ends stay because other edges end there.
   std::vector<PathMeeting> meetings(int count, const std::array<bool, 2>& may_change) const {
     std::vector<PathMeeting> points;
     for (int k = 0; k <= count; ++k) {
@@ -148,8 +150,8 @@ class PathJoin {
     return paths;
   }
 
-  /// How far the image of a new path is from that of the old one. The speeds at which they are run
-  /// along are no matter.
+  /// The distance of the image of a new pcurve from that of the old one, independent of their
+  /// parametrisations.
   double move_mm(int side, const Geom2d_Curve& curve) const {
     constexpr int old_points = 512, places = 64;
     const PlanarPath& path = sides_[side].path();
@@ -188,7 +190,7 @@ class PathSolver {
     for (std::size_t i = 0; i < task_.seams.size(); ++i)
       if (task_.isTreated(i)) treated.push_back(i);
     std::vector<Outcome> outcomes(treated.size());
-    // Nothing that others read is changed.
+    // Safe on several threads: each call writes only its own outcome.
     const auto tryToJoin = [&](std::size_t k) {
       try {
         outcomes[k] = join(treated[k]);
@@ -207,7 +209,7 @@ class PathSolver {
   }
 
  private:
-  /// New paths of a seam, or why it has none.
+  /// New pcurves of a seam, or the reason why it has none.
   struct Outcome {
     std::vector<PathChange> paths;
     std::string why_not;
@@ -240,8 +242,8 @@ class PathSolver {
     return {{}, "the surfaces do not meet near the edge"};
   }
 
-  /// Which sides may have another path; first the one alone that strays further from the edge's
-  /// curve, or runs along it at another speed.
+  /// Strategies: the sides that may get a new pcurve. First comes only the side whose image is
+  /// further from the edge's curve at equal parameters.
   std::vector<std::array<bool, 2>> waysToChange(const Seam& seam) const {
     std::array<double, 2> stray_mm{};
     for (const int side : {0, 1})
@@ -255,7 +257,7 @@ class PathSolver {
     return ways;
   }
 
-  /// But for its gap the seam is as it should be, and the paths are the edge's own.
+  /// Whether only the gap keeps the seam from its target and the pcurves are stored in the edge.
   bool isOfPathsAlone(std::size_t i) const {
     for (const Coedge& side : task_.seams[i].sides)
       if (pathOf(side.edge, side.shape).curve.IsNull()) return false;

@@ -27,7 +27,7 @@ double linearIn(const std::vector<double>& x, const std::vector<double>& y, doub
   return width > 0 ? y[i - 1] + (at - x[i - 1]) / width * (y[i] - y[i - 1]) : y[i];
 }
 
-/// Where a place of a side is on the seam.
+/// The parameter of the seam at a parameter of a side.
 double seamParameter(const Joint& joint, std::size_t side, double place) {
   if (joint.map.s.empty()) return place;
   std::vector<double> places = side == 0 ? joint.map.a : joint.map.b, s = joint.map.s;
@@ -38,7 +38,8 @@ double seamParameter(const Joint& joint, std::size_t side, double place) {
   return std::clamp(linearIn(places, s, place), 0.0, 1.0);
 }
 
-/// Even in the spans of a surface that the joint's path crosses.
+/// Parameters equally spaced in the spans of a surface that the joint's pcurve crosses: two for
+/// each pole, at least 24 and at most 400 (docs/theory/repair.md, R3).
 std::vector<double> evenPlaces(const Joint& joint, std::size_t side,
                                const Displacement& displacement, const SurfaceBasis& basis) {
   constexpr double per_pole = 2;
@@ -56,6 +57,7 @@ std::vector<double> evenPlaces(const Joint& joint, std::size_t side,
 }
 
 std::vector<double> sampleParameters(const Joint& joint, const MovingFaces& movers) {
+  // Parameters in 0..1 nearer than this are the same sample.
   constexpr double distinct = 1e-9;
   std::vector<double> best;
   for (std::size_t side = 0; side < joint.sides.size(); ++side)
@@ -102,7 +104,7 @@ JointSide sideAt(const Joint& joint, std::size_t side, double place, const FaceS
   return made;
 }
 
-/// Where the second side of a matched seam is beside a point of the first.
+/// The parameter of the second side of a matched seam nearest to a point of the first side.
 double placeBeside(const Joint& joint, const std::vector<std::unique_ptr<FaceStrip>>& strips,
                    double s) {
   const Eigen::Vector3d beside = strips[0]->trace(linearIn(joint.map.s, joint.map.a, s)).p;
@@ -134,7 +136,7 @@ std::optional<Eigen::Vector3d> normalOf(const JointSide& side, const SurfaceJet&
                     side.mover == nullptr ? side.shown.noise : side.mover->displacement.noise(jet));
 }
 
-/// Of a side that the edge slides on.
+/// The normal of the side on which the edge slides; nothing if there is none.
 std::optional<Eigen::Vector3d> slideNormal(const JointSample& sample) {
   for (const JointSide& side : sample.sides)
     if (side.slides_on) return normalOf(side, side.shown.jet);
@@ -173,11 +175,12 @@ bool isEnd(const JointSample& sample) {
   return sample.s <= 0 || sample.s >= 1;
 }
 
-/// Readers of files look for nearest points: where the tangent plane turns along the seam, or the
-/// ends of edges are apart, an angle between planes of different points is not that of the seam. So
-/// sides may be shifted in the tangent plane by no more than turns them by a fifth of the accepted
-/// angle. Of a crease no angle is accepted. Open sides keep their place as far as that costs
-/// little, whatever the tolerance is: samples of them get no more weight where they are missed.
+/// Limits of a sample. Readers of files compare nearest points. Where the tangent plane turns along
+/// the seam, or the sides are shifted against each other, this compares normals of different
+/// points. So the sides may be shifted in the tangent plane only as far as the normal turns by a
+/// fifth of the accepted angle. A crease has no accepted angle, so only the gap counts. Free edges
+/// keep their position as far as that costs little, whatever the tolerance is: their samples get no
+/// more weight when they are missed.
 JointLimits limitsOf(const Joint& joint, const JointSample& sample,
                      const ContinuityTolerance& tolerance) {
   constexpr double share_of_gap = 0.2, share_of_angle = 0.2, share_of_size = 1e-4,
@@ -220,7 +223,7 @@ Eigen::Vector3d along(const JointSample& sample) {
   return sample.sides[0].shown.tangent.stableNormalized();
 }
 
-/// What of a difference of places counts as slide.
+/// The part of a difference of positions that counts as slide.
 Eigen::Vector3d slide(const JointSample& sample, const Eigen::Vector3d& gap) {
   return isEnd(sample) ? gap : Eigen::Vector3d(gap.dot(along(sample)) * along(sample));
 }
@@ -229,7 +232,7 @@ Eigen::Vector3d across(const JointSample& sample, const Eigen::Vector3d& gap) {
   return gap.dot(sample.across) * sample.across;
 }
 
-/// Factors of the cell's coefficients.
+/// Factors of the coefficients of a cell in a condition.
 class Row {
  public:
   Row(const JointSample& sample, const StepSystem& system)
@@ -247,18 +250,20 @@ class Row {
   Eigen::VectorXd factors_;
 };
 
-/// A sample stands for its part of a joint, as if each joint had so many, and is missed by a
-/// quarter of the tolerance for the price of all it may cost.
+/// The factor on a sample's misses. It has the weight of its share of the joint, as if each joint
+/// had 16 samples, and costs 1 when it misses by a quarter of the tolerance (docs/theory/repair.md,
+/// "Prices").
 double weightOf(const JointSample& sample) {
   constexpr double samples_per_joint = 16, share_of_tolerance = 0.25;
   return sample.weight * std::sqrt(samples_per_joint * sample.part) / share_of_tolerance;
 }
 
-/// Up to so much of its limit what a kept joint lacks is free.
+/// Differences of a kept joint up to this share of the limit are free.
 constexpr double free_share = 0.5;
 
-/// What is lacking beyond what was given; of a kept joint, beyond its free share as well. Its
-/// direction is no matter: where edges meet, what one of them loses another one has to take over.
+/// The part of a difference longer than the given one and, for a kept joint, longer than the free
+/// share. Only lengths are kept, not directions: at a vertex one edge must take over the difference
+/// that another one loses.
 Eigen::Vector3d beyondGiven(const Joint& joint, const Eigen::Vector3d& now, double given,
                             double limit) {
   const double free = std::max(given, joint.ask == Ask::Keep ? free_share * limit : 0);
@@ -266,7 +271,7 @@ Eigen::Vector3d beyondGiven(const Joint& joint, const Eigen::Vector3d& now, doub
                            : Eigen::Vector3d::Zero();
 }
 
-/// What of the differences is to go.
+/// The parts of the differences that are to vanish.
 struct Missing {
   Eigen::Vector3d gap, slide, overlap = Eigen::Vector3d::Zero(), normal = Eigen::Vector3d::Zero(),
                               bend = Eigen::Vector3d::Zero();
@@ -322,11 +327,12 @@ void addCurvatures(const JointSample& sample, const Eigen::Vector3d& missing, co
   }
 }
 
-/// A side's derivative across the seam along its normal, as a step of parameters.
+/// The turn of a side about the seam: the derivative across the seam, as a step of parameters, in
+/// the direction of the normal.
 struct Tilt {
   Eigen::Vector3d normal;
   Eigen::Vector2d step;
-  double turned_rad = 0;  ///< since it was given
+  double turned_rad = 0;  ///< angle since the given surface
 };
 
 std::optional<Tilt> tiltOf(const JointSample& sample, const JointSide& side) {
@@ -338,10 +344,10 @@ std::optional<Tilt> tiltOf(const JointSample& sample, const JointSide& side) {
   return Tilt{*normal, step, normal->dot(step[0] * by.u + step[1] * by.v)};
 }
 
-/// How much a side that turns beside a crease counts.
+/// Weight of the turn of a side beside a crease, relative to that of its gap.
 constexpr double share_of_crease = 0.3;
 
-/// Beside a crease no side turns.
+/// Keeps the normals of the sides beside a crease.
 void keepNormals(const JointSample& sample, double weight, StepSystem& system) {
   for (const JointSide& side : sample.sides)
     if (const std::optional<Tilt> tilt = tiltOf(sample, side)) {
@@ -350,7 +356,7 @@ void keepNormals(const JointSample& sample, double weight, StepSystem& system) {
     }
 }
 
-/// By how much the angle of a crease has changed.
+/// The change of the angle of a crease since the given surfaces.
 double turned_rad(const JointSample& sample) {
   std::array<Eigen::Vector3d, 2> was, is;
   for (const int k : {0, 1}) {
@@ -367,8 +373,8 @@ double turned_rad(const JointSample& sample) {
   return std::abs(angle(is) - angle(was));
 }
 
-/// What the sides may go on to lack. Of a joint that is to meet a gap that is small enough
-/// everywhere: to close it would copy its course into the faces.
+/// Sets the differences that may stay. For a joint that is to meet this is a gap that is small
+/// along the whole joint: to close it would copy its shape into the faces.
 void setGiven(const Joint& joint, const ContinuityTolerance& tolerance,
               std::vector<JointSample>& samples) {
   constexpr double small = 0.5;
@@ -417,7 +423,8 @@ std::vector<JointSample> sampled(const Joint& joint, const MovingFaces& movers,
     samples[k - 1].part += chord / 2;
     length += chord;
   }
-  // Ends count in full, though samples may lie close beside them: other seams end there.
+  // Ends get a least share, although other samples may lie close to them, because other seams end
+  // there too.
   constexpr double least_share = 0.125, least_at_end = 1.0 / 48;
   const double even = 1.0 / static_cast<double>(samples.size());
   for (JointSample& sample : samples)
@@ -465,8 +472,9 @@ Differences differencesAt(const Joint& joint, const JointSample& sample) {
 
 namespace {
 
-/// Up to half the tolerance any growth does, then by a tenth of it; what is within the tolerance
-/// stays so, by a margin.
+/// The growth of a figure over the accepted growth. Below half the tolerance it may grow freely,
+/// from there on by a tenth of the tolerance. A figure within the tolerance may use only half of
+/// the distance to the tolerance, so that it stays within.
 double grownShare(double is, double was, double limit) {
   constexpr double growth_share = 0.1, least_share = 1e-3;
   const double start = std::max(was, free_share * limit);
@@ -474,7 +482,7 @@ double grownShare(double is, double was, double limit) {
   return (is - start) / std::clamp(room, least_share * limit, growth_share * limit);
 }
 
-/// Not a number where one of them is none.
+/// The larger of a and b. NaN if a is NaN or b is NaN.
 double larger(double a, double b) {
   return a >= b ? a : b;
 }
@@ -491,8 +499,8 @@ double missedShareOf(const Joint& joint, const JointSample& sample) {
   const Missing missing = missingOf(joint, sample, now);
   missed = larger(missed, missing.slide.norm() / sample.limits.slide_mm);
   missed = larger(missed, missing.overlap.norm() / sample.limits.overlap_mm);
-  // To close the gap of a short sharp edge its faces have to turn: they do so as little as they
-  // can, see addConditions().
+  // Faces must turn to close the gap of a short sharp edge, so the turn of a joint that is to meet
+  // is no miss. addConditions() keeps it small.
   if (joint.order < 1)
     return joint.ask == Ask::Join ? missed : larger(missed, turned_rad(sample) / joint.turn_rad);
   if (!now.normal) return missed;
@@ -530,7 +538,7 @@ double costOf(const Joint& joint, const JointSample& sample) {
 
 namespace {
 
-/// Sides that have their places do not shift along one another.
+/// Adds conditions against shifts of the sides along each other.
 void addSlides(const JointSample& sample, const Row& place, const Missing& missing, double weight,
                StepSystem& system) {
   const double slide_weight = weight / sample.limits.slide_mm;

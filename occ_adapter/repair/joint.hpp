@@ -17,110 +17,118 @@
 #include <seamwright/occ_adapter/repair/step_system.hpp>
 #include <seamwright/occ_adapter/seams/find.hpp>
 
-/// What sides of moving faces are to meet, in samples; not a public header.
+/// Samples the conditions on the sides of moving faces. Not a public header.
 namespace seamwright::occ {
 
 /// A face that moves.
 struct MovingFace {
   Displacement displacement;
-  double budget_per_mm = 0;  ///< by how much the mean curvature may vary more
+  double budget_per_mm = 0;  ///< how much the variation of the mean curvature may grow
   double area_mm2 = 0;
-  double size_mm = 0;    ///< of the face, see sizeOf_mm()
-  double stiffness = 1;  ///< above 1: it may spend so much less
-  double restraint_mm =
-      std::numeric_limits<double>::infinity();  ///< a move of this size costs as much as the budget
+  double size_mm = 0;  ///< size of the face, see sizeOf_mm()
+  /// Factor on the cost of bending: the face spends less where it is above 1.
+  double stiffness = 1;
+  /// A move of this size costs as much as the budget.
+  double restraint_mm = std::numeric_limits<double>::infinity();
 };
 
 using MovingFaces = std::map<int, MovingFace>;  ///< by number of the face
 
 enum class Ask {
   Join,    ///< the sides are to meet
-  Keep,    ///< what they lack may not grow
-  Outline  ///< one side, which keeps its place
+  Keep,    ///< the figures may not grow
+  Outline  ///< a free edge, which keeps its position
 };
 
-/// A boundary shared by two faces, or an open one.
+/// A boundary shared by two faces, or a free boundary of one.
 struct Joint {
-  std::size_t seam = 0;  ///< of an outline: none
+  std::size_t seam = 0;  ///< not used for an outline
   Ask ask = Ask::Keep;
-  int order = 1;  ///< 0: place, 1: tangent planes, 2: curvature
+  int order = 1;  ///< 0: position, 1: tangent planes, 2: curvature
   std::vector<Coedge> sides;
   std::vector<Pcurve> paths;
   Correspondence map;
-  double turn_rad = 0;           ///< by which the angle of a kept crease may change
-  std::set<double> also;         ///< places, 0..1, where samples missed something before
-  std::array<bool, 2> slides{};  ///< by side: its face stays, and the edge may run elsewhere on it
+  double turn_rad = 0;           ///< how much the angle of a kept crease may change
+  std::set<double> also;         ///< parameters in 0..1 at which samples missed before
+  std::array<bool, 2> slides{};  ///< by side: its face stays, and the edge may slide on it
 };
 
-/// A side at a sample.
+/// One side of a joint at a sample.
 struct JointSide {
   const MovingFace* mover = nullptr;  ///< null: the face stays
   Eigen::Vector2d uv = Eigen::Vector2d::Zero(), into = Eigen::Vector2d::Zero();
   PoleShares shares;  ///< of the mover's coefficients
-  std::vector<Eigen::Index>
-      column;       ///< by coefficient of the shares: its place in the sample's cell, -1: it stays
-  SidePoint shown;  ///< before any move; of a side that the edge slides on: beside the other side
-                    ///< as it is now
-  std::shared_ptr<const StayingSurface> slides_on =
-      {};  ///< null: the edge has its place on the side
+  /// By coefficient of the shares: its index in the sample's cell; -1: it stays.
+  std::vector<Eigen::Index> column;
+  /// Before any move; on a side on which the edge slides: beside the other side as it is now.
+  SidePoint shown;
+  /// Null: the edge keeps its position on this side.
+  std::shared_ptr<const StayingSurface> slides_on = {};
 };
 
-/// What two sides lack. Normals are aligned. Of an outline: the way from its place.
+/// Differences of two sides, with aligned normals. For an outline: the vector from its given
+/// position.
 struct Differences {
   Eigen::Vector3d gap = Eigen::Vector3d::Zero();
-  std::optional<Eigen::Vector3d> normal;  ///< of the unit normals, where both sides have one
-  Eigen::Vector3d bend =
-      Eigen::Vector3d::Zero();  ///< of the curvature tensors: along, mixed, across
+  /// Difference of the unit normals, where both sides have one.
+  std::optional<Eigen::Vector3d> normal;
+  /// Entries of the difference of the curvature tensors: along, mixed, across.
+  Eigen::Vector3d bend = Eigen::Vector3d::Zero();
 };
 
-/// What a sample may miss.
+/// Accepted differences of a sample.
+/// Source: docs/theory/repair.md R3.
 struct JointLimits {
   double gap_mm = 0;
   double slide_mm = 0;    ///< along the seam, and at its ends in all directions
   double overlap_mm = 0;  ///< in the tangent plane across the seam
   double angle_rad = 0;
-  double curvature_per_mm = 0;  ///< of entries of the curvature tensors
+  double curvature_per_mm = 0;  ///< for entries of the curvature tensors
 };
 
 struct JointSample {
   double s = 0;
   std::vector<JointSide> sides;
   JointLimits limits;
-  Eigen::Vector3d across =
-      Eigen::Vector3d::Zero();  ///< the seam, in the tangent plane of the first side
-  Differences given;            ///< what may stay: of a joint that is to meet at most a small gap
-  bool keeps_gap = false;       ///< the gap may stay as it was
-  /// Of a kept joint: the largest that it lacks anywhere, as no more is seen of it.
+  /// Direction across the seam, in the tangent plane of the first side.
+  Eigen::Vector3d across = Eigen::Vector3d::Zero();
+  /// Differences that may stay; for a joint that is to meet at most a small gap.
+  Differences given;
+  bool keeps_gap = false;  ///< the gap may stay as it was
+  /// Largest differences anywhere along a kept joint. Local differences may grow up to these, as
+  /// only the largest ones are measured.
   double kept_gap_mm = 0, kept_angle_rad = 0, kept_bend_per_mm = 0;
-  double part = 0;    ///< of the joint's length
+  double part = 0;    ///< share of the joint's length
   double weight = 1;  ///< grows where the sample is missed
-  double ratio = 0;   ///< of what it misses to its tolerance
-  int cell = -1;      ///< of the system
+  double ratio = 0;   ///< its miss over its tolerance
+  int cell = -1;      ///< cell of the system
 };
 
-/// Samples even in the knot spans, of the movers or of their displacements, that the joint crosses,
-/// both ends, and five around each place of Joint::also.
+/// Samples equally spaced in the knot spans that the joint crosses, of the movers or of their
+/// displacements, with both ends and five samples around each parameter of Joint::also.
 /// \throws Standard_Failure where OpenCASCADE can't evaluate.
 std::vector<JointSample> sampled(const Joint& joint, const MovingFaces& movers,
                                  const ContinuityTolerance& tolerance);
 
-/// Of a joint that is to have G2: the accepted difference is a share of the larger curvature, which
-/// changes while faces move.
+/// Updates the curvature limit of a joint that is to have G2: a share of the larger curvature,
+/// which changes while faces move.
 void followCurvature(const Joint& joint, const ContinuityTolerance& tolerance, JointSample& sample);
 
-/// Edges that slide run to the feet of the sides that move.
+/// Moves the sample of a sliding edge to the foot of the moving side on the face that stays.
 void followSlide(JointSample& sample);
 
 Differences differencesAt(const Joint& joint, const JointSample& sample);
 
-/// What a sample misses over its tolerance; what may stay counts where it grows by more than a
-/// tenth of the tolerance.
+/// The largest miss of a sample over its tolerance; infinite if a figure can't be computed. A
+/// difference that may stay counts by its growth: up to half the tolerance it is free, beyond that
+/// the accepted growth is a tenth of the tolerance.
 double missedShare(const Joint& joint, const JointSample& sample);
 
 /// The sum of squares of a sample's conditions.
 double costOf(const Joint& joint, const JointSample& sample);
 
-/// The conditions of a sample for the steps of its cell's coefficients, linear in the moves.
+/// Adds the conditions of a sample on the steps of its cell's coefficients. They are linear in the
+/// moves.
 void addConditions(const Joint& joint, const JointSample& sample, StepSystem& system);
 
 }  // namespace seamwright::occ

@@ -9,10 +9,10 @@ namespace seamwright::occ {
 
 namespace {
 
-/// Of the range of parameters.
+/// Share of the parameter range within which two parameters are equal.
 constexpr double same_place = 1e-9;
 
-/// Where a knot is on the way along the axis, 0..1.
+/// The position of a knot along the axis, in 0..1, in the direction of the side.
 double share(const SplineAxis& axis, bool forward, double t) {
   const double from_first = (t - axis.first) / (axis.last - axis.first);
   return forward ? from_first : 1 - from_first;
@@ -45,6 +45,7 @@ std::vector<int> NaturalSides::coefficients(const Side& side, const MovingFaces&
 
 std::optional<NaturalSides::Side> NaturalSides::find(const Joint& joint, std::size_t k,
                                                      const MovingFaces& movers) {
+  // Number of intervals whose ends are compared with the side.
   constexpr int looks = 4;
   Side side;
   side.face = joint.sides[k].face;
@@ -125,7 +126,7 @@ void NaturalSides::tie(const Side& a, const Side& b, const MovingFaces& movers) 
     const int first = groups_.of(offset_.at(a.face) + of_a[k]),
               second = groups_.of(offset_.at(b.face) + of_b[k]);
     if (first == second) continue;
-    // Two coefficients of one face stay two.
+    // Never ties two coefficients of one face: that would collapse the face there.
     const bool share_a_face = std::ranges::any_of(
         faces_[second], [&](int face) { return faces_[first].count(face) > 0; });
     if (share_a_face) continue;

@@ -11,31 +11,31 @@
 #include <seamwright/core/disjoint_sets.hpp>
 #include <seamwright/occ_adapter/repair/joint.hpp>
 
-/// What keeps natural sides of surfaces together exactly; not a public header.
+/// Keeps natural boundaries of surfaces together exactly. Not a public header.
 namespace seamwright::occ {
 
-/// Where two faces meet along whole sides of their surfaces both sides are displaced as one: what
-/// they have of a gap stays as it is, to rounding. For that their displacements need the same knots
-/// and the same denominator along the side. Beside a face that stays a side has the freedom of the
-/// gap tolerance: without it most vertices there could not be repaired.
+/// Ties the coefficients of two faces that meet along whole sides of their surfaces. Both sides
+/// then move as one, and their gap stays as it is, to rounding. The displacements need the same
+/// knots and the same denominator along the side. Beside a face that stays, a side may move within
+/// the gap tolerance: without this freedom most vertices there could not be repaired.
 class NaturalSides {
  public:
   NaturalSides() = default;
-  /// Of joints whose gap need not change. \param gaps_stay by joint.
+  /// Ties joints whose gap need not change. \param gaps_stay by joint.
   NaturalSides(const std::vector<Joint>& joints, const std::vector<bool>& gaps_stay,
                const MovingFaces& movers);
 
-  /// The first of the coefficients, by face and number, that are one with this; itself where it
-  /// stands alone.
+  /// The first coefficient, by face and number, of those tied to this one; this one itself if it is
+  /// not tied.
   std::pair<int, int> first(int face, int coefficient) const;
-  /// Adds spans that faces have to halve for the sake of spans that others halve.
+  /// Adds the spans that faces must halve because the faces tied to them halve theirs.
   void spread(std::map<int, std::array<std::set<int>, 2>>& spans, const MovingFaces& movers) const;
 
  private:
   /// A side of a surface, from the start of the joint to its end.
   struct Side {
     int face = 0;
-    int fixed = 0;  ///< the parameter that is the same all along: 0: u, 1: v
+    int fixed = 0;  ///< the parameter that is constant along the side: 0: u, 1: v
     bool at_last = false, forward = true;
   };
 

@@ -33,7 +33,8 @@ struct Way {
   }
 };
 
-/// Ways of points inside a face that are long enough.
+/// Straight paths, from old to new positions, of points inside a face, as far as they are long
+/// enough.
 std::vector<Way> waysOf(const TopoDS_Face& before, const TopoDS_Face& after, double least_mm) {
   constexpr int points = 32;
   std::array<double, 4> range{};
@@ -52,7 +53,7 @@ std::vector<Way> waysOf(const TopoDS_Face& before, const TopoDS_Face& after, dou
   return ways;
 }
 
-/// A face as it was and as it is.
+/// Another face, as it was and as it is.
 class Other {
  public:
   Other(const TopoDS_Face& before, const TopoDS_Face& after)
@@ -130,13 +131,13 @@ std::map<int, int> PassedFaces::in(const TopoDS_Shape& after, const std::set<int
         if (passes && !touched(face, other)) passed[face] = other;
       }
     } catch (const Standard_Failure&) {
-      // What can't be told is no reason to leave a seam.
+      // If OpenCASCADE can't decide, that is no reason to leave a seam unrepaired.
       continue;
     }
   return passed;
 }
 
-/// Those that share a vertex or a seam with a face, and itself.
+/// The face itself and all faces that share a vertex or a seam with it.
 std::set<int> PassedFaces::facesAround(int face) const {
   std::set<int> around = {face};
   TopTools_IndexedMapOfShape vertices;

@@ -8,26 +8,28 @@
 #include <set>
 #include <utility>
 
-/// Faces that moved through others; not a public header.
+/// Finds faces that moved through others. Not a public header.
 namespace seamwright::occ {
 
-/// Whether faces that move come out on the other side of others. Sampled at 32 by 32 points of the
-/// parameters inside each face that moved: the straight way of such a point crosses another face,
-/// as that was or as it is, and the point is on the other side of that face than it was. So sides
-/// of a wall that move alike have not passed one another. What is narrower than the distance of the
-/// points may be missed.
+/// Tells whether moved faces come out on the other side of others. It samples 32 by 32 points of
+/// the parameters inside each moved face. A point has passed another face if its straight path from
+/// the old to the new position crosses that face, old or new, and the point is on the other side of
+/// that face than before. So sides of a wall that move alike have not passed one another. Faces
+/// narrower than the distance of the samples may be missed.
 ///
 /// Faces that share a vertex, or a seam, do not count: they meet there, and their seams are
-/// measured. Nor do faces that touched or cut one another before, as those of an assembly's parts.
+/// measured. Faces that touched or intersected before do not count either, as faces of an
+/// assembly's parts may.
 class PassedFaces {
  public:
   /// \param beside_seams faces that share a seam, the smaller number first. \param touch_mm shorter
-  /// ways are not looked at, nearer faces touch
+  /// moves are not tested, and faces nearer than this touch.
   PassedFaces(const TopoDS_Shape& before, std::set<std::pair<int, int>> beside_seams,
               double touch_mm);
 
-  /// \param after with the same numbers of faces and the same parameters. \param moved faces.
-  /// \returns a face that was passed, by face that moved. Pairs of which OpenCASCADE can't tell are
+  /// \param after with the same face numbers and the same parameters.
+  /// \param moved numbers of faces.
+  /// \returns by moved face: a face that it passed. Pairs for which OpenCASCADE finds no answer are
   /// left out.
   std::map<int, int> in(const TopoDS_Shape& after, const std::set<int>& moved);
 

@@ -15,7 +15,7 @@ Eigen::Vector2d pointAt(const Pcurve& path, double s) {
   return {p.X(), p.Y()};
 }
 
-/// Where a path crosses knots, with 0 and 1.
+/// Parameters at which a pcurve crosses knot lines, with 0 and 1.
 std::vector<double> breaksOf(const Pcurve& path,
                              const opencascade::handle<Geom_BSplineSurface>& surface) {
   Coedge use;

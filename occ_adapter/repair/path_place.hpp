@@ -6,20 +6,20 @@
 #include <seamwright/occ_adapter/repair/surface_basis.hpp>
 #include <seamwright/occ_adapter/seams/find.hpp>
 
-/// Places along a path in the parameter plane of a spline surface; not a public header.
+/// Distributes parameters along a pcurve on a spline surface. Not a public header.
 namespace seamwright::occ {
 
-/// Places that are even in what a path crosses: knot spans, each as often as its direction's weight
-/// says.
+/// Measures a pcurve by the knot spans that it crosses. A span counts with the weight of its
+/// direction.
 class SpanMeasure {
  public:
   SpanMeasure(const Pcurve& path, const SurfaceBasis& basis,
               const opencascade::handle<Geom_BSplineSurface>& surface,
               const Eigen::Vector2d& weights);
 
-  /// Spans, by weight.
+  /// Weighted number of spans that the whole pcurve crosses.
   double crossed() const { return crossed_.back(); }
-  /// The place, 0..1, up to which that share of all is crossed.
+  /// The parameter in 0..1 up to which that share of the spans is crossed.
   double at(double share) const;
 
  private:

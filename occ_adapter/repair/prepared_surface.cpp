@@ -21,8 +21,8 @@ bool isClamped(const Geom_BSplineSurface& surface) {
          surface.VMultiplicity(1) == v && surface.VMultiplicity(surface.NbVKnots()) == v;
 }
 
-/// Periodic where it ends at itself, and as smooth there as it was; clamped if it is not periodic,
-/// so that its outermost poles are those of its boundaries.
+/// Makes the surface periodic where it closes on itself, as smooth there as before. A surface that
+/// is not periodic is clamped, so that its outermost poles are those of its boundaries.
 Surface closed(const Surface& given) {
   const double exactly_mm = Precision::Confusion() / 1000;
   const Surface surface = Surface::DownCast(given->Copy());
@@ -34,8 +34,8 @@ Surface closed(const Surface& given) {
   return surface;
 }
 
-/// Scattered poles of a side would leave its tangent plane at the point to the scatter: they become
-/// their mean.
+/// Replaces the poles of a degenerate side by their mean. Otherwise their scatter would determine
+/// the tangent plane at the point.
 /// \returns the largest move of a pole.
 double collapse(const Surface& surface, double near_mm) {
   const SurfaceBasis basis(*surface);

@@ -38,7 +38,7 @@ bool isNew(const Seam& after, const Seam& before) {
   return false;
 }
 
-/// Measures what is new, but no seam of one shape with the same surfaces twice.
+/// Measures new seams. A seam of one shape is not measured twice with the same surfaces.
 class Remeasuring {
  public:
   Remeasuring(const RepairTask& task, const std::vector<FaceChange>& changes,
@@ -50,7 +50,7 @@ class Remeasuring {
         for (const Coedge& side : seam.sides) faces_of_edge_[edge].insert(side.face);
   }
 
-  /// Of the seams that are treated, or of the others.
+  /// Measures the treated seams, or the others.
   void measure(bool treated, std::vector<SeamResult>& after, const Progress& progress) {
     std::vector<std::size_t> again;
     for (std::size_t i = 0; i < seams_.size(); ++i) {
@@ -86,7 +86,7 @@ class Remeasuring {
   const RepairTask& task_;
   const std::vector<Seam> seams_;
   MeasuredSeams& known_;
-  std::map<int, handle<Geom_Surface>> surfaces_;  ///< by face that changes
+  std::map<int, handle<Geom_Surface>> surfaces_;  ///< by changed face
   std::map<int, std::set<int>> faces_of_edge_;
 };
 
@@ -100,8 +100,8 @@ double known(const Figure& figure) {
   return figure.upper.value_or(figure.lower);
 }
 
-/// By more than a tenth of the tolerance: what the faces that follow leave between samples is no
-/// matter to anyone.
+/// Whether a figure is larger by more than a tenth of the tolerance. Smaller growth comes from the
+/// moved faces between samples, and is not relevant.
 bool isLarger(const std::optional<Figure>& after, const std::optional<Figure>& before,
               double tolerance) {
   constexpr double margin = 0.1;
@@ -109,8 +109,8 @@ bool isLarger(const std::optional<Figure>& after, const std::optional<Figure>& b
   return after->lower > std::max(tolerance, before ? known(*before) + margin * tolerance : 0);
 }
 
-/// Up to the level asked for what is seen counts; above it what is sure, and only where curvature
-/// is to be kept.
+/// Whether the level is lower. Up to the target the judged level counts. Above it only a certain
+/// level counts, and only where curvature is to be kept.
 bool isLower(const SeamResult& after, const SeamResult& before, const RepairOptions& options) {
   const Level level = before.verdict.level;
   if (after.verdict.level >= level) return false;
@@ -125,15 +125,15 @@ bool isLessCertain(const SeamResult& after, const SeamResult& before,
          (had_it && !surelyReaches(after.figures, tolerance, asked));
 }
 
-/// The largest angle of a crease is another one, by more than that.
+/// Whether the largest angle of a crease certainly changed by more than allowed.
 bool hasTurned(const SeamResult& after, const SeamResult& before, double allowed_rad) {
   const auto &is = after.figures.angle_rad, &was = before.figures.angle_rad;
   if (!is || !was || !is->upper || !was->upper) return false;
   return is->lower - *was->upper > allowed_rad || was->lower - *is->upper > allowed_rad;
 }
 
-/// Which figure is worse than it was; empty if none. \param turn_rad by which a crease's faces have
-/// to turn at its ends
+/// Which figure is worse than before; empty if none.
+/// \param turn_rad angle by which a crease's faces have to turn at its ends.
 std::string whyWorse(const SeamResult& after, const SeamResult& before,
                      const RepairOptions& options, double turn_rad) {
   if (isLower(after, before, options)) return "a lower level";
@@ -148,6 +148,7 @@ std::string whyWorse(const SeamResult& after, const SeamResult& before,
     return "a larger angle";
   const auto &curvature = after.figures.curvature_rel,
              &curvature_before = before.figures.curvature_rel;
+  // A difference of curvature, which is relative, must also grow by a tenth.
   constexpr double seen = 1.1;
   if (options.order == 2 && before.verdict.level >= Level::G1 && curvature_before &&
       isLarger(curvature, curvature_before, options.tolerance.curvature_rel) &&
@@ -175,7 +176,7 @@ void judgeOthers(const RepairTask& task, Proof& proof) {
   }
 }
 
-/// Of the surface over the face, as far as both surfaces have it.
+/// Difference of the surfaces over the face, as far as both are defined.
 SurfaceDifference differenceOn(const TopoDS_Face& face, const handle<Geom_BSplineSurface>& after) {
   std::array<double, 4> range{}, whole{};
   BRepTools::UVBounds(face, range[0], range[1], range[2], range[3]);
@@ -187,8 +188,8 @@ SurfaceDifference differenceOn(const TopoDS_Face& face, const handle<Geom_BSplin
   return differenceOf(BRep_Tool::Surface(face), after, range);
 }
 
-/// Where edges were that stray. The curve of such an edge may lie on one of its faces, and comes to
-/// lie between both.
+/// The gaps of edges that strayed before. The curve of such an edge may lie on one of its faces;
+/// the changed curve lies between both.
 class GivenEdges {
  public:
   explicit GivenEdges(const RepairTask& task)
@@ -199,7 +200,7 @@ class GivenEdges {
           gaps_mm_[edge] = std::max(gaps_mm_[edge], seam.figures.gap_mm->lower);
   }
 
-  /// Largest tolerance of an edge of the face beyond what it may have; 0 if there is none.
+  /// Largest tolerance of an edge of the face that exceeds its limit; 0 if there is none.
   double stray_mm(const TopoDS_Face& before, const TopoDS_Face& after) const {
     double largest = 0;
     TopExp_Explorer was(before, TopAbs_EDGE), is(after, TopAbs_EDGE);
@@ -232,14 +233,14 @@ bool overlap(const Correspondence& a, const Correspondence& b) {
   return a.a.front() < b.a.back() && b.a.front() < a.a.back();
 }
 
-/// All but that share at each end.
+/// Whether \p whole covers \p part, except for that share at each end.
 bool covers(const Correspondence& whole, const Correspondence& part, double share) {
   const double wandered = share * (part.a.back() - part.a.front());
   return whole.a.front() <= part.a.front() + wandered && part.a.back() <= whole.a.back() + wandered;
 }
 
-/// Of the seams of the model it holds that one, but for a share at its ends, and nothing of the
-/// others.
+/// Whether the found seam contains this seam, except for a share at its ends, and no part of the
+/// other seams.
 bool isThatOf(const Seam& found, const Seam& seam, double share, const std::vector<Seam>& seams) {
   if (!areBetweenTheSameEdges(found, seam) ||
       !covers(found.correspondence, seam.correspondence, share))
@@ -260,7 +261,7 @@ std::string whyNotFace(const RepairTask& task, const GivenEdges& edges, const Fa
   if (spline.IsNull()) return {};
   const SurfaceDifference difference = differenceOn(before, spline);
   if (difference.folded_at) return "it would fold over";
-  // Faces that were converted, or are rational, move by a little more than their poles.
+  // Faces that were converted, or are rational, may move by a little more than their poles.
   constexpr double more = 1.1, share_of_gap = 0.01;
   if (difference.largest_mm > more * change.largest_move_mm + share_of_gap * gap_mm)
     return "a point of it would move " + shortText(difference.largest_mm) + " mm, its poles " +
@@ -295,14 +296,14 @@ bool isSound(const TopoDS_Face& face) {
   return BRepCheck_Analyzer(face).IsValid();
 }
 
-/// Without the geometry of its faces.
+/// Checks the shape as a whole, without the geometry of its faces.
 bool isSoundAsAWhole(const TopoDS_Shape& shape) {
   constexpr bool with_geometry = false;
   return BRepCheck_Analyzer(shape, with_geometry).IsValid();
 }
 
-/// What a shape that was not sound lacked is not asked of the new one. Faces that both have are as
-/// sound as they were.
+/// Requires of the new shape only the checks that the old one passed. Faces that both share are as
+/// valid as before and are not checked again.
 void judgeValidity(const RepairTask& task, const TopoDS_Shape& changed, Proof& proof) {
   constexpr const char* why = "OpenCASCADE's checks do not pass";
   const TopTools_IndexedMapOfShape before = partsOf(task.shape, TopAbs_FACE),
@@ -310,7 +311,7 @@ void judgeValidity(const RepairTask& task, const TopoDS_Shape& changed, Proof& p
   std::vector<int> renewed;
   for (int f = 1; f <= after.Extent(); ++f)
     if (!after(f).IsPartner(before(f)) && task.unusable.whyLeftOut(f).empty()) renewed.push_back(f);
-  // Not of bool, of which neighbours share a word.
+  // Not std::vector<bool>: its neighbouring elements share a word, and threads write them.
   std::vector<char> spoilt(renewed.size(), 0);
   const auto check = [&](std::size_t k) {
     const int f = renewed[k];
@@ -326,16 +327,17 @@ void judgeValidity(const RepairTask& task, const TopoDS_Shape& changed, Proof& p
 
 }  // namespace
 
-// The parallel mode of BRepCheck_Analyzer is no choice: faces that share an edge evaluate one
-// adaptor of its curve on several threads, and each replaces the adaptor's cache while others read
-// it. Sound shapes fail the checks then, and freed memory is written to.
+// The parallel mode of BRepCheck_Analyzer can't be used. Faces that share an edge evaluate one
+// adaptor of its curve on several threads, and each thread replaces the adaptor's cache while
+// others read it. Then valid shapes fail the checks, and freed memory is written to.
 //
-// Faces with numbers that are not finite make these checks crash or search without an end, so they
-// count as not sound without being looked at. The whole then counts as not sound either.
+// Faces with numbers that are not finite make these checks crash or run without end. So they count
+// as invalid without a check, and so does the whole shape.
 Validity validityOf(const TopoDS_Shape& shape, int jobs) {
   const TopTools_IndexedMapOfShape faces = partsOf(shape, TopAbs_FACE);
   const UnusableParts unusable(shape);
-  // By face; at 0 the whole. Not of bool, of which neighbours share a word.
+  // By face; entry 0 is the whole. Not std::vector<bool>: its neighbouring elements share a word,
+  // and threads write them.
   std::vector<char> sound(static_cast<std::size_t>(faces.Extent()) + 1, 1);
   const auto check = [&](std::size_t k) {
     const int face = static_cast<int>(k) + 1;
@@ -343,7 +345,8 @@ Validity validityOf(const TopoDS_Shape& shape, int jobs) {
         unusable.whyLeftOut(face).empty() && BRepCheck_Analyzer(faces(face)).IsValid() ? 1 : 0;
   };
   runParallel(sound.size() - 1, jobs, check, {});
-  // Not beside the faces, of which both mark wires. Their geometry is checked.
+  // Not in parallel with the faces, because both checks mark wires. The geometry of the faces is
+  // checked by now.
   const bool whole = std::ranges::count(sound, 0) == 0 && isSoundAsAWhole(shape);
   return {{sound.begin(), sound.end()}, whole};
 }
@@ -357,7 +360,7 @@ std::vector<Seam> seamsAfter(const RepairTask& task, const TopoDS_Shape& changed
   SeamGraph graph = findSeams(changed);
   matchFreeEdges({.match_mm = task.options.match_mm, .gap_mm = task.options.tolerance.gap_mm},
                  graph, progress);
-  // As near to the end of an edge as it counts as matched whole.
+  // The distance from the end of an edge within which the whole edge counts as matched.
   const double wandered_mm = 4 * task.options.match_mm;
   for (std::size_t i = 0; i < seams.size(); ++i) {
     Seam& seam = seams[i];

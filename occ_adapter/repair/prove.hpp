@@ -8,48 +8,52 @@
 
 #include <seamwright/occ_adapter/repair/solve.hpp>
 
-/// Whether a changed shape is a repaired one; not a public header.
+/// Proves that a changed shape is repaired. Not a public header.
 namespace seamwright::occ {
 
-/// Faces that pass OpenCASCADE's checks, from 1, and whether the whole does. Faces that can't be
-/// computed with (UnusableParts) do not.
+/// Which faces, from 1, pass OpenCASCADE's checks, and whether the whole shape does. Faces that
+/// can't be computed with (UnusableParts) do not pass.
 struct Validity {
   std::vector<bool> faces;
   bool whole = true;
 };
-/// \param jobs threads; 0: one for each processor. What is found does not depend on it.
+/// \param jobs threads; 0: one for each processor. The result does not depend on it.
 Validity validityOf(const TopoDS_Shape& shape, int jobs);
 
-/// Seams of one shape measured after changes of it, by the seam and the surfaces of the faces
-/// beside its edges (none: it stays).
+/// Seams of one shape as measured after changes. The key is the seam with the new surfaces of the
+/// faces beside its edges (none: the face stays).
 using MeasuredSeams =
     std::map<std::pair<std::size_t, std::vector<opencascade::handle<Geom_Surface>>>, SeamResult>;
 
-/// What is wrong with a change; nothing, and it may be kept.
+/// What is wrong with a change. The change may be kept if nothing is.
 struct Proof {
-  std::vector<SeamResult> after;                  ///< in the order of before
-  std::map<std::size_t, std::string> unrepaired;  ///< treated seams that do not have the level
-  std::map<std::size_t, std::string> worse;       ///< other seams
-  std::map<int, std::string>
-      faces;          ///< folded, moved further than told, or failing OpenCASCADE's checks
-  std::string whole;  ///< of the shape as a whole
+  std::vector<SeamResult> after;  ///< in the order of RepairTask::before
+  /// By treated seam that does not have the level: the reason.
+  std::map<std::size_t, std::string> unrepaired;
+  std::map<std::size_t, std::string> worse;  ///< other seams
+  /// By face: it folded, moved further than its limit, or fails OpenCASCADE's checks.
+  std::map<int, std::string> faces;
+  std::string whole;  ///< what is wrong with the shape as a whole
 
   bool holds() const {
     return unrepaired.empty() && worse.empty() && faces.empty() && whole.empty();
   }
 };
 
-/// The seams of the task in a shape that withChanges() made of its own, or the same one. Of a
-/// matched seam the interval that is found there now, if it holds the one before; else that one, so
-/// that nothing of it is lost where it opened beyond the distance to match. \throws Cancelled.
+/// The seams of the task in \p changed, which withChanges() made of the task's shape or which is
+/// that shape. A matched seam gets the interval that is found now if that contains the interval
+/// before. Otherwise it keeps the interval before, so that no part is lost where the seam opened
+/// beyond the matching distance.
+/// \throws Cancelled.
 std::vector<Seam> seamsAfter(const RepairTask& task, const TopoDS_Shape& changed,
                              const Progress& progress);
 
-/// Seams beside faces and edges that are new are measured again, the others have their figures from
-/// before. What costs much is looked at only where nothing before it speaks against the change:
-/// first the faces and the treated seams, then the other seams, then OpenCASCADE's checks, then
-/// volumes. A face's points must not move further than its poles were told to.
-/// \param known of the task's shape; it grows. \throws Cancelled.
+/// Measures seams beside new faces and edges again; the by other seam that is worse: how keep their
+/// figures. Costly checks run only if the cheaper ones before them find nothing wrong: first the
+/// faces and the treated seams, then the other seams, then OpenCASCADE's checks, then the volumes.
+/// A point of a face must not move further than FaceChange::largest_move_mm.
+/// \param known measurements of the task's shape; new ones are added.
+/// \throws Cancelled.
 Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes,
             const TopoDS_Shape& changed, MeasuredSeams& known, const Progress& progress);
 

@@ -30,7 +30,7 @@ std::vector<Seam> seamsOf(const TopoDS_Shape& shape, const RepairOptions& option
   return std::move(graph.seams);
 }
 
-/// Why a seam does not have what was asked for.
+/// Why a seam does not reach its target.
 struct LeftReason {
   std::string target;   ///< why not the target
   std::string g1 = {};  ///< why not even G1, where that was tried after G2
@@ -42,7 +42,7 @@ struct LeftReason {
   }
 };
 
-/// The model on its way through the stages.
+/// The model between stages.
 struct RepairState {
   TopoDS_Shape shape;
   Report after;
@@ -53,7 +53,8 @@ struct RepairState {
   std::map<int, FaceMove> judged;    ///< by face that moved
   std::map<int, double> edge_moves;  ///< by edge
 
-  /// Takes what a stage found. \param asked order that it tried, by seam. \param sharp see Choice.
+  /// Keeps the result of a stage.
+  /// \param asked order that the stage tried, by seam. \param sharp see Choice.
   void keep(const std::vector<int>& asked, const RepairOptions& options,
             const std::vector<bool>& sharp, Improvement done);
 
@@ -75,7 +76,8 @@ void RepairState::keep(const std::vector<int>& asked, const RepairOptions& optio
   for (auto& [face, move] : done.judged) judged[face] = std::move(move);
   addEdgeMoves(done.paths);
   for (std::size_t i = 0; i < done.orders.size(); ++i) {
-    // By how much a fold may turn depends on the seams beside it, and has been judged.
+    // The accepted turn of a fold depends on the seams beside it and has been judged, so the new
+    // angle is the one to keep.
     if (SeamResult& kept = to_keep[i]; isFold(kept, options.tolerance))
       kept.figures.angle_rad = after.seams[i].figures.angle_rad;
     if (done.orders[i] == 0) continue;
@@ -87,7 +89,7 @@ void RepairState::keep(const std::vector<int>& asked, const RepairOptions& optio
   }
 }
 
-/// Of an edge with new paths on both faces the larger one counts.
+/// Adds moves of edges. For an edge with new pcurves on both faces the larger move counts.
 void RepairState::addEdgeMoves(const std::vector<PathChange>& paths) {
   std::map<int, double> by_edge;
   for (const PathChange& change : paths)
@@ -95,7 +97,7 @@ void RepairState::addEdgeMoves(const std::vector<PathChange>& paths) {
   for (const auto& [edge, move_mm] : by_edge) edge_moves[edge] += move_mm;
 }
 
-/// As many of these seams as have no face in common that moves for them, nor faces that meet.
+/// Chooses seams whose moving faces are distinct and do not meet.
 std::vector<std::size_t> apart(const RepairState& now, const std::set<std::size_t>& seams,
                                bool neighbours_help) {
   std::vector<std::size_t> order(seams.begin(), seams.end());
@@ -126,7 +128,7 @@ std::vector<std::size_t> apart(const RepairState& now, const std::set<std::size_
   return chosen;
 }
 
-/// Faces that have an end of a wanted seam, and can be computed with.
+/// The faces around the ends of wanted seams, as far as they can be computed with.
 std::set<int> facesAround(const TopoDS_Shape& shape, const std::vector<Seam>& seams,
                           const std::vector<bool>& wanted, const UnusableParts& unusable) {
   const FacesAtVertices around(shape);
@@ -137,7 +139,7 @@ std::set<int> facesAround(const TopoDS_Shape& shape, const std::vector<Seam>& se
   return faces;
 }
 
-/// Seams at kinks of a surface are left.
+/// Leaves seams at kinks of a surface unrepaired.
 void leaveKinks(const std::vector<bool>& sharp, const ContinuityTolerance& tolerance,
                 RepairState& now, std::vector<bool>& wanted) {
   for (std::size_t i = 0; i < wanted.size(); ++i) {
@@ -170,7 +172,7 @@ void takeSewn(const Model& given, const TopoDS_Shape& shape, SewSolution solutio
   report.edges_now = std::move(solution.sewn.edges);
 }
 
-/// What moved goes into the report.
+/// Puts the moves into the report.
 void tellMoves(const RepairState& now, RepairReport& report) {
   for (const auto& [face, move_mm] : now.moves) {
     if (!(move_mm > 0)) continue;
@@ -182,7 +184,8 @@ void tellMoves(const RepairState& now, RepairReport& report) {
   for (const auto& [edge, move_mm] : now.edge_moves) report.edge_moves.push_back({edge, move_mm});
 }
 
-/// One call of repair(): first edges get other paths, then faces move, then what meets is sewn.
+/// One call of repair(). First edges get new pcurves, then faces move, then seams that meet are
+/// sewn.
 class Repairing {
  public:
   Repairing(const Model& model, const RepairOptions& options, const Progress& progress)
@@ -224,10 +227,11 @@ class Repairing {
   }
 
  private:
+  /// Progress at the ends of the stages.
   static constexpr double share_of_analysis = 0.2, share_of_paths = 0.1, share_of_moves = 0.6,
                           share_of_g1 = 0.7, share_before_sewing = 0.9;
-  /// Shares of a time limit after which a stage is stopped: what follows repairs single seams,
-  /// which is quick for each.
+  /// Shares of the time limit after which a stage is stopped. They leave time for the stages that
+  /// repair single seams, each of which is quick.
   static constexpr double time_of_paths = 0.5, time_of_g2 = 0.6, time_of_moves = 0.9;
 
   void repair(const std::vector<bool>& wanted, const std::vector<FaceChoice>& faces,
@@ -266,9 +270,9 @@ class Repairing {
     if (order > 1) repairAlone(asked, Level::G2, faces, partOf(progress, alone, 1));
   }
 
-  /// Seams that were left below the level, from the smallest angle on, by themselves: what was
-  /// asked for together with them may be what can't be had. What is left then is tried with the
-  /// faces around its ends moving too.
+  /// Repairs seams that are still below the level one by one, from the smallest angle on. They may
+  /// have failed only because of seams that were solved together with them. Seams that fail again
+  /// are tried once more, with the faces around their ends moving too.
   void repairAlone(const std::vector<int>& orders, Level level,
                    const std::vector<FaceChoice>& faces, const Progress& progress) {
     for (const bool neighbours_help : {false, true})
@@ -276,7 +280,7 @@ class Repairing {
                   partOf(progress, neighbours_help ? 0.5 : 0, neighbours_help ? 1 : 0.5));
   }
 
-  /// Several at a time, as long as no face of one is next to a face of another.
+  /// Repairs several seams at a time, as long as no face of one is next to a face of another.
   void repairAlone(const std::vector<int>& orders, Level level,
                    const std::vector<FaceChoice>& faces, bool neighbours_help,
                    const Progress& progress) {
@@ -307,8 +311,9 @@ class Repairing {
             model_.shape, now_.moves, std::move(orders), neighbours_help};
   }
 
-  /// \param asked order that the stage tries, by seam. \param share of the time after which the
-  /// stage is stopped, without effect.
+  /// Runs a stage and keeps its result.
+  /// \param asked order that the stage tries, by seam. \param share share of the time limit after
+  /// which the stage is stopped, without effect.
   template <class Stage>
   void keepInTime(const std::vector<int>& asked, double share, const Progress& progress,
                   const Stage& stage) {

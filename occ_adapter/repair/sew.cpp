@@ -76,7 +76,7 @@ class Sewing {
     return all;
   }
 
-  /// \returns seams to give up; none if the rest is sewn and proven.
+  /// Tries to sew the chosen seams. \returns the seams to exclude; none if sewing is proven.
   Reasons attempt(const Progress& progress) {
     try {
       solution_.sewn = sewnShape(task_.shape, task_.seams, chosen_, task_.options.tolerance.gap_mm);
@@ -109,7 +109,7 @@ class Sewing {
     return {};
   }
 
-  /// All seams as they are now; those that are sewn are measured as one edge.
+  /// Updates all seams. Sewn seams are measured as one edge.
   Reasons measure(const Progress& progress) {
     const SewnShape& sewn = solution_.sewn;
     SeamGraph graph = findSeams(sewn.shape);
@@ -170,12 +170,12 @@ class Sewing {
   const SewTask& task_;
   const Progress& progress_;
   std::vector<std::size_t> chosen_;
-  std::optional<Validity> was_;  ///< of the task's shape, once it is needed
+  std::optional<Validity> was_;  ///< validity of the task's shape, computed when needed
   SewSolution solution_;
 };
 
-/// Attributes of a sewn shape: what stays or becomes another part keeps its own, what is no part
-/// any more hands them to its faces.
+/// The attributes of a sewn shape. A part that stays or is replaced keeps its attributes. A part
+/// that no longer exists passes them to its faces.
 class Attributes {
  public:
   Attributes(const TopoDS_Shape& before, const SewnShape& sewn) : before_(before), sewn_(sewn) {}
@@ -184,7 +184,7 @@ class Attributes {
     for (const ShapeAttribute& attribute : attributes)
       for (const int number : numbersNow(attribute.kind, attribute.index))
         add(attribute, attribute.kind, number);
-    // Afterwards, so that what a face has of its own comes first.
+    // Done last, so that a face's own attributes take precedence.
     for (const ShapeAttribute& attribute : attributes)
       if (attribute.kind < TopAbs_FACE && numbersNow(attribute.kind, attribute.index).empty())
         for (TopExp_Explorer face(part(attribute), TopAbs_FACE); face.More(); face.Next())
@@ -220,7 +220,7 @@ class Attributes {
     return number == 0 ? std::vector<int>() : std::vector<int>{number};
   }
 
-  /// What is there already stays.
+  /// Adds an attribute. Values that are already set stay.
   void add(const ShapeAttribute& attribute, TopAbs_ShapeEnum kind, int number) {
     ShapeAttribute& now = now_[{kind, number}];
     now.kind = kind;

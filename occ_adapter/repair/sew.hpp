@@ -8,10 +8,10 @@
 #include <seamwright/occ_adapter/repair/repair.hpp>
 #include <seamwright/occ_adapter/topology/sewn_shape.hpp>
 
-/// Matched seams that become edges; not a public header.
+/// Sews matched seams to edges. Not a public header.
 namespace seamwright::occ {
 
-/// A shape with its seams, and what they are.
+/// A shape with its seams and their figures.
 struct SewTask {
   const TopoDS_Shape& shape;
   const std::vector<Seam>& seams;         ///< of shape
@@ -20,16 +20,17 @@ struct SewTask {
 };
 
 struct SewSolution {
-  SewnShape sewn;                 ///< without a shape if nothing is sewn
+  SewnShape sewn;                 ///< has no shape if nothing is sewn
   std::vector<SeamResult> after;  ///< in the order of before, with the numbers of the sewn shape
   std::vector<NonSeamEdge> open, non_manifold;  ///< of the sewn shape
-  std::map<std::size_t, std::string> reasons;   ///< seams that were to be sewn and are not
+  /// By seam that was to be sewn and is not: the reason.
+  std::map<std::size_t, std::string> reasons;
 };
 
-/// Sews what can be proven. \throws Cancelled.
+/// Sews the seams for which sewing can be proven. \throws Cancelled.
 SewSolution sewFreeEdges(const SewTask& task, const Progress& progress);
 
-/// What the attributes of a shape are for the sewn one.
+/// Transfers the attributes of a shape to the sewn shape.
 std::vector<ShapeAttribute> attributesAfter(const std::vector<ShapeAttribute>& attributes,
                                             const TopoDS_Shape& before, const SewnShape& sewn);
 

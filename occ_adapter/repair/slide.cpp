@@ -25,7 +25,7 @@ double fade(double from_end) {
   return (1 - t) * (1 - t) * (1 + 2 * t);
 }
 
-/// Where an edge runs on a face that stays.
+/// The new position of an edge on a face that stays.
 class Slide {
  public:
   Slide(const Coedge& stays, const Coedge& moves, const handle<Geom_Surface>& moved, double gap_mm)
@@ -56,6 +56,7 @@ class Slide {
   }
 
  private:
+  /// Accuracy of the new pcurve as a share of the gap tolerance, see slidPath().
   static constexpr double share_of_gap = 0.02;
 
   double parameter(const Pcurve& path, double s) const {
@@ -85,7 +86,8 @@ class Slide {
     return handle<Geom2d_Curve>(interpolation.Curve());
   }
 
-  /// With the middle between two of them where the curve misses it.
+  /// The parameters, with the middle between two of them added where the curve misses the foot
+  /// there.
   std::vector<double> withMissed(const std::vector<double>& places,
                                  const Geom2d_Curve& curve) const {
     std::vector<double> denser = {places.front()};
@@ -106,6 +108,7 @@ class Slide {
 };
 
 bool keepsAway(double value, double first, double last, bool is_periodic) {
+  // Margin at the ends of the parameters as a share of their range.
   constexpr double share = 0.02;
   if (is_periodic || Precision::IsInfinite(first) || Precision::IsInfinite(last)) return true;
   const double margin = share * (last - first);
@@ -116,6 +119,7 @@ bool keepsAway(double value, double first, double last, bool is_periodic) {
 
 gp_Pnt2d StayingSurface::nearest(const gp_Pnt& point, const gp_Pnt2d& start) const {
   constexpr int most_steps = 10;
+  // Length of the last step in mm, far below any tolerance.
   constexpr double near = 1e-10;
   gp_Pnt2d uv = start;
   for (int k = 0; k < most_steps; ++k) {

@@ -15,28 +15,29 @@
 #include <seamwright/occ_adapter/repair/choose.hpp>
 #include <seamwright/occ_adapter/repair/face_change.hpp>
 
-/// What a repair has to do; not a public header.
+/// The task of a repair. Not a public header.
 namespace seamwright::occ {
 
-/// What has to meet, and what has to stay as it is.
+/// The seams that have to meet and the figures that have to stay.
 struct RepairTask {
   const TopoDS_Shape& shape;
   const std::vector<Seam>& seams;  ///< of the shape, in the order of the report before
-  const std::vector<SeamResult>&
-      to_keep;  ///< in the model given, or when repaired; none may get worse
-  const std::vector<SeamResult>& before;  ///< in the shape
+  /// By seam: figures in the given model, or at its repair; no seam may get worse than these.
+  const std::vector<SeamResult>& to_keep;
+  const std::vector<SeamResult>& before;  ///< figures in the shape
   const std::vector<FaceChoice>& faces;   ///< from 1
   const std::vector<bool>& sharp;         ///< by seam, see Choice
   const RepairOptions& options;
-  const UnusableParts& unusable;          ///< of the shape, whatever moved: such faces stay
+  /// Parts of the shape that can't be computed with; their faces stay in every task.
+  const UnusableParts& unusable;
   const NeededVariation& needed;          ///< by face
   const MoveLimits& limits_mm;            ///< of the faces beside treated seams
-  const TopoDS_Shape& given;              ///< the shape before any move, to which fairness compares
-  const std::map<int, double>& moved_mm;  ///< by face that has moved before: by how much
-  /// By seam: 0: not treated, it may not become worse; 1: it is to have G1, or, where it is sharp,
-  /// to be closed; 2: G2.
+  const TopoDS_Shape& given;              ///< the shape before any move; fairness compares with it
+  const std::map<int, double>& moved_mm;  ///< by face that moved before: its move so far
+  /// By seam: 0: not treated, it may not become worse; 1: it is to reach G1, or G0 if it is sharp;
+  /// 2: it is to reach G2.
   std::vector<int> orders;
-  bool neighbours_help = false;  ///< faces that have an end of a treated seam move too
+  bool neighbours_help = false;  ///< faces at the ends of treated seams move too
 
   bool isTreated(std::size_t seam) const { return orders[seam] > 0; }
   bool treatsAny() const {
@@ -44,13 +45,13 @@ struct RepairTask {
   }
 };
 
-/// By how much the tangent planes turn where treated seams end: there other seams can't keep their
-/// angle.
+/// Turns of the tangent planes at the ends of treated seams. Other seams can't keep their angle
+/// there.
 class TurnsAtEnds {
  public:
   explicit TurnsAtEnds(const RepairTask& task);
 
-  /// The largest angle of a treated seam that ends where this one does.
+  /// The largest angle of a treated seam that ends at an end of this seam.
   double at_rad(const Seam& seam) const;
 
  private:
@@ -63,7 +64,7 @@ class FacesAtVertices {
  public:
   explicit FacesAtVertices(const TopoDS_Shape& shape);
 
-  /// Those that have an end of the seam, and its own.
+  /// The faces at the ends of the seam, and its own faces.
   std::set<int> of(const Seam& seam) const;
 
  private:
@@ -71,33 +72,34 @@ class FacesAtVertices {
   TopTools_IndexedDataMapOfShapeListOfShape faces_of_vertex_;
 };
 
-/// A crease, or a defect that may be one with a gap: its faces keep their angle, whatever it is.
+/// Whether the seam is a crease, or a defect that may be a crease with a gap. Its faces keep their
+/// angle, whatever it is.
 bool isFold(const SeamResult& seam, const ContinuityTolerance& tolerance);
 
-/// No difference of curvature is beyond the tolerance, as relativeDifference() is at most 2: G2 is
-/// G1.
+/// Whether every difference of curvature is within the tolerance, because relativeDifference() is
+/// at most 2. Then G2 is the same as G1.
 inline bool anyCurvatureDoes(const ContinuityTolerance& tolerance) {
   return tolerance.curvature_rel >= 2;
 }
 
-/// Why seams are left, by seam.
+/// By seam: why it is left as it was.
 using Reasons = std::map<std::size_t, std::string>;
 
 std::string whyFailed(const Standard_Failure& failure);
 
-/// The same seams in a shape that withChanges() made of theirs.
+/// The same seams in a shape that withChanges() made from theirs.
 std::vector<Seam> seamsIn(const TopoDS_Shape& shape, std::vector<Seam> seams);
 
-/// Other paths for edges, and the treated seams that have none.
+/// New pcurves for edges, and the treated seams for which none was found.
 struct JoinedPaths {
   std::vector<PathChange> paths;
   Reasons failures;
 };
 
-/// Seams of which the gap alone is too large and the surfaces meet near the edge: its paths in the
-/// parameter planes are made to run together, between the same ends, along the image of one of them
-/// or where the surfaces cut one another. No surface moves. (Paths that stray are mostly
-/// approximations of exact curves in files of other programs.)
+/// Gives new pcurves to the edges of treated seams whose gap alone is too large and whose surfaces
+/// meet near the edge. The new pcurves have the same ends and images that run together, along the
+/// image of one old pcurve or along the intersection of the surfaces. No surface moves. (Pcurves
+/// that stray are mostly approximations of exact curves in files of other programs.)
 /// \throws Cancelled.
 JoinedPaths joinPaths(const RepairTask& task, const Progress& progress);
 

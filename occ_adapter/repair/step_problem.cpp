@@ -11,12 +11,13 @@ namespace seamwright::occ {
 
 namespace {
 
-/// Of the energy that spends a face's budget to a sample that is missed by a quarter of its
-/// tolerance.
+/// Price of the energy that spends a face's budget, in terms of a sample that stands for a
+/// sixteenth of a seam and misses by a quarter of its tolerance (docs/theory/repair.md, "Prices").
 constexpr double price_of_budget = 300;
 
-/// The integral of |D|^2 / size^4, as if coefficients were spread evenly, is this times the sum
-/// of their squares: the size of the move comes second, but for faces that moved too far.
+/// Weight of the sum of squares of the coefficients. It stands for the integral of |D|^2 / size^4,
+/// as if the coefficients were evenly distributed over the face. The size of the move is secondary,
+/// except for faces that moved too far.
 double sizeFactor(const MovingFace& mover) {
   const double of_size =
       std::pow(price_of_budget * mover.stiffness / (mover.budget_per_mm * mover.size_mm), 2) /
@@ -143,6 +144,7 @@ double StepProblem::cost() const {
 }
 
 void StepProblem::step(double ease) {
+  // Marquardt's factors on the diagonal; 0 is the undamped Gauss-Newton step.
   constexpr std::array<double, 4> dampings = {0, 1e-3, 3e-2, 1};
   constexpr int halvings = 2;
   ease_ = ease;

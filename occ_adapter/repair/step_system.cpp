@@ -8,7 +8,7 @@ namespace seamwright::occ {
 
 namespace {
 
-/// The diagonal and all pairs within cells.
+/// The block pattern: the diagonal and all pairs of points within a cell.
 BlockPattern patternOf(int points, const std::vector<std::vector<int>>& cells) {
   std::vector<std::vector<int>> rows(points);
   for (int j = 0; j < points; ++j) rows[j].push_back(j);

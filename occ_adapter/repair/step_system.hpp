@@ -6,38 +6,39 @@
 
 #include <seamwright/occ_adapter/deform/block_cholesky.hpp>
 
-/// One step of a Gauss-Newton method for points in space; not a public header.
+/// Solves one Gauss-Newton step for points in space. Not a public header.
 namespace seamwright::occ {
 
-/// The least sum of squares of conditions that are linear in the steps of points. Conditions are
-/// added by cells: sets of points that may stand in one condition. Which points hang together is
-/// analysed once; the conditions may be other ones for each solution.
+/// Minimises the sum of squares of conditions that are linear in the steps of points. Each
+/// condition belongs to a cell: a set of points that may occur together in one condition. The
+/// sparsity pattern is analysed once; the conditions may differ for each solution.
 class StepSystem {
  public:
-  /// \param cells points from 0, increasing.
+  /// \param cells numbers of points, from 0, increasing.
   StepSystem(int points, std::vector<std::vector<int>> cells);
 
   const std::vector<int>& cell(int number) const { return cells_[number]; }
-  /// No condition.
+  /// Removes all conditions.
   void clear();
-  /// (direction . sum of factor times step - value)^2. \param factors one for each point of the
-  /// cell.
+  /// Adds (direction . sum of factor times step - value)^2. \param factors one for each point of
+  /// the cell.
   void add(int cell, const Eigen::VectorXd& factors, const Eigen::Vector3d& direction,
            double value);
-  /// |sum of factor times step - value|^2
+  /// Adds |sum of factor times step - value|^2.
   void addPoint(int cell, const Eigen::VectorXd& factors, const Eigen::Vector3d& value);
-  /// The sum over coordinates of (step + at)^T matrix (step + at), where \p pull = matrix at.
+  /// Adds the sum over x, y, z of (step + at)^T matrix (step + at), where \p pull = matrix at.
   void addEnergy(int cell, const Eigen::MatrixXd& matrix, const PointRows& pull);
 
-  /// factor |step + at|^2
+  /// Adds factor |step + at|^2.
   void addDamping(int point, double factor, const Eigen::Vector3d& at);
 
-  /// Adds that share of the diagonal of the normal matrix to it: steps become shorter, first those
-  /// that conditions hardly tell (Levenberg and Marquardt).
+  /// Adds that share of its diagonal to the normal matrix. Steps become shorter, most of all those
+  /// that the conditions hardly determine (Levenberg-Marquardt).
   void damp(double share);
 
-  /// Where rounding hides that the normal matrix is positive definite its diagonal is raised by as
-  /// much. No step where it is zero or not finite.
+  /// Returns the step by point. Where rounding hides that the normal matrix is positive definite,
+  /// its diagonal is raised by the size of the rounding. The step is zero if the normal matrix is
+  /// zero or not finite.
   PointRows solve();
 
  private:
@@ -45,10 +46,10 @@ class StepSystem {
   void forPairs(int cell, const Eigen::VectorXd& factors, const Take& take);
 
   std::vector<std::vector<int>> cells_;
-  std::vector<std::vector<int>>
-      places_;  ///< by cell and pair of its points, row by row below the diagonal: the block
+  /// By cell and pair of its points, row by row of the lower triangle: index of the block.
+  std::vector<std::vector<int>> places_;
   BlockCholesky cholesky_;
-  std::vector<int> diagonal_;  ///< by point: its block
+  std::vector<int> diagonal_;  ///< by point: index of its block
   std::vector<SymmetricBlock> blocks_;
   PointRows right_;
 };

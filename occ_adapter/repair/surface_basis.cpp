@@ -183,7 +183,7 @@ Eigen::RowVectorXd secondDerivative(const PoleShares& shares, const Eigen::Vecto
 
 namespace {
 
-/// The first rows of the jet, as PoleShares has them.
+/// The first rows of the jet, in the order of PoleShares.
 template <int rows>
 Eigen::Matrix<double, rows, 3> sumOf(const PoleShares& shares, const PointRows& poles) {
   Eigen::Matrix<double, rows, 3> sum = Eigen::Matrix<double, rows, 3>::Zero();

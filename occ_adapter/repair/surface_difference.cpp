@@ -10,7 +10,7 @@ namespace seamwright::occ {
 
 namespace {
 
-/// By knot span, points of it from its first end on; with the last end of all.
+/// By knot span: parameters from its first end on. The last span also has its last end.
 std::vector<std::vector<double>> gridOf(const TColStd_Array1OfReal& knots, double first,
                                         double last) {
   constexpr int per_span = 4;
@@ -43,6 +43,8 @@ PointNormal at(const GeomAdaptor_Surface& surface, double u, double v) {
 SurfaceDifference differenceOf(const opencascade::handle<Geom_Surface>& before,
                                const opencascade::handle<Geom_BSplineSurface>& after,
                                const std::array<double, 4>& range) {
+  // Where X_u x X_v is shorter than this share of the longest one, the surface is nearly
+  // degenerate.
   constexpr double collapsed = 1e-4;
   SurfaceDifference difference;
   struct Turned {
@@ -52,7 +54,7 @@ SurfaceDifference differenceOf(const opencascade::handle<Geom_Surface>& before,
   std::vector<Turned> turned;
   double longest = 0;
   const std::vector<std::vector<double>> all_v = gridOf(after->VKnots(), range[2], range[3]);
-  // Span by span, as adaptors keep the polynomials of the last one.
+  // Span by span, because adaptors cache the polynomials of the last span.
   const GeomAdaptor_Surface was(before), is(after);
   for (const std::vector<double>& some_u : gridOf(after->UKnots(), range[0], range[1]))
     for (const std::vector<double>& some_v : all_v)

@@ -5,17 +5,18 @@
 #include <array>
 #include <optional>
 
-/// What became of a surface's points and normals; not a public header.
+/// Compares points and normals of two surfaces. Not a public header.
 namespace seamwright::occ {
 
-/// On a grid of 4 by 4 points a knot span.
+/// Differences, sampled on a grid of 4 by 4 points in each knot span.
 struct SurfaceDifference {
-  double largest_mm = 0;            ///< of points
-  std::optional<gp_Pnt> folded_at;  ///< where the normal turned by 90 degrees or more; not where
-                                    ///< both sides are nearly collapsed
+  double largest_mm = 0;  ///< largest distance of points with the same parameters
+  /// Where the normal turned by 90 degrees or more; points at which both surfaces are nearly
+  /// degenerate don't count.
+  std::optional<gp_Pnt> folded_at;
 };
 
-/// \param range of the parameters that both surfaces have: u from, to, v from, to.
+/// \param range common parameters of both surfaces: u from, to, v from, to.
 SurfaceDifference differenceOf(const opencascade::handle<Geom_Surface>& before,
                                const opencascade::handle<Geom_BSplineSurface>& after,
                                const std::array<double, 4>& range);

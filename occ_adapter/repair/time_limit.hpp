@@ -6,12 +6,12 @@
 
 #include <seamwright/occ_adapter/progress.hpp>
 
-/// Work that stops when its time is over; not a public header.
+/// Stops work when its time is over. Not a public header.
 namespace seamwright::occ {
 
 class TimeLimit {
  public:
-  /// The time runs from now on. \param limit_s infinity: no limit.
+  /// Starts the clock. \param limit_s infinity: no limit.
   explicit TimeLimit(double limit_s) : limit_s_(limit_s) {}
 
   double spent_s() const {
@@ -20,10 +20,10 @@ class TimeLimit {
   double left_s() const { return limit_s_ - spent_s(); }
   bool isOver() const { return left_s() <= 0; }
 
-  /// Calls \p work with a progress that asks it to stop after a share of the time, or where \p
-  /// progress does.
-  /// \returns what the work returns; nothing if the time was over first. \throws Cancelled if \p
-  /// progress asked for it.
+  /// Calls \p work with a progress that asks it to stop once \p share of the limit has passed since
+  /// the start, or when \p progress asks for it.
+  /// \returns the result of the work; nothing if the time was over first.
+  /// \throws Cancelled if \p progress asked for it.
   template <class Work>
   auto within(double share, const Progress& progress, const Work& work) const
       -> std::optional<decltype(work(progress))> {

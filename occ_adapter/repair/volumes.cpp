@@ -27,7 +27,8 @@ namespace seamwright::occ {
 
 namespace {
 
-/// A straight path along u: nothing is swept across it.
+/// Whether the pcurve is straight along u. The quadrature, which sweeps in u, gets nothing from
+/// such an edge.
 bool runsAlongU(const TopoDS_Edge& edge, const TopoDS_Face& face) {
   double first = 0, last = 0;
   const auto path = BRep_Tool::CurveOnSurface(edge, face, first, last);
@@ -36,9 +37,9 @@ bool runsAlongU(const TopoDS_Edge& edge, const TopoDS_Face& face) {
   return curve.GetType() == GeomAbs_Line && curve.Line().Direction().Y() == 0;
 }
 
-/// The face with only those edges that the quadrature over it takes something from; it would
-/// evaluate beside the others too. Not on several threads: edges are marked as parts of the new
-/// wire, also those that another face shares.
+/// The face with only those edges that contribute to the quadrature over it, which would waste
+/// evaluations on the others. Not thread-safe: edges, even those shared with other faces, are
+/// marked as parts of the new wire.
 TopoDS_Face sweptPart(const TopoDS_Shape& whole) {
   const BRep_Builder builder;
   const TopoDS_Face face = TopoDS::Face(whole.Oriented(TopAbs_FORWARD));
@@ -52,17 +53,17 @@ TopoDS_Face sweptPart(const TopoDS_Shape& whole) {
   return part;
 }
 
-/// A face with its swept part.
+/// A face, whole and reduced to the edges that the quadrature needs.
 struct SweptFace {
   explicit SweptFace(const TopoDS_Shape& face) : whole(face), part(sweptPart(face)) {}
   TopoDS_Shape whole;
   TopoDS_Face part;
 };
 
-/// Volume of the cone over a face with that tip. (BRepGProp::VolumeProperties takes a tip of its
-/// own, near the face.)
-/// \param error relative, of adaptive quadrature; 0: a fixed one, which for rational faces may be
-/// off by a percent.
+/// Volume of the cone over a face with that apex. (BRepGProp::VolumeProperties chooses its own
+/// apex, near the face.)
+/// \param error relative error of adaptive quadrature; 0: fixed quadrature, whose error may be a
+/// percent for rational faces.
 double cone_mm3(const SweptFace& face, const gp_Pnt& tip, double error) {
   BRepGProp_Face surface;
   surface.Load(TopoDS::Face(face.whole));
@@ -82,7 +83,7 @@ double area_mm2(const TopoDS_Shape& face) {
   return properties.Mass();
 }
 
-/// What a face gives to the volume of its solid.
+/// The contribution of a face to the volume of its solid.
 struct FaceCone {
   SweptFace was, is;
   gp_Pnt tip;
@@ -100,7 +101,7 @@ struct FaceCone {
   }
 };
 
-/// Of the faces of a solid that move, with one tip.
+/// The cones over the moved faces of a solid, with one apex.
 std::vector<FaceCone> conesOf(const TopoDS_Shape& before, const TopoDS_Shape& after,
                               const TopTools_IndexedMapOfShape& faces,
                               const std::vector<FaceChange>& changes, const gp_Pnt& tip) {
@@ -115,7 +116,7 @@ std::vector<FaceCone> conesOf(const TopoDS_Shape& before, const TopoDS_Shape& af
   return cones;
 }
 
-/// Cones do not fit together by what the faces beside a seam are apart, before or after.
+/// The volume that may be missing between cones: the gaps of the seams, before and after.
 double slits_mm3(const RepairTask& task, const std::vector<SeamResult>& after, double reach_mm) {
   double area_mm2 = 0;
   for (std::size_t i = 0; i < after.size(); ++i)
@@ -137,6 +138,7 @@ VolumeChange volumeChange(std::vector<FaceCone>& cones, double error, int jobs,
                           const Progress& progress) {
   runParallel(
       cones.size(), jobs, [&cones, error](std::size_t k) { cones[k].integrate(error); }, progress);
+  // Relative error of a volume by fixed quadrature that is accepted as noise.
   constexpr double noise = 1e-6;
   VolumeChange result;
   for (const FaceCone& cone : cones) {
@@ -147,8 +149,8 @@ VolumeChange volumeChange(std::vector<FaceCone>& cones, double error, int jobs,
   return result;
 }
 
-/// What the moves of the faces' points may change, as far as that is needed: areas are dear, so the
-/// longest moves come first.
+/// The change of volume that the moves of points may cause. Areas are costly, so the longest moves
+/// come first, and the sum ends once it suffices.
 double explainedByMoves_mm3(std::vector<FaceCone> cones, double least_mm3) {
   std::ranges::sort(cones, std::greater{}, &FaceCone::move_mm);
   double explained_mm3 = 0;
@@ -159,7 +161,7 @@ double explainedByMoves_mm3(std::vector<FaceCone> cones, double least_mm3) {
   return explained_mm3;
 }
 
-/// Others have no box, and they do not move.
+/// Unusable faces have no box, and they do not move.
 Bnd_Box boxOfUsableFaces(const TopoDS_Shape& solid) {
   const TopTools_IndexedMapOfShape faces = partsOf(solid, TopAbs_FACE);
   const UnusableParts unusable(solid);
@@ -171,8 +173,8 @@ Bnd_Box boxOfUsableFaces(const TopoDS_Shape& solid) {
 
 }  // namespace
 
-// Faces that stay give the same. Adaptive quadrature is slow and comes only where the fixed one
-// does not do.
+// Faces that stay contribute the same before and after, so only moved faces are integrated.
+// Adaptive quadrature is slow and is used only where the fixed one does not suffice.
 std::string whyNotVolumes(const RepairTask& task, const std::vector<FaceChange>& changes,
                           const TopoDS_Shape& changed, const std::vector<SeamResult>& after,
                           const Progress& progress) {

@@ -49,8 +49,8 @@ handle<Geom2d_BSplineCurve> lineBetween(const gp_Pnt2d& from, const gp_Pnt2d& to
   return new Geom2d_BSplineCurve(poles, knots, multiplicities, 1);
 }
 
-/// A copy of a line, a B-spline or a Bezier curve between two parameters, with the same speed; null
-/// for other curves.
+/// A copy of a line, a B-spline or a Bezier curve between two parameters, with the same
+/// parametrisation up to a constant factor; null for other curves.
 handle<Geom2d_BSplineCurve> splineBetween(const handle<Geom2d_Curve>& curve, double from,
                                           double to) {
   if (const auto trimmed = handle<Geom2d_TrimmedCurve>::DownCast(curve); !trimmed.IsNull())
@@ -78,7 +78,7 @@ void setRange(Geom2d_BSplineCurve& spline, double first, double last) {
   spline.SetKnots(knots);
 }
 
-/// The places of the second side that belong to those of the first.
+/// The parameters of the second side that correspond to those of the first.
 class Along {
  public:
   Along(const Seam& seam, const std::array<Pcurve, 2>& pcurves, const std::array<Places, 2>& places)
@@ -86,8 +86,8 @@ class Along {
     for (const int end : {0, 1}) off_[end] = places[1][end] - nearest(end);
   }
 
-  /// s in 0..1 of the interval. At the ends the given places, which may be a little off the nearest
-  /// ones.
+  /// The parameter of the second side at s in 0..1 of the interval. At the ends it is the given
+  /// parameter, which may differ a little from that of the nearest point.
   double at(double s) const {
     if (s == 0 || s == 1) return places_[1][s == 0 ? 0 : 1];
     const auto [low, high] = std::minmax(places_[1][0], places_[1][1]);
@@ -102,7 +102,8 @@ class Along {
     return nearestPlace(b_, a_.trace(between(places_[0], s)).p, guess(s), low, high);
   }
 
-  /// From the correspondence, which may begin and end a little elsewhere.
+  /// A start value from the correspondence, whose ends may differ a little from those of the
+  /// interval.
   double guess(double s) const {
     const std::vector<double>& a = seam_.correspondence.a;
     const std::vector<double>& b = seam_.correspondence.b;
@@ -129,8 +130,8 @@ bool isLinear(const Along& along, const Places& places, double near_mm) {
   return true;
 }
 
-/// A cubic spline through points of the path, as many as it needs to lead where \p place tells, or
-/// 513.
+/// A cubic spline through points of the pcurve. The number of points doubles from 9 until the
+/// spline runs along the pcurve as \p place tells, or up to 513.
 handle<Geom2d_Curve> interpolated(const PlacedSurface& surface, const PlanarPath& path,
                                   const std::function<double(double)>& place, double first,
                                   double last, double near_mm) {
@@ -163,7 +164,7 @@ handle<Geom2d_Curve> interpolated(const PlacedSurface& surface, const PlanarPath
   }
 }
 
-/// The path over [first, last], run along at its own speed.
+/// The pcurve over [first, last], with a linear change of the parameter.
 handle<Geom2d_Curve> linear(const PlacedSurface& surface, const PlanarPath& path,
                             const Places& places, double first, double last, double near_mm) {
   const double from = parameter(path, places[0]), to = parameter(path, places[1]);
@@ -176,7 +177,7 @@ handle<Geom2d_Curve> linear(const PlacedSurface& surface, const PlanarPath& path
   return handle<Geom2d_Curve>(spline);
 }
 
-/// Whether both edges have one curve, run along alike.
+/// Whether both edges have the same curve with the same parametrisation.
 bool haveOneCurve(const Seam& seam, const std::array<Places, 2>& places) {
   std::array<TopLoc_Location, 2> at;
   std::array<Places, 2> ranges{};

@@ -6,30 +6,31 @@
 #include <seamwright/occ_adapter/convert/edge_image.hpp>
 #include <seamwright/occ_adapter/seams/find.hpp>
 
-/// One edge in place of two that lie along one another; not a public header.
+/// Replaces two edges that lie along each other by one. Not a public header.
 namespace seamwright::occ {
 
-/// Where an interval of an edge begins and ends: places 0..1 of the range of its curve.
+/// Begin and end of an interval of an edge, as parameters in 0..1 over the range of its curve.
 using Places = std::array<double, 2>;
 
-/// An edge without vertices, in the frame of the shape, that runs with the first edge of a matched
-/// seam and has a path on both sides.
+/// An edge without vertices, in the frame of the shape. It runs in the direction of the first edge
+/// of a matched seam and has a pcurve on both sides.
 struct CommonEdge {
   TopoDS_Edge edge;
   opencascade::handle<Geom_Curve> curve;
   double first = 0, last = 0;
-  std::vector<EdgeSide> sides;  ///< paths over [first, last]
-  double tolerance_mm = 0;      ///< distance of the curve and the images of both paths, as measured
+  std::vector<EdgeSide> sides;  ///< pcurves over [first, last]
+  /// Largest distance between the curve and the images of both pcurves, as measured.
+  double tolerance_mm = 0;
 };
 
-/// The curve lies halfway between both sides; one that both edges have is kept. The first side
-/// keeps its path, the second gets one that leads to the places that belong to the first one's: the
-/// same path run along otherwise, exactly where that is at constant speed (to a thousandth of \p
-/// gap_mm), else interpolated to as much.
-/// \param places of the interval, on both sides; those of the second belong to those of the first,
-/// and may decrease.
-/// \throws std::runtime_error where the points of the two sides do not follow one another or a
-/// curve can't be built; Standard_Failure.
+/// The curve lies halfway between both sides; a curve that both edges share is kept. The first side
+/// keeps its pcurve. The second side gets a pcurve whose points correspond to those of the first
+/// one: its old path, reparametrised. This is exact where the reparametrisation has constant speed
+/// (to a thousandth of \p gap_mm), and otherwise interpolated to the same accuracy.
+/// \param places ends of the interval on both sides. Those of the second side correspond to those
+/// of the first and may decrease.
+/// \throws std::runtime_error where corresponding points of the two sides do not run in the same
+/// order or a curve can't be built; Standard_Failure.
 CommonEdge commonEdge(const Seam& seam, const std::array<Places, 2>& places, double gap_mm);
 
 }  // namespace seamwright::occ

@@ -14,7 +14,7 @@ namespace seamwright::occ {
 
 namespace {
 
-/// What compounds hold, in place.
+/// Collects what compounds contain, with locations.
 void addAssembled(const TopoDS_Shape& shape, TopTools_IndexedMapOfShape& parts) {
   if (shape.ShapeType() != TopAbs_COMPOUND) {
     parts.Add(shape);
@@ -50,7 +50,8 @@ class Parting {
 
  private:
   BRep_Builder builder_;
-  std::set<const TopoDS_TShape*> parted_;  ///< what becomes a thing of its own in every place
+  /// Parts each occurrence of which becomes a part of its own.
+  std::set<const TopoDS_TShape*> parted_;
   TopTools_DataMapOfShapeShape done_;
 };
 
@@ -60,7 +61,8 @@ TopoDS_Shape withOwnParts(const TopoDS_Shape& shape) {
   const std::map<const TopoDS_TShape*, int> instances = instancesIn(shape);
   TopTools_IndexedMapOfShape assembled;
   addAssembled(shape, assembled);
-  std::set<const TopoDS_TShape*> several;  // all in one part of the assembly
+  std::set<const TopoDS_TShape*>
+      several;  // parts that occur several times, and only in one part of the assembly
   for (int i = 1; i <= assembled.Extent(); ++i)
     for (const auto& [part, count] : instancesIn(assembled(i)))
       if (count > 1 && count == instances.at(part)) several.insert(part);

@@ -4,21 +4,22 @@
 #include <TopoDS_Shape.hxx>
 #include <map>
 
-/// Faces, edges and vertices that stand in one part of an assembly several times; not a public
-/// header.
+/// Separates faces, edges and vertices that occur several times in one part of an assembly. Not a
+/// public header.
 namespace seamwright::occ {
 
-/// The shape with a face, an edge or a vertex of its own wherever one stands in several places of
-/// one part of an assembly (what compounds hold), as both ends of a prism do: the same parts in the
-/// same order, orientations and locations. What stands in several such parts stays, as instances of
-/// one solid do. The shape itself where there is nothing to part.
+/// Copies each face, edge or vertex that occurs several times in one part of an assembly (in what
+/// compounds hold), so that each occurrence is a part of its own. Both ends of a prism may be such
+/// a face. The result has the same parts in the same order, with the same orientations and
+/// locations. Faces, edges and vertices that occur in several such parts stay shared, as instances
+/// of one solid do. The shape itself is returned if there is nothing to separate.
 TopoDS_Shape withOwnParts(const TopoDS_Shape& shape);
 
-/// A copy in which every face, edge and vertex is its own in every place: same order, orientations
-/// and locations. Surfaces and curves are shared.
+/// A copy in which every occurrence of a face, edge or vertex is a part of its own, with the same
+/// order, orientations and locations. Surfaces and curves are shared.
 TopoDS_Shape ownCopyOf(const TopoDS_Shape& shape);
 
-/// In how many places each thing in the shape stands, itself included.
+/// How many times each part occurs in the shape, the shape itself included.
 std::map<const TopoDS_TShape*, int> instancesIn(const TopoDS_Shape& shape);
 
 }  // namespace seamwright::occ

@@ -21,19 +21,19 @@ namespace {
 
 using opencascade::handle;
 
-/// What an edge, or a part of it, is after sewing.
+/// An edge, or a piece of one, after sewing.
 struct EdgePiece {
-  TopoDS_Edge
-      edge;  ///< in the frame of the shape, running as the edge that it is a piece of if forward
-  int interval = -1;           ///< of a common edge
-  std::array<int, 2> nodes{};  ///< at the first and the last end of the old edge's piece
+  /// In the frame of the shape; FORWARD: in the direction of the edge of which it is a piece.
+  TopoDS_Edge edge;
+  int interval = -1;           ///< index of the interval, for a common edge; otherwise -1
+  std::array<int, 2> nodes{};  ///< nodes at the first and the last end of the old edge's piece
   std::array<std::vector<gp_Pnt>, 2> curve_ends, image_ends;
   double tolerance_mm = 0;
 };
 
-/// What a group of vertices becomes.
+/// The vertex that a group of vertices becomes.
 struct Corner {
-  std::vector<std::size_t> seams;  ///< sewn ones that end here
+  std::vector<std::size_t> seams;  ///< sewn seams that end here
   gp_Pnt place;
   double tolerance_mm = 0, was_mm = 0;
   TopoDS_Vertex vertex;
@@ -88,7 +88,7 @@ class EdgeSewer {
     return TopoDS::Edge(edges_(edge).Oriented(TopAbs_FORWARD));
   }
 
-  /// After piece k - 1; 0 where the edge has no vertex there.
+  /// The node after piece k - 1; 0 if the edge has no vertex there.
   int nodeAt(int edge, int k) const {
     if (const auto cut = cut_nodes_.find({edge, k}); cut != cut_nodes_.end()) return cut->second;
     const TopoDS_Vertex end =
@@ -170,7 +170,8 @@ class EdgeSewer {
     return piece;
   }
 
-  /// Otherwise, on a plane, it follows from the curve in space and its range.
+  /// Whether the pcurve is stored. On a plane it may be implied by the curve in space and its
+  /// range.
   static bool hasStoredPath(const TopoDS_Edge& edge, const TopoDS_Face& face) {
     double first = 0, last = 0;
     bool is_stored = false;
@@ -189,7 +190,7 @@ class EdgeSewer {
     };
     EdgePiece piece;
     piece.edge = TopoDS::Edge(old.EmptyCopied());
-    if (unusable_.hasEdge(edge)) return piece;  // Nothing is known of where it ends.
+    if (unusable_.hasEdge(edge)) return piece;  // the positions of its ends are not known
     piece.tolerance_mm = BRep_Tool::Tolerance(old);
     const bool is_part = places[0] > 0 || places[1] < 1;
     double first = 0, last = 0;
@@ -243,6 +244,7 @@ class EdgeSewer {
     gp_XYZ sum;
     for (const gp_Pnt& end : of_place) sum += end.XYZ();
     corner.place = gp_Pnt(sum / static_cast<double>(of_place.size()));
+    // Margin: rounding must not leave an end outside of the tolerance.
     constexpr double rounding = 1.001;
     corner.tolerance_mm = std::max(Precision::Confusion(), corner.tolerance_mm);
     for (const gp_Pnt& end : all)
@@ -261,7 +263,7 @@ class EdgeSewer {
     return corner == corners_.end() ? TopoDS::Vertex(vertices_(node)) : corner->second.vertex;
   }
 
-  /// Gives the pieces their vertices; a common edge is given them once.
+  /// Adds the vertices to the pieces, only once for a common edge.
   void closePieces() {
     std::set<int> closed;
     for (auto& [edge, pieces] : pieces_)
@@ -294,12 +296,12 @@ class EdgeSewer {
   TopTools_IndexedDataMapOfShapeListOfShape faces_of_edge_;
   std::map<int, std::vector<double>> cuts_;       ///< by edge
   std::map<std::pair<int, int>, int> cut_nodes_;  ///< by edge and number of the cut
-  DisjointSets nodes_;                            ///< vertices by number, and cuts
-  std::map<int, Corner> corners_;                 ///< by node: what is a new vertex
+  DisjointSets nodes_;                            ///< vertices, by number, and cuts
+  std::map<int, Corner> corners_;                 ///< by node that becomes a new vertex
   std::vector<CommonEdge> common_;                ///< by interval
-  std::map<std::pair<int, int>, std::pair<int, int>>
-      interval_at_;                               ///< interval and side, by edge and piece
-  std::map<int, std::vector<EdgePiece>> pieces_;  ///< by edge, of those that are new
+  /// By edge and piece: interval and side.
+  std::map<std::pair<int, int>, std::pair<int, int>> interval_at_;
+  std::map<int, std::vector<EdgePiece>> pieces_;  ///< by edge that changes
   SewnEdges result_;
 };
 

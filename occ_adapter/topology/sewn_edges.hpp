@@ -5,24 +5,25 @@
 
 #include <seamwright/occ_adapter/topology/sewn_intervals.hpp>
 
-/// Edges and vertices of a shape with some of its matched seams sewn; not a public header.
+/// Makes the edges and vertices of a shape with some of its matched seams sewn. Not a public
+/// header.
 namespace seamwright::occ {
 
 struct SewnEdges {
   std::vector<SewnInterval> intervals;
-  std::vector<TopoDS_Edge>
-      common;  ///< by interval: the edge in place of both, running with the first
-  /// By number, of those that are new: what an edge becomes, one after the other in the sense of
-  /// its curve, turned so that they run with it.
+  /// By interval: the edge that replaces both, in the direction of the first.
+  std::vector<TopoDS_Edge> common;
+  /// By number of an edge that changes: the edges that it becomes, in the order and the direction
+  /// of its curve.
   std::map<int, std::vector<TopoDS_Edge>> pieces;
-  std::map<int, TopoDS_Vertex> vertices;  ///< by number, of those that are new
-  std::map<std::size_t, std::string>
-      refused;  ///< seams that stand in the way; then the rest is not made
+  std::map<int, TopoDS_Vertex> vertices;  ///< by number of a vertex that changes
+  /// By seam that prevents sewing: the reason; then the other members are incomplete.
+  std::map<std::size_t, std::string> refused;
 };
 
-/// Edges are cut where intervals begin and end; pieces that lie along one another become one edge;
-/// ends that come together become one vertex in the middle of the curves that end there. Tolerances
-/// are what is measured.
+/// Cuts edges where intervals begin and end. Pieces that lie along each other become one edge. Ends
+/// that come together become one vertex, in the middle of the ends of the curves there. Tolerances
+/// are the distances as measured.
 SewnEdges sewnEdges(const TopoDS_Shape& shape, const std::vector<Seam>& seams,
                     const std::vector<std::size_t>& chosen, double gap_mm);
 

@@ -48,6 +48,7 @@ class Cutter {
   }
 
   bool areOne(int edge, double a, double b) const {
+    // The ends of a closed edge are one point in space, but not one parameter.
     constexpr double half_way_round = 0.5;
     return std::abs(a - b) < half_way_round && point(edge, a).Distance(point(edge, b)) <= gap_mm_;
   }

@@ -7,14 +7,14 @@
 
 #include <seamwright/occ_adapter/topology/common_edge.hpp>
 
-/// Where edges have to be cut so that parts of them can become one; not a public header.
+/// Finds where edges must be cut so that pieces of two edges can become one. Not a public header.
 namespace seamwright::occ {
 
 /// The interval of a matched seam as pieces of its two edges.
 struct SewnInterval {
   std::size_t seam = 0;
   std::array<int, 2> edges{};
-  std::array<int, 2> pieces{};  ///< from 0, in the sense of each edge's curve
+  std::array<int, 2> pieces{};  ///< from 0, in the direction of each edge's curve
   std::array<Places, 2> places{};
   bool reversed() const { return places[1][0] > places[1][1]; }
 };
@@ -22,11 +22,12 @@ struct SewnInterval {
 /// Edges cut into pieces, and the pieces that become one.
 struct SewnIntervals {
   std::vector<SewnInterval> intervals;
-  std::map<int, std::vector<double>> cuts;     ///< by edge: 0, places between, 1
-  std::map<std::size_t, std::string> refused;  ///< seams, with the reason
+  /// By edge: parameters of the cuts, from 0 to 1, both included.
+  std::map<int, std::vector<double>> cuts;
+  std::map<std::size_t, std::string> refused;  ///< by seam: the reason
 };
 
-/// Places nearer than \p gap_mm to one another, or to an end, are one.
+/// Cuts nearer than \p gap_mm to each other, or to an end of the edge, become one.
 SewnIntervals sewnIntervals(const std::vector<Seam>& seams, const std::vector<std::size_t>& chosen,
                             double gap_mm);
 

@@ -57,7 +57,7 @@ class Sewer {
   bool mayGoOn() const { return result_.refused.empty(); }
   void refuse(std::size_t seam, const std::string& why) { result_.refused.emplace(seam, why); }
 
-  // What can be sewn at all.
+  // Selection of the seams that can be sewn.
 
   void refuseUnfit(const std::vector<std::size_t>& chosen) {
     std::map<const TopoDS_TShape*, int> instances;
@@ -156,7 +156,7 @@ class Sewer {
                                               : found->second.Oriented(vertex.Orientation());
   }
 
-  /// Faces of one shell after sewing.
+  /// Groups the faces that are one shell after sewing.
   void joinFaces() {
     for (const SewnInterval& interval : edges_now_.intervals) {
       const auto& sides = seams_[interval.seam].sides;
@@ -185,7 +185,7 @@ class Sewer {
     bool forward = true;
   };
 
-  /// Turns faces until each edge is run along both ways.
+  /// Reverses faces so that the two coedges of each edge have opposite directions.
   void turnFaces() {
     std::map<const TopoDS_TShape*, std::vector<Use>> uses;
     std::map<int, std::vector<const TopoDS_TShape*>> edges_of_face;
@@ -229,15 +229,16 @@ class Sewer {
     }
   }
 
-  // The whole.
+  // Assembly of the shape.
 
   bool hasUnusable(int group) const {
     return std::ranges::any_of(members_.at(group),
                                [this](int face) { return !unusable_.whyLeftOut(face).empty(); });
   }
 
-  /// A shell with faces that can't be computed with has no inside that could be told: it stays a
-  /// shell, or the solid that it was, turned as its first face.
+  /// The shell of a group, or its solid. For a shell with faces that can't be computed with, the
+  /// inside can't be determined. So it stays a shell, or the solid that it was, oriented as its
+  /// first face.
   TopoDS_Shape shellOf(int group, bool was_solid) {
     TopoDS_Shell shell;
     builder_.MakeShell(shell);
@@ -269,8 +270,8 @@ class Sewer {
     });
   }
 
-  /// What a part becomes: itself, another one, several, or nothing, where another part has its
-  /// faces now.
+  /// The parts that replace a part: itself, a new part, several parts, or none if its faces are now
+  /// in another part.
   std::vector<TopoDS_Shape> rebuiltPart(const TopoDS_Shape& part) {
     const TopAbs_ShapeEnum kind = part.ShapeType();
     if (kind == TopAbs_VERTEX) return {replaced(part)};
@@ -341,7 +342,7 @@ class Sewer {
   std::vector<TopoDS_Face> new_faces_;  ///< by face
   DisjointSets groups_;                 ///< of faces
   std::set<int> sewn_faces_;
-  std::map<int, std::vector<int>> members_;  ///< faces by group, of groups that are sewn
+  std::map<int, std::vector<int>> members_;  ///< faces by group, for groups that are sewn
   std::set<int> placed_;
   SewnShape result_;
 };

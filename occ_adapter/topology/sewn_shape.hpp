@@ -9,41 +9,46 @@
 
 #include <seamwright/occ_adapter/seams/find.hpp>
 
-/// Loose faces made one shell; not a public header.
+/// Joins separate faces to one shell. Not a public header.
 namespace seamwright::occ {
 
-/// What faces are called in reasons, by their numbers.
+/// The name of a face in reasons, by its number.
 using FaceNames = std::function<std::string(int)>;
 
 /// "face 3".
 std::string numberedFace(int number);
 
-/// A shape with some of its matched seams sewn, and what became of the parts of the given one.
+/// A shape with some of its matched seams sewn, and the new parts by the given ones.
 struct SewnShape {
   TopoDS_Shape shape;  ///< null where seams were refused
-  std::map<std::size_t, std::string>
-      refused;             ///< seams that stand in the way, and why: to be asked again without them
-  std::vector<int> faces;  ///< by number of the given shape, from 1
-  std::vector<std::vector<int>> edges;    ///< the same; several where one was cut
-  std::map<std::size_t, int> seam_edges;  ///< by sewn seam
-  /// Vertices, wires, shells, solids and compounds that were made again, one for one; not those
-  /// that were sewn to faces of another shell.
+  /// By seam that prevents sewing: the reason; the caller tries again without these seams.
+  std::map<std::size_t, std::string> refused;
+  std::vector<int> faces;  ///< by number in the given shape, from 1: the number in this one
+  std::vector<std::vector<int>> edges;    ///< the same for edges; several where an edge was cut
+  std::map<std::size_t, int> seam_edges;  ///< by sewn seam: number of its edge in this shape
+  /// New vertices, wires, shells, solids and compounds by the given ones that they replace. Shells
+  /// and solids whose faces were sewn to another shell are not included.
   TopTools_DataMapOfShapeShape became;
 };
 
-/// Sews these seams: two edges become one with a path on both faces, or cut edges where only a part
-/// of one lies along the other; ends nearer than \p gap_mm to a vertex are that vertex; vertices
-/// are merged in their middle; faces that hang together become one shell, turned so that they agree
-/// with the first, in place of the first part (shell, or solid of one shell) that they stood in; a
-/// closed shell becomes a solid, turned outward (but see UnusableParts: with one of these a shell
-/// stays a shell, and a solid is turned as its first face). Surfaces and the curves of other edges
-/// stay; what is not concerned is shared with the given shape. Tolerances are what is measured.
+/// Sews these seams. Two edges become one with a pcurve on both faces; where only a part of an edge
+/// lies along the other one, the edge is cut first. An end nearer than \p gap_mm to a vertex
+/// becomes that vertex. Vertices are merged in their middle. Connected faces become one shell,
+/// oriented to agree with the first of them. It replaces the first part (shell, or solid of one
+/// shell) that contained any of them. A closed shell becomes a solid, oriented outward. With
+/// unusable parts (see UnusableParts) a shell stays a shell, and a solid is oriented by its first
+/// face. Surfaces and the curves of other edges stay. Unaffected parts are shared with the given
+/// shape. Tolerances are the distances as measured.
 ///
-/// Refused are seams whose faces stand in the shape several times, are in a solid of several shells
-/// or have one surface in common; whose interval another one interrupts or has taken; whose
-/// vertices would reach further than twice \p gap_mm, or as far as they did; and that would close a
-/// band which has one side only.
-/// \param seams of kind Matched. \throws Standard_Failure.
+/// A seam is refused in these cases:
+/// - A face of it occurs in the shape several times, is in a solid of several shells, or shares its
+///   surface with the other face.
+/// - Another interval interrupts its interval or has taken it.
+/// - The tolerance of one of its vertices would exceed both twice \p gap_mm and its old value.
+/// - It would close a band that has only one side, such as a Moebius band.
+///
+/// \param seams of kind Matched.
+/// \throws Standard_Failure.
 SewnShape sewnShape(const TopoDS_Shape& shape, const std::vector<Seam>& seams,
                     const std::vector<std::size_t>& chosen, double gap_mm,
                     const FaceNames& names = numberedFace);

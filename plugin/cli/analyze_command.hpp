@@ -7,7 +7,7 @@
 
 namespace seamwright::cli {
 
-/// What `seamwright analyze` was asked to do.
+/// Arguments of `seamwright analyze`.
 struct AnalyzeArguments {
   std::vector<std::string> models;
   MeasureArguments measure;
@@ -16,7 +16,7 @@ struct AnalyzeArguments {
   std::string output;
 };
 
-/// Adds the options to a command; they are parsed into \p arguments.
+/// Adds the options to a command. Parsing stores them in \p arguments.
 void addAnalyzeOptions(CLI::App& command, AnalyzeArguments& arguments);
 
 /// \returns exit status 0 (all seams meet the level) or 1. Writes nothing if it throws.

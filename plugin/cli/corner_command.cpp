@@ -14,15 +14,14 @@ namespace seamwright::cli {
 
 namespace {
 
-/// The edges at the vertex, counter-clockwise seen from outside, from the one with the smallest
-/// number on.
+/// The edges at the vertex, counter-clockwise seen from outside, starting with the smallest number.
 std::vector<int> edgesOf(const occ::Model& model, int vertex) {
   std::vector<int> edges = occ::cornerEdges(model, vertex);
   std::rotate(edges.begin(), std::ranges::min_element(edges), edges.end());
   return edges;
 }
 
-/// One length for all edges, or one for each.
+/// One length for all edges, or one for each edge.
 std::map<int, double> byEdge(const std::string& option, const std::vector<double>& lengths_mm,
                              const std::vector<int>& edges) {
   std::map<int, double> result;

@@ -29,8 +29,8 @@ occ::FillHoleOptions optionsOf(const FillArguments& arguments) {
   return options;
 }
 
-/// With the edges that belong to no hole, and why: the one that is looked for may be missing for
-/// them.
+/// Includes the edges that belong to no hole, with the reason, because they may explain why a hole
+/// is missing.
 std::string listed(const occ::Holes& found) {
   std::string text;
   for (const occ::Hole& hole : found.holes) text += "; " + report::shortly(hole);

@@ -7,13 +7,13 @@
 
 namespace seamwright::cli {
 
-/// What `seamwright fill` was asked to do.
+/// Arguments of `seamwright fill`.
 struct FillArguments {
   std::string model;
   OutputArguments output;
   std::string target = "G1";
-  int hole = 0;  ///< 0: the only one
-  int face = 0;  ///< to be replaced; 0: none
+  int hole = 0;  ///< 0: the only hole
+  int face = 0;  ///< the face to replace; 0: none
   double gap_mm = occ::FillHoleOptions{}.tolerance.gap_mm;
   double angle_deg = 0.01;
   double curvature_rel = occ::FillHoleOptions{}.tolerance.curvature_rel;
@@ -22,11 +22,11 @@ struct FillArguments {
   int jobs = 0;
 };
 
-/// Adds the options to a command; they are parsed into \p arguments.
+/// Adds the options to a command. Parsing stores them in \p arguments.
 void addFillOptions(CLI::App& command, FillArguments& arguments);
 
-/// \returns exit status 0 (every new seam reaches the target) or 1. The model is written only if it
-/// was filled.
+/// \returns exit status 0 (every new seam reaches the target) or 1. Writes the model only if it was
+/// filled.
 int runFill(const FillArguments& arguments);
 
 }  // namespace seamwright::cli

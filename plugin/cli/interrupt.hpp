@@ -3,7 +3,7 @@
 
 namespace seamwright::cli {
 
-/// From now on Ctrl-C and SIGTERM are noted instead of ending the process.
+/// Makes Ctrl-C and SIGTERM set a flag from now on instead of ending the process.
 void noteInterrupts();
 bool interrupted();
 

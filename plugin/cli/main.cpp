@@ -21,7 +21,8 @@ volatile sig_atomic_t interrupt_noted = 0;
 constexpr int bad_input = 2;
 constexpr int stopped = 130;
 
-/// One line: text that quotes a file or an argument may hold anything.
+/// Prints the text on one line, because a text that quotes a file or an argument may contain line
+/// breaks.
 int complain(std::string text) {
   for (char& c : text)
     if (c == '\n' || c == '\r') c = ' ';
@@ -29,8 +30,7 @@ int complain(std::string text) {
   return bad_input;
 }
 
-/// Newer versions of CLI11 fill the lines of a footer unless told not to; older ones know nothing
-/// else.
+/// Newer versions of CLI11 reflow the lines of a footer by default; older ones never reflow them.
 void keepLinesOfFooters(auto& formatter) {
   if constexpr (requires { formatter.enable_footer_formatting(false); })
     formatter.enable_footer_formatting(false);

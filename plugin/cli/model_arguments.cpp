@@ -39,7 +39,7 @@ std::string profilesHelp() {
 
 constexpr const char* blanks = " \t";
 
-/// The file that a name stands for, whether it is there or not.
+/// The file that a name refers to, whether it exists or not.
 std::filesystem::path placeOf(const std::string& file) {
   std::error_code unknown;
   const std::filesystem::path link = occ::withoutLinks(file);

@@ -14,11 +14,11 @@ class Option;
 class Validator;
 }  // namespace CLI
 
-/// What the commands on models share.
+/// Options and helpers that the commands on models share.
 namespace seamwright::cli {
 
-/// How seams are measured; angles in degrees as the user types them. A tolerance without a value is
-/// that of the profile.
+/// Tolerances of the seams; angles in degrees as the user types them. A tolerance without a value
+/// is that of the profile.
 struct MeasureArguments {
   std::string profile = "default";
   std::optional<double> gap_mm;
@@ -30,7 +30,7 @@ struct MeasureArguments {
   int jobs = 0;
 };
 
-/// Where a command that changes a model leaves it, and its report.
+/// Output files of a command that changes a model: the model and its report.
 struct OutputArguments {
   std::string model;
   std::string report;  ///< empty: none
@@ -42,56 +42,55 @@ struct OutputArguments {
   }
 };
 
-/// -o, --json, --overwrite and --overwrite-source. \param done what was done to the model of OUT,
-/// as "repaired".
+/// -o, --json, --overwrite and --overwrite-source. \param done what the command did to the model of
+/// OUT, for example "repaired".
 void addOutputOptions(CLI::App& command, const std::string& done, OutputArguments& arguments);
 
-/// Takes the name of a part, as "Edge39", for its number; both are understood.
+/// Lets the option accept the name of a part, for example "Edge39", as well as its number.
 /// \param kind "Edge", "Face", "Vertex" or "Hole"
 CLI::Validator numberOf(const std::string& kind);
 
-/// Values with commas between them, and blanks as one likes. After the option's other
-/// transformations.
+/// Lets the option accept values separated by commas and any blanks. Applied after the option's
+/// other transformations.
 CLI::Option* listOf(CLI::Option* option);
 
-/// Says what is wanted where a text is no number.
+/// Makes the error name the expected value if a text is not a number.
 CLI::Validator lengthInMm();
 
-/// Says at the end of a command's help what it exits with, after all else that is said there.
+/// Appends the exit statuses to the end of a command's help, after all other text.
 void exitStatus(CLI::App& command, const std::string& of_0, const std::string& of_1);
 
-/// What can be told of the files before \p model is read, as requireReport() and
-/// occ::requireTarget().
+/// Checks the output files before \p model is read, with requireReport() and occ::requireTarget().
 /// \throws std::runtime_error, occ::ModelError.
 void requireOutputs(const std::string& model, const OutputArguments& arguments);
 
-/// Adds profile, gap, angle and threads to a command, and the profiles to its help; they are parsed
-/// into \p arguments.
+/// Adds profile, gap, angle and threads to a command, and the profiles to its help. Parsing stores
+/// the values in \p arguments.
 void addG1Options(CLI::App& command, MeasureArguments& arguments);
-/// Adds profile, tolerances and threads to a command, and the profiles to its help; they are parsed
-/// into \p arguments.
+/// Adds profile, tolerances and threads to a command, and the profiles to its help. Parsing stores
+/// the values in \p arguments.
 void addToleranceOptions(CLI::App& command, MeasureArguments& arguments);
-/// The same, and --match.
+/// Adds the same and --match.
 void addMeasureOptions(CLI::App& command, MeasureArguments& arguments);
 
-/// The profile's tolerances, with those given one by one in their place.
+/// The profile's tolerances; a tolerance that is given separately replaces the profile's.
 ContinuityTolerance toleranceOf(const MeasureArguments& arguments);
 
-/// "reading part.step": what a progress bar says of a file.
+/// "reading part.step": the text of a progress bar for a file.
 std::string doing(const std::string& what, const std::string& path);
 
-/// The model of a file, read under a progress bar.
+/// Reads the model of a file and shows a progress bar.
 occ::Model readUnderBar(const std::string& path);
 
 occ::WriteReport writeUnderBar(const occ::Model& model, const std::string& path,
                                const occ::WriteOptions& options);
 
-/// What can be told of a report's file before the \p models are read. It replaces an older report,
-/// but no model by a slip of the hand.
+/// Checks a report's file before the \p models are read. The report may replace an older report,
+/// but not a model given by mistake.
 /// \throws std::runtime_error
 void requireReport(const std::string& report, const std::vector<std::string>& models);
 
-/// Notes of a file on standard error.
+/// Prints the notes of a file on standard error.
 void warn(const std::string& path, const std::vector<std::string>& notes);
 
 }  // namespace seamwright::cli

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What standard output goes to, also under its name or as /dev/stdout.
+/// Whether the path is the target of standard output, also under its name or as /dev/stdout.
 bool isStandardOutput(const fs::path& file) {
   struct stat named {
   }, open{};
@@ -22,7 +22,7 @@ bool isStandardOutput(const fs::path& file) {
          named.st_dev == open.st_dev && named.st_ino == open.st_ino;
 }
 
-/// What no other file can take the place of: a pipe, a device.
+/// Whether the path is a pipe or a device, which no file can replace.
 bool isWrittenStraight(const fs::path& file) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);

@@ -6,13 +6,14 @@
 
 namespace seamwright::cli {
 
-/// \throws std::runtime_error, in one line, if a file can't be made there: missing folder, a folder
-/// of that name, no rights.
+/// \throws std::runtime_error, in one line, if a file cannot be made there: missing folder, a
+/// folder of that name, no permission.
 void requireWritable(const std::filesystem::path& file);
 
-/// A text that waits beside its place, on the disk already; gone with the object unless it took
-/// that place. What is no regular file, as a pipe or a device, and what standard output goes to is
-/// written to when the text takes its place; symbolic links stay.
+/// A text in a temporary file beside its target, already on the disk. The destructor removes the
+/// temporary file unless it replaced the target. A target that is not a regular file, such as a
+/// pipe or a device, and the target of standard output are written to instead of replaced. Symbolic
+/// links stay.
 class PendingFile {
  public:
   /// \throws std::runtime_error
@@ -21,19 +22,20 @@ class PendingFile {
   PendingFile& operator=(const PendingFile&) = delete;
   ~PendingFile();
 
-  /// \throws std::runtime_error; the file is then what it was.
+  /// \throws std::runtime_error; the file then stays as it was.
   void takePlace();
 
  private:
   std::filesystem::path file_;
-  std::filesystem::path beside_;  ///< empty: nothing waits there
+  std::filesystem::path beside_;  ///< the temporary file; empty: none
   std::string text_;
 };
 
-/// Writes beside the file and renames, so that it is whole or untouched. \throws std::runtime_error
+/// Writes a temporary file beside the target and renames it, so that the target is complete or
+/// unchanged. \throws std::runtime_error
 void writeFile(const std::filesystem::path& file, const std::string& text);
 
-/// \throws std::runtime_error if standard output takes not all of it (a full disk).
+/// \throws std::runtime_error if standard output does not accept the whole text (a full disk).
 void writeStandardOutput(const std::string& text);
 
 }  // namespace seamwright::cli

@@ -6,7 +6,8 @@
 
 namespace seamwright::cli {
 
-/// A bar on standard error while it lives, if that is a terminal; nothing otherwise.
+/// A progress bar on standard error during the lifetime of the object, if standard error is a
+/// terminal; nothing otherwise.
 class ProgressBar {
  public:
   explicit ProgressBar(std::string label);

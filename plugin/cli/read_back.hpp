@@ -12,16 +12,17 @@
 
 namespace seamwright::cli {
 
-/// What a command leaves behind.
+/// The output of a command: model and report.
 struct Outcome {
   const occ::Model* model = nullptr;  ///< null: none is written
   report::Judge judge;                ///< of the model's file
-  /// The report, by what was written.
+  /// The report as a function of what was written.
   std::function<nlohmann::ordered_json(const std::optional<report::WrittenModel>&)> report;
   bool unchanged = false;             ///< as of occ::WriteOptions
   report::ModelCounts memory;         ///< of the model
   const occ::Model* given = nullptr;  ///< as of report::FileJudge
-  /// Asked before a file takes its place; what it throws is passed on, and nothing is written then.
+  /// Called before a file replaces its target. If it throws, the exception is passed on and nothing
+  /// is written.
   std::function<void(const report::WrittenModel&)> accepts = {};
 };
 
@@ -30,13 +31,13 @@ struct WrittenOutcome {
   std::vector<std::string> notes;  ///< as of occ::WriteReport
 };
 
-/// Writes the model, if there is one, see report::writeJudged(), and the report, if one was asked
+/// Writes the model, if there is one, with report::writeJudged(), and the report, if one was asked
 /// for.
 /// \throws std::runtime_error, occ::ModelError, occ::Cancelled.
 WrittenOutcome writeOutcome(const Outcome& outcome, const OutputArguments& arguments);
 
-/// Warns of what the file has otherwise than the model in memory, and of what its format can't
-/// hold.
+/// Warns of differences between the file and the model in memory, and of what the file's format
+/// cannot hold.
 void warnOf(const WrittenOutcome& written, const OutputArguments& arguments,
             const report::ModelCounts& memory);
 

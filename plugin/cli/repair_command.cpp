@@ -43,13 +43,13 @@ occ::RepairReport repaired(const occ::Model& model, const std::string& path,
   return occ::repair(model, options, bar.progress());
 }
 
-/// A file that is not kept: the repair made seams of it worse that these faces have.
+/// A file that is not kept, because the repair made seams of these faces worse in it.
 struct FacesToHold : std::exception {
   std::vector<int> faces;
   double repair_s = 0;  ///< spent on the repair
 };
 
-/// Faces that are held for the file were not fixed by the user.
+/// Corrects the reasons of seams: faces that are held for the file were not fixed by the user.
 void tellHeld(const std::vector<int>& asked, const std::vector<int>& held,
               occ::RepairReport& report) {
   for (const int face : held) {
@@ -62,13 +62,14 @@ void tellHeld(const std::vector<int>& asked, const std::vector<int>& held,
   }
 }
 
-/// A repair, and its file.
+/// A repair and its written file.
 struct Done {
   occ::RepairReport report;
   WrittenOutcome written;
 };
 
-/// \param asked in the report; \param used may hold more faces
+/// \param asked the options of the report; \param used the options of the repair, which may hold
+/// more faces
 /// \throws FacesToHold if \p may_refuse
 Done repairedAndWritten(const occ::Model& model, const RepairArguments& arguments,
                         const occ::RepairOptions& asked, const occ::RepairOptions& used,
@@ -97,8 +98,8 @@ Done repairedAndWritten(const occ::Model& model, const RepairArguments& argument
   return done;
 }
 
-/// Seams that the repair made worse in the file get the faces back that they had: these are held,
-/// and the rest is repaired again.
+/// Restores the original faces of seams that the repair made worse in the file: these faces are
+/// held, and the rest is repaired again.
 Done repairForFile(const occ::Model& model, const RepairArguments& arguments,
                    const occ::RepairOptions& asked) {
   constexpr int most_repeats = 2;

@@ -9,7 +9,7 @@
 
 namespace seamwright::cli {
 
-/// What `seamwright repair` was asked to do.
+/// Arguments of `seamwright repair`.
 struct RepairArguments {
   std::string model;
   OutputArguments output;
@@ -25,11 +25,11 @@ struct RepairArguments {
   bool convert_analytic = false;
 };
 
-/// Adds the options to a command; they are parsed into \p arguments.
+/// Adds the options to a command. Parsing stores them in \p arguments.
 void addRepairOptions(CLI::App& command, RepairArguments& arguments);
 
-/// \returns exit status 0 (all seams of the result meet the level) or 1. Writes neither model nor
-/// report if it throws for another reason than standard output.
+/// \returns exit status 0 (all seams of the result meet the level) or 1. If it throws for a reason
+/// other than standard output, it writes neither model nor report.
 int runRepair(const RepairArguments& arguments);
 
 }  // namespace seamwright::cli

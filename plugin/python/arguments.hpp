@@ -19,11 +19,13 @@ inline std::string shown(const py::object& value) {
   return py::cast<std::string>(py::repr(value));
 }
 
-/// A number that is not complex, no boolean, no text, no array of one or more dimensions.
+/// Whether the value is a real number: not complex, not a boolean, not text, not an array of one or
+/// more dimensions.
 bool isReal(const py::handle& value);
 
-/// The value of a keyword; ValueError with name and value where it has another type. Whole numbers
-/// are not made of others, real numbers and sequences of them not of booleans or complex numbers.
+/// The value of a keyword; ValueError with name and value if it has another type. Other numbers are
+/// not converted to integers. Booleans and complex numbers are not converted to real numbers or
+/// sequences of real numbers.
 template <class T>
 T argument(const char* name, const py::object& value, const char* kind) {
   const auto refuse = [&] {
@@ -56,17 +58,16 @@ T argument(const char* name, const py::object& value, const char* kind) {
 /// The numbers of a sequence.
 Eigen::VectorXd numbersOf(const std::string& name, const py::object& value);
 
-/// As many numbers as \p count from one for all of them, or the numbers of a sequence of any
-/// length.
+/// A single number repeated \p count times, or the numbers of a sequence of any length.
 std::vector<double> each(const char* name, const py::object& value, Eigen::Index count);
 
 /// True or False; ValueError for anything else.
 bool flagOf(const char* name, const py::object& value);
 
-/// The numbers of a sequence, all whole.
+/// The numbers of a sequence of integers.
 std::vector<int> wholeNumbers(const char* name, const py::object& value);
 
-/// A parameter at which something is evaluated; ValueError where it is not finite.
+/// The parameter of an evaluation; ValueError if it is not finite.
 inline double parameter(const char* name, double value) {
   if (!std::isfinite(value))
     throw py::value_error(std::string(name) + " is " + shown(py::float_(value)) +
@@ -74,7 +75,7 @@ inline double parameter(const char* name, double value) {
   return value;
 }
 
-/// Tolerances as keywords: each is None, for that of the profile, or a number.
+/// Tolerances as keywords: each is a number, or None for the profile's.
 struct ToleranceArguments {
   const py::object& profile;
   const py::object& gap_mm;
@@ -84,7 +85,7 @@ struct ToleranceArguments {
   const py::object& crease_deg;
 };
 
-/// The crease angle where there are no creases, as at the joints of curves: any tolerance is below
+/// The crease angle if there are no creases, as at the joints of curves: every tolerance is below
 /// it.
 inline py::object noCrease() {
   return py::float_(90.0);
@@ -93,7 +94,7 @@ inline py::object noCrease() {
 ContinuityTolerance toleranceOf(const ToleranceArguments& arguments);
 Level levelOf(const py::object& value);
 
-/// The order of contact that the keyword target asks for: 1 for "G1", 2 for "G2".
+/// The order of contact of the keyword target: 1 for "G1", 2 for "G2".
 int orderOf(const py::object& target);
 
 }  // namespace seamwright::python

@@ -54,7 +54,7 @@ Eigen::Vector3d curvePoint(const BezierCurve& curve, double t) {
 }
 
 Poles curveDerivatives(const BezierCurve& curve, double t, int order) {
-  constexpr int most = 1000;  // the quotient rule takes order^2 steps
+  constexpr int most = 1000;  // bounds the time: the quotient rule takes order^2 steps
   if (order > most)
     throw py::value_error("order " + std::to_string(order) + ": it must be within " +
                           std::to_string(most));

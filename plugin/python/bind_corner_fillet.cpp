@@ -24,7 +24,7 @@ struct CornerFilletResult {
   occ::ModelFacts given;
 };
 
-/// A number for all edges, or a dict by edge.
+/// Lengths by edge, from one number for all edges or from a dict by edge.
 std::map<int, double> lengths(const char* name, const py::object& value,
                               const std::vector<int>& edges) {
   std::map<int, double> result;
@@ -43,7 +43,7 @@ std::map<int, double> lengths(const char* name, const py::object& value,
   return result;
 }
 
-/// Corners that are not supported, and radii and setbacks without room, are bad arguments to
+/// Reports corners that are not supported, and radii and setbacks without room, as bad arguments in
 /// Python.
 template <class Work>
 auto valueErrors(const Work& work) {

@@ -20,7 +20,7 @@ constexpr const char* side_kinds =
     "a BezierCurve, (BezierCurve, cross field[, bend]) or (BezierPatch, edge[, reversed]) is "
     "needed";
 
-/// The side that a patch gives, from (patch, edge) or (patch, edge, reversed).
+/// The side of a patch, from (patch, edge) or (patch, edge, reversed).
 FillSide neighbourSide(const std::string& name, const py::tuple& value) {
   const bool against = value.size() == 3;
   if (against && !PyBool_Check(value[2].ptr()))
@@ -75,7 +75,8 @@ py::list cornerList(const std::vector<FillCorner>& corners) {
   return list;
 }
 
-/// \param given  a sequence, but no py::sequence: that one lets go of each item before it is used.
+/// \param given  a sequence, but not as py::sequence, whose iterator releases each item before it
+/// is used.
 std::vector<FillSide> sidesOf(const py::object& given) {
   std::vector<FillSide> sides;
   for (const py::handle side : given)

@@ -16,7 +16,7 @@ namespace seamwright::python {
 
 namespace {
 
-/// What came of a fill, with what was asked for.
+/// The result of a fill, with its options.
 struct FillReport {
   occ::FillHoleReport report;
   occ::FillHoleOptions options;

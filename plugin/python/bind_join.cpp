@@ -24,7 +24,7 @@ constexpr std::pair<const char*, Function> functions[] = {
     {"q", &Connection::q},         {"e0", &Connection::e0},     {"e1", &Connection::e1},
     {"e2", &Connection::e2}};
 
-/// A number, or Bernstein coefficients.
+/// Bernstein coefficients, from one number or a sequence.
 Eigen::VectorXd functionOf(const char* name, const py::object& value) {
   constexpr const char* kind = "a number or a sequence of Bernstein coefficients";
   if (py::isinstance<py::float_>(value) || py::isinstance<py::int_>(value))
@@ -33,7 +33,7 @@ Eigen::VectorXd functionOf(const char* name, const py::object& value) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-/// From keywords or a dict; takes out what it knows.
+/// The connection from keywords or a dict; other keys are ignored.
 Connection connectionOf(const py::dict& keywords) {
   Connection connection;
   for (const auto& [name, function] : functions)
@@ -42,7 +42,7 @@ Connection connectionOf(const py::dict& keywords) {
   return connection;
 }
 
-/// \param others further keys that may be there.
+/// \param others further keys that are allowed.
 void requireKnown(const py::dict& keywords, std::initializer_list<const char*> others) {
   for (const auto& [key, value] : keywords) {
     const auto name = py::cast<std::string>(key);
@@ -53,7 +53,7 @@ void requireKnown(const py::dict& keywords, std::initializer_list<const char*> o
   }
 }
 
-/// From a dict of functions alone.
+/// The connection from a dict that may contain only functions.
 Connection givenConnectionOf(const char* name, const py::object& value) {
   if (!py::isinstance<py::dict>(value))
     throw py::value_error(std::string(name) + " is " + shown(value) +

@@ -14,7 +14,7 @@ namespace seamwright::python {
 
 namespace {
 
-/// What came of two faces, with the tolerances it was judged by.
+/// The result of matching two faces, with the tolerances that judged it.
 struct MatchResult {
   occ::MatchReport report;
   occ::Model model;
@@ -57,7 +57,7 @@ MatchResult matchFaces(const occ::Model& model, const py::object& first, const p
   });
 }
 
-/// None where the faces have no common boundary.
+/// None if the faces have no common boundary.
 py::object seamDict(const occ::SeamResult& seam, const ContinuityTolerance& tolerance) {
   if (seam.id == 0) return py::none();
   return plainObject(report::toJson(seam, tolerance));

@@ -44,7 +44,7 @@ SurfaceShape shapeOf(const py::object& patch, double u, double v) {
                        ": a BezierPatch or a BezierTriangle is needed");
 }
 
-/// The part of \p value in the tangent plane, of unit length.
+/// The projection of \p value onto the tangent plane, normalised.
 Eigen::Vector3d tangentDirection(const py::object& value, const Eigen::Vector3d& normal) {
   constexpr const char* kind = "a sequence of three numbers";
   const auto numbers = argument<std::vector<double>>("direction", value, kind);

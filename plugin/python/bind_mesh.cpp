@@ -11,7 +11,7 @@ namespace seamwright::python {
 
 namespace {
 
-/// An array of shape (rows, columns) from rows of numbers that lie one after the other.
+/// An array of shape (rows, columns) from contiguous rows of numbers.
 template <class Number, class Row>
 py::array_t<Number> tableOf(const std::vector<Row>& rows) {
   constexpr std::size_t columns = sizeof(Row) / sizeof(Number);

@@ -62,7 +62,7 @@ py::dict profiles() {
   return all;
 }
 
-/// The name of a file as Python spells it, so that it can be opened again.
+/// The name of a file decoded as Python does it, so that Python can open the file again.
 py::str fileName(const std::string& name) {
   return py::reinterpret_steal<py::str>(
       PyUnicode_DecodeFSDefaultAndSize(name.data(), static_cast<Py_ssize_t>(name.size())));
@@ -95,7 +95,8 @@ std::string written(const Write& write, const occ::Model& model) {
   return stream.str();
 }
 
-/// As py::register_local_exception, but the message may quote the name of a file.
+/// Like py::register_local_exception, except that the message may quote the name of a file with any
+/// bytes.
 void bindModelError(py::module_& module) {
   static py::handle type = py::exception<occ::ModelError>(module, "ModelError").release();
   py::register_local_exception_translator([](std::exception_ptr thrown) {

@@ -102,7 +102,7 @@ JoinSide sideOf(const Surface& surface, const std::string& edge,
   return side;
 }
 
-/// Bezier patches to a common degree along the seam.
+/// Raises a Bezier patch to \p degree along the seam.
 void elevate(JoinSide& side, int degree, const Surface& given) {
   if (degreeAlong(side) >= degree || !std::holds_alternative<BezierPatch>(given)) return;
   if (side.weights.size() != 0 || !side.fixed.empty())

@@ -23,7 +23,8 @@ Eigen::Index countOf(const Curve& curve) {
   return std::get<BSplineCurve>(curve).count();
 }
 
-/// Indices of poles, negative ones from the end, or a mask of booleans, one a pole.
+/// Indices of poles, from a sequence of indices (negative ones count from the end) or from a mask
+/// with one boolean per pole.
 std::vector<Eigen::Index> fixedPoles(const std::string& name, const py::object& value,
                                      Eigen::Index count) {
   const auto array = py::array::ensure(value);

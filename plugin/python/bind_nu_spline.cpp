@@ -22,7 +22,7 @@ SplineEnds endsOf(const py::object& value) {
                         ": known are 'natural', 'clamped' and 'periodic'");
 }
 
-/// \p value, given with clamped ends and only with them.
+/// The vector \p value; it must be given with clamped ends and only with them.
 Eigen::Vector3d derivativeOf(const char* name, const py::object& value, SplineEnds ends) {
   if (value.is_none() != (ends != SplineEnds::Clamped))
     throw py::value_error(std::string(name) + " is " + shown(value) +
@@ -31,7 +31,7 @@ Eigen::Vector3d derivativeOf(const char* name, const py::object& value, SplineEn
   return argument<Eigen::Vector3d>(name, value, "a vector of three numbers");
 }
 
-/// The nu of a natural end, which has no meaning at others; 0 for None.
+/// The nu of a natural end; 0 for None. Other ends have no nu.
 double endNuOf(const char* name, const py::object& value, SplineEnds ends) {
   if (value.is_none()) return 0;
   if (ends != SplineEnds::Natural)

@@ -15,14 +15,15 @@ namespace seamwright::python {
 
 namespace {
 
-/// What came of a repair, with what was asked for.
+/// The result of a repair, with the given model and the options.
 struct RepairReport {
   occ::Model given;
   occ::RepairReport report;
   occ::RepairOptions options;
 };
 
-/// Edges by their numbers; none given means all defects, so an empty choice is told from that.
+/// Edges by their numbers. An empty list means all defects in the options, so an empty sequence is
+/// refused and only None selects all defects.
 std::vector<int> edgesOf(const py::object& edges) {
   if (edges.is_none()) return {};
   std::vector<int> numbers = wholeNumbers("edges", edges);
@@ -32,7 +33,7 @@ std::vector<int> edgesOf(const py::object& edges) {
   return numbers;
 }
 
-/// None: any distance; "auto": by the sizes of faces.
+/// None gives infinity (any distance); "auto" gives nothing (by the sizes of faces).
 std::optional<double> maxMoveOf(const py::object& max_move_mm) {
   if (max_move_mm.is_none()) return std::numeric_limits<double>::infinity();
   if (py::isinstance<py::str>(max_move_mm) && max_move_mm.cast<std::string>() == "auto") return {};

@@ -24,8 +24,8 @@ HomogeneousPoles homogeneousOf(const Array& poles, const std::optional<Array>& w
       rows, weights ? weightsOf(*weights, poles) : Eigen::VectorXd::Ones(rows.rows()));
 }
 
-constexpr int kMostOrder = 1000;      // the quotient rule takes order^2 steps
-constexpr int kMostJointOrder = 100;  // a joint's measure takes order^3
+constexpr int kMostOrder = 1000;      // bounds the time: the quotient rule takes order^2 steps
+constexpr int kMostJointOrder = 100;  // bounds the time: measuring a joint takes order^3 steps
 
 /// \throws ValueError for an order above \p most.
 int orderOf(int order, int most) {
@@ -72,7 +72,7 @@ py::list jointsOf(const BezierSpline& spline, const py::object& order, const py:
   return list;
 }
 
-/// What FreeCAD has, as its numbers, over its range.
+/// A clamped curve from the numbers of a FreeCAD curve, over the whole range of that curve.
 BSplineCurve clampedOf(int degree, std::vector<double> knots, std::vector<int> multiplicities,
                        const Array& poles, const std::optional<Array>& weights, bool periodic) {
   const KnotCurve curve{degree, std::move(knots), std::move(multiplicities),
@@ -96,7 +96,7 @@ BezierSpline gammaOf(const Array& vertices, const py::object& lengths, const py:
       {rows, closed, each("lengths", lengths, segments), each("gamma", gamma, segments)});
 }
 
-/// What both kinds have.
+/// Members that both types of curve have.
 template <class Curve>
 void bindNumbers(py::class_<Curve>& type) {
   type.def_property_readonly("degree", [](const Curve& c) { return c.degree; })

@@ -25,7 +25,7 @@ BezierTriangle makeTriangle(const Array& poles, const std::optional<Array>& weig
 
 /// The rows of an array of barycentric coordinates.
 std::vector<Barycentric> barycentricRows(const char* name, const Array& array) {
-  constexpr double slip = 1e-9;  // far above rounding: more is no barycentric coordinate
+  constexpr double slip = 1e-9;  // far above the rounding of barycentric coordinates
   const Poles rows = polesOf(array, 2, "(number, 3)");
   std::vector<Barycentric> result;
   for (const auto& row : rows.rowwise()) {

@@ -14,15 +14,15 @@ namespace seamwright::python {
 
 namespace {
 
-/// The value itself, to be iterated over. A py::sequence lets go of each item before it is used;
-/// nothing else holds the items of an array.
+/// Checks that the value is a sequence and returns the value itself for iteration. The iterator of
+/// py::sequence releases each item before it is used, and nothing else holds the items of an array.
 const py::object& sequenceOf(const char* name, const py::object& value) {
   if (!py::isinstance<py::sequence>(value) || py::isinstance<py::str>(value))
     throw py::value_error(std::string(name) + " is " + shown(value) + ": a sequence is needed");
   return value;
 }
 
-/// Curves or arrays of poles.
+/// Curves, from a sequence of curves or of arrays of poles.
 std::vector<BezierCurve> curvesOf(const char* name, const py::object& value) {
   std::vector<BezierCurve> curves;
   for (const py::handle item : sequenceOf(name, value)) {
@@ -82,7 +82,7 @@ std::optional<Eigen::Matrix3d> formOf(const py::object& value) {
   return Eigen::Matrix3d(rows);
 }
 
-/// As join_condition() takes it; nothing at a rim.
+/// A connection in the form that join_condition() takes; None at an outer spoke.
 py::object connectionOf(const SpokeFunctions& law) {
   if (law.a.size() == 0) return py::none();
   py::dict connection;

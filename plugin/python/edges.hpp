@@ -4,7 +4,7 @@
 #include <seamwright/core/bezier/patch_edge.hpp>
 #include <seamwright/plugin/python/arguments.hpp>
 
-/// Edges by their names.
+/// Edges from their names.
 namespace seamwright::python {
 
 inline PatchEdge patchEdgeOf(const char* argument_name, const py::object& value) {

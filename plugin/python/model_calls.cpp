@@ -9,7 +9,8 @@ namespace seamwright::python {
 
 namespace {
 
-/// Passes on what does not fall: a file is read back before its writing comes to an end.
+/// Makes progress monotonic, because a file is read back before its writing ends and the share
+/// would fall.
 occ::Progress rising(const occ::Progress& progress) {
   return [&progress, highest = 0.0](double share) mutable {
     highest = std::max(highest, share);

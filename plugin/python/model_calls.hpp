@@ -11,18 +11,18 @@
 #include <seamwright/plugin/report/written.hpp>
 #include <string>
 
-/// What the calls on models share.
+/// Helpers that the calls on models share.
 namespace seamwright::python {
 
 namespace py = pybind11;
 
-/// Calls a Python callable from a thread without the GIL. An answer that is false to Python, other
-/// than None, asks the work to stop; so do Ctrl-C and what the callable raises, also when asked for
-/// its truth, which is kept in \p raised. Both arguments have to outlive it.
+/// Calls a Python callable from a thread without the GIL. An answer that is false in Python, other
+/// than None, stops the work. So do Ctrl-C and an exception of the callable or of the truth test of
+/// its answer; the exception is kept in \p raised. Both arguments must outlive the result.
 occ::Progress progressOf(const py::object& callable, std::exception_ptr& raised);
 
-/// Does long work without the GIL: work(progress). What the callable raises is raised, however the
-/// work took being stopped.
+/// Runs work(progress) without the GIL. An exception of the callable is raised again, whether the
+/// stopped work returned or threw.
 template <class Work>
 auto longCall(const py::object& callable, const Work& work) {
   std::exception_ptr raised;
@@ -43,7 +43,7 @@ auto longCall(const py::object& callable, const Work& work) {
 /// {format, followed_source, changed_faces, changed_edges, changed_vertices, notes}.
 py::dict plainDict(const occ::WriteReport& written);
 
-/// A model that was changed, and how its file is judged.
+/// A changed model, and the criteria for its file.
 struct ResultToWrite {
   const occ::Model& model;
   bool unchanged = false;  ///< as of occ::WriteOptions
@@ -69,14 +69,15 @@ constexpr const char* write_result_doc =
     "where the file can't be "
     "read back; nothing is written then.";
 
-/// What write_result_doc says.
+/// Does what write_result_doc describes.
 py::dict writeResult(const ResultToWrite& result, const ResultTarget& target,
                      const py::object& progress);
 
-/// Dicts, lists, numbers, texts and None.
+/// The JSON as Python dicts, lists, numbers, strings and None.
 py::object plainObject(const nlohmann::ordered_json& json);
 
-/// Text that quotes the name of a file, which may hold any byte; what is no UTF-8 is replaced.
+/// Text that quotes the name of a file, which may contain any byte. Bytes that are not UTF-8 are
+/// replaced.
 py::str readable(const std::string& text);
 
 }  // namespace seamwright::python

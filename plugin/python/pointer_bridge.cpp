@@ -1,7 +1,6 @@
-// SPDX-License-Identifier: LGPL-2.1-or-later
-// Shapes by pointer. FreeCAD hands out and takes pointers to TopoDS_Shape through SWIG's table of
-// types, if some module has put that type into the table. Here it is put there, unless another
-// module already did.
+// SPDX-License-Identifier: LGPL-2.1-or-later Passes shapes by pointer. FreeCAD gives and takes
+// pointers to TopoDS_Shape through SWIG's table of types, if a module has put that type into the
+// table. This file puts it there, unless another module did so before.
 #include <Python.h>
 #include <swigpyrun.h>
 #include <memory>
@@ -14,10 +13,10 @@ namespace seamwright::python {
 
 namespace {
 
-/// SWIG's entry for TopoDS_Shape; lives as long as the process, since the table keeps its address.
+/// SWIG's entry for TopoDS_Shape. It is static, because the table keeps its address.
 swig_type_info* shapeType() {
   static swig_type_info type = {"_p_TopoDS_Shape", "TopoDS_Shape *", nullptr, nullptr, nullptr, 0};
-  // The last member is a pointer, or a number since SWIG's runtime 5.
+  // The last member is a pointer before SWIG's runtime 5 and a number since; {} fits both.
   static swig_cast_info cast = {&type, nullptr, nullptr, {}};
   static swig_type_info* types[] = {&type};
   static swig_module_info table = {types, 1, nullptr, nullptr, nullptr, nullptr};
@@ -42,14 +41,14 @@ occ::Model modelFromPointer(const py::object& pointer) {
   if (SWIG_ConvertPtr(pointer.ptr(), &address, shapeType(), SWIG_POINTER_DISOWN) < 0 ||
       address == nullptr)
     throw py::type_error("not a pointer to a shape");
-  // FreeCAD gave the handle away; the shape behind it stays shared.
+  // FreeCAD passed ownership of the handle; the shape behind it stays shared.
   const std::unique_ptr<TopoDS_Shape> shape(static_cast<TopoDS_Shape*>(address));
   return occ::modelFromShape(*shape);
 }
 
 py::object pointerFromModel(const occ::Model& model) {
-  // FreeCAD copies the handle and does not take the pointer over; the caller keeps the model until
-  // it has.
+  // FreeCAD copies the handle and does not take ownership of the pointer. The caller keeps the
+  // model alive until FreeCAD has copied.
   return py::reinterpret_steal<py::object>(
       SWIG_NewPointerObj(const_cast<TopoDS_Shape*>(&model.shape), shapeType(), 0));
 }

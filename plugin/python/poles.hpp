@@ -7,8 +7,8 @@
 
 namespace seamwright::python {
 
-/// An array of real numbers. As an argument it is made of whole and real numbers; a ValueError
-/// refuses complex ones, booleans and text.
+/// An array of real numbers. An argument may hold integers and real numbers; complex numbers,
+/// booleans and text are refused with a ValueError.
 class Array
     : public pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast> {
  public:
@@ -17,11 +17,12 @@ class Array
 
 Array arrayOf(const pybind11::handle& value);
 
-/// The rows of an array of shape (..., 3). \param wanted that shape in words.
-/// \throws ValueError naming the shape if it has another number of dimensions or columns.
+/// The rows of an array of shape (..., 3). \param wanted the required shape as text.
+/// \throws ValueError that names the shape, if the array has another number of dimensions or
+/// columns.
 Poles polesOf(const Array& array, pybind11::ssize_t dimensions, const char* wanted);
 
-/// \throws ValueError naming the shapes unless there is one weight for each pole.
+/// \throws ValueError that names the shapes, unless there is one weight for each pole.
 Eigen::VectorXd weightsOf(const Array& weights, const Array& poles);
 
 }  // namespace seamwright::python

@@ -37,7 +37,7 @@ ordered_json edgeJson(const occ::CornerFilletEdge& edge) {
           {"setback_mm", edge.setback_mm}};
 }
 
-/// Null where no bound is known.
+/// Null if no bound is known.
 ordered_json bound(double value) {
   return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
 }

@@ -10,22 +10,22 @@
 
 namespace seamwright::report {
 
-/// Numbers of the cylinders, or whatever rounds the edges, and of the patches of the corner in the
-/// new model.
+/// Numbers of the faces that round the edges (cylinders between planes) and of the patches of the
+/// corner in the new model.
 std::vector<int> newFaces(const occ::CornerFillet& fillet);
 
-/// Counts the seams of the new faces; of all faces, where a model does not have those of the one in
-/// memory. Both arguments have to outlive it.
+/// Counts the seams of the new faces. Counts the seams of all faces if a model does not have the
+/// faces of the model in memory. Both arguments must outlive the result.
 Judge judgeOf(const occ::CornerFillet& fillet, const occ::CornerFilletOptions& options);
 
 /// The report as the object "seamwright.corner/1" (docs/corner-1.schema.json), lengths in mm,
 /// angles in degrees.
-/// \param given the model as it was read. \param output nothing where the model was not written.
+/// \param given the model as it was read. \param output nothing if the model was not written.
 nlohmann::ordered_json toJson(const occ::CornerFillet& fillet, const ContinuityTolerance& tolerance,
                               int vertex, const occ::ModelFacts& given,
                               const std::optional<WrittenModel>& output = {});
 
-/// What came of it, for people. \param memory what \p output is compared with.
+/// The result as text. \param memory the counts that \p output is compared with.
 std::string toTable(const occ::CornerFillet& fillet, const ModelCounts& memory,
                     const std::optional<WrittenModel>& output);
 

@@ -6,10 +6,10 @@
 
 namespace seamwright::report {
 
-/// The line of column names, ended by a newline.
+/// The line of column names, with a newline at the end.
 std::string csvHeader();
 
-/// One line a seam (RFC 4180 quoting, decimal point, empty field for a figure without value).
+/// One line per seam (RFC 4180 quoting, decimal point, empty field for a figure without value).
 std::string csvRows(const occ::Report& report);
 
 }  // namespace seamwright::report

@@ -19,7 +19,7 @@ bool isPlain(double value) {
   return value >= 1e-3 && value < 1e5;
 }
 
-/// Without the zeros that end the digits after a point.
+/// Removes trailing zeros after a decimal point.
 std::string stripped(std::string digits) {
   if (digits.find('.') == std::string::npos) return digits;
   digits.erase(digits.find_last_not_of('0') + 1);
@@ -35,13 +35,13 @@ std::string written(double value, int decimals, char notation) {
   return text.data();
 }
 
-/// The value to so many significant digits; a digit less where the notation has an exponent.
+/// The value with \p digits significant digits; one less if the notation has an exponent.
 std::string roundedNumber(double value, int digits, Rounding rounding) {
   if (value == 0) return "0";
   if (!isPlain(value)) --digits;
   const int exponent = static_cast<int>(std::floor(std::log10(value)));
   const double unit = std::pow(10.0, exponent - digits + 1);
-  constexpr double rounding_noise = 1e-6;  // of a unit: 2 - 1e-15 is 2, not 1.99
+  constexpr double rounding_noise = 1e-6;  // of a unit of the last digit: 2 - 1e-15 is 2, not 1.99
   if (rounding == Rounding::Up) value = unit * std::ceil(value / unit - rounding_noise);
   if (rounding == Rounding::Down) value = unit * std::floor(value / unit + rounding_noise);
   if (isPlain(value)) return stripped(written(value, std::max(0, digits - 1 - exponent), 'f'));
@@ -50,7 +50,7 @@ std::string roundedNumber(double value, int digits, Rounding rounding) {
   return stripped(text.substr(0, e)) + 'e' + std::to_string(std::atoi(text.c_str() + e + 1));
 }
 
-/// On the same side of the limit as the value itself.
+/// The value with as many digits as put the text on the same side of the limit as the value.
 std::string numberBeside(double value, std::optional<double> limit) {
   std::string text = roundedNumber(value, few_digits, Rounding::Nearest);
   for (int digits = few_digits + 1; limit && digits <= all_digits; ++digits) {

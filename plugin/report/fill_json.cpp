@@ -47,7 +47,7 @@ ordered_json seamsJson(const std::vector<occ::SeamResult>& seams,
   return all;
 }
 
-/// Seams that do not surely reach the target.
+/// Seams that do not certainly reach the target.
 std::vector<occ::SeamResult> missed(std::vector<occ::SeamResult> seams,
                                     const occ::FillHoleOptions& options) {
   std::erase_if(seams, [&options](const occ::SeamResult& seam) {
@@ -72,8 +72,8 @@ std::string betweenText(const occ::SeamResult& seam, const occ::FillHoleReport& 
   return one == other ? one : one + ", " + other;
 }
 
-/// A row for each new seam, those that miss the target first. Without the fill the model has none
-/// of their edges.
+/// A row for each new seam, those that miss the target first. Without the fill the model has no
+/// edges of new seams.
 std::vector<Row> rowsOf(const occ::FillHoleReport& report, const occ::FillHoleOptions& options) {
   const std::vector<Column> columns = figureColumns(options.tolerance);
   std::vector<Row> rows(1, {"result", "edge", "between"}), met;

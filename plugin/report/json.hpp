@@ -11,15 +11,15 @@ namespace seamwright::report {
 /// angles in degrees.
 nlohmann::ordered_json toJson(const occ::Report& report);
 
-/// One seam of it.
+/// One seam of the report.
 nlohmann::ordered_json toJson(const occ::SeamResult& seam, const ContinuityTolerance& tolerance);
 
-/// What every report begins with: schema, generator, model and tolerance.
+/// The beginning of every report: schema, generator, model and tolerance.
 nlohmann::ordered_json headJson(const std::string& schema, const occ::Report& report);
 /// The same without a tolerance.
 nlohmann::ordered_json headJson(const std::string& schema, const occ::ModelFacts& model);
 
-/// An object in one line; bytes of names that are no UTF-8 are replaced.
+/// An object on one line; bytes of names that are not UTF-8 are replaced.
 std::string toLine(const nlohmann::ordered_json& json);
 std::string toJsonLine(const occ::Report& report);
 

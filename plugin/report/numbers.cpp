@@ -9,7 +9,7 @@ namespace seamwright::report {
 
 namespace {
 
-/// "angle is 0.09..0.12 deg, with 0.1 deg as its limit" where an enclosure holds the limit; else
+/// "angle is 0.09..0.12 deg, with 0.1 deg as its limit" if an enclosure contains the limit; else
 /// empty.
 std::string doubt(const std::string& what, const std::optional<Figure>& figure, double factor,
                   double limit, const std::string& unit) {
@@ -20,7 +20,8 @@ std::string doubt(const std::string& what, const std::optional<Figure>& figure, 
   return text.str();
 }
 
-/// "curvature is up to 37 % where it is left out, with 2 % as its limit", if so; else empty.
+/// "curvature is up to 37 % where it is left out, with 2 % as its limit" if the bound there exceeds
+/// the limit or is unknown; else empty.
 std::string doubtLeftOut(const std::string& what, const std::optional<Figure>& figure,
                          const LeftOut& left_out, const ContinuityTolerance& tolerance,
                          double factor, double limit, const std::string& unit) {
@@ -36,7 +37,7 @@ std::string doubtLeftOut(const std::string& what, const std::optional<Figure>& f
   return text.str();
 }
 
-/// The first enclosure that leaves a verdict open; empty if there is none.
+/// The first enclosure that makes a verdict uncertain; empty if there is none.
 std::string firstDoubt(const SeamFigures& figures, const ContinuityTolerance& tolerance) {
   std::string text = doubt("gap", figures.gap_mm, 1, tolerance.gap_mm, "mm");
   for (const double limit : {tolerance.angle_rad, tolerance.crease_rad})
@@ -120,7 +121,8 @@ std::string noteOf(const occ::SeamResult& seam, const ContinuityTolerance& toler
   const std::string note =
       joinedNotes({seam.note, leftOutText("angle", seam.figures.angle_left_out),
                    leftOutText("curvature", seam.figures.curvature_left_out)});
-  // The change of curvature alone is sampled: its figure shows that, the same in every row.
+  // No note says that the change of curvature is sampled: this holds for every row, and the figure
+  // shows it.
   if (seam.verdict.certain && seam.figures.certified) return note;
   std::string why = seam.figures.uncertified;
   if (why.empty() && !seam.verdict.certain) why = firstDoubt(seam.figures, tolerance);

@@ -19,15 +19,15 @@ struct Summary {
   int defects = 0;
   int creases = 0;
   int uncertified = 0;       ///< seams whose verdict is not certain
-  int matched = 0;           ///< seams of two open edges
+  int matched = 0;           ///< seams of two free edges
   double max_gap_mm = 0;     ///< largest seen
   double max_angle_rad = 0;  ///< largest seen
 };
 
 Summary summarize(const occ::Report& report);
 
-/// What a user should know of a seam: its own note, and why its verdict is not certain or a bound
-/// up to G2 is missing.
+/// The remarks on a seam: its own note, and why its verdict is not certain or a bound up to G2 is
+/// missing.
 std::string noteOf(const occ::SeamResult& seam, const ContinuityTolerance& tolerance);
 
 }  // namespace seamwright::report

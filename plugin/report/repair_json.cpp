@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// A number; null: any distance; else by the sizes of faces.
+/// A number; null: any distance; "auto": by the sizes of faces.
 ordered_json maxMoveJson(const std::optional<double>& max_move_mm) {
   if (!max_move_mm) return "auto";
   return std::isfinite(*max_move_mm) ? ordered_json(*max_move_mm) : ordered_json(nullptr);
@@ -33,7 +33,8 @@ ordered_json optionsJson(const occ::RepairOptions& options) {
           {"convert_analytic", options.convert_analytic}};
 }
 
-/// Numbers in the repaired model by those in the given one, from 1; null where they are the same.
+/// Numbers in the repaired model by numbers in the given model, from 1; null if nothing was sewn,
+/// so that both are the same.
 ordered_json numbersJson(const occ::RepairReport& report) {
   if (!report.sewn()) return nullptr;
   ordered_json faces = report.faces_now, edges = report.edges_now;
@@ -56,7 +57,7 @@ std::set<FacePair> facesWithCommonEdge(const occ::Report& report) {
   return faces;
 }
 
-/// A matched seam of faces that have a common edge.
+/// Whether the seam is matched although its faces have a common edge.
 bool isBeside(const occ::SeamResult& seam, const std::set<FacePair>& common) {
   return seam.kind == occ::SeamKind::Matched && common.count(facesOf(seam)) > 0;
 }

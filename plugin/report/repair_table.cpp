@@ -24,7 +24,8 @@ std::string reasonOf(const occ::SeamRepair& seam) {
   return (seam.reason.empty() ? "not sewn: " : seam.reason + "; not sewn: ") + seam.not_sewn;
 }
 
-/// What was asked for: treated or sewn, or a reason why not.
+/// The seams that were to be repaired: treated or sewn, or with a reason why not. Unrepaired seams
+/// come first.
 std::vector<const occ::SeamRepair*> shownSeams(const occ::RepairReport& report) {
   std::vector<const occ::SeamRepair*> shown;
   for (const occ::SeamRepair& seam : report.seams)

@@ -8,10 +8,10 @@
 
 namespace seamwright::report {
 
-/// For people: a head with counts and the largest move, then the seams that were to be repaired
-/// with their figures before and after; those that were left first, with the reason; then the
-/// verdict.
-/// \param output nothing where the model was not written; the verdict is on the file too.
+/// The result as text: a head with counts and the largest move, then the seams that were to be
+/// repaired with their figures before and after, then the verdict. Unrepaired seams come first,
+/// with the reason.
+/// \param output nothing if the model was not written; otherwise the verdict includes the file.
 std::string toTable(const occ::RepairReport& report,
                     const std::optional<WrittenModel>& output = {});
 

@@ -42,7 +42,8 @@ Row rowOf(const occ::SeamResult& seam, const std::vector<Column>& columns,
   return row;
 }
 
-/// Defects, then smooth seams, then creases; in each the largest angle first, then the largest gap.
+/// Defects, then smooth seams, then creases; in each class by angle, then by gap, the largest
+/// first. Seams without a figure come before those with one.
 std::vector<const occ::SeamResult*> worstFirst(const occ::Report& report) {
   std::vector<const occ::SeamResult*> order;
   for (const occ::SeamResult& seam : report.seams) order.push_back(&seam);
@@ -74,7 +75,7 @@ void writeHead(std::ostream& out, const occ::Report& report) {
       << " s\n";
 }
 
-/// How many of the verdicts hold for every value within the enclosures.
+/// The number of verdicts that hold for every value within the enclosures.
 std::string certainty(const occ::Report& report, const Summary& summary) {
   const std::size_t certain = report.seams.size() - static_cast<std::size_t>(summary.uncertified);
   const std::string share =

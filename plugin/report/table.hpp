@@ -6,8 +6,8 @@
 
 namespace seamwright::report {
 
-/// For people: a head with the verdict, then every seam, defects first and the worst of each class
-/// first.
+/// The report as text: a head with the verdict, then every seam, defects first and the worst of
+/// each class first.
 std::string toTable(const occ::Report& report);
 
 }  // namespace seamwright::report

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-/// What the tables for people are made of.
+/// Building blocks of the text tables.
 namespace seamwright::report {
 
-/// A figure of a seam, with what is accepted of it in the unit shown.
+/// A figure of a seam, with its tolerance in the displayed unit.
 struct Column {
   const char* title;
   std::optional<Figure> SeamFigures::*figure;
@@ -21,7 +21,7 @@ struct Column {
 /// Gap, angle and curvature.
 std::vector<Column> figureColumns(const ContinuityTolerance& tolerance);
 
-/// The figure of a seam as enclosureText(); "-" where it has no value.
+/// The figure of a seam as enclosureText(); "-" if it has no value.
 std::string cellOf(const occ::SeamResult& seam, const Column& column);
 
 /// "Edge7", "Edge7,Edge12".
@@ -32,15 +32,16 @@ std::string facesText(const occ::SeamResult& seam);
 /// "1 seam", "2 seams".
 std::string counted(std::size_t count, const std::string& noun);
 
-/// As printf() writes it.
+/// Formats like printf().
 std::string number(double value, const char* format);
 
-/// Which model, its notes, and what its seams were asked for.
+/// The model, its notes, and the level and tolerances asked for.
 void writeModel(std::ostream& out, const occ::Report& report);
 
 using Row = std::vector<std::string>;
 
-/// Columns two spaces apart; those from \p first_number on, but not the last one, to the right.
+/// Columns two spaces apart. Columns from \p first_number on, except the last one, are
+/// right-aligned.
 void writeRows(std::ostream& out, const std::vector<Row>& rows, std::size_t first_number);
 
 }  // namespace seamwright::report

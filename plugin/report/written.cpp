@@ -23,8 +23,8 @@ std::string listed(const std::vector<std::string>& items) {
   return text;
 }
 
-/// Which numbers of faces and edges are others in the file. Edges without length that a reader adds
-/// are named.
+/// Says which numbers of faces and edges differ in the file, and names edges without length that a
+/// reader added.
 std::string renumbering(const ModelCounts& file, const ModelCounts& memory) {
   if (file.faces == memory.faces && file.edges == memory.edges) return {};
   const std::vector<int>&now = file.without_length, &before = memory.without_length;
@@ -37,7 +37,7 @@ std::string renumbering(const ModelCounts& file, const ModelCounts& memory) {
          " added by reading; numbers of edges differ from Edge" + std::to_string(first) + " on";
 }
 
-/// The figure by which a defect misses the next level.
+/// The figure that keeps a defect from the next level.
 const std::optional<Figure>& missingFigure(const occ::SeamResult& seam) {
   switch (seam.verdict.level) {
     case Level::None:
@@ -49,7 +49,8 @@ const std::optional<Figure>& missingFigure(const occ::SeamResult& seam) {
   }
 }
 
-/// A lower level, or of the same one a figure that surely is larger by more than a tenth.
+/// Whether the level is lower, or the level is the same and the figure is certainly larger by more
+/// than a tenth.
 bool isWorse(const occ::SeamResult& seam, const occ::SeamResult& other) {
   constexpr double more = 1.1;
   if (seam.verdict.level != other.verdict.level) return seam.verdict.level < other.verdict.level;
@@ -71,9 +72,9 @@ std::map<FacePair, std::vector<occ::SeamResult>> byFaces(
   return sorted;
 }
 
-/// Defects beyond those that are known, or worse than these. Between the same faces the worst one
-/// is compared with the worst one, and so on: edges do not tell seams apart, as reading may number
-/// them again.
+/// Defects that are not known, or worse than the known ones. Between the same faces the worst
+/// defect is compared with the worst known one, and so on. Edges cannot identify seams, because
+/// reading may renumber them.
 std::vector<occ::SeamResult> beyond(const std::vector<occ::SeamResult>& known,
                                     const std::vector<occ::SeamResult>& seams) {
   const auto known_by_faces = byFaces(known);
@@ -87,7 +88,8 @@ std::vector<occ::SeamResult> beyond(const std::vector<occ::SeamResult>& known,
   return found;
 }
 
-/// Whether faces have the same numbers in the file: nearly the same ones are neighbours.
+/// Whether faces have the same numbers in the file: their number is the same, and 90 % of the pairs
+/// of neighbours are.
 bool hasSameFaces(const ModelCounts& file, const ModelCounts& memory) {
   constexpr double nearly_all = 0.9;
   if (file.faces != memory.faces) return false;
@@ -126,10 +128,10 @@ std::set<FacePair> neighboursOf(const occ::Report& report) {
   return neighbours;
 }
 
-/// A file that does not take its place.
+/// Thrown to keep a file from replacing its target.
 struct Refused : std::exception {};
 
-/// Writing of one model until its file is good enough.
+/// Writes one model until its file is good enough.
 class JudgedWriting {
  public:
   JudgedWriting(const occ::Model& model, const std::filesystem::path& target, occ::WriteOptions how,
@@ -199,7 +201,7 @@ class JudgedWriting {
     }
   }
 
-  /// Writes the model before the change, looks, and leaves nothing of it.
+  /// Writes the model before the change, counts the defects in that file and discards it.
   void lookWhatWritingSpoils() {
     if (judge_.given == nullptr || last_.only_in_file.empty()) return;
     occ::WriteOptions how = how_;
@@ -219,7 +221,8 @@ class JudgedWriting {
     }
   }
 
-  /// Of the seams that are worse in the file than in memory.
+  /// Those seams of \p written.only_in_file that are also worse than in the given model, in memory
+  /// and in its file.
   std::vector<occ::SeamResult> worseThanGiven(const WrittenModel& written) const {
     const auto edgesOf = [](const std::vector<occ::SeamResult>& seams) {
       std::set<std::vector<int>> edges;
@@ -258,10 +261,10 @@ class JudgedWriting {
   const FileJudge& judge_;
   const FileProgress& progress_;
   const std::function<void(const WrittenModel&)>& accepted_;
-  WrittenModel last_;  ///< what was read back last
+  WrittenModel last_;  ///< the file that was read back last
   std::optional<JudgedFile> file_;
   std::optional<std::vector<occ::SeamResult>>
-      spoilt_;  ///< what writing the model before the change spoils
+      spoilt_;  ///< defects that writing causes in the model before the change
   std::vector<occ::SeamResult> given_, given_in_file_;  ///< defects of the model before the change
 };
 

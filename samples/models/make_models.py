@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Makes the small models that the samples, the documentation and the tests of the house use.
+"""Makes the small models for the samples, the documentation and the tests of the project.
 
     /usr/bin/python3 samples/models/make_models.py FOLDER
 
-The files are made with FreeCAD's Part module; two runs give the same bytes.
+The files are made with FreeCAD's Part module. Two runs give the same bytes.
 """
 
 import math
@@ -22,18 +22,18 @@ BROKEN_ANGLE = math.radians(2)
 
 
 def rounded_block():
-    """A block with every edge rounded: each seam is tangent, none is G2."""
+    """Return a block with every edge rounded: all seams are tangent, none is G2."""
     block = Part.makeBox(*BLOCK)
     return block.makeFillet(ROUNDING, block.Edges)
 
 
 def broken_block():
-    """The rounded block with one seam spoilt: at the middle of one side of the top the angle is 2
-    degrees.
+    """Return the rounded block with one broken seam.
 
-    The top becomes a Bezier patch of degree (3, 5). Lifting the poles (2, 2) and (2, 3) by h leaves
-    the boundary where it was and the tangent planes along three sides; along the fourth, of inner
-    length l, the slope is 3 h (B2 + B3) / l, at its largest 1.875 h / l in the middle.
+    In the middle of one side of the top the angle is 2 degrees. The top becomes a Bezier patch of
+    degree (3, 5). Lifting the poles (2, 2) and (2, 3) by h keeps the boundary, and it keeps the
+    tangent planes along three sides. Along the fourth side, with inner length l, the slope is 3 h
+    (B2 + B3) / l, at most 1.875 h / l in the middle.
     """
     block = rounded_block()
     top = max(block.Faces, key=lambda face: face.CenterOfMass.z)
@@ -55,8 +55,10 @@ def broken_block():
 
 
 def sheet():
-    """A wavy bicubic sheet of 120 by 80 mm, cut into 3 by 2 faces that share their edges: each seam
-    is G2."""
+    """Return a wavy bicubic sheet of 120 by 80 mm, cut into 3 by 2 faces that share their edges.
+
+    All seams are G2.
+    """
     count_x, count_y = 9, 6
     poles = [
         [
@@ -92,7 +94,7 @@ MODELS = {
 
 
 def write_step(shape, path):
-    """Writes without the time of day, so that the same shape gives the same bytes."""
+    """Write a shape without the time of day, so that the same shape gives the same bytes."""
     shape.exportStep(str(path))
     text = path.read_text()
     path.write_text(

@@ -15,10 +15,11 @@ using rows::Field;
 using rows::Sum;
 using rows::times;
 
-/// Roundings in a product of fields, all told; noise is this times machine_epsilon for each factor.
+/// Bound of all roundings in a product of fields: the noise is this times machine_epsilon for each
+/// factor.
 constexpr double factor_roundings = 64;
 
-/// A vector-valued polynomial, and by how much a coefficient may be off.
+/// A vector-valued polynomial, and a bound of the error of a coefficient.
 template <int Size>
 struct Rounded {
   Field<Size> field;
@@ -34,8 +35,8 @@ Eigen::VectorXd weight(const HomogeneousPoles& part) {
   return rows::trimmed(part.col(3));
 }
 
-/// The derivatives of the points of a side, each times a power of the weight that makes a
-/// polynomial of it.
+/// The derivatives of the points of a side, each multiplied by the power of the weight that makes
+/// it a polynomial.
 struct Derivatives {
   Eigen::VectorXd w;
   Rounded<3> p;           ///< times w
@@ -89,8 +90,9 @@ struct Polynomials {
   Eigen::VectorXd coefficients;
   double scale = 0;  ///< the product of the sizes of the fields
   double noise = 0;  ///< of a coefficient
-  double ordinary =
-      0;  ///< what the scale is where the fields are no smaller than usual; 0: they never are
+  /// The scale for fields of usual size. Noise is judged against the larger of the two scales; 0:
+  /// not used.
+  double ordinary = 0;
 };
 
 bool canBeTold(const Polynomials& condition) {
@@ -98,7 +100,7 @@ bool canBeTold(const Polynomials& condition) {
          condition.noise <= kLargestNoise * std::max(condition.scale, condition.ordinary);
 }
 
-/// \param unit what the coefficients are multiplied by in the end.
+/// \param unit factor of the resulting coefficients.
 JoinResidual residual(const Polynomials& condition, double unit, std::optional<double> tolerance) {
   JoinResidual result;
   Eigen::Index largest = 0;
@@ -156,7 +158,7 @@ std::optional<double> notPositive(const Eigen::VectorXd& polynomial, double size
       polynomial / size, std::clamp(noise, factor_roundings * machine_epsilon, 2.0)));
 }
 
-/// What a join of tangent planes is judged by.
+/// The polynomials that judge a join of tangent planes.
 class TangentPlanes {
  public:
   TangentPlanes(const NormalizedPair& pair, const Derivatives& a, const Derivatives& b)
@@ -168,7 +170,7 @@ class TangentPlanes {
 
   const Field<3>& normal() const { return normal_a_; }
 
-  /// Where a side has no tangent plane, or none that rounding would leave it.
+  /// A parameter at which a side has no tangent plane, or only one within rounding.
   std::optional<double> singularAt() const {
     const double size_a = a_.s.size() * a_.t.size(), size_b = b_.s.size() * b_.t.size();
     if (!(size_a > 0 && size_b > 0)) return 0.0;
@@ -191,7 +193,8 @@ class TangentPlanes {
     return std::isfinite(steepest) ? std::atan(steepest) : std::numbers::pi;
   }
 
-  /// 1, -1: the normals are nowhere opposed, nowhere alike; 0: neither is certain.
+  /// 1: the normals are nowhere opposite; -1: they nowhere have the same direction; 0: neither is
+  /// certain.
   int sense() const {
     if (!notPositive(product_, sizes())) return 1;
     return notPositive(-product_, sizes()) ? 0 : -1;
@@ -232,7 +235,7 @@ class TangentPlanes {
   Eigen::VectorXd product_;
 };
 
-/// Terms factor (normal.field), with their sizes and what rounding may have made of them.
+/// A sum of terms factor (normal.field), with their sizes and bounds of their rounding.
 class NormalSum {
  public:
   explicit NormalSum(const Field<3>& normal, double normal_noise)
@@ -252,7 +255,7 @@ class NormalSum {
     return *this;
   }
 
-  /// \param unit what the coefficients are multiplied by.
+  /// \param unit factor of the coefficients.
   JoinResidual result(double unit, std::optional<double> tolerance) const {
     return residual({sum_.total(), scale_, noise_, ordinary_}, unit, tolerance);
   }
@@ -273,7 +276,7 @@ JoinResidual curvatureCondition(const Derivatives& a, const Derivatives& b, cons
   const Eigen::VectorXd B = rows::dot<3>(rows::cross(a.s.field, b.s.field), normal);
   const double of_normal = relativeNoise(a.s) + relativeNoise(a.t);
   const double of_all = of_normal + relativeNoise(b.s);
-  // B may be small beside the fields it is made of, and so less well known.
+  // B may be small relative to the fields it is made of, so its relative error may be larger.
   const double size_B = a.s.size() * b.s.size() * rows::size(normal),
                largest_B = B.cwiseAbs().maxCoeff();
   const double of_B = largest_B > 0 ? of_all * size_B / largest_B : 0;

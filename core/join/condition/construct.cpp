@@ -20,8 +20,8 @@ void requireRibbon(const Ribbon& given) {
       throw std::invalid_argument("the given ribbon has a part that is empty or not finite");
 }
 
-/// The ribbon that the other patch has at the seam, into it; each part in the lowest degree that
-/// takes its terms.
+/// The ribbon of the other patch at the seam, into that patch. Each part has the lowest degree in
+/// which its terms can be written.
 Ribbon beyond(const Ribbon& given, const Connection& c, int order) {
   requireRibbon(given);
   const Field<4>&P = given.position, &P_s = given.first, &P_ss = given.second;
@@ -43,8 +43,8 @@ Ribbon beyond(const Ribbon& given, const Connection& c, int order) {
   return result;
 }
 
-/// In that degree, or \throws std::invalid_argument with the defect where that is more than
-/// rounding.
+/// The field in that degree. \throws std::invalid_argument, with the defect, if the defect is more
+/// than rounding.
 Field<4> written(const Field<4>& field, int degree, double magnitude, const char* what) {
   const rows::Lowered<4> low = rows::lowered<4>(field, degree);
   const double noise =

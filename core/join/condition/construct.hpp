@@ -9,78 +9,83 @@
 namespace seamwright {
 
 /// Rows of homogeneous poles of a patch, counted from the seam: rows[0] is the seam, rows[k] the
-/// k-th row behind it. Of a tensor-product patch each has n + 1 poles, of a triangle n + 1 - k.
+/// k-th row behind it. In a tensor-product patch each row has n + 1 poles, in a triangle row k has
+/// n + 1 - k.
 struct JoinRows {
   std::vector<HomogeneousPoles> rows;
-  int degree_across =
-      0;  ///< of the tensor-product patch that the rows are for; of a triangle its degree
+  /// Degree across of the tensor-product patch that the rows are for; for a triangle its degree.
+  int degree_across = 0;
 };
 
-/// Everywhere below:
+/// The following holds for all functions below.
 ///
-/// The given ribbon runs out of its patch (Across::OutOf). What is built begins at the seam and
-/// satisfies the equations of Connection as polynomials, so the join is exact along the whole seam,
-/// but for rounding of the poles.
+/// The given ribbon runs out of its patch (Across::OutOf). The result begins at the seam and
+/// satisfies the equations of Connection as polynomials. So the join is exact along the whole seam,
+/// up to rounding of the poles.
 ///
-/// Degrees. Without a degree asked for, the degree along the seam is the lowest in which each term
-/// of those equations can be written:
-///   tensor, G1 max of n, deg alpha + deg P_s, deg beta + n - 1 (with e0 = 1, e1 = 0) tensor, G2
-///   moreover 2 deg alpha + deg P_ss, deg alpha + deg beta + deg P_s - 1, 2 deg beta + n - 2, deg p
-///   + deg P_s, deg q + n - 1 triangle max of n, 1 + deg alpha + deg P_s, 1 + deg beta + n - 1
-/// with deg P_s = deg P_ss = n of a tensor-product patch, n - 1 and n - 2 of a triangle. A function
-/// that is zero has no term, and one whose coefficients are all the same is a constant. So constant
-/// alpha and p with linear beta and q keep the degree n of a tensor-product patch. With a degree
-/// asked for, rows are raised to it, or lowered where their sums happen to allow that: see
-/// docs/theory/surfaces.md S2.1, S4.2.
+/// Degrees. If no degree is given, the degree along the seam is the lowest in which each term of
+/// those equations can be written:
+///   tensor, G1   max of n, deg alpha + deg P_s, deg beta + n - 1   (with e0 = 1, e1 = 0)
+///   tensor, G2   also of 2 deg alpha + deg P_ss, deg alpha + deg beta + deg P_s - 1,
+///                2 deg beta + n - 2, deg p + deg P_s, deg q + n - 1
+///   triangle     max of n, 1 + deg alpha + deg P_s, 1 + deg beta + n - 1
+/// with deg P_s = deg P_ss = n for a tensor-product patch, n - 1 and n - 2 for a triangle. A
+/// function that is zero has no term, and a function whose coefficients are all the same is a
+/// constant. So constant alpha and p with linear beta and q keep the degree n of a tensor-product
+/// patch. If a degree is given, rows are raised to it, or lowered to it if their sums have that
+/// degree: see docs/theory/surfaces.md S2.1, S4.2.
 ///
 /// \throws std::invalid_argument, with name, index and value, for a function without coefficients,
-/// above degree 100, or with one that is not finite; for alpha or e0 that is not positive
-/// everywhere on [0, 1]; for an order other than 1 and 2 or above the degree across; for a degree
-/// above 800; for rows that cannot be written in the degree asked for, with the defect in the size
-/// of homogeneous poles; and for a weight that comes out zero or negative, with its place (e1 and
-/// e2 control the weights of rows 1 and 2).
+/// of a degree above 100, or with a coefficient that is not finite; for an alpha or e0 that is not
+/// positive everywhere on [0, 1]; for an order other than 1 and 2 or above the degree across; for a
+/// degree above 800; for rows that cannot be written in the given degree, with the defect as a
+/// distance of homogeneous poles; and for a resulting weight that is zero or negative, with its row
+/// and index (e1 and e2 control the weights of rows 1 and 2).
 /// Source: docs/theory/surfaces.md S2.1, S3.1, S3.3, S4.2, S4.3; [Farin2002].
 
 /// The first order + 1 rows of a tensor-product patch of that degree across:
 ///   Q[0] = Q(0), Q[1] = Q[0] + Q_u / l, Q[2] = 2 Q[1] - Q[0] + Q_uu / (l (l - 1)).
-/// Further rows are free; the opposite edge can be joined on its own from l = 2 order + 1 on.
+/// Here l is the degree across. Further rows are free. From l = 2 order + 1 on the opposite edge
+/// can be joined independently.
 /// Identities (each has a test of its number):
 ///   (1) The ribbon of a patch with these rows satisfies the equations of Connection.
-///   (2) The join is G1 (order 2: G2) along the whole seam, certified by encloseSeam(), whatever
-///       the other rows are.
+///   (2) The join is G1 (order 2: G2) along the whole seam for any other rows, certified by
+///       encloseSeam().
 ///   (3) alpha = 1, beta = p = q = 0 gives C^order.
 JoinRows tensorRows(const Ribbon& given, const Connection& connection, int order, int degree_across,
                     std::optional<int> degree = std::nullopt);
 
-/// The first two rows of a triangle; p, q and e2 do not enter.
-/// Identity (4): the ribbon of a triangle with these rows satisfies the equations of Connection.
+/// The first two rows of a triangle; p, q and e2 have no influence. Identity (4): the ribbon of a
+/// triangle with these rows satisfies the equations of Connection.
 JoinRows triangleRows(const Ribbon& given, const Connection& connection,
                       std::optional<int> degree = std::nullopt);
 
-/// The patch beyond the given one's edge (u = 0 is the seam, v = t) whose derivatives by u beyond
-/// the order vanish.
+/// The patch on the other side of the given patch's edge (u = 0 is the seam, v = t) whose
+/// derivatives by u of an order above \p order vanish.
 BezierPatch continuation(const Ribbon& given, const Connection& connection, int order,
                          int degree_across, std::optional<int> degree = std::nullopt);
 
-/// The triangle beyond the given one's edge, of degree 1 in s: Q + s Q_s. Its edge L0 is the seam:
-/// the barycentric coordinates of (P0, P1, P2) are (s, 1 - s - t, t).
+/// The triangle on the other side of the given patch's edge, of degree 1 in s: Q + s Q_s. Its edge
+/// L0 is the seam, and the barycentric coordinates of (P0, P1, P2) are (s, 1 - s - t, t).
 BezierTriangle triangleContinuation(const Ribbon& given, const Connection& connection,
                                     std::optional<int> degree = std::nullopt);
 
-/// The patch between two given ones, of degree 2 order + 1 in u: it joins the first at u = 0, the
-/// second at u = 1. Both ribbons run out of their patches, along the same v. The degree along is
-/// the higher one of both joins.
+/// The patch between two given patches, of degree 2 order + 1 in u. It joins the first patch at u =
+/// 0 and the second one at u = 1. Both ribbons run out of their patches, along the same v. The
+/// degree in v is the higher one of the two joins.
 BezierPatch blend(const Ribbon& first, const Connection& to_first, const Ribbon& second,
                   const Connection& to_second, int order);
 
-/// A patch with the rows behind one of its edges replaced; the others stay. The patch or the rows
-/// are raised along the seam, whichever has the lower degree there.
-/// \throws std::invalid_argument if the patch has another degree across than the rows are for.
+/// The patch with the first rows at one of its edges replaced; the other rows stay. Patch and rows
+/// are brought to the same degree along the seam: the lower one is raised.
+/// \throws std::invalid_argument if the degree of the patch across the edge differs from the degree
+/// across that the rows are for.
 BezierPatch withRows(const BezierPatch& patch, PatchEdge edge, bool reversed, const JoinRows& rows);
 
-/// A triangle of lower degree than the rows is raised first.
-/// \throws std::invalid_argument for rows of lower degree than the triangle: triangleRows() builds
-/// them in its degree.
+/// The triangle with its first rows at an edge replaced. A triangle of lower degree than the rows
+/// is raised first.
+/// \throws std::invalid_argument for rows of lower degree than the triangle: triangleRows() can
+/// build them in its degree.
 BezierTriangle withRows(const BezierTriangle& triangle, TriangleEdge edge, bool reversed,
                         const JoinRows& rows);
 

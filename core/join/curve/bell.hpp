@@ -9,7 +9,8 @@
 namespace seamwright {
 
 /// Partial Bell polynomials B_kj(beta), k, j = 0..n: B_kj = sum_i C(k-1, i-1) beta_i B_{k-i, j-1},
-/// B_00 = 1. The derivatives of a(t(u)) by u are B times those of a by t, beta_k being those of t.
+/// B_00 = 1. The derivatives of a(t(u)) by u are B times those of a by t; beta_k is the k-th
+/// derivative of t by u.
 /// \pre n <= 56.
 /// Source: docs/theory/curves.md C2.1, C2.2.
 template <class Scalar>
@@ -28,7 +29,7 @@ Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> bellMatrix(
   return matrix;
 }
 
-/// \throws std::invalid_argument as betaMatrix().
+/// Checks betas. \throws std::invalid_argument as betaMatrix() does.
 void requireBeta(const Eigen::VectorXd& beta);
 
 }  // namespace seamwright

@@ -5,14 +5,14 @@
 
 #include <seamwright/core/bezier/curve.hpp>
 
-/// The length that makes defects of a joint free of units; not a public header.
+/// The length that makes the defects of a joint dimensionless; not a public header.
 namespace seamwright {
 
 struct CurveExtent {
   double chord;     ///< distance of the end points
   double diagonal;  ///< of the box of poles
 
-  /// The ends are within 1e-12 of the size.
+  /// The distance of the ends is at most 1e-12 of the size.
   bool closed() const { return chord <= 1e-12 * diagonal; }
 };
 
@@ -22,12 +22,12 @@ inline CurveExtent extentOf(const Poles& poles, const Eigen::RowVector3d& first,
           (poles.colwise().maxCoeff() - poles.colwise().minCoeff()).stableNorm()};
 }
 
-/// Of a curve that begins and ends in its poles.
+/// The extent of a curve that begins and ends at poles.
 inline CurveExtent extentOf(const Poles& poles) {
   return extentOf(poles, poles.row(0), poles.bottomRows<1>());
 }
 
-/// BetaFit::length_mm where none is given.
+/// BetaFit::length_mm if no length is given.
 inline double jointLength(const CurveExtent& a, const CurveExtent& b) {
   if (!a.closed() && !b.closed()) return std::min(a.chord, b.chord);
   if (a.closed() && b.closed()) return std::min(a.diagonal, b.diagonal);

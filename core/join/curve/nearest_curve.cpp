@@ -25,7 +25,7 @@ using nearest_curve::Side;
 using Moves = NearestCurveJoinOptions::Moves;
 using NearestPoles = NearestCurveJoin<HomogeneousPoles>;
 
-/// Share of its length to which an end's first derivative may not fall.
+/// Share of its given length above which an end's first derivative must stay.
 constexpr double lost = 1e-6;
 /// Defect above which rounding hides the join.
 constexpr double largest_curve_rounding = 1e-6;
@@ -104,7 +104,7 @@ struct Defect {
                               ///< where they are large
 };
 
-/// Infinite where a tangent is lost.
+/// The defect; infinite if a tangent is lost.
 Defect defectOf(const End& a, const End& b, int order, double length) {
   const Eigen::Vector3d origin = a.point() + (b.point() - a.point()) / 2;
   const auto derivativesOf = [&](const End& end) {
@@ -124,7 +124,7 @@ Defect defectOf(const End& a, const End& b, int order, double length) {
   return defect;
 }
 
-/// The problem without units; \p length is set to the unit of length.
+/// The dimensionless problem; \p length is set to the unit of length.
 Problem problemOf(const End& a, const End& b, const NearestCurveJoinOptions& options,
                   double& length) {
   const int n = options.order;
@@ -158,8 +158,8 @@ Problem problemOf(const End& a, const End& b, const NearestCurveJoinOptions& opt
     for (int k = 1; k <= n; ++k)
       problem.beta(k - 1) *= problem.a.unit / std::pow(problem.b.unit, k);
   } else {
-    // Both arc lengths at one pace: the betas of a joint that is exact, and for others the same
-    // from either side.
+    // The betas for which both arc lengths have the same speed. They are the betas of an exact
+    // joint, and for other joints they are the same from either side.
     problem.beta = composedBeta(speeds(problem.b.jet * problem.b.points),
                                 inverseBeta(speeds(problem.a.jet * problem.a.points)));
     problem.beta(0) = std::clamp(problem.beta(0), options.least_beta1, options.most_beta1);
@@ -173,7 +173,7 @@ Eigen::VectorXd betaOf(const Problem& problem, Eigen::VectorXd beta) {
   return beta;
 }
 
-/// Moves poles and adds up what that costs.
+/// Moves poles and adds up the cost.
 void place(const End& end, const Side& side, const Eigen::MatrixXd& moves, HomogeneousPoles& poles,
            NearestPoles& solution) {
   const Eigen::Index first = end.firstPole(static_cast<int>(moves.rows()) - 1);
@@ -187,7 +187,7 @@ void place(const End& end, const Side& side, const Eigen::MatrixXd& moves, Homog
   }
 }
 
-/// Ends that are one point but for rounding become it bit by bit, where weights are equal.
+/// Makes ends that are the same point up to rounding bitwise the same, if their weights are equal.
 void meet(bool a_moves, Eigen::Ref<Eigen::RowVector4d> a, bool b_moves,
           Eigen::Ref<Eigen::RowVector4d> b) {
   if (a(3) != b(3)) return;

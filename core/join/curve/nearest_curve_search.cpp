@@ -13,7 +13,8 @@ namespace seamwright::nearest_curve {
 
 namespace {
 
-/// Share of the largest singular value below which an equation does not reach the poles that move.
+/// Share of the largest singular value below which an equation does not depend on the movable
+/// poles.
 constexpr double rank_share = 1e-13;
 
 using Eigen::Index;
@@ -39,7 +40,7 @@ MatrixXd betaDerivative(const MatrixXd& B, Index q) {
 }
 
 /// The equations C(beta) x = 0 of the join and the nearest x that solves them. Rows of C are scaled
-/// to length 1. An orthogonal combination of them, upper, reaches the poles that move; the others,
+/// to length 1. The orthogonal combinations \c upper depend on the movable poles; the others, \c
 /// lower, are conditions on beta.
 struct Iterate {
   VectorXd log_beta;  ///< log beta_1, beta_2, .., beta_n
@@ -78,20 +79,21 @@ struct Iterate {
   MatrixXd triangle() const { return qr.matrixQR().topRows(qr.cols()); }
 };
 
-/// To first order: what changes with each of log_beta.
+/// First-order changes by each entry of log_beta.
 struct Linear {
   std::vector<MatrixXd> by_beta;  ///< C
   std::vector<MatrixXd> tangent;  ///< y
   MatrixXd along, conditions;     ///< y and the open equations, a column each
   VectorXd gradient;              ///< of the cost
-  VectorXd
-      unit;  ///< in units of what they do to the poles or, where they do nothing, to the equations
+  /// Unit of each beta: the inverse of its effect on the poles or, if it has none, on the
+  /// equations.
+  VectorXd unit;
   bool bounded = false;  ///< beta_1 stays at a bound, its unit is 0
 };
 
 struct Restoration {
   VectorXd direction;
-  MatrixXd open;         ///< directions that open no equation, one a column
+  MatrixXd open;         ///< directions that keep all equations, one per column
   MatrixXd multipliers;  ///< of the equations
   double penalty = 0;
 };
@@ -99,7 +101,7 @@ struct Restoration {
 struct Step {
   VectorXd direction;
   double stationarity = 0;
-  double penalty = 0;  ///< of infeasibility, above the size of the multipliers
+  double penalty = 0;  ///< weight of the infeasibility, above the size of the multipliers
   bool convex = true;
   bool bounded = false;
 };
@@ -248,8 +250,8 @@ Linear Search::linearized(const Iterate& at) const {
   return result;
 }
 
-/// The smallest step that leaves no equation open to first order, and the directions that open
-/// none.
+/// The smallest step that satisfies all equations to first order, and the directions that keep
+/// them.
 Restoration Search::restoration(const Iterate& at, const Linear& model) const {
   const Index n = count_ - 1;
   const VectorXd& unit = model.unit;
@@ -300,7 +302,7 @@ MatrixXd Search::hessian(const Iterate& at, const Linear& model,
   return result;
 }
 
-/// Newton's step for the smallest cost on the betas that leave no equation open.
+/// Newton's step for the smallest cost among the betas that satisfy all equations.
 Step Search::step(const Iterate& at) const {
   const Linear model = linearized(at);
   const Restoration restored = restoration(at, model);
@@ -322,7 +324,7 @@ Step Search::step(const Iterate& at) const {
     const VectorXd share = linear::LeastSquares(reach).solve(at.y.reshaped());
     result.stationarity = move > 0 ? (reach * share).norm() / move : 0;
     VectorXd newton = -(eigen.vectors.transpose() * slope).cwiseQuotient(size);
-    // A saddle: downwards on either side.
+    // At a saddle the cost falls on both sides, so any direction works.
     if (!result.convex && result.stationarity < 1e-6)
       newton(0) = newton(0) < 0 ? -0.1 * move : 0.1 * move;
     result.direction += open * (eigen.vectors * newton);
@@ -339,8 +341,8 @@ Step Search::step(const Iterate& at) const {
   return result;
 }
 
-/// A step that lowers cost plus penalty times infeasibility; halved until it does. False if none
-/// does.
+/// Halves the step until it lowers cost plus penalty times infeasibility. False if no share of the
+/// step does.
 bool Search::advance(Iterate& from, const Step& step) const {
   const double before = from.cost() + step.penalty * from.infeasibility();
   const double rounding = from.noise * (from.noise + from.y.norm() + step.penalty);
@@ -368,8 +370,8 @@ Found Search::run(double most_log) const {
     };
     int stalls = 0;
     while (result.iterations < p_.max_iterations && stalls < 3 && now.log_beta(0) <= most_log) {
-      // On below rounding as long as that helps: Newton's last step is the one that gives beta its
-      // last digits.
+      // Continue below rounding as long as it helps, because Newton's last step gives beta its last
+      // digits.
       if (next.convex && stalls > 0 && resolved(now, next.stationarity) && holds(now, now.x)) break;
       ++result.iterations;
       if (!advance(now, next)) break;
@@ -402,7 +404,7 @@ bool moves(const Side& side) {
   return (side.reach.array() > 0).any();
 }
 
-/// Both curves run backwards and exchanged.
+/// The problem with both curves reversed and exchanged.
 Problem mirrored(const Problem& problem) {
   Problem result = problem;
   std::swap(result.a, result.b);
@@ -423,10 +425,10 @@ bool holds(const Problem& problem) {
 
 namespace {
 
-/// From one side. Derivatives of b are polynomials in beta, those of a have beta_1 in the
-/// denominator: a is the curve that stays or, where both move, the one whose first derivative does
-/// not become much shorter than that of the other. Then beta is small and the valleys of the cost
-/// are straight.
+/// Searches from one side. Derivatives of b are polynomials in beta, those of a have beta_1 in the
+/// denominator. So a is the curve that stays or, if both move, the curve whose first derivative
+/// does not become much shorter than that of the other. Then beta is small and the valleys of the
+/// cost are straight.
 Found searchFrom(const Problem& problem, bool is_mirrored) {
   constexpr double turning_log = 0.7;
   const bool both = moves(problem.a) && moves(problem.b);
@@ -458,8 +460,8 @@ Found search(const Problem& problem) {
   if (!moves(problem.b)) return searchFrom(problem, true);
   Found found = searchFrom(problem, false);
   if (!moves(problem.a)) return found;
-  // From both sides, so that their roles are alike; where they lead to different joins, to the
-  // nearer one.
+  // The search runs from both sides, so that both have the same role. If the joins differ, the
+  // nearer one is taken.
   Found other = searchFrom(problem, true);
   const auto rank = [](const Found& f) { return 2 * f.exact + f.stationary; };
   const bool better =

@@ -7,11 +7,11 @@
 /// Source: docs/theory/curves.md C4.2 to C4.4.
 namespace seamwright::nearest_curve {
 
-/// Everything is without unit: lengths by one of the joint, derivatives by parameters that pass at
-/// one speed.
+/// All numbers are dimensionless: lengths are divided by a length of the joint, and both sides'
+/// parameters have the same speed.
 struct Problem {
   Side a, b;
-  Eigen::VectorXd beta;  ///< to begin with, or for good if it is held
+  Eigen::VectorXd beta;  ///< start of the search, or the fixed value if it is held
   bool held = false;
   double least_log = 0, most_log = 0;  ///< bounds of log beta_1
   double rounding = 0;                 ///< of a coordinate
@@ -21,15 +21,15 @@ struct Problem {
 struct Found {
   Eigen::VectorXd beta;
   Eigen::MatrixXd moves;    ///< of the poles of a, then of b
-  double cost = 0;          ///< where the cheapest pole costs 1
+  double cost = 0;          ///< in units in which the smallest weight of a pole is 1
   double stationarity = 0;  ///< share of the move that lies along the joins nearby
-  bool exact = false;       ///< the equations of the join hold to rounding
-  bool stationary = false;  ///< to rounding, and no join nearby is nearer
-  bool bounded = false;     ///< beta_1 is at a bound that it would pass
+  bool exact = false;       ///< the equations of the join hold up to rounding
+  bool stationary = false;  ///< stationary up to rounding, and a local minimum
+  bool bounded = false;     ///< beta_1 is at a bound that restricts it
   int iterations = 0;
 };
 
-/// Whether the equations of the join hold as the poles are, to rounding.
+/// Whether the equations of the join hold up to rounding with the given poles.
 bool holds(const Problem& problem);
 
 Found search(const Problem& problem);

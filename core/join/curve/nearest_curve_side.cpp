@@ -17,7 +17,7 @@ std::vector<double> endKnots(const End& end, int span) {
   return result;
 }
 
-/// Leibniz' rule on w X = sum_j w_j P_j N_j, for each pole on its own.
+/// Leibniz' rule on w X = sum_j w_j P_j N_j, for each pole separately.
 void divideByWeight(Eigen::MatrixXd& jet, const Eigen::VectorXd& weights) {
   const Eigen::VectorXd w = jet * weights;
   jet *= weights.asDiagonal();
@@ -55,8 +55,8 @@ Side sideOf(const End& end, int order, const Eigen::Vector3d& origin, const Eige
 
   Side side;
   side.jet = end.last ? basis.rightCols(count) : basis.leftCols(count);
-  // Beyond the k-th pole from the end the k-th derivative does not depend on poles; there is
-  // rounding at most.
+  // The k-th derivative does not depend on poles beyond the k-th one from the end. Their entries
+  // are only rounding.
   for (Eigen::Index k = 0; k < order; ++k)
     (end.last ? side.jet.row(k).head(order - k) : side.jet.row(k).tail(order - k)).setZero();
   side.unit = 1 / (knots[span + 1] - knots[span]);

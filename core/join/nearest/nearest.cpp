@@ -18,8 +18,8 @@ using namespace nearest;
 constexpr double max_entries = 1.5e6;
 /// Share of the derivatives above which rounding hides whether a join holds.
 constexpr double largest_rounding = 1e-6;
-/// Share of the ratio of the sides' cross derivatives below which alpha of a join that holds is no
-/// more than rounding.
+/// Share of the ratio of the sides' cross-boundary derivatives below which alpha of a join that
+/// holds is only rounding.
 constexpr double least_alpha = 1e-9;
 
 void requireOptions(const NearestOptions& options) {
@@ -55,7 +55,7 @@ double relativeResidual(const Condition& condition, const Eigen::VectorXd& c,
   return (condition.matrix(c) * x).rowwise().norm().maxCoeff() / condition.largestDerivative(x);
 }
 
-/// A join for the unknowns as they are, if there is one of that family.
+/// The join of that family for the unmoved unknowns, if there is one.
 bool alreadyJoined(const Unknowns& u, const NearestOptions& options, const Family& family,
                    NearestJoin& result) {
   const Condition condition(u, options.order, family.degrees, {});
@@ -91,8 +91,8 @@ Candidate candidate(const Unknowns& u, const NearestOptions& options, const Fami
   return {family, std::move(solution), residual};
 }
 
-/// An alpha that is all but constant can be a way to the join of a constant alpha that never
-/// arrives: what did not converge has to be nearer by more than rounding explains.
+/// A search with a nearly constant alpha may approach the join of a constant alpha and never reach
+/// it. So a candidate that has not converged must be nearer by more than rounding explains.
 bool better(const Candidate& one, const Candidate& other) {
   constexpr double clearly = 1e-3;
   if (one.solution.exact != other.solution.exact) return one.solution.exact;
@@ -115,7 +115,7 @@ Candidate nearestOf(const Unknowns& u, const NearestOptions& options,
   return std::move(*best);
 }
 
-/// The residual of the poles as they are stored.
+/// The residual of the stored poles.
 double storedResidual(JoinSide a, JoinSide b, const NearestJoin& join, const Candidate& found,
                       int order) {
   a.surface = join.a;

@@ -28,8 +28,8 @@ int conditionDegree(int order, int n, const Degrees& d) {
                    term(n - 2, {d[Beta], d[Beta]}), term(n, {d[P]}), term(n - 1, {d[Q]})});
 }
 
-/// Points that determine a spline of that degree on a part of the seam inside which it is
-/// continuous; knots are flat and clamped.
+/// Adds the parameters that determine a spline of that degree on a part of the seam inside which it
+/// is continuous. The knots include repetitions and are clamped.
 void addPlaces(int degree, const std::vector<double>& knots, const std::vector<double>& own,
                int own_degree, std::vector<Place>& places) {
   const int count = static_cast<int>(knots.size()) - degree - 1;
@@ -274,8 +274,8 @@ Eigen::MatrixXd Condition::curvature(const Eigen::MatrixXd& nu, const Eigen::Mat
 
 Eigen::VectorXd Condition::fittedPart(const Eigen::MatrixXd& x, const Eigen::MatrixXd& basis,
                                       int order, const Eigen::VectorXd& c) const {
-  // With the other coefficients as they are, the condition of that order is linear in those of its
-  // own.
+  // With the other coefficients fixed, the condition of that order is linear in its own
+  // coefficients.
   const int first = order == 1 ? offset_[Alpha] : offset_[P],
             last = order == 1 ? offset_[P] : offset_.back();
   const std::vector<Eigen::MatrixXd> by = derivatives(c, x);
@@ -330,7 +330,7 @@ Eigen::MatrixXd Condition::normals(const Eigen::MatrixXd& x, bool of_b) const {
       const Point point =
           pointAt(1, std::lerp(knots[span], knots[span + 1], k / (1.0 * steps)), span);
       const Eigen::MatrixXd fields = point.fields * local(point, x);
-      // Of homogeneous coordinates w^2 times the derivative of the point.
+      // For homogeneous coordinates this is w^2 times the derivative of the point.
       const auto affine = [&](Field field) -> Eigen::Vector3d {
         if (x.cols() == 3) return fields.row(field).transpose();
         return fields(FieldP, 3) * fields.row(field).head<3>() -

@@ -13,37 +13,40 @@ namespace seamwright::nearest {
 /// The connection functions, in the order of their coefficients in c.
 enum Function { Alpha, Beta, E1, P, Q, E2, function_count };
 
-/// Degree of each function; -1: it is zero.
+/// Degree of each function; -1 means that the function is zero.
 using Degrees = std::array<int, function_count>;
 
-/// Begin of a function's coefficients in c, and at the end the number of all.
+/// Index in c at which the coefficients of each function begin; the last entry is the number of all
+/// coefficients.
 std::array<int, function_count + 1> offsets(const Degrees& degrees);
 
-/// Values of the Bernstein polynomials of that degree; none for degree -1.
+/// Values of the Bernstein polynomials of that degree at t; empty for degree -1.
 Eigen::VectorXd bernsteinValues(int degree, double t);
 
-/// A point of the seam, and the span of the rows that it counts to.
+/// A parameter of the seam, and the span of the rows that it belongs to.
 struct Place {
   double t;
   int span;
 };
 
-/// Places that determine the left side of the condition of that order as a spline of that degree;
-/// the rows have degree \p n and flat knots, and at the inner knots of \p vanishing the condition
-/// is as smooth as they are.
+/// Parameters that determine the left side of the condition of order \p order as a spline of degree
+/// \p degree. The rows have degree \p n and the knots \p knots, with repetitions. At the inner
+/// knots in \p vanishing the condition is as smooth as the rows.
 std::vector<Place> places(int n, const std::vector<double>& knots, int order, int degree,
                           const std::vector<double>& vanishing);
 
-/// The condition of order 1, and of order 2 below it, at as many points of the seam as determine
-/// the spline that its left side is:
-///   Q_s - e1 P - alpha P_s - beta P_t = 0 Q_ss - e2 P - (2 e1 alpha + p) P_s - (2 e1 beta + q) P_t
-///   - alpha^2 P_ss - 2 alpha beta P_st - beta^2 P_tt = 0
-/// P_s points out of a, Q_s into b. Each row is divided by the coefficient of the pole of b behind
-/// the seam, so that a residual is a length comparable to a move of that pole.
+/// The condition of order 1, and below it that of order 2, at points of the seam. The left side is
+/// a spline, and the points are as many as determine it:
+///   Q_s - e1 P - alpha P_s - beta P_t = 0
+///   Q_ss - e2 P - (2 e1 alpha + p) P_s - (2 e1 beta + q) P_t
+///        - alpha^2 P_ss - 2 alpha beta P_st - beta^2 P_tt = 0
+/// P_s points out of a, Q_s into b. Each row is divided by the coefficient of b's pole behind the
+/// seam. So a residual is a length that is comparable to a move of that pole.
 ///
 /// At a knot where the rows are of class C^r the condition of order k is of class C^(r-k), or C^r
-/// if beta and q vanish there. A spline of degree d and that class is zero iff it is at its
-/// Greville points (Schoenberg and Whitney), a polynomial iff it is at d + 1 points.
+/// if beta and q vanish there. A spline of degree d and that class is zero iff it is zero at its
+/// Greville points (Schoenberg and Whitney). A polynomial of degree d is zero iff it is zero at d +
+/// 1 points.
 class Condition {
  public:
   /// \param vanishing the inner knots where beta and q are zero.
@@ -65,17 +68,17 @@ class Condition {
                                           const Eigen::MatrixXd& nu) const;
   /// <nu, d2A/dc_i dc_j x>.
   Eigen::MatrixXd curvature(const Eigen::MatrixXd& nu, const Eigen::MatrixXd& x) const;
-  /// The coefficients held + basis y that fit these poles best, condition by condition, those of
-  /// alpha not below a bound.
+  /// The coefficients held + basis y that fit these poles best, condition by condition, with the
+  /// coefficients of alpha at least \p smallest_alpha.
   /// Source: docs/theory/surfaces.md S2.5.
   Eigen::VectorXd fitted(const Eigen::MatrixXd& x, const Eigen::MatrixXd& basis,
                          const Eigen::VectorXd& held, double smallest_alpha) const;
-  /// Root mean squares of |P_s| and |Q_s| along the seam.
+  /// Root mean squares of |P_s| and of |Q_s| along the seam.
   std::array<double, 2> crossSpeeds(const Eigen::MatrixXd& x) const;
-  /// Along P_s x P_t (for b: Q_s x P_t) at evenly spaced places of each span, its ends among them,
-  /// one a row.
+  /// Vectors along P_s x P_t (for b: Q_s x P_t) at evenly spaced parameters of each span, its ends
+  /// included, one per row.
   Eigen::MatrixXd normals(const Eigen::MatrixXd& x, bool of_b) const;
-  /// Largest |Q_s|, and |Q_ss| if of order 2, over the factors of their rows.
+  /// Largest |Q_s|, and for order 2 also |Q_ss|, divided by the factors of their rows.
   double largestDerivative(const Eigen::MatrixXd& x) const;
 
  private:

@@ -26,7 +26,7 @@ Degrees degreesOf(const NearestOptions& options, bool rational) {
           second && rational ? options.degree_e2 : -1};
 }
 
-/// Columns span the polynomials of that degree that vanish at the places.
+/// Columns that span the polynomials of that degree that vanish at the given parameters.
 Eigen::MatrixXd vanishingAt(const std::vector<double>& places, int degree) {
   if (places.empty()) return Eigen::MatrixXd::Identity(degree + 1, degree + 1);
   if (std::ssize(places) > degree) return {degree + 1, 0};
@@ -36,12 +36,12 @@ Eigen::MatrixXd vanishingAt(const std::vector<double>& places, int degree) {
   return linear::kernel(values);
 }
 
-/// An end of the seam at which the poles of all rows stay and the cross derivatives of both sides
-/// are parallel, while the seam's tangent may turn: there beta is 0. A beta that is not would have
-/// to turn the tangent into the cross derivatives.
+/// An end of the seam at which the poles of all rows stay, the cross-boundary derivatives of both
+/// sides are parallel, and the seam's tangent may turn. There beta is 0, because a nonzero beta
+/// would turn the tangent into the direction of these derivatives.
 struct HeldEnd {
   double t = 0;
-  bool second = false;  ///< likewise for the condition of order 2
+  bool second = false;  ///< the same for the condition of order 2
   std::array<double, function_count> value{};
 };
 
@@ -86,7 +86,7 @@ std::optional<HeldEnd> heldEnd(const Unknowns& u, int order, double t) {
   return end;
 }
 
-/// None where a constant alpha (or p, e1, e2) cannot be right at both ends.
+/// The held ends; empty if a constant alpha (or p, e1, e2) cannot satisfy both ends.
 std::vector<HeldEnd> heldEnds(const Unknowns& u, const Degrees& degrees, int order) {
   std::vector<HeldEnd> ends;
   for (const double t : {0.0, 1.0})
@@ -117,7 +117,7 @@ Family familyOf(const Degrees& degrees, std::vector<double> vanishing,
     if (degrees[f] < 0) continue;
     const bool vanishes = f == Beta || f == Q;
     std::vector<double> zeros = vanishes ? family.vanishing : std::vector<double>{};
-    std::vector<int> open(degrees[f] + 1);  // coefficients that no end holds
+    std::vector<int> open(degrees[f] + 1);  // coefficients that no end determines
     std::iota(open.begin(), open.end(), 0);
     for (const HeldEnd& end : ends) {
       if (f >= P && !end.second) continue;
@@ -171,8 +171,7 @@ std::vector<double> roughKnots(const Unknowns& u, int order) {
   return rough;
 }
 
-/// What it costs at least to make the seam smooth at these knots; nothing if fixed poles do not
-/// allow it.
+/// The least cost of making the seam smooth at these knots; nothing if fixed poles do not allow it.
 std::optional<double> costOfSmoothing(const Unknowns& u, const std::vector<double>& knots) {
   Eigen::MatrixXd jumps(std::ssize(knots), u.count());
   for (Eigen::Index i = 0; i < jumps.rows(); ++i) {

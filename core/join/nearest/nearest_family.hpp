@@ -6,24 +6,25 @@
 
 #include <seamwright/core/join/nearest/nearest_solver.hpp>
 
-/// Which connection functions a nearest join is sought among; not a public header.
+/// The families of connection functions in which a nearest join is sought; not a public header.
 namespace seamwright::nearest {
 
 void requireDegree(int degree, const char* name);
 
-/// Distinct, increasing.
+/// The inner knots without repetition, increasing.
 std::vector<double> innerKnots(const SeamRows& rows);
 
-/// Those of the degrees asked for, of these but for a constant alpha, and of the natural degrees at
-/// most; with beta and q zero where the rows are not smooth enough for others.
+/// The families to be tried: the given degrees; the given degrees with a constant alpha; and the
+/// given degrees limited to the natural ones. beta and q are zero where the rows are not smooth
+/// enough for other values.
 std::vector<Family> familiesOf(const Unknowns& unknowns, const NearestOptions& options);
 
-/// The joins whose seam becomes smoother than its knots, so that beta is free, unless they cost
-/// more than the solution found.
+/// The family of joins whose seam becomes smoother than its knots, so that beta is free; nothing if
+/// they cost more than the solution found.
 std::optional<Family> smoothFamily(const Unknowns& unknowns, const Family& rough,
                                    const Solution& solution);
 
-/// The degrees with which the join may hold already.
+/// The families for which the join may already hold.
 std::vector<Family> familiesThatMayHold(const NearestOptions& options, bool rational);
 
 /// \throws std::invalid_argument as nearestJoin() does.

@@ -11,7 +11,7 @@ namespace seamwright::nearest {
 
 namespace {
 
-/// Share of the largest pivot below which a row of the condition says nothing new.
+/// Share of the largest pivot below which a row of the condition depends on the others.
 constexpr double rank_share = 1e-11;
 
 using Matrices = std::vector<Eigen::MatrixXd>;
@@ -26,9 +26,9 @@ struct Iterate {
   Eigen::MatrixXd matrix;  ///< M, its rows scaled
   linear::LeastSquares inverse;
   Eigen::MatrixXd x, z;
-  Eigen::MatrixXd unreachable;  ///< of the condition, by any move
+  Eigen::MatrixXd unreachable;  ///< part of the condition that no move can reach
   double cost = 0;              ///< |z|^2
-  bool exact = false;           ///< the condition holds to rounding
+  bool exact = false;           ///< the condition holds up to rounding
 
   double infeasibility() const { return unreachable.norm(); }
 };
@@ -52,18 +52,19 @@ class Search {
  private:
   struct Step {
     Eigen::VectorXd direction;   ///< of c
-    Eigen::MatrixXd multiplier;  ///< what of the multipliers belongs to unreachable rows
+    Eigen::MatrixXd multiplier;  ///< part of the multipliers that belongs to unreachable rows
     double stationarity = 0;     ///< share of the move that lies along the feasible set
-    double penalty = 0;          ///< of infeasibility, above the size of the multipliers
+    double penalty = 0;          ///< weight of the infeasibility, above the size of the multipliers
     bool convex = true;
   };
 
-  /// To first order: what changes with each coefficient.
+  /// First-order changes by each coefficient.
   struct Linear {
-    Matrices tangent;                   ///< z
-    Eigen::MatrixXd along, conditions;  ///< z and the unreachable rows, a column each
-    Eigen::VectorXd gradient;           ///< of the cost
-    Eigen::VectorXd length;             ///< of the change of the condition
+    Matrices tangent;  ///< z
+    /// Changes of z and of the unreachable rows, one column each.
+    Eigen::MatrixXd along, conditions;
+    Eigen::VectorXd gradient;  ///< of the cost
+    Eigen::VectorXd length;    ///< of the change of the condition
   };
   struct Split {
     Eigen::MatrixXd basis;  ///< directions of the coefficients, in units that are alike
@@ -99,7 +100,7 @@ class Search {
   std::vector<Eigen::Index> movable_;
   double noise_ = 0;  ///< of z
   Eigen::VectorXd
-      row_scale_;  ///< of the condition, so that rows are comparable; that of the first iterate
+      row_scale_;  ///< Scale that makes rows of the condition comparable, from the first iterate
 };
 
 Iterate Search::project(const Eigen::VectorXd& c) {
@@ -133,7 +134,7 @@ Iterate Search::project(const Eigen::VectorXd& c) {
   return at;
 }
 
-/// The free coefficients but for those of alpha that are at their bound and would fall below it.
+/// The free coefficients without those of alpha that are at their bound and would fall below it.
 Eigen::MatrixXd Search::freeBasis(const Iterate& at, const Eigen::VectorXd& gradient) const {
   Eigen::MatrixXd basis = family_.basis;
   for (int i = 0; i <= condition_.degrees()[Alpha]; ++i)
@@ -181,10 +182,10 @@ Search::Linear Search::linearized(const Iterate& at) const {
   return result;
 }
 
-/// What the conditions fix of the coefficients in these directions, and what they leave open.
+/// Splits these directions into those that the conditions fix and those that they leave open.
 Search::Split Search::split(const Linear& model, const Eigen::MatrixXd& basis) const {
-  // Coefficients in units of what they do to the condition; what they do to unreachable rows tells
-  // conditions from free directions.
+  // Coefficients are measured by their effect on the condition. Their effect on unreachable rows
+  // separates the conditions from the free directions.
   Eigen::VectorXd unit =
       (model.length.cwiseAbs2().transpose() * basis.cwiseAbs2()).transpose().cwiseSqrt();
   unit = (unit.array() > 0).select(unit.array().inverse(), 0.0);
@@ -201,7 +202,7 @@ Search::Split Search::split(const Linear& model, const Eigen::MatrixXd& basis) c
   return result;
 }
 
-/// Newton's step along the free directions, turned downwards where the cost is concave.
+/// Newton's step along the free directions, reversed to descend where the cost is concave.
 void Search::descend(const Iterate& at, const Linear& model, const Eigen::MatrixXd& open,
                      const Eigen::MatrixXd& curvature, Step& result) const {
   const Eigen::VectorXd slope = open.transpose() * (model.gradient + curvature * result.direction);
@@ -242,13 +243,14 @@ Search::Step Search::step(const Iterate& at, const Eigen::MatrixXd& multiplier) 
   const Eigen::VectorXd forces =
       -parts.basis.transpose() * (model.gradient + curvature * result.direction);
   const Eigen::VectorXd mu = parts.range * (parts.inverse.transpose() * forces);
-  // No step changes the condition by far more than its terms in alpha amount to.
+  // A step must not change the condition by much more than its terms in alpha.
   const int alphas = condition_.degrees()[Alpha] + 1;
   const double change = result.direction.cwiseProduct(model.length).norm();
   const double limit = 4 * at.c.head(alphas).cwiseProduct(model.length.head(alphas)).norm();
   if (change > limit) result.direction *= limit / change;
   result.multiplier = mu.reshaped(at.unreachable.rows(), at.unreachable.cols());
-  // So much that the step, which removes the infeasibility to first order, counts as one downwards.
+  // The step removes the infeasibility to first order. The penalty is so large that the step counts
+  // as a descent.
   const double increase = result.direction.dot(model.gradient + curvature * result.direction / 2);
   result.penalty = 2 * mu.norm();
   if (!at.exact && increase > 0)
@@ -256,8 +258,8 @@ Search::Step Search::step(const Iterate& at, const Eigen::MatrixXd& multiplier) 
   return result;
 }
 
-/// A step that lowers cost plus penalty times infeasibility; halved until it does. False if none
-/// does.
+/// Halves the step until it lowers cost plus penalty times infeasibility. False if no share of the
+/// step does.
 bool Search::advance(Iterate& at, const Step& step) {
   const int alphas = condition_.degrees()[Alpha] + 1;
   const double before = at.cost / 2 + step.penalty * at.infeasibility();
@@ -275,9 +277,9 @@ bool Search::advance(Iterate& at, const Step& step) {
   return false;
 }
 
-/// Where a side as given has a normal it has not lost all of its length; where a has one, it has
-/// not turned by a right angle, or lost nearly all of its length, from that of a with its seam at
-/// the target.
+/// Whether the normals are kept. Where a given side has a normal, it must keep a share of its
+/// length. Where a has a normal with its seam at the target, the normal must not turn by a right
+/// angle or lose nearly all of its length relative to that one.
 bool Search::isRegular(const Eigen::MatrixXd& x) const {
   constexpr double collapsed = 1e-3, lost = 1e-6, none = 1e-6;
   const Eigen::MatrixXd target = condition_.normals(unknowns_.target, false);

@@ -35,8 +35,8 @@ struct Member {
   Eigen::Index first_row = 0;
 };
 
-/// The laws of that degree, of which e may have one more and p, q twice as many: those that a seam
-/// is looked for to obey as it is.
+/// The laws with c and d of degree \p degree, e of one more, p and q of twice these degrees. They
+/// are used to test whether a seam already joins.
 SeamLaw generalLaw(int degree) {
   SeamLaw law;
   law.c = law.d = Eigen::VectorXd::Ones(degree + 1);
@@ -46,7 +46,7 @@ SeamLaw generalLaw(int degree) {
   return law;
 }
 
-/// The law of a seam that joins as it is.
+/// The law of a seam that already joins.
 std::optional<SeamJoin> joinedAlready(const Network& network, const Unknowns& u, int index) {
   const NetworkSeam& seam = network.seams[index];
   const auto check = [&](const SeamLaw& shape, int degree) -> std::optional<SeamJoin> {
@@ -81,8 +81,8 @@ bool hasFixed(const NetworkSurface& surface) {
   return !surface.moves || std::ranges::count(surface.fixed, true) > 0;
 }
 
-/// Degree 4 and knots of that multiplicity in a direction, where it has less; weights go with the
-/// poles.
+/// The degree and the multiplicity of knots to which a direction is raised if it has less. Weights
+/// are raised with the poles.
 struct Raise {
   int degree = 0, multiplicity = 0;
 };
@@ -120,7 +120,7 @@ void raise(NetworkSurface& surface, SurfaceDirection direction, const Raise& to)
   raise(surface.surface, direction, to);
 }
 
-/// What a plan asks directions to be raised to, but for those that a pole stays in.
+/// The surfaces raised as the plan requires, except in directions that have fixed poles.
 std::vector<NetworkSurface> raised(const Network& network, const Plan& plan) {
   const std::vector<int> strip = strips(network.surfaces.size(), network.seams);
   std::vector<Raise> to(strip.size());
@@ -270,8 +270,8 @@ void Attempt::search(const Laws& laws, const NetworkOptions& options) {
   }
 }
 
-/// False if no step makes the cost less, or what cannot be reached; then the search has converged
-/// if the promise was small.
+/// False if no step decreases the cost or the unreachable part. The search has then converged if
+/// the predicted decrease was small.
 bool Attempt::improve(const Laws& laws) {
   constexpr double resolved = 1e-10, small = 1e-6;
   constexpr double least_damping = 1e-10, most_damping = 1e4;
@@ -300,7 +300,7 @@ bool Attempt::improve(const Laws& laws) {
   return false;
 }
 
-/// Where a side has a normal, it has not lost its length or turned by a right angle.
+/// Whether each normal of a side keeps a share of its length and turns by less than a right angle.
 bool Attempt::keepsNormals(const Member& member) const {
   constexpr double none = 1e-6, lost = 1e-3;
   const Eigen::MatrixXd before = polesOf(unknowns_.target, member.columns);
@@ -396,8 +396,8 @@ std::optional<NetworkResult> joinedAlready(const Network& network, const Unknown
   return unchanged(network.surfaces, std::move(joins));
 }
 
-/// Of obstacles that hang together by their surfaces the one of the largest residual: others may be
-/// there for it alone.
+/// From each group of obstacles that are connected by surfaces, the one of the largest residual. It
+/// may be the only cause of the others.
 std::vector<Obstacle> worstOfEachGroup(std::vector<Obstacle> obstacles,
                                        const std::vector<NetworkSeam>& seams) {
   std::ranges::stable_sort(obstacles, std::greater{}, &Obstacle::residual);

@@ -11,15 +11,15 @@
 
 namespace seamwright {
 
-/// What connects the two sides of a seam, in a form that neither side is preferred by; polynomials
-/// of the seam's parameter in Bernstein form.
+/// The law that connects the two sides of a seam, in a form that treats both sides alike. Its
+/// functions are polynomials of the seam's parameter in Bernstein form.
 ///
-/// With P surface 0 (s out of it) and Q surface 1 (s into it), both along the same t, and all
+/// Let P be surface 0 (s out of it) and Q surface 1 (s into it), both along the same t, with all
 /// parameters scaled to 0..1:
 ///   c Q_s    = d P_s + e P_t                                               (G1; c, d > 0)
 ///   c^2 Q_ss = d^2 P_ss + 2 d e P_st + e^2 P_tt + p P_s + q P_t            (G2)
-/// With c = 1 these are Connection's alpha = d, beta = e, p, q. c, d, e times one factor (p, q
-/// times its square) say the same.
+/// With c = 1 these are Connection's alpha = d, beta = e, p, q. The law stays the same if c, d, e
+/// are multiplied by one factor and p, q by its square.
 struct SeamLaw {
   Eigen::VectorXd c = Eigen::VectorXd::Ones(1);
   Eigen::VectorXd d = Eigen::VectorXd::Ones(1);
@@ -32,50 +32,51 @@ struct SeamLaw {
 struct NetworkSurface {
   BSplineSurface surface;
   bool moves = true;             ///< false: no pole of it moves
-  Eigen::VectorXd weights = {};  ///< how dear a move of each pole is, > 0; empty: 1
+  Eigen::VectorXd weights = {};  ///< weight of each pole's move, > 0; empty: 1
   std::vector<bool> fixed = {};  ///< poles that stay; empty: none
 };
 
-/// A whole edge of one surface that is to join a whole edge of another (or of the same one). Its
-/// parameter runs as the edge of surface 0 does.
+/// A whole edge of one surface that has to join a whole edge of another surface (or of the same
+/// one). The seam's parameter runs in the sense of the edge of surface 0.
 struct NetworkSeam {
   std::array<int, 2> surfaces = {0, 1};
   std::array<PatchEdge, 2> edges = {PatchEdge::U1, PatchEdge::U0};
   bool reversed = false;  ///< the edge of surface 1 runs against it
   int order = 1;          ///< 1: G1, 2: G2
-  std::optional<SeamLaw> held =
-      std::nullopt;  ///< the law to be used, instead of one that is sought
+  /// The law to be used; nothing: it is sought.
+  std::optional<SeamLaw> held = std::nullopt;
 };
 
 struct NetworkOptions {
-  /// A vertex of four surfaces is regular if its opposite seams are opposite to this angle; then
-  /// they become so exactly.
+  /// A vertex of four surfaces is regular if its opposite seams continue each other within this
+  /// angle. Then they are made to do so exactly.
   double regular_rad = 0.1;
-  bool raise = true;        ///< degrees and multiplicities may be raised where a vertex demands it
+  bool raise = true;        ///< degrees and multiplicities may be raised where a vertex needs it
   int max_iterations = 30;  ///< of the improvement of the laws
 };
 
 enum class SeamStatus {
   Joined,     ///< the law holds to rounding
-  Unchanged,  ///< it held already, and no number of the network was changed
-  Left,       ///< no join was found that agrees with the others: the seam took no part, see why
+  Unchanged,  ///< the law already held, and no number of the network was changed
+  Left,       ///< the seam is excluded: no join was found that agrees with the others, see why
 };
 
 struct SeamJoin {
   SeamStatus status = SeamStatus::Left;
-  int order =
-      0;  ///< with which it joins: that asked for, or 1 where a vertex allows no more; see why
-  double residual = 0;  ///< of the law, relative to the largest derivative in it; of a seam that is
-                        ///< left: when it was given up
+  /// Order of the join: the given one, or 1 if a vertex does not allow more; see why.
+  int order = 0;
+  /// Of the law, relative to the largest derivative in it; for an excluded seam the residual when
+  /// it was excluded.
+  double residual = 0;
   SeamLaw law;
-  std::string why;  ///< it is left, or joins with another order; empty otherwise
+  std::string why;  ///< the reason why it is excluded or joins with another order; otherwise empty
 };
 
 enum class NetworkStatus {
-  Joined,        ///< all seams join with the orders asked for, and the move is stationary
-  Unchanged,     ///< they did already: no number was changed
+  Joined,        ///< all seams join with the given orders, and the move is stationary
+  Unchanged,     ///< they already did: no number was changed
   NotConverged,  ///< they join, but a smaller move may exist
-  Partly,        ///< some seams are left or join with a lower order
+  Partly,        ///< some seams are excluded or join with a lower order
 };
 
 /// The smallest move that makes the surfaces of a network join.
@@ -83,71 +84,73 @@ struct NetworkResult {
   NetworkStatus status = NetworkStatus::Partly;
   std::vector<BSplineSurface> surfaces;
   std::vector<SeamJoin> seams;
-  /// Of each surface: the largest move of a pole, in mm, compared with the same surface in the
-  /// degrees and knots that it has now.
+  /// Largest move of a pole of each surface, in mm, relative to the given surface raised to the
+  /// resulting degrees and knots.
   std::vector<double> moves_mm;
   double largest_move_mm = 0;
   double cost = 0;  ///< sum of weight times squared move, in mm^2
-  /// By how much the cost may still fall by better laws, relative to it; the search ends below
-  /// 1e-10. 0 for no move.
+  /// Decrease of the cost that better laws may still give, relative to the cost. The search ends
+  /// below 1e-10. It is 0 for no move.
   double stationarity = 0;
   int iterations = 0;
 };
 
 /// Moves the poles of a network of surfaces, as little as possible, so that all seams join exactly
-/// at once, and agree where seams meet.
+/// and agree at the vertices.
 ///
-/// Sought is the smallest sum of weight |move|^2 over all poles for which each seam obeys a law of
-/// the form above. Poles on a seam are shared. All laws together are one sparse linear system A x =
-/// 0 of the poles; the nearest x is a projection, and the laws are improved by Gauss and Newton's
-/// method until the cost falls no more. A pole that no seam needs keeps its bits, as do poles that
-/// are fixed.
+/// The function minimises the sum of weight |move|^2 over all poles such that each seam obeys a law
+/// of the form above. Poles on a seam are shared. All laws together are one sparse linear system A
+/// x = 0 of the poles, and the nearest x is a projection. The Gauss-Newton method improves the laws
+/// until the cost no longer falls. Fixed poles, and poles that no seam needs, stay bitwise.
 ///
-/// **Vertices** are the places where corners of surfaces meet; they follow from the seams that the
-/// edges of a corner take part in. At a vertex that seams surround, the values of the laws have to
-/// close: with r_i the tangents of the seams in turn and A_i = det(r_(i-1), r_i) in the tangent
-/// plane, c : d : e = A_i : A_(i+1) : det(r_(i-1), r_(i+1)) (e with the sign of the seam's sense).
-/// They are taken from tangents in one plane, so that no vertex collapses. Three sorts are told
-/// apart:
-///   - a regular vertex of two lines through four surfaces, as inside a grid: e (and q) is zero
-///     along each seam that ends there, d / c (and p / d) one constant along each line. Degrees and
-///     knots stay. G2 is possible.
-///   - an extraordinary vertex of 3, 5, or more surfaces, or of 4 that is not regular: e is linear
-///     between its values at the ends (quadratic towards a regular one). First d / c is constant on
-///     each seam, with which bicubic patches can do. If the move with linear c and d and quadratic
-///     e is less than half as large, those are used; surfaces come back in degree 4 along such
-///     seams (inner knots: with one multiplicity more), as do all that the opposite edges are tied
-///     to. An extraordinary vertex allows no G2 in general: such seams join with G1, and say so.
-///   - a boundary vertex, which seams do not surround: the laws are free there, each seam having d
-///     / c constant and e (and q) linear, or zero where inner knots are no smoother than that needs
-///     (see nearestJoin()).
+/// **Vertices** are the points where corners of surfaces meet. They are found from the seams of the
+/// edges of a corner. At a vertex that seams surround, the values of the laws have to close: with
+/// r_i the tangents of the seams in turn and A_i = det(r_(i-1), r_i) in the tangent plane, c : d :
+/// e = A_i : A_(i+1) : det(r_(i-1), r_(i+1)) (e with the sign of the seam's sense). They are
+/// computed from tangents in one plane, so that no vertex collapses. There are three sorts of
+/// vertices:
+///   - a regular vertex, where two lines cross between four surfaces, as inside a grid. e (and q)
+///     is zero along each seam that ends there, and d / c (and p / d) is one constant along each
+///     line. Degrees and knots stay. G2 is possible.
+///   - an extraordinary vertex of 3, 5 or more surfaces, or of 4 if it is not regular. e is linear
+///     between its values at the ends (quadratic towards a regular vertex). In the first attempt d
+///     / c is constant on each seam, which is sufficient for bicubic patches. If the move with
+///     linear c and d and quadratic e is less than half as large, those laws are used. Then
+///     surfaces are returned in degree 4 along such seams (inner knots with one multiplicity more),
+///     and so are all surfaces that are tied to them by opposite edges. An extraordinary vertex
+///     does not allow G2 in general: such seams join with G1, and the result says so.
+///   - a boundary vertex, which seams do not surround. The laws are free there. On each seam d / c
+///     is constant and e (and q) is linear, or zero if the rows are not smooth enough at inner
+///     knots (see nearestJoin()).
 ///
-/// **What stays.** Surfaces and poles that are fixed keep every bit; seams between two of them
-/// should be given too, as their laws rule those at the same vertices. A seam that is smooth
-/// already is kept so by giving it, while its neighbours move.
+/// **What stays.** Surfaces and poles that are fixed stay bitwise. Give the seams between two fixed
+/// surfaces too, because their laws determine the laws at the same vertices. A seam that is already
+/// smooth stays smooth if it is given, while its neighbours move.
 ///
-/// **What cannot be.** Where the laws contradict each other or the fixed poles, seams are left out
-/// step by step: of those that hang together by their surfaces that of the largest residual, until
-/// the rest can be solved. Each says why. The surfaces are then joined along the others.
+/// **What cannot be.** If the laws contradict each other or the fixed poles, seams are excluded
+/// step by step until the rest can be solved. From each group of such seams that are connected by
+/// surfaces the seam of the largest residual is excluded. Each excluded seam has a reason. The
+/// surfaces are joined along the other seams.
 ///
 /// Identities (each has a test of its number):
-///   (1) encloseSeam() of each seam that joins: a gap of 0, an angle and for order 2 a curvature
-///       difference of rounding.
-///   (2) The move is orthogonal to the solutions of A x = 0, and of two surfaces it is that of
-///       nearestJoin() if the latter's laws are these.
-///   (3) Rigid motion and scale of all surfaces move the result likewise.
+///   (1) encloseSeam() of each seam that joins gives a gap of 0, and an angle and for order 2 a
+///       curvature difference that are rounding.
+///   (2) The move is orthogonal to the solutions of A x = 0. For two surfaces it is the move of
+///       nearestJoin() if that function finds the same laws.
+///   (3) Rigid motion and scale of all surfaces act on the result in the same way.
 ///   (4) The order of surfaces and of seams, the sides of a seam and the sense of edges do not
 ///       change the result.
 ///   (5) A second call changes nothing.
-///   (6) Poles that are fixed, and surfaces that do not move, keep every bit.
+///   (6) Poles that are fixed, and surfaces that do not move, stay bitwise.
 ///
-/// Time and memory are those of one sparse factorisation for each iteration.
+/// Each iteration takes the time and memory of one sparse factorisation.
 ///
-/// \throws std::invalid_argument for surfaces that are none or rational, weights and fixed poles of
-/// another number than the poles, weights that are not positive, seams that name no surface, an
-/// edge in two seams or joined to itself, sides of other degree or knots along the seam (scaled to
-/// 0..1), orders but 1 and 2, held laws with coefficients that are not finite or c, d not positive,
-/// and options out of range: an angle not in [0, 1], fewer than 0 iterations.
+/// \throws std::invalid_argument for surfaces that are invalid or rational, weights or fixed poles
+/// whose number differs from that of the poles, weights that are not positive, seams that name no
+/// surface, an edge that is in two seams or joined to itself, sides whose degrees or knots along
+/// the seam (scaled to 0..1) differ, orders other than 1 and 2, held laws with coefficients that
+/// are not finite or with c or d not positive, and options out of range: an angle outside [0, 1], a
+/// negative number of iterations.
 /// Source: docs/theory/surfaces.md S2.6, S5.3, S6.1 to S6.3; docs/theory/fills.md F1.2 to F1.5.
 NetworkResult nearestNetwork(const std::vector<NetworkSurface>& surfaces,
                              const std::vector<NetworkSeam>& seams,

@@ -13,19 +13,21 @@ namespace seamwright::network {
 
 enum Function { C, D, E, P, Q, law_functions };
 
-/// In the order of Function.
+/// The functions of a law in the order of Function.
 std::array<Eigen::VectorXd*, law_functions> functions(SeamLaw& law);
 std::array<const Eigen::VectorXd*, law_functions> functions(const SeamLaw& law);
 
 bool isZero(const Eigen::VectorXd& function);
 
-/// SeamLaw's equations at as many points of the seam as determine the splines that their left sides
-/// are. Unknowns are in blocks of as many poles as a row has: the seam, the rows of side 0 behind
-/// it, those of side 1. Each row is divided by the larger coefficient of the two poles behind the
-/// seam, so that a residual is a length comparable to a move of one.
+/// SeamLaw's equations at points of the seam. Their left sides are splines, and the points are as
+/// many as determine these splines. The unknowns are in blocks of one row of poles each: the seam,
+/// the rows of side 0 behind it, then those of side 1. Each row is divided by the larger
+/// coefficient of the two poles behind the seam. So a residual is a length that is comparable to a
+/// move of one of these poles.
 class Condition {
  public:
-  /// \param law of the degrees that all laws will have; where e and q are zero they stay so.
+  /// \param law a law with the degrees of all laws that will be used; if its e or q is zero, it
+  /// stays zero.
   Condition(nearest::SeamRows a, nearest::SeamRows b, int order, const SeamLaw& law);
 
   Eigen::Index rows() const { return static_cast<Eigen::Index>(points_.size()); }
@@ -37,20 +39,21 @@ class Condition {
   /// The derivative of A(law) x by the law, in that direction.
   Eigen::MatrixXd change(const SeamLaw& law, const SeamLaw& direction,
                          const Eigen::MatrixXd& x) const;
-  /// Largest length of A x, relative to the largest derivative in it.
+  /// Largest length of a row of A x, relative to the largest derivative in it.
   double residual(const SeamLaw& law, const Eigen::MatrixXd& x) const;
 
-  /// Square root of the ratio of the two sides' squared normals: d / c where the sides join with a
-  /// constant one.
+  /// Square root of the ratio of the two sides' squared normals. It is d / c if the sides join with
+  /// a constant d / c.
   double ratio(const Eigen::MatrixXd& x) const;
-  /// The law with these functions replaced by those that fit the condition of that order best, the
-  /// others as they are.
+  /// The law with the functions \p sought replaced by those that fit the condition of order \p
+  /// order best. The other functions stay.
   SeamLaw fitted(SeamLaw law, int order, const std::vector<Function>& sought,
                  const Eigen::MatrixXd& x) const;
-  /// The law with c and d of that degree, e of one more, and p, q of twice these degrees, that fits
-  /// best; c + d has the mean 2.
+  /// The law that fits best, with c and d of degree \p degree, e of one degree more, and p, q of
+  /// twice these degrees. The mean of c + d is 2.
   SeamLaw closest(int degree, const Eigen::MatrixXd& x) const;
-  /// Along the normals of a side at the points, one a row; both sides' alike if there is no fold.
+  /// Vectors along the normals of a side at the points, one per row. The vectors of both sides have
+  /// the same direction if there is no fold.
   Eigen::MatrixXd normals(int side, const Eigen::MatrixXd& x) const;
 
  private:

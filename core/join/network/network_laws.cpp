@@ -15,7 +15,7 @@ namespace seamwright::network {
 
 namespace {
 
-/// Share of the largest pivot below which derivatives by differences say nothing.
+/// Share of the largest pivot below which derivatives by differences are insignificant.
 constexpr double least_pivot = 1e-7;
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
@@ -42,7 +42,7 @@ Eigen::Vector3d tangent(const Network& network, const Unknowns& u, const Spoke& 
   return (u.target.row(unknown(1)) - u.target.row(unknown(0))).transpose() * rows.degree / span;
 }
 
-/// The rays in the plane that their sectors' normals have on average; spread as they are in it.
+/// The rays projected into the plane of the mean normal of their sectors.
 Eigen::Matrix2Xd flattened(const Eigen::Matrix3Xd& rays) {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   for (Eigen::Index i = 0; i < rays.cols(); ++i) {
@@ -132,8 +132,8 @@ SeamLaw withRatio(double ratio) {
   return law;
 }
 
-/// Whether e, being zero at inner knots that are not smooth enough for another, leaves much more
-/// than it has to.
+/// Whether the residual becomes much larger than necessary if e is zero because inner knots are not
+/// smooth enough for other values.
 bool needsE(const Condition& condition, const Eigen::MatrixXd& x) {
   constexpr double much = 4;
   SeamLaw law = withRatio(condition.ratio(x));
@@ -181,8 +181,8 @@ void setForm(const Network& network, const Unknowns& u, int seam, bool linear, S
   }
 }
 
-/// Lines: seams of constant ratio that are opposite at a regular vertex have the same, from left to
-/// right of the line.
+/// Sets the lines. Seams of constant ratio that are opposite at a regular vertex have the same
+/// ratio, from left to right of the line.
 void setLines(const Network& network, Plan& plan) {
   const auto constant = [&](int seam) {
     return !plan.seams[seam].linear && !network.seams[seam].held;
@@ -235,8 +235,8 @@ void findObstacles(const Network& network, const Unknowns& u, int seam, Plan& pl
   if (!(together > 0)) plan.obstacles.push_back({seam, 0, "the surfaces fold back along it"});
 }
 
-/// e need not be zero on a line of two seams, from the boundary to the boundary, if it comes from
-/// the regular vertex with the same slope in both.
+/// On a line of two seams from boundary to boundary, e may be nonzero if it has the same slope at
+/// the regular vertex in both.
 void tieSlopes(const Network& network, const Unknowns& u, Plan& plan) {
   const auto otherEnd = [&](const Spoke& spoke) {
     return plan.seams[spoke.seam].ends[1 - spoke.end].sort;
@@ -426,8 +426,8 @@ void Laws::setStart(const Network& network, const Unknowns& u) {
   setBasis();
 }
 
-/// The mean logarithms, changed as little as possible so that around stars of constant ratios their
-/// sum is zero.
+/// The mean logarithms, changed as little as possible, so that their sum around each extraordinary
+/// vertex of constant ratios is zero.
 void Laws::setLines(const Eigen::VectorXd& sum, const Eigen::VectorXd& weight,
                     const std::vector<bool>& stiff) {
   std::vector<Eigen::Triplet<double>> entries;
@@ -455,7 +455,7 @@ void Laws::setLines(const Eigen::VectorXd& sum, const Eigen::VectorXd& weight,
 }
 
 /// c, d, e of an extraordinary vertex at the end of a seam whose side 0 is the corner before its
-/// spoke; they change places where it is the corner after it.
+/// spoke; c and d are exchanged if side 0 is the corner after the spoke.
 Eigen::Vector3d Laws::extraordinaryValues(const SeamPlan::End& end,
                                           const Eigen::VectorXd& y) const {
   const auto count = static_cast<int>(plan_.vertices[end.vertex].spokes.size());
@@ -529,8 +529,8 @@ SeamLaw Laws::derivative(int seam, const Eigen::VectorXd& y, int k) const {
   return result;
 }
 
-/// By how much the logarithm of an extraordinary vertex's d / c is more than that of the line, for
-/// each spoke of a line.
+/// The logarithm of an extraordinary vertex's d / c minus that of the line, for each spoke of a
+/// line.
 Eigen::VectorXd Laws::excess(int vertex, const Eigen::VectorXd& y) const {
   const Vertex& of = plan_.vertices[vertex];
   std::vector<double> result;
@@ -588,8 +588,8 @@ void Laws::setBasis() {
       if (plan_.seams[spoke.seam].line >= 0) held[line_slot_[plan_.seams[spoke.seam].line]] = true;
     const auto& stays = plan_.sorts[v].stays;
     const auto coordinates = static_cast<Eigen::Index>(2 * stays.size());
-    // An extraordinary vertex may turn and stretch as a whole without any change of the laws: those
-    // directions are left out as well.
+    // A linear map of all tangents at an extraordinary vertex does not change the laws. Its 4
+    // directions are left out too.
     Eigen::MatrixXd conditions = excessDerivative(static_cast<int>(v), start_);
     const Eigen::Index ratios = conditions.rows();
     conditions.conservativeResizeLike(Eigen::MatrixXd::Zero(ratios + 4 + coordinates, coordinates));

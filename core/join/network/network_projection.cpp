@@ -14,7 +14,7 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-/// Of the scaled system, whose rows have length 1.
+/// Shift of the scaled system, whose rows have length 1.
 constexpr double shift = 1e-12;
 
 Eigen::VectorXd reachOf(const Eigen::VectorXd& pull) {
@@ -34,8 +34,8 @@ Sparse shifted(const Sparse& m) {
   return m + shift * unit;
 }
 
-/// Solves A A' nu = b by rows of A that are independent of each other, without the square of A's
-/// condition; b is of A's range.
+/// Solves A A' nu = b by linearly independent rows of A, without squaring A's condition. b must be
+/// in the range of A.
 class IndependentRows {
  public:
   explicit IndependentRows(const Sparse& a) : qr_(Sparse(a.transpose())) {
@@ -63,7 +63,7 @@ Projection refined(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::Ma
                    OrderedFactors& factors) {
   constexpr int max_passes = 20;
   constexpr double nearly = 1e-6, near_rounding = 4;
-  /// Rows: an orthogonal factorisation of more takes long.
+  /// In rows. An orthogonal factorisation of more rows takes too long.
   constexpr Eigen::Index most_independent = 2000;
   constexpr double rounding = std::numeric_limits<double>::epsilon() / 4;
   const Eigen::VectorXd reach = reachOf(pull);

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# Copies the staged workbench STAGE into the Mod folder of the current user, as FREECADCMD tells it.
+# Copies the staged workbench STAGE into the Mod folder of the current user, which FREECADCMD tells.
 if(NOT FREECADCMD)
   message(FATAL_ERROR "freecadcmd was not found: install FreeCAD, or set FREECADCMD_EXECUTABLE.")
 endif()

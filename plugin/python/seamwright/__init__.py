@@ -5,11 +5,11 @@
 >>> report = seamwright.read("part.step").analyze(profile="class-a", angle_deg=0.05)
 >>> print(report.to_table())
 
-Lengths are in mm, angles in degrees where a name ends in ``_deg`` and in radians where it ends in
-``_rad``. Bad arguments raise ``ValueError``, bad models ``ModelError``; both say the offending
+Lengths are in mm. Angles are in degrees if a name ends in ``_deg``, in radians if it ends in
+``_rad``. Bad arguments raise ``ValueError``, bad models ``ModelError``; both state the offending
 number. Long calls release the GIL and take ``progress``, a callable that gets the share done
-(0..1); the call raises ``Cancelled`` if it returns what is false to Python (``False``, ``0``,
-``numpy.False_``), other than ``None``.
+(0..1). The call raises ``Cancelled`` if the callable returns a value that is false in Python
+(``False``, ``0``, ``numpy.False_``), other than ``None``.
 """
 
 try:
@@ -101,37 +101,41 @@ from ._core import __version__
 
 
 def _from_freecad(shape):
-    """The model of a FreeCAD ``Part.Shape``. The shape is shared where the bridge allows it, and
-    never changed.
+    """The model of a FreeCAD ``Part.Shape``.
 
-    Raises ``TypeError`` for what is no ``Part.Shape``, ``ModelError`` for a null shape or one
-    without faces.
+    The shape is shared if the bridge allows it, and never changed.
+
+    Raises ``TypeError`` for anything but a ``Part.Shape``, ``ModelError`` for a null shape or a
+    shape without faces.
     """
     return bridge.model_from_freecad(shape)
 
 
 def _to_freecad(self):
-    """This model as a FreeCAD ``Part.Shape``; shared, not copied, where the bridge allows it."""
+    """This model as a FreeCAD ``Part.Shape``; shared, not copied, if the bridge allows it."""
     return bridge.model_to_freecad(self)
 
 
 def curve_to_freecad(curve):
-    """A curve as FreeCAD's: a BezierCurve as ``Part.BezierCurve``, a BSplineCurve as
-    ``Part.BSplineCurve``, a BezierSpline as that of ``to_bspline(continuity())``. Poles, weights
-    and knots are the same numbers.
+    """A curve as a FreeCAD curve.
 
-    Raises ``ValueError`` for degrees above 25, ``TypeError`` for other things, ``RuntimeError``
+    A BezierCurve becomes a ``Part.BezierCurve``, a BSplineCurve a ``Part.BSplineCurve``, and a
+    BezierSpline the ``Part.BSplineCurve`` of ``to_bspline(continuity())``. Poles, weights and knots
+    are the same numbers.
+
+    Raises ``ValueError`` for degrees above 25, ``TypeError`` for other arguments, ``RuntimeError``
     outside FreeCAD.
     """
     return bridge.curve_to_freecad(curve)
 
 
 def curve_from_freecad(curve):
-    """The BezierCurve or BSplineCurve that a ``Part.BezierCurve`` or ``Part.BSplineCurve`` is,
-    number by number. Where one is periodic or its ends are not clamped, knots are inserted at its
-    ends. Of an edge, give ``edge.Curve``; trims are not looked at.
+    """A ``Part.BezierCurve`` or ``Part.BSplineCurve`` as BezierCurve or BSplineCurve.
 
-    Raises ``TypeError`` for other things, ``RuntimeError`` outside FreeCAD.
+    The numbers are the same. If the curve is periodic or not clamped, knots are inserted at its
+    ends. For an edge, pass ``edge.Curve``; trims are ignored.
+
+    Raises ``TypeError`` for other arguments, ``RuntimeError`` outside FreeCAD.
     """
     return bridge.curve_from_freecad(curve)
 
@@ -139,16 +143,16 @@ def curve_from_freecad(curve):
 def surface_to_freecad(patch):
     """A BezierPatch as ``Part.BezierSurface``: the same poles and weights.
 
-    Raises ``ValueError`` for degrees above 25, ``TypeError`` for other things, ``RuntimeError``
+    Raises ``ValueError`` for degrees above 25, ``TypeError`` for other arguments, ``RuntimeError``
     outside FreeCAD.
     """
     return bridge.surface_to_freecad(patch)
 
 
 def surface_from_freecad(surface):
-    """The BezierPatch that a ``Part.BezierSurface`` is, number by number.
+    """A ``Part.BezierSurface`` as BezierPatch: the same poles and weights.
 
-    Raises ``TypeError`` for other things, ``RuntimeError`` outside FreeCAD.
+    Raises ``TypeError`` for other arguments, ``RuntimeError`` outside FreeCAD.
     """
     return bridge.surface_from_freecad(surface)
 

@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How shapes pass between FreeCAD and this module.
+"""Passes shapes between FreeCAD and this module.
 
 Three routes, best first:
 
-``pointer`` both hold the same shape, nothing is copied; needs FreeCAD and this module to use the
-same OpenCASCADE ``binary`` a copy, exact in every bit, through memory ``text`` a copy with 15
-digits; works with every OpenCASCADE 7
+``pointer``  both hold the same shape, nothing is copied; FreeCAD and this module must use the
+             same OpenCASCADE
+``binary``   a bitwise copy through memory
+``text``     a copy with 15 digits; works with every OpenCASCADE 7
 
-The first route that passes its self-test (a box goes there and back) is used. ``route()`` tells
-which one it is, ``force()`` sets it, ``why_not()`` tells why the better ones are not used.
+The first route that passes its self-test (a box is sent there and back) is used. ``route()``
+returns its name, ``force()`` sets it, ``why_not()`` says why the better routes are not used.
 """
 
 import math
@@ -107,7 +108,7 @@ _BY_NAME = {"pointer": _Pointer, "binary": _Binary, "text": _Text}
 
 
 class _MemoryFile:
-    """A file that exists in memory alone and has a path."""
+    """A file that exists only in memory and has a path."""
 
     def __enter__(self):
         self._descriptor = os.memfd_create("seamwright")
@@ -135,7 +136,7 @@ def _loaded_kernels():
 
 
 def _self_test(route):
-    """Sends a box there and back. Raises what goes wrong."""
+    """Sends a box there and back. Raises an exception if the route fails."""
     way = _BY_NAME[route]
     way.require()
     box = _part().makeBox(1, 2, 3)
@@ -147,8 +148,10 @@ def _self_test(route):
 
 
 def route():
-    """The route in use: the forced one, or the best one that works. Raises ``RuntimeError`` without
-    FreeCAD."""
+    """The route in use: the forced one, or the best one that works.
+
+    Raises ``RuntimeError`` without FreeCAD.
+    """
     global _chosen
     if _forced is not None:
         return _forced
@@ -157,7 +160,7 @@ def route():
         for name in ROUTES:
             try:
                 _self_test(name)
-            except Exception as error:  # whatever it is, the next route may do
+            except Exception as error:  # the next route may work whatever the error is
                 _failures[name] = str(error)
             else:
                 _chosen = name
@@ -176,7 +179,7 @@ def why_not():
 
 
 def force(name):
-    """Uses this route from now on, after its self-test; ``None`` gives the choice back."""
+    """Uses this route from now on, after its self-test; ``None`` restores the automatic choice."""
     global _forced
     if name is None:
         _forced = None
@@ -204,12 +207,12 @@ def model_from_freecad(shape):
 def model_later(shape):
     """A callable that returns the ``Model`` of a shape as it is now, for work in another thread.
 
-    The model shares nothing with the shape, which FreeCAD may go on to draw or change meanwhile:
-    both write into a shape. The callable may be called in any thread. Raises what
-    ``Model.from_freecad`` does.
+    The model shares nothing with the shape, because FreeCAD may draw or change the shape in the
+    meantime, and both write into it. The callable may be called in any thread. Raises the same
+    exceptions as ``Model.from_freecad``.
     """
     _require_shape(shape)
-    route()  # the self-test belongs to this thread
+    route()  # the self-test must run in this thread
     return (_Binary if hasattr(os, "memfd_create") else _Text).take_later(shape)
 
 

@@ -19,14 +19,14 @@ import numpy as np
 
 COLORS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000")
 SAMPLES = 2400  # of a curve, over all its segments
-TEETH = 400  # of a comb
-LONGEST_TOOTH = 0.18  # of the diagonal, where the scale of combs is automatic
+TEETH = 400  # of a comb, over all segments
+LONGEST_TOOTH = 0.18  # of the diagonal, if the scale of combs is automatic
 MARGIN = 24
 LEGEND_LINE = 18
 
 
 def _words_of(text):
-    """For XML: what it forbids, even escaped, is shown as a replacement character."""
+    """Escapes text for XML. Characters that XML forbids become replacement characters."""
     allowed = "".join(
         c
         if c in "\t\n" or " " <= c and not "\ud800" <= c <= "\udfff" and c not in "\ufffe\uffff"
@@ -73,15 +73,14 @@ def _number(name, value):
 
 
 def _share(total, segments):
-    """Parameters 0..1 of each of so many segments, both ends among them, so that all come to about
-    the total."""
+    """Parameters 0..1 for each segment, both ends included; about ``total`` over all segments."""
     return np.linspace(0, 1, max(2, 1 + min(96, total // segments)))
 
 
 def curvature_vectors(curve, parameters):
     """Points and curvature vectors (1/mm, towards the centre) of a BezierCurve: two arrays (n, 3).
 
-    The vector is nan where the curve stands still.
+    The vector is nan where the first derivative vanishes.
     """
     jets = np.array([curve.derivatives(t, 2) for t in parameters])
     first, second = jets[:, 1], jets[:, 2]
@@ -94,8 +93,8 @@ def curvature_vectors(curve, parameters):
 
 
 def _basis(view, points):
-    """Two rows: what goes right and what goes up, seen from that direction, or facing the plane
-    that fits best."""
+    """Two rows: the directions right and up, seen from ``view`` or facing the best-fitting
+    plane."""
     if view is not None:
         towards = np.array(view, dtype=float)
         if towards.shape != (3,) or not np.isfinite(towards).all() or not towards.any():
@@ -115,17 +114,17 @@ def _basis(view, points):
 
 
 def _upright(towards, axis):
-    """Right and up, seen from that direction of length 1 with that axis upwards."""
+    """The directions right and up, seen from the unit vector ``towards`` with ``axis`` upwards."""
     right = np.cross(np.eye(3)[axis], towards)
     right /= np.linalg.norm(right)
     return np.array([right, np.cross(towards, right)])
 
 
 class Picture:
-    """Collects what is to be drawn; svg() and write() draw it.
+    """Collects curves, lines and points; svg() and write() draw them.
 
-    title: a line above; width: in pixels, the height follows; view: the direction from the scene to
-    the eye, default: facing the plane that fits all points best.
+    title: a line above; width: in pixels, the height follows from it; view: the direction from the
+    scene to the eye, default: facing the plane that fits all points best.
     """
 
     def __init__(self, title=None, width=760, view=None):
@@ -151,9 +150,9 @@ class Picture:
     def curve(self, curve, color=None, label=None, comb=None, width=2):
         """A curve; comb: True, or the length drawn for a curvature of 1/mm, in mm^2.
 
-        The teeth point away from the centre of curvature. All combs with True have one scale: what
-        makes the longest tooth of all of them 18 % of the diagonal of the drawing. Segments have
-        their own teeth at their ends, so a jump shows.
+        The teeth point away from the centre of curvature. All combs with True have one scale: the
+        longest tooth of these combs is 18 % of the diagonal of the drawing. Segments have their own
+        teeth at their ends, so a jump is visible.
         """
         color = self._color(color)
         segments = _segments(curve)
@@ -202,7 +201,7 @@ class Picture:
         )
 
     def _teeth(self):
-        """Lines of the combs: for each segment of each comb points, tips and color."""
+        """Lines of the combs: points, tips and color for each segment of each comb."""
         given = self._given()
         diagonal = np.linalg.norm(given.max(axis=0) - given.min(axis=0))
         automatic = [
@@ -224,7 +223,7 @@ class Picture:
                     ], color
 
     def svg(self):
-        """The drawing as a text. Raises ValueError if there is nothing to draw."""
+        """The drawing as SVG text. Raises ValueError if there is nothing to draw."""
         if not self._lines and not self._dots:
             raise ValueError("nothing to draw: add a curve, a polygon or points first")
         combs = list(self._teeth())
@@ -287,7 +286,7 @@ class Picture:
         return words
 
     def write(self, path):
-        """Writes the drawing; a file that is there is replaced when the new one is whole."""
+        """Writes the drawing. An existing file is replaced when the new one is complete."""
         text = self.svg()
         whole = f"{os.fspath(path)}.part"
         with open(whole, "w", encoding="utf-8") as file:

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The workbench; FreeCAD imports this at start, so it loads nothing it does not need yet."""
+"""The workbench.
+
+FreeCAD imports this module at start, so it loads only what is needed then.
+"""
 
 import importlib
 
@@ -25,11 +28,11 @@ class SeamwrightWorkbench(Gui.Workbench):
         self.appendMenu("Seamwright", names)
 
     def GetClassName(self):
-        """The kind of workbench, as FreeCAD wants it named."""
+        """Return the kind of workbench, as FreeCAD names it."""
         return "Gui::PythonWorkbench"
 
 
-#: The module of the view of each kind of document object.
+#: For each kind of document object, the module of its view.
 VIEWS = {
     "CornerFillet": "corner_view",
     "MatchSurfaces": "match_view",

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The document object Seam Analysis.
 
-It keeps the report of the kernel, and as its shape the seam edges in the order of the report.
-The class path is written into documents: neither rename nor move it.
+It keeps the report of the kernel. Its shape has the seam edges in the order of the report. The
+class path is written into documents: neither rename nor move it.
 """
 
 import json
@@ -58,7 +58,7 @@ class SeamAnalysis(feature.Feature):
 
     @staticmethod
     def add_properties(obj):
-        """Add the properties an object lacks, with their defaults."""
+        """Add the properties that an object lacks, with their defaults."""
         adder = properties.Adder(obj)
         adder.add("App::PropertyLinkListGlobal", "Sources", "Seams",
                   "The objects to analyse; empty means all solids and shells of the document")  # fmt: skip
@@ -71,12 +71,12 @@ class SeamAnalysis(feature.Feature):
 
     @staticmethod
     def source_objects(obj):
-        """The objects to analyse."""
+        """Return the objects to analyse."""
         return source_objects(obj)
 
     @staticmethod
     def job(module, obj, private=False):
-        """Measure the sources: report, compound of the seam edges, objects."""
+        """Return the Job that finds (report, compound of the seam edges, objects)."""
         model, level, given = sources.Model(source_objects(obj)), obj.Level, tolerances(obj)
         make = feature.model_maker(module, model.shape, private)
 
@@ -90,7 +90,10 @@ class SeamAnalysis(feature.Feature):
 
     @staticmethod
     def store(obj, report, shape, objects):
-        """Put the results into the read-only properties; the Report before the Shape it colours."""
+        """Put the results into the read-only properties.
+
+        The Report is written before the Shape, since it gives the colours of the Shape.
+        """
         counts = summary.class_counts(report)
         feature.keep_report(obj, report)
         obj.Analysed = objects
@@ -108,36 +111,36 @@ class SeamAnalysis(feature.Feature):
 
     @staticmethod
     def store_failure(obj, reason):
-        """An empty report."""
+        """Store an empty report and the reason."""
         SeamAnalysis.store(obj, EMPTY_REPORT, Part.Shape(), [])
         obj.Summary = "Not analysed: %s" % reason
         return reason
 
 
 def is_analysis(obj):
-    """Whether a document object is a Seam Analysis."""
+    """Return whether a document object is a Seam Analysis."""
     return feature.is_of(obj, SeamAnalysis)
 
 
 def report_of(obj):
-    """The stored report as a dict; an empty report when nothing was analysed yet."""
+    """Return the stored report as a dict; an empty report when nothing was analysed yet."""
     return json.loads(obj.Report) if obj.Report else dict(EMPTY_REPORT)
 
 
 def source_objects(obj):
-    """The objects to analyse: the Sources, or all solids and shells of the document."""
+    """Return the objects to analyse: the Sources, or all solids and shells of the document."""
     if obj.Sources:
         return sources.expand(obj.Sources)
     return sources.solids_and_shells(obj.Document, exclude=obj.Document.getObject(obj.Name))
 
 
 def tolerances(obj):
-    """The tolerances as arguments of the kernel, in mm and degrees."""
+    """Return the tolerances as arguments of the kernel, in mm and degrees."""
     return {**properties.arguments(obj, TOLERANCES), "level": obj.Level}
 
 
 def owners(model, level, report):
-    """What the numbers of a report stand for: its key "freecad"."""
+    """Return the value of the report's key "freecad": the objects to which its numbers belong."""
     seams = report["seams"]
     open_edges, shared = report.get("open", []), report.get("non_manifold", [])
     edges = {number for seam in seams for number in seam["edges"]}
@@ -155,7 +158,10 @@ def owners(model, level, report):
 
 
 def seam_edges(shape, report):
-    """Compound of the seam edges in the order of ``summary.edge_classes``; null without seams."""
+    """Return a compound of the seam edges in the order of ``summary.edge_classes``.
+
+    Without seams it is a null shape.
+    """
     numbers = summary.edge_classes(report)
     if not numbers:
         return Part.Shape()
@@ -164,7 +170,7 @@ def seam_edges(shape, report):
 
 
 def _bare_edge(edge):
-    """The curve of an edge alone: drawing and saving it neither touches nor repeats the faces."""
+    """Return only the curve of an edge, so that drawing and saving it do not include the faces."""
     try:
         return edge.Curve.toShape(*edge.ParameterRange)
     except (Part.OCCError, AttributeError, TypeError, ValueError):
@@ -174,24 +180,24 @@ def _bare_edge(edge):
 def create(sources=None, doc=None, **tolerances):
     """Add a Seam Analysis to a document, compute it and return it.
 
-    ``sources``: objects to analyse; none means all solids and shells of the document.
-    ``tolerances``: gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg, match_mm (numbers
-    that are neither negative nor NaN), level ("G0" to "G3"), and profile (a name of
-    profiles.PROFILES, for the tolerances that are not given). Raises TypeError for another name,
-    ValueError for another value, kernel.KernelUnavailable when the compiled part is missing.
-    When nothing can be analysed, ``error_text`` says why.
+    ``sources``: objects to analyse; empty means all solids and shells of the document.
+    ``tolerances``: gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg, match_mm (finite
+    numbers that are not negative), level ("G0" to "G3"), and profile (a name of profiles.PROFILES,
+    for the tolerances that are not given). Raises TypeError for another name, ValueError for
+    another value or where there is no document, kernel.KernelUnavailable when the compiled part is
+    missing. When nothing can be analysed, ``error_text`` says why.
     """
     doc = doc or (sources[0].Document if sources else App.ActiveDocument)
     if doc is None:
         raise ValueError("There is no document to put the analysis into.")
-    doc.recompute()  # what is to be found by itself must have its shape
+    doc.recompute()  # without sources, objects are found by their shapes
     obj = prepare(sources, doc, **tolerances)
     doc.recompute()
     return obj
 
 
 def prepare(sources, doc, **tolerances):
-    """As ``create``, but nothing is computed yet."""
+    """Add a Seam Analysis as ``create`` does, but compute nothing yet."""
     kernel.load(Part.OCC_VERSION)
     values = properties.checked(tolerances, TOLERANCES, {"level": ("Level", LEVELS)})
     obj = feature.add(doc, SeamAnalysis, "Seam Analysis")

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The document object Corner Fillet: a solid with the edges at one vertex rounded, each with a
-radius of its own.
+"""The document object Corner Fillet: a solid with the edges at one vertex rounded.
 
-Its shape is the model of the source with fillets that end in sections set back from the vertex, and
-patches between them; the source is only read. The class path is written into documents: neither
-rename nor move it.
+Each edge has its own radius. The shape is the model of the source with fillets and with patches
+between them; the fillets end in sections that are set back from the vertex. The source is only
+read. The class path is written into documents: neither rename nor move it.
 """
 
 import Part
@@ -46,7 +45,7 @@ RESULTS = (
 
 
 class CornerFillet(feature.Feature):
-    """Proxy of a Part::FeaturePython that holds its source with a corner rounded."""
+    """Proxy of a Part::FeaturePython that holds its source with one corner rounded."""
 
     Type = "CornerFillet"
     TOLERANCES = TOLERANCES
@@ -55,7 +54,7 @@ class CornerFillet(feature.Feature):
 
     @staticmethod
     def add_properties(obj):
-        """Add the properties an object lacks, with their defaults."""
+        """Add the properties that an object lacks, with their defaults."""
         adder = properties.Adder(obj)
         adder.add("App::PropertyLinkGlobal", "Source", "Corner", "The object with the corner")
         adder.add(
@@ -71,22 +70,22 @@ class CornerFillet(feature.Feature):
 
     @staticmethod
     def source_objects(obj):
-        """The object with the corner."""
+        """Return the object with the corner."""
         return elements.source_objects(obj)
 
     @staticmethod
     def job(module, obj, private=False):
-        """Round the corner: report, shape, names of the edges."""
+        """Return the Job that finds (report, shape, names of the edges)."""
         return fillet_job(module, obj, private)
 
     @staticmethod
     def has_result(report):
-        """Whether the solid is valid and its seams meet the tolerances."""
+        """Return whether the solid is valid and its seams meet the tolerances."""
         return report["met"]
 
     @staticmethod
     def store(obj, report, shape, edges):
-        """Put the results into the read-only properties; the Summary last."""
+        """Put the results into the read-only properties; the Summary is written last."""
         seams = report["seams"] if report["met"] else []
         feature.keep_report(obj, report)
         obj.Met = report["met"]
@@ -99,22 +98,22 @@ class CornerFillet(feature.Feature):
 
     @staticmethod
     def store_failure(obj, reason):
-        """A report of nothing with the reason."""
+        """Store an empty report with the reason."""
         report = {**empty_report(obj), "reason": repair_text.named(reason)}
         CornerFillet.store(obj, report, Part.Shape(), [])
         return obj.Summary
 
 
 def is_corner(obj):
-    """Whether a document object is a Corner Fillet."""
+    """Return whether a document object is a Corner Fillet."""
     return feature.is_of(obj, CornerFillet)
 
 
 def fillet_job(module, obj, private=False):
-    """A Job for (report, shape, names of the edges).
+    """Return the Job that finds (report, shape, names of the edges).
 
-    Raises SourceError for links that lead nowhere, ValueError for bad values and corners that
-    cannot be rounded; its ``run`` does likewise.
+    This function and ``run`` of the Job raise SourceError for broken links and ValueError for bad
+    values or corners that cannot be rounded.
     """
     shape = elements.source_shape(obj)
     _, vertex, edges, _ = _corner(module, obj)
@@ -134,7 +133,7 @@ def fillet_job(module, obj, private=False):
 
 
 def _corner(module, obj):
-    """(model, number of the vertex, numbers of its edges, their lengths)."""
+    """Return (model, number of the vertex, numbers of its edges, their lengths in mm)."""
     shape = elements.source_shape(obj)
     vertices = elements.numbers(obj, shape, "Vertex", "Vertex")
     if len(vertices) != 1:
@@ -149,9 +148,10 @@ def _names(edges):
 
 
 def corner_of(obj):
-    """(names of the edges at the vertex, in the order of Radii, their lengths in mm, "").
+    """Return (names of the edges at the vertex, their lengths in mm, "").
 
-    Where they cannot be told, or rounded, there are none, and the text says why.
+    The edges are in the order of Radii. Where they cannot be found or rounded, the lists are empty
+    and the text says why.
     """
     module = kernel.load(Part.OCC_VERSION)
     try:
@@ -162,15 +162,15 @@ def corner_of(obj):
 
 
 def create(source, vertex, radii_mm=None, *, setbacks_mm=None, **tolerances):
-    """Round the edges at a vertex: add a Corner Fillet to the document of the object, compute it
-    and return it.
+    """Round the edges at a vertex: add a Corner Fillet, compute it and return it.
 
-    ``vertex``: "Vertex6" or 6. ``radii_mm``, ``setbacks_mm``: a number for all edges, or a list of
-    numbers in the order of ``corner_of``; a radius of None is a tenth of the shortest edge, a
-    setback of None or 0 is chosen. ``tolerances``: gap_mm, angle_deg, section_mm, and profile, a
-    name of profiles.PROFILES. Raises TypeError and ValueError for bad arguments,
-    kernel.KernelUnavailable when the compiled part is missing. Where the corner cannot be rounded
-    the object has no shape, and ``error_text`` says why.
+    The Corner Fillet is added to the document of ``source``. ``vertex``: "Vertex6" or 6.
+    ``radii_mm``, ``setbacks_mm``: one number for all edges, or a list of numbers in the order of
+    ``corner_of``. Without radii, the radius is a tenth of the shortest edge, rounded down to one
+    digit. Without setbacks, and for a setback of 0, the kernel chooses the setback. ``tolerances``:
+    gap_mm, angle_deg, section_mm, and profile, a name of profiles.PROFILES. Raises TypeError and
+    ValueError for bad arguments, kernel.KernelUnavailable when the compiled part is missing. Where
+    the corner cannot be rounded, the object has no shape and ``error_text`` says why.
     """
     obj = prepare(source, vertex, radii_mm, setbacks_mm=setbacks_mm, **tolerances)
     obj.Document.recompute()
@@ -178,7 +178,7 @@ def create(source, vertex, radii_mm=None, *, setbacks_mm=None, **tolerances):
 
 
 def prepare(source, vertex, radii_mm=None, *, setbacks_mm=None, **tolerances):
-    """As ``create``, but nothing is computed yet."""
+    """Add a Corner Fillet as ``create`` does, but compute nothing yet."""
     kernel.load(Part.OCC_VERSION)
     values = properties.checked(tolerances, TOLERANCES, {})
     values["Radii"] = properties.checked_numbers("radii_mm", radii_mm)

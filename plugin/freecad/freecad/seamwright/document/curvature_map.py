@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The mean curvature of the faces of a shape, on triangles fine enough to draw it.
 
-Its sign goes with the normal, which loose faces need not have on one side: here neighbours do.
+The sign of the curvature depends on the direction of the normal. Normals of loose faces may point
+to either side; here those of smooth neighbours are made consistent.
 """
 
 import Part
@@ -9,24 +10,23 @@ import Part
 from freecad.seamwright.document.display_mesh import ShownMesh
 from freecad.seamwright.plain import kernel, orientation
 
-#: Surfaces of constant curvature: large triangles tell it as well as small ones.
+#: Surfaces of constant curvature: large triangles show it as well as small ones.
 EVEN = ("Part::GeomPlane", "Part::GeomCylinder", "Part::GeomSphere")
 
-#: Triangles are made small on faces of this part of the size of all and more: there are few of them. Those of other faces
-#: are small enough for their normals, and so for what is seen of them.
+#: Only faces whose size is at least this part of the size of the model get small triangles: there
+#: are few such faces. Triangles of other faces are small enough for normals, and so for the view.
 LARGE = 0.1
 
-#: Triangles are made small on faces that are compared with another shape. They are compared with themselves, and no
-#: difference is found that would split more of them.
+#: The kernel makes small triangles on faces that it compares with another shape. Here it compares
+#: faces with themselves, so no difference reaches this value and no more triangles are split.
 ROUGH_MM = 1.0
 
 
 def curvature_map_later(shape):
-    """A callable(progress) -> ShownMesh with ``mean_per_mm`` of a shape as it is now, which any
-    thread may call.
+    """Return a callable(progress) -> ShownMesh with ``mean_per_mm`` of a shape as it is now.
 
-    ``progress`` is a callable(fraction) that returns False to stop; then None is returned. Raises
-    KernelUnavailable when the compiled part is missing.
+    Any thread may call it. ``progress`` is a callable(fraction) that returns False to stop; then
+    the result is None. Raises KernelUnavailable when the compiled part is missing.
     """
     module = kernel.load(Part.OCC_VERSION)
     if shape.isNull() or not shape.Faces:
@@ -57,8 +57,10 @@ def curvature_map_later(shape):
 
 
 def _groups(shape):
-    """A number for each face, the same for the faces of a shell: they have their normals on one
-    side."""
+    """Return a number for each face; faces of one shell have the same number.
+
+    The normals of these faces point to one side.
+    """
     shells = {
         face.hashCode(): number for number, shell in enumerate(shape.Shells) for face in shell.Faces
     }
@@ -66,8 +68,10 @@ def _groups(shape):
 
 
 def align(mesh, other):
-    """Let a ShownMesh have its normals on the sides where another has them, of the same faces moved
-    or joined."""
+    """Let the normals of a ShownMesh point to the same sides as those of another one.
+
+    The other one has the same faces, moved or joined.
+    """
     if len(mesh.first_nodes) == len(other.first_nodes):
         mesh.turn(
             orientation.agreeing(mesh.normals, mesh.first_nodes, other.normals, other.first_nodes)
@@ -75,8 +79,10 @@ def align(mesh, other):
 
 
 def _mesh(model, small, progress):
-    """Triangles of a Model, small ones on these faces; on some faces that are closed this fails,
-    and large ones do not."""
+    """Return the triangles of a Model, with small triangles on these faces.
+
+    Small triangles fail on some closed faces, where large triangles succeed.
+    """
     return model.display_mesh(
         curvatures=True, before=model, moved_faces=small, rough_mm=ROUGH_MM, progress=progress
     )

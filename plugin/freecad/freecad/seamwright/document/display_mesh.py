@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Triangles of a shape with the normals of its surfaces, fine enough for reflections, as the kernel
-makes them.
+"""Triangles of a shape with the normals of its surfaces, fine enough for reflections.
 
-Nothing is shared between faces, so that a break at a seam stays a break.
+The kernel makes them. Faces share no points, so that a break at a seam stays visible.
 """
 
 import numpy
@@ -12,13 +11,13 @@ from freecad.seamwright.plain import kernel
 
 
 class ShownMesh:
-    """Arrays to draw: ``points`` and ``normals`` (n, 3), ``triangles`` (m, 3), ``moves_mm`` and
-    ``mean_per_mm`` (n,) or empty.
+    """Arrays to draw.
 
-    ``mean_per_mm``: the mean curvatures in 1/mm, positive where the face bends towards its normal;
-    nan where it has none. The points of face k are those from ``first_nodes[k - 1]`` to
-    ``first_nodes[k]``. ``faults``: dicts of face, from 1, and reason, for the faces whose triangles
-    are missing or do not cover them.
+    ``points`` and ``normals`` have the shape (n, 3), ``triangles`` (m, 3), ``moves_mm`` and
+    ``mean_per_mm`` (n,) or empty. ``mean_per_mm``: the mean curvatures in 1/mm, positive where the
+    face bends towards its normal; nan where it has none. The points of face k, from 1, are those
+    from ``first_nodes[k - 1]`` to ``first_nodes[k]``. ``faults``: dicts of face, from 1, and
+    reason, for the faces whose triangles are missing or do not cover them.
     """
 
     def __init__(self):
@@ -30,7 +29,7 @@ class ShownMesh:
 
     @classmethod
     def of(cls, mesh):
-        """What is drawn of a DisplayMesh of the kernel."""
+        """Return what is drawn of a DisplayMesh of the kernel."""
         shown = cls()
         shown.points, shown.normals, shown.triangles = mesh.points, mesh.normals, mesh.triangles
         shown.first_nodes = numpy.asarray(mesh.first_nodes, int)
@@ -42,21 +41,23 @@ class ShownMesh:
         return shown
 
     def turn(self, signs):
-        """Turn over the normals of the faces that have a -1, and with them the signs of the
-        curvatures."""
+        """Reverse the normals of the faces with sign -1.
+
+        This also reverses the signs of their curvatures.
+        """
         each = numpy.repeat(signs, numpy.diff(self.first_nodes))
         self.normals, self.mean_per_mm = self.normals * each[:, None], self.mean_per_mm * each
 
     @property
     def largest_mm(self):
-        """The largest move of a corner."""
+        """The largest move of a point."""
         return float(self.moves_mm.max(initial=0.0))
 
 
 def display_mesh(shape, progress=None):
-    """The ShownMesh of all faces of a Part.Shape, which is left as it is.
+    """Return the ShownMesh of all faces of a Part.Shape, which stays unchanged.
 
-    ``progress`` is a callable(fraction) that returns False to stop; then None is returned. Raises
+    ``progress`` is a callable(fraction) that returns False to stop; then the result is None. Raises
     KernelUnavailable when the compiled part is missing.
     """
     module = kernel.load(Part.OCC_VERSION)
@@ -71,7 +72,7 @@ def display_mesh(shape, progress=None):
 
 
 def fault_lines(label, faults):
-    """A line for each fault, for the user."""
+    """Return a line for the user for each fault."""
     return [
         "%s: Face%d is not drawn as it is: %s" % (label, fault["face"], fault["reason"])
         for fault in faults

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""An object that is made from one source, the property ``Source``, and from faces, edges or
-vertices of it."""
+"""Objects that have one source, the property ``Source``, and name elements of it."""
 
 import operator
 
@@ -10,38 +9,41 @@ KINDS = {"Face": "Faces", "Edge": "Edges", "Vertex": "Vertexes"}
 
 
 def source_objects(obj):
-    """The source, as a list of one object, or of none where it was deleted."""
+    """Return the source as a list of one object; an empty list where it was deleted."""
     return [] if obj.Source is None else [obj.Source]
 
 
 def source_shape(obj):
-    """The shape of the source where it stands in the model. Raises SourceError."""
+    """Return the shape of the source at its position in the model. Raises SourceError."""
     if obj.Source is None:
         raise sources.SourceError("The source is gone: choose another one in the property Source")
     return sources.world_shape(obj.Source)
 
 
 def names(obj, name):
-    """The elements that a property names: ["Face3", ...]."""
+    """Return the elements that a property names: ["Face3", ...]."""
     link = getattr(obj, name)
     return [element for element in link[1] if element] if link else []
 
 
 def set_names(obj, name, chosen):
-    """Let a property name elements of the source, ["Face3", ...]; none empties it."""
+    """Let a property name elements of the source, ["Face3", ...]; no names empty it."""
     setattr(obj, name, link_to(obj, chosen))
 
 
 def link_to(obj, chosen):
-    """The value of a property that names elements of the source, ["Face3", ...]; None for none."""
+    """Return the value of a property that names elements of the source, ["Face3", ...].
+
+    Without elements this is None.
+    """
     return (obj.Source, list(chosen)) if chosen else None
 
 
 def checked_names(argument, given, kind):
-    """["Face3", ...] for a sequence of names or of numbers from 1.
+    """Return ["Face3", ...] for a sequence of names or of numbers from 1.
 
-    Raises TypeError for anything else. Whether the source has them is found when the object is
-    computed.
+    Raises TypeError for anything else. Whether the source has these elements is checked when the
+    object is computed.
     """
     if isinstance(given, str) or not hasattr(given, "__iter__"):
         raise TypeError(
@@ -54,7 +56,7 @@ def checked_names(argument, given, kind):
 
 
 def checked_name(argument, given, kind):
-    """ "Face3" for itself or for 3. Raises TypeError for anything else, as ``checked_names``."""
+    """Return "Face3" for "Face3" or for 3. Raises TypeError for anything else."""
     try:
         name = given if isinstance(given, str) else "%s%d" % (kind, operator.index(given))
     except TypeError:
@@ -67,8 +69,11 @@ def checked_name(argument, given, kind):
 
 
 def numbers(obj, shape, name, kind):
-    """The numbers of the elements that a property names, all of one of ``KINDS``. Raises
-    SourceError for others."""
+    """Return the numbers of the elements that a property names.
+
+    All of them must be of one kind of ``KINDS`` and exist in the source; else SourceError is
+    raised.
+    """
     link = getattr(obj, name)
     if not link or link[0] is None:
         return []

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the document objects of the workbench have in common: a Part::FeaturePython that keeps the
-kernel's report.
+"""The common parts of the workbench's document objects.
 
-A computation is a ``Job``. A recompute runs it at once. A window runs it in a thread of its own,
-see document/plan.py, and the recompute that follows takes over what was found.
+Each object is a Part::FeaturePython that keeps the kernel's report. A computation is a ``Job``. A
+recompute runs it at once. A window runs it in a separate thread (see document/plan.py), and the
+recompute that follows takes over the results.
 """
 
 import json
@@ -28,9 +28,9 @@ INTERNAL = (
 class Job(NamedTuple):
     """One computation, with all that it needs from the document.
 
-    ``run(progress)`` touches no document: any thread may call it. ``finish(found)`` is called where
-    the document may be read, with what ``run`` returned; it returns the arguments of ``store``.
-    ``text`` says what is going on.
+    ``run(progress)`` does not access the document, so any thread may call it. ``finish(found)`` is
+    called with the return value of ``run``, where the document may be read; it returns the
+    arguments of ``store``. ``text`` tells the user what is computed.
     """
 
     text: str
@@ -39,12 +39,11 @@ class Job(NamedTuple):
 
 
 class Feature:
-    """Proxy of a document object. A subclass has a ``Type`` and computes; nothing is kept beside
-    the properties.
+    """Proxy of a document object; it keeps no state besides the properties.
 
-    ``TOLERANCES``: a table as properties.TOLERANCES; ``EMPTY_REPORT``: what a report of nothing has
-    beside target and tolerances. ``INPUTS``: the names of the other properties that a computation
-    depends on.
+    A subclass has a ``Type`` and computes. ``TOLERANCES``: a table like properties.TOLERANCES.
+    ``EMPTY_REPORT``: the entries of an empty report besides target and tolerances. ``INPUTS``: the
+    names of the other properties on which a computation depends.
     """
 
     Type = ""
@@ -52,67 +51,70 @@ class Feature:
     EMPTY_REPORT = {}
     INPUTS = ()
 
-    #: What was computed apart from the document, for the next recompute; see plan.Plan.
+    #: The results of a computation in another thread, for the next recompute; see plan.Plan.
     ready = None
 
-    # What a subclass says.
+    # Methods that a subclass defines.
 
     @staticmethod
     def add_properties(obj):
-        """Add the properties an object lacks, with their defaults."""
+        """Add the properties that an object lacks, with their defaults."""
         raise NotImplementedError
 
     @staticmethod
     def source_objects(obj):
-        """The objects whose shapes a computation depends on."""
+        """Return the objects on whose shapes a computation depends."""
         raise NotImplementedError
 
     @staticmethod
     def job(module, obj, private=False):
-        """The Job for the kernel ``module``. ``private``: it works on copies of the shapes, so that
-        another thread may run it.
+        """Return the Job for the kernel ``module``.
 
-        Raises SourceError, ModelError or ValueError where there is nothing to compute; its ``run``
-        does likewise.
+        ``private``: the Job works on copies of the shapes, so that another thread may run it. This
+        method and ``run`` of the Job raise SourceError, ModelError or ValueError where nothing can
+        be computed.
         """
         raise NotImplementedError
 
     @staticmethod
     def has_result(report):
-        """Whether a report is of what was asked for, so that the object has a shape of its own."""
+        """Return whether a report has the wanted result, so that the object has a shape."""
         return True
 
     @staticmethod
     def store(obj, *results):
-        """Put the results into the properties; the Summary last."""
+        """Put the results into the properties; the Summary is written last."""
         raise NotImplementedError
 
     @staticmethod
     def store_failure(obj, reason):
-        """Store that there is no result and why; the reason as it is told to the user."""
+        """Store that there is no result and why; return the reason as the user reads it."""
         raise NotImplementedError
 
-    # What FreeCAD asks of a proxy.
+    # Methods that FreeCAD calls.
 
     def __init__(self, obj):
         self.add_properties(obj)
         obj.Proxy = self
 
     def onDocumentRestored(self, obj):
-        """Complete an object written by an older version; nothing is recomputed."""
+        """Add the properties that an object of an older version lacks; nothing is recomputed."""
         obj.Proxy = self
         self.add_properties(obj)
         hooks.attach_view(obj)
 
     def mustExecute(self, obj):
-        """Whether to compute though no property was changed: the last time it was cancelled."""
+        """Return whether the last computation was cancelled.
+
+        Then the object is computed although no property changed.
+        """
         return getattr(obj, "Outcome", "") in (CANCELLED, OUTDATED)
 
     def execute(self, obj):
-        """Compute, or take over what was computed; ``Outcome`` and Summary say what came of it.
+        """Compute, or take over what was computed; ``Outcome`` and Summary tell how it ended.
 
-        Where the source is of no use, or the kernel is missing, the object is marked as in error
-        too.
+        Where the source cannot be used or the kernel is missing, FreeCAD also marks the object as
+        invalid.
         """
         module = kernel.load(Part.OCC_VERSION)
         try:
@@ -142,30 +144,30 @@ class Feature:
 
     @staticmethod
     def _store_cancelled(obj):
-        """The results of an earlier run stay, if there was one."""
+        """Keep the results of an earlier computation, if there are any."""
         obj.Outcome = OUTDATED if obj.Report else CANCELLED
         if not obj.Report:
             obj.Summary = properties.OUTCOMES[CANCELLED]
 
     def dumps(self):
-        """Nothing is kept beside the properties."""
+        """Return None: the properties keep all state."""
         return None
 
     def loads(self, state):
-        """Nothing is kept beside the properties."""
+        """Do nothing: the properties keep all state."""
 
-    # FreeCAD before 0.21.2 asks by these names.
+    # FreeCAD before 0.21.2 calls these names.
     __getstate__ = dumps
     __setstate__ = loads
 
 
 def is_of(obj, feature):
-    """Whether a document object has a proxy of that subclass of Feature."""
+    """Return whether the proxy of a document object belongs to that subclass of Feature."""
     return getattr(getattr(obj, "Proxy", None), "Type", None) == feature.Type
 
 
 def add(doc, feature, label):
-    """A new document object of that kind, not computed yet."""
+    """Return a new document object of that kind, not computed yet."""
     obj = doc.addObject("Part::FeaturePython", feature.Type)
     obj.Label = label
     feature(obj)
@@ -173,30 +175,32 @@ def add(doc, feature, label):
 
 
 def tolerances(obj):
-    """The tolerances of an object as arguments of the kernel, in mm and degrees."""
+    """Return the tolerances of an object as arguments of the kernel, in mm and degrees."""
     return properties.arguments(obj, obj.Proxy.TOLERANCES)
 
 
 def empty_report(obj):
-    """A report of nothing, with the tolerances of the object and its target, if it has one."""
+    """Return an empty report with the tolerances of the object and its target, if it has one."""
     target = {"target": obj.Target} if "Target" in obj.PropertiesList else {}
     return {**obj.Proxy.EMPTY_REPORT, **target, "tolerance": tolerances(obj)}
 
 
 def report_of(obj):
-    """The stored report as a dict; an empty report when nothing was computed yet."""
+    """Return the stored report as a dict; an empty report when nothing was computed yet."""
     return json.loads(obj.Report) if obj.Report else empty_report(obj)
 
 
 def keep_report(obj, report):
-    """Store what the kernel found."""
+    """Store the report of the kernel."""
     obj.Report = json.dumps(report)
     obj.SeamwrightVersion = __version__
 
 
 def model_maker(module, shape, private):
-    """callable() -> Model of a shape; ``private``: of a copy, as it is now, which any thread may
-    make."""
+    """Return a callable() -> Model of a shape.
+
+    ``private``: the Model is made of a copy of the shape as it is now, and any thread may call it.
+    """
     if private:
         return module.bridge.model_later(shape)
     model = module.Model.from_freecad(shape)
@@ -204,7 +208,10 @@ def model_maker(module, shape, private):
 
 
 def put_shape(obj, shape):
-    """Give the object the shape, where it stands: while it recomputes, FreeCAD moves a shape to the
-    object's Placement."""
+    """Give the object the shape at its position in the model.
+
+    During a recompute, FreeCAD moves a shape to the object's Placement. So the Placement is set
+    first.
+    """
     obj.Placement = shape.Placement
     obj.Shape = shape

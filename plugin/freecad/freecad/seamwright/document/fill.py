@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The document object Umbrella Fill: a model whose holes are closed with faces tangent to their
-surroundings.
+"""The document object Umbrella Fill: a model with holes closed by tangent faces.
 
-Its shape is the model of the source with the new faces sewn in; the source is only read. The class
+The shape is the model of the source with the new faces sewn in. The source is only read. The class
 path is written into documents: neither rename nor move it.
 """
 
@@ -26,7 +25,7 @@ TOLERANCES = (
      "A side of a hole ends where the tangent turns by more, in degrees"),
 )  # fmt: skip
 
-#: G0: the new faces have to meet in position only.
+#: For G0 the new faces only have to meet in position.
 TARGETS = ["G1", "G0"]
 
 #: property, kind of element, help
@@ -61,7 +60,7 @@ class UmbrellaFill(feature.Feature):
 
     @staticmethod
     def add_properties(obj):
-        """Add the properties an object lacks, with their defaults."""
+        """Add the properties that an object lacks, with their defaults."""
         adder = properties.Adder(obj)
         adder.add("App::PropertyLinkGlobal", "Source", "Holes", "The object whose holes are filled")
         for name, _, tip in ELEMENTS:
@@ -80,22 +79,22 @@ class UmbrellaFill(feature.Feature):
 
     @staticmethod
     def source_objects(obj):
-        """The object whose holes are filled."""
+        """Return the object whose holes are filled."""
         return elements.source_objects(obj)
 
     @staticmethod
     def job(module, obj, private=False):
-        """Fill the holes: report, shape."""
+        """Return the Job that finds (report, shape)."""
         return fill_job(module, obj, private)
 
     @staticmethod
     def has_result(report):
-        """Whether a hole was filled."""
+        """Return whether a hole was filled."""
         return bool(fill_text.kept(report))
 
     @staticmethod
     def store(obj, report, shape):
-        """Put the results into the read-only properties; the Summary last."""
+        """Put the results into the read-only properties; the Summary is written last."""
         done = fill_text.kept(report)
         seams = [seam for each in done for seam in each["seams"]]
         feature.keep_report(obj, report)
@@ -111,7 +110,7 @@ class UmbrellaFill(feature.Feature):
 
     @staticmethod
     def store_failure(obj, reason):
-        """A report of nothing."""
+        """Store an empty report and the reason."""
         reason = repair_text.named(reason)
         UmbrellaFill.store(obj, empty_report(obj), Part.Shape())
         obj.Summary = "Not filled: %s" % reason
@@ -119,13 +118,16 @@ class UmbrellaFill(feature.Feature):
 
 
 def is_fill(obj):
-    """Whether a document object is an Umbrella Fill."""
+    """Return whether a document object is an Umbrella Fill."""
     return feature.is_of(obj, UmbrellaFill)
 
 
 def fill_job(module, obj, private=False):
-    """A Job for (report, shape). Raises SourceError for links that lead nowhere, ValueError for bad
-    values; its run too."""
+    """Return the Job that finds (report, shape).
+
+    This function and ``run`` of the Job raise SourceError for broken links and ValueError for bad
+    values.
+    """
     shape = elements.source_shape(obj)
     edges, faces = (elements.numbers(obj, shape, *entry[:2]) for entry in ELEMENTS)
     if len(faces) > 1:
@@ -156,10 +158,12 @@ def fill_job(module, obj, private=False):
 
 
 def _fill_each(model, given, wanted, progress):
-    """(what came of each of the wanted holes or faces, the model after each, or None); the last one
-    comes first."""
+    """Return (an entry for each of the wanted holes or faces, the model after each fill or None).
+
+    The last of the wanted holes comes first, so that the numbers of the others stay valid.
+    """
     entries, models = [], []
-    for place, which in enumerate(reversed(wanted)):  # so the numbers of the others stay
+    for place, which in enumerate(reversed(wanted)):  # the numbers of the others stay valid
         found = model.fill(**which, progress=_part(progress, place, len(wanted)), **given)
         model = found.model
         entries.append(fill_text.entry(found.to_dict(), **which))
@@ -168,8 +172,10 @@ def _fill_each(model, given, wanted, progress):
 
 
 def _joined(entries, shapes):
-    """(what came of each of the wanted holes or faces in their order, the shape with all filled, or
-    none where none is)."""
+    """Return (the entries in the order of the wanted holes or faces, the shape with all fills).
+
+    The shape is null where nothing was filled.
+    """
     done = [(entry, shape) for entry, shape in zip(entries, shapes) if shape is not None]
     last = done[-1][1] if done else Part.Shape()
     for entry, shape in done[:-1]:
@@ -178,8 +184,10 @@ def _joined(entries, shapes):
 
 
 def _holes(model, limits, label, edges):
-    """(all holes, those that are to be filled). Raises ValueError where there are none, and for
-    other edges."""
+    """Return (all holes, the holes that are to be filled).
+
+    Raises ValueError where the model has no hole, and for edges that belong to no hole.
+    """
     holes = model.holes(corner_deg=limits["corner_deg"], gap_mm=limits["gap_mm"])
     if not holes:
         raise ValueError("%s has no hole: no open edges form a closed loop." % label)
@@ -187,15 +195,17 @@ def _holes(model, limits, label, edges):
 
 
 def _part(progress, place, count):
-    """The progress of one of several steps."""
+    """Return the progress of one of several steps."""
     return None if progress is None else lambda share: progress((place + share) / count)
 
 
 def _renumber(entry, shape, last):
-    """Give faces and edges of a fill the numbers that they have in the last shape, after more holes
-    were filled."""
+    """Give the faces and edges of a fill the numbers that they have in the last shape.
+
+    The numbers changed when more holes were filled.
+    """
     middles = [_middle(edge) for edge in last.Edges]
-    faces = {}  # of an edge, by its place in memory
+    faces = {}  # the numbers of the faces of an edge, by the hash code of the edge
     for number, face in enumerate(last.Faces, 1):
         for edge in face.Edges:
             faces.setdefault(edge.hashCode(), []).append(number)
@@ -215,10 +225,9 @@ def _middle(edge):
 
 
 def holes_of(obj):
-    """(holes of the source as the kernel describes them, numbers of those that would be filled,
-    "").
+    """Return (holes of the source as the kernel describes them, numbers of those to fill, "").
 
-    Where they cannot be told there are none, and the text says why.
+    Where the holes cannot be found, the lists are empty and the text says why.
     """
     module = kernel.load(Part.OCC_VERSION)
     try:
@@ -234,13 +243,13 @@ def holes_of(obj):
 def create(source, *, edges=(), face=None, target="G1", keep_anyway=False, **tolerances):
     """Fill holes of an object: add an Umbrella Fill to its document, compute it and return it.
 
-    ``edges``: ["Edge5", ...] or [5, ...], whose holes are filled, one edge of each is enough; none
-    means all but rims. ``face``: "Face3" or 3, which is taken out and replaced instead. ``target``:
-    "G1", or "G0" for position only. ``keep_anyway``: keep also what misses the target.
-    ``tolerances``: gap_mm, angle_deg, corner_deg, and profile, a name of profiles.PROFILES, for gap
-    and angle. Raises TypeError and ValueError for bad arguments, kernel.KernelUnavailable when the
-    compiled part is missing. Where no hole could be filled the object has no shape, and
-    ``error_text`` says why.
+    ``edges``: ["Edge5", ...] or [5, ...]; the holes of these edges are filled. One edge of each
+    hole is enough. Without edges, all holes except the outer boundaries are filled. ``face``:
+    "Face3" or 3; this face is taken out and replaced instead. ``target``: "G1", or "G0" for
+    position only. ``keep_anyway``: also keep fills that miss the target. ``tolerances``: gap_mm,
+    angle_deg, corner_deg, and profile, a name of profiles.PROFILES, for gap and angle. Raises
+    TypeError and ValueError for bad arguments, kernel.KernelUnavailable when the compiled part is
+    missing. Where no hole could be filled, the object has no shape and ``error_text`` says why.
     """
     obj = prepare(
         source, edges=edges, face=face, target=target, keep_anyway=keep_anyway, **tolerances
@@ -250,7 +259,7 @@ def create(source, *, edges=(), face=None, target="G1", keep_anyway=False, **tol
 
 
 def prepare(source, *, edges=(), face=None, target="G1", keep_anyway=False, **tolerances):
-    """As ``create``, but nothing is computed yet."""
+    """Add an Umbrella Fill as ``create`` does, but compute nothing yet."""
     kernel.load(Part.OCC_VERSION)
     edges = elements.checked_names("edges", edges, "Edge")
     faces = [] if face is None else [elements.checked_name("face", face, "Face")]

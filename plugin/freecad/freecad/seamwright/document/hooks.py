@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a window adds to the document objects; without a window these do nothing."""
+"""Calls from document objects to a window; without a window they do nothing."""
 
 import contextlib
 
 
 class Hooks:
-    """The two calls from document objects out to a window.
+    """The two calls from document objects to a window.
 
-    ``attach_view(obj)`` gives the object its view provider. ``progress(text)`` is a context
-    manager that yields a callable(fraction) -> False to cancel, or None.
+    ``attach_view(obj)`` gives the object its view provider. ``progress(text)`` is a context manager
+    that yields None or a callable(fraction), which returns False to cancel.
     """
 
     def __init__(self):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The document object Match Surfaces: two faces that join along their common boundary.
 
-Its shape is a shell of the two faces, one or both of them moved; the objects they come from are
+The shape is a shell of the two faces; one or both of them are moved. The objects of the faces are
 only read. The class path is written into documents: neither rename nor move it.
 """
 
@@ -61,7 +61,7 @@ RESULTS = (
 
 
 class MatchSurfaces(feature.Feature):
-    """Proxy of a Part::FeaturePython that holds two faces matched to each other."""
+    """Proxy of a Part::FeaturePython that holds two matched faces."""
 
     Type = "MatchSurfaces"
     TOLERANCES = TOLERANCES
@@ -70,7 +70,7 @@ class MatchSurfaces(feature.Feature):
 
     @staticmethod
     def add_properties(obj):
-        """Add the properties an object lacks, with their defaults."""
+        """Add the properties that an object lacks, with their defaults."""
         adder = properties.Adder(obj)
         for name, tip in LINKS:
             adder.add("App::PropertyLinkSubGlobal", name, "Faces", tip)
@@ -94,22 +94,22 @@ class MatchSurfaces(feature.Feature):
 
     @staticmethod
     def source_objects(obj):
-        """The objects that the faces come from."""
+        """Return the objects to which the faces belong."""
         return source_objects(obj)
 
     @staticmethod
     def job(module, obj, private=False):
-        """Match the faces: report, shape."""
+        """Return the Job that finds (report, shape)."""
         return match_job(module, obj, private)
 
     @staticmethod
     def has_result(report):
-        """Whether the faces match."""
+        """Return whether the faces match."""
         return report["matched"]
 
     @staticmethod
     def store(obj, report, shape):
-        """Put the results into the read-only properties; the Summary last."""
+        """Put the results into the read-only properties; the Summary is written last."""
         before, after = report["before"], report["after"] if report["matched"] else None
         feature.keep_report(obj, report)
         obj.Matched = report["matched"]
@@ -129,19 +129,22 @@ class MatchSurfaces(feature.Feature):
 
     @staticmethod
     def store_failure(obj, reason):
-        """A report of nothing with the reason."""
+        """Store an empty report with the reason."""
         report = {**match_text.EMPTY_REPORT, "reason": reason, "tolerance": tolerances(obj)}
         MatchSurfaces.store(obj, report, Part.Shape())
         return obj.Summary
 
 
 def is_match(obj):
-    """Whether a document object is a Match Surfaces."""
+    """Return whether a document object is a Match Surfaces."""
     return feature.is_of(obj, MatchSurfaces)
 
 
 def link(obj, name):
-    """(object, "Face3") of one of ``LINKS``; None when it is empty or its object was deleted."""
+    """Return (object, "Face3") of one of ``LINKS``.
+
+    Returns None where the link is empty or its object was deleted.
+    """
     target = getattr(obj, name)
     if not target or target[0] is None:
         return None
@@ -149,20 +152,22 @@ def link(obj, name):
 
 
 def link_text(obj, name):
-    """A link as the user reads it: "Plate.Face3"."""
+    """Return a link as the user reads it: "Plate.Face3"."""
     target = link(obj, name)
     return "not chosen" if target is None else "%s.%s" % (target[0].Label, target[1])
 
 
 def source_objects(obj):
-    """The objects that the two faces belong to, without repeats."""
+    """Return the objects to which the two faces belong, without repeats."""
     links = [link(obj, name) for name in ("FirstFace", "SecondFace")]
     return list(dict.fromkeys(target[0] for target in links if target is not None))
 
 
 def match_job(module, obj, private=False):
-    """A Job for (report, shape). Raises SourceError for links that lead nowhere; its run ValueError
-    for bad values."""
+    """Return the Job that finds (report, shape).
+
+    Raises SourceError for broken links; ``run`` of the Job raises ValueError for bad values.
+    """
     found = sources.Elements(_links(obj))
     if any(face.ShapeType != "Face" for face in found.shapes[:2]):
         raise sources.SourceError("FirstFace and SecondFace must be faces")
@@ -195,7 +200,7 @@ def match_job(module, obj, private=False):
 
 
 def _links(obj):
-    """The links to the two faces and, where one is chosen, to the common edge."""
+    """Return the links to the two faces and, where one is chosen, to the common edge."""
     links = [link(obj, name) for name, _ in LINKS]
     for target, word, name in zip(links, ("first", "second"), ("FirstFace", "SecondFace")):
         if target is None:
@@ -210,7 +215,10 @@ def _links(obj):
 
 
 def _edge_number(obj, shape, chosen):
-    """The number of the chosen edge, a list of none or one, in the shape; 0 for none."""
+    """Return the number of the chosen edge in the shape; 0 where no edge is chosen.
+
+    ``chosen``: a list of no edge or one edge.
+    """
     for edge in chosen:
         for number, other in enumerate(shape.Edges, 1):
             if other.isSame(edge):
@@ -232,12 +240,13 @@ def create(
 ):
     """Match two faces: add a Match Surfaces to their document, compute it and return it.
 
-    ``first``, ``second``: (object, "Face3"); ``edge``: (object, "Edge5") where they have several in
-    common. ``target``: "G1" or "G2". ``moves``: "first", "second" or "both". ``max_move_mm``: no
-    pole may move further; 0: no limit. ``tolerances``: gap_mm, angle_deg, curvature_rel,
+    ``first``, ``second``: (object, "Face3"). ``edge``: (object, "Edge5"), where the faces have
+    several common edges. ``target``: "G1" or "G2". ``moves``: "first", "second" or "both".
+    ``max_move_mm``: no pole may move further; 0 means no limit. ``hold_sides``: the two other
+    boundaries that end at the seam stay. ``tolerances``: gap_mm, angle_deg, curvature_rel,
     flat_radius_mm, crease_deg, match_mm, profile, as for an analysis. Raises TypeError and
     ValueError for bad arguments, kernel.KernelUnavailable when the compiled part is missing. When
-    the faces do not match the object has no shape, and ``error_text`` says why.
+    the faces do not match, the object has no shape and ``error_text`` says why.
     """
     obj = prepare(
         first,
@@ -264,7 +273,7 @@ def prepare(
     hold_sides=False,
     **tolerances
 ):
-    """As ``create``, but nothing is computed yet."""
+    """Add a Match Surfaces as ``create`` does, but compute nothing yet."""
     kernel.load(Part.OCC_VERSION)
     table = TOLERANCES + (("MaxMove", "max_move_mm"),)
     choices = {"target": ("Target", TARGETS), "moves": ("Moves", [name.lower() for name in MOVES])}

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Computing a document object apart from its document.
+"""Computing a document object in another thread than that of its document.
 
-A ``Plan`` is made and applied where the document may be changed; its ``run`` may be called in any
-thread, and the document stays as it is until ``apply``. Then the object is recomputed as always,
-and its ``execute`` takes over what was found.
+A ``Plan`` is made and applied where the document may be changed. Any thread may call ``run``, and
+the document stays unchanged until ``apply``. Then FreeCAD recomputes the object as always, and its
+``execute`` takes over the results.
 """
 
 import FreeCAD as App
@@ -25,11 +25,10 @@ class Values:
 
 
 class Plan:
-    """One computation of an object with some properties changed; ``values``: those that it has
-    otherwise.
+    """One computation of an object with some properties changed.
 
-    ``make_job(module, obj, private)`` makes another Job than the one that ``execute`` runs. Raises
-    KernelUnavailable.
+    ``values``: the properties whose values differ from those of the object. ``make_job(module, obj,
+    private)`` makes another Job than the one that ``execute`` runs. Raises KernelUnavailable.
     """
 
     def __init__(self, obj, values, make_job=None):
@@ -50,36 +49,40 @@ class Plan:
             self._job, self._error = None, error
 
     def run(self, progress):
-        """Compute: what ``found`` and ``apply`` take. Touches no document. Raises what the Job
-        does."""
+        """Compute and return ``found``, the argument of ``apply``.
+
+        Does not access the document. Raises the same errors as the Job.
+        """
         if self._error is not None:
             raise self._error
         return self._job.run(progress)
 
     def object(self):
-        """The object; None when it was deleted or its document closed."""
+        """Return the object; None when it was deleted or its document was closed."""
         if self._doc_name not in App.listDocuments():
             return None
         return App.getDocument(self._doc_name).getObject(self._name)
 
     def is_current(self):
-        """Whether the object has, apart from the changed properties, what it had when the plan was
-        made, and its sources too."""
+        """Return whether the object and its sources are as they were when the plan was made.
+
+        The changed properties do not count.
+        """
         obj = self.object()
         return obj is not None and _same(self._inputs, _inputs(obj, Values(obj, self.values)))
 
     def results(self):
-        """The arguments of ``store``. Raises what went wrong instead."""
+        """Return the arguments of ``store``, or raise the error of the computation."""
         if self._error is not None:
             raise self._error
         return self._job.finish(self._found)
 
     def end(self, found, error):
-        """Keep what ``run`` returned, or what it raised, for ``results``."""
+        """Keep the return value of ``run``, or the error that it raised, for ``results``."""
         self._found, self._error = found, error
 
     def apply(self, found, error):
-        """Change the properties, and recompute the object with what ``run`` returned, or raised."""
+        """Change the properties and recompute the object with the result or error of ``run``."""
         obj = self.object()
         for name, value in differing(obj, self.values).items():
             setattr(obj, name, value)
@@ -90,7 +93,10 @@ class Plan:
 
 
 def _bring_up_to_date(obj, seen):
-    """Recompute what the computation depends on, as a recompute of the object would."""
+    """Recompute the objects on which the computation depends.
+
+    A recompute of the object would do so too.
+    """
     behind = {
         each
         for source in obj.Proxy.source_objects(seen)
@@ -101,8 +107,10 @@ def _bring_up_to_date(obj, seen):
 
 
 def _inputs(obj, seen):
-    """({property: value}, [(source, shape, where it stands)]) of all that a computation depends
-    on."""
+    """Return ({property: value}, [(source, shape, position in the model)]).
+
+    These are all values on which a computation depends.
+    """
     names = (*obj.Proxy.INPUTS, *(name for name, *_ in obj.Proxy.TOLERANCES))
     found = [each for each in obj.Proxy.source_objects(seen) if sources.has_shape(each)]
     placed = [(each.Name, Part.getShape(each), sources.parent_placement(each)) for each in found]
@@ -126,8 +134,10 @@ def _same(one, other):
 
 
 def _same_shape(one, other):
-    """Whether two shapes are the same where they stand; a compound may be another one of the same
-    parts."""
+    """Return whether two shapes are the same and at the same position.
+
+    Two different compounds count as the same where their parts are the same.
+    """
     if one.isNull() or other.isNull():
         return one.isNull() and other.isNull()
     if one.isPartner(other):

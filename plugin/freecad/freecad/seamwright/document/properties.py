@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Properties that the document objects of the workbench have in common: tolerances, and results for
-reading."""
+"""Common properties of the workbench's document objects: tolerances and read-only results."""
 
 import math
 
@@ -20,10 +19,10 @@ TOLERANCES = (
      "A seam with a larger angle is an intended crease and no defect, in degrees"),
 )  # fmt: skip
 
-# How the last computation ended: values of the property Outcome.
+# Values of the property Outcome: how the last computation ended.
 DONE, WITHOUT, CANCELLED, OUTDATED = "done", "without result", "cancelled", "outdated"
 
-#: What each of them means to the user; "" where the Summary says it.
+#: The meaning of each outcome for the user; "" where the Summary tells it.
 OUTCOMES = {
     DONE: "",
     WITHOUT: "",
@@ -36,14 +35,14 @@ READ_ONLY, HIDDEN, OUTPUT = 1, 4, 8
 
 
 class Adder:
-    """Adds the properties an object lacks; those it has keep their values."""
+    """Adds the properties that an object lacks; existing properties keep their values."""
 
     def __init__(self, obj):
         self._obj = obj
         self._present = set(obj.PropertiesList)
 
     def add(self, kind, name, group, tip, attributes=0):
-        """Add one property; True when it is new."""
+        """Add one property; return True when it is new."""
         if name in self._present:
             return False
         self._obj.addProperty(kind, name, group, tip, attributes)
@@ -55,7 +54,7 @@ class Adder:
             setattr(self._obj, name, default)
 
     def add_choice(self, name, group, tip, choices, default):
-        """Add one property that has one of a few values."""
+        """Add one property that has one of several values."""
         if self.add("App::PropertyEnumeration", name, group, tip):
             setattr(self._obj, name, list(choices))
             setattr(self._obj, name, default)
@@ -66,7 +65,7 @@ class Adder:
             self.add_with(kind, name, "Tolerances", tip, default)
 
     def add_results(self, shown, internal):
-        """Add (name, kind, tip) that are only read, and those that the user does not see."""
+        """Add read-only properties, shown and internal, from tables of (name, kind, tip)."""
         for name, kind, tip in shown:
             self.add(kind, name, "Result", tip, READ_ONLY | OUTPUT)
         for name, kind, tip in internal:
@@ -74,21 +73,22 @@ class Adder:
 
 
 def number(obj, name):
-    """The value of a property as a number, in mm or degrees where it has a unit."""
+    """Return the value of a property as a number, in mm or degrees where it has a unit."""
     value = getattr(obj, name)
     return float(getattr(value, "Value", value))
 
 
 def arguments(obj, table):
-    """The tolerances of an object as arguments of the kernel."""
+    """Return the tolerances of an object as arguments of the kernel."""
     return {argument: number(obj, name) for name, argument, *_ in table}
 
 
 def checked(given, table, choices):
-    """{property: value} for tolerances given as arguments of the kernel, and ``profile``.
+    """Return {property: value} for tolerances that are given as arguments of the kernel.
 
-    ``choices``: {argument: (property, allowed values)} of those that are no numbers. Raises
-    TypeError for another name, ValueError for another value.
+    ``given`` may also have the key ``profile``. ``choices``: {argument: (property, allowed values)}
+    of the arguments that are no numbers. Raises TypeError for another name, ValueError for another
+    value.
     """
     given = dict(given)
     names = {argument: name for name, argument, *_ in table}
@@ -111,8 +111,10 @@ def checked(given, table, choices):
 
 
 def checked_numbers(argument, given):
-    """A list of lengths for a number, a list of numbers, or None. Raises ValueError for one that is
-    negative or not finite."""
+    """Return a list of lengths for a number, a list of numbers, or None.
+
+    Raises ValueError for a number that is negative or not finite.
+    """
     numbers = [] if given is None else list(given) if isinstance(given, (list, tuple)) else [given]
     for place, value in enumerate(numbers):
         if not (value >= 0 and math.isfinite(value)):
@@ -123,8 +125,10 @@ def checked_numbers(argument, given):
 
 
 def _of_profile(profile, names):
-    """The tolerances of a profile that are in ``names``; none for None: the properties have their
-    defaults."""
+    """Return the tolerances of a profile that are in ``names``.
+
+    Returns none of them where the profile is None, so that the properties keep their defaults.
+    """
     if profile is None:
         return {}
     if profile not in profiles.PROFILES:
@@ -137,7 +141,7 @@ def _of_profile(profile, names):
 
 
 def error_text(obj):
-    """Why there is no result, or none of the last computation; "" where there is one."""
+    """Return why the last computation has no result; "" where it has one."""
     if "Invalid" in obj.State:
         return obj.getStatusString()
     outcome = getattr(obj, "Outcome", "")
@@ -145,7 +149,7 @@ def error_text(obj):
 
 
 def plain(value):
-    """The value of a property as it can be compared: lengths as numbers, links as names."""
+    """Return the value of a property in a form to compare: lengths as numbers, links as names."""
     if hasattr(value, "Value"):
         return float(value.Value)
     if hasattr(value, "Name"):
@@ -156,7 +160,7 @@ def plain(value):
 
 
 def differing(obj, values):
-    """Those of the {property: value} that the object has otherwise."""
+    """Return those entries of {property: value} whose values differ from those of the object."""
     return {
         name: value for name, value in values.items() if plain(getattr(obj, name)) != plain(value)
     }

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The document object Seam Repair: a model whose seams join as they should.
 
-Its shape is the model of the source with faces moved where seams fell short, faces and edges in the
-same order; the source is only read. The class path is written into documents: neither rename nor
+The shape is the model of the source. Faces are moved where seams fell short; faces and edges keep
+their order. The source is only read. The class path is written into documents: neither rename nor
 move it.
 """
 
@@ -64,7 +64,7 @@ class SeamRepair(feature.Feature):
 
     @staticmethod
     def add_properties(obj):
-        """Add the properties an object lacks, with their defaults."""
+        """Add the properties that an object lacks, with their defaults."""
         adder = properties.Adder(obj)
         adder.add(
             "App::PropertyLinkGlobal", "Source", "Seams", "The object whose seams are repaired"
@@ -80,17 +80,17 @@ class SeamRepair(feature.Feature):
 
     @staticmethod
     def source_objects(obj):
-        """The object whose seams are repaired."""
+        """Return the object whose seams are repaired."""
         return elements.source_objects(obj)
 
     @staticmethod
     def job(module, obj, private=False):
-        """Repair the source: report, shape."""
+        """Return the Job that finds (report, shape)."""
         return repair_job(module, obj, private)
 
     @staticmethod
     def store(obj, report, shape):
-        """Put the results into the read-only properties; the Summary last."""
+        """Put the results into the read-only properties; the Summary is written last."""
         feature.keep_report(obj, report)
         obj.Changed = repair_text.has_changed(report)
         obj.Wanted = len(report["seams"])
@@ -109,7 +109,7 @@ class SeamRepair(feature.Feature):
 
     @staticmethod
     def store_failure(obj, reason):
-        """A report of nothing."""
+        """Store an empty report and the reason."""
         reason = repair_text.named(reason)
         SeamRepair.store(obj, empty_report(obj), Part.Shape())
         obj.Summary = "Not repaired: %s" % reason
@@ -117,13 +117,15 @@ class SeamRepair(feature.Feature):
 
 
 def is_repair(obj):
-    """Whether a document object is a Seam Repair."""
+    """Return whether a document object is a Seam Repair."""
     return feature.is_of(obj, SeamRepair)
 
 
 def repair_job(module, obj, private=False):
-    """A Job for (report, shape). Raises SourceError for links that lead nowhere; its run ValueError
-    for bad values."""
+    """Return the Job that finds (report, shape).
+
+    Raises SourceError for broken links; ``run`` of the Job raises ValueError for bad values.
+    """
     shape = elements.source_shape(obj)
     edges, faces = (elements.numbers(obj, shape, *entry[:2]) for entry in ELEMENTS)
     target, make = obj.Target, feature.model_maker(module, shape, private)
@@ -148,11 +150,10 @@ def repair_job(module, obj, private=False):
 
 
 def foreseeing(module, obj, private=False):
-    """A Job for (report, text): the seams that a repair would treat, as they are now, and a line
-    about them.
+    """Return the Job that finds (report, text) of the seams that a repair would treat.
 
-    Raises SourceError, ModelError or ValueError where they cannot be told; its ``run`` does
-    likewise.
+    The report has these seams as they are now; the text is one line about them. This function and
+    ``run`` of the Job raise SourceError, ModelError or ValueError where the seams cannot be found.
     """
     shape = elements.source_shape(obj)
     edges, _ = (elements.numbers(obj, shape, *entry[:2]) for entry in ELEMENTS)
@@ -170,16 +171,16 @@ def foreseeing(module, obj, private=False):
 
 
 def create(source, *, edges=(), fixed_faces=(), target="G1", max_move_mm=0.0, **tolerances):
-    """Repair the seams of an object: add a Seam Repair to its document, compute it and return it.
+    """Repair the seams of an object: add a Seam Repair to its document, compute and return it.
 
-    ``edges``: ["Edge5", ...] or [5, ...], whose seams are repaired; none means all defects.
-    ``fixed_faces``: ["Face3", ...] or [3, ...], which stay. ``target``: "G1" or "G2".
-    ``max_move_mm``: no point of a face may move further; 0: a hundredth of the size of the face and
-    twice the gap of its seams. ``tolerances``: gap_mm, angle_deg, curvature_rel, flat_radius_mm,
-    crease_deg, match_mm, profile, as for an analysis. Raises TypeError and ValueError for bad
-    arguments, kernel.KernelUnavailable when the compiled part is missing. When nothing can be
-    repaired, the object has no shape, and ``error_text`` says why; seams that could not be repaired
-    are no error, the report has the reasons.
+    ``edges``: ["Edge5", ...] or [5, ...]; the seams of these edges are repaired. Without edges, all
+    defects are repaired. ``fixed_faces``: ["Face3", ...] or [3, ...]; these faces stay. ``target``:
+    "G1" or "G2". ``max_move_mm``: no point of a face may move further; 0 means a hundredth of the
+    size of the face plus twice the largest gap of its seams to be repaired. ``tolerances``: gap_mm,
+    angle_deg, curvature_rel, flat_radius_mm, crease_deg, match_mm, profile, as for an analysis.
+    Raises TypeError and ValueError for bad arguments, kernel.KernelUnavailable when the compiled
+    part is missing. When nothing can be repaired, the object has no shape and ``error_text`` says
+    why. Seams that could not be repaired are no error; the report has the reasons.
     """
     obj = prepare(
         source,
@@ -194,7 +195,7 @@ def create(source, *, edges=(), fixed_faces=(), target="G1", max_move_mm=0.0, **
 
 
 def prepare(source, *, edges=(), fixed_faces=(), target="G1", max_move_mm=0.0, **tolerances):
-    """As ``create``, but nothing is computed yet."""
+    """Add a Seam Repair as ``create`` does, but compute nothing yet."""
     kernel.load(Part.OCC_VERSION)
     table = TOLERANCES + (("MaxMove", "max_move_mm"),)
     given = {**tolerances, "max_move_mm": max_move_mm, "target": target}

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From document objects to one shape for the kernel, and back from its numbers to objects.
+"""From document objects to one shape for the kernel, and from its numbers back to objects.
 
-The shapes of the document are only read. Sharing is kept: the shape that is analysed holds
-the very faces and edges of the sources.
+The shapes of the document are only read. Sharing is kept: the shape that is analysed has the same
+faces and edges as the sources, not copies.
 """
 
 import FreeCAD as App
@@ -14,9 +14,9 @@ class SourceError(Exception):
 
 
 def solids_and_shells(doc, exclude=None):
-    """All objects of a document that hold a solid or a shell and are not part of another one.
+    """Return all objects with a solid or a shell that are not part of another such object.
 
-    ``exclude`` and whatever depends on it are left out.
+    ``exclude`` and the objects that depend on it are left out.
     """
     found = [obj for obj in doc.Objects if _is_candidate(obj, exclude)]
     inputs = {
@@ -40,18 +40,18 @@ def _is_candidate(obj, exclude):
 
 
 def in_body(obj):
-    """Whether an object is a step of a PartDesign body, which holds the shape itself."""
+    """Return whether an object is a step of a PartDesign body, which holds the shape itself."""
     group = obj.getParentGeoFeatureGroup()
     return group is not None and group.isDerivedFrom("PartDesign::Body")
 
 
 def has_shape(obj):
-    """Whether an object is of a kind that can hold a shape."""
+    """Return whether an object is of a kind that can hold a shape."""
     return obj.isDerivedFrom("Part::Feature") or obj.isDerivedFrom("App::Link")
 
 
 def expand(objects):
-    """The objects with each group or part replaced by what it contains, without repeats."""
+    """Return the objects, with each group or part replaced by its contents, without repeats."""
     found = []
     for obj in objects:
         members = [obj] if has_shape(obj) else expand(getattr(obj, "Group", []))
@@ -60,7 +60,10 @@ def expand(objects):
 
 
 def parent_placement(obj):
-    """Placement of the parts an object is nested in; identity at the top of the document."""
+    """Return the placement of the parts that contain an object.
+
+    It is the identity at the top of the document.
+    """
     placement = App.Placement()
     group = obj.getParentGeoFeatureGroup()
     while group is not None:
@@ -70,7 +73,7 @@ def parent_placement(obj):
 
 
 def world_shape(obj):
-    """The shape of one object where it stands in the model. Raises SourceError."""
+    """Return the shape of one object at its position in the model. Raises SourceError."""
     shape = Part.getShape(obj)
     if shape.isNull():
         raise SourceError("%s has no shape: recompute it or choose another object." % obj.Label)
@@ -85,11 +88,16 @@ def world_shape(obj):
 
 
 class Elements:
-    """The faces and edges that links name, where they stand in the model; what they share stays
-    shared."""
+    """The faces and edges that links name, at their positions in the model.
+
+    Edges that faces share stay shared.
+    """
 
     def __init__(self, links):
-        """``links``: [(object, "Face3"), ...]. Raises SourceError for one that is not there."""
+        """Find the elements of ``links``: [(object, "Face3"), ...].
+
+        Raises SourceError for an element that does not exist.
+        """
         self._parts = {obj: world_shape(obj) for obj, _ in links}
         if len(self._parts) > 1:
             self._parts = {obj: _without_location(part) for obj, part in self._parts.items()}
@@ -106,7 +114,7 @@ class Elements:
         return found[int(digits) - 1]
 
     def edge_text(self, edge):
-        """An edge of the ``shapes`` as the user reads it: "Plate.Edge3"."""
+        """Return an edge of the ``shapes`` as the user reads it: "Plate.Edge3"."""
         for obj, part in self._parts.items():
             for number, other in enumerate(part.Edges, 1):
                 if other.isSame(edge):
@@ -118,7 +126,10 @@ class Model:
     """The one shape that is analysed, with the owner of each of its faces and edges."""
 
     def __init__(self, objects):
-        """Join the shapes of ``objects``; raises SourceError for none or one without faces."""
+        """Join the shapes of ``objects``.
+
+        Raises SourceError without objects, or for an object without faces.
+        """
         if not objects:
             raise SourceError("There is nothing to analyse: the document has no solid or shell.")
         self.objects = list(objects)
@@ -130,7 +141,10 @@ class Model:
             self.shape = Part.Compound(self.parts)
 
     def owners(self, kind, numbers):
-        """{"7": [object name, "Edge3"]} for the wanted numbers; ``kind`` "faces" or "edges"."""
+        """Return {"7": [object name, "Edge3"]} for the wanted numbers.
+
+        ``kind`` is "faces" or "edges".
+        """
         wanted = set(numbers)
         whole = _elements(self.shape, kind)
         index = _Index((number, whole[number - 1]) for number in wanted)
@@ -145,10 +159,10 @@ class Model:
 
 
 def _without_location(shape):
-    """The same faces and edges in the same order, without a location that moves nothing.
+    """Return the same faces and edges in the same order, without an identity location.
 
-    FreeCAD gives the shape of each object a location of its own, which makes an edge that two
-    objects share look like two edges. The location of a single face cannot be taken off.
+    FreeCAD gives the shape of each object a location of its own. With it, an edge that two objects
+    share looks like two edges. The location of a single face cannot be removed.
     """
     if shape.ShapeType == "Face" or not shape.Placement.isIdentity():
         return shape
@@ -160,7 +174,7 @@ def _elements(shape, kind):
 
 
 class _Index:
-    """Numbers of shapes, found again by identity."""
+    """Numbers of shapes, which are found again by identity."""
 
     def __init__(self, numbered):
         self._buckets = {}

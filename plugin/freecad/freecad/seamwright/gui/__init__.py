@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Commands, task panel and view provider: they need FreeCAD's window."""
+"""Commands, task panels and view providers, which need FreeCAD's window."""
 
 import os
 
@@ -7,5 +7,5 @@ ICONS = os.path.join(os.path.dirname(os.path.dirname(__file__)), "resources", "i
 
 
 def icon_path(name):
-    """Path of an icon of the workbench."""
+    """Return the path of an icon of the workbench."""
     return os.path.join(ICONS, name + ".svg")

@@ -1,29 +1,32 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Moving the camera of a 3D view to a seam, to where nothing hides it."""
+"""Moving the camera of a 3D view to a direction from which a seam is visible."""
 
 import math
 
 import FreeCAD as App
 from pivy import coin
 
-#: Height of the view as a multiple of the seam's size, so that its neighbourhood is seen too.
+#: Height of the view as a multiple of the seam's size, so that its neighbourhood is visible too.
 ROOM = 2.5
 
-#: A view is good when the faces at the seam are seen less obliquely than this cosine ...
+#: A view is good where the cosine between the direction to the eye and the face normal is at least
+#: this ...
 FACING = 0.35
 
-#: ... and steep enough on the seam itself, so that it does not shrink to a point.
+#: ... and the cosine between view direction and seam is at most this, so that the seam does not
+#: shrink to a point.
 ALONG = 0.9
 
-#: Leanings away from the normal, tried in this order: right, up and towards the viewer.
+#: Directions tried in this order: (right, up), added to a unit step along the normal.
 LEANINGS = ((0.4, 0.5), (-0.4, 0.5), (0.0, 0.0), (0.8, 0.2), (-0.8, 0.2), (0.0, 1.2), (0.3, -0.8))
 
 
 def look_at(view, box, least_height, place):
-    """Show the bounding box ``box`` (App.BoundBox), no smaller than ``least_height`` mm high.
+    """Show the bounding box ``box`` (App.BoundBox) in a view at least ``least_height`` mm high.
 
-    ``place`` is (point, outward normal or None, tangent) on the seam. The view keeps its
-    direction if the point is seen well from there; else it is turned to the first that is.
+    ``place`` is (point, outward normal or None, tangent) on the seam. The view keeps its direction
+    if the point is well visible from there. Else it turns to the first good direction of
+    ``LEANINGS``.
     """
     camera = view.getCameraNode()
     _turn(view, camera, *place)
@@ -39,7 +42,7 @@ def look_at(view, box, least_height, place):
 
 
 def _turn(view, camera, point, normal, tangent):
-    """Turn the camera to a direction from which the point is seen; leave it if there is none."""
+    """Turn the camera to a good direction; keep its direction where none is good."""
     if normal is None or _is_good(view, point, normal, tangent, _direction(camera)):
         return
     for right, up in LEANINGS:
@@ -57,10 +60,10 @@ def _is_good(view, point, normal, tangent, direction):
 
 
 def is_seen(view, point, direction):
-    """Whether nothing of the scene lies before the point for an eye far away."""
+    """Return whether nothing in the scene hides the point from a distant eye."""
     scene = view.getSceneGraph()
-    # The viewer knows its region too, but FreeCAD 1.1 crashes when a view is closed that was asked
-    # for its viewer.
+    # The viewer also knows its region. But FreeCAD 1.1 crashes at the close of a view whose viewer
+    # was requested.
     region = coin.SbViewportRegion(*view.getSize())
     bounds = coin.SoGetBoundingBoxAction(region)
     bounds.apply(scene)
@@ -81,7 +84,7 @@ def _direction(camera):
 
 
 def _facing(normal, right, up):
-    """Rotation of an upright camera that looks against ``normal``, leaning from it."""
+    """Return the rotation of an upright camera that looks against ``normal``, with a lean."""
     upright = App.Rotation(App.Vector(), App.Vector(0, 0, 1), normal, "ZYX")
     backward = upright.multVec(App.Vector(right, up, 1))
     return App.Rotation(App.Vector(), App.Vector(0, 0, 1), backward, "ZYX")

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is drawn on document objects in place of their own faces and edges: it changes neither
-documents nor shapes.
+"""What is drawn on document objects in place of their own faces and edges.
 
-A coat follows the place and the visibility of its object, and ends with it. An object may wear
-several, of several wardrobes: the one put on last is seen.
+It changes neither documents nor shapes. A coat follows the position and the visibility of its
+object, and is removed with it. Several Coats may each put a coat on one object; the last one is
+visible.
 """
 
 import FreeCAD as App
@@ -16,7 +16,7 @@ NAME = "SeamwrightCoat"
 
 
 def local_shape(obj):
-    """The shape of an object relative to the object's own placement, as its view draws it."""
+    """Return the shape of an object relative to its own placement, as its view draws it."""
     shape = Part.getShape(obj)
     if shape.isNull():
         return shape
@@ -27,8 +27,10 @@ def local_shape(obj):
 
 
 class Coats:
-    """Coats of one kind, at most one an object. ``changed(obj)`` is called when the shape of an
-    object that wears one changed."""
+    """Coats of one kind, at most one for each object.
+
+    ``changed(obj)`` is called when an object with a coat gets another shape.
+    """
 
     def __init__(self, changed):
         self._changed = changed
@@ -36,11 +38,11 @@ class Coats:
         self._follower = None
 
     def objects(self, doc):
-        """The objects of a document that wear a coat."""
+        """Return the objects of a document that have a coat."""
         return [doc.getObject(name) for doc_name, name in self._worn if doc_name == doc.Name]
 
     def put(self, obj, node):
-        """Draw the node, of the object's local shape, in place of the object."""
+        """Draw the node in place of the object; the node shows the object's local shape."""
         if self._follower is None:
             self._follower = _Follower(self)
             App.addDocumentObserver(self._follower)
@@ -54,13 +56,12 @@ class Coats:
         self.follow_visibility(obj)
 
     def take_off(self, objects):
-        """Let the objects look as they do themselves."""
+        """Remove the coats of the objects, so that these are drawn as usual."""
         for obj in objects:
             self.forget(*key(obj))
 
     def clear(self):
-        """Take off all coats, and follow documents no longer; not to be called while ``changed``
-        is."""
+        """Remove all coats and stop observing documents; must not be called from ``changed``."""
         for place in list(self._worn):
             self.forget(*place)
         if self._follower is not None:
@@ -68,7 +69,7 @@ class Coats:
             self._follower = None
 
     def wears(self, obj):
-        """Whether an object wears a coat."""
+        """Return whether an object has a coat."""
         return key(obj) in self._worn
 
     def follow_visibility(self, obj):
@@ -78,12 +79,12 @@ class Coats:
             switch.whichChild = coin.SO_SWITCH_ALL if obj.Visibility else coin.SO_SWITCH_NONE
 
     def follow_shape(self, obj):
-        """Tell of an object that wears a coat of another shape than it has."""
+        """Report that an object with a coat has a new shape."""
         if self.wears(obj):
             self._changed(obj)
 
     def forget(self, doc_name, name=None):
-        """An object wears no coat any more, or with no name all of a document."""
+        """Remove the coat of an object, or without a name those of all objects of a document."""
         for place in list(self._worn):
             if place[0] == doc_name and name in (None, place[1]):
                 root, switch = self._worn.pop(place)
@@ -91,13 +92,16 @@ class Coats:
 
 
 def key(obj):
-    """(document, object): their names."""
+    """Return the names (document, object) of an object."""
     return obj.Document.Name, obj.Name
 
 
 def _place(root, own):
-    """Where a coat goes: before all others, as the first one hides what comes after it, and before
-    the object's own nodes."""
+    """Return the index at which a coat is inserted.
+
+    It comes before all other coats, since the first coat hides all that follows, and before the
+    object's own nodes.
+    """
     worn = [
         place
         for place in range(root.getNumChildren())
@@ -107,10 +111,10 @@ def _place(root, own):
 
 
 class _Follower:
-    """Hears of changes from FreeCAD.
+    """Observes changes of documents.
 
-    Of objects only: view providers are announced before they have an object, and asking one for it
-    then ends FreeCAD.
+    It observes objects only. FreeCAD announces view providers before they have an object, and
+    crashes when one of these is asked for its object.
     """
 
     def __init__(self, coats):
@@ -124,7 +128,7 @@ class _Follower:
             self._coats.follow_visibility(obj)
 
     def slotDeletedObject(self, obj):
-        """An object goes away."""
+        """An object is deleted."""
         self._coats.forget(*key(obj))
 
     def slotDeletedDocument(self, doc):

@@ -7,12 +7,12 @@ from freecad.seamwright.gui import stripes
 
 EDGE_COLOUR, EDGE_WIDTH = (0.1, 0.1, 0.1), 1.5
 
-#: Deviation of the drawn edges from the model's, as a part of their size.
+#: Deviation of the drawn edges from those of the model, as a part of the size of an edge.
 DEFLECTION = 1e-3
 
 
 def polylines(edges):
-    """The edges as lists of points."""
+    """Return the edges as lists of points."""
     lines = [
         edge.discretize(Deflection=max(DEFLECTION * edge.BoundBox.DiagonalLength, 1e-7))
         for edge in edges
@@ -21,22 +21,21 @@ def polylines(edges):
 
 
 def unpickable():
-    """A node after which things let the mouse through."""
+    """Return a node that makes the nodes after it transparent for the mouse."""
     pick = coin.SoPickStyle()
     pick.style = coin.SoPickStyle.UNPICKABLE
     return pick
 
 
 def faces(shown, colours, lit=True):
-    """A separator that draws a ShownMesh in the colours (red, green, blue, 0..1) of its points.
+    """Return a separator that draws a ShownMesh in the colours of its points.
 
-    ``lit``: from both sides, so that its form is seen; else the colours are just those of the
-    legend.
+    Colours are (red, green, blue), each 0..1. ``lit``: the faces are lit from both sides, so that
+    their form is visible. Unlit faces have exactly the colours of the legend.
     """
     group, hints, offset = coin.SoSeparator(), coin.SoShapeHints(), coin.SoPolygonOffset()
-    hints.vertexOrdering = (
-        coin.SoShapeHints.COUNTERCLOCKWISE
-    )  # with an unknown type of shape: lit from both sides
+    # With an unknown shape type, this means lit from both sides.
+    hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
     light, binding, material = coin.SoLightModel(), coin.SoMaterialBinding(), coin.SoMaterial()
     binding.value = coin.SoMaterialBinding.PER_VERTEX_INDEXED
     light.model = coin.SoLightModel.PHONG if lit else coin.SoLightModel.BASE_COLOR
@@ -47,7 +46,7 @@ def faces(shown, colours, lit=True):
 
 
 def lines(polylines):
-    """A separator that draws dark lines through lists of points."""
+    """Return a separator that draws dark lines through lists of points."""
     points = [point for line in polylines for point in line]
     group, light, colour, style = (
         coin.SoSeparator(),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the commands of the workbench have in common."""
+"""The common parts of the workbench's commands."""
 
 import FreeCAD as App
 import FreeCADGui as Gui
@@ -9,26 +9,28 @@ from freecad.seamwright.plain import kernel
 
 
 class Command:
-    """A command; a subclass says what it is called and does it."""
+    """A command; a subclass gives its name and texts and defines what it does."""
 
     name = menu = tip = icon = ""
 
     def GetResources(self):
-        """Menu text, tool tip and icon."""
+        """Return menu text, tool tip and icon."""
         return {"MenuText": self.menu, "ToolTip": self.tip, "Pixmap": icon_path(self.icon)}
 
     def IsActive(self):
-        """Whether there is a document."""
+        """Return whether there is a document."""
         return App.ActiveDocument is not None
 
     def Activated(self):
-        """Do it; errors are told to the user."""
+        """Run the command; errors are shown to the user."""
         raise NotImplementedError
 
 
 def begin(doc, step, make):
-    """The object that ``make()`` creates, in a step that stays open for its panel; None where the
-    kernel is missing."""
+    """Return the object that ``make()`` creates, in a transaction that stays open for its panel.
+
+    Returns None where the kernel is missing.
+    """
     Gui.getDocument(doc.Name).resetEdit()
     doc.openTransaction(step)
     try:
@@ -42,8 +44,10 @@ def begin(doc, step, make):
 
 
 def open_new(obj):
-    """Open the panel of what ``begin`` returned; its creation belongs to the panel's step: Cancel
-    removes it."""
+    """Open the panel of the object that ``begin`` returned.
+
+    The creation belongs to the transaction of the panel, so Cancel removes the object.
+    """
     if obj is None:
         return
     obj.ViewObject.Proxy.created = True

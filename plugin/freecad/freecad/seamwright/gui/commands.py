@@ -31,10 +31,9 @@ class AnalyzeSeams(Command):
     )
 
     def Activated(self):
-        """Create the analysis as one step that can be undone, and open its panel, which
-        measures."""
+        """Create the analysis as one undoable step, and open its panel, which measures."""
         doc, chosen = App.ActiveDocument, selected_sources()
-        doc.recompute()  # what is to be found by itself must have its shape
+        doc.recompute()  # without a selection, objects are found by their shapes
         open_new(begin(doc, "Analyze seams", lambda: analysis.prepare(chosen, doc)))
 
 
@@ -47,7 +46,7 @@ class ExportReport(Command):
     tip = "Write the selected seam analysis as a table (CSV) or a report (JSON)"
 
     def IsActive(self):
-        """Whether there is an analysis."""
+        """Return whether there is an analysis."""
         return App.ActiveDocument is not None and selected_analysis() is not None
 
     def Activated(self):
@@ -93,8 +92,7 @@ class RepairSeams(Command):
     )
 
     def Activated(self):
-        """Create the repair as one step that can be undone, and open its panel; nothing is repaired
-        yet."""
+        """Create the repair as one undoable step, and open its panel; nothing is repaired yet."""
         doc = App.ActiveDocument
         chosen = selected_seams() or [(obj, "") for obj in sources.solids_and_shells(doc)]
         objects = list(dict.fromkeys(obj for obj, _ in chosen))
@@ -110,8 +108,10 @@ class RepairSeams(Command):
 
 
 def limits_of_analysis(source):
-    """Target and tolerances of the newest analysis of an object, as ``repair.prepare`` takes them;
-    none without one."""
+    """Return target and tolerances of the newest analysis of an object.
+
+    They are arguments of ``repair.prepare``; empty without an analysis.
+    """
     every = [
         obj
         for obj in source.Document.Objects
@@ -136,8 +136,7 @@ class UmbrellaFill(Command):
     )
 
     def Activated(self):
-        """Create the fill as one step that can be undone, and open its panel; nothing is filled
-        yet."""
+        """Create the fill as one undoable step, and open its panel; nothing is filled yet."""
         doc = App.ActiveDocument
         chosen = selected_parts(doc)
         if len(chosen) != 1:
@@ -172,8 +171,7 @@ class CornerFillet(Command):
     )
 
     def Activated(self):
-        """Create the fillet as one step that can be undone, and open its panel; nothing is rounded
-        yet."""
+        """Create the fillet as one undoable step, and open its panel; nothing is rounded yet."""
         vertices = selected_elements("Vertex")
         if len(vertices) != 1:
             messages.show_error(
@@ -185,7 +183,7 @@ class CornerFillet(Command):
 
 
 class ZebraStripes(Command):
-    """Draw stripes on the selected objects, or take them off."""
+    """Draw stripes on the selected objects, or remove them."""
 
     name = "Seamwright_ZebraStripes"
     menu = "Zebra Stripes"
@@ -197,11 +195,11 @@ class ZebraStripes(Command):
     )
 
     def IsActive(self):
-        """Whether there is a view of a document."""
+        """Return whether there is a view of a document."""
         return App.ActiveDocument is not None and Gui.ActiveDocument is not None
 
     def Activated(self):
-        """Draw the stripes, or take them off where all of the objects have them."""
+        """Draw the stripes; remove them where all of the objects already have them."""
         doc = App.ActiveDocument
         striped = zebra.objects(doc)
         chosen = with_faces(sources.expand(dict.fromkeys(Gui.Selection.getSelection())))
@@ -223,13 +221,13 @@ class ZebraStripes(Command):
     def _show(self, objects):
         if objects:
             zebra.show(objects)
-            Gui.Selection.clearSelection()  # its colour would lie over the stripes
+            Gui.Selection.clearSelection()  # the colour of a selection would cover the stripes
         else:
             messages.show_error("Zebra stripes are drawn on faces: no visible object has any.")
 
 
 def with_faces(objects):
-    """Those of the objects that have faces."""
+    """Return the objects that have faces."""
     return [obj for obj in objects if sources.has_shape(obj) and Part.getShape(obj).Faces]
 
 
@@ -239,7 +237,7 @@ COMMANDS = (
 
 
 def register():
-    """Make the commands known to FreeCAD; their names in the order of menu and toolbar."""
+    """Make the commands known to FreeCAD; return their names in the order of menu and toolbar."""
     for command in COMMANDS:
         Gui.addCommand(command.name, command())
     return [command.name for command in COMMANDS]

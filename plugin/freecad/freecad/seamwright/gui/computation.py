@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a task panel computes: one thing at a time, with a bar and a button to stop it; the panel is
-locked meanwhile."""
+"""The computations of a task panel, one at a time, with a progress bar and a stop button.
+
+The panel is locked meanwhile.
+"""
 
 import traceback
 
@@ -11,7 +13,7 @@ from freecad.seamwright.gui.dock import dock_of
 from freecad.seamwright.gui.qt import QtCore, QtWidgets
 from freecad.seamwright.gui.tasks import tasks
 
-#: Shorter computations do not lock the panel: it would flicker, and take the cursor out of a field.
+#: Shorter computations do not lock the panel, since it would flicker and a field would lose focus.
 LOCK_AFTER_MS = 300
 
 STEPS = 1000
@@ -20,10 +22,10 @@ CANCELLED, CHANGED = "Cancelled", "The model was changed meanwhile"
 
 
 class _Escape(QtCore.QObject):
-    """Lets Esc stop a computation wherever it is pressed in the window, which does not hear of it
-    then.
+    """Lets Esc stop a computation wherever the key is pressed in the window.
 
-    The view would end the editing otherwise, when the key goes down and again when it comes up.
+    The window does not get this key event. Otherwise the view would end the editing, both when the
+    key is pressed and when it is released.
     """
 
     def __init__(self, computation, parent):
@@ -32,7 +34,7 @@ class _Escape(QtCore.QObject):
         self._is_down = False
 
     def eventFilter(self, window, event):
-        """Whether the event ends here."""
+        """Return whether the event ends here."""
         if event.type() not in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
             return False
         if event.key() != QtCore.Qt.Key_Escape:
@@ -47,10 +49,10 @@ class _Escape(QtCore.QObject):
 
 
 class Computation:
-    """The line at the start of a panel's form, and the task that it shows."""
+    """The progress line at the top of a panel's form, and the task that it shows."""
 
     def __init__(self, form):
-        """``form``: the widget of the panel; the line is added to its layout."""
+        """``form``: the widget of the panel; the progress line is added to its layout."""
         self._form = form
         self._task = self._stopped = None
         self._locks = True
@@ -73,23 +75,23 @@ class Computation:
         for widget, stretch in ((self.text, 0), (self.bar, 1), (self.stop_button, 0)):
             layout.addWidget(widget, stretch)
         self.line.hide()
-        self._form.layout().insertWidget(0, self.line)  # a long form goes on below what is seen
+        self._form.layout().insertWidget(0, self.line)  # the bottom of a long form may be hidden
 
     @property
     def runs(self):
-        """Whether something is computed."""
+        """Whether a computation runs."""
         return self._task is not None
 
     @property
     def busy(self):
-        """Whether something is computed that the panel has to wait for."""
+        """Whether a computation runs for which the panel has to wait."""
         return self._task is not None and self._locks
 
     def start(self, text, run, done, stopped, locks=True):
-        """Compute in a thread what ``tasks.start`` takes; what was still computed is dropped.
+        """Run what ``tasks.start`` takes in a thread; a running computation is dropped.
 
-        Calls ``done(found, error)``, or ``stopped()`` where the user stopped it. ``locks``: the
-        panel waits for it. Returns the Task.
+        Calls ``done(found, error)``, or ``stopped()`` where the user stopped the computation.
+        ``locks``: the panel waits for it. Returns the Task.
         """
         self.drop()
         self._locks = locks
@@ -104,11 +106,10 @@ class Computation:
         return self._task
 
     def follow(self, plan, keep, left):
-        """Compute a plan.Plan in a thread, then call ``keep(found, error)``: what its ``apply``
-        takes.
+        """Compute a plan.Plan in a thread, then call ``keep(found, error)``.
 
-        Where there is nothing to keep, ``left(why)`` is called instead; and nothing where the
-        object was deleted.
+        The arguments are those of ``apply``. Where there is nothing to keep, ``left(why)`` is
+        called instead. Where the object was deleted, nothing is called.
         """
 
         def done(found, error):
@@ -129,7 +130,7 @@ class Computation:
         self.start(plan.text, plan.run, done, lambda: left(CANCELLED))
 
     def stop(self):
-        """The user stops it; False where there is nothing to stop."""
+        """Stop for the user; return False where nothing is computed."""
         if self._task is None:
             return False
         stopped = self._stopped
@@ -138,7 +139,7 @@ class Computation:
         return True
 
     def drop(self):
-        """Stop, and tell nobody."""
+        """Stop without calling anything."""
         if self._task is not None:
             self._task.cancel()
             self._end()
@@ -156,13 +157,13 @@ class Computation:
         self._locked, self._focus = [], None
 
     def _show(self):
-        """Lock the panel when it takes long, and show how far it is."""
+        """Lock the panel when the computation takes long, and show its progress."""
         if not self.line.isVisible():
             if self._locks:
                 self._lock()
             self.line.show()
             if self._focus is not None:
-                self.stop_button.setFocus()  # so that the panel still hears Esc
+                self.stop_button.setFocus()  # so that the panel still gets Esc
         self.bar.setValue(int(self._task.fraction * STEPS))
 
     def _lock(self):
@@ -178,8 +179,10 @@ class Computation:
             widget.setEnabled(False)
 
     def _enable_ok(self, enabled):
-        """OK of the dock that holds the panel; it is not kept, as FreeCAD deletes it and PySide
-        would not notice."""
+        """Enable or disable OK of the dock that holds the panel.
+
+        The button is not stored, since FreeCAD deletes it without PySide noticing.
+        """
         dock = dock_of(self._form)
         for box in dock.findChildren(QtWidgets.QDialogButtonBox) if dock is not None else ():
             ok = box.button(QtWidgets.QDialogButtonBox.Ok)

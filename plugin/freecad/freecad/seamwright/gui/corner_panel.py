@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The task panel of Corner Fillet: a radius and a setback for each edge, and each of the new
-seams."""
+"""The task panel of Corner Fillet: radius and setback of each edge, and a table of new seams."""
 
 from freecad.seamwright.document import corner, elements
 from freecad.seamwright.gui.forms import make_box
@@ -29,7 +28,7 @@ class CornerPanel(NewSeamsPanel):
     # The window.
 
     def build_boxes(self):
-        """The edges, and the tolerances."""
+        """Return the boxes of the edges and of the tolerances."""
         return self._build_edges(), self._build_limits()
 
     def _build_edges(self):
@@ -53,7 +52,7 @@ class CornerPanel(NewSeamsPanel):
         return box
 
     def _fields(self, column):
-        """A field for a length in each line of a column."""
+        """Return a field for a length in each line of a column."""
         fields = [NumberField(" mm", 1e6) for _ in self._edges]
         for line, field in enumerate(fields):
             if column == SETBACK:
@@ -67,7 +66,7 @@ class CornerPanel(NewSeamsPanel):
         return make_box("Tolerances", self.tolerances)[0]
 
     def connect_fields(self):
-        """Follow the fields."""
+        """React to changes of the fields."""
         for field in self.fields[RADIUS] + self.fields[SETBACK]:
             field.valueChanged.connect(self.changed)
         self.tolerances.changed.connect(self.changed)
@@ -86,8 +85,10 @@ class CornerPanel(NewSeamsPanel):
         self._describe_edges()
 
     def _describe_edges(self):
-        """Write what is known of the edges; their angles and setbacks only once they were
-        rounded."""
+        """Write what is known about the edges.
+
+        Angles and chosen setbacks are known only after the edges were rounded.
+        """
         known = {"Edge%d" % edge["edge"]: edge for edge in corner.report_of(self.obj)["edges"]}
         for line, (name, length) in enumerate(zip(self._edges, self._lengths)):
             angle = corner_text.edge_text(known[name]) if name in known else ""
@@ -97,7 +98,7 @@ class CornerPanel(NewSeamsPanel):
             self.fields[SETBACK][line].setSpecialValueText(chosen)
 
     def wanted(self):
-        """{property: value} as the fields say."""
+        """Return the {property: value} of the fields."""
         values = self.tolerances.values()
         if self._edges:
             radii, setbacks = self._values(RADIUS), self._values(SETBACK)
@@ -108,15 +109,15 @@ class CornerPanel(NewSeamsPanel):
     def _values(self, column):
         return [field.value() for field in self.fields[column]]
 
-    # What it does.
+    # Actions.
 
     def seams(self):
-        """(seams, tolerances, target) as they are stored now."""
+        """Return (seams, tolerances, target) as they are stored now."""
         report = corner.report_of(self.obj)
         return report["seams"], report["tolerance"], corner_text.TARGET
 
     def begin(self):
-        """Say what would be rounded."""
+        """Say which edges would be rounded."""
         self.fill([], self._problem or corner_text.waiting_text(self._edges))
         self.show_before()
 

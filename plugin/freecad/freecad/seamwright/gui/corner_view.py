@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How a Corner Fillet looks: its source is hidden while there is a fillet.
+"""The view of a Corner Fillet: its source is hidden while there is a fillet.
 
 The class path is written into documents: neither rename nor move it.
 """
@@ -17,11 +17,11 @@ class CornerFilletView(NewFacesView):
     ICON = "seamwright-corner"
 
     def new_faces(self, obj):
-        """(numbers of the patches and fillets, None)."""
+        """Return (numbers of the patches and fillets, None)."""
         return corner_text.new_faces(corner.report_of(obj)), None
 
     def make_panel(self, obj, created):
-        """The task panel."""
+        """Return the task panel."""
         return CornerPanel(obj, created)
 
 

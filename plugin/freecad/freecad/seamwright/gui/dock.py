@@ -7,7 +7,7 @@ from freecad.seamwright.gui.qt import QtCore, QtWidgets
 
 
 def dock_of(form):
-    """The dock around a form; None where it is not shown."""
+    """Return the dock around a form; None where the form is not shown in one."""
     dock = form.parentWidget()
     while dock is not None and not isinstance(dock, QtWidgets.QDockWidget):
         dock = dock.parentWidget()
@@ -15,8 +15,10 @@ def dock_of(form):
 
 
 def widen_dock(form, width):
-    """Make the dock around a form so wide, in pixels, if the window has room and it is not wider
-    already."""
+    """Widen the dock around a form to a width in pixels, as far as the window has room.
+
+    A dock that is wider already stays as it is.
+    """
     dock = dock_of(form)
     window = Gui.getMainWindow()
     wanted = min(width, window.width() * 2 // 5)
@@ -25,6 +27,6 @@ def widen_dock(form, width):
         or dock.isFloating()
         or window.dockWidgetArea(dock) == QtCore.Qt.NoDockWidgetArea
     ):
-        return  # from 1.1 on FreeCAD lays panels over the view, as wide as the user wants them
+        return  # from 1.1 on, FreeCAD lays panels over the view; the user sets their width
     if dock.width() < wanted:
         window.resizeDocks([dock], [wanted], QtCore.Qt.Horizontal)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A list of faces or edges that is filled by picking them in the view."""
+"""A list of faces or edges that the user fills by picking them in the view."""
 
 from freecad.seamwright.gui.qt import QtCore, QtWidgets
 
@@ -7,11 +7,10 @@ LINES = 1.5
 
 
 class ElementList(QtWidgets.QWidget):
-    """Names such as "Face3" with buttons to add what is selected in the view and to remove from the
-    list.
+    """Names such as "Face3" with buttons to add selected elements and to remove elements.
 
-    ``picked``: a callable that returns the names that are selected; ``select``: one that selects a
-    name in the view.
+    ``picked``: a callable that returns the names of the selected elements. ``select``: a callable
+    that selects a name in the view.
     """
 
     changed = QtCore.Signal()
@@ -44,7 +43,7 @@ class ElementList(QtWidgets.QWidget):
         layout.addWidget(self.remove)
 
     def names(self):
-        """The names in the list, as they were added."""
+        """Return the names in the list, in the order in which they were added."""
         return [self.list.item(place).text() for place in range(self.list.count())]
 
     def set_names(self, names):

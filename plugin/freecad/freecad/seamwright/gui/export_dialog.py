@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Asking where a report goes, and writing it there."""
+"""Asking for the file of a report, and writing it."""
 
 import FreeCADGui as Gui
 
@@ -25,7 +25,10 @@ def ask_and_export(obj, kinds=("csv", "json")):
 
 
 def export_to(obj, path):
-    """Export the report of an analysis; failures are shown, not raised. True when written."""
+    """Export the report of an analysis; failures are shown, not raised.
+
+    Returns whether the file was written.
+    """
     try:
         export.write(analysis.report_of(obj), path)
     except export.ExportError as error:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The task panel of Umbrella Fill: which holes are filled, to what, and each of the new seams."""
+"""The task panel of Umbrella Fill: the holes to fill, the target, and a table of new seams."""
 
 import FreeCADGui as Gui
 
@@ -29,7 +29,7 @@ class FillPanel(NewSeamsPanel):
     # The window.
 
     def build_boxes(self):
-        """The holes, the target and the limits."""
+        """Return the boxes of the holes and of target and limits."""
         return self._build_holes(), self._build_limits()
 
     def _build_holes(self):
@@ -55,7 +55,7 @@ class FillPanel(NewSeamsPanel):
         return make_box("Target and tolerances", self.tolerances)[0]
 
     def connect_fields(self):
-        """Follow the fields."""
+        """React to changes of the fields."""
         self.holes.changed.connect(self.changed)
         self.holes.clicked_edges.connect(self.select_in_source)
         self.pick.clicked.connect(lambda *_: self.holes.choose_by(self._picked()))
@@ -69,7 +69,7 @@ class FillPanel(NewSeamsPanel):
         self._list_holes()
 
     def _list_holes(self):
-        """List the holes with a tick at those that are filled; returns why there are none."""
+        """List the holes, with a tick at those that are filled; return why there are none."""
         face = ", ".join(elements.names(self.obj, "Face"))
         holes, wanted, text = ([], [], "") if face else fill.holes_of(self.obj)
         self.holes.set_holes(holes, wanted)
@@ -80,7 +80,7 @@ class FillPanel(NewSeamsPanel):
         return text
 
     def wanted(self):
-        """{property: value} as the fields say."""
+        """Return the {property: value} of the fields."""
         values = {**self.tolerances.values(), "KeepAnyway": self.keep_anyway.isChecked()}
         holes, chosen = self.holes.holes, self.holes.chosen()
         if holes and chosen != fill.holes_of(self.obj)[1]:
@@ -91,19 +91,19 @@ class FillPanel(NewSeamsPanel):
         return values
 
     def computed(self):
-        """Show the results, and the holes as they are found now."""
+        """Show the results and the holes as they are found now."""
         self._list_holes()
         super().computed()
 
-    # What it does.
+    # Actions.
 
     def seams(self):
-        """(seams, tolerances, target) as they are stored now."""
+        """Return (seams, tolerances, target) as they are stored now."""
         report = fill.report_of(self.obj)
         return fill_text.every_seam(report), report["tolerance"], report["target"]
 
     def begin(self):
-        """Say what would be filled."""
+        """Say which holes would be filled."""
         text = self._list_holes() or fill_text.waiting_text(
             elements.names(self.obj, "Face"), self.holes.chosen()
         )
@@ -111,11 +111,14 @@ class FillPanel(NewSeamsPanel):
         self.show_before()
 
     def note(self, chosen):
-        """Why holes miss the target; alone, a hole that was not filled is told of above."""
+        """Return why holes miss the target.
+
+        Where no hole was filled, the text above the table gives the reasons.
+        """
         report = fill.report_of(self.obj)
         return "\n".join(fill_text.reasons(report)) if fill_text.kept(report) else ""
 
     def _picked(self):
-        """The names of what is selected of the source."""
+        """Return the names of the selected elements of the source."""
         chosen = [each for each in Gui.Selection.getSelectionEx() if each.Object in self.sources()]
         return {name for each in chosen for name in each.SubElementNames}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How an Umbrella Fill looks: its source is hidden while there is a fill.
+"""The view of an Umbrella Fill: its source is hidden while there is a fill.
 
 The class path is written into documents: neither rename nor move it.
 """
@@ -17,11 +17,11 @@ class UmbrellaFillView(NewFacesView):
     ICON = "seamwright-fill"
 
     def new_faces(self, obj):
-        """(numbers of the faces that fill, number of the face that they replace or None)."""
+        """Return (numbers of the new faces, number of the face that they replace or None)."""
         return fill_text.new_faces(fill.report_of(obj))
 
     def make_panel(self, obj, created):
-        """The task panel."""
+        """Return the task panel."""
         return FillPanel(obj, created)
 
 

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the task panels have in common: their form, their tables of seams, their buttons."""
+"""The common parts of the task panels: forms, tables of seams, buttons."""
 
 from freecad.seamwright.gui import icon_path
 from freecad.seamwright.gui.qt import QtGui, QtWidgets
 
 
 def make_form(title, icon):
-    """(widget with title and icon of a panel, its layout from top to bottom)."""
+    """Return (widget with title and icon of a panel, its vertical layout)."""
     form = QtWidgets.QWidget()
     form.setWindowTitle(title)
     form.setWindowIcon(QtGui.QIcon(icon_path(icon)))
@@ -14,7 +14,7 @@ def make_form(title, icon):
 
 
 def make_box(title, content=None):
-    """(group box with a title, its layout from top to bottom), which may hold a widget already."""
+    """Return (group box with a title, its vertical layout); ``content`` is put into the box."""
     box = QtWidgets.QGroupBox(title)
     layout = QtWidgets.QVBoxLayout(box)
     if content is not None:
@@ -23,15 +23,17 @@ def make_box(title, content=None):
 
 
 def make_text():
-    """A label whose text is broken into lines."""
+    """Return a label whose text is broken into lines."""
     label = QtWidgets.QLabel()
     label.setWordWrap(True)
     return label
 
 
 def show_seams_in(table, height):
-    """Let a table show a seam a line: whole lines are chosen, and it is at least so high, in
-    pixels."""
+    """Set up a table with one seam in each line.
+
+    The user selects whole lines. ``height``: the minimum height in pixels.
+    """
     table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
     table.setAlternatingRowColors(True)
     table.setWordWrap(False)
@@ -42,8 +44,8 @@ def show_seams_in(table, height):
 
 
 def buttons(*names):
-    """What getStandardButtons returns, for names such as "Ok"."""
+    """Return the value for getStandardButtons, for names such as "Ok"."""
     flags = QtWidgets.QDialogButtonBox.NoButton
     for name in names:
         flags = flags | getattr(QtWidgets.QDialogButtonBox, name)
-    return flags if hasattr(flags, "value") else int(flags)  # PySide2 wants the number
+    return flags if hasattr(flags, "value") else int(flags)  # PySide2 needs the number

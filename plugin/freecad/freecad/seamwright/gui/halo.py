@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Drawing the chosen seams with a wide bright band behind their coloured line."""
+"""Drawing chosen seams with a wide bright band behind their coloured lines."""
 
 from pivy import coin
 
@@ -8,19 +8,19 @@ from freecad.seamwright.gui.overlay import unlit_unpickable
 COLOUR = (1.0, 0.85, 0.0)
 WIDTH = 16.0
 
-#: How much nearer than the model the seams, the band and the lines on the band are drawn, as
-#: parts of the depth of the view: each covers the one before. A face that slopes towards the viewer
-#: rises over half of a wide line, so the band, of few seams, is lifted further.
+#: The amounts by which the seams, the band and the lines on the band are drawn nearer than the
+#: model, as parts of the depth of the view. Each covers the one before. A face that slopes towards
+#: the viewer would cover half of a wide line, so the band is lifted further.
 SEAM_LIFT, BAND_LIFT, CORE_LIFT = 0.003, 0.03, 0.0305
 
-#: Deviation of the drawn band from the edge, as a part of the edge's size.
+#: Deviation of the drawn band from the edge, as a part of the size of the edge.
 DEFLECTION = 0.001
 
 
 def nearer(amount):
-    """A node after which things are drawn nearer by a part of the depth of the view.
+    """Return a node that draws the nodes after it nearer by a part of the depth of the view.
 
-    It lifts lines over the faces and the edges that they lie on.
+    It lifts lines over the faces and edges on which they lie.
     """
     depth = coin.SoDepthBuffer()
     depth.range = (0.0, 1.0 - amount)
@@ -35,7 +35,7 @@ class Halo:
         self._points, self._lines = coin.SoCoordinate3(), coin.SoLineSet()
         self._core, self._core_style = coin.SoBaseColor(), coin.SoDrawStyle()
         binding = coin.SoMaterialBinding()
-        binding.value = coin.SoMaterialBinding.PER_FACE  # of a line set: one colour a line
+        binding.value = coin.SoMaterialBinding.PER_FACE  # in a line set: one colour for each line
         band, style = coin.SoBaseColor(), coin.SoDrawStyle()
         band.rgb = COLOUR
         style.lineWidth = WIDTH
@@ -49,7 +49,7 @@ class Halo:
         self.show([], [], 1.0)
 
     def show(self, edges, colours, line_width):
-        """Draw the band along the edges, which may be none, and on it their lines.
+        """Draw the band along the edges, and on it their lines; no edges remove it.
 
         ``colours`` are the (red, green, blue) of the lines, 0..1; ``line_width`` is in pixels.
         """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A list of holes with a tick at each that is to be filled."""
+"""A list of holes with a tick at each hole that is to be filled."""
 
 from freecad.seamwright.gui.qt import QtCore, QtWidgets
 from freecad.seamwright.plain import fill_text
@@ -8,10 +8,10 @@ LINES = 4
 
 
 class HoleList(QtWidgets.QListWidget):
-    """Holes, dicts as of the kernel; one of them stays ticked.
+    """Holes as dicts of the kernel; at least one hole stays ticked.
 
-    ``changed``: another one is ticked; ``clicked_edges``: a hole was clicked, with the names of its
-    edges.
+    ``changed`` is emitted when other holes are ticked. ``clicked_edges`` is emitted when a hole is
+    clicked, with the names of its edges.
     """
 
     changed = QtCore.Signal()
@@ -28,7 +28,7 @@ class HoleList(QtWidgets.QListWidget):
         )
 
     def set_holes(self, holes, wanted):
-        """List the holes, with a tick at those whose number is among ``wanted``."""
+        """List the holes, with a tick at those whose numbers are in ``wanted``."""
         self.holes = holes
         self.blockSignals(True)
         self.clear()
@@ -39,13 +39,15 @@ class HoleList(QtWidgets.QListWidget):
         self.blockSignals(False)
 
     def chosen(self):
-        """The numbers of the holes that are ticked."""
+        """Return the numbers of the ticked holes."""
         states = (self.item(place).checkState() for place in range(self.count()))
         return [hole["id"] for hole, state in zip(self.holes, states) if state == QtCore.Qt.Checked]
 
     def choose_by(self, edges):
-        """Tick the holes of these edges, given by name, and no others; nothing is changed where
-        they are of none."""
+        """Tick only the holes of these edges, which are given by name.
+
+        Nothing changes where the edges belong to no hole.
+        """
         found = [hole["id"] for hole in self.holes if not edges.isdisjoint(self._edges(hole))]
         if found and found != self.chosen():
             self.set_holes(self.holes, found)

@@ -1,23 +1,22 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Doing something once FreeCAD is done with what it is doing."""
+"""Running something once FreeCAD has finished its current work."""
 
 import FreeCAD as App
 
 from freecad.seamwright.gui.qt import QtCore
 from freecad.seamwright.gui.tasks import documents_rest
 
-#: A recompute that lets the window live is waited for.
+#: The interval of retries while a recompute runs that keeps the window alive.
 AGAIN_MS = 50
 
 
 def find(doc_name, name):
-    """The object of that name; None when it was deleted or its document closed."""
+    """Return the object of that name; None when it was deleted or its document was closed."""
     return App.getDocument(doc_name).getObject(name) if doc_name in App.listDocuments() else None
 
 
 def later(obj, act):
-    """Call ``act(obj)`` after FreeCAD has drawn or opened, if the document object is still there
-    then."""
+    """Call ``act(obj)`` after FreeCAD has drawn or opened, if the object still exists then."""
     place = obj.Document.Name, obj.Name
 
     def act_if_there():

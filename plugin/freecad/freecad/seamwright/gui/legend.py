@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The legend in the 3D view: an image of fixed size in the top left corner of the view.
+"""The legend in the 3D view: an image of fixed size in the top left corner.
 
-It belongs to the scene, so pictures saved from the view contain it.
+It belongs to the scene, so that pictures saved from the view contain it.
 """
 
 from pivy import coin
@@ -31,13 +31,15 @@ class Legend:
         self._switch.whichChild = coin.SO_SWITCH_ALL if visible else coin.SO_SWITCH_NONE
 
     def update(self, title, entries, footer, text_px):
-        """Draw again: a title, (SeamClass, name, meaning) lines, and the lines of the footer below
-        them."""
+        """Redraw the legend.
+
+        It has a title, lines of (SeamClass, name, meaning), and the lines of the footer below them.
+        """
         set_image(self._image, draw(title, entries, footer, text_px))
 
 
 def _overlay(child):
-    """A node drawn over everything, placed in the top left corner of the view."""
+    """Return a node that is drawn over everything, in the top left corner of the view."""
     overlay = coin.SoAnnotation()
     camera = coin.SoOrthographicCamera()
     camera.viewportMapping = coin.SoCamera.LEAVE_ALONE
@@ -54,7 +56,7 @@ def _overlay(child):
 
 
 def draw(title, entries, footer, text_px):
-    """The legend as a QImage; ``text_px`` is the height of its letters."""
+    """Return the legend as a QImage; ``text_px`` is the height of its letters in pixels."""
     font = QtGui.QFont("Sans Serif")
     font.setPixelSize(text_px)
     bold = QtGui.QFont(font)

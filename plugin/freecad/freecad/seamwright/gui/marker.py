@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Marks at the worst points of the chosen seams: a ring and a label that nothing hides."""
+"""Marks at the worst points of chosen seams: a ring and a label that nothing hides."""
 
 from pivy import coin
 
@@ -9,7 +9,7 @@ from freecad.seamwright.gui.qt import QtCore, QtGui
 RING_PX, TEXT_PX = 23, 13
 INK, PAPER = (20, 20, 20), (255, 255, 255)
 
-#: Between the ring and its label.
+#: The distance between the ring and its label.
 GAP_PX = 4
 
 
@@ -24,7 +24,7 @@ class Marker:
         self.node = outside_bounding_box(overlay)
 
     def show(self, marks):
-        """Show these marks only: (point, label) each, with the point's coordinates in mm."""
+        """Show only these marks, each (point, label); the coordinates of the point are in mm."""
         self._marks.removeAllChildren()
         for point, label in marks:
             mark, place = coin.SoSeparator(), coin.SoTranslation()
@@ -44,7 +44,7 @@ def _image(picture, horizontal, vertical):
 
 
 def draw_ring():
-    """A dark ring between two light ones, so that it shows on any ground; a QImage."""
+    """Return a QImage of a dark ring between two light ones, visible on any background."""
     image = QtGui.QImage(RING_PX, RING_PX, QtGui.QImage.Format_ARGB32)
     image.fill(QtCore.Qt.transparent)
     painter = QtGui.QPainter(image)
@@ -58,7 +58,7 @@ def draw_ring():
 
 
 def draw_label(text):
-    """The text on a light ground, set off to the right of the ring; a QImage."""
+    """Return a QImage of the text on a light background, to the right of the ring."""
     font = QtGui.QFont("Sans Serif")
     font.setPixelSize(TEXT_PX)
     font.setBold(True)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The task panel of Match Surfaces: what is matched how, the seam before and after, and ways to
-look at it.
+"""The task panel of Match Surfaces.
 
-The document follows the fields: each change is computed at once.
+It has the faces and the target, the seam before and after, and what the view shows. The document
+follows the fields: each change is computed at once.
 """
 
 import FreeCADGui as Gui
@@ -18,7 +18,7 @@ from freecad.seamwright.gui.tolerance_form import NumberField, ToleranceForm
 from freecad.seamwright.gui.zebra import zebra
 from freecad.seamwright.plain import match_text
 
-#: After the last change, before the preview is computed.
+#: Delay between the last change and the computation of the preview.
 PREVIEW_AFTER_MS = 400
 
 KEPT = ("FirstFace", "SecondFace", "CommonEdge", "Target", "Moves", "MaxMove", "HoldSides")
@@ -46,19 +46,19 @@ class MatchPanel(ResultPanel):
             self.preview()
 
     def sources(self):
-        """The objects that the faces come from."""
+        """Return the objects to which the faces belong."""
         return match.source_objects(self.obj)
 
     def has_result(self):
-        """Whether the faces match."""
+        """Return whether the faces match."""
         return bool(self.obj.Matched)
 
     def is_due(self):
-        """Whether a change has not been computed yet."""
+        """Return whether a change has not been computed yet."""
         return self._timer.isActive() or super().is_due()
 
     def release(self):
-        """Compute no more, and take off the stripes."""
+        """Stop computing, and remove the stripes."""
         self._timer.stop()
         self._unstripe()
 
@@ -148,7 +148,7 @@ class MatchPanel(ResultPanel):
         self._timer.stop()
         self.after.setChecked(True)
 
-    # What it does.
+    # Actions.
 
     def refresh(self):
         """Show the results as they are stored now."""
@@ -166,7 +166,7 @@ class MatchPanel(ResultPanel):
         self.summary.setText(text)
 
     def wanted(self):
-        """{property: value} as the fields say."""
+        """Return the {property: value} of the fields."""
         names = ["FirstFace", "SecondFace"]
         faces = [getattr(self.obj, name) for name in names]
         return {
@@ -176,7 +176,7 @@ class MatchPanel(ResultPanel):
         }  # fmt: skip
 
     def _preview_in_time(self):
-        """Match now, or after what FreeCAD is doing."""
+        """Match now, or retry while FreeCAD changes documents."""
         if documents_rest():
             self.preview()
         else:
@@ -188,12 +188,12 @@ class MatchPanel(ResultPanel):
         super().preview(then)
 
     def computed(self):
-        """Show the results; the faces have changed places where they were to."""
+        """Show the results; a wanted swap of the faces is done now."""
         self._swapped = False
         super().computed()
 
     def changed(self, *_):
-        """Compute soon."""
+        """Compute after a short delay."""
         super().changed()
         self._timer.start()
 
@@ -209,7 +209,7 @@ class MatchPanel(ResultPanel):
             seam_view.select(self._doc, target[0].Name, target[1])
 
     def show(self, after):
-        """Show the match or its sources, with stripes where they are wanted."""
+        """Show the match or its sources, with stripes if they are wanted."""
         after = after and self.obj.Matched
         self.obj.ViewObject.Visibility = after
         for source in self.sources():

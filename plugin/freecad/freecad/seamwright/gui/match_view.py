@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How a Match Surfaces looks: its sources are hidden while it has a shape.
+"""The view of a Match Surfaces: its sources are hidden while it has a shape.
 
 The class path is written into documents: neither rename nor move it.
 """
@@ -15,15 +15,15 @@ class MatchSurfacesView(ResultView):
     ICON = "seamwright-match"
 
     def sources(self, obj):
-        """The objects that the faces come from."""
+        """Return the objects to which the faces belong."""
         return match.source_objects(obj)
 
     def has_result(self, obj):
-        """Whether the faces match."""
+        """Return whether the faces match."""
         return bool(obj.Matched)
 
     def make_panel(self, obj, created):
-        """The task panel."""
+        """Return the task panel."""
         return MatchPanel(obj, created)
 
 

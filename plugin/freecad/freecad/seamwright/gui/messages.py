@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is told to the user: in the report view, and in a box that blocks nothing."""
+"""Messages to the user: in the report view, and in a box that does not block."""
 
 import FreeCAD as App
 import FreeCADGui as Gui
@@ -12,19 +12,19 @@ STATUS_MS = 10000
 
 
 def show_error(text):
-    """Tell of what went wrong."""
+    """Show an error."""
     App.Console.PrintError("%s: %s\n" % (TITLE, text))
     _show(QtWidgets.QMessageBox.Warning, text)
 
 
 def show_notice(text):
-    """Tell of what came of it where nothing went wrong, such as a hole that is not filled."""
+    """Show a result that is no error, such as a hole that is not filled."""
     App.Console.PrintMessage("%s: %s\n" % (TITLE, text))
     _show(QtWidgets.QMessageBox.Information, text)
 
 
 def say(text):
-    """Tell of what needs no answer: in the report view and the status bar."""
+    """Show a text that needs no answer, in the report view and the status bar."""
     App.Console.PrintMessage("%s: %s\n" % (TITLE, text))
     Gui.getMainWindow().statusBar().showMessage(text, STATUS_MS)
 

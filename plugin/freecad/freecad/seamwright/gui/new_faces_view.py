@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The look of an object that is its source with new faces: as the source; in its panel the new ones
-are tinted."""
+"""The view of an object whose shape is its source with new faces.
+
+It looks like the source. While its panel is open, the new faces are tinted.
+"""
 
 from freecad.seamwright.document import elements
 from freecad.seamwright.gui.result_view import ResultView
 
 TINT = (0.45, 0.8, 0.7)
 
-#: How far a corner of a face may lie from its surface, as a part of the face's size: edges have tolerances.
+#: The distance that a corner of a face may have from its surface, as a part of the size of the
+#: face. Corners lie on surfaces only within the tolerances of edges.
 SAME_PLACE = 1e-3
 
 
@@ -15,21 +18,24 @@ class NewFacesView(ResultView):
     """Proxy of a view provider; a subclass says which faces are new, and has a panel."""
 
     def new_faces(self, obj):
-        """(numbers of the new faces, number of the source's face that they replace or None)."""
+        """Return (numbers of the new faces, number of the face of the source that they replace).
+
+        The second number is None where they replace no face.
+        """
         raise NotImplementedError
 
     def sources(self, obj):
-        """The object that the new faces belong to."""
+        """Return the object to which the new faces belong."""
         return elements.source_objects(obj)
 
     def updateData(self, obj, prop):
-        """Follow the results."""
+        """Update the colours when the results change."""
         super().updateData(obj, prop)
         if prop == "Summary" and "Restore" not in obj.State and self.panel is None:
             self.paint(tinted=False)
 
     def paint(self, tinted):
-        """Colour the faces as those of the source; the new ones alike, or tinted."""
+        """Colour the faces like those of the source; new faces may be tinted instead."""
         obj = self.object
         if not self.has_result(obj) or not hasattr(
             getattr(obj.Source, "ViewObject", None), "ShapeColor"
@@ -47,8 +53,10 @@ class NewFacesView(ResultView):
 
 
 def _kept_colours(obj, look, new, replaced):
-    """The colours of the faces that were kept, in their order; none where all have one, or the
-    order is another one."""
+    """Return the colours of the kept faces in their order.
+
+    Returns no colours where all faces have the same one, or where the order of the faces changed.
+    """
     colours = [colour[:3] for colour in look.DiffuseColor]
     before = elements.source_shape(obj).Faces
     if len(colours) != len(before) or len(set(colours)) == 1:
@@ -64,7 +72,7 @@ def _kept_colours(obj, look, new, replaced):
 
 
 def _lies_on(face, other):
-    """Whether a face is part of the surface of another one, by its corners."""
+    """Return whether the corners of a face lie on the surface of another face."""
     reach = SAME_PLACE * max(1.0, face.BoundBox.DiagonalLength)
     feet = (other.Surface.value(*other.Surface.parameter(vertex.Point)) for vertex in face.Vertexes)
     return all((foot - vertex.Point).Length <= reach for foot, vertex in zip(feet, face.Vertexes))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Pictures in the scene: images of fixed size that lie over the model."""
+"""Images of fixed size in the scene, drawn over the model."""
 
 from pivy import coin
 
@@ -14,7 +14,7 @@ def set_image(node, picture):
 
 
 def unlit_unpickable():
-    """Nodes after which things are drawn in their own colours and let the mouse through."""
+    """Return nodes that make the nodes after them unlit and transparent for the mouse."""
     pick, light = coin.SoPickStyle(), coin.SoLightModel()
     pick.style = coin.SoPickStyle.UNPICKABLE
     light.model = coin.SoLightModel.BASE_COLOR
@@ -22,7 +22,7 @@ def unlit_unpickable():
 
 
 def outside_bounding_box(child):
-    """A group that "fit all" does not see. FreeCAD registers it with the scene library."""
+    """Return a group that "fit all" ignores. FreeCAD registers its type with the scene library."""
     group = coin.SoType.fromName("SoSkipBoundingGroup").createInstance()
     group.addChild(child)
     return group

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the views of the document objects have in common: an icon, a task panel, and marks at chosen
-seams."""
+"""The common parts of the document objects' views: icon, task panel, marks at chosen seams."""
 
 import FreeCADGui as Gui
 
@@ -12,19 +11,19 @@ from freecad.seamwright.plain import palette
 
 
 class PanelView:
-    """Proxy of a view provider; nothing is kept beside the properties."""
+    """Proxy of a view provider; it stores no state besides the properties."""
 
     ICON = ""
 
-    #: The open task panel; FreeCAD tells of changes also before ``attach``.
+    #: The open task panel. A class attribute, since FreeCAD reports changes even before ``attach``.
     panel = None
     _follows = False
 
-    #: Of a marked seam, in pixels.
+    #: The line width of a marked seam, in pixels.
     line_width = 6.0
 
     def make_panel(self, obj, created):
-        """The task panel; ``created``: the object is new, and Cancel removes it."""
+        """Return the task panel; ``created``: the object is new, and Cancel removes it."""
         raise NotImplementedError
 
     def __init__(self, vobj):
@@ -35,16 +34,17 @@ class PanelView:
         self.object = vobj.Object
         self.panel = None
         self._follows = False
-        self.created = False  # by the command, in the step that is still open
+        self.created = False  # whether the command created the object in the open transaction
         self.halo, self.marker = Halo(), Marker()
         for node in (self.halo.node, self.marker.node):
-            vobj.RootNode.insertChild(
-                node, 0
-            )  # before the placement of the shape: what they show stands in the model
+            # Before the placement of the shape, since marks have world coordinates.
+            vobj.RootNode.insertChild(node, 0)
 
     def updateData(self, obj, prop):
-        """Let the panel show the object as it is once all of it has changed: a step back restores
-        one property at a time."""
+        """Let the panel show the object once all changes are done.
+
+        An undo restores one property at a time.
+        """
         if self.panel is not None and not self._follows:
             self._follows = True
             later(obj, self._reload)
@@ -55,7 +55,7 @@ class PanelView:
             self.panel.reload()
 
     def mark(self, edges, classes, worst):
-        """Draw a bright band along the edges, which have the given classes; [] takes it away.
+        """Draw a bright band along the edges, which have the given classes; [] removes it.
 
         ``worst`` is a list of (point, label) to be marked.
         """
@@ -63,7 +63,7 @@ class PanelView:
         self.marker.show(worst)
 
     def getIcon(self):
-        """Icon in the tree."""
+        """Return the icon in the tree."""
         return icon_path(self.ICON)
 
     def doubleClicked(self, vobj):
@@ -87,12 +87,12 @@ class PanelView:
         return True
 
     def dumps(self):
-        """Nothing is kept beside the properties."""
+        """Return None: the properties keep all state."""
         return None
 
     def loads(self, state):
-        """Nothing is kept beside the properties."""
+        """Do nothing: the properties keep all state."""
 
-    # FreeCAD before 0.21.2 asks by these names.
+    # FreeCAD before 0.21.2 calls these names.
     __getstate__ = dumps
     __setstate__ = loads

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Following what the user picks in the 3D view, to find its seam in the table."""
+"""Observing what the user picks in the 3D view, to find its seam in the table."""
 
 import contextlib
 
@@ -11,8 +11,8 @@ from freecad.seamwright.plain import rows
 class EdgePicker:
     """Calls ``picked(edge number)`` when an edge of an analysis or of its sources is selected.
 
-    Numbers are those of ``report``. It follows FreeCAD's selection between ``start`` and ``stop``,
-    except within ``paused``.
+    Numbers are those of ``report``. The picker observes FreeCAD's selection between ``start`` and
+    ``stop``, except within ``paused``.
     """
 
     def __init__(self, obj, picked):
@@ -23,18 +23,18 @@ class EdgePicker:
         self.active = False
 
     def start(self):
-        """Begin to follow the selection."""
+        """Start to observe the selection."""
         self.active = True
         Gui.Selection.addObserver(self)
 
     def stop(self):
-        """Follow it no longer."""
+        """Stop observing the selection."""
         self.active = False
         Gui.Selection.removeObserver(self)
 
     @contextlib.contextmanager
     def paused(self):
-        """While the program itself selects something."""
+        """Ignore selections that the program itself makes."""
         before, self._paused = self._paused, True
         try:
             yield
@@ -42,7 +42,7 @@ class EdgePicker:
             self._paused = before
 
     def addSelection(self, doc_name, name, element, position):
-        """FreeCAD says that something was added to the selection."""
+        """FreeCAD calls this when an element is added to the selection."""
         if self._paused or doc_name != self._obj.Document.Name:
             return
         *path, element = element.split(".")

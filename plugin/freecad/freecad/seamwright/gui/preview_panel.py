@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The task panel of an object that is computed when Preview or OK is pressed: summary, table of
-seams, before and after."""
+"""The task panel of an object that is computed when the user presses Preview or OK.
+
+It has a summary, a table of seams, and a choice to show the model before or after.
+"""
 
 import Part
 
@@ -15,15 +17,15 @@ TABLE_HEIGHT = 190
 
 PREVIEW, PREVIEW_AGAIN = "Preview", "Update preview"
 
-#: Colours of the last column's text, by the state of a row.
+#: Text colours of the last column, by the state of a row.
 INKS = {repair_text.REPAIRED: (0, 120, 88), repair_text.LEFT: (190, 80, 0)}
 
 
 class PreviewPanel(ResultPanel):
-    """Shows and changes one object; a subclass says what its fields and rows are.
+    """Shows and changes one object; a subclass defines its fields and rows.
 
-    A row has ``cells``, a text for each of ``COLUMNS``, ``detail``, its tool tip, and ``state``,
-    one of ``INKS``.
+    A row has ``cells``, a text for each of ``COLUMNS``; ``detail``, its tool tip; and ``state``, a
+    key of ``INKS`` or another state, whose text has the default colour.
     """
 
     DOCK_WIDTH = 600
@@ -43,31 +45,33 @@ class PreviewPanel(ResultPanel):
         else:
             self.begin()
 
-    # What a subclass says.
+    # Methods that a subclass defines.
 
     def build_boxes(self):
-        """The widgets below the table."""
+        """Return the widgets below the table."""
         raise NotImplementedError
 
     def connect_fields(self):
-        """Call ``changed`` when a field is changed."""
+        """Call ``changed`` when a field changes."""
         raise NotImplementedError
 
     def begin(self):
-        """Nothing was computed yet: show what there is to say."""
+        """Show what is known before anything was computed."""
         raise NotImplementedError
 
     def stored(self):
-        """(rows, text) of the results as they are stored now."""
+        """Return (rows, text) of the results as they are stored now."""
         raise NotImplementedError
 
     def marked(self, rows, shown):
-        """(report, seams) of rows, as they are in what is shown, for ``seam_view.show``; no seams
-        where it has none."""
+        """Return (report, seams) of rows for ``seam_view.show``, as they are in the shown object.
+
+        Returns no seams where the shown object does not have them.
+        """
         raise NotImplementedError
 
     def note(self, rows):
-        """What is said below the table of the chosen rows."""
+        """Return the text below the table about the chosen rows."""
         return ""
 
     # The window.
@@ -93,8 +97,7 @@ class PreviewPanel(ResultPanel):
         return self.table
 
     def _fit_columns(self):
-        """Columns as wide as what they say; the last one to the end of the table where there is
-        room."""
+        """Fit the widths of columns to their texts; the last column fills the remaining width."""
         header, last = self.table.horizontalHeader(), len(self.COLUMNS) - 1
         header.setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
         if header.length() <= self.table.viewport().width():
@@ -120,10 +123,10 @@ class PreviewPanel(ResultPanel):
         self.table.itemSelectionChanged.connect(self._selection_changed)
         self.after.toggled.connect(lambda *_: self.show(self.after.isChecked()))
 
-    # What it does.
+    # Actions.
 
     def has_result(self):
-        """Whether the object was computed."""
+        """Return whether the object was computed."""
         return not self.obj.Shape.isNull()
 
     def computed(self):
@@ -151,7 +154,7 @@ class PreviewPanel(ResultPanel):
             self._selection_changed()
 
     def fill(self, built, text):
-        """Show these rows and the text above them."""
+        """Show these rows, and the text above them."""
         self._rows = built
         self.summary.setText(text)
         self.table.clearSelection()
@@ -163,12 +166,12 @@ class PreviewPanel(ResultPanel):
         self.after.setEnabled(self.has_result())
 
     def show_before(self):
-        """Show the source, as long as there is no result."""
+        """Show the source, since there is no result yet."""
         self.before.setChecked(True)
         self.show(False)
 
     def changed(self, *_):
-        """A field says something else than what was computed."""
+        """A field differs from what was computed."""
         super().changed()
         self._name_preview()
 
@@ -178,11 +181,11 @@ class PreviewPanel(ResultPanel):
         )
 
     def shown_object(self):
-        """The object that is seen: the result or its source."""
+        """Return the visible object: the result or its source."""
         return self.obj if self.after.isChecked() and self.has_result() else self.sources()[0]
 
     def _selection_changed(self):
-        """Mark the seams of the chosen rows, as they are in what is shown, and zoom to them."""
+        """Mark the seams of the chosen rows as they are in the shown object, and zoom to them."""
         places = sorted({index.row() for index in self.table.selectionModel().selectedRows()})
         rows = [self._rows[place] for place in places]
         remark = self.note(rows)

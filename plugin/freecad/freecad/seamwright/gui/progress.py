@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Progress of work that FreeCAD waits for, such as a recompute, with a button to cancel it.
+"""Progress of work for which FreeCAD waits, such as a recompute, with a button to cancel it.
 
-While it lasts, the window sees no key and no click but those for the dialog: what they do would
-change or delete what is being computed. Panels compute in threads instead, see computation.py.
+Meanwhile only the dialog gets keys and clicks, since others could change or delete the objects that
+are computed. Panels compute in threads instead, see computation.py.
 """
 
 import contextlib
@@ -49,15 +49,17 @@ def progress_dialog(text):
 
 
 class _Guard(QtCore.QObject):
-    """Keeps input from all but the dialog, also before it is shown; Esc cancels wherever it is
-    pressed."""
+    """Blocks input for all windows except the dialog, even before the dialog is shown.
+
+    Esc cancels wherever it is pressed.
+    """
 
     def __init__(self, dialog):
         super().__init__()
         self._dialog = dialog
 
     def eventFilter(self, receiver, event):
-        """Whether the event ends here."""
+        """Return whether the event ends here."""
         if event.type() not in INPUT or self._is_for_dialog(receiver):
             return False
         if event.type() == QtCore.QEvent.KeyPress and event.key() == QtCore.Qt.Key_Escape:
@@ -73,7 +75,7 @@ class _Guard(QtCore.QObject):
 
 
 class _Reporter:
-    """Moves the bar; from a worker thread it only passes on whether to go on."""
+    """Moves the progress bar; in a worker thread it only returns whether to go on."""
 
     def __init__(self, dialog):
         self._dialog = dialog

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Qt as FreeCAD offers it; before 1.0 its widgets are found in QtGui."""
+"""Qt as FreeCAD provides it; before 1.0 its widgets are in QtGui."""
 
 from PySide import QtCore, QtGui
 

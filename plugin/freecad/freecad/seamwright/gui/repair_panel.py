@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The task panel of Repair Seams: which seams are to be repaired to what, and each of them before
-and after."""
+"""The task panel of Repair Seams: the seams to repair, the target, and each seam's figures."""
 
 import FreeCADGui as Gui
 
@@ -49,16 +48,15 @@ class RepairPanel(PreviewPanel):
         super().__init__(obj, created, "Edit seam repair", changeable)
 
     def sources(self):
-        """The object whose seams are repaired."""
+        """Return the object whose seams are repaired."""
         return elements.source_objects(self.obj)
 
     def replaced(self):
-        """The source, and those of its analyses that were seen when the panel was opened."""
+        """Return the source and its analyses that were visible when the panel was opened."""
         return self.sources() + [each for each in _analyses(self.obj) if each.Name in self._lines]
 
     def release(self):
-        """Drop the selection, and let the faces look as those of the source, and the source as it
-        did."""
+        """Clear the selection, and draw result and source as they were."""
         Gui.Selection.clearSelection()
         self.obj.ViewObject.ShowMoves = False
         self.surface.end()
@@ -67,7 +65,7 @@ class RepairPanel(PreviewPanel):
     # The window.
 
     def build_boxes(self):
-        """The seams, the target and the limits."""
+        """Return the boxes of the seams and of target and limits."""
         self.colours = QtWidgets.QComboBox()
         for place, (name, tip) in enumerate(COLOURS):
             self.colours.addItem(name)
@@ -101,7 +99,7 @@ class RepairPanel(PreviewPanel):
         return make_box("Target and limits", self.tolerances)[0]
 
     def connect_fields(self):
-        """Follow the fields, and draw on the surfaces as they say."""
+        """React to changes of the fields, and draw on the surfaces what they ask for."""
         self.surface = SurfaceColours(
             self.obj,
             self.computation,
@@ -124,13 +122,13 @@ class RepairPanel(PreviewPanel):
         self._name_seams()
 
     def wanted(self):
-        """{property: value} as the fields say."""
+        """Return the {property: value} of the fields."""
         chosen = {
             name: elements.link_to(self.obj, each.names()) for name, each in self.lists.items()
         }
         return {**chosen, "MaxMove": self.max_move.value(), **self.tolerances.values()}
 
-    # What it does.
+    # Actions.
 
     def begin(self):
         """Show the seams that would be treated."""
@@ -152,12 +150,12 @@ class RepairPanel(PreviewPanel):
         )
 
     def stored(self):
-        """(rows, text) of the results as they are stored now."""
+        """Return (rows, text) of the results as they are stored now."""
         self._report = repair.report_of(self.obj)
         return repair_text.build_rows(self._report), repair.error_text(self.obj) or self.obj.Summary
 
     def show(self, after):
-        """Show the result or the source, in the colours that are wanted."""
+        """Show the result or the source, in the wanted colours."""
         wanted = None if self._ended else self.colours.currentText()
         self.obj.ViewObject.ShowMoves = after and self.has_result() and wanted == MOVES
         super().show(after)
@@ -174,18 +172,18 @@ class RepairPanel(PreviewPanel):
                 each.ViewObject.Visibility = visible
 
     def left(self, why):
-        """Say why a repair came to nothing, and go on with the colours that it interrupted."""
+        """Say why a repair has no result, and show again the colours that it interrupted."""
         super().left(why)
         self.show(self.after.isChecked())
 
     def fill(self, built, text):
-        """Show these rows and the text above them."""
+        """Show these rows, and the text above them."""
         super().fill(built, text)
         self.table.setColumnHidden(repair_text.CURVATURE_COLUMN, self._report["target"] != "G2")
         self._fit_columns()
 
     def changed(self, *_):
-        """A field says something else than what was computed."""
+        """A field differs from what was computed."""
         super().changed()
         self._name_seams()
 
@@ -193,8 +191,10 @@ class RepairPanel(PreviewPanel):
         self.which.setText(CHOSEN if self.lists["Edges"].names() else ALL_DEFECTS)
 
     def _picked(self, kind):
-        """The elements of a kind that are selected, on the source or on the result: they have the
-        same names."""
+        """Return the selected elements of a kind, on the source or on the result.
+
+        Both have the same names.
+        """
         own = (self.obj, *self.sources())
         chosen = [each for each in Gui.Selection.getSelectionEx() if each.Object in own]
         return [name for each in chosen for name in each.SubElementNames if name.startswith(kind)]
@@ -205,15 +205,17 @@ class RepairPanel(PreviewPanel):
             seam_view.select(self._doc, self.shown_object().Name, name)
 
     def marked(self, chosen, shown):
-        """(report, seams) of rows, as they are in what is shown."""
+        """Return (report, seams) of rows as they are in the shown object."""
         which = "after" if shown == self.obj and repair_text.is_done(self._report) else "before"
         by_number = {seam["before"]["id"]: seam[which] for seam in self._report["seams"]}
         report = rows.located(by_number.values(), self._report["tolerance"], shown.Name)
         return report, [by_number[row.seam] for row in chosen]
 
     def note(self, chosen):
-        """Why the seams of the chosen rows were not repaired, in full: the column is too narrow for
-        it."""
+        """Return the full reasons why the seams of the chosen rows were not repaired.
+
+        The column is too narrow for them.
+        """
         return "\n".join(
             "%s: %s" % (row.cells[0], row.cells[-1])
             for row in chosen
@@ -222,7 +224,7 @@ class RepairPanel(PreviewPanel):
 
 
 def _analyses(obj):
-    """The analyses of the source of a repair: their coloured lines tell how it was before."""
+    """Return the analyses of the source of a repair; their lines show it before the repair."""
     return [
         each
         for each in obj.Document.Objects

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How a Seam Repair looks: as its source, or with its points coloured by how far they moved.
+"""The view of a Seam Repair: like its source, or with points coloured by how far they moved.
 
 The class path is written into documents: neither rename nor move it.
 """
@@ -34,41 +34,39 @@ class SeamRepairView(ResultView):
         add_properties(vobj)
         self.legend, self.colours = Legend(), MoveColours()
         root = vobj.RootNode
-        root.insertChild(
-            self.colours.node, root.findChild(self.halo.node) + 1
-        )  # it hides what comes after it
+        # The colours hide all nodes after them.
+        root.insertChild(self.colours.node, root.findChild(self.halo.node) + 1)
         root.insertChild(self.legend.node, 0)
         self._drawn = None  # the report whose moves are drawn
-        self._left = None  # the one whose moves are not to be drawn: the user stopped it
-        self._task = self._mapped = None  # what maps moves, and those of which report
+        self._left = None  # the report whose moves are not drawn, since the user stopped it
+        self._task = self._mapped = None  # the task that maps moves, and the report of these moves
         later(vobj.Object, lambda obj: self._draw(obj.ViewObject))
 
     def sources(self, obj):
-        """The object whose seams are repaired."""
+        """Return the object whose seams are repaired."""
         return elements.source_objects(obj)
 
     def make_panel(self, obj, created):
-        """The task panel."""
+        """Return the task panel."""
         return RepairPanel(obj, created)
 
     def began(self, obj):
-        """The repair looks as its source does."""
+        """Give the repair the look of its source."""
         look_like(obj, obj.Source)
 
     def updateData(self, obj, prop):
-        """Follow the results."""
+        """Update the colours when the results change."""
         super().updateData(obj, prop)
         if prop == "Summary" and "Restore" not in obj.State:
             self._draw(obj.ViewObject)
 
     def onChanged(self, vobj, prop):
-        """Follow the view properties that concern the colours."""
+        """React to the view properties that concern the colours."""
         if prop in ("ShowMoves", "Visibility") and hasattr(self, "colours"):
             self._draw(vobj)
 
     def _draw(self, vobj):
-        """Show the moves in colour, or no longer; those that are not known yet are computed in a
-        thread."""
+        """Show or hide the colours of moves; unknown moves are computed in a thread."""
         wanted, report = bool(vobj.ShowMoves and vobj.Visibility), vobj.Object.Report
         shown = wanted and self._drawn == report
         self.colours.show(shown)
@@ -80,8 +78,10 @@ class SeamRepairView(ResultView):
             self._map_moves(vobj.Object)
 
     def _map_moves(self, obj):
-        """Compute the moves in a thread, on copies of the shapes, and draw them then; not where
-        they cannot be told."""
+        """Compute the moves in a thread, on copies of the shapes, and then draw them.
+
+        Does nothing where source and result cannot be compared.
+        """
         try:
             before = elements.source_shape(obj)
         except sources.SourceError:
@@ -111,7 +111,7 @@ class SeamRepairView(ResultView):
         )
 
     def _start(self, run, done, report):
-        """Let the panel show how far it is, where there is one that has nothing else to show."""
+        """Let the panel show the progress, if one is open and has nothing else to show."""
         if self.panel is None or self.panel.computation.busy:
             return tasks.start(run, done)
 
@@ -133,7 +133,7 @@ class SeamRepairView(ResultView):
 
 
 def add_properties(vobj):
-    """Add the view properties an object lacks."""
+    """Add the view properties that an object lacks."""
     if "ShowMoves" not in vobj.PropertiesList:
         tip = "Colour each point by how far it moved, with a legend"
         vobj.addProperty("App::PropertyBool", "ShowMoves", "Repair", tip)

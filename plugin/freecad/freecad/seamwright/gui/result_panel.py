@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The task panel of an object that stands for its sources: OK keeps what is seen, Cancel takes all
-of it back.
+"""The task panel of an object that takes the place of its sources.
 
-What is done in the panel is one step that can be undone.
+OK keeps what is shown; Cancel takes everything back. All changes in the panel are one step that can
+be undone.
 """
 
 import FreeCADGui as Gui
@@ -16,7 +16,7 @@ from freecad.seamwright.gui.later import later
 from freecad.seamwright.gui.steps import remove, step
 from freecad.seamwright.plain import kernel
 
-#: Behind why a computation came to nothing.
+#: Endings of the text that says why a computation has no result.
 NO_RESULTS, OLD_RESULTS = (
     "; there are no results yet.",
     "; the results are those of the last complete run.",
@@ -24,17 +24,19 @@ NO_RESULTS, OLD_RESULTS = (
 
 
 class ResultPanel:
-    """Shows and changes one object; a subclass builds ``form`` and says what the object is like.
+    """Shows and changes one object; a subclass builds ``form`` and describes the object.
 
-    It computes in a thread: ``computation`` is made by the subclass when its form is built. The
-    object stays as it was until that has come to an end.
+    It computes in a thread; the subclass makes ``computation`` when it builds its form. The object
+    stays unchanged until the computation has ended.
     """
 
     DOCK_WIDTH = 440
 
     def __init__(self, obj, created, title, changeable):
-        """``created``: Cancel removes the object. ``title``: of the step. ``changeable``: names of
-        properties."""
+        """``created``: Cancel removes the object.
+
+        ``title``: of the transaction. ``changeable``: names of properties.
+        """
         self.obj = obj
         self._created = created
         self._doc = obj.Document
@@ -51,22 +53,22 @@ class ResultPanel:
         if not created:
             self._doc.openTransaction(title)
 
-    # What a subclass says.
+    # Methods that a subclass defines.
 
     def sources(self):
-        """The objects that the result stands for."""
+        """Return the objects whose place the result takes."""
         raise NotImplementedError
 
     def replaced(self):
-        """The objects that are hidden while the result is shown."""
+        """Return the objects that are hidden while the result is shown."""
         return self.sources()
 
     def has_result(self):
-        """Whether the object has a shape of its own to show."""
+        """Return whether the object has a shape of its own to show."""
         raise NotImplementedError
 
     def wanted(self):
-        """{property: value} as the fields say."""
+        """Return the {property: value} of the fields."""
         raise NotImplementedError
 
     def read_fields(self):
@@ -86,13 +88,13 @@ class ResultPanel:
         raise NotImplementedError
 
     def release(self):
-        """The panel ends: take back what it changed in the view."""
+        """Undo the panel's changes of the view when the panel ends."""
         raise NotImplementedError
 
-    # What FreeCAD asks of a task panel.
+    # Methods that FreeCAD calls.
 
     def getStandardButtons(self):
-        """OK and Cancel."""
+        """Return OK and Cancel."""
         return buttons("Ok", "Cancel")
 
     def open(self):
@@ -100,8 +102,10 @@ class ResultPanel:
         widen_dock(self.form, self.DOCK_WIDTH)
 
     def accept(self):
-        """Keep the result, which may have to be computed first; a failure is said, and the panel
-        stays."""
+        """Keep the result; compute it first where that is due.
+
+        On failure, a message is shown and the panel stays open.
+        """
         if self.computation.busy:
             return False
         if self.is_due() or not self.has_result() or error_text(self.obj):
@@ -121,8 +125,7 @@ class ResultPanel:
         Gui.getDocument(self._doc.Name).resetEdit()
 
     def reject(self):
-        """Stop what is computed; when nothing is, take back what was done since the panel was
-        opened."""
+        """Stop a running computation; without one, take back all changes made in the panel."""
         if self.computation.stop():
             return False
         self._end()
@@ -144,8 +147,10 @@ class ResultPanel:
         return True
 
     def leave(self):
-        """The panel closes, by OK, by Cancel or because FreeCAD ends the editing; what was never
-        computed is removed."""
+        """The panel closes, by OK, by Cancel or because FreeCAD ends the editing.
+
+        An object that was never computed is removed.
+        """
         if self._ended:
             return
         self._end()
@@ -158,18 +163,18 @@ class ResultPanel:
         self.computation.drop()
         self.release()
 
-    # What it does.
+    # Actions.
 
     def is_due(self):
-        """Whether a field was changed after the last computation."""
+        """Return whether a field was changed after the last computation."""
         return self._edits != self._computed_edits
 
     def changed(self, *_):
-        """A field says something else than what was computed."""
+        """A field differs from what was computed."""
         self._edits += 1
 
     def preview(self, then=None):
-        """Compute as the fields say, and show the results; in the end call ``then``."""
+        """Compute with the values of the fields, show the results, and finally call ``then``."""
         try:
             plan = Plan(self.obj, self.wanted())
         except kernel.KernelUnavailable as error:
@@ -187,15 +192,15 @@ class ResultPanel:
         self.computation.follow(plan, keep, self.left)
 
     def computed(self):
-        """There are other results than before."""
+        """Show new results."""
         self.refresh()
 
     def left(self, why):
-        """Say why a computation came to nothing."""
+        """Say why a computation has no result."""
         self.say(why + (OLD_RESULTS if self.obj.Report else NO_RESULTS))
 
     def reload(self):
-        """The object was changed from outside, such as by a step back: show it as it is now."""
+        """Show the object as it is now, after a change from outside such as an undo."""
         state = self._state()
         if self._ended or state == self._seen:
             return

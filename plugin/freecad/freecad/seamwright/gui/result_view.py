@@ -1,25 +1,29 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The look of an object that stands for its sources: they are hidden while it has a result, as
-those of a boolean operation are, and stand below it in the tree.
+"""The view of an object that takes the place of its sources.
+
+The sources are hidden while the object has a result, like those of a boolean operation. In the tree
+they are children of the object.
 """
 
 from freecad.seamwright.gui.panel_view import PanelView
 
 
 class ResultView(PanelView):
-    """Proxy of a view provider; a subclass says what the sources are, when there is a result, and
-    which panel it has."""
+    """Proxy of a view provider.
+
+    A subclass defines the sources, when there is a result, and the panel.
+    """
 
     def sources(self, obj):
-        """The objects that the result stands for."""
+        """Return the objects whose place the result takes."""
         raise NotImplementedError
 
     def has_result(self, obj):
-        """Whether the object has a shape of its own to show."""
+        """Return whether the object has a shape of its own to show."""
         return not obj.Shape.isNull()
 
     def began(self, obj):
-        """There is a result for the first time."""
+        """Called when there is a result for the first time."""
 
     def attach(self, vobj):
         """FreeCAD calls this for a new view and for a restored one."""
@@ -27,10 +31,9 @@ class ResultView(PanelView):
         self._had_result = self.has_result(vobj.Object)
 
     def updateData(self, obj, prop):
-        """Hide the sources when there begins to be a result, show them when there no longer is
-        one."""
+        """Hide the sources when a result appears; show them when it disappears."""
         super().updateData(obj, prop)
-        if prop != "Summary" or "Restore" in obj.State:  # the Summary is written last
+        if prop != "Summary" or "Restore" in obj.State:  # Summary is written last
             return
         has_result = self.has_result(obj)
         if has_result != self._had_result:
@@ -46,7 +49,7 @@ class ResultView(PanelView):
             source.ViewObject.Visibility = shown
 
     def claimChildren(self):
-        """The sources stand below the object in the tree."""
+        """Return the sources: they are children of the object in the tree."""
         return self.sources(self.object)
 
     def onDelete(self, vobj, names):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Showing seams of an analysis in the 3D view: select their edges, turn the camera to them."""
+"""Showing seams of an analysis in the 3D view: select their edges and turn the camera to them."""
 
 import FreeCAD as App
 import FreeCADGui as Gui
@@ -9,15 +9,14 @@ from freecad.seamwright.document import analysis, sources
 from freecad.seamwright.gui import camera
 from freecad.seamwright.plain import rows
 
-#: Least height of the view when zooming to a seam, as a part of the model's size.
+#: The least height of the view when zooming to a seam, as a part of the size of the model.
 CONTEXT = 0.15
 
 
 def show(obj, report, seams, size, look=True):
-    """Select the edges of the given seams (dicts of the report) on their objects and mark them on
-    ``obj``.
+    """Select the edges of seams (dicts of the report) on their objects, and mark them on ``obj``.
 
-    ``size``: of the model, in mm. ``look``: turn and zoom the view to them.
+    ``size``: of the model, in mm. ``look``: turn and zoom the view to the seams.
     """
     Gui.Selection.clearSelection()
     edges, classes = [], []
@@ -56,7 +55,7 @@ def select(doc, name, element):
 
 
 def find(doc, name, element):
-    """The sub-shape where it stands in the model; None when the document lost it."""
+    """Return the sub-shape at its position in the model; None when the document lost it."""
     obj = doc.getObject(name)
     if obj is None:
         return None
@@ -67,9 +66,9 @@ def find(doc, name, element):
 
 
 def _place(obj, report, seam, edge):
-    """(point, outward normal or None, tangent) at the middle of a seam's edge.
+    """Return (point, outward normal or None, tangent) at the middle of a seam's edge.
 
-    The normal is the mean of the faces' normals; None where they cancel or are unknown.
+    The normal is the mean of the normals of the faces; None where they cancel or are unknown.
     """
     middle = sum(edge.ParameterRange) / 2
     point, tangent = edge.valueAt(middle), edge.tangentAt(middle)
@@ -85,7 +84,7 @@ def _place(obj, report, seam, edge):
 def _normal(face, point):
     try:
         return face.normalAt(*face.Surface.parameter(point))
-    except Part.OCCError:  # no normal at a pole
+    except Part.OCCError:  # no normal at a degenerate point
         return App.Vector()
 
 
@@ -96,6 +95,6 @@ def _view_of(doc):
 
 
 def seams_by_number(obj):
-    """(report, {seam number: seam}) of an analysis."""
+    """Return (report, {seam number: seam}) of an analysis."""
     report = analysis.report_of(obj)
     return report, {seam["id"]: seam for seam in report["seams"]}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is selected, as the commands take it."""
+"""The selection, in the form that the commands need."""
 
 import FreeCAD as App
 import FreeCADGui as Gui
@@ -10,7 +10,7 @@ from freecad.seamwright.plain import rows
 
 
 def selected_sources():
-    """The selected objects that can be analysed, without repeats."""
+    """Return the selected objects that can be analysed, without repeats."""
     chosen = []
     for obj in Gui.Selection.getSelection():
         if obj not in chosen and not analysis.is_analysis(obj):
@@ -19,17 +19,17 @@ def selected_sources():
 
 
 def selected_analysis():
-    """The selected Seam Analysis, else the newest of the document, or None."""
+    """Return the selected Seam Analysis, else the newest of the document, or None."""
     chosen = [obj for obj in Gui.Selection.getSelection() if analysis.is_analysis(obj)]
     every = [obj for obj in App.ActiveDocument.Objects if analysis.is_analysis(obj)]
     return (chosen or every or [None])[-1]
 
 
 def selected_elements(kind):
-    """[(object, "Face3"), ...]: the selected "Face"s, "Edge"s or "Vertex"es, in the order they were
-    picked.
+    """Return [(object, "Face3"), ...] of the selected elements of a kind, in the order of picking.
 
-    An object that is selected as a whole counts as its face if it has just one.
+    ``kind``: "Face", "Edge" or "Vertex". An object that is selected as a whole counts as its face
+    if it has just one.
     """
     return [
         (chosen.Object, name)
@@ -45,9 +45,10 @@ def _only_face(obj):
 
 
 def selected_seams():
-    """[(object, "Edge3" or ""), ...]: what is selected for a repair, "" for all of an object.
+    """Return [(object, "Edge3" or ""), ...]: the selection for a repair; "" means all of an object.
 
-    The lines of an analysis stand for the edges that they lie on, an analysis for what it analysed.
+    The lines of an analysis count as the edges on which they lie. An analysis that is selected as a
+    whole counts as the objects that it analysed.
     """
     found = []
     for chosen in Gui.Selection.getSelectionEx():
@@ -74,10 +75,10 @@ def _edges_of_lines(found, lines):
 
 
 def selected_parts(doc):
-    """{object: [names of its selected elements]}; with nothing selected, all solids and shells of
-    the document.
+    """Return {object: [names of its selected elements]}.
 
-    An analysis stands for what it analysed.
+    Without a selection, these are all solids and shells of the document. An analysis counts as the
+    objects that it analysed.
     """
     found = {}
     for chosen in Gui.Selection.getSelectionEx():

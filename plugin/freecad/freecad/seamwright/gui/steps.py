@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Changes of a document as steps that can be undone.
 
-Where none is open, FreeCAD opens one for any change and leaves it open, so that later changes would
-become part of it.
+Where no transaction is open, FreeCAD opens one for any change and leaves it open, so that later
+changes would become part of it.
 """
 
 import contextlib
@@ -10,7 +10,7 @@ import contextlib
 
 @contextlib.contextmanager
 def step(doc, name):
-    """The step that is open in the document, or one of this name."""
+    """Use the open transaction of the document, or open one of this name."""
     own = not doc.HasPendingTransaction
     if own:
         doc.openTransaction(name)
@@ -22,14 +22,14 @@ def step(doc, name):
 
 
 def take_back(doc, name):
-    """Abort the step that is open, and remove the object of this name where it is still there."""
+    """Abort the open transaction, and remove the object of this name if it still exists."""
     if doc.HasPendingTransaction:
         doc.abortTransaction()
     remove(doc, name)
 
 
 def remove(doc, name):
-    """Remove the object of this name where it is still there."""
+    """Remove the object of this name if it still exists."""
     if doc.getObject(name) is not None:
         with step(doc, "Remove"):
             doc.removeObject(name)

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Scene nodes that draw triangles as a mirror of stripes: light tubes in a dark room, far away.
 
-What a mirror shows is told by its normal, seen from the eye. A shader works it out for each pixel,
-so the stripes glide over the faces as the view turns. They are the same for a normal and its
-opposite.
+The reflection depends on the normal as the eye sees it. A shader computes it for each pixel, so the
+stripes glide over the faces as the view turns. They are the same for a normal and its opposite.
 """
 
 import math
@@ -11,10 +10,11 @@ import math
 import numpy
 from pivy import coin
 
-#: Light stripes over a ball, and the angle they lean by, so that a tube shows them however it lies.
+#: The number of light stripes on a ball, and the angle by which stripes lean. The lean makes
+#: stripes visible on a cylinder of any direction.
 STRIPES, LEAN = 32, math.radians(30)
 
-#: Brightness of the dark and the light stripes, and how much of it is left where a face is seen from the side.
+#: Brightness of dark and of light stripes, and the factor where a face is seen from the side.
 DARK, LIGHT, ASKANCE = 0.07, 0.97, 0.7
 
 VERTEX = """
@@ -26,8 +26,8 @@ void main() {
 }
 """
 
-#: ``place`` counts pairs of a light and a dark stripe from the middle of the light one that the eye stands in; where a
-#: pixel holds much of a pair, it is grey.
+#: ``place`` counts pairs of a light and a dark stripe, from the middle of the light stripe at the
+#: eye. A pixel that contains much of a pair becomes grey.
 FRAGMENT = """
 varying vec3 normal;
 void main() {
@@ -40,7 +40,7 @@ void main() {
   gl_FragColor = vec4(vec3(shade), 1.0);
 }
 """ % {
-    "pairs": STRIPES / 2,  # a normal's components go from -1 to 1
+    "pairs": STRIPES / 2,  # components of a normal go from -1 to 1
     "x": math.cos(LEAN),
     "y": math.sin(LEAN),
     "dark": DARK,
@@ -50,7 +50,7 @@ void main() {
 
 
 def unseen():
-    """A node after which nothing is drawn, though the mouse still finds it."""
+    """Return a node that hides the nodes after it, though the mouse still finds them."""
     style = coin.SoDrawStyle()
     style.style = coin.SoDrawStyle.INVISIBLE
     style.setOverride(True)
@@ -58,7 +58,7 @@ def unseen():
 
 
 def node(shown):
-    """A separator that draws the ShownMesh; they let the mouse through."""
+    """Return a separator that draws a ShownMesh with stripes, transparent for the mouse."""
     group, pick, binding = coin.SoSeparator(), coin.SoPickStyle(), coin.SoNormalBinding()
     pick.style = coin.SoPickStyle.UNPICKABLE
     binding.value = coin.SoNormalBinding.PER_VERTEX_INDEXED
@@ -79,7 +79,7 @@ def _mirror():
 
 
 def mesh(shown):
-    """The nodes of the triangles of a ShownMesh, with a normal at each corner."""
+    """Return the nodes of the triangles of a ShownMesh, with a normal at each corner."""
     points, normals, faces = coin.SoCoordinate3(), coin.SoNormal(), coin.SoIndexedFaceSet()
     ended = numpy.full((len(shown.triangles), 4), -1, numpy.int32)
     ended[:, :3] = shown.triangles

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Ways to look at a surface and at what became of it: the curvature of both in the same colours, or
-zebra stripes."""
+"""Colours that compare a surface with its result: mean curvature on one scale, or zebra stripes."""
 
 from typing import Any, NamedTuple
 
@@ -24,8 +23,7 @@ LEGEND_TEXT_PX = 13
 
 
 class Surface(NamedTuple):
-    """What is drawn of one object: its ShownMesh, the colours of its points, and lines along its
-    edges."""
+    """What is drawn of one object: ShownMesh, colours of its points, and lines of its edges."""
 
     mesh: Any
     colours: Any
@@ -33,20 +31,23 @@ class Surface(NamedTuple):
 
 
 class Found(NamedTuple):
-    """What was computed: {name of an object: Surface}, and the curvature that has the end colour,
-    in 1/mm."""
+    """The results of a computation.
+
+    ``surfaces``: {name of an object: Surface}. ``limit``: the curvature with the end colour, in
+    1/mm.
+    """
 
     surfaces: dict
     limit: float
 
 
 class SurfaceColours:
-    """Draws on a source and on the result that has its faces; ``computation``: of the panel, which
-    shows how far it is.
+    """Draws on a source and on a result that has its faces.
 
-    ``surfaces()``: these objects, the source first, those that there are. What was computed is kept
-    until they have other shapes; ``changed()`` is called when one that is drawn has. ``left()`` is
-    called where nothing can be drawn: the user stopped it, or the compiled part is missing.
+    ``computation``: of the panel, which shows the progress. ``surfaces()`` returns the existing
+    ones of these objects, the source first. Results are kept until the objects have other shapes;
+    ``changed()`` is called when an object that is drawn gets another shape. ``left()`` is called
+    where nothing can be drawn: the user stopped the computation, or the compiled part is missing.
     """
 
     def __init__(self, obj, computation, surfaces, left, changed):
@@ -57,13 +58,15 @@ class SurfaceColours:
         self._root = obj.ViewObject.RootNode
         self._root.insertChild(self._legend.node, 0)
         self._kind = self._found = None
-        self._of = {}  # the shapes that are computed, or were
+        self._of = {}  # the shapes of the current or the last computation
         self._task, self._in_panel = None, False
-        self._nodes = {}  # of (kind, name)
+        self._nodes = {}  # {(kind, name): node}
 
     def show(self, kind):
-        """Draw CURVATURE or ZEBRA, as soon as it is computed; None: the objects look as they do
-        themselves."""
+        """Draw CURVATURE or ZEBRA as soon as it is computed.
+
+        None: the objects are drawn as usual.
+        """
         if not self._is_current():
             self._found = None
             self._cancel()
@@ -78,7 +81,7 @@ class SurfaceColours:
             self._compute()
 
     def end(self):
-        """Leave nothing behind."""
+        """Remove all that was added to the views."""
         self._cancel()
         self._undress()
         self._root.removeChild(self._legend.node)
@@ -87,7 +90,7 @@ class SurfaceColours:
         return {obj.Name: Part.getShape(obj) for obj in self._surfaces()}
 
     def _is_current(self):
-        """Whether the objects have the shapes that were computed, wherever they stand now."""
+        """Return whether the objects have the shapes that were computed, at any position."""
         now = self._shapes()
         return now.keys() == self._of.keys() and all(
             shape.isPartner(self._of[name]) for name, shape in now.items()
@@ -98,13 +101,12 @@ class SurfaceColours:
         self._legend.show(False)
 
     def _drop(self, obj):
-        """The shape of an object that is drawn has changed."""
+        """An object that is drawn has another shape."""
         self._found = None
         later(obj, lambda _: self._told_changed())
 
     def _cancel(self):
-        """Compute no more. What another computation of the panel has taken the place of was
-        cancelled by that."""
+        """Stop the computation, unless another computation of the panel has replaced it."""
         if self._task is not None and self._task.wanted:
             (self._computation.drop if self._in_panel else self._task.cancel)()
         self._task = None
@@ -130,7 +132,7 @@ class SurfaceColours:
         self._start(work, done)
 
     def _start(self, run, done):
-        """Let the panel show how far it is, where it has nothing else to show."""
+        """Let the panel show the progress, where it has nothing else to show."""
         self._in_panel = not self._computation.busy
         if self._in_panel:
             self._task = self._computation.start(
@@ -140,7 +142,7 @@ class SurfaceColours:
             self._task = tasks.start(run, done)
 
     def _drawn(self):
-        """[(object, its Surface)] of what was computed."""
+        """Return [(object, its Surface)] of the objects that were computed."""
         return [
             (obj, self._found.surfaces[obj.Name])
             for obj in self._surfaces()
@@ -153,7 +155,7 @@ class SurfaceColours:
                 App.Console.PrintWarning("Seamwright: %s\n" % line)
 
     def _dress(self):
-        """Dress all objects, also the one that is hidden: it is seen at once when it is shown."""
+        """Put coats on all objects, including a hidden one, which then shows its coat at once."""
         for obj, surface in self._drawn():
             if not self._coats.wears(obj):
                 self._coats.put(obj, self._node(obj.Name, surface))
@@ -168,20 +170,21 @@ class SurfaceColours:
 
 
 def work_on(objects):
-    """A callable(progress) -> Found of objects as they are now, which any thread may call; None
-    where it was stopped.
+    """Return a callable(progress) -> Found of objects as they are now, which any thread may call.
 
     The objects after the first have its faces, moved or joined. ``progress`` is a
-    callable(fraction) that returns False to stop. Raises KernelUnavailable when the compiled part
-    is missing.
+    callable(fraction) that returns False to stop; then the result is None. Raises KernelUnavailable
+    when the compiled part is missing.
     """
     works = {obj.Name: _work(local_shape(obj)) for obj in objects}
     return lambda progress: _run(works, progress)
 
 
 def _work(shape):
-    """A callable(progress) -> (ShownMesh, lines) of a shape as it is now, for any thread; None
-    where it was stopped."""
+    """Return a callable(progress) -> (ShownMesh, lines) of a shape as it is now, for any thread.
+
+    Its result is None where it was stopped.
+    """
     mesh_of, edges = curvature_map_later(shape), shape.copy().Edges if shape.Faces else []
 
     def run(progress):
@@ -212,7 +215,7 @@ def _run(works, progress):
 
 
 def draw(kind, surface):
-    """A node that draws a Surface with its CURVATURE or as ZEBRA."""
+    """Return a node that draws a Surface with CURVATURE or as ZEBRA."""
     if kind == ZEBRA:
         return stripes.node(surface.mesh)
     group = coin.SoSeparator()

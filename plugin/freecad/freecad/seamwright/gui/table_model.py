@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The seam table as a Qt model; what cells say and how rows are sorted is in plain.rows."""
+"""The seam table as a Qt model; plain.rows has the texts of cells and the sorting of rows."""
 
 from freecad.seamwright.gui.qt import QtCore, QtGui
 from freecad.seamwright.plain import palette, rows
@@ -21,33 +21,33 @@ class SeamTableModel(QtCore.QAbstractTableModel):
         self._order = None  # (field, descending), or None for worst first
 
     def set_rows(self, all_rows):
-        """Show the rows of another report, with the sorting and filter as they are."""
+        """Show the rows of another report; sorting and filter stay."""
         self._all = list(all_rows)
         self._arrange()
 
     def set_filter(self, wanted):
-        """Show one class only, or what is uncertain (see ``rows.filter_rows``); all for None."""
+        """Show one class, or the uncertain rows (see ``rows.filter_rows``); None shows all rows."""
         self._wanted = wanted
         self._arrange()
 
     def row(self, place):
-        """The Row shown at a place."""
+        """Return the Row at an index of the shown rows."""
         return self._shown[place]
 
     def places_of_edge(self, number):
-        """The places of the shown rows that an edge takes part in."""
+        """Return the indices of the shown rows whose seam has this edge."""
         return [place for place, row in enumerate(self._shown) if number in row.edges]
 
     def rowCount(self, parent=None):
-        """Number of rows shown."""
+        """Return the number of shown rows."""
         return 0 if parent is not None and parent.isValid() else len(self._shown)
 
     def columnCount(self, parent=None):
-        """Number of columns."""
+        """Return the number of columns."""
         return 0 if parent is not None and parent.isValid() else len(rows.COLUMNS)
 
     def data(self, index, role=Qt.DisplayRole):
-        """Text, tool tip, alignment and the colour mark of a cell."""
+        """Return text, tool tip, alignment or colour mark of a cell."""
         row, column = self._shown[index.row()], rows.COLUMNS[index.column()]
         if role == Qt.DisplayRole:
             return rows.cell_text(row, column)
@@ -60,7 +60,7 @@ class SeamTableModel(QtCore.QAbstractTableModel):
         return None
 
     def headerData(self, section, orientation, role=Qt.DisplayRole):
-        """Column headings and their tool tips."""
+        """Return the heading of a column or its tool tip."""
         if orientation != Qt.Horizontal:
             return None
         column = rows.COLUMNS[section]

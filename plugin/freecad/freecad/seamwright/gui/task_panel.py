@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The task panel: summary, seam table with filter, tolerances, export."""
+"""The task panel of Seam Analysis: summary, seam table with filter, tolerances, export."""
 
 import FreeCADGui as Gui
 
@@ -26,14 +26,16 @@ DOCK_WIDTH = 600
 class TaskPanel:
     """Shows one Seam Analysis.
 
-    A click on a row selects the seam's edge, marks its worst point and zooms to it; picking an edge
-    in the 3D view selects its row. It measures in a thread, and the object stays as it was until
-    that is done.
+    A click on a row selects the edge of the seam, marks its worst point and zooms to it. Picking an
+    edge in the 3D view selects its row. The panel measures in a thread; the object stays unchanged
+    until that has ended.
     """
 
     def __init__(self, obj, created):
-        """``created``: nothing was measured yet; the object is removed where that is cancelled, or
-        fails."""
+        """``created``: nothing was measured yet.
+
+        The object is removed where the first computation is cancelled or fails.
+        """
         self.obj = obj
         self._doc, self._name = obj.Document, obj.Name
         self._created = created
@@ -49,10 +51,10 @@ class TaskPanel:
         if created:
             self._measure()
 
-    # What FreeCAD asks of a task panel.
+    # Methods that FreeCAD calls.
 
     def getStandardButtons(self):
-        """A close button."""
+        """Return a close button."""
         return buttons("Close")
 
     def open(self):
@@ -60,7 +62,7 @@ class TaskPanel:
         widen_dock(self.form, DOCK_WIDTH)
 
     def reject(self):
-        """Stop what is computed; when nothing is, close the panel."""
+        """Stop a running computation; without one, close the panel."""
         if self.computation.stop():
             return self._name is None
         Gui.getDocument(self._doc.Name).resetEdit()
@@ -124,7 +126,7 @@ class TaskPanel:
             line.addWidget(button)
         return line
 
-    # What it does.
+    # Actions.
 
     def refresh(self):
         """Show the results as they are stored now."""
@@ -150,11 +152,11 @@ class TaskPanel:
         self._tolerances_changed()
 
     def recompute(self, *_):
-        """Analyse with the tolerances as the fields say, as one step that can be undone."""
+        """Analyse with the tolerances of the fields, as one step that can be undone."""
         self._measure()
 
     def reload(self):
-        """The object was changed from outside, such as by a step back: show it as it is now."""
+        """Show the object as it is now, after a change from outside such as an undo."""
         if self._values() != self._read:
             self._read_fields()
         if self._state() != self._shown:
@@ -193,7 +195,7 @@ class TaskPanel:
         self.computation.follow(plan, keep, self._left)
 
     def _left(self, why):
-        """Say why a computation came to nothing; of the first one nothing stays."""
+        """Say why a computation has no result; the object of the first computation is removed."""
         if self._created:
             self._withdraw()
             messages.say("%s; nothing was analysed." % why)
@@ -207,16 +209,16 @@ class TaskPanel:
         Gui.getDocument(self._doc.Name).resetEdit()
 
     def sort_worst_first(self, *_):
-        """Go back to the order the table began with."""
+        """Restore the initial order of the table."""
         self.table.horizontalHeader().setSortIndicator(-1, QtCore.Qt.AscendingOrder)
         self.model.sort(-1)
 
     def leave(self):
-        """Drop the selection made from the table, and follow that of the view no longer."""
+        """Clear the selection, and stop computing and observing the view."""
         self.computation.drop()
         self.picker.stop()
         Gui.Selection.clearSelection()
-        if self._created:  # FreeCAD ends the editing before anything was measured
+        if self._created:  # FreeCAD ended the editing before anything was measured
             self._doc.commitTransaction()
             later(self.obj, lambda obj: remove(obj.Document, obj.Name))
 
@@ -243,11 +245,11 @@ class TaskPanel:
                 )
 
     def _edge_picked(self, number):
-        """Select the rows of an edge, when FreeCAD is done with its own selecting."""
+        """Select the rows of an edge once FreeCAD has finished its own selection."""
         QtCore.QTimer.singleShot(0, lambda: self.picker.active and self.select_edge(number))
 
     def select_edge(self, number):
-        """Select the rows of the seams that an edge takes part in; the view stays as it is."""
+        """Select the rows of the seams that have an edge; the view stays as it is."""
         places = self.model.places_of_edge(number)
         if not places:
             self.filter.setCurrentIndex(0)
@@ -265,7 +267,7 @@ class TaskPanel:
 
 
 def _repair():
-    Gui.runCommand("Seamwright_RepairSeams")  # it closes the panel
+    Gui.runCommand("Seamwright_RepairSeams")  # closes the panel
 
 
 def _swatch(rgb):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Long work in threads of its own; what came of it is told in the thread of the window.
+"""Long work in separate threads; its results are delivered in the thread of the window.
 
-A thread of a task touches neither documents nor widgets. A timer of the window looks at the tasks,
+The thread of a task accesses neither documents nor widgets. A timer of the window polls the tasks,
 so no thread ever calls into the window.
 """
 
@@ -17,7 +17,7 @@ LOOK_EVERY_MS = 30
 
 
 class Task:
-    """Work in a thread; ``fraction`` is how much of it is done, 0 to 1."""
+    """Work in a thread; ``fraction`` is the part that is done, 0 to 1."""
 
     def __init__(self, run, done):
         self.fraction = 0.0
@@ -27,15 +27,15 @@ class Task:
         self._thread = threading.Thread(target=self._work, name="seamwright")
 
     def start(self):
-        """Begin to work."""
+        """Start the work."""
         self._thread.start()
 
     def cancel(self):
-        """Stop as soon as the work asks; nothing is told of it any more."""
+        """Stop when the work next reports progress; its result is not delivered."""
         self.wanted = False
 
     def is_over(self):
-        """Whether the thread has ended."""
+        """Return whether the thread has ended."""
         return not self._thread.is_alive()
 
     def join(self):
@@ -43,14 +43,14 @@ class Task:
         self._thread.join()
 
     def tell(self):
-        """Say what came of it, to somebody who still wants to know."""
+        """Deliver the result, unless the task was cancelled."""
         if self.wanted:
             self._done(self._found, self._error)
 
     def _work(self):
         try:
             self._found = self._run(self._progress)
-        except BaseException as error:  # told in the window's thread
+        except BaseException as error:  # delivered in the window's thread
             self._error = error
 
     def _progress(self, fraction):
@@ -59,7 +59,7 @@ class Task:
 
 
 class Tasks:
-    """The tasks of the window. Those that were cancelled count until their threads have ended."""
+    """The tasks of the window; a cancelled task counts until its thread has ended."""
 
     def __init__(self):
         self._running = []
@@ -69,15 +69,15 @@ class Tasks:
 
     @property
     def idle(self):
-        """Whether no thread works and nothing is left to be told."""
+        """Whether no thread works and no result waits for delivery."""
         return not self._running
 
     def start(self, run, done):
-        """Call ``run(progress)`` in a thread and then, in this one, ``done(found, error)``: what it
-        returned, or raised.
+        """Call ``run(progress)`` in a thread and then ``done(found, error)`` in this one.
 
-        ``done`` is not called after ``cancel`` of the Task, which is returned; nor while a document
-        is being recomputed, or a dialog waits for its answer, but after that.
+        ``found`` and ``error`` are the return value of ``run`` and the error that it raised.
+        Returns the Task. ``done`` is not called after ``cancel`` of the Task. While a document is
+        being recomputed or a dialog waits for its answer, the call is delayed.
         """
         if self._timer is None:
             self._timer = QtCore.QTimer()
@@ -86,7 +86,7 @@ class Tasks:
             QtWidgets.QApplication.instance().aboutToQuit.connect(self.end)
         if not self._running:
             self._collects = gc.isenabled()
-            gc.disable()  # a collection in another thread would delete widgets there
+            gc.disable()  # a garbage collection in another thread would delete widgets there
         task = Task(run, done)
         self._running.append(task)
         task.start()
@@ -95,8 +95,7 @@ class Tasks:
 
     @contextlib.contextmanager
     def hold(self):
-        """Within it nothing is told: work goes on that FreeCAD waits for, and lets the window live
-        meanwhile."""
+        """Delay all results while FreeCAD waits for work that keeps the window alive."""
         self._held += 1
         try:
             yield
@@ -135,8 +134,10 @@ class Tasks:
 
 
 def documents_rest():
-    """Whether documents may be changed now: none is within a recompute or a step back, or being
-    opened."""
+    """Return whether documents may be changed now.
+
+    No document may be within a recompute or an undo, or being opened.
+    """
     documents = App.listDocuments().values()
     return not any(doc.Recomputing or doc.Transacting or doc.Restoring for doc in documents)
 

@@ -5,7 +5,7 @@ from freecad.seamwright.document import properties
 from freecad.seamwright.gui.qt import QtCore, QtWidgets
 from freecad.seamwright.plain import profiles
 
-#: property, label, unit shown behind the number, largest value
+#: property, label, unit shown after the number, largest value
 FIELDS = (
     ("GapTolerance", "Gap", " mm", 1e6),
     ("AngleTolerance", "Angle", "\u00b0", 90.0),
@@ -17,14 +17,14 @@ FIELDS = (
     ("SectionTolerance", "Patches to fillets", " mm", 0.1),
 )
 
-#: Fields whose zero means that the thing is not done.
+#: Fields whose zero switches the function off.
 OFF_AT_ZERO = ("MatchDistance",)
 
 CUSTOM = "Custom"
 
 
 class NumberField(QtWidgets.QDoubleSpinBox):
-    """A number that is written with as many digits as it has, not with a fixed count."""
+    """A number shown with as many digits as it has, not with a fixed number of digits."""
 
     def __init__(self, unit, largest):
         super().__init__()
@@ -34,15 +34,15 @@ class NumberField(QtWidgets.QDoubleSpinBox):
         self.setStepType(QtWidgets.QAbstractSpinBox.AdaptiveDecimalStepType)
 
     def textFromValue(self, value):
-        """At most nine significant digits, with the decimal point of the language."""
+        """Return at most nine significant digits, with the decimal point of the language."""
         return ("%.9g" % value).replace(".", str(self.locale().decimalPoint()))
 
 
 class ToleranceForm(QtWidgets.QWidget):
-    """Fields for the tolerances of an object, by a table of its module; nothing is written,
-    ``values`` says what they say.
+    """Fields for the tolerances of an object, from a table of its module.
 
-    ``choice``: the property for the level of continuity, and its values; None where there is none.
+    The form changes no object; ``values`` returns the values of its fields. ``choice``: (property
+    for the level of continuity, its values), or None without one.
     """
 
     changed = QtCore.Signal()
@@ -99,7 +99,7 @@ class ToleranceForm(QtWidgets.QWidget):
                 field.setValue(
                     profiles.PROFILES[name].get(self._arguments[field_name], field.value())
                 )
-        self._field_changed()  # "Custom" by itself changes nothing
+        self._field_changed()  # choosing "Custom" changes nothing
 
     def _field_changed(self, *_):
         values = {self._arguments[name]: field.value() for name, field in self.fields.items()}
@@ -115,10 +115,10 @@ class ToleranceForm(QtWidgets.QWidget):
         self._field_changed()
 
     def differs_from(self, obj):
-        """Whether a field says something else than the object."""
+        """Return whether the value of a field differs from that of the object."""
         return bool(properties.differing(obj, self.values()))
 
     def values(self):
-        """{property: value} as the fields say."""
+        """Return the {property: value} of the fields."""
         level = {self._level_name: self.level.currentText()} if self._level_name else {}
         return {**level, **{name: field.value() for name, field in self.fields.items()}}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How a Seam Analysis looks: coloured edges and a legend.
+"""The view of a Seam Analysis: coloured edges and a legend.
 
 The class path is written into documents: neither rename nor move it.
 """
@@ -43,26 +43,26 @@ class SeamAnalysisView(PanelView):
         self._refresh_later(vobj.Object)
 
     def make_panel(self, obj, created):
-        """The task panel."""
+        """Return the task panel."""
         return TaskPanel(obj, created)
 
     def updateData(self, obj, prop):
-        """Follow the results."""
+        """Update the colours and the legend when the results change."""
         super().updateData(obj, prop)
         if prop in ("Shape", "Label", "Report"):
             self._refresh_later(obj)
-        elif prop == "Summary":  # written last, when FreeCAD has drawn the new Shape
+        elif prop == "Summary":  # written last, after FreeCAD has drawn the new Shape
             self._refresh(obj.ViewObject)
 
     def onChanged(self, vobj, prop):
-        """Follow the view properties that concern the legend or make FreeCAD draw again."""
+        """React to the view properties that concern the legend or make FreeCAD redraw."""
         if prop == "LineWidth":
             self.line_width = vobj.LineWidth
         if prop in DRAWN_ANEW and hasattr(self, "legend"):
             self._refresh_later(vobj.Object)
 
     def _refresh_later(self, obj):
-        """Refresh once FreeCAD has drawn: drawing the edges again drops their colours."""
+        """Refresh once FreeCAD has drawn, since redrawing the edges drops their colours."""
         later(obj, lambda found: self._refresh(found.ViewObject))
 
     def _refresh(self, vobj):
@@ -85,7 +85,7 @@ class SeamAnalysisView(PanelView):
 
 
 def add_properties(vobj):
-    """Add the view properties an object lacks."""
+    """Add the view properties that an object lacks."""
     present = vobj.PropertiesList
     if "ShowLegend" not in present:
         vobj.addProperty("App::PropertyBool", "ShowLegend", "Legend", "Show the legend in the view")
@@ -97,7 +97,7 @@ def add_properties(vobj):
 
 
 def attach_view(obj):
-    """Give an analysis its view provider if it has none; only its legend is shown from now on."""
+    """Give an analysis its view provider if it has none; then only its legend is shown."""
     vobj = obj.ViewObject
     if vobj is None or isinstance(vobj.Proxy, SeamAnalysisView):
         return

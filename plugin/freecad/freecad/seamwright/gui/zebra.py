@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Zebra stripes on document objects: a way of looking that changes neither document nor shapes.
+"""Zebra stripes on document objects; they change neither documents nor shapes.
 
-The stripes follow the shape, the place and the visibility of their object, and end with it.
+The stripes follow the shape, the position and the visibility of their object, and are removed with
+it.
 """
 
 import FreeCAD as App
@@ -21,11 +22,11 @@ class Zebra:
         self._stale = set()
 
     def objects(self, doc):
-        """The objects of a document that are striped."""
+        """Return the objects of a document that have stripes."""
         return self._coats.objects(doc)
 
     def show(self, objects):
-        """Draw stripes on the objects, as their shapes are now; False when the user cancelled."""
+        """Draw stripes on the objects as they are now; return False when the user cancelled."""
         with progress_dialog("Computing zebra stripes\u2026") as progress:
             for place, obj in enumerate(objects):
                 found = display_mesh(
@@ -40,11 +41,11 @@ class Zebra:
         return True
 
     def hide(self, objects):
-        """Take the stripes off the objects."""
+        """Remove the stripes of the objects."""
         self._coats.take_off(objects)
 
     def _follow_shape(self, obj):
-        """Draw the stripes of a changed object again, once FreeCAD is done with its recompute."""
+        """Redraw the stripes of a changed object, once FreeCAD has finished its recompute."""
         if not self._stale:
             QtCore.QTimer.singleShot(0, self._redraw)
         self._stale.add(key(obj))

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is said about a corner of several fillets.
+"""The texts about a corner of several fillets.
 
-The report is a dict: ``tolerance``, ``met``, ``reason`` (why not), ``edges`` (a dict each of edge,
-convex, angle_deg, radius_mm, contact_mm, setback_mm, with the numbers of the source) and ``seams``
-(see new_seams).
+The report is a dict with the keys ``tolerance``, ``met``, ``reason`` (why the target is not met),
+``edges`` and ``seams`` (see new_seams). ``edges`` has a dict for each edge: edge, convex,
+angle_deg, radius_mm, contact_mm, setback_mm. The numbers of edges are those of the source.
 """
 
 import math
@@ -14,7 +14,7 @@ TARGET = "G1"
 
 EMPTY_REPORT = {"tolerance": {}, "met": False, "reason": "", "edges": [], "seams": []}
 
-#: What the kernel's words for new seams mean.
+#: The faces that meet at a new seam, by the kernel's word for the seam.
 BETWEEN = {
     "spoke": "two patches",
     "section": "patch, fillet",
@@ -22,12 +22,12 @@ BETWEEN = {
     "contact": "fillet, face",
 }
 
-#: A radius that is suggested is this part of the shortest edge, to one digit.
+#: A suggested radius is this part of the length of the shortest edge, rounded down to one digit.
 SUGGESTED = 0.1
 
 
 def build_report(found, tolerance):
-    """The report from what the kernel found."""
+    """Build the report from the result of the kernel."""
     seams = [
         new_seams.deciding({**seam, "between": BETWEEN[seam["between"]]}, TARGET)
         for seam in found["seams"]
@@ -44,7 +44,7 @@ def build_report(found, tolerance):
 
 
 def summary_text(report):
-    """One line: what was rounded and how its seams are, or why nothing was."""
+    """Return one line: the radii and the new seams, or the reason why nothing was rounded."""
     if not report["met"]:
         return "Not rounded: %s." % report["reason"].rstrip(".")
     radii = ", ".join(enclosure.number(edge["radius_mm"]) for edge in report["edges"])
@@ -54,17 +54,17 @@ def summary_text(report):
 
 
 def waiting_text(edges):
-    """What would be done."""
+    """Say how many edges a computation would round."""
     return "%s to round." % summary.counted(len(edges), "edge")
 
 
 def new_faces(report):
-    """The numbers of the patches and the fillets."""
+    """Return the numbers of the patches and of the fillets."""
     return _faces(report, "spoke", "section")
 
 
 def patches(report):
-    """The numbers of the patches of the corner."""
+    """Return the numbers of the patches of the corner."""
     return _faces(report, "spoke")
 
 
@@ -76,20 +76,22 @@ def _faces(report, *words):
 
 
 def edge_text(edge):
-    """ "convex, 90°": an edge of the report between its faces."""
+    """ "convex, 90°": the kind of an edge of the report and the angle between its faces."""
     return "%s, %.4g\u00b0" % ("convex" if edge["convex"] else "concave", edge["angle_deg"])
 
 
 def suggested_radius_mm(lengths_mm):
-    """A radius that mostly has room at a corner of edges so long."""
+    """Return a radius that usually fits a corner whose edges have these lengths."""
     wanted = SUGGESTED * min(lengths_mm)
     unit = 10.0 ** math.floor(math.log10(wanted))
     return float("%.12g" % (unit * math.floor(wanted / unit + 1e-9)))
 
 
 def by_edge(numbers, edges, name):
-    """{edge: number} for a number each, or one number for all. Raises ValueError for another
-    count."""
+    """Return {edge: number} for one number for each edge, or one number for all edges.
+
+    Raises ValueError for any other count of numbers.
+    """
     if len(numbers) == 1:
         numbers = list(numbers) * len(edges)
     if len(numbers) != len(edges):

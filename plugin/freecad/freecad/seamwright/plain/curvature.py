@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Colours that say how a surface is bent: white where its mean curvature is 0, orange where it is
-hollow, blue where it bulges.
+"""Colours for the mean curvature of a surface.
 
-They grow darker with the curvature, to both sides alike, so that every eye tells flat from bent and
-hollow from bulging.
+White means mean curvature 0. Orange means that the surface is hollow, blue that it bulges. Both
+colours grow darker with the curvature in the same way. So readers with any colour vision can tell
+flat from curved and hollow from bulging.
 """
 
 import math
@@ -13,7 +13,8 @@ import numpy
 
 from freecad.seamwright.plain import enclosure
 
-#: Share of the limit, and its colour (red, green, blue, each 0..255); between them it is mixed.
+#: (share of the limit, colour); a colour is (red, green, blue), each 0..255. Colours between the
+#: entries are interpolated.
 RAMP = (
     (-1.0, (5, 48, 97)),
     (-0.8, (33, 102, 172)),
@@ -28,19 +29,20 @@ RAMP = (
     (1.0, (127, 59, 8)),
 )
 
-#: Where a surface has no curvature, such as at the tip of a cone.
+#: Colour of points where the curvature is undefined, such as the tip of a cone.
 UNTOLD = (128, 128, 128)
 
-#: So much of the area may lie beyond the limit at each end.
+#: At each end, this share of the area may lie beyond the limit.
 TAIL = 0.02
 
-#: In 1/mm: what is bent less is flat; its radius is 10 km.
+#: Smaller curvatures count as flat, in 1/mm. The radius of this one is 10 km.
 FLAT = 1e-7
 
-#: The first digits of a limit, and how far a limit may lie below what it was rounded from.
+#: The leading digits that a limit may have, and the relative amount by which a limit may lie below
+#: the value that it was rounded from.
 ROUND, ROUNDED_DOWN = (1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10), 1e-3
 
-#: Shares of the limit that the legend has a line for.
+#: The shares of the limit for which the legend has a line.
 LEGEND_SHARES = (1.0, 0.75, 0.5, 0.25, 0.0, -0.25, -0.5, -0.75, -1.0)
 
 TITLE = "Mean curvature"
@@ -49,22 +51,23 @@ MINUS = "\u2212"
 
 @dataclass(frozen=True)
 class Sample:
-    """A colour of the legend."""
+    """One colour of the legend."""
 
     rgb: tuple
 
 
 def areas(points, triangles):
-    """The share of the area of the triangles that belongs to each point: a third of those around
-    it."""
+    """Return the area of each point: a third of the area of the triangles around it."""
     a, b, c = (points[triangles[:, corner]] for corner in range(3))
     each = numpy.linalg.norm(numpy.cross(b - a, c - a), axis=1) / 6
     return numpy.bincount(triangles.ravel(), numpy.repeat(each, 3), len(points))
 
 
 def quantiles(values, weights, shares):
-    """For each share the least value up to which that share of the weight lies; zeros where there
-    is no weight."""
+    """For each share, return the least value up to which that share of the weight lies.
+
+    Returns zeros where the total weight is zero.
+    """
     order = numpy.argsort(values)
     sums = numpy.cumsum(weights[order])
     if not len(values) or sums[-1] <= 0:
@@ -74,11 +77,11 @@ def quantiles(values, weights, shares):
 
 
 def limit(values, weights):
-    """The curvature, in 1/mm, that has the end colour: nearly all of the area lies within it, to
-    both sides of 0.
+    """Return the curvature, in 1/mm, that gets the end colour: a round number.
 
-    It is a round figure. Where nearly all is flat it is the largest curvature; 0 where nothing is
-    bent.
+    All of the area except ``TAIL`` at each end has a smaller absolute curvature. Where this
+    curvature is flat, the largest absolute curvature is taken instead. The limit is 0 where that is
+    flat too.
     """
     told = numpy.isfinite(values)
     values, weights = values[told], weights[told]
@@ -94,8 +97,10 @@ def _round_up(value):
 
 
 def colours(values, limit_per_mm):
-    """The colour of each curvature, as rows of numbers 0..1; those beyond the limit have the
-    colours of the ends."""
+    """Return the colour of each curvature as rows of numbers 0..1.
+
+    Curvatures beyond the limit get the colours of the ends.
+    """
     told = numpy.isfinite(values)
     shares = (
         numpy.where(told, values, 0.0) / limit_per_mm
@@ -109,13 +114,15 @@ def colours(values, limit_per_mm):
 
 
 def legend(limit_per_mm):
-    """Title, entries and footer."""
+    """Return title, entries and footer."""
     return TITLE, legend_entries(limit_per_mm), legend_footer(limit_per_mm)
 
 
 def legend_entries(limit_per_mm):
-    """[(Sample, "0.02 1/mm", "ball of radius 50 mm")], the most hollow first; one line where
-    nothing is bent."""
+    """Return [(Sample, "0.02 1/mm", "as a ball of radius 50 mm")], the most hollow first.
+
+    Has one line where the whole surface is flat.
+    """
     if limit_per_mm <= 0:
         return [_entry(0.0, 1.0)]
     return [_entry(share * limit_per_mm, limit_per_mm) for share in LEGEND_SHARES]
@@ -132,13 +139,13 @@ def _entry(value, limit_per_mm):
 
 
 def signed(value):
-    """A curvature with its sign, to three digits."""
+    """Return a curvature as text with its sign, to three digits."""
     sign = MINUS if value < 0 else "+" if value > 0 else ""
     return sign + enclosure.number(abs(value))
 
 
 def legend_footer(limit_per_mm):
-    """What the signs mean, and what becomes of curvatures beyond the limit."""
+    """Say what the signs mean and which colours curvatures beyond the limit have."""
     signs = "+ hollow, %s bulging, seen from where the normals point" % MINUS
     if limit_per_mm <= 0:
         return signs

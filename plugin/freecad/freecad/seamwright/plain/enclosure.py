@@ -1,33 +1,37 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Figures as short words, as plugin/report/enclosure.cpp writes them for the command.
+"""Figures as short texts, as plugin/report/enclosure.cpp writes them for the command.
 
-    2.01        enclosed to 1 %: three digits, and as many more as tell it from the limit
-    <=1.2e-13   far below the limit, or nothing is known but that it is no larger
-    0.12..0.15  a wider enclosure, or one that holds the limit; rounded outward
-    >=0.3       no upper bound is known: this was seen, there may be more
+    2.01        enclosed to 1 %: three digits, or more where these are needed to tell it from the
+                limit
+    <=1.2e-13   far below the limit, or only an upper bound is known
+    0.12..0.15  a wider enclosure, or one that contains the limit; rounded outward
+    >=0.3       only a lower bound is known: this value was seen, a larger one may exist
     0           exactly zero
 
-with the signs U+2264 and U+2265 for <= and >=. Stored reports must be shown where the compiled
-module is missing, hence the second pen; tests/data/enclosure_texts.json binds the two.
+The texts have the signs U+2264 and U+2265 for <= and >=. Stored reports must be readable where the
+compiled module is missing. So the code exists twice; tests/data/enclosure_texts.json checks that
+both give the same texts.
 """
 
 import math
 
 FEW_DIGITS, ALL_DIGITS = 3, 17
 
-#: A width up to this part of the upper bound is no width to speak of.
+#: An enclosure whose width is at most this part of its upper bound is shown as one number.
 TIGHT = 0.01
 
-#: Below this part of the limit, or of the upper bound, a value is as good as zero.
+#: A value below this part of the limit, or of the upper bound, counts as zero.
 NEGLIGIBLE = 0.01
 
-#: Of the last digit: 2 - 1e-15 is 2, not 1.99.
+#: Rounding outward ignores this part of the last digit: 2 - 1e-15 is shown as 2, not as 1.99.
 ROUNDING_NOISE = 1e-6
 
 
 def text(figure, factor=1.0, limit=None):
-    """A figure {lower, upper, at} times ``factor``; ``limit`` is what is accepted, in the unit
-    shown."""
+    """Return a figure {lower, upper, at} times ``factor`` as text.
+
+    ``limit`` is the accepted value, in the unit that is shown.
+    """
     lower = factor * figure["lower"]
     if figure.get("upper") is None:
         return "\u2265" + number(lower)
@@ -43,9 +47,10 @@ def text(figure, factor=1.0, limit=None):
 
 
 def number(value, digits=FEW_DIGITS, rounding=None):
-    """The value, not negative, to so many significant digits; one less in a notation with exponent.
+    """Return a value that is not negative as text with so many significant digits.
 
-    ``rounding`` is math.floor or math.ceil, None for the nearest.
+    In a notation with exponent it has one digit less. ``rounding`` is math.floor or math.ceil; None
+    rounds to the nearest.
     """
     if value == 0:
         return "0"
@@ -71,7 +76,7 @@ def _stripped(digits):
 
 
 def _number_beside(value, limit):
-    """Digits enough to be on the same side of the limit as the value itself."""
+    """Return enough digits for the text to lie on the same side of the limit as the value."""
     for digits in range(FEW_DIGITS, ALL_DIGITS + 1):
         shown = number(value, digits)
         if limit is None or (float(shown) > limit) == (value > limit):

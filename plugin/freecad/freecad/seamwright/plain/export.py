@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Reports as CSV and JSON files.
 
-A file is written beside its target and renamed, so a reader never meets half of one and a
-failed export leaves an older file as it was.
+A file is written beside its target and then renamed. So a reader never finds a half-written file,
+and a failed export leaves an older file unchanged.
 """
 
 import csv
@@ -22,12 +22,16 @@ class ExportError(Exception):
 
 
 def json_text(report):
-    """The report as JSON, with the key "freecad" saying which object each number belongs to."""
+    """Return the report as JSON; its key "freecad" says to which object each number belongs."""
     return json.dumps(report, indent=2, ensure_ascii=False) + "\n"
 
 
 def csv_text(report):
-    """One line a seam; each figure as three columns: lower, upper, at. Empty where unmeasured."""
+    """Return the report as CSV with one line for each seam.
+
+    Each figure has three columns: lower, upper, at. Cells of figures that were not measured are
+    empty.
+    """
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
     parts = [
@@ -53,7 +57,7 @@ def _csv_line(report, seam):
 
 
 def write(report, path):
-    """Write the report to ``path``: CSV for a name ending in .csv, JSON for .json.
+    """Write the report to ``path``: as CSV for a name ending in .csv, as JSON for .json.
 
     Raises ExportError for another ending, a missing folder, or a file that cannot be written.
     """
@@ -84,7 +88,7 @@ def _replace(path, folder, text):
 
 
 def _mode_for(path):
-    """Permissions of the file that is replaced, or those of a new file."""
+    """Return the permissions of the file that is replaced, or those of a new file."""
     if os.path.exists(path):
         return os.stat(path).st_mode & 0o777
     mask = os.umask(0)

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is said about holes and their fills.
+"""The texts about holes and their fills.
 
-The report is a dict: ``target``, ``tolerance``, and ``fills``, a dict each of ``hole`` (its number,
-or None), ``face`` (the number of the face that was replaced, or None), ``filled``, ``reached``,
-``reason``, ``faces`` (the new ones) and ``seams`` (see new_seams). Numbers of faces and edges are
-those of the result, in reasons those of the source.
+The report is a dict with the keys ``target``, ``tolerance`` and ``fills``. ``fills`` has a dict for
+each fill: ``hole`` (its number, or None), ``face`` (the number of the face that was replaced, or
+None), ``filled``, ``reached``, ``reason``, ``faces`` (the new faces) and ``seams`` (see new_seams).
+The numbers of faces and edges are those of the result; in reasons they are those of the source.
 """
 
 from freecad.seamwright.plain import new_seams, repair_text, summary
@@ -15,22 +15,24 @@ EMPTY_REPORT = {"target": "G1", "tolerance": {}, "fills": []}
 
 
 def edges_of(hole):
-    """The numbers of the edges of a hole, in its order."""
+    """Return the numbers of the edges of a hole, in the order of the hole."""
     return [number for side in hole["sides"] for number in side["edges"]]
 
 
 def default_holes(holes):
-    """The holes that are filled when none is chosen: the longest loop of connected faces is mostly
-    their rim.
+    """Return the holes that are filled when the user chooses none.
 
-    Where each is the longest, all of them.
+    These are all holes except the longest loop of each connected set of faces, since that is
+    usually its outer boundary. Where every hole is such a loop, these are all holes.
     """
     return [hole for hole in holes if not hole["longest"]] or list(holes)
 
 
 def chosen_holes(holes, edges):
-    """The holes that the edges are of, one edge is enough. Raises ValueError for an edge that is of
-    none."""
+    """Return the holes to which the edges belong; one edge of a hole is enough.
+
+    Raises ValueError for an edge that belongs to no hole.
+    """
     owners = {number: hole for hole in holes for number in edges_of(hole)}
     for number in edges:
         if number not in owners:
@@ -42,8 +44,10 @@ def chosen_holes(holes, edges):
 
 
 def hole_text(hole, holes):
-    """ "Hole 2: 4 sides, 63.1 mm around (5, 0, 2.5)", with a remark at one that is not filled unless
-    it is chosen."""
+    """ "Hole 2: 4 sides, 63.1 mm around (5, 0, 2.5)".
+
+    A hole that is not filled by default has a remark.
+    """
     sides = summary.counted(len(hole["sides"]), "side") if hole["has_corners"] else "no corner"
     centre = ", ".join("%.4g" % (round(coordinate, 9) + 0.0) for coordinate in hole["centre_mm"])
     text = "Hole %d: %s, %.4g mm around (%s)" % (hole["id"], sides, hole["length_mm"], centre)
@@ -51,13 +55,15 @@ def hole_text(hole, holes):
 
 
 def hole_tip(hole):
-    """The edges of a hole by their names."""
+    """Return the names of the edges of a hole."""
     return repair_text.edges_text({"edges": edges_of(hole)})
 
 
 def entry(found, hole=None, face=None):
-    """What is kept of a fill, ``found``: what the kernel says. Numbers are those of the filled
-    model."""
+    """Return the entry of a fill in the report.
+
+    ``found``: the result of the kernel. The numbers are those of the filled model.
+    """
     new = set(found["faces"])
     seams = [
         new_seams.deciding({**seam, "between": _between(seam, new, face)}, found["target"])
@@ -76,7 +82,7 @@ def entry(found, hole=None, face=None):
 
 
 def old_number(number, new, replaced):
-    """The number in the source of a face of the filled model; None for a new one."""
+    """Return the number in the source of a face of the filled model; None for a new face."""
     if number in new:
         return None
     number -= sum(other < number for other in new)
@@ -90,22 +96,22 @@ def _between(seam, new, replaced):
 
 
 def every_seam(report):
-    """The seams of all fills."""
+    """Return the seams of all fills."""
     return [seam for fill in report["fills"] for seam in fill["seams"]]
 
 
 def kept(report):
-    """The fills that are in the result."""
+    """Return the fills that are part of the result."""
     return [fill for fill in report["fills"] if fill["filled"]]
 
 
 def missed(report):
-    """The fills that do not reach the target, kept or not."""
+    """Return the fills that do not reach the target, whether kept or not."""
     return [fill for fill in report["fills"] if not fill["reached"]]
 
 
 def new_faces(report):
-    """(numbers of the new faces, number of the face that they replace or None)."""
+    """Return (numbers of the new faces, number of the face that they replace or None)."""
     replaced = [fill["face"] for fill in kept(report)]
     return {number for fill in kept(report) for number in fill["faces"]}, replaced[
         0
@@ -113,7 +119,10 @@ def new_faces(report):
 
 
 def waiting_text(faces, holes):
-    """What would be done: names of faces that are replaced, none or one, or numbers of holes."""
+    """Say what a computation would fill or replace.
+
+    ``faces``: the name of the face that is replaced, or none; ``holes``: the numbers of the holes.
+    """
     return (
         "%s to replace." % faces[0]
         if faces
@@ -127,12 +136,15 @@ def name_of(fill):
 
 
 def reasons(report):
-    """A line for each fill that misses the target."""
+    """Return a line for each fill that misses the target."""
     return ["%s: %s" % (name_of(fill), fill["reason"].rstrip(".") + ".") for fill in missed(report)]
 
 
 def summary_text(report):
-    """One line: how many holes were filled to what; why not, where just one was wanted."""
+    """Return one line: how many holes were filled and the seams of the fills.
+
+    Where the only fill failed, the line gives the reason.
+    """
     fills, done, target = report["fills"], kept(report), report["target"]
     if len(fills) == 1 and not done:
         return "Not filled: %s" % reasons(report)[0]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Finding the compiled kernel, the Python module ``seamwright``, or saying why not."""
+"""Find the compiled kernel, the Python module ``seamwright``, or say why it cannot be used."""
 
 import json
 import os
@@ -9,14 +9,14 @@ BUILT_FOR = os.path.join(os.path.dirname(os.path.dirname(__file__)), "built_for.
 
 
 class KernelUnavailable(Exception):
-    """The compiled module cannot be used here; the text says what it was built for."""
+    """The compiled module cannot be used here; the text says for what it was built."""
 
 
 def load(occt_version):
-    """The module ``seamwright``, checked against FreeCAD's OpenCASCADE (such as "7.6.3").
+    """Return the module ``seamwright``, checked against FreeCAD's OpenCASCADE (such as "7.6.3").
 
-    Raises KernelUnavailable when it is missing, does not load in this Python, or was built
-    for another OpenCASCADE. Releases that differ in the third number work together.
+    Raises KernelUnavailable when the module is missing, does not load in this Python, or was built
+    for another OpenCASCADE. Releases that differ only in the third number are compatible.
     """
     built = built_for()
     _check_occt(built.get("occt"), occt_version)
@@ -29,7 +29,7 @@ def load(occt_version):
 
 
 def built_for():
-    """{"python": "3.11", "occt": "7.6.3"} as noted by the build; empty when not noted."""
+    """Return {"python": "3.11", "occt": "7.6.3"} as the build noted it, or {}."""
     if not os.path.exists(BUILT_FOR):
         return {}
     with open(BUILT_FOR, encoding="utf-8") as file:

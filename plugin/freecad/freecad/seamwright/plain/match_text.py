@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is said about two matched faces: the table before and after, and the summary.
+"""The texts about two matched faces: the table before and after, and the summary.
 
-The report is a dict: what the kernel found (matched, reason, exact, largest_move_mm, before, after;
-the seams are None where the faces have no common boundary), with the ``tolerance`` and the names of
-the ``faces``.
+The report is a dict with the result of the kernel: matched, reason, exact, largest_move_mm, before,
+after. ``before`` and ``after`` are seams, or None where the faces have no common boundary. The
+report also has the ``target``, the ``tolerance`` and the names of the ``faces``.
 """
 
 import re
 
 from freecad.seamwright.plain import enclosure, rows
 
-#: The figures that the table has a row for.
+#: The figures for which the table has a row.
 FIGURES = ("gap_mm", "angle_deg", "curvature_rel")
 HEADINGS = {"gap_mm": "Gap mm", "angle_deg": "Angle \u00b0", "curvature_rel": "Curvature %"}
 UNKNOWN = "\u2013"
@@ -26,7 +26,7 @@ EMPTY_REPORT = {
 
 
 def table(report):
-    """[(heading, before, after)] as the panel shows them."""
+    """Return [(heading, before, after)] as the panel shows them."""
     sides = (report["before"], report["after"] if report["matched"] else None)
     lines = [(HEADINGS[name], *(_figure(seam, name, report) for seam in sides)) for name in FIGURES]
     lines.append(("Level", *(UNKNOWN if seam is None else seam["level"] for seam in sides)))
@@ -45,8 +45,7 @@ def _certain(seam):
 
 
 def summary(report):
-    """One line: that the faces match, by how much they moved and what their seam is like; or why
-    they do not match."""
+    """Return one line: the seam and the largest move, or the reason why the faces do not match."""
     if not report["matched"]:
         return "Not matched: %s." % report["reason"].rstrip(".")
     parts = ["%s is met" % report["target"]]
@@ -60,7 +59,7 @@ def summary(report):
 
 
 def named(text, faces, edge_name):
-    """A sentence of the kernel with its faces 1 and 2, and its edges, called by their names.
+    """Return a sentence of the kernel with the names of its edges and of its faces 1 and 2.
 
     ``edge_name`` is a callable(number).
     """
@@ -73,5 +72,8 @@ def named(text, faces, edge_name):
 
 
 def value(seam, name):
-    """The number for a figure of a seam: its upper bound, else the largest seen, else 0."""
+    """Return the number for a figure of a seam.
+
+    This is its upper bound, else the largest value seen, else 0.
+    """
     return 0.0 if seam is None else rows.figure_value(seam.get(name)) or 0.0

@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Colours that say how far a point moved: from a light grey, where it stays, over yellow to a dark
-red.
+"""Colours for how far a point moved: from light grey, where it stays, over yellow to dark red.
 
-They grow darker with the move, so that the lightness alone tells them apart, for every eye.
+The colours grow darker with the move. So readers with any colour vision can tell them apart by
+lightness alone.
 """
 
 from dataclasses import dataclass
 
 from freecad.seamwright.plain import enclosure
 
-#: Share of the largest move, and its colour (red, green, blue, each 0..255); between them it is mixed.
+#: (share of the largest move, colour); a colour is (red, green, blue), each 0..255. Colours between
+#: the entries are interpolated.
 RAMP = (
     (0.0, (228, 231, 235)),
     (0.15, (254, 217, 118)),
@@ -18,20 +19,22 @@ RAMP = (
     (1.0, (127, 0, 38)),
 )
 
-#: Shares of the largest move that the legend has a line for.
+#: The shares of the largest move for which the legend has a line.
 LEGEND_SHARES = (1.0, 0.75, 0.5, 0.25, 0.1, 0.0)
 
 
 @dataclass(frozen=True)
 class Sample:
-    """A colour of the legend."""
+    """One colour of the legend."""
 
     rgb: tuple
 
 
 def colour(share):
-    """The colour of a share, 0..1, of the largest move, as numbers 0..255; shares beyond are those
-    at the ends."""
+    """Return the colour of a share, 0..1, of the largest move as numbers 0..255.
+
+    Shares outside 0..1 get the colour of the nearer end.
+    """
     share = min(max(share, 0.0), 1.0)
     for (low, one), (high, other) in zip(RAMP, RAMP[1:]):
         if share <= high:
@@ -41,13 +44,13 @@ def colour(share):
 
 
 def colours(moves_mm, largest_mm):
-    """The colour of each move, as numbers 0..1."""
+    """Return the colour of each move as numbers 0..1."""
     scale = 1.0 / largest_mm if largest_mm > 0 else 0.0
     return [tuple(channel / 255 for channel in colour(move * scale)) for move in moves_mm]
 
 
 def legend_entries(largest_mm):
-    """[(Sample, "0.22 mm", "")], the largest move first; one line where nothing moved."""
+    """Return [(Sample, "0.22 mm", "")], the largest move first; one line where nothing moved."""
     if largest_mm <= 0:
         return [(Sample(RAMP[0][1]), "0 mm", "")]
     return [
@@ -61,7 +64,10 @@ def legend_entries(largest_mm):
 
 
 def legend_footer(moves, faces):
-    """ "2 of 6 faces moved, poles by up to 0.3 mm"; ``moves``: dicts of face and largest_move_mm."""
+    """ "2 of 6 faces moved, poles by up to 0.3 mm".
+
+    ``moves``: dicts of face and largest_move_mm.
+    """
     if not moves:
         return "no face moved"
     largest = max(move["largest_move_mm"] for move in moves)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Seams of faces that were made again, a row of a table each: what meets there, how, and whether
-that was asked for.
+"""Seams of new faces, one in each row of a table: the faces, the figures, and the verdict.
 
-A seam is a dict of the kernel's report with ``between``, what it separates. Where its faces were
-not kept it has no ``edges`` and no ``faces``: the model that they are numbers of is gone.
+A seam is a dict of the kernel's report with the additional key ``between``: what it separates.
+Where the new faces were not kept, ``edges`` and ``faces`` are empty, since the model to which the
+numbers refer does not exist any more.
 """
 
 from dataclasses import dataclass
@@ -23,17 +23,19 @@ COLUMNS = (
 
 @dataclass(frozen=True)
 class Row:
-    """One seam, ready to be shown; ``place`` is its number in the list of seams, from 0."""
+    """One seam, ready to be shown; ``place`` is its index in the list of seams, from 0."""
 
     place: int
-    state: str  # REPAIRED or LEFT, as of a repair
+    state: str  # REPAIRED or LEFT, see repair_text
     cells: tuple  # texts, one for each of COLUMNS
     detail: str
 
 
 def surely_meets(seam, tolerance, target):
-    """Whether the figures that decide at the target are within the tolerance for every value that
-    they may have."""
+    """Return whether the seam certainly meets the target.
+
+    The upper bounds of all figures that decide the target have to be within the tolerance.
+    """
     figures = [
         (seam.get(name), tolerance[rows.TOLERANCE_OF.get(name, name)])
         for name in rows.DECIDING[target]
@@ -45,8 +47,11 @@ def surely_meets(seam, tolerance, target):
 
 
 def build_rows(seams, tolerance, target):
-    """The rows of seams: those that fall short come first, then the largest share of the
-    tolerance."""
+    """Return the rows of the seams.
+
+    Seams that fall short of the target come first, then those with the largest share of the
+    tolerance.
+    """
     every = [_row(place, seam, tolerance, target) for place, seam in enumerate(seams)]
     return sorted(
         every,
@@ -76,8 +81,10 @@ def _row(place, seam, tolerance, target):
 
 
 def surely_misses(seam, tolerance, target):
-    """Whether a figure that decides at the target is beyond the tolerance for every value that it
-    may have."""
+    """Return whether the seam certainly misses the target.
+
+    The lower bound of a figure that decides the target has to be beyond the tolerance.
+    """
     figures = [
         (seam.get(name), tolerance[rows.TOLERANCE_OF.get(name, name)])
         for name in rows.DECIDING[target]
@@ -92,7 +99,7 @@ def _verdict(seam, tolerance, target):
 
 
 def largest(seams, name):
-    """The largest figure of seams as an enclosure; None where there is none."""
+    """Return the largest figure of the seams as an enclosure; None where no seam has the figure."""
     figures = [seam[name] for seam in seams if seam.get(name)]
     if not figures:
         return None
@@ -102,13 +109,18 @@ def largest(seams, name):
 
 
 def bound(seams, name):
-    """No figure is larger; where no bound is known, the largest seen; 0 without seams."""
+    """Return an upper bound of the figure over all seams.
+
+    Where no upper bound is known, returns the largest value seen; without seams, returns 0.
+    """
     return rows.figure_value(largest(seams, name)) or 0.0
 
 
 def largest_text(seams, tolerance):
-    """ "12 seams, gap at most 1.4e-4 mm, angle at most 0.0028°, curvature unknown": unknown where
-    some have none."""
+    """ "12 seams, gap at most 1.4e-4 mm, angle at most 0.0028°, curvature unknown".
+
+    A figure is unknown where a seam lacks it or has no upper bound.
+    """
     parts = [summary.counted(len(seams), "seam")]
     for name, word in (("gap_mm", "gap"), ("angle_deg", "angle"), ("curvature_rel", "curvature")):
         figure = largest(seams, name)
@@ -124,7 +136,7 @@ def largest_text(seams, tolerance):
 
 
 def deciding(seam, target):
-    """The seam without a worst point that says nothing about the target."""
+    """Return the seam, without its worst point where that belongs to a figure beyond the target."""
     worst = seam.get("worst")
     if worst and rows.WORST_FIGURE[worst["quantity"]] not in rows.DECIDING[target]:
         return {**seam, "worst": None}

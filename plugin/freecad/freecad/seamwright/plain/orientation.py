@@ -1,29 +1,31 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One side for the normals of faces that lie beside each other, though they were never joined.
+"""Consistent normals for faces that lie side by side but were never joined.
 
-The sign of a mean curvature goes with the normal. Faces of one shell have their normals on one
-side; loose faces need not.
+The sign of a mean curvature depends on the direction of the normal. Normals of faces of one shell
+point to one side of it. Normals of loose faces may point to either side.
 """
 
 import numpy
 
-#: Points no further apart than about this part of the size of all are one.
+#: Points count as equal where their distance is at most about this part of the size of the model.
 NEAR = 1e-4
 
-#: Normals at one point tell of the same side, or of opposite ones, where their product is larger; else there is an edge.
+#: Two normals at one point decide about the sides where the absolute value of their scalar product
+#: is larger. Elsewhere the point lies on a sharp edge.
 SMOOTH = 0.5
 
-#: Mean normals shorter than the root of this tell nothing: the face is closed.
+#: Mean normals decide about the sides where their scalar product is below the negative of this. The
+#: mean normal of a closed face is almost zero and decides nothing.
 TOLD = 1e-2
 
 
 def signs(points, normals, first_nodes, groups):
-    """1 or -1 for each face: -1 where its normals should be turned over, so that smooth neighbours
-    have theirs on one side.
+    """Return 1 or -1 for each face; -1 means that its normals have to be reversed.
 
-    The points of face k are those from ``first_nodes[k]`` to ``first_nodes[k + 1]``. ``groups``: a
-    number for each face; faces with the same one, as those of a shell, are turned over together. Of
-    what is connected the smaller part is.
+    With these signs, the normals of smooth neighbours point to one side. The points of face k are
+    those from ``first_nodes[k]`` to ``first_nodes[k + 1]``. ``groups``: a number for each face;
+    faces with the same number, such as those of one shell, are reversed together. In each connected
+    set of groups, the smaller part is reversed.
     """
     numbers, groups = numpy.unique(groups, return_inverse=True)
     if len(numbers) < 2:
@@ -37,8 +39,10 @@ def signs(points, normals, first_nodes, groups):
 
 
 def _meetings(points, normals, owner):
-    """[(group, other group, sum of the products of their normals at points in common)], the
-    clearest first."""
+    """Return [(group, other group, sum of the scalar products of their normals at common points)].
+
+    The pair with the largest absolute sum comes first.
+    """
     cell = NEAR * numpy.ptp(points, axis=0).max() if len(points) else 0.0
     if cell <= 0:
         return []
@@ -62,7 +66,7 @@ def _meetings(points, normals, owner):
 
 
 class _Parts:
-    """Groups that are joined to parts; in a part each group is turned over or not."""
+    """Groups of faces that are joined to parts; each group of a part is reversed or not."""
 
     def __init__(self, weights):
         self._weights = weights
@@ -71,8 +75,10 @@ class _Parts:
         self._turned = [False] * len(weights)
 
     def join(self, one, other, opposite):
-        """Two groups have their normals on one side, or on opposite ones; no matter where they are
-        of one part already."""
+        """Join two groups whose normals point to the same side or to opposite sides.
+
+        Does nothing where both groups are in one part already.
+        """
         a, b = self._of[one], self._of[other]
         if a == b:
             return
@@ -86,7 +92,7 @@ class _Parts:
         self._part[b] = []
 
     def signs(self):
-        """1 or -1 for each group."""
+        """Return 1 or -1 for each group."""
         found = numpy.where(self._turned, -1, 1)
         for part in filter(None, self._part):
             if (found[part] * self._weights[part]).sum() < 0:
@@ -95,8 +101,10 @@ class _Parts:
 
 
 def agreeing(normals, first_nodes, other_normals, other_first_nodes):
-    """1 or -1 for each face: -1 where the normals of the same face of another model point to the
-    opposite side."""
+    """Return 1 or -1 for each face.
+
+    -1 means that the normals of the same face of another model point to the opposite side.
+    """
     one, other = _means(normals, first_nodes), _means(other_normals, other_first_nodes)
     return numpy.where((one * other).sum(axis=1) < -TOLD, -1, 1)
 

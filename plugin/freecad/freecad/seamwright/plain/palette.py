@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The colour and the wording of each class of seam.
 
-The colours are bluish green, vermillion and blue of the Okabe-Ito palette, which stay apart
-for readers with protanopia, deuteranopia and tritanopia; the legend names them in words too.
+The colours are bluish green and vermillion of the Okabe-Ito palette and a dark blue. Readers with
+protanopia, deuteranopia and tritanopia can tell them apart. The legend also names the classes in
+words.
 """
 
 from dataclasses import dataclass
@@ -37,12 +38,15 @@ BY_KEY = {seam_class.key: seam_class for seam_class in CLASSES}
 
 
 def rank(key):
-    """Place of a class in ``CLASSES``, 0 for the worst; KeyError for an unknown class."""
+    """Return the position of a class in ``CLASSES``; 0 is the worst.
+
+    Raises KeyError for an unknown class.
+    """
     return CLASSES.index(BY_KEY[key])
 
 
 def meaning(key, level, crease_deg):
-    """What the class says about a seam, for example "meets G1"."""
+    """Return what the class says about a seam, for example "meets G1"."""
     return {
         "smooth": "meets %s" % level,
         "defect": "falls short of %s" % level,

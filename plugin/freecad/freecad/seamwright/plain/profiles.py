@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Tolerances by name, as the kernel has them (``seamwright.PROFILES``); docs/seams.md explains
-them.
+"""Named tolerances, equal to those of the kernel (``seamwright.PROFILES``).
 
-They are written here too because the panel works without the compiled module.
+docs/seams.md explains them. They are repeated here because the panel works without the compiled
+module.
 """
 
 PROFILES = {
@@ -17,7 +17,7 @@ PROFILES = {
     },
 }  # fmt: skip
 
-#: Name for the user, and what the profile is for.
+#: (name for the user, purpose of the profile).
 LABELS = {
     "default": ("Default", "mechanical parts"),
     "class-a": ("Class A", "surfaces whose reflections are looked at"),
@@ -26,8 +26,10 @@ LABELS = {
 
 
 def name_of(tolerances):
-    """The first profile with these tolerances, those that are given, or None; other keys than
-    tolerances do not count."""
+    """Return the first profile that has the given tolerances, or None.
+
+    Tolerances that are not given, and keys that are no tolerances, are ignored.
+    """
     for name, figures in PROFILES.items():
         known = [(tolerances[key], value) for key, value in figures.items() if key in tolerances]
         if all(abs(given - value) <= 1e-12 * value for given, value in known):
@@ -36,7 +38,7 @@ def name_of(tolerances):
 
 
 def tip(name):
-    """What a profile is for and accepts, in one line."""
+    """Return the purpose of a profile and what it accepts, in one line."""
     figures = PROFILES[name]
     return "%s: gap %g mm, angle %g\u00b0, curvature %g %%" % (
         LABELS[name][1], figures["gap_mm"], figures["angle_deg"], 100 * figures["curvature_rel"]

@@ -1,11 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is said about a repair: the table of the seams that were to be repaired, and the summary.
+"""The texts about a repair: the table of the seams that were to be repaired, and the summary.
 
-The report is a dict: ``target`` ("G1"), ``tolerance``, ``chosen`` (whether the user named the
-seams), ``seams`` (each a dict of before, after, repaired and reason; of those that were to be
-repaired), ``moves`` (each a dict of face and largest_move_mm), ``total`` (number of all seams), and
-of the whole model before and after: ``defects``, ``gap_mm``, ``angle_deg``. What stands for "after"
-is None where nothing was repaired yet.
+The report is a dict with these keys:
+
+* ``target``: "G1" or "G2"
+* ``tolerance``
+* ``chosen``: whether the user named the seams
+* ``seams``: the seams that were to be repaired, each a dict of before, after, repaired and reason
+* ``moves``: dicts of face and largest_move_mm
+* ``edges_led``: number of edges with new paths
+* ``sewn``: number of seams that were sewn
+* ``total``: number of all seams
+* ``defects``, ``gap_mm``, ``angle_deg``: [before, after] of the whole model
+
+Values after the repair are None where nothing was repaired yet.
 """
 
 import math
@@ -52,16 +60,16 @@ COLUMNS = (
     ("Result", "Repaired, or why not"),
 )
 
-#: The column that is shown for the target G2 alone.
+#: The column that is shown only for the target G2.
 CURVATURE_COLUMN = 4
 
 
 def build_report(before, after, seams, moves, target, chosen, edges_led=0):
-    """The report from what the kernel found.
+    """Build the report from the result of the kernel.
 
     ``before``, ``after``: reports of the analysis; ``after`` is None before the repair. ``seams``:
-    dicts of before, after, treated, repaired, reason, and sewn where one was, of all seams.
-    ``edges_led``: how many edges have new paths.
+    a dict for each seam of the model: before, after, treated, repaired, reason, and sewn where the
+    kernel tells it. ``edges_led``: the number of edges with new paths.
     """
     wanted = [
         {name: seam[name] for name in ("before", "after", "repaired", "reason")}
@@ -90,10 +98,10 @@ def _largest(report, name):
 
 
 def waiting(before, target, edges):
-    """The seams that a repair would treat, as ``build_report`` takes them.
+    """Return the seams that a repair would treat, as ``build_report`` takes them.
 
-    ``before``: the report of an analysis at the level ``target``; ``edges``: the numbers of those
-    that the user named, none for all defects.
+    ``before``: the report of an analysis at the level ``target``. ``edges``: the numbers of the
+    edges that the user named; empty means all defects.
     """
 
     def is_wanted(seam):
@@ -109,27 +117,27 @@ def waiting(before, target, edges):
 
 
 def is_done(report):
-    """Whether a repair has been tried, not only foreseen."""
+    """Return whether a repair was computed, not only foreseen."""
     return report["defects"][1] is not None
 
 
 def repaired_count(report):
-    """How many seams were repaired."""
+    """Return the number of repaired seams."""
     return sum(seam["repaired"] for seam in report["seams"])
 
 
 def has_changed(report):
-    """Whether the result is another shape than the source."""
+    """Return whether the shape of the result differs from the source."""
     return bool(report["moves"] or report["edges_led"] or report["sewn"])
 
 
 def largest_move_mm(report):
-    """No point of a face moved further; 0 when no face moved."""
+    """Return the largest move of a point of a face; 0 when no face moved."""
     return max((move["largest_move_mm"] for move in report["moves"]), default=0.0)
 
 
 def summary_text(report):
-    """One line: how many seams were repaired to what, what moved, what is left."""
+    """Return one line: how many seams were repaired, what moved, and how many defects remain."""
     wanted, target = len(report["seams"]), report["target"]
     if not wanted and not has_changed(report):
         return _nothing_text(report)
@@ -158,7 +166,7 @@ def _nothing_text(report):
 
 
 def build_rows(report):
-    """The rows of the table, the worst before the repair first."""
+    """Return the rows of the table; the seam that was worst before the repair comes first."""
     tolerance, target = report["tolerance"], report["target"]
     ranked = sorted(
         report["seams"],
@@ -192,12 +200,12 @@ def _row(seam, tolerance, done):
 
 
 def edges_text(seam):
-    """ "Edge39", or "Edge3, Edge7" of a seam of two edges."""
+    """ "Edge39", or "Edge3, Edge7" for a seam of two edges."""
     return ", ".join("Edge%d" % number for number in seam["edges"])
 
 
 def named(text):
-    """A sentence of the kernel with its faces and edges as the user reads them: "Face3"."""
+    """Return a sentence of the kernel with faces and edges as the user reads them: "Face3"."""
     return re.sub(
         r"\b(face|edge) (\d+)\b", lambda found: found.group(1).capitalize() + found.group(2), text
     )

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The rows of the seam table: what each cell says, how rows are sorted and filtered.
+"""The rows of the seam table: the texts of cells, sorting and filtering.
 
-Units of rows: gaps and lengths in mm, angles in degrees, curvature as a ratio; cells show it in %.
-A figure is the report's {lower, upper, at}; ``upper`` is None where no bound is known.
+Rows have gaps and lengths in mm, angles in degrees, and curvature differences as ratios, which
+cells show in %. A figure is the report's {lower, upper, at}; ``upper`` is None where no bound is
+known.
 """
 
 import math
@@ -21,7 +22,7 @@ DECIDING = {
     "G3": ("gap_mm", "angle_deg", "curvature_rel", "curvature_change_rel"),
 }
 
-#: The tolerance that a figure is held against, where it has another name.
+#: The tolerance with which a figure is compared, where its name differs from that of the figure.
 TOLERANCE_OF = {"curvature_change_rel": "curvature_rel"}
 
 
@@ -83,7 +84,7 @@ class Column:
     numeric: bool = True
 
 
-#: The figures that the table has a column for.
+#: The figures for which the table has a column.
 SHOWN = ("gap_mm", "angle_deg", "curvature_rel", "curvature_change_rel")
 
 COLUMNS = (
@@ -104,8 +105,10 @@ COLUMNS = (
 
 
 def figure_value(figure):
-    """The number to show for a figure: its upper bound, else the largest seen; None if
-    unmeasured."""
+    """Return the number to show for a figure; None if it was not measured.
+
+    This is its upper bound or, where that is unknown, the largest value seen.
+    """
     if figure is None:
         return None
     upper = figure.get("upper")
@@ -113,7 +116,7 @@ def figure_value(figure):
 
 
 def figure_text(seam, name, tolerance):
-    """A figure of a seam as a cell shows it, without unit; a dash when it was not measured."""
+    """Return a figure of a seam as a cell shows it, without unit; a dash if it was not measured."""
     figure = seam.get(name)
     if figure is None:
         return "\u2013"
@@ -123,10 +126,10 @@ def figure_text(seam, name, tolerance):
 
 
 def element_text(report, kind, number, qualified):
-    """Name of face or edge ``number``: "Edge5", or "Box.Edge5" when ``qualified``.
+    """Return the name of face or edge ``number``: "Edge5", or "Box.Edge5" when ``qualified``.
 
-    ``kind`` is "faces" or "edges". A number without owner is named after its place in the
-    analysed shape.
+    ``kind`` is "faces" or "edges". A number without owner gives the name that the element has in
+    the analysed shape.
     """
     owner = owner_of(report, kind, number)
     if owner is None:
@@ -135,13 +138,15 @@ def element_text(report, kind, number, qualified):
 
 
 def owner_of(report, kind, number):
-    """[object name, sub-element name] that face or edge ``number`` belongs to, or None."""
+    """Return the [object name, sub-element name] of a face or edge, or None."""
     return report.get("freecad", {}).get(kind, {}).get(str(number))
 
 
 def located(seams, tolerance, name):
-    """What the view needs of a report, with each face and edge of the seams as part of the object
-    ``name``."""
+    """Return what the view needs of a report.
+
+    Each face and edge of the seams is an element of the object ``name``.
+    """
     seams = list(seams)
     return {
         "tolerance": tolerance,
@@ -153,9 +158,10 @@ def located(seams, tolerance, name):
 
 
 def edge_number(report, analysis, name, element):
-    """Number in the report of sub-element ``element`` of object ``name``; None if it is no seam.
+    """Return the number in the report of sub-element ``element`` of object ``name``.
 
-    ``analysis`` is the name of the analysis itself, whose edges are the seams in order.
+    Returns None if the element belongs to no seam. ``analysis`` is the name of the analysis object,
+    whose edges are those of the seams in order.
     """
     if name == analysis:
         place = int(element[4:]) if element.startswith("Edge") and element[4:].isdigit() else 0
@@ -168,14 +174,14 @@ def edge_number(report, analysis, name, element):
 
 
 def edge_numbers(report):
-    """The edges of all seams in the order of the report, each once."""
+    """Return the edges of all seams in the order of the report, each once."""
     return list(
         dict.fromkeys(number for seam in report.get("seams", ()) for number in seam["edges"])
     )
 
 
 def build_rows(report):
-    """All rows of a report (a dict with the JSON's keys), worst first."""
+    """Return all rows of a report (a dict with the keys of the JSON file), the worst first."""
     qualified = len(report.get("freecad", {}).get("objects", ())) > 1
     level = report.get("freecad", {}).get("level", "G1")
     rows = [_row(report, seam, level, qualified) for seam in report.get("seams", ())]
@@ -208,9 +214,9 @@ def _row(report, seam, level, qualified):
 
 
 def severity(seam, tolerance, level):
-    """Largest ratio of a figure to its tolerance, of the figures that decide at the level.
+    """Return the largest ratio of a figure that decides the level to its tolerance.
 
-    Infinite where gap or angle is unmeasured.
+    The ratio is infinite where gap or angle was not measured.
     """
     if seam["gap_mm"] is None or seam["angle_deg"] is None:
         return math.inf
@@ -227,7 +233,10 @@ def _ratio(value, limit):
 
 
 def detail_text(seam, tolerance):
-    """Tool tip of a row: each figure with its place, the verdict's certainty, the kernel's note."""
+    """Return the tool tip of a row.
+
+    It has each figure with its position, the certainty of the verdict, and the note of the kernel.
+    """
     lines = ["Seam %d (%s)" % (seam["id"], seam["kind"])]
     for name, quantity in QUANTITIES.items():
         if seam.get(name) is not None or name in DECIDING["G2"]:
@@ -264,7 +273,7 @@ def _stretch_text(first, last):
 
 
 def worst_label(seam, tolerance):
-    """The figure at the worst point of a seam with its unit; "" where there is none."""
+    """Return the figure at the worst point of a seam with its unit; "" without such a point."""
     worst = seam.get("worst")
     if worst is None:
         return ""
@@ -275,7 +284,7 @@ def worst_label(seam, tolerance):
 
 
 def sort_rows(rows, field, descending=False):
-    """Rows sorted by one Row field; rows without a value come last either way."""
+    """Return the rows sorted by one field of Row; rows without a value always come last."""
     known = [row for row in rows if getattr(row, field) is not None]
     unknown = [row for row in rows if getattr(row, field) is None]
     return sorted(known, key=lambda row: _sort_key(row, field), reverse=descending) + unknown
@@ -293,23 +302,23 @@ def _sort_key(row, field):
 
 
 def has_values(rows, field):
-    """Whether a row has a value of that field."""
+    """Return whether any row has a value of that field."""
     return any(getattr(row, field) is not None for row in rows)
 
 
-#: In place of a class: the rows whose verdict is not certain.
+#: Takes the place of a class in filters: the rows whose verdict is not certain.
 UNCERTAIN = "uncertain"
 
 
 def filter_rows(rows, wanted):
-    """Rows of one class, or those that are ``UNCERTAIN``; all rows for None."""
+    """Return the rows of one class, the uncertain rows for ``UNCERTAIN``, or all rows for None."""
     if wanted == UNCERTAIN:
         return [row for row in rows if not row.certain]
     return [row for row in rows if wanted is None or row.seam_class == wanted]
 
 
 def cell_text(row, column):
-    """What the table shows in a cell."""
+    """Return the text of a cell."""
     value = getattr(row, column.field)
     if column.field == "seam_class":
         return palette.BY_KEY[value].name + ("" if row.certain else "?")

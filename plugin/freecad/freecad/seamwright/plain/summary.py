@@ -5,7 +5,7 @@ from freecad.seamwright.plain import enclosure, palette, rows
 
 
 def class_counts(report):
-    """Number of seams of each class, by key, in the order of ``palette.CLASSES``."""
+    """Return the number of seams of each class, by key, in the order of ``palette.CLASSES``."""
     counts = {seam_class.key: 0 for seam_class in palette.CLASSES}
     for seam in report.get("seams", ()):
         counts[seam["class"]] += 1
@@ -13,10 +13,9 @@ def class_counts(report):
 
 
 def edge_classes(report):
-    """{edge number: class} in the order of the report's seams.
+    """Return {edge number: class} in the order of the report's seams.
 
-    An edge that takes part in several seams has the worst class of them, so each edge is
-    drawn once.
+    An edge of several seams gets the worst of their classes, so that each edge is drawn once.
     """
     classes = {}
     for seam in report.get("seams", ()):
@@ -27,28 +26,28 @@ def edge_classes(report):
 
 
 def largest(report, name):
-    """Largest figure ``name`` seen over the seams that are no creases, or None."""
+    """Return the largest lower bound of a figure over the seams that are no creases, or None."""
     figures = [seam[name] for seam in report.get("seams", ()) if seam["class"] != "crease"]
     return max((figure["lower"] for figure in figures if figure is not None), default=None)
 
 
 def uncertain(report):
-    """Number of seams whose verdict is not certain."""
+    """Return the number of seams whose verdict is not certain."""
     return sum(not seam["certified"] for seam in report.get("seams", ()))
 
 
 def matched(report):
-    """Number of seams of two open edges that lie side by side."""
+    """Return the number of seams of two free edges that lie side by side."""
     return sum(seam["kind"] == "matched" for seam in report.get("seams", ()))
 
 
 def level_of(report):
-    """The level of continuity the report was judged by."""
+    """Return the level of continuity by which the report was judged."""
     return report.get("freecad", {}).get("level", "G1")
 
 
 def passed(report):
-    """True when the report has seams and none of them is a defect."""
+    """Return whether the report has seams and none of them is a defect."""
     counts = class_counts(report)
     return sum(counts.values()) > 0 and counts["defect"] == 0
 
@@ -59,7 +58,7 @@ def counted(number, noun):
 
 
 def summary_text(report):
-    """One line: seams of each class, largest figures, certainty, and the verdict."""
+    """Return one line: seams of each class, largest figures, certainty, and the verdict."""
     counts = class_counts(report)
     total = sum(counts.values())
     if total == 0:
@@ -101,8 +100,7 @@ def _largest_text(report):
 
 
 def _largest_enclosed(report, name):
-    """The largest figure over the seams that are no creases, written as an enclosure; empty if
-    there is none."""
+    """Return the largest figure over the seams that are no creases as text; "" without figures."""
     figures = [seam[name] for seam in report["seams"] if seam["class"] != "crease" and seam[name]]
     if not figures:
         return ""
@@ -115,7 +113,7 @@ def _largest_enclosed(report, name):
 
 
 def tolerance_text(report):
-    """The tolerances that decide at the report's level, for example "G1: gap \u2264 0.01 mm, ..."."""
+    """The tolerances that decide the report's level, for example "G1: gap ≤ 0.01 mm, ..."."""
     tolerance, level = report["tolerance"], level_of(report)
     parts = ["gap \u2264 %g mm" % tolerance["gap_mm"]]
     if level != "G0":
@@ -126,7 +124,7 @@ def tolerance_text(report):
 
 
 def legend_entries(report):
-    """[(SeamClass, "Defect: 2", "falls short of G1"), ...] for the legend, worst first."""
+    """Return [(SeamClass, "Defect: 2", "falls short of G1"), ...] for the legend, worst first."""
     counts = class_counts(report)
     level, crease = level_of(report), report["tolerance"]["crease_deg"]
     return [
