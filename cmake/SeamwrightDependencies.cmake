@@ -26,6 +26,10 @@ if(NOT Eigen3_FOUND OR Eigen3_VERSION VERSION_LESS 3.4)
   message(FATAL_ERROR "Seamwright: the core needs Eigen 3.4 or later. On Debian: apt-get install libeigen3-dev")
 endif()
 find_package(Threads REQUIRED)
+find_package(fmt 9 QUIET)
+if(NOT fmt_FOUND)
+  message(FATAL_ERROR "Seamwright: the core needs fmt 9 or later. On Debian: apt-get install libfmt-dev")
+endif()
 
 if(SEAMWRIGHT_BUILD_OCC)
   set(occt_packages "libocct-foundation-dev libocct-modeling-data-dev libocct-modeling-algorithms-dev "

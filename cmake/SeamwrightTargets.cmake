@@ -33,6 +33,8 @@ function(seamwright_library name)
   endforeach()
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${CMAKE_BINARY_DIR}/include>
                                               $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  # Header-only, and in sources alone: an installed library does not need fmt.
+  target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:fmt::fmt-header-only>)
   install(TARGETS ${target} EXPORT SeamwrightTargets
           ARCHIVE COMPONENT development LIBRARY COMPONENT runtime RUNTIME COMPONENT runtime)
   file(RELATIVE_PATH place ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})

@@ -109,6 +109,7 @@ def test_core_alone_needs_neither_opencascade_nor_python(tmp_path):
     "package, component, debian",
     [
         ("Eigen3", None, "libeigen3-dev"),
+        ("fmt", None, "libfmt-dev"),
         ("OpenCASCADE", "OCC", "libocct-modeling-algorithms-dev"),
         ("nlohmann_json", "OCC", "nlohmann-json3-dev"),
         ("CLI11", "CLI", "libcli11-dev"),
