@@ -37,9 +37,12 @@ std::string format(const occ::Report& report, const std::string& format) {
 }  // namespace
 
 void addAnalyzeOptions(CLI::App& command, AnalyzeArguments& arguments) {
-  command.add_option("MODEL", arguments.models, "STEP, IGES or BREP files, told by their content")
+  command
+      .add_option("MODEL", arguments.models,
+                  "STEP, IGES or BREP files, recognised by their content")
       ->required();
-  command.add_option("--level", arguments.level, "What every seam must reach: G0, G1, G2 or G3")
+  command
+      .add_option("--level", arguments.level, "Level that every seam must reach: G0, G1, G2 or G3")
       ->check(CLI::IsMember({"G0", "G1", "G2", "G3"}))
       ->capture_default_str();
   addMeasureOptions(command, arguments.measure);

@@ -45,10 +45,9 @@ int run(int argc, char** argv) {
                        "seamwright " SEAMWRIGHT_VERSION " (OpenCASCADE " OCC_VERSION_COMPLETE ")");
   app.require_subcommand(1);
   app.footer(
-      "Exit status: 0 all that was asked for is met, 1 some seams fall short, 2 bad usage or "
-      "input, 130 "
-      "stopped "
-      "by Ctrl-C; see 'seamwright COMMAND --help'.");
+      "Exit status: 0 every seam reaches its target, 1 some seams fall short, 2 bad usage or "
+      "input, "
+      "130 stopped by Ctrl-C; see 'seamwright COMMAND --help'.");
   CLI::App* analyze =
       app.add_subcommand("analyze", "Measure and judge every seam of STEP, IGES or BREP models");
   AnalyzeArguments to_analyze;
@@ -62,7 +61,7 @@ int run(int argc, char** argv) {
   FillArguments to_fill;
   addFillOptions(*fill, to_fill);
   CLI::App* corner =
-      app.add_subcommand("corner", "Round the edges at a vertex, each with a radius of its own");
+      app.add_subcommand("corner", "Round the edges at a vertex, each with its own radius");
   CornerArguments to_corner;
   addCornerOptions(*corner, to_corner);
   try {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
+
 #include <charconv>
 #include <filesystem>
 #include <iomanip>
@@ -25,8 +27,7 @@ std::vector<std::string> profileNames() {
 
 std::string profilesHelp() {
   std::ostringstream text;
-  text << "Profiles (an option given by itself overrides that figure of the profile, in any "
-          "order):\n";
+  text << "Profiles (an option for one of the figures overrides it):\n";
   for (const ToleranceProfile& profile : toleranceProfiles()) {
     const ContinuityTolerance& t = profile.tolerance;
     text << "  " << std::left << std::setw(9) << profile.name << "gap " << t.gap_mm << " mm, angle "
@@ -59,14 +60,14 @@ bool hasNameOfModel(const std::string& file) {
 }  // namespace
 
 void addG1Options(CLI::App& command, MeasureArguments& arguments) {
-  command.add_option("--profile", arguments.profile, "What is accepted, by name (see below)")
+  command.add_option("--profile", arguments.profile, "Set of tolerances, by name (see below)")
       ->check(CLI::IsMember(profileNames()))
       ->capture_default_str();
-  command.add_option("--gap", arguments.gap_mm, "G0: largest distance of the two sides, mm")
+  command.add_option("--gap", arguments.gap_mm, "G0: largest distance between the two sides, mm")
       ->type_name("MM");
   command
       .add_option("--angle", arguments.angle_deg,
-                  "G1: largest angle of the tangent planes, degrees")
+                  "G1: largest angle between the tangent planes, degrees")
       ->type_name("DEG");
   command.add_option("--jobs", arguments.jobs, "Threads; 0: one for each processor")
       ->capture_default_str();
@@ -77,22 +78,22 @@ void addToleranceOptions(CLI::App& command, MeasureArguments& arguments) {
   addG1Options(command, arguments);
   command
       .add_option("--curvature", arguments.curvature_rel,
-                  "G2: largest relative difference of normal curvature")
+                  "G2: largest relative difference of normal curvature; 0.02 is 2 %")
       ->type_name("REL");
   command
       .add_option("--flat-radius", arguments.flat_radius_mm,
-                  "Flatter than this radius counts as flat, mm")
+                  "A surface with a larger radius of curvature counts as flat, mm")
       ->type_name("MM");
   command
       .add_option("--crease", arguments.crease_deg,
-                  "Above this angle a seam is an edge by design, degrees")
+                  "A seam above this angle is an intended crease, degrees")
       ->type_name("DEG");
 }
 
 void addMeasureOptions(CLI::App& command, MeasureArguments& arguments) {
   command
       .add_option("--match", arguments.match_mm,
-                  "Measure also between open edges no further apart than this, mm; 0: between none")
+                  "Also pair free edges up to this distance apart, mm; 0: none")
       ->type_name("MM")
       ->capture_default_str();
   addToleranceOptions(command, arguments);
@@ -131,9 +132,9 @@ void addOutputOptions(CLI::App& command, const std::string& done, OutputArgument
       ->type_name("OUT")
       ->required();
   command.add_option("--json", arguments.report, "Write a report to this file")->type_name("FILE");
-  command.add_flag("--overwrite", arguments.overwrite,
-                   "Another file of OUT's name may be replaced");
-  command.add_flag("--overwrite-source", arguments.overwrite_source, "OUT may be MODEL itself");
+  command.add_flag("--overwrite", arguments.overwrite, "Replace OUT if it exists");
+  command.add_flag("--overwrite-source", arguments.overwrite_source,
+                   "Allow OUT to be MODEL itself");
 }
 
 void exitStatus(CLI::App& command, const std::string& of_0, const std::string& of_1) {
@@ -155,7 +156,7 @@ CLI::Validator lengthInMm() {
             double length = 0;
             return CLI::detail::lexical_cast(text, length)
                        ? std::string()
-                       : "'" + text + "' is no length: a number of mm as 2.5 is needed";
+                       : fmt::format("invalid length '{}': give mm, for example 2.5", text);
           },
           ""};
 }
@@ -167,9 +168,10 @@ CLI::Validator numberOf(const std::string& kind) {
             const auto [end, error] =
                 std::from_chars(digits.data(), digits.data() + digits.size(), number);
             if (error != std::errc{} || end != digits.data() + digits.size())
-              return "'" + text + "' names no " + kind + ": a number as 39, or " + kind +
-                     "39, is needed";
-            if (number < 1) return "'" + text + "' names no " + kind + ": they count from 1";
+              return fmt::format("invalid {1} number '{0}': give for example 39 or {1}39", text,
+                                 kind);
+            if (number < 1)
+              return fmt::format("invalid {} number '{}': numbers start at 1", kind, text);
             text = std::move(digits);
             return std::string();
           },
@@ -189,12 +191,10 @@ void requireOutputs(const std::string& model, const OutputArguments& arguments) 
   const std::string& report = arguments.report;
   if (report.empty()) return;
   if (report == "-")
-    throw std::runtime_error(
-        "--json -: the report goes to a file, standard output has the table; name a file");
+    throw std::runtime_error("--json -: standard output has the table; name a file for the report");
   requireReport(report, {model});
   if (placeOf(report) == placeOf(arguments.model))
-    throw std::runtime_error(report +
-                             ": is where the model goes; name another file for the report");
+    throw std::runtime_error(report + ": is the output model; name another file for the report");
 }
 
 void requireReport(const std::string& report, const std::vector<std::string>& models) {
@@ -202,9 +202,10 @@ void requireReport(const std::string& report, const std::vector<std::string>& mo
   std::error_code error;
   for (const std::string& model : models)
     if (std::filesystem::equivalent(model, report, error))
-      throw std::runtime_error(report + ": is a model to be read, it would be overwritten");
+      throw std::runtime_error(report + ": is an input model, which the report would overwrite");
   if (std::filesystem::exists(report, error) && hasNameOfModel(report))
-    throw std::runtime_error(report + ": has the name of a model, the report would overwrite it");
+    throw std::runtime_error(report +
+                             ": has the name of a model, which the report would overwrite");
 }
 
 void warn(const std::string& path, const std::vector<std::string>& notes) {

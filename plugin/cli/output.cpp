@@ -35,19 +35,18 @@ bool isWrittenStraight(const fs::path& file) {
 void requireWritable(const fs::path& named) {
   if (isWrittenStraight(named)) {
     if (access(named.c_str(), W_OK) != 0)
-      throw std::runtime_error(named.string() + ": no right to write to it");
+      throw std::runtime_error(named.string() + ": no permission to write to it");
     return;
   }
   const fs::path file = occ::withoutLinks(named);
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   std::error_code error;
   if (!fs::is_directory(folder, error))
-    throw std::runtime_error(file.string() + ": the folder " + folder.string() +
-                             " does not exist; make it first");
+    throw std::runtime_error(file.string() + ": the folder " + folder.string() + " does not exist");
   if (fs::is_directory(file, error))
-    throw std::runtime_error(file.string() + ": is a folder, name a file");
+    throw std::runtime_error(file.string() + ": is a folder; name a file");
   if (access(folder.c_str(), W_OK) != 0)
-    throw std::runtime_error(file.string() + ": no right to write in " + folder.string());
+    throw std::runtime_error(file.string() + ": no permission to write in " + folder.string());
 }
 
 PendingFile::PendingFile(const fs::path& file, std::string text)

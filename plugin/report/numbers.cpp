@@ -1,40 +1,33 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <initializer_list>
 #include <seamwright/plugin/report/enclosure.hpp>
 #include <seamwright/plugin/report/numbers.hpp>
-#include <sstream>
 
 namespace seamwright::report {
 
 namespace {
 
-/// "angle is 0.09..0.12 deg, with 0.1 deg as its limit" if an enclosure contains the limit; else
-/// empty.
+/// "angle is 0.09..0.12 deg, limit 0.1 deg" if an enclosure contains the limit; else empty.
 std::string doubt(const std::string& what, const std::optional<Figure>& figure, double factor,
                   double limit, const std::string& unit) {
   if (!figure || !figure->upper || figure->lower > limit || *figure->upper <= limit) return {};
-  std::ostringstream text;
-  text << what << " is " << rangeText(*figure, factor) << ' ' << unit << ", with " << factor * limit
-       << ' ' << unit << " as its limit";
-  return text.str();
+  return fmt::format("{0} is {1} {3}, limit {2:g} {3}", what, rangeText(*figure, factor),
+                     factor * limit, unit);
 }
 
-/// "curvature is up to 37 % where it is left out, with 2 % as its limit" if the bound there exceeds
-/// the limit or is unknown; else empty.
+/// "curvature is up to 37 % where it is left out, limit 2 %" if the bound there exceeds the limit
+/// or is unknown; else empty.
 std::string doubtLeftOut(const std::string& what, const std::optional<Figure>& figure,
                          const LeftOut& left_out, const ContinuityTolerance& tolerance,
                          double factor, double limit, const std::string& unit) {
   if (!figure || figure->lower > limit || left_out.isWithin(limit, tolerance)) return {};
-  std::ostringstream text;
-  text.precision(3);
-  text << what << " is ";
-  if (left_out.upper)
-    text << "up to " << factor * *left_out.upper << ' ' << unit;
-  else
-    text << "not known";
-  text << " where it is left out, with " << factor * limit << ' ' << unit << " as its limit";
-  return text.str();
+  const std::string value =
+      left_out.upper ? fmt::format("up to {:.3g} {}", factor * *left_out.upper, unit) : "unknown";
+  return fmt::format("{} is {} where it is left out, limit {:.3g} {}", what, value, factor * limit,
+                     unit);
 }
 
 /// The first enclosure that makes a verdict uncertain; empty if there is none.
@@ -58,15 +51,9 @@ std::string firstDoubt(const SeamFigures& figures, const ContinuityTolerance& to
 
 /// "the first 9.54e-07", "the last 0.00049", "0.25 to 0.250001".
 std::string intervalText(const Interval& interval) {
-  std::ostringstream text;
-  text.precision(interval.lower > 0 && interval.upper < 1 ? 6 : 3);
-  if (interval.lower <= 0)
-    text << "the first " << interval.upper;
-  else if (interval.upper >= 1)
-    text << "the last " << 1 - interval.lower;
-  else
-    text << interval.lower << " to " << interval.upper;
-  return text.str();
+  if (interval.lower <= 0) return fmt::format("the first {:.3g}", interval.upper);
+  if (interval.upper >= 1) return fmt::format("the last {:.3g}", 1 - interval.lower);
+  return fmt::format("{:.6g} to {:.6g}", interval.lower, interval.upper);
 }
 
 /// "the curvature leaves out the first 9.54e-07"; empty if it leaves out nothing.

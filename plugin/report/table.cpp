@@ -69,7 +69,7 @@ void writeHead(std::ostream& out, const occ::Report& report) {
   for (const auto& [level, count] : summary.by_level)
     if (count > 0) out << "  " << name(level) << ' ' << count;
   out << '\n';
-  out << "  " << counted(report.open.size(), "open edge") << ", "
+  out << "  " << counted(report.open.size(), "free edge") << ", "
       << counted(report.non_manifold.size(), "non-manifold edge") << ";  read in "
       << number(report.read_s, "%.2f") << " s, analysed in " << number(report.analyze_s, "%.2f")
       << " s\n";

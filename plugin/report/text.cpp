@@ -48,7 +48,7 @@ void writeModel(std::ostream& out, const occ::Report& report) {
       << report.model.format << ", unit " << report.model.length_unit << ", " << report.model.faces
       << " faces, " << report.model.edges << " edges)\n";
   for (const std::string& note : report.model.notes) out << "  note: " << note << '\n';
-  out << "  asked for " << name(report.level) << ": gap <= " << tolerance.gap_mm
+  out << "  target " << name(report.level) << ": gap <= " << tolerance.gap_mm
       << " mm, angle <= " << degrees_per_radian * tolerance.angle_rad
       << " deg, curvature <= " << 100 * tolerance.curvature_rel << " %, crease above "
       << degrees_per_radian * tolerance.crease_rad << " deg\n";

@@ -89,9 +89,9 @@ def test_what_falls_short_is_not_written(box):
         (["--vertex", "9", "--radius", "0.2"], "vertex 9: the model has 8"),
         (
             ["--vertex", "0", "--radius", "0.2"],
-            "--vertex: '0' names no Vertex: they count from 1 (see ",
+            "--vertex: invalid Vertex number '0': numbers start at 1 (see ",
         ),
-        (["--vertex", "Edge1", "--radius", "0.2"], "'Edge1' names no Vertex"),
+        (["--vertex", "Edge1", "--radius", "0.2"], "invalid Vertex number 'Edge1'"),
         (
             ["--vertex", "1", "--radius", "0.2,0.3"],
             "--radius has 2 lengths: one for all edges is needed, or one for each of Edge1",

@@ -348,7 +348,7 @@ def test_lists_may_have_blanks(tmp_path):
         3,
     ]
     result = run("repair", model, "-o", tmp_path / "o.step", "--edges", "1, 2 3")
-    assert result.returncode == 2 and "'2 3' names no Edge" in result.stderr
+    assert result.returncode == 2 and "invalid Edge number '2 3'" in result.stderr
 
 
 def test_the_report_goes_to_pipes(tmp_path):

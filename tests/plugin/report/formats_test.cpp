@@ -100,7 +100,7 @@ TEST(Note, SaysWhyAVerdictIsOpen) {
   const occ::Report report = madeByHand();
   EXPECT_EQ(noteOf(report.seams[0], report.tolerance), "");
   EXPECT_EQ(noteOf(report.seams[1], report.tolerance),
-            "face 2: rebuilt; not certified: angle is 0.09..0.12 deg, with 0.1 deg as its limit");
+            "face 2: rebuilt; not certified: angle is 0.09..0.12 deg, limit 0.1 deg");
   EXPECT_EQ(noteOf(report.seams[2], report.tolerance), "not certified: degree 31, 17");
 }
 
@@ -148,14 +148,13 @@ TEST(LeftOut, IsInJsonAndNote) {
   seam.verdict.certain = false;
   EXPECT_EQ(
       noteOf(seam, report.tolerance),
-      intervals_text +
-          "; not certified: angle is not known where it is left out, with 0.1 deg as its limit");
+      intervals_text + "; not certified: angle is unknown where it is left out, limit 0.1 deg");
   seam.figures.angle_left_out.upper = 0.2 * degree;
   EXPECT_THAT(noteOf(seam, report.tolerance),
-              EndsWith("angle is up to 0.2 deg where it is left out, with 0.1 deg as its limit"));
+              EndsWith("angle is up to 0.2 deg where it is left out, limit 0.1 deg"));
   seam.figures.angle_left_out = {};
   EXPECT_THAT(noteOf(seam, report.tolerance),
-              EndsWith("curvature is not known where it is left out, with 2 % as its limit"));
+              EndsWith("curvature is unknown where it is left out, limit 2 %"));
 }
 
 TEST(Table, WritesEnclosuresAndMarksOpenVerdicts) {
