@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <seamwright/plugin/report/enclosure.hpp>
 
@@ -27,14 +27,6 @@ std::string stripped(std::string digits) {
   return digits;
 }
 
-std::string written(double value, int decimals, char notation) {
-  const std::array<char, 4> format = {'%', '.', '*', notation};
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), std::string(format.begin(), format.end()).c_str(),
-                decimals, value);
-  return text.data();
-}
-
 /// The value with \p digits significant digits; one less if the notation has an exponent.
 std::string roundedNumber(double value, int digits, Rounding rounding) {
   if (value == 0) return "0";
@@ -44,8 +36,9 @@ std::string roundedNumber(double value, int digits, Rounding rounding) {
   constexpr double rounding_noise = 1e-6;  // of a unit of the last digit: 2 - 1e-15 is 2, not 1.99
   if (rounding == Rounding::Up) value = unit * std::ceil(value / unit - rounding_noise);
   if (rounding == Rounding::Down) value = unit * std::floor(value / unit + rounding_noise);
-  if (isPlain(value)) return stripped(written(value, std::max(0, digits - 1 - exponent), 'f'));
-  const std::string text = written(value, digits - 1, 'e');
+  if (isPlain(value))
+    return stripped(fmt::format("{:.{}f}", value, std::max(0, digits - 1 - exponent)));
+  const std::string text = fmt::format("{:.{}e}", value, digits - 1);
   const std::size_t e = text.find('e');
   return stripped(text.substr(0, e)) + 'e' + std::to_string(std::atoi(text.c_str() + e + 1));
 }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <seamwright/plugin/report/numbers.hpp>
@@ -36,7 +38,7 @@ Row rowOf(const occ::SeamResult& seam, const std::vector<Column>& columns,
              edgesText(seam),
              facesText(seam),
              std::string(name(seam.kind)),
-             number(seam.length_mm, "%.3f")};
+             fmt::format("{:.3f}", seam.length_mm)};
   for (const Column& column : columns) row.push_back(cellOf(seam, column));
   row.push_back(noteOf(seam, tolerance));
   return row;
@@ -70,9 +72,9 @@ void writeHead(std::ostream& out, const occ::Report& report) {
     if (count > 0) out << "  " << name(level) << ' ' << count;
   out << '\n';
   out << "  " << counted(report.open.size(), "free edge") << ", "
-      << counted(report.non_manifold.size(), "non-manifold edge") << ";  read in "
-      << number(report.read_s, "%.2f") << " s, analysed in " << number(report.analyze_s, "%.2f")
-      << " s\n";
+      << counted(report.non_manifold.size(), "non-manifold edge")
+      << fmt::format(";  read in {:.2f} s, analysed in {:.2f} s\n", report.read_s,
+                     report.analyze_s);
 }
 
 /// The number of verdicts that hold for every value within the enclosures.
