@@ -86,7 +86,7 @@ Outcome ours(const TopoDS_Shape& shape, int face, Level target, int times) {
   }
   for (const auto* seams : {&report.outer, &report.inner})
     for (const SeamResult& seam : *seams) add(seam, outcome);
-  outcome.note = report.reason;
+  outcome.note = textOf(report.reason);
   outcome.reached = report.reached;
   return outcome;
 }

@@ -1,22 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <BRepAdaptor_Curve.hxx>
-#include <BRepAdaptor_Surface.hxx>
 #include <BRepLib.hxx>
 #include <BRepTools_ReShape.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Eigen/Geometry>
-#include <GCPnts_AbscissaPoint.hxx>
-#include <Geom2dAPI_Interpolate.hxx>
-#include <Geom2d_BSplineCurve.hxx>
 #include <Geom2d_Line.hxx>
 #include <Geom_Surface.hxx>
 #include <Precision.hxx>
-#include <ShapeAnalysis_Surface.hxx>
-#include <TColgp_HArray1OfPnt2d.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
-#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
@@ -29,10 +21,11 @@
 
 #include <seamwright/core/linear/dense.hpp>
 #include <seamwright/occ_adapter/convert/bezier_surface.hpp>
+#include <seamwright/occ_adapter/fill/band_sections.hpp>
 #include <seamwright/occ_adapter/fill/corner_ball.hpp>
 #include <seamwright/occ_adapter/fill/corner_bands.hpp>
-#include <seamwright/occ_adapter/fill/corner_contact.hpp>
 #include <seamwright/occ_adapter/fill/fill_names.hpp>
+#include <seamwright/occ_adapter/fill/path_on_face.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
 
 namespace seamwright::occ {
@@ -41,45 +34,6 @@ namespace {
 
 using Eigen::Vector3d;
 using opencascade::handle;
-
-/// The point in [0, 1] at which f, negative at first, becomes positive; nothing if it does not.
-template <class Function>
-std::optional<double> crossingOf(const Function& f) {
-  // Steps of the search for a change of sign.
-  constexpr int steps = 200;
-  double low = 0;
-  for (int k = 1; k <= steps; ++k) {
-    double high = static_cast<double>(k) / steps;
-    if (f(high) < 0) {
-      low = high;
-      continue;
-    }
-    for (int halving = 0; halving < 60; ++halving) {
-      const double middle = (low + high) / 2;
-      (f(middle) < 0 ? low : high) = middle;
-    }
-    return (low + high) / 2;
-  }
-  return std::nullopt;
-}
-
-/// A point of the edge with the tangent there, pointing away from the corner.
-struct EdgePlace {
-  Vector3d point, tangent;
-};
-
-EdgePlace placeAt(const CornerEdge& edge, double setback_mm) {
-  const BRepAdaptor_Curve curve(TopoDS::Edge(edge.edge.Oriented(TopAbs_FORWARD)));
-  const bool leaves =
-      TopExp::LastVertex(TopoDS::Edge(edge.edge.Oriented(TopAbs_FORWARD))).IsSame(edge.far);
-  const double sense = leaves ? 1 : -1;
-  const double from = leaves ? curve.FirstParameter() : curve.LastParameter();
-  const GCPnts_AbscissaPoint place(curve, sense * setback_mm, from);
-  gp_Pnt point;
-  gp_Vec run;
-  curve.D1(place.Parameter(), point, run);
-  return {vector(point), sense * vector(run).normalized()};
-}
 
 /// Distances from both ends, along the tangents, to the points where the tangents are nearest to
 /// each other.
@@ -91,27 +45,20 @@ std::array<double, 2> legsOf(const Vector3d& from, const Vector3d& leaving, cons
   return {legs(0), legs(1)};
 }
 
-/// The new end of a band.
-struct Section {
-  std::array<double, 2> shares{};  ///< shares along the contact lines before and after the edge
-  std::array<TopoDS_Vertex, 2> vertices;
-};
-
+/// Cuts the bands back to their sections, and the faces between them along curves that continue the
+/// contact lines.
 class BandTrimmer {
  public:
   BandTrimmer(const Corner& corner, const std::vector<CornerStrip>& strips,
-              const RoundedOutside& rounded)
-      : corner_(corner), strips_(strips), rounded_(rounded), change_(new BRepTools_ReShape) {
-    TopExp::MapShapesAndUniqueAncestors(rounded.solid, TopAbs_EDGE, TopAbs_FACE, around_);
-    TopExp::MapShapesAndUniqueAncestors(rounded.solid, TopAbs_VERTEX, TopAbs_EDGE, edges_at_);
-  }
+              const RoundedOutside& rounded, const BandSections& sections)
+      : corner_(corner),
+        strips_(strips),
+        rounded_(rounded),
+        sections_(sections),
+        change_(new BRepTools_ReShape) {}
 
   /// The solid with a hole of 2 m sides.
   TopoDS_Shape run() {
-    for (std::size_t i = 0; i < corner_.count(); ++i) {
-      for (const bool after : {false, true}) contacts_.push_back(contactOf(i, after));
-      sections_.push_back(sectionOf(i));
-    }
     for (std::size_t i = 0; i < corner_.count(); ++i) {
       for (const std::size_t side : {0, 1}) trim(i, side);
       endBand(i);
@@ -122,124 +69,18 @@ class BandTrimmer {
   }
 
   TopoDS_Shape imageOf(const TopoDS_Shape& face) const { return change_->Value(face); }
-  /// Straight length of the hole's shortest side.
-  double shortestSide_mm() const {
-    double shortest = HUGE_VAL;
-    for (std::size_t i = 0; i < corner_.count(); ++i)
-      shortest = std::min({shortest, (pointAt(i, 1) - pointAt(i, 0)).norm(),
-                           (pointAt(corner_.after(i), 0) - pointAt(i, 1)).norm()});
-    return shortest;
-  }
-  /// Distance of the section's ends from the edge, as the mean of both sides.
-  double contact_mm(std::size_t i) const {
-    const Vector3d foot = placeAt(corner_.edges[i], strips_[i].setback_mm).point;
-    return ((pointAt(i, 0) - foot).norm() + (pointAt(i, 1) - foot).norm()) / 2;
-  }
 
  private:
-  Vector3d pointAt(std::size_t i, std::size_t side) const {
-    return contacts_[2 * i + side].point(sections_[i].shares[side]);
-  }
-
-  std::string name(std::size_t i) const {
-    return "edge " + std::to_string(corner_.edges[i].number);
-  }
-
-  /// The vertex on the ball shared by the band's end and the arc in the face before or after the
-  /// edge.
-  TopoDS_Vertex nearVertex(std::size_t i, bool after) const {
-    TopoDS_Vertex vertex;
-    for (const TopoDS_Edge& arc : rounded_.arcs[after ? i : corner_.before(i)])
-      for (const TopoDS_Edge& end : rounded_.band_ends[i])
-        if (TopExp::CommonVertex(end, arc, vertex)) return vertex;
-    throw std::domain_error(name(i) + ": its fillet and the face beside it come to the ball apart");
-  }
-
-  Contact contactOf(std::size_t i, bool after) const {
-    const TopoDS_Vertex near = nearVertex(i, after);
-    for (const TopoDS_Shape& edge : edges_at_.FindFromKey(near)) {
-      if (std::ranges::any_of(rounded_.band_ends[i],
-                              [&edge](const TopoDS_Edge& end) { return end.IsSame(edge); }))
-        continue;
-      const TopTools_ListOfShape& faces = around_.FindFromKey(edge);
-      if (faces.Extent() != 2) continue;
-      const TopoDS_Face &a = TopoDS::Face(faces.First()), &b = TopoDS::Face(faces.Last());
-      if (a.IsSame(rounded_.bands[i])) return {TopoDS::Edge(edge), a, b, near};
-      if (b.IsSame(rounded_.bands[i])) return {TopoDS::Edge(edge), b, a, near};
-    }
-    throw std::domain_error(name(i) + ": its fillet has no edge that leaves the ball");
-  }
-
-  /// The section at the setback: the points of the contact lines beside it, and the iso-line of the
-  /// band between them.
-  Section sectionOf(std::size_t i) const {
-    const EdgePlace place = placeAt(corner_.edges[i], strips_[i].setback_mm);
-    Section section;
-    double along = 0;
-    for (const std::size_t side : {0, 1}) {
-      const Contact& contact = contacts_[2 * i + side];
-      const auto beyond = [&](double share) {
-        return (contact.point(share) - place.point).dot(place.tangent);
-      };
-      const std::optional<double> share = beyond(0) < 0 ? crossingOf(beyond) : std::nullopt;
-      if (!share)
-        throw std::domain_error(name(i) + ": a setback of " + lengthText(strips_[i].setback_mm) +
-                                " is not within its fillet, from " +
-                                lengthText(strips_[i].setback_mm + beyond(0)) + " to " +
-                                lengthText(strips_[i].setback_mm + beyond(1)));
-      along += coordinate(contact.onBand(*share), runsInU(i)) / 2;
-    }
-    for (const std::size_t side : {0, 1}) {
-      const Contact& contact = contacts_[2 * i + side];
-      const double begin = coordinate(contact.onBand(0), runsInU(i)),
-                   end = coordinate(contact.onBand(1), runsInU(i));
-      const double sense = end > begin ? 1 : -1;
-      const std::optional<double> share = crossingOf(
-          [&](double at) { return sense * (coordinate(contact.onBand(at), runsInU(i)) - along); });
-      if (!share)
-        throw std::domain_error(name(i) + ": no section of its fillet runs from face to face");
-      section.shares[side] = *share;
-      section.vertices[side] = vertexOn(contact, i, *share);
-    }
-    return section;
-  }
-
-  static double coordinate(const gp_Pnt2d& at, bool u) { return u ? at.X() : at.Y(); }
-
-  /// Whether the band's parameter u runs along the edge.
-  bool runsInU(std::size_t i) const {
-    const Contact& contact = contacts_[2 * i];
-    const gp_Pnt2d begin = contact.onBand(0), end = contact.onBand(1);
-    gp_Pnt point;
-    gp_Vec u, v;
-    BRepAdaptor_Surface(rounded_.bands[i], false).D1(begin.X(), begin.Y(), point, u, v);
-    return std::abs(end.X() - begin.X()) * u.Magnitude() >
-           std::abs(end.Y() - begin.Y()) * v.Magnitude();
-  }
-
-  TopoDS_Vertex vertexOn(const Contact& contact, std::size_t i, double share) const {
-    const gp_Pnt2d at = contact.onBand(share), beside = contact.onFace(share);
-    const gp_Pnt on_band = BRepAdaptor_Surface(rounded_.bands[i], false).Value(at.X(), at.Y());
-    const gp_Pnt on_face = BRepAdaptor_Surface(contact.face(), false).Value(beside.X(), beside.Y());
-    const Vector3d point = contact.point(share);
-    const gp_Pnt p(point.x(), point.y(), point.z());
-    TopoDS_Vertex vertex;
-    builder_.MakeVertex(
-        vertex, p,
-        std::max({Precision::Confusion(), 2 * p.Distance(on_band), 2 * p.Distance(on_face)}));
-    return vertex;
-  }
-
   void trim(std::size_t i, std::size_t side) {
-    const Contact& contact = contacts_[2 * i + side];
+    const Contact& contact = sections_.contact(i, side);
     const TopoDS_Edge& old = contact.edge();
-    const TopoDS_Vertex& cut = sections_[i].vertices[side];
+    const TopoDS_Vertex& cut = sections_.section(i).vertices[side];
     const TopoDS_Vertex far =
         contact.nearFirst() ? TopExp::LastVertex(old) : TopExp::FirstVertex(old);
     TopoDS_Edge made = TopoDS::Edge(old.EmptyCopied());
     builder_.Add(made, (contact.nearFirst() ? cut : far).Oriented(TopAbs_FORWARD));
     builder_.Add(made, (contact.nearFirst() ? far : cut).Oriented(TopAbs_REVERSED));
-    const double share = sections_[i].shares[side];
+    const double share = sections_.section(i).shares[side];
     builder_.Range(made, contact.nearFirst() ? contact.at(share) : contact.at(1),
                    contact.nearFirst() ? contact.at(1) : contact.at(share));
     change_->Replace(old, made);
@@ -261,10 +102,10 @@ class BandTrimmer {
 
   void endBand(std::size_t i) {
     const TopoDS_Face& band = rounded_.bands[i];
-    const bool u = runsInU(i);
+    const bool u = sections_.runsInU(i);
     std::array<gp_Pnt2d, 2> at;
     for (const std::size_t side : {0, 1})
-      at[side] = contacts_[2 * i + side].onBand(sections_[i].shares[side]);
+      at[side] = sections_.contact(i, side).onBand(sections_.section(i).shares[side]);
     const double along = (coordinate(at[0], u) + coordinate(at[1], u)) / 2;
     const std::array<double, 2> across = {coordinate(at[0], !u), coordinate(at[1], !u)};
     const std::size_t first = across[0] < across[1] ? 0 : 1;
@@ -276,90 +117,44 @@ class BandTrimmer {
                         u ? new Geom2d_Line(gp_Pnt2d(along, 0), gp::DY2d())
                           : new Geom2d_Line(gp_Pnt2d(0, along), gp::DX2d()),
                         band, Precision::Confusion());
-    builder_.Add(made, sections_[i].vertices[first].Oriented(TopAbs_FORWARD));
-    builder_.Add(made, sections_[i].vertices[1 - first].Oriented(TopAbs_REVERSED));
+    builder_.Add(made, sections_.section(i).vertices[first].Oriented(TopAbs_FORWARD));
+    builder_.Add(made, sections_.section(i).vertices[1 - first].Oriented(TopAbs_REVERSED));
     builder_.Range(made, across[first], across[1 - first]);
-    replace(rounded_.band_ends[i], nearVertex(i, false), made, first == 0);
+    replace(rounded_.band_ends[i], sections_.nearVertex(i, false), made, first == 0);
   }
 
   void spring(std::size_t i) {
     const std::size_t next = corner_.after(i);
-    const Contact &from = contacts_[2 * i + 1], &to = contacts_[2 * next];
-    const double leave = sections_[i].shares[1], arrive = sections_[next].shares[0];
+    const Contact &from = sections_.contact(i, 1), &to = sections_.contact(next, 0);
+    const double leave = sections_.section(i).shares[1], arrive = sections_.section(next).shares[0];
     const Vector3d a = from.point(leave), b = to.point(arrive);
     const Vector3d leaving = from.inward(leave), arriving = -to.inward(arrive);
     const std::array<double, 2> legs = legsOf(a, leaving, b, arriving);
     if (!(legs[0] > 0 && legs[1] > 0))
-      throw std::domain_error(name(i) + " and " + name(next) +
+      throw std::domain_error(sections_.name(i) + " and " + sections_.name(next) +
                               ": their fillets cross before their sections, set back by " +
                               lengthText(strips_[i].setback_mm) + " and " +
                               lengthText(strips_[next].setback_mm));
     const BezierCurve curve(springCurve(a, leaving, b, arriving, legs));
     TopoDS_Edge made;
     builder_.MakeEdge(made);
-    builder_.UpdateEdge(made, laidOn(from.face(), curve, from.onFace(leave), to.onFace(arrive)),
+    builder_.UpdateEdge(made, pathOnFace(from.face(), curve, from.onFace(leave), to.onFace(arrive)),
                         from.face(), Precision::Confusion());
-    builder_.Add(made, sections_[i].vertices[1].Oriented(TopAbs_FORWARD));
-    builder_.Add(made, sections_[next].vertices[0].Oriented(TopAbs_REVERSED));
+    builder_.Add(made, sections_.section(i).vertices[1].Oriented(TopAbs_FORWARD));
+    builder_.Add(made, sections_.section(next).vertices[0].Oriented(TopAbs_REVERSED));
     builder_.Range(made, 0, 1);
     if (!BRepLib::BuildCurve3d(made, Precision::Confusion()))
-      throw std::domain_error(name(i) + ": OpenCASCADE makes no curve on the face after it");
-    replace(rounded_.arcs[i], nearVertex(i, true), made, true);
-  }
-
-  /// The pcurve of the curve projected onto the face.
-  static handle<Geom2d_Curve> laidOn(const TopoDS_Face& face, const BezierCurve& curve,
-                                     const gp_Pnt2d& from, const gp_Pnt2d& to) {
-    constexpr int count = 33;
-    const BRepAdaptor_Surface surface(face, false);
-    ShapeAnalysis_Surface nearest(BRep_Tool::Surface(face));
-    const handle<TColgp_HArray1OfPnt2d> path = new TColgp_HArray1OfPnt2d(1, count);
-    const handle<TColStd_HArray1OfReal> places = new TColStd_HArray1OfReal(1, count);
-    path->SetValue(1, from);
-    for (int k = 0; k < count; ++k) places->SetValue(k + 1, static_cast<double>(k) / (count - 1));
-    for (int k = 1; k + 1 < count; ++k) {
-      const Vector3d p = curve.point(places->Value(k + 1));
-      const gp_Pnt2d before = path->Value(k);
-      const gp_Pnt2d at = nearest.NextValueOfUV(before, gp_Pnt(p.x(), p.y(), p.z()), 1e-9);
-      path->SetValue(k + 1,
-                     {beside(at.X(), before.X(), surface.IsUPeriodic() ? surface.UPeriod() : 0),
-                      beside(at.Y(), before.Y(), surface.IsVPeriodic() ? surface.VPeriod() : 0)});
-    }
-    path->SetValue(count, to);
-    Geom2dAPI_Interpolate fit(path, places, false, Precision::PConfusion());
-    fit.Load(tangentIn(surface, from, curve.jet(0).d1), tangentIn(surface, to, curve.jet(1).d1),
-             false);
-    fit.Perform();
-    if (!fit.IsDone())
-      throw std::domain_error("OpenCASCADE finds no path on a face between two fillets");
-    return handle<Geom2d_Curve>(fit.Curve());
-  }
-
-  /// The parameter, moved by whole periods to be nearest to another. \param period 0: not periodic.
-  static double beside(double parameter, double other, double period) {
-    return period > 0 ? parameter + period * std::round((other - parameter) / period) : parameter;
-  }
-
-  /// The direction in the parameter plane that belongs to a tangent vector.
-  static gp_Vec2d tangentIn(const BRepAdaptor_Surface& surface, const gp_Pnt2d& at,
-                            const Vector3d& run) {
-    gp_Pnt point;
-    gp_Vec u, v;
-    surface.D1(at.X(), at.Y(), point, u, v);
-    Eigen::MatrixXd partials(3, 2);
-    partials << vector(u), vector(v);
-    const Eigen::Vector2d direction = linear::PivotedQr(partials).solve(run);
-    return {direction(0), direction(1)};
+      throw std::domain_error(sections_.name(i) +
+                              ": OpenCASCADE makes no curve on the face after it");
+    replace(rounded_.arcs[i], sections_.nearVertex(i, true), made, true);
   }
 
   const Corner& corner_;
   const std::vector<CornerStrip>& strips_;
   const RoundedOutside& rounded_;
+  const BandSections& sections_;
   const handle<BRepTools_ReShape> change_;
   BRep_Builder builder_;
-  TopTools_IndexedDataMapOfShapeListOfShape around_, edges_at_;
-  std::vector<Contact> contacts_;  ///< 2 i: before edge i, 2 i + 1: after it
-  std::vector<Section> sections_;
 };
 
 /// The radius of the ball beyond which fillets between planes do not obstruct each other.
@@ -532,12 +327,13 @@ Made tried(const Corner& corner, std::vector<CornerStrip> strips,
   setBackFromBall(corner, options, attempt.margin * ball_mm, strips);
   requireRoom(corner, strips, options);
   const RoundedOutside rounded = roundedOutside(corner, strips, ball_mm);
-  BandTrimmer trimmer(corner, strips, rounded);
+  const BandSections sections(corner, strips, rounded);
+  BandTrimmer trimmer(corner, strips, rounded, sections);
   const Model holed = holedModel(rounded, trimmer, trimmer.run());
 
   FillHoleOptions how;
   how.tolerance = options.tolerance;
-  how.tolerance.gap_mm = std::min(how.tolerance.gap_mm, trimmer.shortestSide_mm() / 10);
+  how.tolerance.gap_mm = std::min(how.tolerance.gap_mm, sections.shortestSide_mm() / 10);
   how.keep_anyway = true;
   how.most_degree = attempt.most_degree;
   how.jobs = options.jobs;
@@ -545,7 +341,8 @@ Made tried(const Corner& corner, std::vector<CornerStrip> strips,
   const FillHoleReport report =
       fillHole(holed, holeBesideBands(holed, corner.count(), first_band, how), how,
                namesOf(corner, rounded, trimmer, holed), progress);
-  if (!report.filled) throw std::domain_error("the corner between the fillets: " + report.reason);
+  if (!report.filled)
+    throw std::domain_error("the corner between the fillets: " + textOf(report.reason));
 
   Made made{{shellOf(report, corner), {}, fillOf(report), 0}, report.reached};
   for (const FilledSide& side : report.sides)
@@ -553,7 +350,7 @@ Made tried(const Corner& corner, std::vector<CornerStrip> strips,
   for (std::size_t i = 0; i < corner.count(); ++i)
     made.corner.edges.push_back({corner.edges[i].number, corner.edges[i].convex,
                                  corner.edges[i].opening_rad, strips[i].radius_mm,
-                                 trimmer.contact_mm(i), strips[i].setback_mm});
+                                 sections.contact_mm(i), strips[i].setback_mm});
   return made;
 }
 

@@ -28,8 +28,9 @@ std::vector<FillAttempt> othersThan(const FillAttempt& first, const FillHoleRepo
   std::vector<FillAttempt> others;
   if (report.faces.empty()) return others;
   if (!isSound(report) && first.most_degree > fairer_degree)
-    others.push_back({fairer_degree, first.curvature_raise});
-  if (first.curvature_raise) others.push_back({first.most_degree, std::nullopt});
+    others.push_back({.most_degree = fairer_degree, .curvature_raise = first.curvature_raise});
+  if (first.curvature_raise)
+    others.push_back({.most_degree = first.most_degree, .curvature_raise = std::nullopt});
   return others;
 }
 
@@ -52,11 +53,11 @@ void requireEdges(const Model& model, const Hole& hole) {
 }
 
 /// Why the boundary of a hole can't be met; empty if it can.
-std::string whyNotMet(const TopoDS_Shape& shape, const Hole& hole) {
+FillReason whyNotMet(const TopoDS_Shape& shape, const Hole& hole) {
   const UnusableParts unusable(shape);
   for (const HoleSide& side : hole.sides)
     for (const HoleEdge& edge : side.edges)
-      if (std::string why = whyNotMet(unusable, edge.edge, edge.use.face); !why.empty()) return why;
+      if (FillReason why = whyNotMet(unusable, edge.edge, edge.use.face); !why.empty()) return why;
   return {};
 }
 
@@ -75,13 +76,12 @@ std::optional<double> largest(const FillHoleReport& report,
 /// The face that continues a surface through the hole. Failures give nothing: patches are tried
 /// next, and their reasons are reported.
 std::optional<TopoDS_Face> faceThatGoesOn(const Hole& hole, const FillHoleOptions& options) {
-  constexpr double share = 20;  // divisor of the tolerances, the same as for patches
   if (!options.continue_surface) return std::nullopt;
   try {
-    return continuedFace(hole, options.tolerance.gap_mm / share,
+    return continuedFace(hole, options.tolerance.gap_mm / fit_share,
                          options.target == Level::G0
                              ? std::nullopt
-                             : std::optional(options.tolerance.angle_rad / share));
+                             : std::optional(options.tolerance.angle_rad / fit_share));
   } catch (const Standard_Failure&) {
     return std::nullopt;
   } catch (const std::runtime_error&) {
@@ -89,19 +89,18 @@ std::optional<TopoDS_Face> faceThatGoesOn(const Hole& hole, const FillHoleOption
   }
 }
 
-FillHoleReport bestByPatches(const Model& model, const Hole& hole, const FillHoleOptions& options,
-                             const FaceNames& names, const Progress& progress) {
+FillHoleReport bestByPatches(const FillTask& task, const Progress& progress) {
   constexpr double share_of_first = 0.5;
-  const FillAttempt first{options.most_degree, raiseFor(options.target)};
-  FillHoleReport best =
-      filledByPatches(model, hole, options, names, first, partOf(progress, 0, share_of_first));
+  const FillHoleOptions& options = task.options;
+  const FillAttempt first{.most_degree = options.most_degree,
+                          .curvature_raise = raiseFor(options.target)};
+  FillHoleReport best = filledByPatches(task, first, partOf(progress, 0, share_of_first));
   const std::vector<FillAttempt> others =
       best.reached ? std::vector<FillAttempt>() : othersThan(first, best);
   double build_s = best.build_s, done = share_of_first;
   for (std::size_t k = 0; k < others.size(); ++k) {
     const double next = done + (1 - done) / static_cast<double>(others.size() - k);
-    FillHoleReport other =
-        filledByPatches(model, hole, options, names, others[k], partOf(progress, done, next));
+    FillHoleReport other = filledByPatches(task, others[k], partOf(progress, done, next));
     done = next;
     build_s += other.build_s;
     if (isBetter(other, best, options.target)) best = std::move(other);
@@ -163,16 +162,16 @@ FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOpti
   options.validate();
   requireEdges(model, hole);
   constexpr double share_of_face = 0.1;
+  const FillTask task{.model = model, .hole = hole, .options = options, .names = names};
   std::optional<FillHoleReport> by_face;
   if (const std::optional<TopoDS_Face> face = faceThatGoesOn(hole, options))
-    by_face = filledByFace(model, hole, options, names, *face, partOf(progress, 0, share_of_face));
+    by_face = filledByFace(task, *face, partOf(progress, 0, share_of_face));
   // If the face meets others, patches would too, because they would lie where the face lies.
   if (by_face && (by_face->reached || by_face->meets_others)) {
     if (progress && !progress(1)) throw Cancelled();
     return std::move(*by_face);
   }
-  FillHoleReport best =
-      bestByPatches(model, hole, options, names, partOf(progress, share_of_face, 1));
+  FillHoleReport best = bestByPatches(task, partOf(progress, share_of_face, 1));
   if (by_face && !isBetter(best, *by_face, options.target)) best = std::move(*by_face);
   if (progress && !progress(1)) throw Cancelled();
   return best;

@@ -7,6 +7,7 @@
 
 #include <seamwright/core/fill/n_sided_fill.hpp>
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
+#include <seamwright/occ_adapter/fill/fill_reason.hpp>
 #include <seamwright/occ_adapter/fill/holes.hpp>
 
 namespace seamwright::occ {
@@ -52,7 +53,7 @@ struct FillHoleReport {
   /// size limit.
   bool reached = false;
   /// Why the target is not reached, with numbers of the given model; empty if it is reached.
-  std::string reason;
+  FillReason reason;
   std::vector<FilledSide> sides;
   std::vector<FillCorner> corners;
   bool regular = false;       ///< see NSidedFill::regular

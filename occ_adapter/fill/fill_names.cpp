@@ -23,14 +23,17 @@ Hole holeIn(const Model& model, Hole hole) {
   return hole;
 }
 
-std::string whyNotMet(const UnusableParts& unusable, int edge, int face) {
+FillReason whyNotMet(const UnusableParts& unusable, int edge, int face) {
   std::string fault;
   if (unusable.hasFace(face))
     fault = unusable.describeFace(face);
   else if (unusable.hasEdge(edge))
     fault = unusable.describeEdge(edge);
-  return fault.empty() ? fault
-                       : "the hole can't be met at edge " + std::to_string(edge) + ": " + fault;
+  if (fault.empty()) return {};
+  return {.fault = FillFault::UnusableBoundary,
+          .faces = {numberedFace(face)},
+          .edges = {edge},
+          .detail = fault};
 }
 
 }  // namespace seamwright::occ

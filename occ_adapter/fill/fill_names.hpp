@@ -30,7 +30,7 @@ Model modelOfOwnParts(Model model);
 Hole holeIn(const Model& model, Hole hole);
 
 /// Why a fill can't meet the face that stays at an edge of the hole's boundary; empty if it can.
-std::string whyNotMet(const UnusableParts& unusable, int edge, int face);
+FillReason whyNotMet(const UnusableParts& unusable, int edge, int face);
 
 /// As fillHole(). \param names names of the model's faces.
 FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOptions& options,

@@ -13,14 +13,40 @@
 /// Makes one attempt to fill a hole. Not a public header.
 namespace seamwright::occ {
 
-/// The reason that prevents a hole from being filled.
+/// A hole is not filled, for a reason.
 class NotFilled : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit NotFilled(FillReason reason)
+      : std::runtime_error(textOf(reason)), reason_(std::move(reason)) {}
+  const FillReason& reason() const { return reason_; }
+
+ private:
+  FillReason reason_;
 };
 
-/// The text of a failure of OpenCASCADE, with the operation that failed.
-std::string failureText(const std::string& doing, const Standard_Failure& failure);
+/// The reason for a failure of OpenCASCADE, with the operation that failed.
+FillReason reasonOf(const std::string& doing, const Standard_Failure& failure);
+
+/// The errors of the sides and of the corners may each be the tolerance over this number, so that
+/// the sum of all errors is well within the tolerance.
+inline constexpr double fit_share = 20;
+
+/// If tangents at a corner leave a side's tangent plane by more than this, no smooth surface
+/// contains both: the side has position only.
+inline constexpr double most_planar_rad = 0.1;
+
+/// A fill, the hole and what is asked for. All is kept by reference.
+struct FillTask {
+  const Model& model;
+  const Hole& hole;
+  const FillHoleOptions& options;
+  const FaceNames& names;
+
+  int firstNewFace() const { return model.faceCount() + 1; }
+  /// Whether the number is one of a new face, in the shape before sewing.
+  bool isNew(int face) const { return face >= firstNewFace(); }
+  std::string nameOf(int face) const { return isNew(face) ? "the fill" : names(face); }
+};
 
 /// Parameters of an attempt.
 struct FillAttempt {
@@ -35,13 +61,11 @@ struct FillAttempt {
 bool isSound(const FillHoleReport& report);
 
 /// Fills the hole with new patches.
-FillHoleReport filledByPatches(const Model& model, const Hole& hole, const FillHoleOptions& options,
-                               const FaceNames& names, const FillAttempt& attempt,
+FillHoleReport filledByPatches(const FillTask& task, const FillAttempt& attempt,
                                const Progress& progress);
 
 /// Fills the hole with a given face, which is regular and bounded by copies of the hole's edges.
-FillHoleReport filledByFace(const Model& model, const Hole& hole, const FillHoleOptions& options,
-                            const FaceNames& names, const TopoDS_Face& face,
+FillHoleReport filledByFace(const FillTask& task, const TopoDS_Face& face,
                             const Progress& progress);
 
 }  // namespace seamwright::occ

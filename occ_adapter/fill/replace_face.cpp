@@ -26,7 +26,7 @@ Model without(const Model& model, const TopoDS_Shape& face) {
   Model rest = model;
   rest.shape = change->Apply(model.shape);
   if (rest.shape.IsNull() || !TopExp_Explorer(rest.shape, TopAbs_FACE).More())
-    throw NotFilled("the face is all there is");
+    throw NotFilled({.fault = FillFault::OnlyFace});
   rest.attributes.clear();
   for (const ShapeAttribute& attribute : model.attributes) {
     const TopoDS_Shape part = change->Apply(partsOf(model.shape, attribute.kind)(attribute.index));
@@ -51,8 +51,8 @@ void requireUsableBorder(const TopoDS_Shape& whole, int face) {
     for (const TopoDS_Shape& beside : faces_of_edge.FindFromKey(edge.Current())) {
       const int other = faces.FindIndex(beside);
       if (other == face) continue;
-      const std::string why = whyNotMet(unusable, edges.FindIndex(edge.Current()), other);
-      if (!why.empty()) throw NotFilled(why);
+      FillReason why = whyNotMet(unusable, edges.FindIndex(edge.Current()), other);
+      if (!why.empty()) throw NotFilled(std::move(why));
     }
 }
 
@@ -65,7 +65,7 @@ Hole holeOf(const Model& rest, const TopoDS_Shape& face, const FillHoleOptions& 
     if (number > 0)
       wanted.insert(number);
     else if (!BRep_Tool::Degenerated(TopoDS::Edge(edge.Current())))
-      throw NotFilled("the face bounds the hole on one side only: it has an edge of its own");
+      throw NotFilled({.fault = FillFault::EdgeOfOneFace});
   }
   const Holes found = findHoles(rest.shape, {options.corner_rad, options.tolerance.gap_mm});
   for (const Hole& hole : found.holes) {
@@ -74,7 +74,7 @@ Hole holeOf(const Model& rest, const TopoDS_Shape& face, const FillHoleOptions& 
       for (const HoleEdge& edge : side.edges) its.insert(edge.edge);
     if (its == wanted) return hole;
   }
-  throw NotFilled("the edges of the face are not one loop of edges that the neighbours keep");
+  throw NotFilled({.fault = FillFault::NoLoop});
 }
 
 }  // namespace
@@ -99,9 +99,9 @@ FillHoleReport replaceFace(const Model& model, int face, const FillHoleOptions& 
     for (FilledSide& side : report.sides)
       for (int& edge : side.edges) edge = edges.given(edge);
   } catch (const NotFilled& why) {
-    report.reason = why.what();
+    report.reason = why.reason();
   } catch (const Standard_Failure& failure) {
-    report.reason = failureText("taking the face out", failure);
+    report.reason = reasonOf("taking the face out", failure);
   }
   if (!report.filled) report.model = model;
   return report;

@@ -82,7 +82,7 @@ std::vector<Progression> progressionsOf(const std::vector<SidePath>& paths) {
 }
 
 /// The number of parts of each side.
-std::vector<int> partsOf(const std::vector<Progression>& progressions, std::size_t count) {
+std::vector<int> partCounts(const std::vector<Progression>& progressions, std::size_t count) {
   std::vector<int> parts(progressions.size(), 1);
   for (std::size_t k = progressions.size(); k < count; ++k) {
     std::size_t longest = 0;
@@ -237,7 +237,7 @@ std::vector<SideInterval> cutSides(const Hole& hole, std::size_t count, double g
                                    bool at_joints) {
   const std::vector<SidePath> paths = pathsOf(hole, gap_mm);
   const std::vector<Progression> progressions = progressionsOf(paths);
-  const std::vector<int> parts = partsOf(progressions, count);
+  const std::vector<int> parts = partCounts(progressions, count);
   std::vector<SideInterval> intervals;
   for (std::size_t k = 0; k < paths.size(); ++k) {
     std::vector<double> cuts;

@@ -120,8 +120,11 @@ void bindHole(py::module_& module) {
           "reached", [](const FillReport& fill) { return fill.report.reached; },
           "Every new seam surely reaches the target.")
       .def_property_readonly(
-          "reason", [](const FillReport& fill) { return fill.report.reason; },
-          "Why not; else empty.")
+          "reason", [](const FillReport& fill) { return textOf(fill.report.reason); },
+          "Why the target is not reached; empty if it is.")
+      .def_property_readonly(
+          "reason_code", [](const FillReport& fill) { return codeOf(fill.report.reason.fault); },
+          "The code of the reason, see docs/fill.md; empty if the target is reached.")
       .def_property_readonly(
           "largest_angle_deg",
           [](const FillReport& fill) {

@@ -152,7 +152,8 @@ ordered_json toJson(const occ::FillHoleReport& report, const occ::FillHoleOption
   json["corner_deg"] = degrees(options.corner_rad);
   json["filled"] = report.filled;
   json["reached"] = report.reached;
-  json["reason"] = report.reason;
+  json["reason"] = textOf(report.reason);
+  json["reason_code"] = codeOf(report.reason.fault);
   json["largest_gap_mm"] = maybe(report.largestGap_mm());
   json["largest_angle_deg"] = maybe(report.largestAngle_rad(), degrees(1));
   json["largest_curvature_rel"] = maybe(report.largestCurvature_rel());
@@ -204,7 +205,7 @@ std::string toTable(const occ::FillHoleReport& report, const occ::FillHoleOption
   if (!differences.empty()) out << output->path.string() << ' ' << differences << '\n';
   const bool reached = report.reached && (!output || output->isAsGoodAs(memory));
   out << (reached ? "REACHED " : "NOT REACHED ") << name(options.target)
-      << (report.reason.empty() ? "" : ": " + report.reason) << '\n';
+      << (report.reason.empty() ? "" : ": " + textOf(report.reason)) << '\n';
   return out.str();
 }
 

@@ -29,7 +29,7 @@ FillHoleReport filled(const TopoDS_Shape& shape) {
 
 void expectSmoothlyFilled(const TopoDS_Shape& sheet, const TopoDS_Wire& outline) {
   const FillHoleReport report = filled(cutThrough(sheet, outline));
-  ASSERT_TRUE(report.reached) << report.reason;
+  ASSERT_TRUE(report.reached) << textOf(report.reason);
   EXPECT_TRUE(report.regular);
   EXPECT_EQ(report.faces.size(), 5U);
   EXPECT_TRUE(BRepCheck_Analyzer(report.model.shape).IsValid());
@@ -63,16 +63,16 @@ TEST(HolesAcross, WhatNoPolynomialMeetsIsPlacedAndCanBeActedOn) {
   const FillHoleReport report =
       filled(cutThrough(quarteredSheet(), roundedRectangle(24, 14, 4, 0)));
   EXPECT_FALSE(report.filled);
-  EXPECT_THAT(report.reason, HasSubstr("; one polynomial meets the side about ("));
+  EXPECT_THAT(textOf(report.reason), HasSubstr("; one polynomial meets the side about ("));
   EXPECT_THAT(
-      report.reason,
+      textOf(report.reason),
       HasSubstr(" mm alone: a larger gap would help, or a face put across the hole there first"));
 }
 
 TEST(HolesAcross, AReflexCornerOfAnElbowIsPlaced) {
   const FillHoleReport report = filled(cutThrough(bentPlate(), elbow(24, 0.4)));
   EXPECT_FALSE(report.filled);
-  EXPECT_THAT(report.reason, HasSubstr(" at (0, 0, 0) mm: its angle is 270 degrees"));
+  EXPECT_THAT(textOf(report.reason), HasSubstr(" at (0, 0, 0) mm: its angle is 270 degrees"));
 }
 
 TEST(HolesAcross, CornersThatWereTakenForSmoothAreNamed) {
@@ -84,7 +84,7 @@ TEST(HolesAcross, CornersThatWereTakenForSmoothAreNamed) {
       occ::fillHole(modelFromShape(box), found.holes.front(), {.corner_rad = corner_rad});
   EXPECT_FALSE(report.filled);
   EXPECT_THAT(
-      report.reason,
+      textOf(report.reason),
       testing::ContainsRegex("; edges [0-9]+ and [0-9]+ are one side, but turn by 90 degrees at "
                              "\\(.*\\) mm: a corner angle below that makes a corner of it$"));
 }

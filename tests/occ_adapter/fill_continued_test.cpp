@@ -221,7 +221,7 @@ class HoleInOneSurface : public testing::TestWithParam<std::tuple<int, int>> {
 TEST_P(HoleInOneSurface, IsClosedByIt) {
   const Hole hole = holeOnTop(holed_);
   const FillHoleReport report = occ::fillHole(modelFromShape(holed_), hole);
-  ASSERT_TRUE(report.reached) << base_.name << " " << tool_.name << ": " << report.reason;
+  ASSERT_TRUE(report.reached) << base_.name << " " << tool_.name << ": " << textOf(report.reason);
   EXPECT_TRUE(report.filled && report.regular);
   ASSERT_EQ(report.faces.size(), 1U);
   EXPECT_TRUE(report.sides.empty() && report.inner.empty());
@@ -259,7 +259,7 @@ TEST(FillByAFace, OfAFaceBetweenFilletsIsItsPlane) {
     if (BRepAdaptor_Surface(TopoDS::Face(faces(face))).GetType() != GeomAbs_Plane) continue;
     ++flat;
     const FillHoleReport report = occ::replaceFace(modelFromShape(shape), face);
-    ASSERT_TRUE(report.reached) << report.reason;
+    ASSERT_TRUE(report.reached) << textOf(report.reason);
     ASSERT_EQ(report.faces.size(), 1U);
     EXPECT_TRUE(BRepCheck_Analyzer(report.model.shape).IsValid());
     EXPECT_NEAR(volume_mm3(report.model.shape), volume_mm3(shape), 1e-6);
@@ -273,7 +273,7 @@ TEST(FillByAFace, KeepsLinesAndCircles) {
       BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0, 0, 20), gp_Dir(0, 0, 1)), -30, 30, -30, 30).Face();
   const TopoDS_Shape holed = BRepAlgoAPI_Cut(sheet, roundedRectangle(10, 6, 2)).Shape();
   const FillHoleReport report = occ::fillHole(modelFromShape(holed), holeOnTop(holed));
-  ASSERT_TRUE(report.reached) << report.reason;
+  ASSERT_TRUE(report.reached) << textOf(report.reason);
   std::map<GeomAbs_CurveType, int> kinds;
   const TopTools_IndexedMapOfShape edges = partsOf(report.model.shape, TopAbs_EDGE);
   for (int edge = 1; edge <= edges.Extent(); ++edge)
@@ -299,7 +299,7 @@ TEST(FillByAFace, CrossesFacesOfEqualSurfaces) {
   ASSERT_EQ(holes.size(), 3U);
   const Hole hole = *std::ranges::min_element(holes, {}, &Hole::length_mm);
   const FillHoleReport report = occ::fillHole(modelFromShape(holed), hole);
-  ASSERT_TRUE(report.reached) << report.reason;
+  ASSERT_TRUE(report.reached) << textOf(report.reason);
   EXPECT_EQ(report.faces.size(), 1U);
   EXPECT_NEAR(area_mm2(report.model.shape), 40 * std::numbers::pi * 80, 0.01);
 }
@@ -313,7 +313,7 @@ TEST(FillByAFace, LiesNotOnItsNeighbours) {
   const TopoDS_Shape tube = without(BRepPrimAPI_MakeCylinder(5, 10).Shape(), {2});
   const FillHoleReport dome =
       occ::fillHole(modelFromShape(tube), occ::findHoles(tube).holes.front());
-  EXPECT_TRUE(dome.reached) << dome.reason;
+  EXPECT_TRUE(dome.reached) << textOf(dome.reason);
   EXPECT_EQ(dome.faces.size(), 5U);
 }
 
@@ -335,7 +335,7 @@ TEST(FillByAFace, RunsNotIntoItsNeighbour) {
     const Hole rim = *std::ranges::max_element(holes, {}, &Hole::length_mm);
     const FillHoleReport report = occ::fillHole(modelFromShape(shape), rim, {.target = Level::G0});
     EXPECT_FALSE(report.filled || report.reached);
-    EXPECT_EQ(report.reason, "the fill runs into face 1");
+    EXPECT_EQ(textOf(report.reason), "the fill runs into face 1");
   }
 }
 
@@ -349,7 +349,7 @@ TEST(FillByAFace, OfALoopThatCrossesItselfIsRefused) {
   for (const Hole& hole : occ::findHoles(walls).holes) {
     const FillHoleReport report = occ::fillHole(modelFromShape(walls), hole, {.target = Level::G0});
     EXPECT_FALSE(report.filled || report.reached);
-    EXPECT_EQ(report.reason, "OpenCASCADE's checks would not pass for the fill");
+    EXPECT_EQ(textOf(report.reason), "OpenCASCADE's checks would not pass for the fill");
   }
 }
 

@@ -94,7 +94,7 @@ class RoundHole : public testing::TestWithParam<int> {
 
 TEST_P(RoundHole, IsFilledByFiveFacesNearTheSphere) {
   const FillHoleReport report = filled(sphereWithout(case_.tool));
-  ASSERT_TRUE(report.filled) << case_.name << ": " << report.reason;
+  ASSERT_TRUE(report.filled) << case_.name << ": " << textOf(report.reason);
   EXPECT_TRUE(report.reached);
   EXPECT_TRUE(report.regular);
   EXPECT_EQ(report.faces.size(), 5U);
@@ -111,7 +111,7 @@ TEST_P(RoundHole, MovesWithTheModel) {
   const TopoDS_Shape shape = sphereWithout(case_.tool);
   const FillHoleReport plain = filled(shape),
                        moved = filled(transformed(shape, randomMotion(random)));
-  ASSERT_TRUE(moved.filled) << case_.name << ": " << moved.reason;
+  ASSERT_TRUE(moved.filled) << case_.name << ": " << textOf(moved.reason);
   EXPECT_NEAR(*moved.largestAngle_rad(), *plain.largestAngle_rad(),
               1e-2 * *plain.largestAngle_rad() + 1e-7);
 }
@@ -122,7 +122,7 @@ TEST_P(RoundHole, CurvatureIsNearlyThatOfTheSphere) {
   const FillHoleReport curved = filled(sphereWithout(case_.tool), options);
   options.target = Level::G1;
   const FillHoleReport plain = filled(sphereWithout(case_.tool), options);
-  ASSERT_TRUE(curved.filled && plain.filled) << curved.reason << plain.reason;
+  ASSERT_TRUE(curved.filled && plain.filled) << textOf(curved.reason) << textOf(plain.reason);
   ASSERT_TRUE(curved.curvature_jump_per_mm.has_value());
   EXPECT_FALSE(plain.curvature_jump_per_mm.has_value());
   EXPECT_LT(*curved.curvature_jump_per_mm, case_.within_jump / radius) << case_.name;
@@ -183,7 +183,7 @@ TEST(RoundHoles, ASlotInAPlaneIsFlat) {
   for (const bool continue_surface : {false, true}) {
     const FillHoleReport report =
         occ::fillHole(model, *hole, {.continue_surface = continue_surface});
-    ASSERT_TRUE(report.filled) << report.reason;
+    ASSERT_TRUE(report.filled) << textOf(report.reason);
     EXPECT_EQ(report.faces.size(), continue_surface ? 1U : 5U);
     expectFlat(report.model.shape, report.faces, 10);
     EXPECT_NEAR(area_mm2(report.model.shape, report.faces), 20 * 8 + 16 * std::numbers::pi, 1e-3);
@@ -196,7 +196,7 @@ TEST(RoundHoles, TheFlatLidOfACanClosesIt) {
     for (const bool continue_surface : {false, true}) {
       const FillHoleReport flat = replaceFace(
           modelFromShape(can), lid, {.target = Level::G0, .continue_surface = continue_surface});
-      ASSERT_TRUE(flat.filled) << flat.reason;
+      ASSERT_TRUE(flat.filled) << textOf(flat.reason);
       EXPECT_EQ(flat.faces.size(), continue_surface ? 1U : 5U);
       EXPECT_EQ(flat.model.shape.ShapeType(), TopAbs_SOLID);
       EXPECT_TRUE(BRepCheck_Analyzer(flat.model.shape).IsValid());
@@ -212,12 +212,12 @@ TEST(RoundHoles, TheSmoothLidOfACanIsADome) {
   const TopoDS_Shape can = BRepPrimAPI_MakeCylinder(5, 10).Shape();
   for (const int lid : {2, 3}) {
     const FillHoleReport dome = replaceFace(modelFromShape(can), lid);
-    ASSERT_TRUE(dome.filled) << dome.reason;
+    ASSERT_TRUE(dome.filled) << textOf(dome.reason);
     EXPECT_LT(largestAngle_rad(dome.model.shape, dome.faces), 0.001 * degree);
     // Along the wall's straight lines the dome begins without curvature, if it is told of the
     // wall's.
     const FillHoleReport curved = replaceFace(modelFromShape(can), lid, {.target = Level::G2});
-    EXPECT_TRUE(curved.reached) << curved.reason;
+    EXPECT_TRUE(curved.reached) << textOf(curved.reason);
     EXPECT_LT(curved.largestCurvature_rel().value_or(1), 0.005);
     EXPECT_GT(dome.largestCurvature_rel().value_or(0), 0.1);
   }
@@ -236,7 +236,7 @@ TEST(RoundHoles, ARoundHoleInACylinderIsFilledByPatches) {
   const FillHoleReport report =
       occ::fillHole(modelFromShape(holed), *std::ranges::min_element(holes, {}, &Hole::length_mm),
                     {.continue_surface = false});
-  ASSERT_TRUE(report.reached) << report.reason;
+  ASSERT_TRUE(report.reached) << textOf(report.reason);
   EXPECT_EQ(report.faces.size(), 5U);
   EXPECT_LT(largestAngle_rad(report.model.shape, report.faces), 0.01 * degree);
 }
@@ -260,7 +260,8 @@ TEST(RoundHoles, ACuspIsNamed) {
       occ::fillHole(modelFromShape(holed), *std::ranges::min_element(holes, {}, &Hole::length_mm),
                     {.continue_surface = false});
   EXPECT_FALSE(report.filled);
-  EXPECT_THAT(report.reason, HasSubstr(" at (0, 0, 0) mm: it is a cusp, with an angle of "));
+  EXPECT_THAT(textOf(report.reason),
+              HasSubstr(" at (0, 0, 0) mm: it is a cusp, with an angle of "));
 }
 
 // A corner of 270 degrees between five others.
@@ -268,8 +269,9 @@ TEST(RoundHoles, AReflexCornerAmongManyIsRefused) {
   const TopoDS_Shape arrow = BRepAlgoAPI_Cut(slab(-8, -8, 8, 8), slab(0, 0, 20, 20)).Shape();
   const FillHoleReport report = filled(sphereWithout(arrow));
   EXPECT_FALSE(report.filled);
-  EXPECT_THAT(report.reason, testing::StartsWith("corner "));
-  EXPECT_THAT(report.reason, HasSubstr(" at (0, 0, 20) mm: its angle is 270 degrees, above 180: "));
+  EXPECT_THAT(textOf(report.reason), testing::StartsWith("corner "));
+  EXPECT_THAT(textOf(report.reason),
+              HasSubstr(" at (0, 0, 20) mm: its angle is 270 degrees, above 180: "));
 }
 
 }  // namespace

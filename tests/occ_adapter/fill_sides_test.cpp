@@ -86,7 +86,7 @@ TEST(FillSides, NeighboursThatMissOneAnotherByALittleAreMetInLowDegrees) {
     lifted.SetTranslation(gp_Vec(0, 0, off_mm));
     const TopoDS_Shape below = moved(graphFace({-half, half}, {-3 * half, -half}), lifted);
     const FillHoleReport report = filledInside(around(half, {below}, 1e-2));
-    ASSERT_TRUE(report.filled && report.reached) << off_mm << " mm: " << report.reason;
+    ASSERT_TRUE(report.filled && report.reached) << off_mm << " mm: " << textOf(report.reason);
     for (const occ::FilledSide& side : report.sides)
       EXPECT_EQ(side.edge_degree, 3) << off_mm << " mm";
     // A cubic that begins half of that off its path leaves it by no steeper slope.
@@ -104,7 +104,7 @@ TEST(FillSides, PlanesThatDifferAtCornersAreMetHalfway) {
     turned.SetRotation(gp_Ax1(begin, gp_Dir(gp_Vec(begin, end))), differ_deg * degree);
     const TopoDS_Shape below = moved(graphFace({-half, half}, {-3 * half, -half}), turned);
     const FillHoleReport report = filledInside(around(half, {below}, 1e-2), {.keep_anyway = true});
-    ASSERT_TRUE(report.filled) << differ_deg << " degrees: " << report.reason;
+    ASSERT_TRUE(report.filled) << differ_deg << " degrees: " << textOf(report.reason);
     const double angle_deg = largestAngle_rad(report.model.shape, report.faces) / degree;
     // The edges of both sides lie within the planes: those differ at the corners by a little less
     // than they were turned.
@@ -122,7 +122,7 @@ TEST(FillSides, TwoNeighboursOfOneSideMayTwistUnlike) {
               graphFace({joint, half}, {-3 * half, -half}, {0.003, joint, half})},
              1e-6);
   const FillHoleReport report = filledInside(shape);
-  ASSERT_TRUE(report.filled && report.reached) << report.reason;
+  ASSERT_TRUE(report.filled && report.reached) << textOf(report.reason);
   EXPECT_EQ(std::ranges::count_if(
                 report.sides, [](const occ::FilledSide& side) { return side.edges.size() == 2; }),
             1);

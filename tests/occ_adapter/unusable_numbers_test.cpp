@@ -170,7 +170,7 @@ TEST(UnusableNumbers, AreNotRepairedAndNotFilled) {
   EXPECT_EQ(told, 2) << "both circles";
   const occ::FillHoleReport filled = occ::replaceFace(model, 2);
   EXPECT_FALSE(filled.filled);
-  EXPECT_THAT(filled.reason, HasSubstr("the number inf"));
+  EXPECT_THAT(textOf(filled.reason), HasSubstr("the number inf"));
   EXPECT_TRUE(filled.model.shape.IsSame(shape));
 }
 

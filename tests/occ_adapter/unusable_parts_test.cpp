@@ -79,7 +79,7 @@ TEST(UnusableParts, AFaceIsReplacedOppositeToOne) {
     damage(shape, other, bad);
     const occ::FillHoleReport report =
         occ::replaceFace(modelFromShape(shape), replaced_face, {.target = Level::G0});
-    ASSERT_TRUE(report.filled && report.reached) << report.reason;
+    ASSERT_TRUE(report.filled && report.reached) << textOf(report.reason);
     const TopoDS_Shape& filled = report.model.shape;
     EXPECT_EQ(partsOf(filled, TopAbs_FACE).Extent(), 6);
     EXPECT_EQ(partsOf(filled, TopAbs_EDGE).Extent(), 12) << "closed";
@@ -98,7 +98,7 @@ TEST(UnusableParts, AFaceBesideOneIsNotReplaced) {
   damage(shape, beside, no_number);
   const occ::FillHoleReport report = occ::replaceFace(modelFromShape(shape), replaced_face);
   EXPECT_FALSE(report.filled);
-  EXPECT_THAT(report.reason, HasSubstr("the hole can't be met at edge"));
+  EXPECT_THAT(textOf(report.reason), HasSubstr("the hole can't be met at edge"));
   EXPECT_THAT(report.reason,
               HasSubstr("face " + std::to_string(beside) + " has a surface with the number nan"));
   EXPECT_TRUE(report.model.shape.IsSame(shape));
@@ -109,7 +109,7 @@ TEST(UnusableParts, OneIsReplacedItself) {
   damage(shape, replaced_face, no_number);
   const occ::FillHoleReport report =
       occ::replaceFace(modelFromShape(shape), replaced_face, {.target = Level::G0});
-  ASSERT_TRUE(report.filled && report.reached) << report.reason;
+  ASSERT_TRUE(report.filled && report.reached) << textOf(report.reason);
   EXPECT_TRUE(occ::UnusableParts(report.model.shape).empty());
   EXPECT_TRUE(analyzed(report.model.shape).passed());
 }
@@ -123,7 +123,7 @@ TEST(UnusableParts, HolesAreFilledUnlessTheyAreBoundedByOne) {
   damage(whole, other, infinity);
   const Model model = modelFromShape(shape);
   const occ::FillHoleReport filled = occ::fillHole(model, holes.front(), {.target = Level::G0});
-  EXPECT_TRUE(filled.filled && filled.reached) << filled.reason;
+  EXPECT_TRUE(filled.filled && filled.reached) << textOf(filled.reason);
 
   const int beside = holes.front().sides.front().edges.front().use.face;
   damage(shape, beside, no_number);

@@ -131,6 +131,7 @@ def test_faces_in_a_reason_are_those_of_the_given_model(box):
         result, report, _ = fill(box, "--face", str(face))
         beside = {f"face {other}" for other in range(1, 7) if other not in (face, opposite[face])}
         assert report["reason"].startswith("a seam between face ")
+        assert report["reason_code"] == "misses_target"
         assert report["reason"].split(" and the fill")[0].removeprefix("a seam between ") in beside
         assert set(re.findall(r"(face \d), the fill ", result.stdout)) == beside
         edges = {seam["edges"][0] for seam in analysis(box)["seams"] if face in seam["faces"]}
@@ -164,6 +165,7 @@ def test_what_can_not_be_smooth_is_not_written(box):
     assert result.returncode == 1
     assert "NOT REACHED G1" in result.stdout and "90 degrees" in result.stdout
     assert not out.exists() and report["output"] is None and "90 degrees" in report["reason"]
+    assert report["reason_code"] == "misses_target"
     result, report, out = fill(box, "--face", "1", "--keep-anyway")
     assert result.returncode == 1 and out.exists()
     assert report["output"]["defects"] == sum(
