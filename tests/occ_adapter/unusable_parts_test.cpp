@@ -99,7 +99,7 @@ TEST(UnusableParts, AFaceBesideOneIsNotReplaced) {
   const occ::FillHoleReport report = occ::replaceFace(modelFromShape(shape), replaced_face);
   EXPECT_FALSE(report.filled);
   EXPECT_THAT(textOf(report.reason), HasSubstr("the hole can't be met at edge"));
-  EXPECT_THAT(report.reason,
+  EXPECT_THAT(textOf(report.reason),
               HasSubstr("face " + std::to_string(beside) + " has a surface with the number nan"));
   EXPECT_TRUE(report.model.shape.IsSame(shape));
 }
@@ -131,7 +131,7 @@ TEST(UnusableParts, HolesAreFilledUnlessTheyAreBoundedByOne) {
   EXPECT_FALSE(refused.filled);
   EXPECT_TRUE(refused.model.shape.IsSame(shape));
   const std::string fault = "face " + std::to_string(beside) + " has a surface with the number nan";
-  EXPECT_THAT(refused.reason, HasSubstr(fault));
+  EXPECT_THAT(textOf(refused.reason), HasSubstr(fault));
   const occ::Holes found = occ::findHoles(shape);
   EXPECT_TRUE(found.holes.empty());
   EXPECT_THAT(found.notes, ::testing::Contains(HasSubstr(fault)));
