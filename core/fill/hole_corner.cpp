@@ -49,7 +49,7 @@ void requireSide(const FillSide& side, std::size_t k) {
     throw std::invalid_argument(sideName(k) +
                                 ": the edge is rational, fills are built from polynomials");
   requireDegree(side.edge.degree(), 1, sideName(k) + ": the edge");
-  requireField(side.cross, sideName(k), "cross field");
+  requireField(side.cross, sideName(k), "cross-boundary derivative");
   requireField(side.bend, sideName(k), "second derivative");
 }
 
@@ -192,10 +192,10 @@ double HoleCorner::planeNoise(const SideEnd& end, std::size_t side) const {
   const double area = end.edge.cross(end.cross).norm();
   const double noise = end.noise * (end.edge.norm() + end.cross.norm());
   if (!(area > noise))
-    throw std::invalid_argument(
-        sideName(side) + ": at " + cornerName(k_) +
-        " the cross field is parallel to the edge or one of them vanishes, |E' x T| is " +
-        text(area) + ", rounding " + text(noise));
+    throw std::invalid_argument(sideName(side) + ": at " + cornerName(k_) +
+                                " the cross-boundary derivative is parallel to the edge or one of "
+                                "them vanishes, |E' x T| is " +
+                                text(area) + ", rounding " + text(noise));
   return noise / area;
 }
 

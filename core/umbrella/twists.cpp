@@ -79,12 +79,13 @@ SpokeSeconds closed(const UmbrellaVertex& vertex, const SpokeSeconds& seconds,
       result.second.col(i) -=
           sign(i) * share(i) * vertex.normal.dot(defect) / share.squaredNorm() * vertex.normal;
 
-  Eigen::Matrix2Xd pull(2, spokes);
+  Eigen::Matrix2Xd influence(2, spokes);
   const Eigen::Matrix<double, 2, 3> plane = planeOf(vertex);
   for (int i = 0; i < spokes; ++i)
-    pull.col(i) =
+    influence.col(i) =
         sign(i) / (vertex.sectors(i) * std::sqrt(weight(i))) * plane * vertex.tangents.col(i);
-  const Eigen::VectorXd change = pull.transpose() * (pull * pull.transpose()).inverse() *
+  const Eigen::VectorXd change = influence.transpose() *
+                                 (influence * influence.transpose()).inverse() *
                                  -(plane * closingDefect(vertex, result));
   result.lambda += change.cwiseQuotient(weight.cwiseSqrt());
   return result;

@@ -138,7 +138,7 @@ LeastMoves::Normal LeastMoves::normalMatrix() const {
 
 /// Half the gradient of the sum of squares, downwards.
 PointRows LeastMoves::pulled(const PointRows& moves, double softness) const {
-  PointRows pull = PointRows::Zero(points_, 3);
+  PointRows gradient = PointRows::Zero(points_, 3);
   for (const Group& group : groups_)
     for (Eigen::Index row = 0; row < group.factors.rows(); ++row) {
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -151,10 +151,10 @@ PointRows LeastMoves::pulled(const PointRows& moves, double softness) const {
               : Eigen::Vector3d((group.values[row] - group.direction.dot(sum)) * group.direction);
       if (group.is_soft) missing *= softness * softness;
       for (std::size_t k = 0; k < group.points.size(); ++k)
-        pull.row(group.points[k]) +=
+        gradient.row(group.points[k]) +=
             group.factors(row, static_cast<Eigen::Index>(k)) * missing.transpose();
     }
-  return pull;
+  return gradient;
 }
 
 /// Where rounding hides that the matrix is positive definite its diagonal is raised by as much; the

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <sstream>
 #include <stdexcept>
 
 #include <seamwright/core/angle.hpp>
@@ -18,6 +17,7 @@
 #include <seamwright/occ_adapter/deform/boundary.hpp>
 #include <seamwright/occ_adapter/model/usable.hpp>
 #include <seamwright/occ_adapter/repair/choose.hpp>
+#include <seamwright/occ_adapter/repair/reasons.hpp>
 #include <seamwright/occ_adapter/topology/own_parts.hpp>
 
 namespace seamwright::occ {
@@ -61,15 +61,13 @@ class Instances {
       for (int i = 1; i <= parts->Extent(); ++i) ++counts_[(*parts)(i).TShape().get()];
   }
 
-  std::string whyNot(int face) const {
-    if (const int count = countOf(faces_(face)); count > 1)
-      return "stands in the model " + std::to_string(count) + " times";
+  RepairReason whyNot(int face) const {
+    if (const int count = countOf(faces_(face)); count > 1) return why::hasInstances(count);
     TopTools_IndexedMapOfShape within;
     TopExp::MapShapes(faces_(face), TopAbs_EDGE, within);
     for (int i = 1; i <= within.Extent(); ++i)
       if (const int count = countOf(within(i)); count > 1)
-        return "has edge " + std::to_string(edges_.FindIndex(within(i))) +
-               ", which stands in the model " + std::to_string(count) + " times";
+        return why::hasEdgeWithInstances(edges_.FindIndex(within(i)), count);
     return {};
   }
 
@@ -92,15 +90,15 @@ class Unmovable {
     TopExp::MapShapesAndUniqueAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces_of_edge_);
   }
 
-  std::string whyNot(int face) const {
+  RepairReason whyNot(int face) const {
     if (unusable_.empty()) return {};
-    if (std::string why = unusable_.whyLeftOut(face); !why.empty()) return why;
+    if (const std::string fault = unusable_.whyLeftOut(face); !fault.empty())
+      return why::isUnusable(fault);
     for (TopExp_Explorer edge(faces_(face), TopAbs_EDGE); edge.More(); edge.Next())
       for (const TopoDS_Shape& beside : faces_of_edge_.FindFromKey(edge.Current()))
         if (const int other = faces_.FindIndex(beside); unusable_.hasFace(other))
-          return "has edge " + std::to_string(edges_.FindIndex(edge.Current())) +
-                 " in common with face " + std::to_string(other) + ", which " +
-                 unusable_.whyLeftOut(other);
+          return why::hasUnusableNeighbour(edges_.FindIndex(edge.Current()), other,
+                                           unusable_.whyLeftOut(other));
     return {};
   }
 
@@ -111,7 +109,7 @@ class Unmovable {
 };
 
 std::vector<FaceChoice> chooseFaces(const TopoDS_Shape& shape, const Report& before,
-                                    const std::vector<int>& fixed) {
+                                    const RepairOptions& options) {
   const std::map<int, const NonSeamEdge*> crowded = crowdedEdges(before);
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
@@ -121,24 +119,26 @@ std::vector<FaceChoice> chooseFaces(const TopoDS_Shape& shape, const Report& bef
   for (int f = 1; f <= faces.Extent(); ++f) {
     const TopoDS_Face& face = TopoDS::Face(faces(f));
     TopLoc_Location location;
-    const std::string of_instances = instances.whyNot(f);
-    const std::string of_numbers = unmovable.whyNot(f);
-    std::string& why = choices[f].cannot_move;
-    if (std::ranges::count(fixed, f) > 0)
-      why = "is fixed";
+    const RepairReason of_instances = instances.whyNot(f);
+    const RepairReason of_numbers = unmovable.whyNot(f);
+    RepairReason& obstacle = choices[f].cannot_move;
+    if (std::ranges::count(options.fixed_faces, f) > 0)
+      obstacle = why::isFixed();
+    else if (std::ranges::count(options.held_faces, f) > 0)
+      obstacle = why::isHeld();
     else if (!of_numbers.empty())
-      why = of_numbers;
+      obstacle = of_numbers;
     else if (!of_instances.empty())
-      why = of_instances;
+      obstacle = of_instances;
     else if (const auto edge = crowded.find(f); edge != crowded.end())
-      why = "has edge " + std::to_string(edge->second->edge) + ", where " +
-            std::to_string(edge->second->faces.size()) + " faces meet";
+      obstacle =
+          why::hasNonManifoldEdge(edge->second->edge, static_cast<int>(edge->second->faces.size()));
     else if (clampedSpline(BRep_Tool::Surface(face, location)).IsNull()) {
-      why = "is " + kindOf(face) + ", which has no poles to move";
+      obstacle = why::hasNoPoles(kindOf(face));
       choices[f].convertible = true;
     }
-    choices[f].may_move = why.empty();
-    choices[f].may_be_trimmed = why.empty() || choices[f].convertible;
+    choices[f].may_move = obstacle.empty();
+    choices[f].may_be_trimmed = obstacle.empty() || choices[f].convertible;
   }
   return choices;
 }
@@ -164,42 +164,28 @@ bool mayMoveAsSplines(const std::array<int, 2>& faces, const std::vector<FaceCho
   return !any(&FaceChoice::may_move) && any(&FaceChoice::convertible);
 }
 
-std::string whyFolded(const SeamFigures& figures) {
-  std::ostringstream text;
-  text << "the faces fold back on one another there, first at " << *figures.fold_at
-       << " of its length: no small move makes that smooth";
-  return text.str();
-}
-
-std::string whyNot(const SeamResult& seam, const std::vector<FaceChoice>& faces, bool sharp,
-                   const RepairOptions& options) {
-  if (!seam.figures.gap_mm)
-    return seam.note.empty()                       ? "it can't be measured"
-           : seam.note.starts_with("not measured") ? seam.note
-                                                   : "it can't be measured: " + seam.note;
-  if (surelyReaches(seam.figures, options.tolerance, options.level()))
-    return "it has the level already";
-  if (const std::string why = whyNoneMoves(seam.faces, faces); !why.empty()) {
+RepairReason whyNot(const SeamResult& seam, const std::vector<FaceChoice>& faces, bool sharp,
+                    const RepairOptions& options) {
+  if (!seam.figures.gap_mm) return why::notMeasured(seam.note);
+  if (surelyReaches(seam.figures, options.tolerance, options.level())) return why::hasLevel();
+  if (const RepairReason reason = whyNoneMoves(seam.faces, faces); !reason.empty()) {
     const bool may_be_trimmed =
         std::ranges::any_of(seam.faces, [&faces](int face) { return faces[face].may_be_trimmed; });
-    return may_be_trimmed && isOfGapAlone(seam, sharp, options.tolerance, options.level()) ? ""
-                                                                                           : why;
+    return may_be_trimmed && isOfGapAlone(seam, sharp, options.tolerance, options.level())
+               ? RepairReason()
+               : reason;
   }
-  return seam.figures.fold_at && !sharp ? whyFolded(seam.figures) : "";
+  return seam.figures.fold_at && !sharp ? why::facesFold(*seam.figures.fold_at) : RepairReason();
 }
 
 }  // namespace
 
-std::string whyNoneMoves(const std::array<int, 2>& faces, const std::vector<FaceChoice>& choices) {
+RepairReason whyNoneMoves(const std::array<int, 2>& faces, const std::vector<FaceChoice>& choices) {
   if (std::ranges::any_of(faces, [&choices](int face) { return choices[face].may_move; }))
     return {};
-  std::string why;
-  for (const int face : faces) {
-    if (!why.empty() && face == faces[0]) continue;
-    why += (why.empty() ? "face " : "; face ") + std::to_string(face) + " " +
-           choices[face].cannot_move;
-  }
-  return why;
+  std::vector<std::pair<int, RepairReason>> obstacles = {{faces[0], choices[faces[0]].cannot_move}};
+  if (faces[1] != faces[0]) obstacles.emplace_back(faces[1], choices[faces[1]].cannot_move);
+  return why::facesStay(obstacles);
 }
 
 bool isOfGapAlone(const SeamResult& seam, bool sharp, const ContinuityTolerance& tolerance,
@@ -213,16 +199,18 @@ bool isOfGapAlone(const SeamResult& seam, bool sharp, const ContinuityTolerance&
 
 Choice choose(const Model& model, const Report& before, const RepairOptions& options) {
   requireNumbers("face", options.fixed_faces, model.faceCount());
+  requireNumbers("face", options.held_faces, model.faceCount());
   requireNumbers("edge", options.edges, model.edgeCount());
   requireSeams(options.edges, before);
-  Choice choice{{}, {}, {}, {}, chooseFaces(model.shape, before, options.fixed_faces)};
+  Choice choice{{}, {}, {}, {}, chooseFaces(model.shape, before, options)};
   for (const SeamResult& seam : before.seams) {
     const bool wanted = isWanted(seam, options.edges);
     const bool sharp = isSharp(seam, options);
-    const std::string why = wanted ? whyNot(seam, choice.faces, sharp, options) : "";
-    choice.treated.push_back(wanted && why.empty());
+    const RepairReason reason =
+        wanted ? whyNot(seam, choice.faces, sharp, options) : RepairReason();
+    choice.treated.push_back(wanted && reason.empty());
     choice.sharp.push_back(sharp);
-    choice.reasons.push_back(why);
+    choice.reasons.push_back(reason);
     choice.wants_conversion.push_back(
         wanted && seam.figures.gap_mm &&
         !surelyReaches(seam.figures, options.tolerance, options.level()) &&
@@ -249,7 +237,7 @@ Eigen::Vector3d turnAt(const FaceStrip& strip, double s) {
 
 }  // namespace
 
-std::string whyKinked(const Seam& seam, const ContinuityTolerance& tolerance) {
+RepairReason whyKinked(const Seam& seam, const ContinuityTolerance& tolerance) {
   // One side of the kink misses by at least half of its angle: more than twice the tolerance can't
   // be met. The margin of 0.1 is for the turn of the normals beside the kink.
   constexpr double surely = 2.1;
@@ -268,12 +256,7 @@ std::string whyKinked(const Seam& seam, const ContinuityTolerance& tolerance) {
       const double sense = a->dot(*b) < 0 ? -1 : 1;
       const double turn_rad = (turnAt(strips[0], s) - sense * turnAt(strips[1], s)).norm();
       if (turn_rad <= surely * tolerance.angle_rad) continue;
-      std::ostringstream text;
-      text.precision(3);
-      text << "the surface of face " << seam.sides[k].face << " has a kink of "
-           << turn_rad * degrees_per_radian << " degrees across the edge, at " << s
-           << " of its length: no smooth move takes that out";
-      return text.str();
+      return why::surfaceKink(seam.sides[k].face, turn_rad * degrees_per_radian, s);
     }
   return {};
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <seamwright/occ_adapter/repair/repair.hpp>
+#include <seamwright/occ_adapter/repair/repair_reason.hpp>
 #include <seamwright/occ_adapter/seams/find.hpp>
 
 /// Chooses the seams to repair and the faces that may move. Not a public header.
@@ -14,7 +15,7 @@ namespace seamwright::occ {
 struct FaceChoice {
   bool may_move = false;
   bool may_be_trimmed = false;  ///< its edges may get new pcurves on it
-  std::string cannot_move;      ///< the reason, as the text that follows "face 3 "
+  RepairReason cannot_move;     ///< its text follows "face 3 "
   /// It could move as a spline: its only obstacle is that it has no poles.
   bool convertible = false;
 };
@@ -23,7 +24,7 @@ struct Choice {
   std::vector<bool> treated;  ///< by seam, in the order of the report
   std::vector<bool> sharp;    ///< by seam: only the gap of a treated seam is to be closed
   /// By seam: why a seam that was meant is not treated; otherwise empty.
-  std::vector<std::string> reasons;
+  std::vector<RepairReason> reasons;
   /// By seam: it misses its level, and its faces can move only as splines.
   std::vector<bool> wants_conversion;
   std::vector<FaceChoice> faces;
@@ -45,7 +46,7 @@ struct Choice {
 Choice choose(const Model& model, const Report& before, const RepairOptions& options);
 
 /// Why no face of a seam can move; empty if one can.
-std::string whyNoneMoves(const std::array<int, 2>& faces, const std::vector<FaceChoice>& choices);
+RepairReason whyNoneMoves(const std::array<int, 2>& faces, const std::vector<FaceChoice>& choices);
 
 /// Whether two faces share the edge and only the gap keeps the seam from its target.
 bool isOfGapAlone(const SeamResult& seam, bool sharp, const ContinuityTolerance& tolerance,
@@ -55,7 +56,7 @@ bool isOfGapAlone(const SeamResult& seam, bool sharp, const ContinuityTolerance&
 /// empty if one may. This happens where the surface of one side has a kink across the seam and the
 /// other side does not turn with it: then one side of the kink misses the tolerance.
 /// \throws Standard_Failure.
-std::string whyKinked(const Seam& seam, const ContinuityTolerance& tolerance);
+RepairReason whyKinked(const Seam& seam, const ContinuityTolerance& tolerance);
 
 /// 1: G1, 2: G2.
 inline Level levelOf(int order) {

@@ -14,6 +14,7 @@
 #include <seamwright/occ_adapter/repair/change.hpp>
 #include <seamwright/occ_adapter/repair/convert_faces.hpp>
 #include <seamwright/occ_adapter/repair/prove.hpp>
+#include <seamwright/occ_adapter/repair/reasons.hpp>
 #include <seamwright/occ_adapter/repair/time_limit.hpp>
 
 namespace seamwright::occ {
@@ -67,12 +68,14 @@ class Converting {
     for (std::size_t i = 0; i < plain.seams.size(); ++i) {
       SeamRepair& seam = plain.seams[i];
       if (const auto tried = tried_.find(i); tried != tried_.end() && isOpen(seam)) {
-        seam.reason = "with its faces as splines: " + tried->second;
+        seam.reason = why::asSplines(tried->second);
         seam.treated = true;
       }
       addReasons(seam);
       if (time_.isOver() && seam.wants_conversion)
-        seam.reason += "; the time limit was reached before its faces were tried as splines";
+        seam.reason =
+            why::withRemark(std::move(seam.reason),
+                            "the time limit was reached before its faces were tried as splines");
     }
     return finished(std::move(plain));
   }
@@ -216,7 +219,9 @@ class Converting {
     if (!isOpen(seam)) return;
     for (const int face : seam.before.faces)
       if (const auto failure = failures_.find(face); failure != failures_.end())
-        seam.reason += "; face " + std::to_string(face) + " is not converted: " + failure->second;
+        seam.reason =
+            why::withRemark(std::move(seam.reason), "face " + std::to_string(face) +
+                                                        " is not converted: " + failure->second);
   }
 
   const Model& model_;
@@ -226,9 +231,9 @@ class Converting {
   TopTools_IndexedMapOfShape faces_;
   Report original_;
   Choice choice_;
-  std::map<int, double> errors_mm_;           ///< by converted face
-  std::map<int, std::string> failures_;       ///< by face that can't be converted
-  std::map<std::size_t, std::string> tried_;  ///< by seam
+  std::map<int, double> errors_mm_;            ///< by converted face
+  std::map<int, std::string> failures_;        ///< by face that can't be converted
+  std::map<std::size_t, RepairReason> tried_;  ///< by seam
   const TimeLimit time_;
   double done_ = 0;
 };

@@ -20,6 +20,7 @@
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
 #include <seamwright/occ_adapter/repair/displace.hpp>
 #include <seamwright/occ_adapter/repair/face_change.hpp>
+#include <seamwright/occ_adapter/repair/reasons.hpp>
 
 namespace seamwright::occ {
 
@@ -261,16 +262,6 @@ FairStart startOf(const Part& part, const std::vector<FairComponent>& before,
   return start;
 }
 
-/// \param limit_mm finite if the moves were restrained: their limit.
-std::string whyMissed(double missed, double limit_mm) {
-  std::ostringstream text;
-  text.precision(3);
-  text << "a fair move of the faces beside it";
-  if (std::isfinite(limit_mm)) text << ", of no more than " << limit_mm << " mm,";
-  text << " leaves " << missed << " times the tolerance";
-  return text.str();
-}
-
 /// The seams that miss most, from half of the worst miss on. The others may miss only because of
 /// these.
 /// \param with_curvature consider the seams with target G2; otherwise the others.
@@ -286,7 +277,7 @@ Reasons failuresOf(const Part& part, const std::vector<double>& missed, bool wit
   Reasons failures;
   for (std::size_t j = 0; j < missed.size(); ++j)
     if (counts(j) && missed[j] >= share_of_worst * worst)
-      failures[part.joints[j].seam] = whyMissed(missed[j], limit_mm);
+      failures[part.joints[j].seam] = why::missesTolerance(missed[j], limit_mm);
   return failures;
 }
 
@@ -359,7 +350,7 @@ FairComponent solved(const RepairTask& task, const Part& part, std::string key,
 }
 
 /// The result for a part whose solution failed. The other parts continue without it.
-FairComponent failed(const Part& part, std::string key, const std::string& why) {
+FairComponent failed(const Part& part, std::string key, const RepairReason& why) {
   FairComponent component;
   component.asked = std::move(key);
   component.diverged = true;
@@ -395,7 +386,7 @@ std::vector<FairComponent> displaceFaces(const RepairTask& task, const std::vect
     try {
       components[k] = solved(task, parts[k], key, faces, before, restraints, goes_on);
     } catch (const Standard_Failure& failure) {
-      components[k] = failed(parts[k], std::move(key), whyFailed(failure));
+      components[k] = failed(parts[k], std::move(key), why::failed(failure));
     }
   };
   runParallel(parts.size(), task.options.jobs, solve, [&](double share) {

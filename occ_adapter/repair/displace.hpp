@@ -35,7 +35,7 @@ struct FairComponent {
   std::map<std::size_t, int> orders;             ///< by treated seam: 1: G1, 2: G2
   std::map<std::size_t, double> effort;  ///< by treated seam: the largest weight of its samples
   /// By treated seam that misses its tolerance: the reason.
-  std::map<std::size_t, std::string> failures;
+  Reasons failures;
   std::vector<FaceChange> changes;
   std::vector<PathChange> paths;  ///< of edges that slide on faces that stay
   bool diverged = false;          ///< the solution diverged: no later solution may start from it

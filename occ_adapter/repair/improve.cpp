@@ -9,7 +9,6 @@
 #include <limits>
 #include <optional>
 #include <set>
-#include <sstream>
 #include <utility>
 
 #include <seamwright/occ_adapter/analyze/workers.hpp>
@@ -17,6 +16,7 @@
 #include <seamwright/occ_adapter/repair/face_change.hpp>
 #include <seamwright/occ_adapter/repair/improve.hpp>
 #include <seamwright/occ_adapter/repair/passed_faces.hpp>
+#include <seamwright/occ_adapter/repair/reasons.hpp>
 
 namespace seamwright::occ {
 
@@ -29,10 +29,6 @@ using opencascade::handle;
 constexpr int single_rounds = 12;
 /// How often a seam is tried again with more samples where it missed.
 constexpr int most_looks = 3;
-
-std::string nameOf(int face) {
-  return "face " + std::to_string(face);
-}
 
 /// A task while seams of it are excluded.
 class Rounds {
@@ -55,7 +51,7 @@ class Rounds {
     }
   }
 
-  void excludeAll(const std::string& why) {
+  void excludeAll(const RepairReason& why) {
     for (std::size_t i = 0; i < task_.seams.size(); ++i)
       if (task_.isTreated(i)) reasons_[i] = why;
     std::ranges::fill(task_.orders, 0);
@@ -101,7 +97,7 @@ bool touches(const Seam& seam, int face) {
 
 /// What is wrong with a solution.
 struct Faults {
-  std::map<int, std::string> too_far, unfair;  ///< by face
+  std::map<int, RepairReason> too_far, unfair;  ///< by face
   Proof proof;
 
   bool any() const { return !too_far.empty() || !unfair.empty() || !proof.holds(); }
@@ -245,7 +241,7 @@ double effortOf(const std::vector<FairComponent>& components, std::size_t seam) 
 
 /// Excludes the seam of a face at fault that took most effort.
 void excludeAt(const RepairTask& task, const std::vector<FairComponent>& components, int face,
-               const std::string& why, Reasons& seams) {
+               const RepairReason& why, Reasons& seams) {
   const std::vector<std::size_t> treated = mostAskedAt(task, components, face);
   const auto effort = [&components](std::size_t i) { return effortOf(components, i); };
   if (!treated.empty()) seams.emplace(*std::ranges::max_element(treated, {}, effort), why);
@@ -295,7 +291,7 @@ class Moving {
       }
       rounds_.exclude(whatToExclude(faults));
     }
-    rounds_.excludeAll("no change of the faces beside it was proven");
+    rounds_.excludeAll(why::nothingProven(true));
     return rounds_.nothing();
   }
 
@@ -311,11 +307,10 @@ class Moving {
       const double move_mm =
           change.largest_move_mm + (before == task().moved_mm.end() ? 0 : before->second);
       if (const double limit_mm = task().limits_mm.at(change.face); move_mm > limit_mm) {
-        std::ostringstream text;
-        text << "it would move by " << move_mm << " mm, more than " << limit_mm << " mm";
-        faults.too_far[change.face] = text.str();
-      } else if (const std::string& why = judged_.at(change.surface).verdict.reason; !why.empty()) {
-        faults.unfair[change.face] = "it would be less fair: " + why;
+        faults.too_far[change.face] = why::movesTooFar(move_mm, limit_mm);
+      } else if (const std::string& figures = judged_.at(change.surface).verdict.reason;
+                 !figures.empty()) {
+        faults.unfair[change.face] = why::lessFair(figures);
       }
     }
     faults.proof = rounds_.proven(changes, paths, partOf(progress, 0.5, 1));
@@ -323,12 +318,12 @@ class Moving {
     return faults;
   }
 
-  std::map<int, std::string> throughOthers(const std::vector<FaceChange>& changes) {
+  std::map<int, RepairReason> throughOthers(const std::vector<FaceChange>& changes) {
     std::set<int> moved;
     for (const FaceChange& change : changes) moved.insert(change.face);
-    std::map<int, std::string> through;
+    std::map<int, RepairReason> through;
     for (const auto& [face, other] : passed_.in(rounds_.changed(), moved))
-      through[face] = "it would pass through " + nameOf(other);
+      through[face] = why::passesThrough(other);
     return through;
   }
 
@@ -353,7 +348,7 @@ class Moving {
         moves[k] = judgedMove(change.face, face, spline, change.largest_move_mm, task().options,
                               task().needed);
       } catch (const Standard_Failure& failure) {
-        moves[k].verdict = {true, whyFailed(failure)};
+        moves[k].verdict = {true, why::failed(failure).text};
       }
     };
     runParallel(unknown.size(), task().options.jobs, judge, progress);
@@ -365,9 +360,9 @@ class Moving {
   /// rounds half of the component's seams (addAge()).
   Reasons whatToExclude(const Faults& faults) {
     Reasons seams;
-    std::map<int, std::string> at_fault;  // by face
+    std::map<int, RepairReason> at_fault;  // by face
     bool tries_again = false;
-    const auto addSides = [&](std::size_t i, const std::string& why) {
+    const auto addSides = [&](std::size_t i, const RepairReason& why) {
       for (const Coedge& side : task().seams[i].sides) at_fault.emplace(side.face, why);
     };
     for (const auto& [i, why] : faults.proof.unrepaired) {
@@ -385,26 +380,26 @@ class Moving {
         for (const Coedge& side : task().seams[i].sides)
           excludeAt(task(), components_, side.face, why, seams);
     }
-    for (const auto& [face, why] : faults.unfair) {
-      at_fault.emplace(face, why);
+    for (const auto& [face, reason] : faults.unfair) {
+      at_fault.emplace(face, reason);
       if (next_.stiffens(face))
         tries_again = true;
       else
-        excludeAt(task(), components_, face, nameOf(face) + ": " + why, seams);
+        excludeAt(task(), components_, face, why::onFace(face, reason), seams);
     }
-    for (const auto& [face, why] : faults.too_far) {
-      at_fault.emplace(face, why);
+    for (const auto& [face, reason] : faults.too_far) {
+      at_fault.emplace(face, reason);
       if (next_.restrains(face))
         tries_again = true;
       else
-        excludeAt(task(), components_, face, nameOf(face) + ": " + why, seams);
+        excludeAt(task(), components_, face, why::onFace(face, reason), seams);
     }
-    for (const auto& [face, why] : faults.proof.faces) {
-      at_fault.emplace(face, why);
+    for (const auto& [face, reason] : faults.proof.faces) {
+      at_fault.emplace(face, reason);
       if (next_.keepsEdges(face, components_))
         tries_again = true;
       else
-        excludeAt(task(), components_, face, nameOf(face) + ": " + why, seams);
+        excludeAt(task(), components_, face, why::onFace(face, reason), seams);
     }
     for (const FairComponent& component : components_)
       for (const auto& [face, why] : at_fault)
@@ -415,13 +410,13 @@ class Moving {
     if (seams.empty() && !tries_again)
       for (std::size_t i = 0; i < task().seams.size(); ++i)
         if (task().isTreated(i))
-          seams[i] = faults.proof.whole.empty() ? "no change was proven" : faults.proof.whole;
+          seams[i] = faults.proof.whole.empty() ? why::nothingProven(false) : faults.proof.whole;
     return seams;
   }
 
   /// Excludes seams of a component that was at fault in many rounds: of the seams with the highest
   /// target the half that took more effort.
-  void addAge(const FairComponent& component, const std::string& why, Reasons& seams) {
+  void addAge(const FairComponent& component, const RepairReason& why, Reasons& seams) {
     int age = 0, most = 0;
     for (const auto& [i, effort] : component.effort) {
       age = std::max(age, ++ages_[i]);
@@ -447,8 +442,9 @@ class Moving {
   std::map<handle<Geom_Surface>, FaceMove> judged_;
 };
 
-/// Runs the work. Any exception other than Cancelled becomes the reason of all seams.
-/// \throws Cancelled.
+/// Runs the work. What geometry can cause becomes the reason of all seams: a failure of
+/// OpenCASCADE, and a curve or a surface that can't be evaluated (std::runtime_error,
+/// std::domain_error). Other exceptions are faults of the program, and pass. \throws Cancelled.
 template <class Work>
 Improvement orNothing(const RepairTask& task, const Work& work) {
   Rounds none(task);
@@ -457,9 +453,11 @@ Improvement orNothing(const RepairTask& task, const Work& work) {
   } catch (const Cancelled&) {
     throw;
   } catch (const Standard_Failure& failure) {
-    none.excludeAll(whyFailed(failure));
-  } catch (const std::exception& error) {
-    none.excludeAll(error.what());
+    none.excludeAll(why::failed(failure));
+  } catch (const std::domain_error& error) {
+    none.excludeAll(why::failed(std::string(error.what())));
+  } catch (const std::runtime_error& error) {
+    none.excludeAll(why::failed(std::string(error.what())));
   }
   return none.nothing();
 }
@@ -474,7 +472,7 @@ namespace {
 Reasons pathsAtFault(const RepairTask& task, const std::vector<PathChange>& paths,
                      const Proof& proof) {
   Reasons at_fault = proof.unrepaired;
-  const auto addAt = [&](int face, const std::string& why) {
+  const auto addAt = [&](int face, const RepairReason& reason) {
     std::optional<std::size_t> furthest;
     double most_mm = -1;
     for (std::size_t i = 0; i < task.seams.size(); ++i) {
@@ -485,9 +483,9 @@ Reasons pathsAtFault(const RepairTask& task, const std::vector<PathChange>& path
           most_mm = path.largest_move_mm;
         }
     }
-    if (furthest) at_fault.emplace(*furthest, "its new path would spoil " + why);
+    if (furthest) at_fault.emplace(*furthest, why::pathSpoils(reason));
   };
-  for (const auto& [face, why] : proof.faces) addAt(face, nameOf(face) + ": " + why);
+  for (const auto& [face, reason] : proof.faces) addAt(face, why::onFace(face, reason));
   for (const auto& [i, why] : proof.worse)
     for (const Coedge& side : task.seams[i].sides) addAt(side.face, why);
   return at_fault;
@@ -504,7 +502,7 @@ Improvement improveByPaths(const RepairTask& task, const Progress& progress) {
       Proof proof = rounds.proven({}, joined.paths, partOf(progress, 0.5, 1));
       if (proof.holds()) return rounds.kept({}, {}, std::move(joined.paths), std::move(proof));
       const Reasons at_fault = pathsAtFault(rounds.task(), joined.paths, proof);
-      if (at_fault.empty()) rounds.excludeAll("its new path would spoil the shape: " + proof.whole);
+      if (at_fault.empty()) rounds.excludeAll(why::pathSpoils(proof.whole));
       rounds.exclude(at_fault);
       std::erase_if(joined.paths, [&](const PathChange& path) {
         return std::ranges::none_of(task.seams, [&](const Seam& seam) {

@@ -10,6 +10,7 @@
 
 #include <seamwright/occ_adapter/repair/choose.hpp>
 #include <seamwright/occ_adapter/repair/instances.hpp>
+#include <seamwright/occ_adapter/repair/reasons.hpp>
 #include <seamwright/occ_adapter/topology/own_parts.hpp>
 
 namespace seamwright::occ {
@@ -194,6 +195,7 @@ class RepairingOnce {
     RepairOptions options = options_;
     options.edges = edges_.firsts(options.edges);
     options.fixed_faces = faces_.firsts(options.fixed_faces);
+    options.held_faces = faces_.firsts(options.held_faces);
     for (const int face : faces_.repeats()) options.fixed_faces.push_back(face);
     return options;
   }
@@ -236,11 +238,11 @@ class RepairingOnce {
       const SeamRepair& of_first = report.seams[seam_of_edge.at(first)];
       seam.treated = of_first.treated;
       seam.wants_conversion = of_first.wants_conversion;
-      const std::string instance = "instance of edge " + std::to_string(first) + ": ";
-      if (!of_first.reason.empty()) seam.reason = instance + of_first.reason;
+      if (!of_first.reason.empty()) seam.reason = why::ofInstance(first, of_first.reason);
       if (!of_first.repaired) continue;
       seam.repaired = isAsGood(seam.after.verdict, of_first.after.verdict);
-      seam.reason = seam.repaired ? "" : instance + "measured in this place it is less certain";
+      seam.reason =
+          seam.repaired ? RepairReason() : why::ofInstance(first, why::instanceLessCertain());
     }
   }
 

@@ -8,12 +8,12 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <sstream>
 #include <utility>
 #include <vector>
 
 #include <seamwright/occ_adapter/analyze/workers.hpp>
 #include <seamwright/occ_adapter/convert/edge_image.hpp>
+#include <seamwright/occ_adapter/repair/reasons.hpp>
 #include <seamwright/occ_adapter/repair/slide.hpp>
 #include <seamwright/occ_adapter/repair/solve.hpp>
 
@@ -195,7 +195,7 @@ class PathSolver {
       try {
         outcomes[k] = join(treated[k]);
       } catch (const Standard_Failure& failure) {
-        outcomes[k].why_not = std::string("OpenCASCADE failed: ") + failure.DynamicType()->Name();
+        outcomes[k].why_not = why::failed(failure);
       }
     };
     runParallel(treated.size(), task_.options.jobs, tryToJoin, progress);
@@ -212,19 +212,16 @@ class PathSolver {
   /// New pcurves of a seam, or the reason why it has none.
   struct Outcome {
     std::vector<PathChange> paths;
-    std::string why_not;
+    RepairReason why_not = {};
   };
 
   Outcome join(std::size_t i) const {
     const Seam& seam = task_.seams[i];
     const double gap_mm = task_.options.tolerance.gap_mm;
-    if (!isOfPathsAlone(i)) return {{}, "another path of the edge alone does not make it smooth"};
+    if (!isOfPathsAlone(i)) return {{}, why::pathNotEnough()};
     const PathJoin paths(seam, gap_mm);
-    if (const double apart_mm = paths.apartAtEnds_mm(); apart_mm > PathJoin::share * gap_mm) {
-      std::ostringstream text;
-      text << "its sides are " << apart_mm << " mm apart at an end";
-      return {{}, text.str()};
-    }
+    if (const double apart_mm = paths.apartAtEnds_mm(); apart_mm > PathJoin::share * gap_mm)
+      return {{}, why::sidesApart(apart_mm)};
     for (const std::array<bool, 2>& change : waysToChange(seam)) {
       const std::optional<NewPaths> joined = paths.join(change);
       if (!joined) continue;
@@ -239,7 +236,7 @@ class PathSolver {
               {seam.edges.front(), seam.sides[side].face, joined->curves[side], joined->move_mm});
       return outcome;
     }
-    return {{}, "the surfaces do not meet near the edge"};
+    return {{}, why::surfacesApart()};
   }
 
   /// Strategies: the sides that may get a new pcurve. First comes only the side whose image is

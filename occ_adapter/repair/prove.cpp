@@ -12,7 +12,6 @@
 #include <exception>
 #include <map>
 #include <optional>
-#include <sstream>
 
 #include <seamwright/occ_adapter/analyze/measure_seam.hpp>
 #include <seamwright/occ_adapter/analyze/workers.hpp>
@@ -20,6 +19,7 @@
 #include <seamwright/occ_adapter/model/parts.hpp>
 #include <seamwright/occ_adapter/model/usable.hpp>
 #include <seamwright/occ_adapter/repair/prove.hpp>
+#include <seamwright/occ_adapter/repair/reasons.hpp>
 #include <seamwright/occ_adapter/repair/surface_difference.hpp>
 #include <seamwright/occ_adapter/repair/volumes.hpp>
 #include <seamwright/occ_adapter/seams/pair_free_edges.hpp>
@@ -90,12 +90,6 @@ class Remeasuring {
   std::map<int, std::set<int>> faces_of_edge_;
 };
 
-std::string shortText(double number) {
-  std::ostringstream text;
-  text << number;
-  return text.str();
-}
-
 double known(const Figure& figure) {
   return figure.upper.value_or(figure.lower);
 }
@@ -161,7 +155,7 @@ void judgeTreated(const RepairTask& task, Proof& proof) {
   for (std::size_t i = 0; i < proof.after.size(); ++i)
     if (task.isTreated(i) &&
         !isRepaired(proof.after[i], task.sharp[i], task.options.tolerance, levelOf(task.orders[i])))
-      proof.unrepaired[i] = "after a move it has " + figuresText(proof.after[i]);
+      proof.unrepaired[i] = why::stillMisses(figuresText(proof.after[i]));
 }
 
 void judgeOthers(const RepairTask& task, Proof& proof) {
@@ -169,10 +163,11 @@ void judgeOthers(const RepairTask& task, Proof& proof) {
   for (std::size_t i = 0; i < proof.after.size(); ++i) {
     if (task.isTreated(i)) continue;
     const SeamResult &after = proof.after[i], &before = task.to_keep[i];
-    if (const std::string why = whyWorse(after, before, task.options, turns.at_rad(task.seams[i]));
-        !why.empty())
-      proof.worse[i] = "edge " + std::to_string(after.edges.front()) + " would get " + why + " (" +
-                       figuresText(after) + "; before " + figuresText(before) + ")";
+    if (const std::string change =
+            whyWorse(after, before, task.options, turns.at_rad(task.seams[i]));
+        !change.empty())
+      proof.worse[i] =
+          why::spoilsSeam(after.edges.front(), change, figuresText(after), figuresText(before));
   }
 }
 
@@ -252,20 +247,19 @@ bool isThatOf(const Seam& found, const Seam& seam, double share, const std::vect
 }
 
 /// What is wrong with a face's change; empty if nothing.
-std::string whyNotFace(const RepairTask& task, const GivenEdges& edges, const FaceChange& change,
-                       const TopoDS_Face& before, const TopoDS_Face& after) {
+RepairReason whyNotFace(const RepairTask& task, const GivenEdges& edges, const FaceChange& change,
+                        const TopoDS_Face& before, const TopoDS_Face& after) {
   const double gap_mm = task.options.tolerance.gap_mm;
   const double stray = edges.stray_mm(before, after);
-  if (stray > 0) return "an edge of it would be " + shortText(stray) + " mm away";
+  if (stray > 0) return why::edgeStrays(stray);
   const auto spline = handle<Geom_BSplineSurface>::DownCast(change.surface);
   if (spline.IsNull()) return {};
   const SurfaceDifference difference = differenceOn(before, spline);
-  if (difference.folded_at) return "it would fold over";
+  if (difference.folded_at) return why::foldsOver();
   // Faces that were converted, or are rational, may move by a little more than their poles.
   constexpr double more = 1.1, share_of_gap = 0.01;
   if (difference.largest_mm > more * change.largest_move_mm + share_of_gap * gap_mm)
-    return "a point of it would move " + shortText(difference.largest_mm) + " mm, its poles " +
-           shortText(change.largest_move_mm) + " mm";
+    return why::pointMovesFar(difference.largest_mm, change.largest_move_mm);
   return {};
 }
 
@@ -274,7 +268,7 @@ void judgeFaces(const RepairTask& task, const std::vector<FaceChange>& changes,
   const TopTools_IndexedMapOfShape before = partsOf(task.shape, TopAbs_FACE);
   const TopTools_IndexedMapOfShape after = partsOf(changed, TopAbs_FACE);
   const GivenEdges edges(task);
-  std::vector<std::string> whys(changes.size());
+  std::vector<RepairReason> whys(changes.size());
   std::vector<std::exception_ptr> errors(changes.size());
   const auto judge = [&](std::size_t k) {
     try {
@@ -305,7 +299,6 @@ bool isSoundAsAWhole(const TopoDS_Shape& shape) {
 /// Requires of the new shape only the checks that the old one passed. Faces that both share are as
 /// valid as before and are not checked again.
 void judgeValidity(const RepairTask& task, const TopoDS_Shape& changed, Proof& proof) {
-  constexpr const char* why = "OpenCASCADE's checks do not pass";
   const TopTools_IndexedMapOfShape before = partsOf(task.shape, TopAbs_FACE),
                                    after = partsOf(changed, TopAbs_FACE);
   std::vector<int> renewed;
@@ -319,10 +312,10 @@ void judgeValidity(const RepairTask& task, const TopoDS_Shape& changed, Proof& p
   };
   runParallel(renewed.size(), task.options.jobs, check, {});
   for (std::size_t k = 0; k < renewed.size(); ++k)
-    if (spoilt[k] != 0) proof.faces[renewed[k]] = why;
+    if (spoilt[k] != 0) proof.faces[renewed[k]] = why::checksFail();
   if (proof.faces.empty() && task.unusable.empty() && !isSoundAsAWhole(changed) &&
       isSoundAsAWhole(task.shape))
-    proof.whole = why;
+    proof.whole = why::checksFail();
 }
 
 }  // namespace

@@ -29,11 +29,11 @@ using MeasuredSeams =
 struct Proof {
   std::vector<SeamResult> after;  ///< in the order of RepairTask::before
   /// By treated seam that does not have the level: the reason.
-  std::map<std::size_t, std::string> unrepaired;
-  std::map<std::size_t, std::string> worse;  ///< other seams
+  std::map<std::size_t, RepairReason> unrepaired;
+  std::map<std::size_t, RepairReason> worse;  ///< other seams
   /// By face: it folded, moved further than its limit, or fails OpenCASCADE's checks.
-  std::map<int, std::string> faces;
-  std::string whole;  ///< what is wrong with the shape as a whole
+  std::map<int, RepairReason> faces;
+  RepairReason whole;  ///< what is wrong with the shape as a whole
 
   bool holds() const {
     return unrepaired.empty() && worse.empty() && faces.empty() && whole.empty();
@@ -48,12 +48,11 @@ struct Proof {
 std::vector<Seam> seamsAfter(const RepairTask& task, const TopoDS_Shape& changed,
                              const Progress& progress);
 
-/// Measures seams beside new faces and edges again; the by other seam that is worse: how keep their
-/// figures. Costly checks run only if the cheaper ones before them find nothing wrong: first the
-/// faces and the treated seams, then the other seams, then OpenCASCADE's checks, then the volumes.
-/// A point of a face must not move further than FaceChange::largest_move_mm.
-/// \param known measurements of the task's shape; new ones are added.
-/// \throws Cancelled.
+/// Measures seams beside new faces and edges again; the other seams keep their figures. Costly
+/// checks run only if the cheaper ones before them find nothing wrong: first the faces and the
+/// treated seams, then the other seams, then OpenCASCADE's checks, then the volumes. A point of a
+/// face must not move further than FaceChange::largest_move_mm. \param known measurements of the
+/// task's shape; new ones are added. \throws Cancelled.
 Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes,
             const TopoDS_Shape& changed, MeasuredSeams& known, const Progress& progress);
 

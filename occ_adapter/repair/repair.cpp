@@ -13,6 +13,7 @@
 #include <seamwright/occ_adapter/repair/face_change.hpp>
 #include <seamwright/occ_adapter/repair/improve.hpp>
 #include <seamwright/occ_adapter/repair/instances.hpp>
+#include <seamwright/occ_adapter/repair/reasons.hpp>
 #include <seamwright/occ_adapter/repair/sew.hpp>
 #include <seamwright/occ_adapter/repair/time_limit.hpp>
 #include <seamwright/occ_adapter/seams/pair_free_edges.hpp>
@@ -32,13 +33,18 @@ std::vector<Seam> seamsOf(const TopoDS_Shape& shape, const RepairOptions& option
 
 /// Why a seam does not reach its target.
 struct LeftReason {
-  std::string target;   ///< why not the target
-  std::string g1 = {};  ///< why not even G1, where that was tried after G2
-  bool has_g1 = false;  ///< it got G1 instead of G2
+  RepairReason target;   ///< why not the target
+  RepairReason g1 = {};  ///< why not even G1, where that was tried after G2
+  bool has_g1 = false;   ///< it got G1 instead of G2
 
-  std::string text() const {
-    if (has_g1) return "G1 reached; G2: " + target;
-    return g1.empty() ? target : target + "; G1: " + g1;
+  /// Both in one, with the fault of the target.
+  RepairReason whole() const {
+    RepairReason reason = target;
+    if (has_g1)
+      reason.text = "G1 reached; G2: " + target.text;
+    else if (!g1.empty())
+      reason.text = target.text + "; G1: " + g1.text;
+    return reason;
   }
 };
 
@@ -147,7 +153,7 @@ void leaveKinks(const std::vector<bool>& sharp, const ContinuityTolerance& toler
     try {
       now.reasons[i].target = whyKinked(now.seams[i], tolerance);
     } catch (const Standard_Failure& failure) {
-      now.reasons[i].target = whyFailed(failure);
+      now.reasons[i].target = why::failed(failure);
     }
     wanted[i] = now.reasons[i].target.empty();
   }
@@ -201,7 +207,7 @@ class Repairing {
         analyze(model_, analyzeOptions(options_), partOf(progress_, 0, share_of_analysis));
     Choice choice = choose(model_, result_.before, options_);
     now_ = {model_.shape, result_.before, {}, result_.before.seams, {}, {}, {}, {}};
-    for (std::string& why : choice.reasons) now_.reasons.push_back({std::move(why)});
+    for (RepairReason& reason : choice.reasons) now_.reasons.push_back({std::move(reason)});
     sharp_ = std::move(choice.sharp);
     wants_conversion_ = std::move(choice.wants_conversion);
     std::vector<bool> wanted = std::move(choice.treated);
@@ -246,9 +252,10 @@ class Repairing {
       if (isRepaired(now_.after.seams[i], sharp_[i], options_.tolerance, levelOf(order)))
         orders[i] = 0;
       if (orders[i] == 0) continue;
-      if (const std::string why = whyNoneMoves(now_.after.seams[i].faces, faces); !why.empty()) {
-        std::string& reason = now_.reasons[i].target;
-        reason = why + "; " + (reason.empty() && out_of_time_ ? out_of_time : reason);
+      if (const RepairReason obstacle = whyNoneMoves(now_.after.seams[i].faces, faces);
+          !obstacle.empty()) {
+        RepairReason& reason = now_.reasons[i].target;
+        reason = why::joined(obstacle, reason.empty() && out_of_time_ ? why::timeLimit() : reason);
         orders[i] = 0;
       } else {
         now_.reasons[i] = {};
@@ -324,8 +331,6 @@ class Repairing {
       out_of_time_ = true;
   }
 
-  static constexpr const char* out_of_time = "the time limit was reached first";
-
   void sew() {
     if (now_.seams.empty()) now_.seams = seamsOf(model_.shape, options_, {});
     const TopoDS_Shape shape = result_.model.shape;
@@ -359,17 +364,17 @@ class Repairing {
       seam.after = result_.after.seams[i];
       seam.treated = wanted[i];
       if (wanted[i] && out_of_time_ && now_.reasons[i].target.empty())
-        now_.reasons[i].target = out_of_time;
-      seam.reason = now_.reasons[i].text();
+        now_.reasons[i].target = why::timeLimit();
+      seam.reason = now_.reasons[i].whole();
       seam.sewn = seam.before.kind == SeamKind::Matched && seam.after.kind != SeamKind::Matched;
       if (const auto why = not_sewn_.find(i); why != not_sewn_.end()) seam.not_sewn = why->second;
       seam.repaired =
           wanted[i] && isRepaired(seam.after, sharp_[i], options_.tolerance, options_.level());
       seam.wants_conversion = wants_conversion_[i] && !seam.repaired;
       if (seam.repaired)
-        seam.reason.clear();
+        seam.reason = {};
       else if (wanted[i] && seam.before.kind == SeamKind::Matched && !seam.before.note.empty())
-        seam.reason = seam.before.note + "; " + seam.reason;
+        seam.reason = why::afterNote(seam.before.note, std::move(seam.reason));
       result_.seams.push_back(std::move(seam));
     }
     tellMoves(now_, result_);
@@ -385,7 +390,7 @@ class Repairing {
   std::vector<bool> sharp_, wants_conversion_;  ///< by seam, see Choice
   NeededVariation needed_;                      ///< by face
   MoveLimits limits_mm_;
-  Reasons not_sewn_;
+  std::map<std::size_t, std::string> not_sewn_;
   RepairReport result_;
 };
 

@@ -8,6 +8,7 @@
 
 #include <seamwright/core/surface/judge.hpp>
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
+#include <seamwright/occ_adapter/repair/repair_reason.hpp>
 
 namespace seamwright::occ {
 
@@ -22,6 +23,8 @@ struct RepairOptions {
   /// class defect.
   std::vector<int> edges;
   std::vector<int> fixed_faces;  ///< faces that stay
+  /// Faces that stay because their move makes a seam worse in the written file.
+  std::vector<int> held_faces;
   /// Free edges within this distance of each other also form seams; 0: none do.
   double match_mm = 0;
   bool sew = true;  ///< matched seams that meet within the gap tolerance become one edge
@@ -53,8 +56,8 @@ struct SeamRepair {
   bool treated = false;   ///< the seam was to be repaired
   bool repaired = false;  ///< the seam meets the target, and its change was kept
   /// Why the seam was not treated or not repaired. For a matched seam that is left as it was, the
-  /// reason begins with the note of SeamRepair::before.
-  std::string reason;
+  /// text begins with the note of SeamRepair::before.
+  RepairReason reason;
   /// The seam was meant but not repaired: none of its faces can move, but one could as a spline.
   /// See RepairOptions::convert_analytic.
   bool wants_conversion = false;

@@ -17,7 +17,7 @@ namespace seamwright::occ {
 
 namespace {
 
-using Reasons = std::map<std::size_t, std::string>;
+using SewReasons = std::map<std::size_t, std::string>;
 
 int closedShells(const TopoDS_Shape& shape) {
   int count = 0;
@@ -39,7 +39,7 @@ class Sewing {
     double done = 0;
     while (!chosen_.empty()) {
       const double next = done + (1 - done) / 3;
-      const Reasons refused = attempt(partOf(progress_, done, next));
+      const SewReasons refused = attempt(partOf(progress_, done, next));
       done = next;
       if (refused.empty()) return std::move(solution_);
       exclude(refused);
@@ -65,19 +65,19 @@ class Sewing {
     }
   }
 
-  void exclude(const Reasons& seams) {
+  void exclude(const SewReasons& seams) {
     for (const auto& [i, why] : seams) solution_.reasons[i] = why;
     std::erase_if(chosen_, [&seams](std::size_t i) { return seams.count(i) > 0; });
   }
 
-  Reasons everything(const std::string& why) const {
-    Reasons all;
+  SewReasons everything(const std::string& why) const {
+    SewReasons all;
     for (const std::size_t i : chosen_) all[i] = why;
     return all;
   }
 
   /// Tries to sew the chosen seams. \returns the seams to exclude; none if sewing is proven.
-  Reasons attempt(const Progress& progress) {
+  SewReasons attempt(const Progress& progress) {
     try {
       solution_.sewn = sewnShape(task_.shape, task_.seams, chosen_, task_.options.tolerance.gap_mm);
     } catch (const Standard_Failure& failure) {
@@ -87,16 +87,16 @@ class Sewing {
       return everything(error.what());
     }
     if (!solution_.sewn.refused.empty()) return solution_.sewn.refused;
-    Reasons refused = invalid();
+    SewReasons refused = invalid();
     if (refused.empty()) refused = measure(progress);
     return refused;
   }
 
-  Reasons invalid() {
+  SewReasons invalid() {
     const SewnShape& sewn = solution_.sewn;
     const Validity is = validityOf(sewn.shape, task_.options.jobs);
     if (!is.whole && !was_) was_ = validityOf(task_.shape, task_.options.jobs);
-    Reasons refused;
+    SewReasons refused;
     for (const std::size_t i : chosen_)
       for (const Coedge& side : task_.seams[i].sides)
         if (!is.whole && was_->faces[side.face] && !is.faces[sewn.faces[side.face]])
@@ -110,7 +110,7 @@ class Sewing {
   }
 
   /// Updates all seams. Sewn seams are measured as one edge.
-  Reasons measure(const Progress& progress) {
+  SewReasons measure(const Progress& progress) {
     const SewnShape& sewn = solution_.sewn;
     SeamGraph graph = findSeams(sewn.shape);
     matchFreeEdges({.match_mm = task_.options.match_mm, .gap_mm = task_.options.tolerance.gap_mm},
@@ -149,8 +149,8 @@ class Sewing {
     }
   }
 
-  Reasons worse() const {
-    Reasons refused;
+  SewReasons worse() const {
+    SewReasons refused;
     for (const std::size_t i : chosen_) {
       const SeamResult &before = task_.before[i], &after = solution_.after[i];
       const bool is_lower = before.verdict.certain && after.verdict.level < before.verdict.level;

@@ -2,6 +2,7 @@
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Vertex.hxx>
 
 #include <seamwright/occ_adapter/repair/solve.hpp>
 
@@ -58,11 +59,6 @@ bool isFold(const SeamResult& seam, const ContinuityTolerance& tolerance) {
   const auto& angle = seam.figures.angle_rad;
   return seam.verdict.seam_class == SeamClass::Defect &&
          !(angle && angle->lower < tolerance.crease_rad);
-}
-
-std::string whyFailed(const Standard_Failure& failure) {
-  return std::string("OpenCASCADE failed: ") + failure.DynamicType()->Name() + " " +
-         failure.GetMessageString();
 }
 
 std::vector<Seam> seamsIn(const TopoDS_Shape& shape, std::vector<Seam> seams) {

@@ -14,6 +14,7 @@
 #include <seamwright/occ_adapter/repair/change.hpp>
 #include <seamwright/occ_adapter/repair/choose.hpp>
 #include <seamwright/occ_adapter/repair/face_change.hpp>
+#include <seamwright/occ_adapter/repair/repair_reason.hpp>
 
 /// The task of a repair. Not a public header.
 namespace seamwright::occ {
@@ -83,9 +84,7 @@ inline bool anyCurvatureDoes(const ContinuityTolerance& tolerance) {
 }
 
 /// By seam: why it is left as it was.
-using Reasons = std::map<std::size_t, std::string>;
-
-std::string whyFailed(const Standard_Failure& failure);
+using Reasons = std::map<std::size_t, RepairReason>;
 
 /// The same seams in a shape that withChanges() made from theirs.
 std::vector<Seam> seamsIn(const TopoDS_Shape& shape, std::vector<Seam> seams);

@@ -98,9 +98,9 @@ void StepProblem::assemble() {
   for (const FaceEnergy& energy : energies_) {
     const PointRows& all = movers_.at(energy.face).displacement.coefficients();
     const PointRows at = all(energy.block.coefficients, Eigen::indexing::all);
-    const PointRows pull = energy.block.matrix * at;
+    const PointRows gradient = energy.block.matrix * at;
     system_.addEnergy(energy.cell, ease_ * energy.block.matrix(energy.free, energy.free),
-                      ease_ * pull(energy.free, Eigen::indexing::all));
+                      ease_ * gradient(energy.free, Eigen::indexing::all));
   }
   for (auto& [face, mover] : movers_) addDamping(face, mover);
   for (std::size_t j = 0; j < joints_.size(); ++j)

@@ -83,12 +83,12 @@ void StepSystem::addPoint(int cell, const Eigen::VectorXd& factors, const Eigen:
     right_.row(cells_[cell][k]) += factors[static_cast<Eigen::Index>(k)] * value.transpose();
 }
 
-void StepSystem::addEnergy(int cell, const Eigen::MatrixXd& matrix, const PointRows& pull) {
+void StepSystem::addEnergy(int cell, const Eigen::MatrixXd& matrix, const PointRows& gradient) {
   const int* place = places_[cell].data();
   for (Eigen::Index j = 0; j < matrix.cols(); ++j, place += j)
     for (Eigen::Index i = 0; i <= j; ++i) blocks_[place[i]].head<3>().array() += matrix(i, j);
   for (std::size_t k = 0; k < cells_[cell].size(); ++k)
-    right_.row(cells_[cell][k]) -= pull.row(static_cast<Eigen::Index>(k));
+    right_.row(cells_[cell][k]) -= gradient.row(static_cast<Eigen::Index>(k));
 }
 
 void StepSystem::addDamping(int point, double factor, const Eigen::Vector3d& at) {

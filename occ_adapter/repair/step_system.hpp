@@ -26,8 +26,8 @@ class StepSystem {
            double value);
   /// Adds |sum of factor times step - value|^2.
   void addPoint(int cell, const Eigen::VectorXd& factors, const Eigen::Vector3d& value);
-  /// Adds the sum over x, y, z of (step + at)^T matrix (step + at), where \p pull = matrix at.
-  void addEnergy(int cell, const Eigen::MatrixXd& matrix, const PointRows& pull);
+  /// Adds the sum over x, y, z of (step + at)^T matrix (step + at), where \p gradient = matrix at.
+  void addEnergy(int cell, const Eigen::MatrixXd& matrix, const PointRows& gradient);
 
   /// Adds factor |step + at|^2.
   void addDamping(int point, double factor, const Eigen::Vector3d& at);

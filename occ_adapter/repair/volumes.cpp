@@ -16,11 +16,11 @@
 #include <cmath>
 #include <exception>
 #include <functional>
-#include <sstream>
 
 #include <seamwright/occ_adapter/analyze/workers.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
 #include <seamwright/occ_adapter/model/usable.hpp>
+#include <seamwright/occ_adapter/repair/reasons.hpp>
 #include <seamwright/occ_adapter/repair/volumes.hpp>
 
 namespace seamwright::occ {
@@ -175,9 +175,9 @@ Bnd_Box boxOfUsableFaces(const TopoDS_Shape& solid) {
 
 // Faces that stay contribute the same before and after, so only moved faces are integrated.
 // Adaptive quadrature is slow and is used only where the fixed one does not suffice.
-std::string whyNotVolumes(const RepairTask& task, const std::vector<FaceChange>& changes,
-                          const TopoDS_Shape& changed, const std::vector<SeamResult>& after,
-                          const Progress& progress) {
+RepairReason whyNotVolumes(const RepairTask& task, const std::vector<FaceChange>& changes,
+                           const TopoDS_Shape& changed, const std::vector<SeamResult>& after,
+                           const Progress& progress) {
   constexpr double adaptive_error = 1e-5;
   const TopTools_IndexedMapOfShape solids = partsOf(task.shape, TopAbs_SOLID);
   const TopTools_IndexedMapOfShape solids_after = partsOf(changed, TopAbs_SOLID);
@@ -195,10 +195,7 @@ std::string whyNotVolumes(const RepairTask& task, const std::vector<FaceChange>&
     if (!volume.isWithin(explained))
       volume = volumeChange(cones, adaptive_error, task.options.jobs, progress);
     if (volume.isWithin(explained)) continue;
-    std::ostringstream text;
-    text << "the volume of solid " << s << " would change by " << volume.change_mm3
-         << " mm3, more than " << explained - slits << " mm3, which the moves explain";
-    return text.str();
+    return why::volumeChanges(s, volume.change_mm3, explained - slits);
   }
   return {};
 }

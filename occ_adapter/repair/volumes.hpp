@@ -15,8 +15,8 @@ namespace seamwright::occ {
 /// \param after seams of the changed shape, in the order of before.
 /// \returns which solid changed more, with the figures; empty if none did.
 /// \throws Cancelled.
-std::string whyNotVolumes(const RepairTask& task, const std::vector<FaceChange>& changes,
-                          const TopoDS_Shape& changed, const std::vector<SeamResult>& after,
-                          const Progress& progress);
+RepairReason whyNotVolumes(const RepairTask& task, const std::vector<FaceChange>& changes,
+                           const TopoDS_Shape& changed, const std::vector<SeamResult>& after,
+                           const Progress& progress);
 
 }  // namespace seamwright::occ

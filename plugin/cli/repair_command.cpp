@@ -49,19 +49,6 @@ struct FacesToHold : std::exception {
   double repair_s = 0;  ///< spent on the repair
 };
 
-/// Corrects the reasons of seams: faces that are held for the file were not fixed by the user.
-void tellHeld(const std::vector<int>& asked, const std::vector<int>& held,
-              occ::RepairReport& report) {
-  for (const int face : held) {
-    if (std::ranges::count(asked, face) > 0) continue;
-    const std::string name = "face " + std::to_string(face), fixed = name + " is fixed";
-    for (occ::SeamRepair& seam : report.seams)
-      if (const std::size_t at = seam.reason.find(fixed); at != std::string::npos)
-        seam.reason.replace(at, fixed.size(),
-                            name + " stays, as its move makes a seam worse in the file");
-  }
-}
-
 /// A repair and its written file.
 struct Done {
   occ::RepairReport report;
@@ -78,7 +65,6 @@ Done repairedAndWritten(const occ::Model& model, const RepairArguments& argument
   done.report = repaired(model, arguments.model, used);
   occ::RepairReport& report = done.report;
   report.repair_s += spent_s;
-  tellHeld(asked.fixed_faces, used.fixed_faces, report);
   const auto json = [&](const std::optional<report::WrittenModel>& output) {
     return report::toJson(report, asked, output);
   };
@@ -87,7 +73,9 @@ Done repairedAndWritten(const occ::Model& model, const RepairArguments& argument
     hold.repair_s = report.repair_s;
     for (const occ::SeamResult& seam : written.worse)
       for (const int face : seam.faces)
-        if (std::ranges::count(used.fixed_faces, face) + std::ranges::count(hold.faces, face) == 0)
+        if (std::ranges::count(used.fixed_faces, face) + std::ranges::count(used.held_faces, face) +
+                std::ranges::count(hold.faces, face) ==
+            0)
           hold.faces.push_back(face);
     if (may_refuse && !hold.faces.empty()) throw hold;
   };
@@ -114,7 +102,7 @@ Done repairForFile(const occ::Model& model, const RepairArguments& arguments,
       used.max_time_s = std::max(least_s, asked.max_time_s - spent_s);
       std::string names;
       for (const int face : hold.faces) names += (names.empty() ? "" : ", ") + std::to_string(face);
-      used.fixed_faces.insert(used.fixed_faces.end(), hold.faces.begin(), hold.faces.end());
+      used.held_faces.insert(used.held_faces.end(), hold.faces.begin(), hold.faces.end());
       warn(arguments.output.model,
            {"a repair that moves these faces makes seams of theirs worse in the file, so "
             "they are held: " +

@@ -17,7 +17,8 @@ namespace seamwright::python {
 namespace {
 
 constexpr const char* side_kinds =
-    "a BezierCurve, (BezierCurve, cross field[, bend]) or (BezierPatch, edge[, reversed]) is "
+    "a BezierCurve, (BezierCurve, cross-boundary derivative[, bend]) or (BezierPatch, edge[, "
+    "reversed]) is "
     "needed";
 
 /// The side of a patch, from (patch, edge) or (patch, edge, reversed).
@@ -197,7 +198,7 @@ Returns a dict:
   curvature_jump_per_mm  None, or the largest jump of normal curvature found at places along all edges
 
 ValueError, with side or corner and number, for holes that do not close, angles of pi and more, tangent planes that contradict each
-other in a corner, cross fields parallel to their edge, and rational sides.)";
+other in a corner, cross-boundary derivatives parallel to their edge, and rational sides.)";
 
 constexpr const char* three_sided_fill_doc =
     R"(Fills a hole of three sides with three triangles around a centre, which meet each other and the surroundings with G1, exactly.

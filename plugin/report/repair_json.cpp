@@ -129,7 +129,8 @@ ordered_json toJson(const occ::SeamRepair& seam, const ContinuityTolerance& tole
           {"after", toJson(seam.after, tolerance)},
           {"treated", seam.treated},
           {"repaired", seam.repaired},
-          {"reason", seam.reason},
+          {"reason", seam.reason.text},
+          {"reason_code", codeOf(seam.reason.fault)},
           {"wants_conversion", seam.wants_conversion},
           {"sewn", seam.sewn},
           {"not_sewn", seam.not_sewn}};

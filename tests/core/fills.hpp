@@ -70,9 +70,9 @@ inline Graph torus(double ring, double tube) {
   };
 }
 
-/// The side of a hole over the line from a to b, of degree 5, with a cross field of degree 3:
-/// derivatives at the ends are those of the graph, of second order along the edge, of first order
-/// across.
+/// The side of a hole over the line from a to b, of degree 5, with a cross-boundary derivative of
+/// degree 3: derivatives at the ends are those of the graph, of second order along the edge, of
+/// first order across.
 inline FillSide graphSide(const Graph& graph, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   const Eigen::Vector2d along = b - a,
                         out = Eigen::Vector2d(along.y(), -along.x()).normalized() * 3;
@@ -120,8 +120,9 @@ inline Eigen::Vector3d normalNear(const Eigen::Vector3d& up, double tilt, std::m
       .normalized();
 }
 
-/// Takes from the cross fields of both sides what keeps their mixed derivatives from agreeing at
-/// the corner between them, along the corner's normal: p and q by Cramer's rule in its plane.
+/// Takes from the cross-boundary derivatives of both sides what keeps their mixed derivatives from
+/// agreeing at the corner between them, along the corner's normal: p and q by Cramer's rule in its
+/// plane.
 inline void makeCompatible(FillSide& before, FillSide& after, const Eigen::Vector3d& normal) {
   const Poles b = before.edge.poles(), a = after.edge.poles();
   const auto det = [&](const Eigen::RowVector3d& x, const Eigen::RowVector3d& y) {
@@ -139,8 +140,8 @@ inline void makeCompatible(FillSide& before, FillSide& after, const Eigen::Vecto
   before.cross->row(2) += half / (3 * p_b) * normal.transpose();
 }
 
-/// A hole of cubic edges with cubic cross fields about 10 mm wide, the last side shorter by that
-/// ratio. Corners are compatible.
+/// A hole of cubic edges with cubic cross-boundary derivatives about 10 mm wide, the last side
+/// shorter by that ratio. Corners are compatible.
 inline std::vector<FillSide> randomHole(int n, double ratio, std::mt19937_64& random) {
   std::vector<Eigen::Vector3d> corners, normals;
   const double step = 2 * std::numbers::pi / (n - 1 + 1 / ratio);

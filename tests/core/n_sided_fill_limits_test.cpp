@@ -58,14 +58,14 @@ TEST(NSidedFillLimits, CrossBoundaryDerivatives) {
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     std::vector<FillSide> sides = square();
     (*sides[2].cross)(3, 1) = bad;
-    expectRefused(sides, HasSubstr("side 2: coefficient 3 of the cross field is " +
+    expectRefused(sides, HasSubstr("side 2: coefficient 3 of the cross-boundary derivative is " +
                                    std::string(bad > 0 ? "inf" : "")));
   }
   std::vector<FillSide> sides = square();
   sides[2].cross = Poles(0, 3);
-  expectRefused(sides, HasSubstr("side 2: the cross field has degree -1"));
+  expectRefused(sides, HasSubstr("side 2: the cross-boundary derivative has degree -1"));
   sides[2].cross = Poles::Zero(20, 3);
-  expectRefused(sides, HasSubstr("side 2: the cross field has degree 19"));
+  expectRefused(sides, HasSubstr("side 2: the cross-boundary derivative has degree 19"));
   sides[2].cross = Poles(sides[2].edge.poles().bottomRows(1) - sides[2].edge.poles().topRows(1));
   expectRefused(sides, AllOf(HasSubstr("side 2"), HasSubstr("parallel to the edge")));
 }
@@ -103,7 +103,7 @@ TEST(NSidedFillLimits, AnglesOfPiAndMore) {
   expectRefused(free, HasSubstr("merge the two sides"));
 }
 
-// A cross field that points into the hole: the angle lies on the other side.
+// A cross-boundary derivative that points into the hole: the angle lies on the other side.
 TEST(NSidedFillLimits, CrossFieldPointsIntoTheHole) {
   std::vector<FillSide> sides = square();
   for (FillSide& side : sides) side.cross = -*side.cross;

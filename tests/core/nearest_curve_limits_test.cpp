@@ -88,12 +88,12 @@ TEST(NearestCurve, DearPolesHardlyMove) {
   const Pair pair = kinked(0.4);
   NearestCurveJoinOptions options = pair.options;
   options.costs_a = Eigen::Vector4d::Constant(1e12);
-  const Join dear = nearestJoin(pair.a, pair.b, options),
+  const Join costly = nearestJoin(pair.a, pair.b, options),
              held = nearestJoin(pair.a, pair.b, optionsOf(1, Moves::B));
-  EXPECT_EQ(dear.status, NearestCurveStatus::Solved) << dear.reason;
-  EXPECT_LT(difference(dear.a, pair.a), 1e-11);
-  EXPECT_LT(difference(dear.b, held.b), 1e-11);
-  EXPECT_NEAR(dear.cost, held.cost, 1e-11);
+  EXPECT_EQ(costly.status, NearestCurveStatus::Solved) << costly.reason;
+  EXPECT_LT(difference(costly.a, pair.a), 1e-11);
+  EXPECT_LT(difference(costly.b, held.b), 1e-11);
+  EXPECT_NEAR(costly.cost, held.cost, 1e-11);
 }
 
 TEST(NearestCurve, HighOrders) {

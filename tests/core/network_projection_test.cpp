@@ -36,10 +36,10 @@ TEST(NetworkProjection, NearestSolutionsWhereRowsDependOnEachOther) {
     const Eigen::MatrixXd a = system(40, 70, apart, random);
     const Eigen::MatrixXd target =
         Eigen::MatrixXd::NullaryExpr(70, 3, [&] { return value(random); });
-    Eigen::VectorXd pull = Eigen::VectorXd::Ones(70);
+    Eigen::VectorXd weights = Eigen::VectorXd::Ones(70);
     network::OrderedFactors factors;
     const network::Projection found =
-        network::project(Sparse(a.sparseView()), pull, target, factors);
+        network::project(Sparse(a.sparseView()), weights, target, factors);
 
     Eigen::JacobiSVD<Eigen::MatrixXd> svd(a, Eigen::ComputeThinU | Eigen::ComputeThinV);
     svd.setThreshold(1e-12);

@@ -419,16 +419,16 @@ TEST(Network, NoCurvatureAtStars) {
   }
 }
 
-// Weights: what is dear moves less.
+// Weights: what is costly moves less.
 TEST(Network, WeightsCount) {
   std::mt19937_64 random(14);
   Net net = grid(2, 2, 1, random);
   disturb(net, 0.05, 2, random);
   const NetworkResult even = joined(net);
   net.surfaces[0].weights = Eigen::VectorXd::Constant(net.surfaces[0].surface.poles.rows(), 1e4);
-  const NetworkResult dear = joined(net);
-  expectJoined(dear, net);
-  EXPECT_LT(dear.moves_mm[0], 0.02 * even.moves_mm[0]);
+  const NetworkResult costly = joined(net);
+  expectJoined(costly, net);
+  EXPECT_LT(costly.moves_mm[0], 0.02 * even.moves_mm[0]);
 }
 
 TEST(Network, BadInputIsRefused) {

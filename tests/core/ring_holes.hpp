@@ -14,8 +14,8 @@ struct Bowl {
   double heightAt(double x, double y) const { return k1 / 2 * x * x + k2 / 2 * y * y; }
 };
 
-/// A plane cubic lifted to the surface, with the lift of the direction across it as cross field,
-/// and its second derivative.
+/// A plane cubic lifted to the surface, with the lift of the direction across it as cross-boundary
+/// derivative, and its second derivative.
 inline FillSide lifted(const Poles& plan, const Bowl& bowl) {
   const auto square = [](const Eigen::VectorXd& f) { return rows::times(f, f); };
   const Eigen::VectorXd x = plan.col(0), y = plan.col(1);

@@ -207,7 +207,7 @@ TEST(ThreeSidedFillLimits, EdgesAndFields) {
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     std::vector<FillSide> sides = hole(test::plane());
     (*sides[2].cross)(3, 1) = bad;
-    expectRefused(sides, HasSubstr("side 2: coefficient 3 of the cross field is "));
+    expectRefused(sides, HasSubstr("side 2: coefficient 3 of the cross-boundary derivative is "));
   }
   std::vector<FillSide> sides = hole(test::plane());
   expectRefused({sides[1], sides[0], sides[2]}, HasSubstr("side 0 begins"));

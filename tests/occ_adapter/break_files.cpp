@@ -103,7 +103,7 @@ Counts countsOf(const occ::Model& smooth, double noise_mm, unsigned seed) {
     const bool is_repaired = surelyReaches(seam.after.figures, options.tolerance, Level::G1);
     counts.repaired += is_repaired ? 1 : 0;
     if (!is_repaired)
-      std::cerr << "  Edge" << seam.before.edges.front() << ": " << seam.reason << "\n";
+      std::cerr << "  Edge" << seam.before.edges.front() << ": " << seam.reason.text << "\n";
   }
   for (const FaceFairness& face : fairnessOfChanges(model.shape, report, options.tolerance)) {
     ++counts.moved;

@@ -32,7 +32,7 @@ TEST(Choose, DefectsAreTreatedAndCreasesAreNot) {
   const Choice choice = chosen(chain(
       {{}, {.kink = 1 * degree}, {.kink = 6 * degree}, {.step_mm = 0.02}, {.bend_per_mm = 0.01}}));
   EXPECT_EQ(choice.treated, (std::vector{true, false, true, false}));
-  for (const std::string& reason : choice.reasons) EXPECT_EQ(reason, "");
+  for (const RepairReason& reason : choice.reasons) EXPECT_TRUE(reason.empty());
   RepairOptions flowing;
   flowing.order = 2;
   EXPECT_EQ(chosen(chain({{}, {.bend_per_mm = 0.01}}), flowing).treated, std::vector{true});
@@ -45,7 +45,10 @@ TEST(Choose, WhatIsPickedIsTreatedUnlessItHasTheLevel) {
   options.edges = {seams[1].edges[0], seams[2].edges[0]};
   const Choice choice = chosen(shape, options);
   EXPECT_EQ(choice.treated, (std::vector{false, true, false}));
-  EXPECT_EQ(choice.reasons, (std::vector<std::string>{"", "", "it has the level already"}));
+  ASSERT_EQ(choice.reasons.size(), 3);
+  EXPECT_TRUE(choice.reasons[0].empty() && choice.reasons[1].empty());
+  EXPECT_EQ(choice.reasons[2].fault, RepairFault::HasLevel);
+  EXPECT_EQ(choice.reasons[2].text, "it has the level already");
 }
 
 TEST(Choose, WhatWouldBeACreaseIsSharpUnlessItIsPicked) {
@@ -69,29 +72,29 @@ TEST(Choose, WhatFoldsBackIsNotTreatedUnlessItIsSharp) {
   report.seams[0].figures.fold_at = 0.25;
   const Choice folded = choose(model, report, {});
   EXPECT_FALSE(folded.treated[0]);
-  EXPECT_THAT(folded.reasons[0], HasSubstr("fold back on one another there, first at 0.25"));
+  EXPECT_THAT(folded.reasons[0].text, HasSubstr("fold back on one another there, first at 0.25"));
   const TopoDS_Shape sharp = chain({{}, {.kink = 6 * degree, .step_mm = 0.05}});
   report = analyzed(sharp);
   report.seams[0].figures.fold_at = 0.25;
   const Choice apart = choose(modelFromShape(sharp), report, {});
   EXPECT_TRUE(apart.sharp[0]);
   EXPECT_TRUE(apart.treated[0]);
-  EXPECT_EQ(apart.reasons[0], "");
+  EXPECT_EQ(apart.reasons[0].text, "");
 }
 
 TEST(Choose, WhatCantBeMeasuredIsToldWithItsNote) {
   const TopoDS_Shape shape = chain({{}, {.kink = 1 * degree}});
   Report report = analyzed(shape);
   report.seams[0].figures.gap_mm.reset();
-  EXPECT_EQ(choose(modelFromShape(shape), report, {}).reasons[0], "it can't be measured");
+  EXPECT_EQ(choose(modelFromShape(shape), report, {}).reasons[0].text, "it can't be measured");
   report.seams[0].note = "not finite";
-  EXPECT_EQ(choose(modelFromShape(shape), report, {}).reasons[0],
+  EXPECT_EQ(choose(modelFromShape(shape), report, {}).reasons[0].text,
             "it can't be measured: not finite");
 }
 
 void expectChoice(const FaceChoice& face, const std::string& cannot_move, bool may_be_trimmed,
                   bool convertible) {
-  EXPECT_EQ(face.cannot_move, cannot_move);
+  EXPECT_EQ(face.cannot_move.text, cannot_move);
   EXPECT_EQ(face.may_move, cannot_move.empty());
   EXPECT_EQ(face.may_be_trimmed, may_be_trimmed);
   EXPECT_EQ(face.convertible, convertible);
@@ -117,7 +120,7 @@ TEST(Choose, NoPartThatStandsTwiceAndNoFaceAtAnEdgeOfThree) {
   const Choice twice = chosen(loose(part, located(part, away)));
   for (int f = 1; f <= 4; ++f)
     expectChoice(twice.faces[f], "stands in the model 2 times", false, false);
-  EXPECT_EQ(twice.reasons[0],
+  EXPECT_EQ(twice.reasons[0].text,
             "face 1 stands in the model 2 times; face 2 stands in the model 2 times");
   Report report = analyzed(part);
   report.non_manifold = {{7, {2, 5, 6}}};
@@ -132,7 +135,7 @@ TEST(Choose, AFaceThatMeetsItselfIsNamedOnce) {
   report.seams[0].faces = {1, 1};
   RepairOptions options;
   options.fixed_faces = {1};
-  EXPECT_EQ(choose(modelFromShape(shape), report, options).reasons[0], "face 1 is fixed");
+  EXPECT_EQ(choose(modelFromShape(shape), report, options).reasons[0].text, "face 1 is fixed");
 }
 
 TEST(IsRepaired, MeansThatBoundsAreWithinTheTolerance) {

@@ -220,7 +220,7 @@ int repairedSeams(const RepairReport& report) {
 std::string reasonsOf(const RepairReport& report) {
   std::string reasons;
   for (const occ::SeamRepair& seam : report.seams)
-    if (!seam.reason.empty()) reasons += describe(seam.after) + ": " + seam.reason + "\n";
+    if (!seam.reason.empty()) reasons += describe(seam.after) + ": " + seam.reason.text + "\n";
   return reasons;
 }
 

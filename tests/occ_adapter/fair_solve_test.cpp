@@ -264,7 +264,7 @@ TEST(Improve, WhatMovesTooFarIsLeftAsItWas) {
   EXPECT_TRUE(done.changes.empty());
   EXPECT_TRUE(done.shape.IsSame(strips.shape()));
   ASSERT_EQ(done.reasons.count(0), 1);
-  EXPECT_THAT(done.reasons.at(0), testing::HasSubstr("no more than 1e-05 mm"));
+  EXPECT_THAT(done.reasons.at(0).text, testing::HasSubstr("no more than 1e-05 mm"));
 }
 
 /// x from x0 to x0 + 20, y from y0 to y0 + 20: z = bend x^2 / 2 and the slope times y where y > 0.
@@ -318,7 +318,7 @@ TEST(Improve, CurvatureIsKeptWhereItIsAskedFor) {
   const ProofCase strips(chain({{}, {.kink = 0.5 * degree}, {}}), options);
   ASSERT_GE(strips.task().before[1].verdict.level, Level::G2);
   const Improvement done = improved(strips, {1, 0});
-  EXPECT_EQ(done.orders[0], 1) << (done.reasons.empty() ? "" : done.reasons.begin()->second);
+  EXPECT_EQ(done.orders[0], 1) << (done.reasons.empty() ? "" : done.reasons.begin()->second.text);
   EXPECT_GE(done.after[1].verdict.level, Level::G2) << describe(done.after[1]);
 }
 

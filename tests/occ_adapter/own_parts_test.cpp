@@ -142,7 +142,7 @@ TEST(OwnParts, PrismsAndRevolutionsAreConverted) {
     const RepairReport report = repaired(shape);
     const auto seam = std::ranges::find(report.seams, true, &occ::SeamRepair::treated);
     ASSERT_NE(seam, report.seams.end());
-    EXPECT_TRUE(seam->repaired) << seam->reason;
+    EXPECT_TRUE(seam->repaired) << seam->reason.text;
     EXPECT_GE(report.converted.size(), 1);
     EXPECT_LE(report.converted.size(), 2);  // two share the turn
     EXPECT_TRUE(BRepCheck_Analyzer(report.model.shape).IsValid());
@@ -185,8 +185,8 @@ TEST(OwnParts, FacesWithEdgesThatStandElsewhereStay) {
   int told = 0;
   for (const occ::SeamRepair& seam : report.seams)
     if (seam.before.verdict.seam_class == SeamClass::Defect) {
-      EXPECT_THAT(seam.reason, HasSubstr("has edge " + std::to_string(kinked) +
-                                         ", which stands in the model 2 times"));
+      EXPECT_THAT(seam.reason.text, HasSubstr("has edge " + std::to_string(kinked) +
+                                              ", which stands in the model 2 times"));
       ++told;
     }
   EXPECT_EQ(told, 1);

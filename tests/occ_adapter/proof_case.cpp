@@ -121,12 +121,12 @@ occ::Proof ProofCase::proofOf(const occ::RepairTask& task,
 std::string textOf(const occ::Proof& proof) {
   std::string text;
   for (const auto& [seam, why] : proof.unrepaired)
-    text += "unrepaired " + std::to_string(seam) + ": " + why + "\n";
+    text += "unrepaired " + std::to_string(seam) + ": " + why.text + "\n";
   for (const auto& [seam, why] : proof.worse)
-    text += "worse " + std::to_string(seam) + ": " + why + "\n";
+    text += "worse " + std::to_string(seam) + ": " + why.text + "\n";
   for (const auto& [face, why] : proof.faces)
-    text += "face " + std::to_string(face) + ": " + why + "\n";
-  return text + proof.whole;
+    text += "face " + std::to_string(face) + ": " + why.text + "\n";
+  return text + proof.whole.text;
 }
 
 }  // namespace seamwright::test

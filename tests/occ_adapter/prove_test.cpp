@@ -48,8 +48,8 @@ RepairOptions picking(std::vector<int> edges, int order = 1) {
   return options;
 }
 
-std::string onlyText(const std::map<std::size_t, std::string>& reasons) {
-  return reasons.size() == 1 ? reasons.begin()->second
+std::string onlyText(const Reasons& reasons) {
+  return reasons.size() == 1 ? reasons.begin()->second.text
                              : std::to_string(reasons.size()) + " reasons";
 }
 
@@ -68,8 +68,8 @@ TEST(Prove, TheTargetIsMet) {
   const Proof proof = strips.proofOf(
       {strips.changed(2, {.kink = 0.5 * degree}), strips.changed(3, {.kink = -0.5 * degree})});
   ASSERT_EQ(proof.unrepaired.size(), 1);
-  EXPECT_THAT(proof.unrepaired.at(0), HasSubstr("after a move it has level G0"));
-  EXPECT_THAT(proof.unrepaired.at(0), HasSubstr("angle 0.500"));
+  EXPECT_THAT(proof.unrepaired.at(0).text, HasSubstr("after a move it has level G0"));
+  EXPECT_THAT(proof.unrepaired.at(0).text, HasSubstr("angle 0.500"));
 }
 
 /// The seam between the first two strips is treated, and met; what becomes of that between the
@@ -233,7 +233,7 @@ TEST(Prove, NoFaceFoldsOver) {
     const Proof proof = strips.proofOf({change, strips.changed(3, {})});
     EXPECT_EQ(proof.faces.count(2), folded) << textOf(proof);
     if (folded) {
-      EXPECT_EQ(proof.faces.at(2), "it would fold over");
+      EXPECT_EQ(proof.faces.at(2).text, "it would fold over");
     }
   }
 }
@@ -288,7 +288,7 @@ TEST(Prove, ChecksThatPassedPassStill) {
   spoil(changed);
   const Proof proof = strips.proofOf(strips.task(), changes, changed);
   ASSERT_EQ(proof.faces.size(), 1) << textOf(proof);
-  EXPECT_EQ(proof.faces.at(3), "OpenCASCADE's checks do not pass");
+  EXPECT_EQ(proof.faces.at(3).text, "OpenCASCADE's checks do not pass");
   spoil(strips.shape());
   EXPECT_FALSE(occ::validityOf(strips.shape(), 1).whole);
   EXPECT_TRUE(strips.proofOf(strips.task(), changes, changed).holds());
@@ -310,7 +310,7 @@ TEST(Prove, TheWholeIsCheckedToo) {
   EXPECT_TRUE(solid.proofOf(solid.task(), {}, box).holds());
   const Proof proof = solid.proofOf(solid.task(), {}, turned);
   EXPECT_THAT(proof.faces, IsEmpty());
-  EXPECT_EQ(proof.whole, "OpenCASCADE's checks do not pass");
+  EXPECT_EQ(proof.whole.text, "OpenCASCADE's checks do not pass");
 }
 
 /// A wavy spline of many spans, along z at that distance and angle from the axis.

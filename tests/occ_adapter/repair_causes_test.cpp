@@ -96,7 +96,7 @@ void expectLedAnew(const TopoDS_Shape& shape, int edge) {
   const RepairReport report = repairedModel(shape, {});
   const occ::SeamRepair& seam = seamOf(report, edge);
   EXPECT_EQ(seam.before.verdict.seam_class, SeamClass::Defect);
-  EXPECT_TRUE(seam.repaired) << seam.reason;
+  EXPECT_TRUE(seam.repaired) << seam.reason.text;
   EXPECT_TRUE(report.after.passed());
   EXPECT_TRUE(report.moves.empty());
   ASSERT_EQ(report.edge_moves.size(), 1);
@@ -194,7 +194,7 @@ TEST(RepairCauses, WhatFoldsBackIsToldAndLeft) {
   if (!std::filesystem::exists(path)) GTEST_SKIP() << path;
   const RepairReport report = repair(occ::readModel(path));
   EXPECT_FALSE(report.changed());
-  EXPECT_EQ(seamOf(report, 4).reason.find("the faces fold back on one another there"), 0);
+  EXPECT_EQ(seamOf(report, 4).reason.text.find("the faces fold back on one another there"), 0);
 }
 
 /// Part of a cylinder of radius 20 about the x axis, x from x0 to x0 + 10: through its points at
@@ -230,7 +230,7 @@ TEST(RepairCauses, KinksOfASurfaceAreToldAndLeft) {
       repairedModel(gridOf({{barrelStave(0, 1)}, {barrelStave(10, 3)}}), {});
   ASSERT_EQ(report.seams.size(), 1);
   EXPECT_FALSE(report.seams[0].treated);
-  EXPECT_THAT(report.seams[0].reason,
+  EXPECT_THAT(report.seams[0].reason.text,
               testing::AllOf(testing::HasSubstr("the surface of face 1 has a kink of 1"),
                              testing::HasSubstr("no smooth move takes that out")));
   EXPECT_FALSE(report.changed());

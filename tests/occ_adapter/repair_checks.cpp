@@ -34,7 +34,7 @@ namespace {
 /// What is promised of every seam, seen by plain evaluation.
 void expectSeam(const occ::SeamRepair& seam, const TopoDS_Shape& shape,
                 const RepairOptions& options) {
-  SCOPED_TRACE("edge " + std::to_string(seam.before.edges[0]) + " " + seam.reason + "\n" +
+  SCOPED_TRACE("edge " + std::to_string(seam.before.edges[0]) + " " + seam.reason.text + "\n" +
                describe(seam.before) + "\n" + describe(seam.after));
   if (seam.treated) {
     EXPECT_EQ(seam.reason.empty(), seam.repaired);
@@ -126,7 +126,7 @@ std::string reasonsOf(const RepairReport& report) {
   std::string reasons;
   for (const occ::SeamRepair& seam : report.seams)
     if (!seam.reason.empty())
-      reasons += "edge " + std::to_string(seam.before.edges[0]) + ": " + seam.reason + "\n";
+      reasons += "edge " + std::to_string(seam.before.edges[0]) + ": " + seam.reason.text + "\n";
   return reasons;
 }
 double largestMove_mm(const RepairReport& report) {

@@ -222,11 +222,12 @@ TEST(RepairDegenerate, PolesThatAreNoNumbers) {
     const RepairReport report = repair(model, trialOptions({}));
     ASSERT_EQ(report.seams.size(), 2);
     EXPECT_TRUE(report.seams[0].treated);
-    EXPECT_TRUE(report.seams[0].repaired) << report.seams[0].reason;
+    EXPECT_TRUE(report.seams[0].repaired) << report.seams[0].reason.text;
     EXPECT_FALSE(report.seams[1].treated);
-    EXPECT_NE(report.seams[1].reason.find("not measured: face 3 has a surface with the number"),
-              std::string::npos)
-        << report.seams[1].reason;
+    EXPECT_NE(
+        report.seams[1].reason.text.find("not measured: face 3 has a surface with the number"),
+        std::string::npos)
+        << report.seams[1].reason.text;
     // Nothing is known of the edge between faces 2 and 3, so that neither moves.
     ASSERT_EQ(report.moves.size(), 1);
     EXPECT_EQ(report.moves[0].face, 1);
@@ -239,10 +240,10 @@ TEST(RepairDegenerate, PolesThatAreNoNumbers) {
     held.fixed_faces = {1};
     const RepairReport left = repair(model, held);
     EXPECT_FALSE(left.seams[0].treated);
-    EXPECT_NE(
-        left.seams[0].reason.find("in common with face 3, which has a surface with the number"),
-        std::string::npos)
-        << left.seams[0].reason;
+    EXPECT_NE(left.seams[0].reason.text.find(
+                  "in common with face 3, which has a surface with the number"),
+              std::string::npos)
+        << left.seams[0].reason.text;
     EXPECT_FALSE(left.changed());
   }
 }

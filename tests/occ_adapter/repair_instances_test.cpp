@@ -110,8 +110,8 @@ TEST(RepairInstances, WhatIsAskedOfOneHoldsForAll) {
   const RepairReport stays = repairedModel(all, fixed);
   EXPECT_TRUE(stays.model.shape.IsEqual(all));
   for (const occ::SeamRepair& seam : stays.seams)
-    EXPECT_THAT(seam.reason, HasSubstr("face 1 is fixed; face 2 is fixed"));
-  EXPECT_THAT(stays.seams[2].reason,
+    EXPECT_THAT(seam.reason.text, HasSubstr("face 1 is fixed; face 2 is fixed"));
+  EXPECT_THAT(stays.seams[2].reason.text,
               HasSubstr("instance of edge " + std::to_string(stays.seams[0].before.edges[0])));
 }
 
@@ -137,7 +137,7 @@ TEST(RepairInstances, PartsThatShareWithOthersStay) {
   EXPECT_EQ(repairedSeams(report), 1) << reasonsOf(report);
   EXPECT_TRUE(report.seams.back().repaired);
   for (const std::size_t i : {0, 1})
-    EXPECT_THAT(report.seams[i].reason, HasSubstr("stands in the model 3 times"));
+    EXPECT_THAT(report.seams[i].reason.text, HasSubstr("stands in the model 3 times"));
 }
 
 TEST(RepairInstances, OptionsAreCheckedAsEver) {
@@ -156,7 +156,7 @@ TEST(RepairInstances, AreLeftWhereOpenEdgesAreMatched) {
   const RepairReport report = repair(occ::modelFromShape(all), options);
   EXPECT_FALSE(report.changed());
   for (const occ::SeamRepair& seam : report.seams)
-    EXPECT_THAT(seam.reason, HasSubstr("stands in the model 3 times"));
+    EXPECT_THAT(seam.reason.text, HasSubstr("stands in the model 3 times"));
 }
 
 }  // namespace

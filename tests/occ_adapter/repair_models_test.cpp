@@ -94,7 +94,7 @@ TEST(RepairModel, NoSeamSurelyLosesTheTargetWhereLessIsTried) {
   const occ::RepairReport report = occ::repair(occ::readModel(path), options);
   int unsure = 0, to_g1 = 0;
   for (const occ::SeamRepair& seam : report.seams) {
-    SCOPED_TRACE(describe(seam.after) + ": " + seam.reason);
+    SCOPED_TRACE(describe(seam.after) + ": " + seam.reason.text);
     EXPECT_GE(seam.after.verdict.level, std::min(seam.before.verdict.level, Level::G2));
     if (seam.before.verdict.seam_class == SeamClass::Smooth) {
       EXPECT_EQ(seam.after.verdict.seam_class, SeamClass::Smooth);
@@ -102,7 +102,7 @@ TEST(RepairModel, NoSeamSurelyLosesTheTargetWhereLessIsTried) {
     }
     if (seam.treated) {
       EXPECT_EQ(seam.repaired, seam.reason.empty());
-      to_g1 += seam.reason.rfind("G1 reached; G2: ", 0) == 0;
+      to_g1 += seam.reason.text.rfind("G1 reached; G2: ", 0) == 0;
     }
   }
   EXPECT_GE(unsure, 1);
@@ -123,10 +123,11 @@ int expectNoLessThanG1(const occ::Model& model, occ::RepairOptions options) {
     if (!planes.seams[i].repaired) continue;
     ++repaired;
     const occ::SeamRepair& seam = curved.seams[i];
-    const bool costs_another = seam.reason.find("G1: edge") != std::string::npos &&
-                               seam.reason.find("would get a lower level") != std::string::npos;
+    const bool costs_another =
+        seam.reason.text.find("G1: edge") != std::string::npos &&
+        seam.reason.text.find("would get a lower level") != std::string::npos;
     EXPECT_TRUE(costs_another || seam.after.verdict.level >= Level::G1)
-        << describe(seam.after) << ": " << seam.reason;
+        << describe(seam.after) << ": " << seam.reason.text;
   }
   return repaired;
 }

@@ -77,7 +77,7 @@ TEST(RepairTarget, WhatCannotHaveOneCurvatureGetsOneTangentPlane) {
     const RepairReport report = repairedModel(quartersAndSheets(twist_per_mm), lowerOnesStay(2));
     int to_g1 = 0, to_g2 = 0;
     for (const SeamRepair& seam : report.seams) {
-      SCOPED_TRACE(describe(seam.after) + ": " + seam.reason);
+      SCOPED_TRACE(describe(seam.after) + ": " + seam.reason.text);
       if (isBetween(seam, 2, 4)) {
         ++to_g1;
         EXPECT_EQ(seam.before.verdict.level, Level::G0);
@@ -85,8 +85,8 @@ TEST(RepairTarget, WhatCannotHaveOneCurvatureGetsOneTangentPlane) {
         EXPECT_EQ(seam.after.verdict.seam_class, SeamClass::Defect);
         EXPECT_TRUE(seam.treated);
         EXPECT_FALSE(seam.repaired);
-        EXPECT_EQ(seam.reason.rfind("G1 reached; G2: ", 0), 0);
-        EXPECT_GT(seam.reason.size(), std::string("G1 reached; G2: ").size());
+        EXPECT_EQ(seam.reason.text.rfind("G1 reached; G2: ", 0), 0);
+        EXPECT_GT(seam.reason.text.size(), std::string("G1 reached; G2: ").size());
       } else if (isBetween(seam, 3, 4) || isBetween(seam, 5, 6)) {
         ++to_g2;
         EXPECT_TRUE(seam.repaired);
@@ -94,7 +94,7 @@ TEST(RepairTarget, WhatCannotHaveOneCurvatureGetsOneTangentPlane) {
         EXPECT_TRUE(seam.reason.empty());
       } else {
         EXPECT_GE(seam.after.verdict.level, std::min(seam.before.verdict.level, Level::G2));
-        EXPECT_EQ(seam.reason.find("G1 reached"), std::string::npos);
+        EXPECT_EQ(seam.reason.text.find("G1 reached"), std::string::npos);
       }
     }
     EXPECT_EQ(to_g1, 1);
@@ -110,7 +110,7 @@ TEST(RepairTarget, TheTangentPlaneIsAsGoodAsAskedForAlone) {
   EXPECT_EQ(repairedSeams(alone), 2) << reasonsOf(alone);
   for (std::size_t i = 0; i < both.seams.size(); ++i)
     if (alone.seams[i].repaired) {
-      EXPECT_GE(both.seams[i].after.verdict.level, Level::G1) << both.seams[i].reason;
+      EXPECT_GE(both.seams[i].after.verdict.level, Level::G1) << both.seams[i].reason.text;
     }
   EXPECT_LE(largestMove_mm(both), 2 * largestMove_mm(alone));
 }
@@ -123,10 +123,10 @@ TEST(RepairTarget, BothReasonsAreToldWhereNeitherIsReached) {
   int told = 0;
   for (const SeamRepair& seam : report.seams) {
     if (seam.before.verdict.level != Level::G0) continue;
-    const std::size_t second = seam.reason.find("; G1: ");
-    ASSERT_NE(second, std::string::npos) << seam.reason;
+    const std::size_t second = seam.reason.text.find("; G1: ");
+    ASSERT_NE(second, std::string::npos) << seam.reason.text;
     EXPECT_GT(second, 0);
-    EXPECT_GT(seam.reason.size(), second + 6);
+    EXPECT_GT(seam.reason.text.size(), second + 6);
     ++told;
   }
   EXPECT_EQ(told, 2);

@@ -130,7 +130,7 @@ TEST(Repair, AFixedFaceStays) {
     const RepairReport none = repairedModel(disturbedGrid(generator, 2, 1, 0.01), options);
     EXPECT_FALSE(none.changed());
     EXPECT_EQ(treated(none), 0);
-    EXPECT_EQ(none.seams[0].reason, "face 1 is fixed; face 2 is fixed");
+    EXPECT_EQ(none.seams[0].reason.text, "face 1 is fixed; face 2 is fixed");
   }
 }
 
@@ -163,11 +163,11 @@ TEST(Repair, OnlyPickedEdgesAreTreated) {
   options.edges = all.seams[1].before.edges;
   const RepairReport one = repairedModel(shape, options);
   EXPECT_FALSE(one.seams[0].treated);
-  ASSERT_TRUE(one.seams[1].repaired) << one.seams[1].reason;
+  ASSERT_TRUE(one.seams[1].repaired) << one.seams[1].reason.text;
   EXPECT_NE(one.moves.front().face, 1);
   const RepairReport again = repairedModel(one.model.shape, options);
   EXPECT_FALSE(again.changed());
-  EXPECT_EQ(again.seams[1].reason, "it has the level already");
+  EXPECT_EQ(again.seams[1].reason.text, "it has the level already");
 }
 
 TEST(Repair, NoMoveIsLargerThanAllowed) {
@@ -191,7 +191,7 @@ TEST(Repair, TimeLimitKeepsWhatWasRepaired) {
   EXPECT_EQ(treated(none), 4);
   EXPECT_TRUE(none.model.shape.IsEqual(shape));
   for (const occ::SeamRepair& seam : none.seams)
-    EXPECT_EQ(seam.reason, "the time limit was reached first");
+    EXPECT_EQ(seam.reason.text, "the time limit was reached first");
   options.max_time_s = 1e9;
   EXPECT_EQ(repairedSeams(repairedModel(shape, options)), 4);
 }

@@ -111,7 +111,7 @@ RepairCounts countsOf(const occ::RepairReport& report, double noise_mm) {
   for (const occ::SeamRepair& seam : report.seams) {
     counts.treated += seam.treated ? 1 : 0;
     counts.repaired += seam.repaired ? 1 : 0;
-    if (!seam.reason.empty()) ++counts.reasons[seam.reason];
+    if (!seam.reason.empty()) ++counts.reasons[seam.reason.text];
     if (!seam.repaired || seam.after.verdict.seam_class == SeamClass::Crease) continue;
     const SeamFigures& figures = seam.after.figures;
     counts.largest_gap_mm = std::max(counts.largest_gap_mm, upper(figures.gap_mm));

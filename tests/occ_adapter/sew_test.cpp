@@ -360,7 +360,7 @@ TEST(Sew, MovedFirst) {
     const TopoDS_Shape shape = loose(wholeFace(parts[0]), wholeFace(parts[1]));
     const RepairReport report = sewn(shape, options);
     ASSERT_EQ(report.seams.size(), 1);
-    EXPECT_TRUE(report.seams[0].repaired) << report.seams[0].reason;
+    EXPECT_TRUE(report.seams[0].repaired) << report.seams[0].reason.text;
     EXPECT_TRUE(report.seams[0].sewn) << whyNot(report);
     // Where the ends of both edges were apart along the seam, what is left of the longer one is an
     // edge of its own.
@@ -395,8 +395,8 @@ TEST(Sew, WhereEdgesPartTheReasonSaysSoFirst) {
   EXPECT_EQ(seam.before.note,
             "it ends where the edges are further apart than the distance to match, and the gap may "
             "go on growing");
-  EXPECT_EQ(seam.reason.find(seam.before.note + "; "), 0) << seam.reason;
-  EXPECT_GT(seam.reason.size(), seam.before.note.size() + 2);
+  EXPECT_EQ(seam.reason.text.find(seam.before.note + "; "), 0) << seam.reason.text;
+  EXPECT_GT(seam.reason.text.size(), seam.before.note.size() + 2);
 }
 
 TEST(Sew, ShellsTakeTurns) {

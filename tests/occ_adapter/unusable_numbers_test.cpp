@@ -165,7 +165,7 @@ TEST(UnusableNumbers, AreNotRepairedAndNotFilled) {
   EXPECT_TRUE(repaired.model.shape.IsSame(shape));
   EXPECT_EQ(repaired.before.model.notes, model.notes);
   const auto told = std::ranges::count_if(repaired.seams, [](const occ::SeamRepair& seam) {
-    return seam.reason.find("the number inf") != std::string::npos;
+    return seam.reason.text.find("the number inf") != std::string::npos;
   });
   EXPECT_EQ(told, 2) << "both circles";
   const occ::FillHoleReport filled = occ::replaceFace(model, 2);

@@ -52,10 +52,10 @@ std::optional<HeldEnd> heldEnd(const Unknowns& u, int order, double t) {
     return static_cast<Eigen::Index>(block) * u.count() + pole;
   };
   const auto stays = [&](int row) {
-    return (row > u.a.depth || u.pull(index(row, j)) == 0) &&
-           (row > u.b.depth || u.pull(index(u.a.depth + row, j)) == 0);
+    return (row > u.a.depth || u.move_weights(index(row, j)) == 0) &&
+           (row > u.b.depth || u.move_weights(index(u.a.depth + row, j)) == 0);
   };
-  if (u.pull(j) > 0 || !stays(1) || u.pull(neighbour) == 0) return std::nullopt;
+  if (u.move_weights(j) > 0 || !stays(1) || u.move_weights(neighbour) == 0) return std::nullopt;
   const auto derivative = [&](const SeamRows& rows, int first_block, int k) {
     Eigen::VectorXd sum = rows.across(k, 0) * u.target.row(j).transpose();
     for (int row = 1; row <= rows.depth; ++row)
@@ -179,8 +179,8 @@ std::optional<double> costOfSmoothing(const Unknowns& u, const std::vector<doubl
     jumps.row(i) = jumpAt(u.a, knots[i], u.a.degree - multiplicity + 1);
     jumps.row(i).normalize();
   }
-  const Eigen::ArrayXd pull = u.pull.head(u.count()).array();
-  const Eigen::VectorXd reach = (pull > 0).select(pull.rsqrt(), 0.0);
+  const Eigen::ArrayXd weights = u.move_weights.head(u.count()).array();
+  const Eigen::VectorXd reach = (weights > 0).select(weights.rsqrt(), 0.0);
   const Eigen::MatrixXd seam = u.target.topRows(u.count()),
                         jumps_of_moves = jumps * reach.asDiagonal();
   const Eigen::MatrixXd move = linear::LeastSquares(jumps_of_moves).solve(jumps * seam);

@@ -80,7 +80,7 @@ struct Coordinates {
     result << weight * x, unknowns.size * weight;
     return result;
   }
-  double pull(int index) const {
+  double moveWeight(int index) const {
     if (!isFree(side, index)) return 0;
     const double weight = unknowns.rational ? side.surface.poles(index, 3) / scale : 1;
     return weightOf(side, index) / (weight * weight);
@@ -133,19 +133,19 @@ void setSeam(Unknowns& u, const Coordinates& a, const Coordinates& b) {
   u.seam_b.resize(u.count(), u.target.cols());
   for (int j = 0; j < u.count(); ++j) {
     const int in_a = u.a.pole(0, j), in_b = u.b.pole(0, j);
-    const double pull_a = a.pull(in_a), pull_b = b.pull(in_b);
+    const double weight_a = a.moveWeight(in_a), weight_b = b.moveWeight(in_b);
     const Eigen::RowVectorXd x = a.pole(in_a), y = b.pole(in_b);
     u.seam_a.row(j) = x;
     u.seam_b.row(j) = y;
     u.seam_gap = std::max(u.seam_gap, (x - y).norm());
-    if (pull_a == 0 && pull_b == 0) u.fixed_gap = std::max(u.fixed_gap, (x - y).norm());
-    if (pull_a > 0 && pull_b > 0) {
-      u.pull(j) = pull_a + pull_b;
-      u.target.row(j) = (pull_a * x + pull_b * y) / u.pull(j);
-      u.seam_cost += pull_a * pull_b / u.pull(j) * (x - y).squaredNorm();
+    if (weight_a == 0 && weight_b == 0) u.fixed_gap = std::max(u.fixed_gap, (x - y).norm());
+    if (weight_a > 0 && weight_b > 0) {
+      u.move_weights(j) = weight_a + weight_b;
+      u.target.row(j) = (weight_a * x + weight_b * y) / u.move_weights(j);
+      u.seam_cost += weight_a * weight_b / u.move_weights(j) * (x - y).squaredNorm();
     } else {
-      u.target.row(j) = pull_a == 0 ? x : y;
-      u.seam_cost += (pull_a + pull_b) * (x - y).squaredNorm();
+      u.target.row(j) = weight_a == 0 ? x : y;
+      u.seam_cost += (weight_a + weight_b) * (x - y).squaredNorm();
     }
   }
 }
@@ -155,7 +155,7 @@ void setRows(Unknowns& u, const SeamRows& rows, const Coordinates& side, int fir
     for (int j = 0; j < rows.count; ++j) {
       const int index = (first_block + row - 1) * rows.count + j;
       u.target.row(index) = side.pole(rows.pole(row, j));
-      u.pull(index) = side.pull(rows.pole(row, j));
+      u.move_weights(index) = side.moveWeight(rows.pole(row, j));
     }
 }
 
@@ -182,7 +182,7 @@ void placeRows(const Placing& from, const SeamRows& rows, int first_block, doubl
   for (int row = 1; row <= rows.depth; ++row)
     for (int j = 0; j < rows.count; ++j) {
       const int index = (first_block + row - 1) * rows.count + j, pole = rows.pole(row, j);
-      if (from.unknowns.pull(index) > 0)
+      if (from.unknowns.move_weights(index) > 0)
         to.poles.row(pole) = from.pole(index, to.poles(pole, 3), scale);
     }
 }
@@ -227,7 +227,7 @@ Unknowns unknowns(const JoinSide& a, const JoinSide& b, int order) {
   u.rational = isRational(a.surface.poles) || isRational(b.surface.poles);
   u.scale_b = u.rational ? weightRatio(u, a, b) : 1;
   u.target.resize(static_cast<Eigen::Index>(u.blocks()) * u.count(), u.rational ? 4 : 3);
-  u.pull = Eigen::VectorXd::Zero(u.target.rows());
+  u.move_weights = Eigen::VectorXd::Zero(u.target.rows());
   const Coordinates in_a{a, u, 1}, in_b{b, u, u.scale_b};
   setSeam(u, in_a, in_b);
   setRows(u, u.a, in_a, 1);

@@ -38,7 +38,7 @@ struct Unknowns {
   SeamRows a, b;
   Eigen::MatrixXd target;  ///< the given poles, one per row; on the seam the mean of both sides
   Eigen::MatrixXd seam_a, seam_b;  ///< the poles of the seam on each side
-  Eigen::VectorXd pull;            ///< weight of a move; 0: the pole stays
+  Eigen::VectorXd move_weights;    ///< weight of a move; 0: the pole stays
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   double size = 1;
   /// Divisor of the homogeneous poles of b, by which the seams' poles agree.

@@ -41,10 +41,10 @@ class Search {
         condition_(condition),
         family_(family),
         smallest_alpha_(smallest_alpha) {
-    reach_ = (unknowns.pull.array() > 0).select(unknowns.pull.array().rsqrt(), 0.0);
+    reach_ = (unknowns.move_weights.array() > 0).select(unknowns.move_weights.array().rsqrt(), 0.0);
     for (Eigen::Index i = 0; i < reach_.size(); ++i)
       if (reach_(i) > 0) movable_.push_back(i);
-    noise_ = 16 * machine_epsilon * unknowns.largest * std::sqrt(unknowns.pull.sum());
+    noise_ = 16 * machine_epsilon * unknowns.largest * std::sqrt(unknowns.move_weights.sum());
   }
 
   Solution run(int max_iterations);

@@ -34,8 +34,8 @@ bool holds(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& x, double round
 
 /// Newton's method for the stationary points of
 ///   min 1/2 |x - target|^2  subject to  A(c) x = 0
-/// in c alone: for each c the nearest x is a projection. With x = target + D z, D = pull^(-1/2)
-/// (pull is the weight of a move; D is 0 where a pole stays), M = A D, T_i = M^+ (A_i x), nu the
+/// in c alone: for each c the nearest x is a projection. With x = target + D z, D = w^(-1/2)
+/// (w is the weight of a move; D is 0 where a pole stays), M = A D, T_i = M^+ (A_i x), nu the
 /// multipliers, H_i = D A_i' nu, the gradient by c_i is -<z, T_i> and the Hessian
 ///   <T_i, T_j> - <T_i, H_j> - <H_i, T_j> - <H_i, (1 - M^+ M) H_j> + <nu, A_ij x>.
 /// The part of A_i x that no movable pole can reach, (1 - M M^+) A_i x, gives linear conditions on

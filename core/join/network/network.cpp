@@ -260,9 +260,9 @@ Eigen::SparseMatrix<double> Attempt::derivative(const Laws& laws, const Eigen::V
 void Attempt::search(const Laws& laws, const NetworkOptions& options) {
   y_ = laws.start();
   const Eigen::SparseMatrix<double> a = matrix(laws, y_);
-  at_ = project(a, unknowns_.pull, unknowns_.target, of_projection_);
+  at_ = project(a, unknowns_.move_weights, unknowns_.target, of_projection_);
   noise_ = 64 * machine_epsilon * unknowns_.largest *
-           std::sqrt(unknowns_.pull.maxCoeff() * static_cast<double>(rows_ + 1));
+           std::sqrt(unknowns_.move_weights.maxCoeff() * static_cast<double>(rows_ + 1));
   converged_ = laws.directions() == 0;
   while (!converged_ && iterations_ < options.max_iterations) {
     ++iterations_;
@@ -278,13 +278,14 @@ bool Attempt::improve(const Laws& laws) {
   const Eigen::SparseMatrix<double> a = matrix(laws, y_), g = derivative(laws, y_, at_.x);
   const double cost = at_.cost + unknowns_.joining;
   for (;; damping_ = std::max(damping_ * 100, least_damping)) {
-    const Step next = step(a, unknowns_.pull, unknowns_.target, at_, g, damping_, of_step_);
+    const Step next = step(a, unknowns_.move_weights, unknowns_.target, at_, g, damping_, of_step_);
     stationarity_ = cost > 0 ? std::abs(next.decrease) / cost : 0;
     converged_ = isExact(at_) && stationarity_ * cost <= resolved * cost + noise_ * noise_;
     if (converged_) return false;
     const Eigen::VectorXd y = laws.moved(y_, next.change);
     if (y.allFinite()) {
-      Projection trial = project(matrix(laws, y), unknowns_.pull, unknowns_.target, of_projection_);
+      Projection trial =
+          project(matrix(laws, y), unknowns_.move_weights, unknowns_.target, of_projection_);
       const bool nearer = isExact(at_) ? isExact(trial) && trial.cost < at_.cost
                                        : trial.unreachable < 0.75 * at_.unreachable;
       if (nearer) {

@@ -37,7 +37,7 @@ Eigen::Vector3d tangent(const Network& network, const Unknowns& u, const Spoke& 
   const auto unknown = [&](int j) {
     return u.of_pole[seam.surfaces[0]][rows.pole(0, ends ? rows.count - 1 - j : j)];
   };
-  stays = u.pull(unknown(0)) == 0 && u.pull(unknown(1)) == 0;
+  stays = u.move_weights(unknown(0)) == 0 && u.move_weights(unknown(1)) == 0;
   const double span = ends ? 1 - rows.knots[rows.count - 1] : rows.knots[rows.degree + 1];
   return (u.target.row(unknown(1)) - u.target.row(unknown(0))).transpose() * rows.degree / span;
 }
@@ -143,7 +143,7 @@ bool needsE(const Condition& condition, const Eigen::MatrixXd& x) {
 }
 
 bool staysWhole(const Unknowns& u, const std::vector<int>& columns) {
-  return std::ranges::all_of(columns, [&](int i) { return u.pull(i) == 0; });
+  return std::ranges::all_of(columns, [&](int i) { return u.move_weights(i) == 0; });
 }
 
 void placeEnds(Plan& plan) {
@@ -446,11 +446,11 @@ void Laws::setLines(const Eigen::VectorXd& sum, const Eigen::VectorXd& weight,
   }
   Eigen::SparseMatrix<double> closing(rows, plan_.lines);
   closing.setFromTriplets(entries.begin(), entries.end());
-  Eigen::VectorXd pull = weight;
+  Eigen::VectorXd free_weight = weight;
   for (int line = 0; line < plan_.lines; ++line)
-    if (stiff[line]) pull(line) = 0;
+    if (stiff[line]) free_weight(line) = 0;
   OrderedFactors factors;
-  const Projection found = project(closing, pull, sum.cwiseQuotient(weight), factors);
+  const Projection found = project(closing, free_weight, sum.cwiseQuotient(weight), factors);
   for (int line = 0; line < plan_.lines; ++line) start_(line_slot_[line]) = found.x(line, 0);
 }
 

@@ -17,8 +17,8 @@ using Sparse = Eigen::SparseMatrix<double>;
 /// Shift of the scaled system, whose rows have length 1.
 constexpr double shift = 1e-12;
 
-Eigen::VectorXd reachOf(const Eigen::VectorXd& pull) {
-  return (pull.array() > 0).select(pull.array().rsqrt(), 0.0);
+Eigen::VectorXd reachOf(const Eigen::VectorXd& weights) {
+  return (weights.array() > 0).select(weights.array().rsqrt(), 0.0);
 }
 
 Eigen::VectorXd rowLengths(const Sparse& a) {
@@ -59,14 +59,14 @@ class IndependentRows {
   Sparse r_;  ///< of the independent rows
 };
 
-Projection refined(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::MatrixXd& target,
+Projection refined(const Sparse& a, const Eigen::VectorXd& weights, const Eigen::MatrixXd& target,
                    OrderedFactors& factors) {
   constexpr int max_passes = 20;
   constexpr double nearly = 1e-6, near_rounding = 4;
   /// In rows. An orthogonal factorisation of more rows takes too long.
   constexpr Eigen::Index most_independent = 2000;
   constexpr double rounding = std::numeric_limits<double>::epsilon() / 4;
-  const Eigen::VectorXd reach = reachOf(pull);
+  const Eigen::VectorXd reach = reachOf(weights);
   Projection result;
   result.x = target;
   result.multipliers = Eigen::MatrixXd::Zero(a.rows(), target.cols());
@@ -129,20 +129,20 @@ const OrderedFactors::Solver& OrderedFactors::factor(const Sparse& lower) {
   return solver_;
 }
 
-Projection project(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::MatrixXd& target,
+Projection project(const Sparse& a, const Eigen::VectorXd& weights, const Eigen::MatrixXd& target,
                    OrderedFactors& factors) {
-  Projection result = refined(a, pull, target, factors);
+  Projection result = refined(a, weights, target, factors);
   if (a.rows() == 0) return result;
   const Eigen::VectorXd sums = a.cwiseAbs() * Eigen::VectorXd::Ones(a.cols());
   result.rounding = ((a * result.x).rowwise().norm().array() / sums.array().max(1e-300)).maxCoeff();
   return result;
 }
 
-Step step(const Sparse& a, const Eigen::VectorXd& pull, const Eigen::MatrixXd& target,
+Step step(const Sparse& a, const Eigen::VectorXd& weights, const Eigen::MatrixXd& target,
           const Projection& at, const Sparse& g, double damping, OrderedFactors& factors) {
   const Eigen::Index rows = a.rows(), parameters = g.cols(),
                      all = target.cols() * rows + parameters;
-  const Sparse scaled = at.row_scale.asDiagonal() * a * reachOf(pull).asDiagonal();
+  const Sparse scaled = at.row_scale.asDiagonal() * a * reachOf(weights).asDiagonal();
   const Sparse m = shifted(scaled * Sparse(scaled.transpose()));
   const Eigen::VectorXd scale_of_g = at.row_scale.replicate(target.cols(), 1);
   Sparse by = scale_of_g.asDiagonal() * g;

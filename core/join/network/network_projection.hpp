@@ -10,13 +10,13 @@
 /// the system depends on; not a public header.
 namespace seamwright::network {
 
-/// The solution of min 1/2 sum pull |x - target|^2 subject to A x = 0, for each column of x
-/// independently. \p pull is the weight of a row of x; if it is 0, the row stays. Rows of A may be
-/// linearly dependent. With D = pull^(-1/2) (0 where a row stays) the multipliers solve (A D^2 A' +
-/// shift) nu = A x, where the shift is far below the significant part of A D^2 A'. Iterative
-/// refinement follows. If the square of A's condition hides what can be reached, an orthogonal
-/// factorisation of D A' (of up to 2000 rows) is used after it. Both end when A x is rounding or is
-/// unreachable by any move.
+/// The solution of min 1/2 sum w |x - target|^2 subject to A x = 0, for each column of x
+/// independently. \p weights holds the weight w of each row of x; if it is 0, the row stays. Rows
+/// of A may be linearly dependent. With D = w^(-1/2) (0 where a row stays) the multipliers solve (A
+/// D^2 A' + shift) nu = A x, where the shift is far below the significant part of A D^2 A'.
+/// Iterative refinement follows. If the square of A's condition hides what can be reached, an
+/// orthogonal factorisation of D A' (of up to 2000 rows) is used after it. Both end when A x is
+/// rounding or is unreachable by any move.
 struct Projection {
   Eigen::MatrixXd x;
   Eigen::MatrixXd multipliers;  ///< for the rows of A divided by their lengths
@@ -41,7 +41,7 @@ class OrderedFactors {
   Solver solver_;
 };
 
-Projection project(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& pull,
+Projection project(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& weights,
                    const Eigen::MatrixXd& target, OrderedFactors& factors);
 
 /// The Gauss-Newton step of the parameters: A x + A D z + G dy = 0 to first order with the smallest
@@ -52,7 +52,7 @@ struct Step {
   Eigen::VectorXd change;  ///< dy
   double decrease = 0;     ///< predicted decrease of the cost
 };
-Step step(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& pull,
+Step step(const Eigen::SparseMatrix<double>& a, const Eigen::VectorXd& weights,
           const Eigen::MatrixXd& target, const Projection& at, const Eigen::SparseMatrix<double>& g,
           double damping, OrderedFactors& factors);
 

@@ -249,7 +249,7 @@ Unknowns unknowns(const std::vector<NetworkSurface>& surfaces,
   u.largest = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
   u.centre = (low + high) / 2;
   u.target = Eigen::MatrixXd::Zero(count, 3);
-  u.pull = Eigen::VectorXd::Zero(count);
+  u.move_weights = Eigen::VectorXd::Zero(count);
   u.contradiction = Eigen::VectorXd::Zero(count);
   u.shared.assign(count, 0);
   std::vector<bool> stays(count, false);
@@ -267,10 +267,10 @@ Unknowns unknowns(const std::vector<NetworkSurface>& surfaces,
     if (fixed && !stays[i]) u.target.row(i) = x;
     stays[i] = stays[i] || fixed;
     if (!stays[i]) u.target.row(i) += weight * x;
-    u.pull(i) += weight;
+    u.move_weights(i) += weight;
   });
   for (int i = 0; i < count; ++i)
-    if (!stays[i]) u.target.row(i) /= u.pull(i);
+    if (!stays[i]) u.target.row(i) /= u.move_weights(i);
   each([&](int i, bool fixed, double weight, const Eigen::RowVector3d& x) {
     const double distance = (x - u.target.row(i)).norm();
     if (fixed) u.contradiction(i) = std::max(u.contradiction(i), distance);
@@ -278,7 +278,7 @@ Unknowns unknowns(const std::vector<NetworkSurface>& surfaces,
     if (u.shared[i] == 1) u.target.row(i) = x;
   });
   for (int i = 0; i < count; ++i)
-    if (stays[i]) u.pull(i) = 0;
+    if (stays[i]) u.move_weights(i) = 0;
   return u;
 }
 

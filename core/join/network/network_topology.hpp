@@ -58,8 +58,8 @@ struct Unknowns {
   /// Given positions relative to the centre; for shared poles the fixed position or the weighted
   /// mean.
   Eigen::MatrixXd target;
-  Eigen::VectorXd pull;     ///< weight of a move; 0: the pole stays
-  std::vector<int> shared;  ///< number of poles
+  Eigen::VectorXd move_weights;  ///< weight of a move; 0: the pole stays
+  std::vector<int> shared;       ///< number of poles
   /// For poles that stay: the largest distance from the fixed poles that share the unknown.
   Eigen::VectorXd contradiction;
   Eigen::RowVector3d centre = Eigen::RowVector3d::Zero();

@@ -122,7 +122,7 @@ def test_bad_keywords(keywords, message):
 
 def quarter(k):
     """A quarter of a circle of radius 10 in the plane z = 0, nearly, run counter-clockwise; the
-    cross field is its outward normal."""
+    cross-boundary derivative is its outward normal."""
     h = 0.5522847498307936
     poles = 10 * np.array([[1, 0], [1, h], [h, 1], [0, 1]])
     for _ in range(k):

@@ -67,9 +67,9 @@ def test_spline_surfaces_join_and_are_enclosed():
 
 def test_what_moves_is_dear_or_stays():
     a, b = pair()
-    dear, stays = np.full((4, 4), 1e4), np.zeros((4, 4), bool)
+    costly, stays = np.full((4, 4), 1e4), np.zeros((4, 4), bool)
     stays[:2, 0] = True
-    join = seamwright.nearest_join(a, "u0", b, "u0", weights_a=dear)
+    join = seamwright.nearest_join(a, "u0", b, "u0", weights_a=costly)
     assert_joined(join, 1)
     assert np.abs(join["a"].poles - a.poles).max() < 1e-3
     join = seamwright.nearest_join(a, "u0", b, "u0", fixed_b=stays)

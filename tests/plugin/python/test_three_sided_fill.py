@@ -98,7 +98,7 @@ def test_twists_need_not_agree():
         (lambda s: [*s[:2], (s[2][0], [[1, 2]])], "poles have shape"),
         (
             lambda s: [s[0], (s[1][0], [[1, 2, float("nan")]]), s[2]],
-            "side 1: coefficient 0 of the cross field is nan",
+            "side 1: coefficient 0 of the cross-boundary derivative is nan",
         ),
         (
             lambda s: [s[0], (s[1][0], [[0, 0, 1]]), s[2]],
