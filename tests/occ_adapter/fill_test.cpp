@@ -443,7 +443,7 @@ TEST(Fill, AroundASharpReflexCornerIsNotKept) {
 
 TEST(Fill, OfAllThereIsIsRefused) {
   EXPECT_THAT(textOf(replaceFace(modelFromShape(BRepPrimAPI_MakeSphere(5).Shape()), 1).reason),
-              HasSubstr("all there is"));
+              HasSubstr("the only one"));
 }
 
 TEST(Fill, RefusesWhatTheModelDoesNotHave) {
