@@ -9,6 +9,7 @@
 #include <seamwright/core/spline/alpha_surface.hpp>
 
 #include "alphas.hpp"
+#include "support/random.hpp"
 
 namespace seamwright {
 namespace {
@@ -58,8 +59,8 @@ AlphaCurveJoin randomJoin(int order, std::mt19937_64& random) {
           uniform(0.1, 1, random)};
 }
 
-TEST(AlphaCurve, Identity1TheBasis) {
-  std::mt19937_64 random(301);
+TEST(AlphaCurve, Identity1TheBasisIsPositiveAndSumsToOne) {
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 3000; ++i) {
     const double a = i % 10 == 0 ? 0 : i % 10 == 1 ? 1 : uniform(0, 1, random);
     const double t = i % 7 == 0 ? 0 : i % 7 == 1 ? 1 : uniform(0, 1, random);
@@ -71,8 +72,8 @@ TEST(AlphaCurve, Identity1TheBasis) {
   }
 }
 
-TEST(AlphaCurve, Identity2TheQuintic) {
-  std::mt19937_64 random(302);
+TEST(AlphaCurve, Identity2TheQuinticIsTheSameCurve) {
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 1000; ++i) {
     AlphaCurve curve = test::randomAlphaCurve(random);
     if (i % 10 == 0) curve.a = 0;
@@ -144,7 +145,7 @@ int meetings(const Eigen::Vector4d& heights, double a) {
 }
 
 TEST(AlphaCurve, Identity3NoPlaneMeetsItMoreOftenThanThePolygon) {
-  std::mt19937_64 random(303);
+  std::mt19937_64 random(testSeed());
   int outside = 0, most = 0;
   for (int i = 0; i < 5000; ++i) {
     const Eigen::Vector4d heights =
@@ -160,7 +161,7 @@ TEST(AlphaCurve, Identity3NoPlaneMeetsItMoreOftenThanThePolygon) {
 }
 
 TEST(AlphaCurve, ItIsCloserToThePolygonTheLargerTheShape) {
-  std::mt19937_64 random(304);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 500; ++i) {
     // A convex arch: the area below it grows with the shape, up to that below the polygon.
     AlphaCurve curve;
@@ -252,7 +253,7 @@ TEST(AlphaCurve, JoinsOfTheDataFile) {
 }
 
 TEST(AlphaCurve, Identity4TheJointHasItsOrder) {
-  std::mt19937_64 random(305);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 2000; ++i) {
     const int order = 1 + i % 3;
     const AlphaCurve given = test::randomAlphaCurve(random);
@@ -285,7 +286,7 @@ TEST(AlphaCurve, Identity4TheJointHasItsOrder) {
 }
 
 TEST(AlphaCurve, Identity5CurvatureAndTorsionAreContinuousAndG3IsNotReached) {
-  std::mt19937_64 random(306);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 1000; ++i) {
     const AlphaCurve given = test::randomAlphaCurve(random);
     AlphaCurveJoin join = randomJoin(2, random);
@@ -319,7 +320,7 @@ TEST(AlphaCurve, Identity5CurvatureAndTorsionAreContinuousAndG3IsNotReached) {
 }
 
 TEST(AlphaCurve, AStraightEndIsTheException) {
-  std::mt19937_64 random(307);
+  std::mt19937_64 random(testSeed());
   AlphaCurve given = test::randomAlphaCurve(random);
   given.poles.row(1) = given.poles.row(3) - 2.5 * (given.poles.row(3) - given.poles.row(2));
   const AlphaCurveJoin join{2, 1, 0, 1, 1.5, 0.4};
@@ -329,7 +330,7 @@ TEST(AlphaCurve, AStraightEndIsTheException) {
 }
 
 TEST(AlphaCurve, JoinsFollowAffineMapsAndScales) {
-  std::mt19937_64 random(308);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 300; ++i) {
     const AlphaCurve given = test::randomAlphaCurve(random);
     const AlphaCurveJoin join = randomJoin(1 + i % 3, random);
@@ -391,7 +392,7 @@ TEST(AlphaCurve, EnergiesOfTheDataFile) {
 }
 
 TEST(AlphaCurve, Identity6NoShapeHasLess) {
-  std::mt19937_64 random(309);
+  std::mt19937_64 random(testSeed());
   int clamped = 0;
   for (int i = 0; i < 900; ++i) {
     const int k = 1 + i % 3;
@@ -428,7 +429,7 @@ double printedThird(const AlphaCurve::Polygon& poles, double entry) {
 }
 
 TEST(AlphaCurve, ThePrintedMatrixHasAnErrorInOneEntry) {
-  std::mt19937_64 random(310);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 100; ++i) {
     const AlphaCurve::Polygon poles = test::randomAlphaCurve(random).poles;
     const double a = energyOptimalAlpha(poles, AlphaEnergy::CurvatureVariation).free_a;
@@ -446,7 +447,7 @@ TEST(AlphaCurve, EnergyOfDegeneratePolygonsAndSizes) {
   EXPECT_NEAR(any.energy, energyByPoints(poles, 0.3, 1), 1e-12 * any.energy);
   const AlphaCurve::Polygon point = AlphaCurve::Polygon::Ones();
   EXPECT_EQ(energyOptimalAlpha(point, AlphaEnergy::Curvature).energy, 0);
-  std::mt19937_64 random(311);
+  std::mt19937_64 random(testSeed());
   const AlphaCurve::Polygon given = test::randomAlphaCurve(random).poles;
   const double a = energyOptimalAlpha(given, AlphaEnergy::Curvature).free_a;
   for (const int exponent : {-900, -300, 300, 900}) {
@@ -458,8 +459,8 @@ TEST(AlphaCurve, EnergyOfDegeneratePolygonsAndSizes) {
   EXPECT_NEAR(energyOptimalAlpha(far, AlphaEnergy::Curvature).free_a, a, 1e-8);
 }
 
-TEST(AlphaCurve, Refusals) {
-  std::mt19937_64 random(312);
+TEST(AlphaCurve, RefusesBadCurvesAndJoins) {
+  std::mt19937_64 random(testSeed());
   const AlphaCurve given = test::randomAlphaCurve(random);
   const AlphaCurveJoin good = randomJoin(2, random);
   const auto with = [&](auto change) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bernstein_test.hpp"
+#include "support/random.hpp"
 
 namespace seamwright {
 namespace {
@@ -142,7 +143,7 @@ TEST_P(BernsteinPolynomials, Identity1PartitionOfUnity) {
 }
 
 TEST_P(BernsteinPolynomials, Identity2ProductsAndSums) {
-  std::mt19937_64 random(2);
+  std::mt19937_64 random(testSeed());
   for (int trial = 0; trial < 150; ++trial) {
     const Known p = randomKnown(random, static_cast<int>(random() % 9)),
                 q = randomKnown(random, static_cast<int>(random() % 9));
@@ -167,7 +168,7 @@ TEST_P(BernsteinPolynomials, Identity2ProductsAndSums) {
 }
 
 TEST_P(BernsteinPolynomials, Identity2OfEqualDegreesAndMultiplesRoundOnce) {
-  std::mt19937_64 random(22);
+  std::mt19937_64 random(testSeed());
   for (int trial = 0; trial < 100; ++trial) {
     const int degree = static_cast<int>(random() % 12);
     const Known p = randomKnown(random, degree), q = randomKnown(random, degree);
@@ -183,7 +184,7 @@ TEST_P(BernsteinPolynomials, Identity2OfEqualDegreesAndMultiplesRoundOnce) {
 }
 
 TEST_P(BernsteinPolynomials, Identity3Leibniz) {
-  std::mt19937_64 random(3);
+  std::mt19937_64 random(testSeed());
   for (int trial = 0; trial < 100; ++trial) {
     const Known p = randomKnown(random, static_cast<int>(random() % 10)),
                 q = randomKnown(random, static_cast<int>(random() % 10));
@@ -206,7 +207,7 @@ TEST_P(BernsteinPolynomials, Identity3Leibniz) {
 }
 
 TEST_P(BernsteinPolynomials, Identity4ElevationChangesNothing) {
-  std::mt19937_64 random(4);
+  std::mt19937_64 random(testSeed());
   for (const int degree : {0, 1, 3, 8, 30, 55})
     for (const int by : {0, 1, 2, 5, 40}) {
       const Known p = randomKnown(random, degree);
@@ -218,7 +219,7 @@ TEST_P(BernsteinPolynomials, Identity4ElevationChangesNothing) {
 }
 
 TEST_P(BernsteinPolynomials, Identity5PiecesTakeTheValues) {
-  std::mt19937_64 random(5);
+  std::mt19937_64 random(testSeed());
   for (int trial = 0; trial < 60; ++trial) {
     const Known p = randomKnown(random, static_cast<int>(random() % 12));
     for (const double t :
@@ -239,7 +240,7 @@ TEST_P(BernsteinPolynomials, Identity5PiecesTakeTheValues) {
 }
 
 TEST_P(BernsteinPolynomials, Identity6RangesContainAllValues) {
-  std::mt19937_64 random(6);
+  std::mt19937_64 random(testSeed());
   for (int trial = 0; trial < 40; ++trial) {
     const Known p = randomKnown(random, static_cast<int>(random() % 14));
     const Interval hull = p.stored.range(), fine = p.stored.range(1e-3 * magnitude(p.stored));
@@ -253,7 +254,7 @@ TEST_P(BernsteinPolynomials, Identity6RangesContainAllValues) {
 }
 
 TEST_P(BernsteinPolynomials, Identity7EndsAreKnownAsWellAsTheCoefficients) {
-  std::mt19937_64 random(7);
+  std::mt19937_64 random(testSeed());
   for (int trial = 0; trial < 40; ++trial) {
     const BernsteinPolynomial exact(randomCoefficients(random, trial));
     EXPECT_EQ(exact.evaluate(0).lower, exact.coefficients()(0));
@@ -266,7 +267,7 @@ TEST_P(BernsteinPolynomials, Identity7EndsAreKnownAsWellAsTheCoefficients) {
 }
 
 TEST_P(BernsteinPolynomials, ValuesAreEnclosedAtAnyParameter) {
-  std::mt19937_64 random(8);
+  std::mt19937_64 random(testSeed());
   for (int trial = 0; trial < 60; ++trial) {
     const Known p = randomKnown(random, static_cast<int>(random() % 20), -16, 16);
     for (const double t : {5e-324, 1e-9, 0.1, test::uniform(random, 0, 1), 0.5, 1 - 0x1p-53})
@@ -297,7 +298,7 @@ TEST_P(BernsteinPolynomials, WilkinsonProductsAreEnclosedAtAndBetweenTheirRoots)
 }
 
 TEST_P(BernsteinPolynomials, CancellingSumsKeepTheTruth) {
-  std::mt19937_64 random(9);
+  std::mt19937_64 random(testSeed());
   for (int trial = 0; trial < 60; ++trial) {
     const int degree = 1 + static_cast<int>(random() % 8);
     const BernsteinPolynomial p(randomCoefficients(random, degree, 0, 16)),
@@ -312,7 +313,7 @@ TEST_P(BernsteinPolynomials, CancellingSumsKeepTheTruth) {
 }
 
 TEST_P(BernsteinPolynomials, DegreesBeyondExactBinomials) {
-  std::mt19937_64 random(10);
+  std::mt19937_64 random(testSeed());
   for (const int degree : {56, 57, 60}) {
     const Known p = randomKnown(random, degree), q = randomKnown(random, 60);
     expectProduct(p, q);
@@ -341,7 +342,7 @@ TEST_P(BernsteinPolynomials, BinomialsAreExactToDegree56AndRoundOnceADegreeAbove
 }
 
 TEST_P(BernsteinPolynomials, SizesAtTheRimOfADouble) {
-  std::mt19937_64 random(11);
+  std::mt19937_64 random(testSeed());
   for (int trial = 0; trial < 60; ++trial) {
     const int degree = static_cast<int>(random() % 9);
     const Known huge = randomKnown(random, degree, 290, 300),

@@ -5,6 +5,7 @@
 #include <limits>
 #include <seamwright/core/bezier/patch.hpp>
 
+#include "support/random.hpp"
 #include "surfaces.hpp"
 
 namespace seamwright {
@@ -52,7 +53,7 @@ Vec polynomialDerivative(const Poles& poles, int k, double t) {
 }
 
 TEST(BezierCurve, HomogeneousPolesAreTakenOverBitByBit) {
-  std::mt19937_64 random(5);
+  std::mt19937_64 random(testSeed());
   HomogeneousPoles poles(4, 4);
   poles << randomPoles(4, random), randomWeights(4, random);
   EXPECT_EQ(BezierCurve::fromHomogeneous(poles).homogeneousPoles(), poles);
@@ -64,7 +65,7 @@ TEST(BezierCurve, HomogeneousPolesAreTakenOverBitByBit) {
 }
 
 TEST(BezierCurve, PolynomialJetsEqualThePowerForm) {
-  std::mt19937_64 random(31);
+  std::mt19937_64 random(testSeed());
   for (int degree = 0; degree <= 9; ++degree)
     for (const double t : {0.0, 0.1, 0.5, 0.77, 1.0}) {
       const Poles poles = randomPoles(degree + 1, random);
@@ -79,7 +80,7 @@ TEST(BezierCurve, PolynomialJetsEqualThePowerForm) {
 }
 
 TEST(BezierCurve, DerivativesOfAnyOrderEqualThePowerForm) {
-  std::mt19937_64 random(36);
+  std::mt19937_64 random(testSeed());
   for (int degree = 0; degree <= 9; ++degree) {
     const Poles poles = randomPoles(degree + 1, random);
     const int order = degree + 2;
@@ -94,7 +95,7 @@ TEST(BezierCurve, DerivativesOfAnyOrderEqualThePowerForm) {
 }
 
 TEST(BezierCurve, FirstDerivativeKeepsWithinItsNoise) {
-  std::mt19937_64 random(37);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 200; ++i) {
     const int degree = 1 + i % 7;
     const Poles poles =
@@ -139,7 +140,7 @@ TEST(BezierCurve, RationalQuarterCircleStaysOnTheCircleToAnyOrder) {
 }
 
 TEST(BezierCurve, SplitElevateReverseKeepTheShape) {
-  std::mt19937_64 random(32);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 50; ++i) {
     const int degree = 1 + i % 6;
     const BezierCurve curve(randomPoles(degree + 1, random), randomWeights(degree + 1, random));
@@ -157,7 +158,7 @@ TEST(BezierCurve, SplitElevateReverseKeepTheShape) {
 }
 
 TEST(BezierPatch, PolynomialPartialsEqualThePowerForm) {
-  std::mt19937_64 random(33);
+  std::mt19937_64 random(testSeed());
   for (const auto& degrees : {std::pair(0, 0), std::pair(1, 1), std::pair(2, 3), std::pair(3, 3),
                               std::pair(5, 2), std::pair(1, 7)}) {
     const int m = degrees.first, n = degrees.second;
@@ -235,7 +236,7 @@ TEST(BezierPatch, RationalTorusStaysOnTheTorusToThirdOrder) {
 }
 
 TEST(BezierPatch, TransposeReverseSplitKeepTheShape) {
-  std::mt19937_64 random(34);
+  std::mt19937_64 random(testSeed());
   const BezierPatch patch(2, 4, randomPoles(15, random), randomWeights(15, random));
   const auto [low, high] = patch.splitU(0.3);
   for (const double u : {0.0, 0.4, 1.0})
@@ -250,7 +251,7 @@ TEST(BezierPatch, TransposeReverseSplitKeepTheShape) {
 }
 
 TEST(BezierPatch, NoiseBoundsTheRoundingOfFirstPartials) {
-  std::mt19937_64 random(35);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 200; ++i) {
     const int m = 1 + i % 5, n = 1 + i % 4;
     const Poles poles = test::logUniform(random, -3, 4) *

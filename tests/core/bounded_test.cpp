@@ -6,6 +6,7 @@
 #include <seamwright/core/bernstein/bounded.hpp>
 
 #include "exact.hpp"
+#include "support/random.hpp"
 #include "surfaces.hpp"
 
 namespace seamwright {
@@ -35,7 +36,7 @@ bool holds(const Bounded& bounded, const Dyadic& truth) {
 }
 
 TEST(Bounded, HoldsTheExactResult) {
-  std::mt19937_64 random(331);
+  std::mt19937_64 random(testSeed());
   int known = 0;
   for (int run = 0; run < 20000; ++run) {
     const auto [a, x] = sampleOf(run % 4, random);

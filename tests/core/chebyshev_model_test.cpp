@@ -11,6 +11,7 @@
 #include <seamwright/core/enclosure/vector_model.hpp>
 #include <vector>
 
+#include "support/random.hpp"
 #include "surfaces.hpp"
 
 namespace seamwright {
@@ -77,8 +78,6 @@ testing::AssertionResult holds(const Sample& sample, Real noise = 0) {
 
 class Models {
  public:
-  explicit Models(std::uint64_t seed) : random_(seed) {}
-
   double uniform(double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random_);
   }
@@ -115,7 +114,7 @@ class Models {
     return {ChebyshevModel::series(coefficients, radius), function};
   }
 
-  std::mt19937_64 random_;
+  std::mt19937_64 random_{testSeed()};
 };
 
 Real scaleOf(const Sample& a) {
@@ -123,7 +122,7 @@ Real scaleOf(const Sample& a) {
 }
 
 TEST(ChebyshevModel, Identity1SumsAndProducts) {
-  Models models(1);
+  Models models;
   for (int i = 0; i < 400; ++i) {
     const double wide = i % 3 == 0 ? 150 : i % 3 == 1 ? 9 : 1;
     const Sample a = models.sample(-wide, wide), b = models.sample(-wide, wide),
@@ -152,7 +151,7 @@ TEST(ChebyshevModel, Identity1SumsAndProducts) {
 }
 
 TEST(ChebyshevModel, Identity1LongSumsOfProductsThatCancel) {
-  Models models(2);
+  Models models;
   for (int i = 0; i < 300; ++i) {
     std::array<Sample, 3> a, b;
     Real all = 0;
@@ -168,7 +167,7 @@ TEST(ChebyshevModel, Identity1LongSumsOfProductsThatCancel) {
 }
 
 TEST(ChebyshevModel, Identity1Inverses) {
-  Models models(3);
+  Models models;
   int known = 0;
   for (int i = 0; i < 1500; ++i) {
     const double size = (i % 2 == 0 ? 1 : -1) * std::pow(10.0, models.uniform(-100, 100));
@@ -227,7 +226,7 @@ TEST(ChebyshevModel, InversesOfFunctionsThatMayVanishAreUnknown) {
 }
 
 TEST(ChebyshevModel, Identity1CosineAndSine) {
-  Models models(4);
+  Models models;
   for (int i = 0; i < 1000; ++i) {
     Sample a = models.sample(-3, 0);
     const double middle = models.sized(-3, 6);
@@ -244,7 +243,7 @@ TEST(ChebyshevModel, Identity1CosineAndSine) {
 }
 
 TEST(ChebyshevModel, Identity1HyperbolicCosineAndSine) {
-  Models models(10);
+  Models models;
   int known = 0;
   for (int i = 0; i < 500; ++i) {
     Sample a = models.sample(-3, 0);
@@ -281,7 +280,7 @@ TEST(ChebyshevModel, Identity1DenormalsAndTheEdgeOfTheRange) {
 }
 
 TEST(ChebyshevModel, Identity2TheExcessOfTheRangeFallsWithTheSquareOfTheLength) {
-  std::mt19937_64 random(5);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 200; ++i) {
     const double middle = std::uniform_real_distribution<double>(-3, 3)(random);
     for (double half = 0.5; half > 1e-3; half /= 2) {
@@ -300,7 +299,7 @@ TEST(ChebyshevModel, Identity2TheExcessOfTheRangeFallsWithTheSquareOfTheLength) 
 }
 
 TEST(ChebyshevModel, Identity3HalvingDividesTheRadiusBy2ToThe8) {
-  std::mt19937_64 random(6);
+  std::mt19937_64 random(testSeed());
   const auto check = [&](const auto& operation, double first) {
     int checked = 0;
     for (int i = 0; i < 100; ++i) {
@@ -368,7 +367,7 @@ TEST(ChebyshevModel, WhatIsNotFiniteIsNotKnown) {
 }
 
 TEST(ChebyshevModel, TermsBeyondTheDegreeAreInTheRadius) {
-  std::mt19937_64 random(7);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 300; ++i) {
     std::vector<double> coefficients(1 + random() % 26);
     for (double& c : coefficients)
@@ -387,7 +386,7 @@ TEST(ChebyshevModel, TermsBeyondTheDegreeAreInTheRadius) {
 }
 
 TEST(ChebyshevModel, TheBernsteinFormIsTheSeries) {
-  Models models(8);
+  Models models;
   for (int i = 0; i < 300; ++i) {
     const Sample a = models.sample(-6, 6);
     for (int degree = a.model.degree(); degree <= ChebyshevModel::max_degree; ++degree) {
@@ -405,7 +404,7 @@ TEST(ChebyshevModel, TheBernsteinFormIsTheSeries) {
 }
 
 TEST(ControlPolygon, HoldsTheVector) {
-  Models models(9);
+  Models models;
   for (int i = 0; i < 200; ++i) {
     const std::array<Sample, 3> a = {models.sample(-3, 3), models.sample(-3, 3),
                                      models.sample(-3, 3)};

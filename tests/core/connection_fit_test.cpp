@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "joins.hpp"
+#include "support/random.hpp"
 
 namespace seamwright {
 namespace {
@@ -26,7 +27,7 @@ double apart(const Eigen::VectorXd& f, const Eigen::VectorXd& g) {
 }
 
 TEST(ConnectionFit, Identity1FunctionsComeBack) {
-  std::mt19937_64 random(51);
+  std::mt19937_64 random(testSeed());
   for (int run = 0; run < 1500; ++run) {
     const Join join = randomJoin(run, random);
     const ConnectionFit fit = fitConnection(join.a, join.b, {.order = join.order});
@@ -58,7 +59,7 @@ TEST(ConnectionFit, Identity2RationalAlphaIsSaid) {
 }
 
 TEST(ConnectionFit, Identity3MotionsAndScales) {
-  std::mt19937_64 random(53);
+  std::mt19937_64 random(testSeed());
   for (int run = 0; run < 200; ++run) {
     const Join join = randomJoin(run, random);
     const Eigen::Matrix3d linear = test::logUniform(random, -3, 3) * test::randomRotation(random);
@@ -74,7 +75,7 @@ TEST(ConnectionFit, Identity3MotionsAndScales) {
 }
 
 TEST(ConnectionFit, FunctionsThatVanishComeBack) {
-  std::mt19937_64 random(55);
+  std::mt19937_64 random(testSeed());
   for (int run = 0; run < 400; ++run) {
     const Ribbon a = endingAtU1(
         gentlePatch(test::whole(2, 6, random), test::whole(1, 6, random), run % 4 == 3, random));
@@ -92,7 +93,7 @@ TEST(ConnectionFit, FunctionsThatVanishComeBack) {
 }
 
 TEST(ConnectionFit, WhatStandsInTheWayIsSaid) {
-  std::mt19937_64 random(54);
+  std::mt19937_64 random(testSeed());
   const Ribbon a = endingAtU1(gentlePatch(3, 3, false, random));
   const Ribbon other = beginningAtU0(gentlePatch(3, 3, false, random));
   Ribbon flat = a;

@@ -6,6 +6,7 @@
 #include <seamwright/core/fill/fill_corners.hpp>
 
 #include "fills.hpp"
+#include "support/random.hpp"
 
 namespace seamwright {
 namespace {
@@ -56,8 +57,7 @@ SideAngles anglesAt(const BSplineSurface& surface, const std::vector<FillSide>& 
 
 class CornerKnots : public testing::TestWithParam<int> {
  protected:
-  CornerKnots() : random_(static_cast<std::uint64_t>(GetParam())) {}
-  std::mt19937_64 random_;
+  std::mt19937_64 random_{testSeed()};
 };
 
 // (1)
@@ -144,7 +144,7 @@ INSTANTIATE_TEST_SUITE_P(Sides, CornerKnots, testing::Values(3, 4, 5, 6));
 
 // (3)
 TEST(CornerKnotsOfCompatibleCorners, ArePatches) {
-  std::mt19937_64 random(11);
+  std::mt19937_64 random(testSeed());
   const NSidedFill fill = nSidedFill(test::randomHole(5, 1, random));
   const std::vector<BSplineSurface> surfaces = withCornerKnots(fill, 1e-4);
   for (std::size_t k = 0; k < surfaces.size(); ++k)
@@ -152,7 +152,7 @@ TEST(CornerKnotsOfCompatibleCorners, ArePatches) {
 }
 
 TEST(CornerKnotsOfCompatibleCorners, RefuseAnAngleThatIsNotPositive) {
-  std::mt19937_64 random(12);
+  std::mt19937_64 random(testSeed());
   const NSidedFill fill = nSidedFill(test::randomHole(3, 1, random));
   for (const double angle_rad : {0.0, -1.0, std::nan("")})
     EXPECT_THROW(withCornerKnots(fill, angle_rad), std::invalid_argument);

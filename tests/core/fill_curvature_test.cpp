@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "ring_holes.hpp"
+#include "support/random.hpp"
 
 namespace seamwright {
 namespace {
@@ -61,7 +62,7 @@ class FillCurvature : public testing::TestWithParam<int> {};
 
 TEST_P(FillCurvature, JumpsBecomeSmallAndTheSurfaceIsMet) {
   const int n = GetParam();
-  std::mt19937_64 random(n);
+  std::mt19937_64 random(testSeed(n));
   std::vector<Vector2d> corners = test::polygon(n, 10);
   for (Vector2d& corner : corners) corner *= 1 + test::uniform(-0.6, 0.6, random) / n;
   for (const test::Graph& graph : {test::sphere(20), test::torus(20, 15)}) {
@@ -94,7 +95,7 @@ TEST(FillCurvature, AParaboloidIsReproduced) {
 
 // Random neighbours agree about nothing of second order: the jump is not worse than without asking.
 TEST(FillCurvature, IsNeverWorse) {
-  std::mt19937_64 random(11);
+  std::mt19937_64 random(testSeed());
   for (int n = 3; n <= 6; ++n) {
     std::vector<FillSide> sides = test::randomHole(n, 1, random);
     for (FillSide& side : sides) side.bend = Poles::Random(4, 3);

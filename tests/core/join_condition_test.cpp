@@ -8,6 +8,7 @@
 #include <seamwright/core/join/condition/condition.hpp>
 
 #include "joins.hpp"
+#include "support/random.hpp"
 
 namespace seamwright {
 namespace {
@@ -40,7 +41,7 @@ double scaleOf(const JoinResidual& residual) {
 
 // The data files.
 
-TEST(JoinConditionData, TensorTests) {
+TEST(JoinConditionData, TangentPlaneConditionsOfPatches) {
   for (const json& entry : test::dataCases("tensor_joins.json", "test")) {
     const BezierPatch P = test::patch(entry["input"]["P"]), Q = test::patch(entry["input"]["Q"]);
     const JoinCondition found = joinCondition(endingAtU1(P), beginningAtU0(Q));
@@ -60,7 +61,7 @@ TEST(JoinConditionData, TensorTests) {
   }
 }
 
-TEST(JoinConditionData, RationalTests) {
+TEST(JoinConditionData, TangentPlaneConditionsOfRationalPatches) {
   for (const json& entry : test::dataCases("tensor_joins.json", "rational_test")) {
     const BezierPatch P = test::patch(entry["input"]["P_hom"]),
                       Q = test::patch(entry["input"]["Q_hom"]);
@@ -103,7 +104,7 @@ TEST(JoinConditionData, TrianglesThatDoNotJoin) {
   }
 }
 
-TEST(JoinConditionData, Fits) {
+TEST(JoinConditionData, FitsFindTheConnection) {
   for (const json& entry : test::dataCases("tensor_joins.json", "fit")) {
     const Ribbon a = endingAtU1(test::patch(entry["input"]["P"])),
                  b = beginningAtU0(test::patch(entry["input"]["Q"]));
@@ -119,7 +120,7 @@ TEST(JoinConditionData, Fits) {
   }
 }
 
-TEST(JoinConditionData, JumpsOfCurvature) {
+TEST(JoinConditionData, JumpsOfCurvatureAreThoseOfTheData) {
   for (const json& entry : test::dataCases("curvature_jumps.json", "g2_measure")) {
     const Ribbon a = endingAtU1(test::patch(entry["input"]["P"])),
                  b = beginningAtU0(test::patch(entry["input"]["Q"]));
@@ -152,7 +153,7 @@ TEST(JoinConditionData, JumpsOfCurvature) {
 constexpr int joins = 3000;
 
 TEST(JoinCondition, Identity1ConstructedJoinsHold) {
-  std::mt19937_64 random(41);
+  std::mt19937_64 random(testSeed());
   for (int run = 0; run < joins; ++run) {
     const Join join = randomJoin(run, random);
     const JoinCondition found = joinCondition(join.a, join.b);
@@ -174,7 +175,7 @@ TEST(JoinCondition, Identity1ConstructedJoinsHold) {
 }
 
 TEST(JoinCondition, Identity1NegativeAlphaIsAFold) {
-  std::mt19937_64 random(42);
+  std::mt19937_64 random(testSeed());
   for (int run = 0; run < 300; ++run) {
     Join join = randomJoin(run, random);
     join.b.first = -join.b.first;
@@ -183,7 +184,7 @@ TEST(JoinCondition, Identity1NegativeAlphaIsAFold) {
 }
 
 TEST(JoinCondition, Identity2OneMovedPoleEndsIt) {
-  std::mt19937_64 random(43);
+  std::mt19937_64 random(testSeed());
   for (int run = 0; run < joins; ++run) {
     const BezierPatch a =
         gentlePatch(whole(2, 6, random), whole(1, 6, random), run % 4 == 0, random);
@@ -219,7 +220,7 @@ Ribbon backwards(Ribbon ribbon) {
 }
 
 TEST(JoinCondition, Identity3ReversingTheSeamChangesNoVerdict) {
-  std::mt19937_64 random(49);
+  std::mt19937_64 random(testSeed());
   for (int run = 0; run < 400; ++run) {
     const Join join = randomJoin(run, random);
     const Ribbon other = run % 2 ? join.b : randomJoin(run, random).b;
@@ -233,7 +234,7 @@ TEST(JoinCondition, Identity3ReversingTheSeamChangesNoVerdict) {
 }
 
 TEST(JoinCondition, Identity3MotionsAndScalesChangeNoVerdict) {
-  std::mt19937_64 random(44);
+  std::mt19937_64 random(testSeed());
   for (int run = 0; run < 400; ++run) {
     const Join join = randomJoin(run, random);
     const Ribbon other =
@@ -272,7 +273,7 @@ double angleAt(const Ribbon& a, const Ribbon& b, double t) {
 }
 
 TEST(JoinCondition, Identity4TheBoundOfTheAngleIsOne) {
-  std::mt19937_64 random(45);
+  std::mt19937_64 random(testSeed());
   int bounded = 0;
   for (int run = 0; run < 400; ++run) {
     Join join = randomJoin(run, random);
@@ -289,7 +290,7 @@ TEST(JoinCondition, Identity4TheBoundOfTheAngleIsOne) {
 }
 
 TEST(JoinCondition, Identity4TheBoundOfTheAngleIsOneWhereSeamsDiffer) {
-  std::mt19937_64 random(56);
+  std::mt19937_64 random(testSeed());
   int bounded = 0;
   for (int run = 0; run < 400; ++run) {
     Join join = randomJoin(run, random);
@@ -308,7 +309,7 @@ TEST(JoinCondition, Identity4TheBoundOfTheAngleIsOneWhereSeamsDiffer) {
 }
 
 TEST(JoinCondition, NoGapIsAboveItsBound) {
-  std::mt19937_64 random(57);
+  std::mt19937_64 random(testSeed());
   const auto pointAt = [](const Ribbon& ribbon, double t) -> Eigen::Vector3d {
     const Eigen::Vector4d h = value(ribbon.position, t);
     return h.head<3>() / h(3);
@@ -346,7 +347,7 @@ TEST(JoinCondition, Identity4SeamsThatLeanAgainstEachOther) {
 }
 
 TEST(JoinCondition, SidesWithoutTangentPlaneAreSingular) {
-  std::mt19937_64 random(46);
+  std::mt19937_64 random(testSeed());
   const BezierPatch a = gentlePatch(3, 3, false, random);
   const Ribbon given = endingAtU1(a), next = beginningAtU0(continuation(given, {}, 1, 2));
   Ribbon none = given, corner = given, inside = given;
@@ -364,7 +365,7 @@ TEST(JoinCondition, SidesWithoutTangentPlaneAreSingular) {
 }
 
 TEST(JoinCondition, ParametricOrders) {
-  std::mt19937_64 random(47);
+  std::mt19937_64 random(testSeed());
   for (int run = 0; run < 60; ++run) {
     const BezierPatch patch =
         gentlePatch(3, 4, run % 2 == 1, random);  // with weights so even that they stay positive
@@ -390,7 +391,7 @@ TEST(JoinCondition, ParametricOrders) {
 }
 
 TEST(JoinCondition, SizesNearTheEndsOfDoublesChangeNothing) {
-  std::mt19937_64 random(50);
+  std::mt19937_64 random(testSeed());
   for (const double size : {1e-100, 1e-20, 1e20, 1e100})
     for (int run = 0; run < 20; ++run) {
       const Join join = randomJoin(run, random);
@@ -408,7 +409,7 @@ TEST(JoinCondition, SizesNearTheEndsOfDoublesChangeNothing) {
 }
 
 TEST(JoinCondition, ToleranceIsTheCallers) {
-  std::mt19937_64 random(48);
+  std::mt19937_64 random(testSeed());
   const Ribbon a = endingAtU1(gentlePatch(3, 3, false, random));
   Ribbon b = beginningAtU0(continuation(a, {}, 2, 3));
   b.first(1, 2) += 1e-4;
@@ -462,7 +463,7 @@ TEST(JoinCondition, WhatNoiseHidesDoesNotHold) {
 }
 
 TEST(JoinCondition, FunctionsOfAGivenConnectionAreChecked) {
-  std::mt19937_64 random(51);
+  std::mt19937_64 random(testSeed());
   const Ribbon a = endingAtU1(gentlePatch(3, 3, false, random)),
                b = beginningAtU0(continuation(a, {}, 2, 3));
   const auto messageWith = [&](const Connection& c) -> std::string {

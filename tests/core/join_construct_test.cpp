@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "joins.hpp"
+#include "support/random.hpp"
 
 namespace seamwright {
 namespace {
@@ -43,7 +44,7 @@ Connection connectionOf(const json& input) {
 
 // Rows of the data files.
 
-TEST(JoinRowsData, TensorG1) {
+TEST(JoinRowsData, RowsBesidePatches) {
   for (const json& entry : test::dataCases("tensor_joins.json", "construct")) {
     const JoinRows found = tensorRows(endingAtU1(entry["input"]["P"]), connectionOf(entry["input"]),
                                       1, entry["input"]["l"]);
@@ -71,7 +72,7 @@ TEST(JoinRowsData, TensorG1InTheSameDegree) {
   }
 }
 
-TEST(JoinRowsData, RationalTensorG1) {
+TEST(JoinRowsData, RowsBesideRationalPatches) {
   for (const json& entry : test::dataCases("tensor_joins.json", "rational_construct")) {
     json input = entry["input"];
     const JoinRows found =
@@ -110,7 +111,7 @@ Connection ofTriangles(const json& input) {
   return c;
 }
 
-TEST(JoinRowsData, TriangleFromTriangle) {
+TEST(JoinRowsData, RowsOfTrianglesBesideTriangles) {
   for (const json& entry : test::dataCases("triangle_joins.json", "tri_construct")) {
     const json& input = entry["input"];
     const Ribbon given =
@@ -139,7 +140,7 @@ TEST(JoinRowsData, TriangleFromTriangleInTheSameDegree) {
   }
 }
 
-TEST(JoinRowsData, TensorFromTriangle) {
+TEST(JoinRowsData, RowsOfPatchesBesideTriangles) {
   for (const json& entry : test::dataCases("triangle_joins.json", "tensor_from_tri")) {
     const json& input = entry["input"];
     // t multiplies P1, so the edge runs backwards; the case's cross direction keeps the weight of
@@ -156,7 +157,7 @@ TEST(JoinRowsData, TensorFromTriangle) {
   }
 }
 
-TEST(JoinRowsData, TriangleFromTensor) {
+TEST(JoinRowsData, RowsOfTrianglesBesidePatches) {
   for (const json& entry : test::dataCases("triangle_joins.json", "tri_from_tensor")) {
     const json& input = entry["input"];
     Connection c;
@@ -206,7 +207,7 @@ double equationDefect(const Ribbon& a, const Ribbon& b, const Connection& c, int
 }
 
 TEST(JoinConstruct, Identity1EquationsHoldForTensorPatches) {
-  std::mt19937_64 random(21);
+  std::mt19937_64 random(testSeed());
   int count = 0;
   for (int run = 0; run < 3000; ++run) {
     const bool rational = run % 3 == 0;
@@ -227,7 +228,7 @@ TEST(JoinConstruct, Identity1EquationsHoldForTensorPatches) {
 }
 
 TEST(JoinConstruct, Identity4EquationsHoldForTriangles) {
-  std::mt19937_64 random(22);
+  std::mt19937_64 random(testSeed());
   for (int run = 0; run < 1000; ++run) {
     const bool to_tensor = run % 3 == 0, from_tensor = run % 3 == 1;
     const int n = whole(1, 6, random), k = whole(0, 2, random);
@@ -246,7 +247,7 @@ TEST(JoinConstruct, Identity4EquationsHoldForTriangles) {
 }
 
 TEST(JoinConstruct, ContinuationsAreTheirTaylorPolynomials) {
-  std::mt19937_64 random(23);
+  std::mt19937_64 random(testSeed());
   const Connection c = test::randomConnection(1, 2, random);
   const Ribbon given =
       ribbon(gentlePatch(3, 3, false, random), PatchEdge::V1, false, Across::OutOf);
@@ -265,7 +266,7 @@ TEST(JoinConstruct, ContinuationsAreTheirTaylorPolynomials) {
 }
 
 TEST(JoinConstruct, Identity3OnesAndZerosContinueParametrically) {
-  std::mt19937_64 random(24);
+  std::mt19937_64 random(testSeed());
   const BezierPatch patch = gentlePatch(4, 3, false, random);
   const BezierPatch next =
       continuation(ribbon(patch, PatchEdge::U1, false, Across::OutOf), {}, 2, 4);
@@ -279,7 +280,7 @@ TEST(JoinConstruct, Identity3OnesAndZerosContinueParametrically) {
 }
 
 TEST(JoinConstruct, DegreesAreThoseOfTheTable) {
-  std::mt19937_64 random(25);
+  std::mt19937_64 random(testSeed());
   const Ribbon tensor =
       ribbon(gentlePatch(3, 4, false, random), PatchEdge::U1, false, Across::OutOf);
   const Ribbon triangle =
@@ -304,7 +305,7 @@ TEST(JoinConstruct, DegreesAreThoseOfTheTable) {
 }
 
 TEST(JoinConstruct, ReplacedRowsLeaveTheOthers) {
-  std::mt19937_64 random(26);
+  std::mt19937_64 random(testSeed());
   for (int run = 0; run < 64; ++run) {
     const PatchEdge edge = test::patch_edges[run % 4];
     const bool reversed = run % 8 < 4, rational = run % 3 == 0;
@@ -326,7 +327,7 @@ TEST(JoinConstruct, ReplacedRowsLeaveTheOthers) {
 }
 
 TEST(JoinConstruct, ReplacedRowsOfATriangleLeaveTheOthers) {
-  std::mt19937_64 random(27);
+  std::mt19937_64 random(testSeed());
   for (int run = 0; run < 18; ++run) {
     const TriangleEdge edge = test::triangle_edges[run % 3];
     const bool reversed = run % 6 < 3;
@@ -345,7 +346,7 @@ TEST(JoinConstruct, ReplacedRowsOfATriangleLeaveTheOthers) {
 }
 
 TEST(JoinConstruct, RowsAreRaisedOrRaiseThePatch) {
-  std::mt19937_64 random(28);
+  std::mt19937_64 random(testSeed());
   const Ribbon given =
       ribbon(gentlePatch(2, 3, false, random), PatchEdge::U1, false, Across::OutOf);
   const JoinRows rows = tensorRows(given, {}, 1, 3);
@@ -374,8 +375,8 @@ std::string refusal(const Build& build) {
   return "nothing was refused";
 }
 
-TEST(JoinConstruct, Refusals) {
-  std::mt19937_64 random(29);
+TEST(JoinConstruct, RefusesBadConnectionsAndDegrees) {
+  std::mt19937_64 random(testSeed());
   const Ribbon given =
       ribbon(gentlePatch(3, 3, false, random), PatchEdge::U1, false, Across::OutOf);
   const auto refused = [&](const Connection& c, int order = 1, int across = 3,

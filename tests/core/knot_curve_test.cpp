@@ -7,6 +7,7 @@
 #include <seamwright/core/bspline/knot_curve.hpp>
 
 #include "splines.hpp"
+#include "support/random.hpp"
 
 namespace seamwright {
 namespace {
@@ -79,7 +80,7 @@ double drawn(std::mt19937_64& random, double low, double high) {
 
 /// Degrees up to 6 with a single span and more; a tenth of a span and more than a turn.
 TEST(KnotCurve, Identity1TheSamePoints) {
-  std::mt19937_64 random(401);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 1500; ++i) {
     const bool periodic = i % 2 == 0;
     const KnotCurve curve = randomKnots(1 + i % 6, 1 + i % 5, periodic, i % 3 == 0, random);
@@ -104,8 +105,8 @@ TEST(KnotCurve, Identity1TheSamePoints) {
 }
 
 /// Spans of 1e-9 and 1e-12 mm among long ones, and at both ends.
-TEST(KnotCurve, Identity1ShortSpans) {
-  std::mt19937_64 random(402);
+TEST(KnotCurve, Identity1ShortSpansKeepTheCurve) {
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 500; ++i) {
     const bool periodic = i % 2 == 0;
     const int degree = 2 + i % 4, spans = periodic ? 6 : 2 * degree + 4;
@@ -131,7 +132,7 @@ TEST(KnotCurve, Identity1ShortSpans) {
 }
 
 TEST(KnotCurve, Identity2PowersOfTwo) {
-  std::mt19937_64 random(403);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 300; ++i) {
     const KnotCurve curve = randomKnots(1 + i % 6, 1 + i % 5, i % 2 == 0, i % 3 == 0, random);
     const auto [first, last] = rangeOf(curve);
@@ -146,7 +147,7 @@ TEST(KnotCurve, Identity2PowersOfTwo) {
 }
 
 TEST(KnotCurve, ClampedCurvesComeBackBitByBit) {
-  std::mt19937_64 random(404);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 200; ++i) {
     const int degree = 1 + i % 7;
     KnotCurve curve{
@@ -158,7 +159,7 @@ TEST(KnotCurve, ClampedCurvesComeBackBitByBit) {
 
 /// A polygon's poles are its points at the knots: which pole belongs to which knot of a ring.
 TEST(KnotCurve, APolygonRunsThroughItsPolesAtItsKnots) {
-  std::mt19937_64 random(405);
+  std::mt19937_64 random(testSeed());
   const KnotCurve ring{1, {1, 2, 4, 5}, {1, 1, 1, 1}, test::randomPoles(3, false, random), true};
   const BSplineCurve ours = clampedCurve(ring, 1, 5);
   for (int i = 0; i < 4; ++i) EXPECT_EQ(ours.poles.row(i), ring.poles.row(i % 3));

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "curves.hpp"
+#include "support/random.hpp"
 #include "surfaces.hpp"
 
 namespace seamwright {
@@ -110,7 +111,7 @@ void expectContains(const ArcLength& length, double wanted, double tolerance) {
   EXPECT_EQ(length.reached, length.upper_mm - length.lower_mm <= tolerance);
 }
 
-TEST(Length, DataTo40Digits) {
+TEST(Length, EnclosesTheDataTo40Digits) {
   std::ifstream file(SEAMWRIGHT_TEST_DATA "/frenet.json");
   const json data = json::parse(file);
   ASSERT_EQ(data["cases"].size(), 8u);
@@ -133,8 +134,8 @@ TEST(Length, DataTo40Digits) {
   }
 }
 
-TEST(Length, Identity1Line) {
-  std::mt19937_64 random(121);
+TEST(Length, Identity1ALineIsAsLongAsItsChord) {
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < cases; ++i) {
     const Vec p = test::randomVector(random),
               q = test::logUniform(random, -6, 6) * test::randomVector(random);
@@ -151,7 +152,7 @@ TEST(Length, Identity1Line) {
   }
 }
 
-TEST(Length, Identity2QuarterCircle) {
+TEST(Length, Identity2AQuarterOfACircleIsHalfPiRadii) {
   for (const double r : {1e-6, 0.3, 1.0, 47.0, 1e8}) {
     const double wanted = r * std::numbers::pi / 2;
     const ArcLength length = arcLength(quarterCircle(r), 1e-12 * r);
@@ -166,7 +167,7 @@ TEST(Length, Identity2QuarterCircle) {
 
 // Against Romberg's rule on powers of t in extended precision.
 TEST(Length, BracketsHoldAnotherQuadrature) {
-  std::mt19937_64 random(122);
+  std::mt19937_64 random(testSeed());
   int loose = 0;
   for (int i = 0; i < cases; ++i) {
     const BezierCurve curve = randomCurve(2 + i % 5, i % 2 == 1, random);
@@ -190,7 +191,7 @@ TEST(Length, BracketsHoldAnotherQuadrature) {
 
 // Values are nearer to each other than the brackets asked for.
 TEST(Length, Identity3PartsReversalElevationMotionScale) {
-  std::mt19937_64 random(123);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < cases; ++i) {
     const BezierCurve curve = randomCurve(2 + i % 5, i % 2 == 1, random);
     const double whole = arcLength(curve, 1e-8).value_mm, bound = 1e-10;
@@ -235,7 +236,7 @@ TEST(Length, Identity4BothBranchesOfACusp) {
 
 // Pythagorean hodographs: X' = (u^2 - v^2, 2 u v) with u, v linear has the speed u^2 + v^2.
 TEST(Length, PythagoreanHodographsHaveAClosedForm) {
-  std::mt19937_64 random(126);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < cases; ++i) {
     const Vec u = test::randomVector(random), v = i % 5 ? test::randomVector(random) : Vec(0.5 * u);
     Poles poles = Poles::Zero(4, 3);
@@ -256,7 +257,7 @@ TEST(Length, PythagoreanHodographsHaveAClosedForm) {
 // Of a curve of high degree that turns gently, Bernstein coefficients are near to the values: then
 // the proved remainder is at least the largest |X'| - g, and less than twice that.
 TEST(Length, TheRemainderIsTheLargestOfSpeedLessItsPolynomial) {
-  std::mt19937_64 random(127);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 20; ++i) {
     Poles poles(4, 3);
     for (int k = 0; k < 4; ++k)
@@ -308,7 +309,7 @@ TEST(Length, LineThatTurnsBack) {
 }
 
 TEST(Length, ParameterAtLengthIsTheInverse) {
-  std::mt19937_64 random(124);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 300; ++i) {
     const BezierCurve curve = randomCurve(1 + i % 6, i % 2 == 1, random);
     const double tolerance = test::logUniform(random, -10, -2), t = i / 300.0;
@@ -350,7 +351,7 @@ TEST(Length, Identity5TheValueMeetsTheLengthAsked) {
 
 // What cannot be reached ends where rounding begins, for high degrees and uneven weights too.
 TEST(Length, ImpossibleTolerancesEnd) {
-  std::mt19937_64 random(125);
+  std::mt19937_64 random(testSeed());
   for (const int degree : {10, 25}) {
     BezierCurve curve = randomCurve(degree, true, random);
     Eigen::VectorXd weights = curve.weights();
@@ -385,7 +386,7 @@ TEST(Length, ExtremeSizesAndPoints) {
             arcLength(BezierCurve(near), 1e-12).value_mm);
 }
 
-TEST(Length, BadArguments) {
+TEST(Length, RefusesBadArguments) {
   const auto message = [](auto call) {
     try {
       call();
@@ -408,7 +409,7 @@ TEST(Length, BadArguments) {
               }),
               testing::HasSubstr(
                   "degree is 198: the length of a rational curve is known up to degree 197"));
-  std::mt19937_64 random(128);
+  std::mt19937_64 random(testSeed());
   EXPECT_EQ(message([&] { arcLength(randomCurve(401, false, random), 1e9); }), "");
   EXPECT_EQ(message([&] { arcLength(randomCurve(197, true, random), 1e9); }), "");
   EXPECT_THAT(message([] { arcLength(cusp(), 1, 0.5, 0.25); }),

@@ -5,6 +5,7 @@
 #include <seamwright/core/fill/regular.hpp>
 
 #include "fills.hpp"
+#include "support/random.hpp"
 
 namespace seamwright {
 namespace {
@@ -21,7 +22,7 @@ void expectRefused(const std::vector<FillSide>& sides, const Matcher& message,
   EXPECT_THAT([&] { nSidedFill(sides, options); }, ThrowsMessage<std::invalid_argument>(message));
 }
 
-TEST(NSidedFillLimits, NumberOfSides) {
+TEST(NSidedFillLimits, RefusesFewerThan3AndMoreThan12Sides) {
   std::vector<FillSide> sides = square();
   sides.resize(2, sides[0]);
   expectRefused(sides, HasSubstr("2 sides: a fill has 3 to 12"));
@@ -30,13 +31,13 @@ TEST(NSidedFillLimits, NumberOfSides) {
   expectRefused({}, HasSubstr("0 sides"));
 }
 
-TEST(NSidedFillLimits, Options) {
+TEST(NSidedFillLimits, RefusesBadOptions) {
   expectRefused(square(), HasSubstr("fairness order 4"), {.fairness_order = 4});
   for (double bad : {-1e-3, 0.2, std::numeric_limits<double>::quiet_NaN()})
     expectRefused(square(), HasSubstr("corner tolerance"), {.corner_tolerance_rad = bad});
 }
 
-TEST(NSidedFillLimits, Edges) {
+TEST(NSidedFillLimits, RefusesBadEdges) {
   std::vector<FillSide> sides = square();
   const Poles poles = sides[1].edge.poles();
   sides[1].edge = BezierCurve(poles, Eigen::VectorXd::LinSpaced(6, 1, 2));
@@ -53,7 +54,7 @@ TEST(NSidedFillLimits, Edges) {
   expectRefused(sides, HasSubstr("side 1: the edge has no tangent"));
 }
 
-TEST(NSidedFillLimits, CrossBoundaryDerivatives) {
+TEST(NSidedFillLimits, RefusesBadCrossBoundaryDerivatives) {
   for (double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     std::vector<FillSide> sides = square();
@@ -115,7 +116,7 @@ TEST(NSidedFillLimits, CrossFieldPointsIntoTheHole) {
 }
 
 TEST(ProvedRegular, FlatFoldedAndCollapsedPatches) {
-  std::mt19937_64 random(4);
+  std::mt19937_64 random(testSeed());
   for (int run = 0; run < 20; ++run)
     EXPECT_TRUE(provedRegular(test::gentlePatch(1 + run % 4, 1 + run % 3, false, random)));
   Poles square(4, 3), triangle(4, 3), bow(4, 3);

@@ -7,6 +7,7 @@
 #include <seamwright/core/join/curve/nearest_curve.hpp>
 
 #include "nearest_curves.hpp"
+#include "support/random.hpp"
 
 namespace seamwright {
 namespace {
@@ -18,7 +19,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(NearestCurve, FarApartIsHonest) {
-  std::mt19937_64 random(707);
+  std::mt19937_64 random(testSeed());
   int solved = 0;
   for (int i = 0; i < 1440; ++i) {
     const Pair pair = pairOf(i, 2, random);
@@ -60,7 +61,7 @@ TEST(NearestCurve, ResidualIsThatOfFitBeta) {
   }
 }
 
-TEST(NearestCurve, StraightLines) {
+TEST(NearestCurve, ParallelLinesAreJoined) {
   Poles a(3, 3), b(3, 3);
   a << -2, 0, 0, -1, 0, 0, 0, 0, 0;
   b << 0, 0.1, 0, 1, 0.1, 0, 2, 0.1, 0;
@@ -70,7 +71,7 @@ TEST(NearestCurve, StraightLines) {
   EXPECT_LT(join.largest_move_mm, 0.1);
 }
 
-TEST(NearestCurve, AnySize) {
+TEST(NearestCurve, ResultsScaleWithTheCurves) {
   for (const double scale : {1e-100, 1e-12, 1e12, 1e100}) {
     const Pair pair = kinked(0.4);
     const auto scaled = [&](const BezierCurve& curve) {
@@ -96,8 +97,8 @@ TEST(NearestCurve, DearPolesHardlyMove) {
   EXPECT_NEAR(costly.cost, held.cost, 1e-11);
 }
 
-TEST(NearestCurve, HighOrders) {
-  std::mt19937_64 random(708);
+TEST(NearestCurve, OrdersUpToTenAreSolved) {
+  std::mt19937_64 random(testSeed());
   for (int n = 5; n <= 10; ++n) {
     Poles poles(n + 3, 3);
     for (int k = 0; k < poles.rows(); ++k) poles.row(k) << 2 * k, 0.02 * k * k, 1e-3 * k * k * k;
@@ -123,7 +124,7 @@ std::string refusal(const Change& change) {
   return "";
 }
 
-TEST(NearestCurve, Refuses) {
+TEST(NearestCurve, RefusesBadArguments) {
   using testing::HasSubstr;
   EXPECT_EQ(refusal([](Pair&) {}), "");
   for (const int order : {-1, 0, 11})

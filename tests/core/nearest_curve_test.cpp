@@ -9,6 +9,7 @@
 #include <seamwright/core/join/curve/nearest_curve.hpp>
 
 #include "nearest_curves.hpp"
+#include "support/random.hpp"
 
 namespace seamwright {
 namespace {
@@ -80,7 +81,7 @@ double costOf(const Pair& pair, const Eigen::VectorXd& beta) {
   return (costs.asDiagonal() * moves).cwiseProduct(moves).sum() / 2;
 }
 
-TEST(NearestCurve, Oracle) {
+TEST(NearestCurve, MovesAreThoseOfTheData) {
   std::ifstream file(SEAMWRIGHT_TEST_DATA "/nearest_curve_joins.json");
   const json data = json::parse(file);
   ASSERT_EQ(data["cases"].size(), 36u);
@@ -102,8 +103,8 @@ TEST(NearestCurve, Oracle) {
   }
 }
 
-TEST(NearestCurve, Identity1Joins) {
-  std::mt19937_64 random(701);
+TEST(NearestCurve, Identity1MovedCurvesJoin) {
+  std::mt19937_64 random(testSeed());
   int solved = 0, cases = 0;
   for (const double noise : {1e-8, 1e-4, 1e-2, 0.05})
     for (int i = 0; i < 720; ++i, ++cases) {
@@ -132,7 +133,7 @@ TEST(NearestCurve, Identity1Joins) {
 }
 
 TEST(NearestCurve, Identity2NoJoinNearbyIsNearer) {
-  std::mt19937_64 random(702);
+  std::mt19937_64 random(testSeed());
   for (const double noise : {1e-4, 1e-2, 0.1})
     for (int i = 0; i < 288; ++i) {
       const Pair pair = pairOf(i, noise, random);
@@ -158,7 +159,7 @@ TEST(NearestCurve, Identity2NoJoinNearbyIsNearer) {
 }
 
 TEST(NearestCurve, Identity3WhatJoinsStays) {
-  std::mt19937_64 random(703);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 720; ++i) {
     const Pair pair = pairOf(i, 0, random);
     const Join join = nearestJoin(pair.a, pair.b, pair.options);
@@ -194,7 +195,7 @@ BezierCurve mapped(const BezierCurve& curve, const Eigen::Matrix3d& map, const V
 }
 
 TEST(NearestCurve, Identity4MotionScaleAndExchange) {
-  std::mt19937_64 random(704);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 720; ++i) {
     Pair pair = pairOf(i, 0.02, random);
     const Join join = nearestJoin(pair.a, pair.b, pair.options);
@@ -224,7 +225,7 @@ TEST(NearestCurve, Identity4MotionScaleAndExchange) {
 }
 
 TEST(NearestCurve, Identity5PolesThatStay) {
-  std::mt19937_64 random(705);
+  std::mt19937_64 random(testSeed());
   int solved = 0;
   for (int i = 0; i < 1440; ++i) {
     Pair pair = pairOf(i, 0.01, random);
@@ -308,8 +309,8 @@ TEST(NearestCurve, JointAndTangentsThatStay) {
   }
 }
 
-TEST(NearestCurve, GivenBetas) {
-  std::mt19937_64 random(706);
+TEST(NearestCurve, GivenBetasAreKept) {
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 720; ++i) {
     Pair pair = pairOf(i, 0.05, random);
     const int n = pair.options.order;
@@ -351,7 +352,7 @@ double defectOf(const BSplineCurve& a, const BSplineCurve& b, int order) {
 }
 
 TEST(NearestCurve, SplineOfOneSpanIsBezier) {
-  std::mt19937_64 random(709);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 288; ++i) {
     const Pair pair = pairOf(i, 0.02, random);
     const Join join = nearestJoin(pair.a, pair.b, pair.options);
@@ -364,7 +365,7 @@ TEST(NearestCurve, SplineOfOneSpanIsBezier) {
 }
 
 TEST(NearestCurve, SplinesJoin) {
-  std::mt19937_64 random(710);
+  std::mt19937_64 random(testSeed());
   int solved = 0;
   for (int i = 0; i < 480; ++i) {
     const int n = 1 + i % 4, degree = std::max(2, n + i / 4 % 2);

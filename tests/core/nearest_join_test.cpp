@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "spline_surfaces.hpp"
+#include "support/random.hpp"
 
 #include <seamwright/core/seam/bspline_side.hpp>
 
@@ -135,7 +136,7 @@ Connection moved(const Connection& connection, double size, std::mt19937_64& ran
 }
 
 TEST(NearestJoin, HoldsAlongTheWholeSeamAndIsNearest) {  // (1), (2)
-  std::mt19937_64 random(11);
+  std::mt19937_64 random(testSeed());
   std::uniform_int_distribution<int> across(2, 5);
   for (int round = 0; round < 240; ++round) {
     const int order = 1 + round % 2, still = round / 2 % 3, along = 2 + round / 6 % 6;
@@ -154,7 +155,7 @@ TEST(NearestJoin, HoldsAlongTheWholeSeamAndIsNearest) {  // (1), (2)
 // The joins near the result, built from rows of a and connection functions by another way, are all
 // farther.
 TEST(NearestJoin, NoJoinNearbyIsNearer) {  // (2)
-  std::mt19937_64 random(12);
+  std::mt19937_64 random(testSeed());
   for (int round = 0; round < 60; ++round) {
     const int order = 1 + round % 2, along = 2 + round / 4 % 6;
     const bool both = round / 2 % 2;
@@ -190,7 +191,7 @@ TEST(NearestJoin, NoJoinNearbyIsNearer) {  // (2)
 TEST(NearestJoin,
      AHeldConnectionNearbyCostsMore) {  // (2), with weights, fixed poles, rational surfaces and
                                         // knots
-  std::mt19937_64 random(13);
+  std::mt19937_64 random(testSeed());
   std::uniform_real_distribution<double> weight(0.2, 5);
   for (int round = 0; round < 48; ++round) {
     const int order = 1 + round % 2;
@@ -232,7 +233,7 @@ TEST(NearestJoin,
 }
 
 TEST(NearestJoin, RigidMotionAndScaleMoveTheResultLikewise) {  // (3)
-  std::mt19937_64 random(14);
+  std::mt19937_64 random(testSeed());
   for (int round = 0; round < 24; ++round) {
     const int order = 1 + round % 2;
     const StripShape shape{3, 3, {}, round / 2 % 2 == 1};
@@ -254,7 +255,7 @@ TEST(NearestJoin, RigidMotionAndScaleMoveTheResultLikewise) {  // (3)
 }
 
 TEST(NearestJoin, ReversalOfTheSeamChangesNoPole) {  // (4)
-  std::mt19937_64 random(15);
+  std::mt19937_64 random(testSeed());
   for (int round = 0; round < 24; ++round) {
     const int order = 1 + round % 2;
     const StripShape shape{
@@ -272,7 +273,7 @@ TEST(NearestJoin, ReversalOfTheSeamChangesNoPole) {  // (4)
 }
 
 TEST(NearestJoin, SwappingTheSidesChangesNoPole) {  // (5)
-  std::mt19937_64 random(16);
+  std::mt19937_64 random(testSeed());
   for (int round = 0; round < 24; ++round) {
     const int order = 1 + round % 2;
     const StripShape shape{3, 4, {}, round / 2 % 2 == 1};
@@ -289,7 +290,7 @@ TEST(NearestJoin, SwappingTheSidesChangesNoPole) {  // (5)
 }
 
 TEST(NearestJoin, ASecondCallChangesNothing) {  // (6)
-  std::mt19937_64 random(17);
+  std::mt19937_64 random(testSeed());
   for (int round = 0; round < 72; ++round) {
     const int order = 1 + round % 2;
     const StripShape shape{3, 3 + round % 3,
@@ -315,7 +316,7 @@ TEST(NearestJoin, ASecondCallChangesNothing) {  // (6)
 }
 
 TEST(NearestJoin, AJoinOfHigherDegreeIsLeftAsItIs) {  // (6)
-  std::mt19937_64 random(18);
+  std::mt19937_64 random(testSeed());
   JoinSide a{strip({3, 3}, -1, 0.1, random)}, b{strip({3, 5}, 1, 0.1, random)};
   a.surface = elevated(elevated(a.surface, SurfaceDirection::V), SurfaceDirection::V);
   a.moves = false;
@@ -334,7 +335,7 @@ TEST(NearestJoin, AJoinOfHigherDegreeIsLeftAsItIs) {  // (6)
 }
 
 TEST(NearestJoin, HigherDegreesOfTheConnectionMoveNoFarther) {
-  std::mt19937_64 random(19);
+  std::mt19937_64 random(testSeed());
   for (int round = 0; round < 20; ++round) {
     const int order = 1 + round % 2;
     Pair pair = randomPair({3, 3}, {3, 3}, round / 2 % 3, random);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "spline_surfaces.hpp"
+#include "support/random.hpp"
 
 #include <seamwright/core/seam/bspline_side.hpp>
 
@@ -43,7 +44,7 @@ double roughness(const BSplineSurface& surface, const std::vector<double>& knots
 }
 
 TEST(NearestJoinKnots, SimpleKnotsAskForBetaZeroOrASmootherSeam) {
-  std::mt19937_64 random(21);
+  std::mt19937_64 random(testSeed());
   for (int round = 0; round < 36; ++round) {
     const int order = 1 + round % 2;
     const std::vector<double> knots = {0.2, 0.5, 0.6};
@@ -62,7 +63,7 @@ TEST(NearestJoinKnots, SimpleKnotsAskForBetaZeroOrASmootherSeam) {
 }
 
 TEST(NearestJoinKnots, AtOneSimpleKnotALinearBetaVanishes) {
-  std::mt19937_64 random(22);
+  std::mt19937_64 random(testSeed());
   JoinSide a{strip({3, 3, {0.25}}, -1, 0.1, random)}, b{strip({3, 3, {0.25}}, 1, 0.1, random)};
   a.moves = false;
   const NearestJoin join = nearestJoin(a, b);
@@ -73,7 +74,7 @@ TEST(NearestJoinKnots, AtOneSimpleKnotALinearBetaVanishes) {
 }
 
 TEST(NearestJoinKnots, RaisedKnotsLeaveBetaFree) {
-  std::mt19937_64 random(23);
+  std::mt19937_64 random(testSeed());
   for (int round = 0; round < 18; ++round) {
     const int order = 1 + round % 2;
     JoinSide a{strip({3, 4, {0.2, 0.5, 0.6}}, -1, 0.1, random)};
@@ -98,7 +99,7 @@ TEST(NearestJoinKnots, RaisedKnotsLeaveBetaFree) {
 // A seam that is nearly straight and even has knots that cost little to smooth; a shear across them
 // costs much without beta.
 TEST(NearestJoinKnots, TheSeamBecomesSmootherWhereThatIsNearer) {
-  std::mt19937_64 random(24);
+  std::mt19937_64 random(testSeed());
   JoinSide a{strip({3, 3, {0.3, 0.6}}, -1, 1e-5, random)},
       b{strip({3, 3, {0.3, 0.6}}, 1, 1e-5, random)};
   for (int i = 1; i < 4; ++i)
@@ -117,7 +118,7 @@ TEST(NearestJoinKnots, TheSeamBecomesSmootherWhereThatIsNearer) {
 }
 
 TEST(NearestJoinFixed, FixedPolesKeepEveryBit) {
-  std::mt19937_64 random(25);
+  std::mt19937_64 random(testSeed());
   std::bernoulli_distribution often(0.3);
   int joined = 0;
   for (int round = 0; round < 60; ++round) {
@@ -144,7 +145,7 @@ TEST(NearestJoinFixed, CornersThatStayAskForTheConnection) {
   // C^order: alpha = 1, all else 0.
   for (const bool both_ends : {false, true})
     for (const int order : {1, 2}) {
-      std::mt19937_64 random(26);
+      std::mt19937_64 random(testSeed());
       JoinSide a{strip({3, 4}, -1, 0.05, random)}, b{strip({3, 4}, 1, 0.05, random)};
       for (JoinSide* side : {&a, &b}) side->fixed.assign(side->surface.poles.rows(), false);
       for (Eigen::Index row = 0; row <= order; ++row)
@@ -172,7 +173,7 @@ TEST(NearestJoinFixed, CornersThatStayAskForTheConnection) {
 // Cross derivatives that stay and are nearly parallel: beta would turn the seam's tangent into
 // them.
 TEST(NearestJoinFixed, AJoinWithoutTangentPlaneIsNone) {
-  std::mt19937_64 random(31);
+  std::mt19937_64 random(testSeed());
   JoinSide a{strip({3, 4}, -1, 0.05, random)}, b{strip({3, 4}, 1, 0.05, random)};
   for (JoinSide* side : {&a, &b}) {
     side->fixed.assign(side->surface.poles.rows(), false);
@@ -187,7 +188,7 @@ TEST(NearestJoinFixed, AJoinWithoutTangentPlaneIsNone) {
 }
 
 TEST(NearestJoinFixed, WhatCannotJoinIsReturnedAsGiven) {
-  std::mt19937_64 random(27);
+  std::mt19937_64 random(testSeed());
   JoinSide a{strip({3, 3}, -1, 0.1, random)}, b{strip({3, 3}, 1, 0.1, random)};
   const auto expectInfeasible = [](const JoinSide& one, const JoinSide& other) {
     for (const int order : {1, 2}) {
@@ -216,7 +217,7 @@ TEST(NearestJoinFixed, WhatCannotJoinIsReturnedAsGiven) {
 
 // The seam of b is one point, which a would have to shrink to.
 TEST(NearestJoinRegular, AnEdgeThatWouldCollapseIsRefused) {
-  std::mt19937_64 random(32);
+  std::mt19937_64 random(testSeed());
   for (int round = 0; round < 60; ++round) {
     JoinSide a{strip({1 + round % 4, 2 + round % 3}, -1, 0.3, random)};
     JoinSide b{strip({1 + round / 4 % 4, 2 + round % 3}, 1, 0.3, random)};
@@ -231,7 +232,7 @@ TEST(NearestJoinRegular, AnEdgeThatWouldCollapseIsRefused) {
 // The end v = 1 of one side is a point, so that its cross derivative is 0 there and that of the
 // other would have to lie along the seam.
 TEST(NearestJoinRegular, ACornerThatWouldCollapseIsRefused) {
-  std::mt19937_64 random(33);
+  std::mt19937_64 random(testSeed());
   for (int round = 0; round < 24; ++round) {
     const StripShape shape{3, 2 + round / 4 % 3};
     JoinSide a{strip(shape, -1, 0.1, random)}, b{strip(shape, 1, 0.1, random)};
@@ -250,7 +251,7 @@ TEST(NearestJoinRegular, ACornerThatWouldCollapseIsRefused) {
 
 // Surfaces so small and so far away that rounding of their poles is a share of their size.
 TEST(NearestJoinRegular, NothingIsClaimedWhereRoundingHidesTheJoin) {
-  std::mt19937_64 random(34);
+  std::mt19937_64 random(testSeed());
   for (const double size : {1e-7, 1e-6, 1e-4, 1e-2, 1.0}) {
     JoinSide a{strip({3, 3}, -1, 0.1, random)}, b{strip({3, 3}, 1, 0.1, random)};
     for (JoinSide* side : {&a, &b})
@@ -265,7 +266,7 @@ TEST(NearestJoinRegular, NothingIsClaimedWhereRoundingHidesTheJoin) {
 }
 
 TEST(NearestJoinRegular, WeightsStayPositive) {
-  std::mt19937_64 random(35);
+  std::mt19937_64 random(testSeed());
   std::uniform_real_distribution<double> weight(0.1, 6);
   int refused = 0;
   for (int round = 0; round < 120; ++round) {
@@ -284,7 +285,7 @@ TEST(NearestJoinRegular, WeightsStayPositive) {
 }
 
 TEST(NearestJoinRegular, UnchangedIsSaidOfJoinsOnly) {
-  std::mt19937_64 random(36);
+  std::mt19937_64 random(testSeed());
   JoinSide a{strip({3, 3}, -1, 0.1, random)}, b{strip({3, 3}, 1, 0.1, random)};
   // A surface that folds back onto itself: all equations hold, with alpha = -1.
   EXPECT_NE(nearestJoin(a, a).status, NearestStatus::Unchanged);
@@ -308,7 +309,7 @@ TEST(NearestJoinRegular, UnchangedIsSaidOfJoinsOnly) {
 }
 
 TEST(NearestJoinAlpha, DoesNotFallBelowItsShare) {
-  std::mt19937_64 random(28);
+  std::mt19937_64 random(testSeed());
   JoinSide a{strip({3, 3}, -1, 0.02, random)}, b{strip({3, 3}, -1, 0.02, random)};  // a fold
   a.moves = false;
   const NearestJoin join = nearestJoin(a, b, {.smallest_alpha = 0.2});
@@ -319,7 +320,7 @@ TEST(NearestJoinAlpha, DoesNotFallBelowItsShare) {
 }
 
 TEST(NearestJoinSize, TimeAndRefusal) {
-  std::mt19937_64 random(29);
+  std::mt19937_64 random(testSeed());
   JoinSide a{strip({3, 3, evenKnots(60)}, -1, 0.001, random)},
       b{strip({3, 3, evenKnots(60)}, 1, 0.001, random)};
   const auto start = std::chrono::steady_clock::now();
@@ -333,9 +334,9 @@ TEST(NearestJoinSize, TimeAndRefusal) {
               testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("2003 poles")));
 }
 
-TEST(NearestJoinErrors, NameTheNumber) {
+TEST(NearestJoinErrors, NameTheOffendingNumber) {
   using testing::HasSubstr, testing::ThrowsMessage;
-  std::mt19937_64 random(30);
+  std::mt19937_64 random(testSeed());
   const JoinSide a{strip({3, 3}, -1, 0.1, random)}, b{strip({3, 3}, 1, 0.1, random)};
   const auto expectRefused = [&](const JoinSide& other, const NearestOptions& options,
                                  const char* text) {

@@ -11,6 +11,7 @@
 #include <seamwright/core/spline/nu_spline.hpp>
 
 #include "spline_reference.hpp"
+#include "support/random.hpp"
 
 namespace seamwright {
 namespace {
@@ -87,7 +88,7 @@ double jumpLeft(const BezierSpline& spline, const NuSplineData& data) {
   return left;
 }
 
-TEST(NuSpline, Oracle) {
+TEST(NuSpline, DerivativesAreThoseOfTheData) {
   for (const auto& c : test::splineCases("nu_splines.json")) {
     const auto& in = c["in"];
     NuSplineData data{test::points(in["P"]), in["u"].get<std::vector<double>>(),
@@ -105,7 +106,7 @@ TEST(NuSpline, Oracle) {
 }
 
 TEST(NuSpline, Identity1And2JointsAndEnds) {
-  std::mt19937_64 random(1);
+  std::mt19937_64 random(testSeed());
   for (int k = 0; k < 3000; ++k) {
     const SplineEnds ends = test::all_ends[k % 3];
     const Index n = (ends == SplineEnds::Periodic ? 2 : 1) + k % 17;
@@ -138,7 +139,7 @@ TEST(NuSpline, Identity1And2JointsAndEnds) {
 }
 
 TEST(NuSpline, Identity3WithoutTensionItIsTheC2Spline) {
-  std::mt19937_64 random(3);
+  std::mt19937_64 random(testSeed());
   for (int k = 0; k < 600; ++k) {
     const SplineEnds ends = test::all_ends[k % 3];
     NuSplineData data = randomData(2 + k % 9, ends, random);
@@ -166,8 +167,8 @@ TEST(NuSpline, Identity3WithoutTensionItIsTheC2Spline) {
               1e-13 * spline.derivatives.norm());
 }
 
-TEST(NuSpline, Identity4Reversed) {
-  std::mt19937_64 random(4);
+TEST(NuSpline, Identity4ReversedDataGiveTheReversedCurve) {
+  std::mt19937_64 random(testSeed());
   for (int k = 0; k < 1000; ++k) {
     const SplineEnds ends = test::all_ends[k % 3];
     const NuSplineData data = randomData(2 + k % 9, ends, random);
@@ -202,7 +203,7 @@ double fromPolygon(const BezierSpline& spline) {
 }
 
 TEST(NuSpline, Identity5TensionPullsIntoThePolygonAtARateOf1ByNu) {
-  std::mt19937_64 random(5);
+  std::mt19937_64 random(testSeed());
   for (int k = 0; k < 60; ++k) {
     // Given end derivatives stay as they are; the other ends go to the polygon.
     const SplineEnds ends = k % 2 ? SplineEnds::Natural : SplineEnds::Periodic;
@@ -218,7 +219,7 @@ TEST(NuSpline, Identity5TensionPullsIntoThePolygonAtARateOf1ByNu) {
 }
 
 TEST(NuSpline, Identity6KnotsAndTensionInOtherUnits) {
-  std::mt19937_64 random(6);
+  std::mt19937_64 random(testSeed());
   for (int k = 0; k < 1000; ++k) {
     const NuSplineData data = randomData(2 + k % 9, test::all_ends[k % 3], random);
     const double c = logUniform(random, -6, 6);
@@ -234,7 +235,7 @@ TEST(NuSpline, Identity6KnotsAndTensionInOtherUnits) {
 }
 
 TEST(NuSpline, MovesAndScalesWithItsPoints) {
-  std::mt19937_64 random(7);
+  std::mt19937_64 random(testSeed());
   for (int k = 0; k < 1000; ++k) {
     const NuSplineData data = randomData(2 + k % 9, test::all_ends[k % 3], random);
     const Eigen::Matrix3d turn = logUniform(random, -3, 3) * test::randomRotation(random);
@@ -255,7 +256,7 @@ TEST(NuSpline, MovesAndScalesWithItsPoints) {
 }
 
 TEST(NuSpline, AGammaSplineIsTheNuSplineOfItsJoints) {
-  std::mt19937_64 random(8);
+  std::mt19937_64 random(testSeed());
   for (int k = 0; k < 500; ++k) {
     const Index n = 3 + k % 7;
     GammaPolygon polygon{test::randomPoints(n, 1, false, random), true, {}, {}};
@@ -277,7 +278,7 @@ TEST(NuSpline, AGammaSplineIsTheNuSplineOfItsJoints) {
 }
 
 TEST(NuSpline, TensionsOfAnySizeKeepTheDigitsOfEveryDerivative) {
-  std::mt19937_64 random(9);
+  std::mt19937_64 random(testSeed());
   for (int k = 0; k < 3000; ++k) {
     NuSplineData data = randomData(2 + k % 9, test::all_ends[k % 3], random);
     for (double& nu : data.nu)
@@ -302,7 +303,7 @@ TEST(NuSpline, TensionsOfAnySizeKeepTheDigitsOfEveryDerivative) {
 
 TEST(NuSpline, CriticalTensionIsSingularAndBeyondItIsSolved) {
   using ::testing::ContainsRegex;
-  std::mt19937_64 random(10);
+  std::mt19937_64 random(testSeed());
   for (const Index n : {2, 4, 6, 50}) {
     NuSplineData data{test::randomPoints(n + 1, 1, true, random), {}, {}, SplineEnds::Periodic};
     for (Index i = 0; i <= n; ++i) data.knots.push_back(static_cast<double>(i));
@@ -364,7 +365,7 @@ TEST(NuSpline, WhereTheDerivativeVanishesG2IsLost) {
 }
 
 TEST(NuSpline, RandomOnesAreG2) {
-  std::mt19937_64 random(11);
+  std::mt19937_64 random(testSeed());
   int joints = 0, lost = 0;
   for (int k = 0; k < 500; ++k) {
     NuSplineData data = randomData(3 + k % 9, test::all_ends[k % 3], random);
@@ -380,7 +381,7 @@ TEST(NuSpline, RandomOnesAreG2) {
   EXPECT_GT(lost, 450) << "the others are flat there";
 }
 
-TEST(NuSpline, KnotsOfPoints) {
+TEST(NuSpline, KnotsArePowersOfTheChords) {
   Poles points(4, 3);
   points << 0, 0, 0, 3, 4, 0, 3, 4, 16, 3, 4, 15;
   EXPECT_THAT(knotsOf(points, 0), ElementsAre(0, 1, 2, 3));
@@ -403,7 +404,7 @@ TEST(NuSpline, KnotsOfPoints) {
 
 TEST(NuSpline, BadInputIsNamed) {
   const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
-  std::mt19937_64 random(12);
+  std::mt19937_64 random(testSeed());
   const NuSplineData good = randomData(4, SplineEnds::Clamped, random);
   const auto of = [&](const std::function<void(NuSplineData&)>& spoil) {
     NuSplineData data = good;

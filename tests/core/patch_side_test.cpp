@@ -74,7 +74,7 @@ TEST(PatchSide, AFaceThatTurnsBackIsAFoldAtAnyEdge) {
     }
 }
 
-TEST(PatchSide, WeightsCount) {
+TEST(PatchSide, WeightsAreRespected) {
   // A quarter of a cylinder of radius 2 about the y axis, from the top on, beside the level at
   // height 2.
   Poles arc(6, 3);

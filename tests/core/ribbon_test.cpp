@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "joins.hpp"
+#include "support/random.hpp"
 
 namespace seamwright {
 namespace {
@@ -31,7 +32,7 @@ void expectNear(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 }
 
 TEST(Ribbon, Identity1And3TakesTheDerivativesOfAPatch) {
-  std::mt19937_64 random(11);
+  std::mt19937_64 random(testSeed());
   for (int run = 0; run < 200; ++run) {
     const BezierPatch patch = gentlePatch(run % 5 + 1, run % 4 + 1, run % 2 == 1, random);
     for (const PatchEdge edge : test::patch_edges)
@@ -51,7 +52,7 @@ TEST(Ribbon, Identity1And3TakesTheDerivativesOfAPatch) {
 }
 
 TEST(Ribbon, Identity1And3TakesTheDerivativesOfATriangle) {
-  std::mt19937_64 random(12);
+  std::mt19937_64 random(testSeed());
   for (int run = 0; run < 200; ++run) {
     const BezierTriangle triangle = gentleTriangle(run % 6 + 1, run % 2 == 1, random);
     for (const TriangleEdge edge : test::triangle_edges)
@@ -76,7 +77,7 @@ TEST(Ribbon, Identity1And3TakesTheDerivativesOfATriangle) {
 }
 
 TEST(Ribbon, Identity2OutOfRunsTheOtherWay) {
-  std::mt19937_64 random(13);
+  std::mt19937_64 random(testSeed());
   const BezierPatch patch = gentlePatch(3, 2, true, random);
   const BezierTriangle triangle = gentleTriangle(3, true, random);
   const auto expectOpposite = [](const Ribbon& into, const Ribbon& out) {
@@ -91,7 +92,7 @@ TEST(Ribbon, Identity2OutOfRunsTheOtherWay) {
 }
 
 TEST(Ribbon, DegreesAreThoseOfTheContract) {
-  std::mt19937_64 random(14);
+  std::mt19937_64 random(testSeed());
   for (int n = 1; n <= 4; ++n) {
     const Ribbon r =
         ribbon(gentleTriangle(n, false, random), TriangleEdge::L2, false, Across::Into);
@@ -109,7 +110,7 @@ TEST(Ribbon, DegreesAreThoseOfTheContract) {
 }
 
 TEST(Ribbon, TurningIsUndone) {
-  std::mt19937_64 random(15);
+  std::mt19937_64 random(testSeed());
   const BezierPatch patch = gentlePatch(3, 2, true, random);
   for (const PatchEdge edge : test::patch_edges)
     for (const bool reversed : {false, true})
@@ -128,7 +129,7 @@ TEST(Orient, TheCaseOfTheDataFile) {
 }
 
 TEST(Orient, AnyTwoEdgesInAnySense) {
-  std::mt19937_64 random(16);
+  std::mt19937_64 random(testSeed());
   const BezierPatch a = gentlePatch(3, 2, false, random);
   const BezierPatch b = continuation(ribbon(a, PatchEdge::U1, false, Across::OutOf), {}, 1, 2);
   for (const PatchEdge edge_a : test::patch_edges)

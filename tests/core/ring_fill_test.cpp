@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "ring_holes.hpp"
+#include "support/random.hpp"
 
 namespace seamwright {
 namespace {
@@ -75,7 +76,7 @@ TEST_P(RingFillOf, MovesLikeTheHole) {
   const std::vector<FillSide> sides = test::lifted(shape_.plan, bowl);
   const RingFill plain = ringFill(sides);
   const RingFill renumbered = ringFill({sides[1], sides[2], sides[3], sides[0]});
-  std::mt19937_64 random(GetParam());
+  std::mt19937_64 random(testSeed());
   const Eigen::Matrix3d motion =
       3 *
       Eigen::Quaterniond(1, test::uniform(-3, 3, random), -2, 3).normalized().toRotationMatrix();

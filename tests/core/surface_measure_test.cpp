@@ -11,6 +11,8 @@
 #include <seamwright/core/surface/judge.hpp>
 #include <seamwright/core/surface/measure.hpp>
 
+#include "support/random.hpp"
+
 namespace seamwright {
 namespace {
 
@@ -48,7 +50,7 @@ TEST(LineVariation, Law1MonotoneSequences) {
 }
 
 TEST(LineVariation, Laws2To4Reversal_Constants_Scale) {
-  std::mt19937 random(2);
+  std::mt19937 random(testSeed());
   for (int trial = 0; trial < 200; ++trial) {
     const std::vector<double> values = randomValues(random, 1 + trial % 60);
     const double noise = 0.1 * (trial % 20);
@@ -68,7 +70,7 @@ TEST(LineVariation, Laws2To4Reversal_Constants_Scale) {
 
 TEST(LineVariation, Law3ConstantsKeepExtrema) {
   // Values of few bits, so that the shift rounds nothing.
-  std::mt19937 random(3);
+  std::mt19937 random(testSeed());
   std::uniform_int_distribution<int> integer(-20, 20);
   for (int trial = 0; trial < 100; ++trial) {
     std::vector<double> values(40);
@@ -82,7 +84,7 @@ TEST(LineVariation, Law3ConstantsKeepExtrema) {
 }
 
 TEST(LineVariation, Law5WavesWithinTheNoise) {
-  std::mt19937 random(5);
+  std::mt19937 random(testSeed());
   std::uniform_real_distribution<double> noise(-0.5, 0.5);
   std::vector<double> values = wave(400, 10, 1.5);
   const LineVariation clean = variationOf(values, 1);
@@ -158,7 +160,7 @@ TEST(SurfaceChange, PartsOfMovesTurnsAndCurvatures) {
 
 /// A turned copy of a surface has its curvature: what remains is the turn.
 TEST(SurfaceChange, TurnsAreNotTakenForCurvature) {
-  std::mt19937 random(7);
+  std::mt19937 random(testSeed());
   std::uniform_real_distribution<double> number(-1, 1);
   for (int trial = 0; trial < 100; ++trial) {
     const SurfaceJet before = paraboloid(number(random), number(random), number(random));
@@ -201,7 +203,7 @@ SurfaceChange changed(double before, double after, int inflections_before = 0,
   return change;
 }
 
-TEST(SurfaceJudge, VariationAndInflections) {
+TEST(SurfaceJudge, JudgesVariationAndInflectionsApart) {
   const SurfaceTolerance tolerance{1.5, 0.1};
   EXPECT_FALSE(judgeSurface(changed(2, 3.1), tolerance).worse);
   EXPECT_TRUE(judgeSurface(changed(2, 3.2), tolerance).worse);
@@ -217,7 +219,7 @@ TEST(SurfaceJudge, VariationAndInflections) {
 }
 
 TEST(SurfaceJudge, LargerTolerancesAcceptMore) {
-  std::mt19937 random(11);
+  std::mt19937 random(testSeed());
   std::uniform_real_distribution<double> number(0, 4);
   for (int trial = 0; trial < 200; ++trial) {
     const SurfaceChange change = changed(number(random), number(random));
@@ -228,7 +230,7 @@ TEST(SurfaceJudge, LargerTolerancesAcceptMore) {
   }
 }
 
-TEST(SurfaceJudge, BadTolerances) {
+TEST(SurfaceJudge, RefusesBadTolerances) {
   for (const double fairness : {0.99, -1.0, nan})
     EXPECT_THROW((SurfaceTolerance{fairness, 0}).validate(), std::invalid_argument);
   EXPECT_THROW((SurfaceTolerance{infinity, 0}).validate(), std::invalid_argument);

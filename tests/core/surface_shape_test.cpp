@@ -8,6 +8,7 @@
 #include <seamwright/core/bspline/surface.hpp>
 
 #include "exact_shape.hpp"
+#include "support/random.hpp"
 #include "surfaces.hpp"
 
 namespace seamwright {
@@ -53,7 +54,7 @@ double expectExactShape(const BezierPatch& patch, double u, double v) {
 }
 
 TEST(SurfaceShape, Identity1ExactWhateverTheWeights) {
-  std::mt19937_64 random(1301);
+  std::mt19937_64 random(testSeed());
   std::uniform_real_distribution<double> inside(0, 1);
   for (const double spread : {0.0, 4.0, 8.0, 12.0, 30.0}) {
     std::vector<double> worth;
@@ -72,7 +73,7 @@ TEST(SurfaceShape, Identity1ExactWhateverTheWeights) {
 
 // The bounds are no larger than what partials by u and v lose.
 TEST(SurfaceShape, PartialsByUAndVLoseMoreThanTheBound) {
-  std::mt19937_64 random(1302);
+  std::mt19937_64 random(testSeed());
   int lost = 0;
   for (int i = 0; i < 60; ++i) {
     const BezierPatch patch = unevenPatch(2, 2, 40, random);
@@ -85,7 +86,7 @@ TEST(SurfaceShape, PartialsByUAndVLoseMoreThanTheBound) {
 }
 
 TEST(SurfaceShape, PartialsOfUnevenPatchesAreExactToTheirSize) {
-  std::mt19937_64 random(1305);
+  std::mt19937_64 random(testSeed());
   for (const double spread : {0.0, 6.0, 12.0})
     for (int i = 0; i < 40; ++i) {
       SCOPED_TRACE(std::to_string(spread) + ", " + std::to_string(i));
@@ -102,7 +103,7 @@ TEST(SurfaceShape, PartialsOfUnevenPatchesAreExactToTheirSize) {
 }
 
 TEST(SurfaceShape, Identity2OfUsualPatchesAsByTheirJets) {
-  std::mt19937_64 random(1303);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 200; ++i) {
     const BezierPatch patch = unevenPatch(1 + i % 4, 1 + i % 3, i % 2, random);
     const double u = 0.005 * i, v = 1 - 0.005 * i;
@@ -119,7 +120,7 @@ TEST(SurfaceShape, Identity2OfUsualPatchesAsByTheirJets) {
 }
 
 TEST(SurfaceShape, Identity3TrianglesWithCornersPermuted) {
-  std::mt19937_64 random(1304);
+  std::mt19937_64 random(testSeed());
   std::uniform_real_distribution<double> exponent(-20, 20);
   for (int run = 0; run < 100; ++run) {
     const int n = 2 + run % 3;

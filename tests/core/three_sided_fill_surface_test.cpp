@@ -5,6 +5,7 @@
 
 #include <seamwright/core/fill/regular.hpp>
 
+#include "support/random.hpp"
 #include "three_sided_fills.hpp"
 
 namespace seamwright {
@@ -64,7 +65,7 @@ std::vector<FillSide> sidesOf(const BezierTriangle& triangle, int degrees,
 }
 
 TEST(ThreeSidedFillOfSurface, Law6TrianglesOfDegreeTwoComeBack) {
-  std::mt19937_64 random(6);
+  std::mt19937_64 random(testSeed());
   for (int run = 0; run < 20; ++run)
     for (int degrees : {0, 1, 3}) {
       const BezierTriangle triangle = test::gentleTriangle(2, false, random);
@@ -82,8 +83,8 @@ TEST(ThreeSidedFillOfSurface, Law6TrianglesOfDegreeTwoComeBack) {
 
 // Fields of degree 2 along cubic sides: triangles of degree 4, of which the row behind the sides is
 // that of the surface.
-TEST(ThreeSidedFillOfSurface, CubicTriangle) {
-  std::mt19937_64 random(7);
+TEST(ThreeSidedFillOfSurface, FillsOfCubicTrianglesReproduceTheirRows) {
+  std::mt19937_64 random(testSeed());
   for (int run = 0; run < 10; ++run) {
     const BezierTriangle triangle = test::gentleTriangle(3, false, random);
     std::vector<FillSide> sides;
@@ -145,7 +146,7 @@ TEST(ThreeSidedFillOfSurface, Law4PlanarSidesHaveAPlanarFill) {
 
 // The distance found by another program of the same problem is 0.0279 mm; patches without tangent
 // planes are off by 0.6 mm.
-TEST(ThreeSidedFillOfSurface, SphereAndTorus) {
+TEST(ThreeSidedFillOfSurface, FillsStayNearSphereAndTorus) {
   const ThreeSidedFill cap = threeSidedFill(hole(test::sphere(20)));
   EXPECT_NEAR(error(cap, test::sphere(20)), 0.0279, 1e-3);
   EXPECT_LT(error(threeSidedFill(skew(test::sphere(20))), test::sphere(20)), 0.06);
@@ -189,7 +190,7 @@ void expectRefused(const std::vector<FillSide>& sides, const Matcher& message,
               ThrowsMessage<std::invalid_argument>(message));
 }
 
-TEST(ThreeSidedFillLimits, NumbersAndOptions) {
+TEST(ThreeSidedFillLimits, RefusesBadNumbersAndOptions) {
   std::vector<FillSide> sides = hole(test::plane());
   for (int order : {1, 4})
     expectRefused(sides, HasSubstr("fairness order"), {.fairness_order = order});
@@ -202,7 +203,7 @@ TEST(ThreeSidedFillLimits, NumbersAndOptions) {
   expectRefused(sides, HasSubstr("4 sides"));
 }
 
-TEST(ThreeSidedFillLimits, EdgesAndFields) {
+TEST(ThreeSidedFillLimits, RefusesBadEdgesAndFields) {
   for (double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     std::vector<FillSide> sides = hole(test::plane());
@@ -221,7 +222,7 @@ TEST(ThreeSidedFillLimits, EdgesAndFields) {
   expectRefused(sides, HasSubstr("split the hole"));
 }
 
-TEST(ThreeSidedFillLimits, AngleOfPi) {
+TEST(ThreeSidedFillLimits, RefusesAnAngleOfPi) {
   std::vector<FillSide> sides = test::graphHole(test::plane(), {{10, 0}, {-10, 10}, {-10, -10}});
   const auto [first, second] = sides[0].edge.split(0.5);
   const auto [before, after] = BezierCurve(*sides[0].cross).split(0.5);
@@ -267,7 +268,7 @@ TEST(ThreeSidedFillLimits, BoundOfOneCornerAlone) {
 }
 
 TEST(ProvedRegularOfTriangle, FlatFoldedAndCollapsed) {
-  std::mt19937_64 random(4);
+  std::mt19937_64 random(testSeed());
   for (int run = 0; run < 12; ++run)
     EXPECT_TRUE(provedRegular(test::gentleTriangle(1 + run % 4, false, random)));
   Poles line(3, 3), folded(6, 3);

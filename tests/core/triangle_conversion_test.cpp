@@ -7,6 +7,7 @@
 #include <seamwright/core/differential/fundamental_forms.hpp>
 
 #include "seam_sides.hpp"
+#include "support/random.hpp"
 #include "triangles.hpp"
 
 namespace seamwright {
@@ -82,7 +83,7 @@ TEST(TriangleConversion, NetsEqualThoseOfMultiPrecision) {
 
 // Identity 1
 TEST(TriangleConversion, TheDegeneratePatchIsTheTriangle) {
-  std::mt19937_64 random(51);
+  std::mt19937_64 random(testSeed());
   for (int degree = 0; degree <= 8; ++degree)
     for (const bool rational : {false, true})
       for (int apex = 0; apex < 3; ++apex) {
@@ -103,7 +104,7 @@ TEST(TriangleConversion, TheDegeneratePatchIsTheTriangle) {
 
 // Identity 2
 TEST(TriangleConversion, ThreeRegularPatchesAreTheTriangle) {
-  std::mt19937_64 random(52);
+  std::mt19937_64 random(testSeed());
   for (int degree = 0; degree <= 8; ++degree)
     for (const bool rational : {false, true}) {
       const BezierTriangle triangle = test::randomTriangle(degree, rational, random);
@@ -120,7 +121,7 @@ TEST(TriangleConversion, ThreeRegularPatchesAreTheTriangle) {
 
 // Identity 3
 TEST(TriangleConversion, ThreeRegularPatchesShareTheirBoundaries) {
-  std::mt19937_64 random(53);
+  std::mt19937_64 random(testSeed());
   for (int degree = 1; degree <= 8; ++degree)
     for (const bool rational : {false, true}) {
       const BezierTriangle triangle = test::randomTriangle(degree, rational, random);
@@ -142,7 +143,7 @@ TEST(TriangleConversion, ThreeRegularPatchesShareTheirBoundaries) {
 
 // Identity 3
 TEST(TriangleConversion, RegularPatchesAndTheTriangleHaveTheSameNormalsAndCurvature) {
-  std::mt19937_64 random(54);
+  std::mt19937_64 random(testSeed());
   for (int degree = 1; degree <= 6; ++degree)
     for (const bool rational : {false, true}) {
       const BezierTriangle triangle = test::randomTriangle(degree, rational, random);
@@ -210,7 +211,7 @@ constexpr std::array kEdges = {PatchEdge::U0, PatchEdge::U1, PatchEdge::V0, Patc
 
 // Identity 5
 TEST(TriangleConversion, TrianglesAreRecognisedAtAnyEdgeInAnyDegree) {
-  std::mt19937_64 random(55);
+  std::mt19937_64 random(testSeed());
   for (int degree = 1; degree <= 8; ++degree)
     for (const bool rational : {false, true})
       for (const PatchEdge edge : kEdges) {
@@ -231,7 +232,7 @@ TEST(TriangleConversion, TrianglesAreRecognisedAtAnyEdgeInAnyDegree) {
 
 // Identity 5
 TEST(TriangleConversion, PolesOfTheEdgesComeBackAsTheyWere) {
-  std::mt19937_64 random(56);
+  std::mt19937_64 random(testSeed());
   for (int degree = 1; degree <= 8; ++degree) {
     const BezierTriangle triangle = test::randomTriangle(degree, false, random);
     const BezierTriangle back = recogniseTriangle(degeneratePatch(triangle)).triangle.value();
@@ -241,7 +242,7 @@ TEST(TriangleConversion, PolesOfTheEdgesComeBackAsTheyWere) {
 }
 
 TEST(TriangleConversion, TheLowestDegreeIsFound) {
-  std::mt19937_64 random(57);
+  std::mt19937_64 random(testSeed());
   for (int degree = 0; degree <= 5; ++degree)
     for (const bool rational : {false, true}) {
       const BezierTriangle triangle = test::randomTriangle(degree, rational && degree > 0, random);
@@ -269,7 +270,7 @@ BezierPatch patchWithRows(const std::vector<int>& row_degrees, int degree_v,
 
 // Identity 4
 TEST(TriangleConversion, RowsOfNoHigherDegreeThanTheirNumberMakeATriangle) {
-  std::mt19937_64 random(58);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 500; ++i) {
     const int m = 1 + static_cast<int>(random() % 6), n = 1 + static_cast<int>(random() % 6);
     std::vector<int> degrees(m + 1, 0);
@@ -296,7 +297,7 @@ TEST(TriangleConversion, RowsOfNoHigherDegreeThanTheirNumberMakeATriangle) {
 }
 
 TEST(TriangleConversion, TheDeviationBoundsTheDistance) {
-  std::mt19937_64 random(59);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 100; ++i) {
     const int degree = 2 + i % 5;
     const BezierTriangle triangle = test::randomTriangle(degree, i % 2 == 0, random);
@@ -326,7 +327,7 @@ TEST(TriangleConversion, TheDeviationBoundsTheDistance) {
 }
 
 TEST(TriangleConversion, TheDeviationMovesWithThePatch) {
-  std::mt19937_64 random(62);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 50; ++i) {
     const int degree = 2 + i % 5;
     HomogeneousPoles h =
@@ -346,7 +347,7 @@ TEST(TriangleConversion, TheDeviationMovesWithThePatch) {
 }
 
 TEST(TriangleConversion, NaturalNormalsAgree) {
-  std::mt19937_64 random(60);
+  std::mt19937_64 random(testSeed());
   const BezierTriangle triangle = test::randomTriangle(3, true, random);
   const auto expectSame = [](const SurfaceJet& a, const SurfaceJet& b) {
     EXPECT_LT((a.p - b.p).norm(), 1e-13);
@@ -369,7 +370,7 @@ TEST(TriangleConversion, NaturalNormalsAgree) {
 }
 
 TEST(TriangleConversion, NoiseBoundsTheRoundingOfConversion) {
-  std::mt19937_64 random(61);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 60; ++i) {
     const int degree = 1 + i % 8;
     const Poles poles =

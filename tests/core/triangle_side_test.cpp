@@ -9,6 +9,7 @@
 #include <seamwright/core/seam/patch_side.hpp>
 #include <seamwright/core/seam/triangle_side.hpp>
 
+#include "support/random.hpp"
 #include "triangles.hpp"
 
 namespace seamwright {
@@ -48,7 +49,7 @@ void expectSmooth(const SeamSide& a, const SeamSide& b) {
 }
 
 TEST(TriangleSide, PartsOfATriangleJoin) {
-  std::mt19937_64 random(71);
+  std::mt19937_64 random(testSeed());
   for (int degree = 1; degree <= 8; ++degree)
     for (const bool rational : {false, true}) {
       const BezierTriangle triangle = regularTriangle(degree, rational, random);
@@ -59,7 +60,7 @@ TEST(TriangleSide, PartsOfATriangleJoin) {
 }
 
 TEST(TriangleSide, ATriangleJoinsTheRestOfThePatch) {
-  std::mt19937_64 random(72);
+  std::mt19937_64 random(testSeed());
   for (int degree = 1; degree <= 8; ++degree)
     for (const bool rational : {false, true}) {
       const BezierTriangle triangle = regularTriangle(degree, rational, random);
@@ -73,7 +74,7 @@ TEST(TriangleSide, ATriangleJoinsTheRestOfThePatch) {
 }
 
 TEST(TriangleSide, ThreeRegularPatchesJoin) {
-  std::mt19937_64 random(73);
+  std::mt19937_64 random(testSeed());
   for (int degree = 1; degree <= 8; ++degree)
     for (const bool rational : {false, true}) {
       const std::array<BezierPatch, 3> patches =

@@ -5,6 +5,7 @@
 #include <limits>
 #include <seamwright/core/bezier/triangle.hpp>
 
+#include "support/random.hpp"
 #include "triangles.hpp"
 
 namespace seamwright {
@@ -42,7 +43,7 @@ std::vector<BezierTriangle> allTriangles(int degree, std::mt19937_64& random) {
 }
 
 TEST(BezierTriangle, PointsEqualTheDefinition) {
-  std::mt19937_64 random(41);
+  std::mt19937_64 random(testSeed());
   for (int degree = 0; degree <= 8; ++degree)
     for (const BezierTriangle& triangle : allTriangles(degree, random)) {
       EXPECT_EQ(triangle.degree(), degree);
@@ -70,7 +71,7 @@ TEST(BezierTriangle, JetsEqualTheDefinitionToThirdOrder) {
   // A = (wx, wy, wz) and w from the definition, Leibniz' rule: A_ab = sum C(a,i) C(b,j) w_ij
   // X_(a-i)(b-j).
   constexpr int binomial[4][4] = {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}};
-  std::mt19937_64 random(42);
+  std::mt19937_64 random(testSeed());
   for (int degree = 0; degree <= 8; ++degree)
     for (const bool rational : {false, true}) {
       const BezierTriangle triangle = test::randomTriangle(degree, rational, random);
@@ -97,7 +98,7 @@ TEST(BezierTriangle, JetsEqualTheDefinitionToThirdOrder) {
 }
 
 TEST(BezierTriangle, NoiseBoundsTheRoundingOfFirstPartials) {
-  std::mt19937_64 random(43);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 200; ++i) {
     const int degree = 1 + i % 7;
     const Poles poles =
@@ -119,7 +120,7 @@ TEST(BezierTriangle, NoiseBoundsTheRoundingOfFirstPartials) {
 
 // Identity 1
 TEST(BezierTriangle, BlossomHasPointsOnItsDiagonalAndPolesAtCorners) {
-  std::mt19937_64 random(44);
+  std::mt19937_64 random(testSeed());
   for (int degree = 0; degree <= 8; ++degree)
     for (const BezierTriangle& triangle : allTriangles(degree, random)) {
       const Barycentric l = test::randomBarycentric(random);
@@ -138,7 +139,7 @@ TEST(BezierTriangle, BlossomHasPointsOnItsDiagonalAndPolesAtCorners) {
 
 // Identity 2
 TEST(BezierTriangle, BlossomIsSymmetricAndAffine) {
-  std::mt19937_64 random(45);
+  std::mt19937_64 random(testSeed());
   for (int degree = 1; degree <= 8; ++degree) {
     const BezierTriangle triangle = test::randomTriangle(degree, degree % 2 == 0, random);
     std::vector<Barycentric> arguments(degree);
@@ -159,7 +160,7 @@ TEST(BezierTriangle, BlossomIsSymmetricAndAffine) {
 
 // Identity 3
 TEST(BezierTriangle, ElevationAndPermutationKeepTheShape) {
-  std::mt19937_64 random(46);
+  std::mt19937_64 random(testSeed());
   for (int degree = 0; degree <= 8; ++degree)
     for (const BezierTriangle& triangle : allTriangles(degree, random)) {
       const BezierTriangle higher = triangle.elevated();
@@ -182,7 +183,7 @@ TEST(BezierTriangle, ElevationAndPermutationKeepTheShape) {
 
 // Identity 3
 TEST(BezierTriangle, PartsKeepTheShape) {
-  std::mt19937_64 random(47);
+  std::mt19937_64 random(testSeed());
   for (int degree = 0; degree <= 8; ++degree)
     for (const BezierTriangle& triangle : allTriangles(degree, random)) {
       Eigen::Matrix3d corners;
@@ -201,7 +202,7 @@ BezierCurve edgeFrom(const BezierTriangle& triangle, int from) {
 
 // Identities 3 and 4
 TEST(BezierTriangle, SplitsFitTogether) {
-  std::mt19937_64 random(48);
+  std::mt19937_64 random(testSeed());
   for (int degree = 1; degree <= 8; ++degree)
     for (const BezierTriangle& triangle : allTriangles(degree, random)) {
       const Barycentric s = test::randomBarycentric(random), l = test::randomBarycentric(random);
@@ -230,7 +231,7 @@ TEST(BezierTriangle, SplitsFitTogether) {
 }
 
 TEST(BezierTriangle, EdgesRunInTheirOwnSense) {
-  std::mt19937_64 random(49);
+  std::mt19937_64 random(testSeed());
   for (int degree = 0; degree <= 6; ++degree)
     for (const BezierTriangle& triangle : allTriangles(degree, random))
       for (int k = 0; k < 3; ++k) {
@@ -244,7 +245,7 @@ TEST(BezierTriangle, EdgesRunInTheirOwnSense) {
 }
 
 TEST(BezierTriangle, MovesWithItsPoles) {
-  std::mt19937_64 random(50);
+  std::mt19937_64 random(testSeed());
   for (int degree = 1; degree <= 6; ++degree) {
     const Poles poles = test::randomNet(degree, random);
     const Eigen::VectorXd weights = test::randomNetWeights(degree, random);

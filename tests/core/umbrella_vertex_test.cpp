@@ -7,6 +7,7 @@
 #include <seamwright/core/umbrella/twists.hpp>
 
 #include "joins.hpp"
+#include "support/random.hpp"
 
 namespace seamwright {
 namespace {
@@ -72,7 +73,7 @@ double relativeDefect(const UmbrellaVertex& vertex, const SpokeSeconds& seconds,
   return defect / size;
 }
 
-TEST(UmbrellaVertexData, AlphaAndBeta) {
+TEST(UmbrellaVertexData, AlphaAndBetaAreThoseOfTheData) {
   int valid = 0;
   for (const json& entry : test::dataCases("umbrellas.json", "alpha_beta")) {
     const json& expected = entry["expected"];
@@ -131,7 +132,7 @@ TEST(UmbrellaVertexData, EvenFansClose) {
 
 TEST(UmbrellaVertex,
      Identities1And2TangentsObeyTheirEquationAndTheProductOfTransfersIsTheIdentity) {
-  std::mt19937_64 random(101);
+  std::mt19937_64 random(testSeed());
   for (int run = 0; run < 3000; ++run) {
     const bool isClosed = run % 3 != 0;
     const Eigen::Matrix3Xd r = randomTangents(whole(3, 9, random), isClosed, 0.01, random);
@@ -156,7 +157,7 @@ TEST(UmbrellaVertex,
 }
 
 TEST(UmbrellaVertex, Identity3SenseMotionAndLengths) {
-  std::mt19937_64 random(102);
+  std::mt19937_64 random(testSeed());
   for (int run = 0; run < 1000; ++run) {
     const int m = whole(3, 9, random);
     const Eigen::Matrix3Xd r = randomTangents(m, true, 0.05, random);
@@ -199,7 +200,7 @@ TEST(UmbrellaVertex, RegularFansHaveKnownFigures) {
 // Twists.
 
 TEST(UmbrellaTwists, ObeyTheVertexEquations) {
-  std::mt19937_64 random(103);
+  std::mt19937_64 random(testSeed());
   for (int run = 0; run < 3000; ++run) {
     const bool isClosed = run % 3 != 0;
     const int spokes = whole(3, 9, random);
@@ -221,7 +222,7 @@ TEST(UmbrellaTwists, ObeyTheVertexEquations) {
 }
 
 TEST(UmbrellaTwists, ChangesAreNoLargerThanNeeded) {
-  std::mt19937_64 random(104);
+  std::mt19937_64 random(testSeed());
   for (int run = 0; run < 500; ++run) {
     const int m = 2 * whole(2, 5, random);
     const UmbrellaVertex vertex = umbrellaVertex(randomTangents(m, true, 0.05, random), true);
@@ -251,7 +252,7 @@ TEST(UmbrellaTwists, ChangesAreNoLargerThanNeeded) {
 }
 
 TEST(UmbrellaTwists, TheSenseOfTheOrderDoesNotMatter) {
-  std::mt19937_64 random(105);
+  std::mt19937_64 random(testSeed());
   for (int run = 0; run < 1000; ++run) {
     const int m = whole(3, 9, random);
     const Eigen::Matrix3Xd r = randomTangents(m, true, 0.1, random);
