@@ -24,6 +24,7 @@
 #include <seamwright/occ_adapter/analyze/workers.hpp>
 
 #include "shapes.hpp"
+#include "support/random.hpp"
 
 namespace seamwright::test {
 namespace {
@@ -44,7 +45,7 @@ TopoDS_Shape manySeams(int copies) {
   BRep_Builder builder;
   TopoDS_Compound all;
   builder.MakeCompound(all);
-  std::mt19937 random(8);
+  std::mt19937 random(testSeed(1));
   for (int i = 0; i < copies; ++i) builder.Add(all, located(part, randomMotion(random)));
   return all;
 }

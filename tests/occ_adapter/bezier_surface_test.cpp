@@ -21,6 +21,7 @@
 #include <seamwright/occ_adapter/convert/bezier_surface.hpp>
 
 #include "shapes.hpp"
+#include "support/random.hpp"
 
 namespace seamwright::test {
 namespace {
@@ -79,7 +80,7 @@ std::string complaint(const std::function<void()>& call) {
 }
 
 TEST(BezierSurface, CurvesComeBackAsTheyWere) {
-  std::mt19937_64 random(81);
+  std::mt19937_64 random(testSeed());
   for (const int degree : {1, 2, 3, 7, 25}) {
     const BezierCurve polynomial(randomPoles(degree + 1, random));
     EXPECT_EQ(occ::bezierCurve(*occ::toBezierCurve(polynomial)), polynomial);
@@ -93,7 +94,7 @@ TEST(BezierSurface, CurvesComeBackAsTheyWere) {
 }
 
 TEST(BezierSurface, PatchesComeBackAsTheyWere) {
-  std::mt19937_64 random(82);
+  std::mt19937_64 random(testSeed());
   for (const auto& [m, n] : {std::pair(1, 1), std::pair(2, 3), std::pair(5, 1), std::pair(25, 4)}) {
     const Eigen::Index rows = (m + 1) * (n + 1);
     const BezierPatch polynomial(m, n, randomPoles(rows, random));
@@ -112,7 +113,7 @@ TEST(BezierSurface, PatchesComeBackAsTheyWere) {
 }
 
 TEST(BezierSurface, SplinesOfOneSpanAreBezier) {
-  std::mt19937_64 random(83);
+  std::mt19937_64 random(testSeed());
   const BezierPatch patch(3, 2, randomPoles(12, random), randomWeights(12, random));
   handle<Geom_BSplineSurface> spline =
       GeomConvert::SurfaceToBSplineSurface(occ::toBezierSurface(patch));
@@ -161,7 +162,7 @@ TEST(BezierSurface, OtherKindsAndDegreesAreNamed) {
 }
 
 TEST(BezierSurface, ATriangleIsThreeSurfaces) {
-  std::mt19937_64 random(84);
+  std::mt19937_64 random(testSeed());
   for (const bool rational : {false, true}) {
     const BezierTriangle ours = triangle(4, rational, 20, 0.2, random);
     const auto surfaces = occ::toBezierSurfaces(ours);
@@ -176,7 +177,7 @@ TEST(BezierSurface, ATriangleIsThreeSurfaces) {
 }
 
 TEST(BezierSurface, AShellOfATriangleIsValid) {
-  std::mt19937_64 random(85);
+  std::mt19937_64 random(testSeed());
   occ::AnalyzeOptions tight;
   tight.level = Level::G2;
   tight.tolerance = {.gap_mm = 1e-9, .angle_rad = 1e-8, .curvature_rel = 1e-6};
@@ -197,7 +198,7 @@ TEST(BezierSurface, AShellOfATriangleIsValid) {
 }
 
 TEST(BezierSurface, AShellHasTheAreaAndTheNormalOfTheTriangle) {
-  std::mt19937_64 random(86);
+  std::mt19937_64 random(testSeed());
   // Inner poles move in the plane only: any degree and weights, the same area.
   for (int degree = 1; degree <= 5; ++degree) {
     BezierTriangle flat = triangle(degree, false, 20, 0, random);
@@ -226,7 +227,7 @@ TEST(BezierSurface, ACollapsedTriangleMakesNoShell) {
 }
 
 TEST(BezierSurface, TrianglesAreRecognisedInTheirSurfaces) {
-  std::mt19937_64 random(87);
+  std::mt19937_64 random(testSeed());
   for (const bool rational : {false, true}) {
     const BezierTriangle ours = triangle(3, rational, 20, 0.3, random);
     const handle<Geom_BezierSurface> surface = occ::toBezierSurface(degeneratePatch(ours));

@@ -12,6 +12,8 @@
 
 #include <seamwright/occ_adapter/deform/block_cholesky.hpp>
 
+#include "support/random.hpp"
+
 namespace seamwright::occ {
 namespace {
 
@@ -113,7 +115,7 @@ Pairs scattered(int size, double share, std::mt19937& random) {
 }
 
 TEST(BlockCholesky, SolvesAsEigenDoes) {
-  std::mt19937 random(211);
+  std::mt19937 random(testSeed());
   for (const int size : {1, 2, 3, 7, 20, 60}) {
     SCOPED_TRACE(size);
     for (const Pairs& pairs :
@@ -125,7 +127,7 @@ TEST(BlockCholesky, SolvesAsEigenDoes) {
 }
 
 TEST(BlockCholesky, NumbersOfPointsDoNotMatter) {
-  std::mt19937 random(212);
+  std::mt19937 random(testSeed());
   constexpr int size = 40;
   const Pairs band = banded(size, 2);
   for (int trial = 0; trial < 10; ++trial) {
@@ -139,7 +141,7 @@ TEST(BlockCholesky, NumbersOfPointsDoNotMatter) {
 }
 
 TEST(BlockCholesky, OnePatternServesManyMatrices) {
-  std::mt19937 random(213);
+  std::mt19937 random(testSeed());
   const Pairs pairs = scattered(30, 0.1, random);
   const Blocks first = blocksOf(30, pairs, random), second = blocksOf(30, pairs, random);
   BlockCholesky factors(first.pattern);
@@ -152,13 +154,13 @@ TEST(BlockCholesky, OnePatternServesManyMatrices) {
 }
 
 TEST(BlockCholesky, TheDiagonalIsAddedTo) {
-  std::mt19937 random(214);
+  std::mt19937 random(testSeed());
   for (const double diagonal : {1e-9, 1.0, 1e9})
     expectSolved(blocksOf(25, scattered(25, 0.15, random), random), diagonal, random);
 }
 
 TEST(BlockCholesky, WhatIsNotPositiveDefiniteIsTold) {
-  std::mt19937 random(215);
+  std::mt19937 random(testSeed());
   const Blocks good = blocksOf(20, banded(20, 3), random);
   for (int point = 0; point < 20; ++point) {
     Blocks bad = good;

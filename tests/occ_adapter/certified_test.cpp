@@ -50,6 +50,7 @@
 #include <numbers>
 
 #include "shapes.hpp"
+#include "support/random.hpp"
 
 namespace seamwright::test {
 namespace {
@@ -460,7 +461,7 @@ void expectSameSeam(const SeamResult& seam, const SeamResult& moved, double scal
 }
 
 TEST(Certified, TheSameUnderMotionScaleMirrorSwapAndReversal) {
-  std::mt19937 random(20261121);
+  std::mt19937 random(testSeed());
   std::uniform_real_distribution<double> uniform(-1, 1);
   const Surface wavy =
       splineSheet(evenly(0, 6, 6), 3, evenly(0, 10, 10), 3, [&](int i, int, double u, double v) {

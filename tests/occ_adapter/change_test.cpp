@@ -23,6 +23,7 @@
 #include <stdexcept>
 
 #include "match_pairs.hpp"
+#include "support/random.hpp"
 
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
 #include <seamwright/occ_adapter/repair/change.hpp>
@@ -103,7 +104,7 @@ gp_Trsf shift(double x, double y, double z) {
 // What is known without the code: a solid whose surfaces are all moved alike is the solid moved.
 // Periodic faces, faces that meet themselves and degenerated edges are among these.
 TEST(Change, SurfacesMovedAlikeGiveTheShapeMoved) {
-  std::mt19937 generator(20251);
+  std::mt19937 generator(testSeed());
   for (const TopoDS_Shape& solid : solidsOfSplines())
     for (int trial = 0; trial < 4; ++trial) {
       const gp_Trsf by = trial == 0 ? shift(0.3, -0.2, 0.1) : randomMotion(generator);
@@ -119,7 +120,7 @@ TEST(Change, LocationsStay) {
   gp_Trsf mirror, scale;
   mirror.SetMirror(gp_Ax2(gp_Pnt(1, 2, 3), gp_Dir(1, 1, 2)));
   scale.SetScale(gp_Pnt(3, 0, 1), 1.7);
-  std::mt19937 generator(20252);
+  std::mt19937 generator(testSeed());
   for (const TopoDS_Shape& solid : solidsOfSplines())
     for (const gp_Trsf& place : {randomMotion(generator), mirror, scale, mirror * scale}) {
       const TopoDS_Shape placed = located(solid, place);
@@ -141,7 +142,7 @@ TopoDS_Shape sheetsAndBox(std::mt19937& generator) {
 }
 
 TEST(Change, WhatDoesNotDependOnTheFaceIsShared) {
-  std::mt19937 generator(20253);
+  std::mt19937 generator(testSeed());
   const TopoDS_Shape shape = sheetsAndBox(generator);
   const Spline spline = splineOfFace(shape, 2);
   disturb(spline, generator, 2, 0.05);
@@ -188,7 +189,7 @@ TEST(Change, WhatDoesNotDependOnTheFaceIsShared) {
 }
 
 TEST(Change, AnEdgeLiesHalfwayBetweenItsFaces) {
-  std::mt19937 generator(20254);
+  std::mt19937 generator(testSeed());
   const TopoDS_Shape shape = joinedSheets(disturbedSheets(generator, 0));
   const Spline spline = splineOfFace(shape, 2);
   spline->Transform(shift(0, 0, 0.02));
@@ -219,7 +220,7 @@ TEST(Change, AnEdgeLiesHalfwayBetweenItsFaces) {
 }
 
 TEST(Change, ASurfaceThatIsTheSameMovesNothing) {
-  std::mt19937 generator(20255);
+  std::mt19937 generator(testSeed());
   const TopoDS_Shape shape = sheetsAndBox(generator);
   const TopoDS_Shape changed =
       withChanges(shape, {{1, handle<Geom_Surface>(splineOfFace(shape, 1)), 0}}, gap_mm);
@@ -282,7 +283,7 @@ TEST(Change, PathsThatOnlyFollowedFromTheCurveAreStored) {
 }
 
 TEST(Change, RefusesWhatNamesNoFace) {
-  std::mt19937 generator(20256);
+  std::mt19937 generator(testSeed());
   const TopoDS_Shape shape = sheetsAndBox(generator);
   const handle<Geom_Surface> surface(splineOfFace(shape, 1));
   EXPECT_THROW(withChanges(shape, {{0, surface, 0}}, gap_mm), std::invalid_argument);

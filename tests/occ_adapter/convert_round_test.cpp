@@ -87,7 +87,7 @@ std::vector<Round> roundPairs(double angle_rad, double to) {
 }
 
 /// Pairs that are loose are matched, moved and sewn.
-TEST(ConvertRound, OpenAndClosed) {
+TEST(ConvertRound, OpenAndClosedFacesAreConvertedAndJoined) {
   for (const double to : {1.5, 2 * pi})
     for (const Round& pair : roundPairs(0.4 * degree, to))
       for (const int fixed : {1, 2}) {

@@ -33,6 +33,7 @@
 
 #include "dense_oracle.hpp"
 #include "match_pairs.hpp"
+#include "support/random.hpp"
 
 #include <seamwright/occ_adapter/convert/polynomial_surface.hpp>
 #include <seamwright/occ_adapter/repair/repair.hpp>
@@ -154,7 +155,7 @@ TopoDS_Face faceOf(const Analytic& kind) {
 }
 
 TEST(PolynomialSurface, HasTheSameParameters) {
-  std::mt19937 generator(20401);
+  std::mt19937 generator(testSeed());
   for (const Analytic& kind : analyticKinds())
     for (const double near_mm : {1e-4, 1e-5, 1e-6}) {
       SCOPED_TRACE(kind.name);
@@ -264,7 +265,7 @@ TEST(Convert, OneOfTwoPlanes) {
                   ->IsKind(STANDARD_TYPE(Geom_Plane)));
 }
 
-TEST(Convert, NoneWithoutNeed) {
+TEST(Convert, ConvertsNothingWithoutNeed) {
   for (const TopoDS_Shape& shape : {planeAndCylinder(10, 20), kinked(30 * degree),
                                     TopoDS_Shape(BRepPrimAPI_MakeCylinder(5, 9).Shape())}) {
     const RepairReport report = repair(modelFromShape(shape), converting());
@@ -296,8 +297,8 @@ TopoDS_Shape cylinderAndTiltedPlane(double angle_rad) {
   return joined(flat, round);
 }
 
-TEST(Convert, ACylinder) {
-  std::mt19937 generator(20402);
+TEST(Convert, ConvertsACylinderBesideATiltedPlane) {
+  std::mt19937 generator(testSeed());
   for (const double angle : {0.3, -0.3, 0.8})
     for (const bool moved : {false, true}) {
       TopoDS_Shape shape = cylinderAndTiltedPlane(angle * degree);

@@ -23,6 +23,7 @@
 
 #include "corner_solids.hpp"
 #include "shapes.hpp"
+#include "support/random.hpp"
 
 #include <seamwright/occ_adapter/fill/corner_fillet.hpp>
 
@@ -283,7 +284,7 @@ TEST(CornerFillet, TakesTheSectionOfEachFillet) {
 
 /// Identity (3).
 TEST(CornerFillet, MovesWithTheSolid) {
-  std::mt19937 random(20260901);
+  std::mt19937 random(testSeed());
   for (const Case& of : cases()) {
     if (std::string(of.name) != "NotchMixed" && std::string(of.name) != "ObliquePyramid") continue;
     const CornerFillet here = rounded(of.shape, of.corner, of.radii_mm);

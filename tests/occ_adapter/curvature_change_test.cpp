@@ -24,6 +24,7 @@
 #include <seamwright/occ_adapter/seams/find.hpp>
 
 #include "shapes.hpp"
+#include "support/random.hpp"
 
 namespace seamwright::test {
 namespace {
@@ -104,7 +105,7 @@ Surface randomBezier(std::mt19937& random) {
 }
 
 TEST(CurvatureChange, ThirdPartialsOfAStripAreThoseOfTheSurface) {
-  std::mt19937 random(300);
+  std::mt19937 random(testSeed());
   const Surface surface = randomBezier(random);
   const gp_Pnt2d from(0.2, 0.1), to(0.8, 0.7);
   const TopoDS_Shape shape =
@@ -133,7 +134,7 @@ TEST(CurvatureChange, ThirdPartialsOfAStripAreThoseOfTheSurface) {
 
 TEST(CurvatureChange, AnObliqueCutThroughOneSurfaceIsG3) {
   // Across the cut the curvature does change, on both sides alike.
-  std::mt19937 random(303);
+  std::mt19937 random(testSeed());
   const Surface bezier = randomBezier(random);
   const opencascade::handle<Geom_Curve> section = bezier->UIso(0.4);
   const std::array<Surface, 6> surfaces = {new Geom_ConicalSurface(gp_Ax3(), 0.4, 5),
@@ -161,7 +162,7 @@ TopoDS_Shape planeAndCubic(double c) {
 }
 
 TEST(CurvatureChange, PlaneThenCubicIsG2AndNotG3) {
-  std::mt19937 random(301);
+  std::mt19937 random(testSeed());
   for (const double c : {0.5, -2e-3, 1e-7}) {
     const TopoDS_Shape plain = planeAndCubic(c);
     for (const TopoDS_Shape& shape :
@@ -204,7 +205,7 @@ struct Profile {
 };
 
 TEST(CurvatureChange, AKnotOfACubicSplineIsG2WithTheJumpOfItsThirdDerivative) {
-  std::mt19937 random(302);
+  std::mt19937 random(testSeed());
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (int trial = 0; trial < 40; ++trial) {
     Profile profile{std::pow(10, uniform(random)), {}};

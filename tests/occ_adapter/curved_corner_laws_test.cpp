@@ -23,6 +23,7 @@
 #include "corner_solids.hpp"
 #include "curved_corners.hpp"
 #include "shapes.hpp"
+#include "support/random.hpp"
 
 namespace seamwright::test {
 namespace {
@@ -101,7 +102,7 @@ TEST(CurvedCorner, TakesTheSectionOfEachFillet) {
 }
 
 TEST(CurvedCorner, MovesWithTheSolid) {
-  std::mt19937 random(20261122);
+  std::mt19937 random(testSeed());
   struct Case {
     TopoDS_Shape shape;
     Vector3d corner;

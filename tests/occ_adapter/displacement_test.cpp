@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "match_pairs.hpp"
+#include "support/random.hpp"
 
 #include <seamwright/occ_adapter/repair/displacement.hpp>
 
@@ -131,7 +132,7 @@ double denominatorAt(const Spline& surface, double u, double v) {
 
 /// So moves of it need no higher degree, however often it moves.
 TEST(Displacement, HasASmoothDenominatorOfItsSurface) {
-  std::mt19937 generator(20331);
+  std::mt19937 generator(testSeed());
   for (const auto& [degree_u, degree_v] : {std::pair(2, 3), std::pair(3, 3), std::pair(4, 2)}) {
     const Spline given = sheet(generator, degree_u + 4, degree_v + 4, degree_u, degree_v);
     given->InsertUKnot(0.2, degree_u - 1, 1e-9);
@@ -155,7 +156,7 @@ TEST(Displacement, HasASmoothDenominatorOfItsSurface) {
 /// Where the denominator bends D has none. The denominator is what it was, so moves of moved
 /// surfaces need no higher degree.
 TEST(Displacement, FurtherOnesKeepTheDegreeOfRationalSurfaces) {
-  std::mt19937 generator(20331);
+  std::mt19937 generator(testSeed());
   for (const auto& [degree_u, degree_v] : {std::pair(2, 3), std::pair(3, 1), std::pair(4, 2)}) {
     const Spline given = unevenSheet(generator, degree_u, degree_v);
     given->InsertVKnot(0.4, degree_v, 1e-9);
@@ -179,7 +180,7 @@ TEST(Displacement, FurtherOnesKeepTheDegreeOfRationalSurfaces) {
 }
 
 TEST(Displacement, OfAPolynomialSurfaceIsAddedToIt) {
-  std::mt19937 generator(20821);
+  std::mt19937 generator(testSeed());
   for (const auto& [degree_u, degree_v] :
        std::vector<std::pair<int, int>>{{1, 2}, {2, 3}, {3, 3}, {3, 5}, {4, 6}, {7, 3}}) {
     const Spline given = unevenSheet(generator, degree_u, degree_v);
@@ -194,7 +195,7 @@ TEST(Displacement, OfAPolynomialSurfaceIsAddedToIt) {
 }
 
 TEST(Displacement, WithoutAMoveTheSurfaceStays) {
-  std::mt19937 generator(20822);
+  std::mt19937 generator(testSeed());
   const Spline given = unevenSheet(generator, 3, 2);
   const Displacement displacement(given, wholeOf(given), 4, near_mm);
   EXPECT_LT(largestError_mm(given, displacement), 1e-13 * displacement.size_mm());
@@ -202,7 +203,7 @@ TEST(Displacement, WithoutAMoveTheSurfaceStays) {
 }
 
 TEST(Displacement, SharesAreTheDerivativesOfTheMove) {
-  std::mt19937 generator(20823);
+  std::mt19937 generator(testSeed());
   const Spline given = unevenSheet(generator, 3, 4);
   Displacement displacement(given, wholeOf(given), 5, near_mm);
   moveAnyhow(displacement, generator, 1);
@@ -233,7 +234,7 @@ Spline splineFrom(const handle<Geom_Surface>& surface, double u0, double u1, dou
 TEST(Displacement, RaisesTheDegreeOnlyWhereTheDenominatorVaries) {
   const handle<Geom_Surface> cylinder = new Geom_CylindricalSurface(gp_Ax3(), 20);
   const Spline given = splineFrom(cylinder, 0, 5, 0, 30);
-  std::mt19937 generator(20332);
+  std::mt19937 generator(testSeed());
   Displacement displacement(given, wholeOf(given), 4, near_mm);
   moveAnyhow(displacement, generator, 0.01);
   const Spline moved = displacement.moved().surface;
@@ -243,7 +244,7 @@ TEST(Displacement, RaisesTheDegreeOnlyWhereTheDenominatorVaries) {
 }
 
 TEST(Displacement, OfARationalSurfaceIsAddedToIt) {
-  std::mt19937 generator(20824);
+  std::mt19937 generator(testSeed());
   const handle<Geom_Surface> cylinder = new Geom_CylindricalSurface(gp_Ax3(), 20),
                              ball = new Geom_SphericalSurface(gp_Ax3(), 20);
   for (const Spline& given :
@@ -267,7 +268,7 @@ TEST(Displacement, OfARationalSurfaceIsAddedToIt) {
 /// knots, ends that meet, poles.
 TEST(Displacement, OfAClosedRationalSurfaceIsAddedNearly) {
   constexpr double size_mm = 0.01;
-  std::mt19937 generator(20829);
+  std::mt19937 generator(testSeed());
   const std::vector<std::pair<std::string, TopoDS_Shape>> solids = {
       {"cylinder", BRepPrimAPI_MakeCylinder(20, 30).Shape()},
       {"torus", BRepPrimAPI_MakeTorus(30, 10).Shape()},
@@ -312,7 +313,7 @@ Spline tube(bool periodic, int degree_u = 3) {
 
 /// The first weight of a periodic surface changes with its degree and its knots.
 TEST(Displacement, OfAPeriodicSurfaceHasItsDenominator) {
-  std::mt19937 generator(20333);
+  std::mt19937 generator(testSeed());
   for (const int degree : {2, 3, 5}) {
     SCOPED_TRACE(degree);
     const Spline given = tube(true, degree);
@@ -328,7 +329,7 @@ TEST(Displacement, OfAPeriodicSurfaceHasItsDenominator) {
 }
 
 TEST(Displacement, ATubeStaysClosedAndSmooth) {
-  std::mt19937 generator(20825);
+  std::mt19937 generator(testSeed());
   for (const bool periodic : {true, false}) {
     SCOPED_TRACE(periodic);
     const Spline given = tube(periodic);
@@ -352,7 +353,7 @@ TEST(Displacement, ATubeStaysClosedAndSmooth) {
 }
 
 TEST(Displacement, ASideThatIsOnePointStaysOne) {
-  std::mt19937 generator(20826);
+  std::mt19937 generator(testSeed());
   for (const int side : {0, 1, 2, 3})
     for (const double off_mm : {0.0, 0.5 * near_mm}) {
       const Spline given = sheet(generator, 7, 7, 3, 3);
@@ -381,7 +382,7 @@ TEST(Displacement, ASideThatIsOnePointStaysOne) {
 }
 
 TEST(Displacement, KnotsThatAreInsertedChangeNothing) {
-  std::mt19937 generator(20827);
+  std::mt19937 generator(testSeed());
   for (const Spline& given : {unevenSheet(generator, 3, 3), tube(true), tube(false)}) {
     Displacement displacement(given, wholeOf(given), 4, near_mm);
     moveAnyhow(displacement, generator, 0.5);
@@ -496,7 +497,7 @@ TEST(Displacement, BendingDoesNotDependOnParameters) {
 }
 
 TEST(Displacement, BendingUnderMotionScaleAndExchange) {
-  std::mt19937 generator(20828);
+  std::mt19937 generator(testSeed());
   const Spline given = unevenSheet(generator, 3, 4);
   Displacement here(given, wholeOf(given), 4, near_mm);
   moveAnyhow(here, generator, 0.1);

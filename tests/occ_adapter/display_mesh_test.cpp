@@ -35,6 +35,7 @@
 
 #include "files.hpp"
 #include "shapes.hpp"
+#include "support/random.hpp"
 
 namespace seamwright::test {
 namespace {
@@ -185,7 +186,7 @@ TEST(DisplayMesh, CoversFacesOfManyKindsAndLooksOutward) {
       {"reversed", bump(20).Reversed()},
       {"quarter of a cylinder", planeAndCylinder(5, 20)},
       {"folded", foldedPlanes()}};
-  std::mt19937 random(3);
+  std::mt19937 random(testSeed());
   for (const auto& [name, shape] : shapes)
     for (const TopoDS_Shape& placed : {shape, located(shape, randomMotion(random))}) {
       SCOPED_TRACE(name);

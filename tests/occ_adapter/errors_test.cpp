@@ -25,13 +25,13 @@ void expectError(const std::filesystem::path& path, ModelErrc code, const std::s
   EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << "one line";
 }
 
-TEST(ReadErrors, NotFound) {
+TEST(ReadErrors, TellsAFileThatIsNotThere) {
   const Folder folder;
   expectError(folder / "none.step", ModelErrc::NotFound, "no such file");
   expectError(folder / "no-folder/none.step", ModelErrc::NotFound, "no such file");
 }
 
-TEST(ReadErrors, NotAFile) {
+TEST(ReadErrors, TellsAFolder) {
   const Folder folder;
   expectError(folder / "", ModelErrc::NotAFile, "folder");
   expectError("/dev/null", ModelErrc::NotAFile, "not a regular file");
@@ -39,7 +39,7 @@ TEST(ReadErrors, NotAFile) {
   expectError(folder / "pipe", ModelErrc::NotAFile, "not a regular file");
 }
 
-TEST(ReadErrors, NotReadable) {
+TEST(ReadErrors, TellsAFileThatMayNotBeRead) {
   const Folder folder;
   writeStep(box(), folder / "box.step");
   ASSERT_EQ(chmod((folder / "box.step").c_str(), 0), 0);
@@ -56,13 +56,13 @@ TEST(ReadErrors, NotReadableUnderRoot) {
       << error.what();
 }
 
-TEST(ReadErrors, Empty) {
+TEST(ReadErrors, TellsAnEmptyFile) {
   const Folder folder;
   setContent(folder / "empty.step", "");
   expectError(folder / "empty.step", ModelErrc::Empty, "empty");
 }
 
-TEST(ReadErrors, UnknownFormat) {
+TEST(ReadErrors, TellsAnUnknownFormat) {
   const Folder folder;
   const std::vector<std::pair<std::string, std::string>> contents = {
       {"Dear all, this is a letter.", "no STEP, IGES or BREP"},
@@ -80,7 +80,7 @@ TEST(ReadErrors, UnknownFormat) {
   }
 }
 
-TEST(ReadErrors, Truncated) {
+TEST(ReadErrors, TellsATruncatedFile) {
   const Folder folder;
   writeStep(box(), folder / "box.step");
   const std::string step = contentOf(folder / "box.step");
@@ -113,7 +113,7 @@ TEST(ReadErrors, TruncatedBrepIsMalformed) {
   }
 }
 
-TEST(ReadErrors, Malformed) {
+TEST(ReadErrors, TellsAMalformedFile) {
   const Folder folder;
   setContent(folder / "bad.step",
              "ISO-10303-21;\nHEADER;\nnothing of the kind\nEND-ISO-10303-21;\n");
@@ -125,7 +125,7 @@ TEST(ReadErrors, Malformed) {
   expectError(folder / "bad.brep", ModelErrc::Malformed, "BREP");
 }
 
-TEST(ReadErrors, NoShapes) {
+TEST(ReadErrors, TellsAFileWithoutShapes) {
   const Folder folder;
   const TopoDS_Shape edge = BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0)).Shape();
   writeStep(edge, folder / "edge.step");

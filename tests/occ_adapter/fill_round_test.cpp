@@ -25,6 +25,7 @@
 
 #include "fill_checks.hpp"
 #include "shapes.hpp"
+#include "support/random.hpp"
 
 #include <seamwright/occ_adapter/fill/fill.hpp>
 
@@ -107,7 +108,7 @@ TEST_P(RoundHole, IsFilledByFiveFacesNearTheSphere) {
 }
 
 TEST_P(RoundHole, MovesWithTheModel) {
-  std::mt19937 random(GetParam());
+  std::mt19937 random(testSeed());
   const TopoDS_Shape shape = sphereWithout(case_.tool);
   const FillHoleReport plain = filled(shape),
                        moved = filled(transformed(shape, randomMotion(random)));

@@ -36,6 +36,7 @@
 
 #include "fill_checks.hpp"
 #include "shapes.hpp"
+#include "support/random.hpp"
 
 #include <seamwright/occ_adapter/fill/fill.hpp>
 
@@ -336,7 +337,7 @@ TEST(FindHoles, HolesThatTouchInAVertexAreTwo) {
 }
 
 TEST(Fill, MovesAndScalesWithTheModel) {
-  std::mt19937 random(5);
+  std::mt19937 random(testSeed());
   const TopoDS_Shape shape = suitcase({3, 4, 5});
   const FillHoleReport plain = replaceFace(modelFromShape(shape), cornerFace(shape));
   ASSERT_TRUE(plain.filled) << textOf(plain.reason);

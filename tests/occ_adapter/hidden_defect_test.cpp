@@ -16,6 +16,7 @@
 #include <numbers>
 
 #include "shapes.hpp"
+#include "support/random.hpp"
 
 namespace seamwright::test {
 namespace {
@@ -228,7 +229,7 @@ TEST(Fold, OfPlaneAndCylinderWhateverTheirOrder) {
       new Geom_CylindricalSurface(gp_Ax3(gp_Pnt(0, 0, -r), gp::DY(), gp::DZ()), r);
   const Polygon flat = {plane, beginningWith(1, rectangle(-5, 0, 0, 4))};
   const Polygon round = {cylinder, beginningWith(1, rectangle(-quarter, 0, 0, 4))};
-  std::mt19937 random(6);
+  std::mt19937 random(testSeed());
   expectFold(joined(flat, round));
   expectFold(joined(round, flat));
   expectFold(located(joined(flat, round), randomMotion(random)));

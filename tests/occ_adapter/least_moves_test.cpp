@@ -4,6 +4,7 @@
 
 #include "dense_rows.hpp"
 #include "match_pairs.hpp"
+#include "support/random.hpp"
 
 #include <seamwright/occ_adapter/match/least_moves.hpp>
 
@@ -14,7 +15,7 @@ using occ::LeastMoves;
 using occ::PointRows;
 
 TEST(LeastMoves, AreThoseOfADenseFactorisation) {
-  std::mt19937 generator(93);
+  std::mt19937 generator(testSeed());
   for (int trial = 0; trial < 60; ++trial) {
     const int points = 1 + trial % 12;
     LeastMoves system(points);

@@ -20,12 +20,13 @@
 #include <stdexcept>
 
 #include "match_pairs.hpp"
+#include "support/random.hpp"
 
 namespace seamwright::test {
 namespace {
 
 TEST(MatchFaces, SheetsThatWereOneAreJoinedInPolesOnAllSides) {
-  std::mt19937 generator(2);
+  std::mt19937 generator(testSeed());
   const double noises[] = {0.001, 0.01, 0.1};
   for (int side_a = 0; side_a < 4; ++side_a)
     for (int side_b = 0; side_b < 4; ++side_b) {
@@ -54,7 +55,7 @@ std::pair<gp_Pnt, gp_Vec> middle(const TopoDS_Face& face) {
 }
 
 TEST(MatchFaces, PlacedMirroredAndReversedFacesKeepTheirSense) {
-  std::mt19937 generator(3);
+  std::mt19937 generator(testSeed());
   gp_Trsf mirror, scale;
   mirror.SetMirror(gp_Ax2(gp_Pnt(3, 4, 5), gp_Dir(1, 2, 3)));
   scale.SetScale(gp_Pnt(1, 1, 1), 0.5);
@@ -78,7 +79,7 @@ TEST(MatchFaces, PlacedMirroredAndReversedFacesKeepTheirSense) {
 }
 
 TEST(MatchFaces, EitherFaceOrBothMove) {
-  std::mt19937 generator(4);
+  std::mt19937 generator(testSeed());
   for (const int order : {1, 2}) {
     const TopoDS_Shape pair = joinedSheets(disturbedSheets(generator, 0.05));
     std::array<double, 3> moves{};
@@ -113,7 +114,7 @@ Spline behind(const Spline& surface, int rows, int degree_u) {
 }
 
 TEST(MatchFaces, TheOppositeSideAndWhatLiesBeyondStay) {
-  std::mt19937 generator(5);
+  std::mt19937 generator(testSeed());
   struct Net {
     int rows, degree_u;
   };
@@ -139,7 +140,7 @@ TEST(MatchFaces, TheOppositeSideAndWhatLiesBeyondStay) {
 }
 
 TEST(MatchFaces, SidesThatAreHeldStay) {
-  std::mt19937 generator(6);
+  std::mt19937 generator(testSeed());
   FaceMatchOptions options;
   options.hold_sides = true;
   for (const int order : {1, 2}) {
@@ -163,7 +164,7 @@ TEST(MatchFaces, SidesThatAreHeldStay) {
 }
 
 TEST(MatchFaces, ASideInsideItsSurfaceIsCutOffThere) {
-  std::mt19937 generator(10);
+  std::mt19937 generator(testSeed());
   const Spline whole = sheet(generator, 9, 6, 3, 3);
   const Spline other = Spline::DownCast(whole->Copy());
   disturb(other, generator, 9, 0.02);
@@ -201,7 +202,7 @@ TopoDS_Shape halfTubes(std::mt19937& generator, double noise_mm) {
 }
 
 TEST(MatchFaces, OfSeveralCommonEdgesOneIsTaken) {
-  std::mt19937 generator(12);
+  std::mt19937 generator(testSeed());
   const TopoDS_Shape tube = halfTubes(generator, 0.1);
   const MatchReport longest = matchedPair(tube, ofOrder(1), "longest");
   EXPECT_NE(longest.reason.find("of the common edges"), std::string::npos) << longest.reason;
@@ -230,7 +231,7 @@ TopoDS_Face sheetWithHole(const Spline& surface) {
 }
 
 TEST(MatchFaces, TrimmingIsKeptAndItsEdgesFollow) {
-  std::mt19937 generator(17);
+  std::mt19937 generator(testSeed());
   for (const int order : {1, 2}) {
     std::array<Spline, 2> parts = cutInTwo(sheet(generator, 9, 6, 3, 3));
     disturb(parts[1], generator, 3, 0.05);

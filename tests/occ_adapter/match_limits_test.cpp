@@ -18,12 +18,13 @@
 
 #include "files.hpp"
 #include "match_pairs.hpp"
+#include "support/random.hpp"
 
 namespace seamwright::test {
 namespace {
 
 TEST(MatchFaces, ALargerMoveThanAllowedIsRefused) {
-  std::mt19937 generator(7);
+  std::mt19937 generator(testSeed());
   const TopoDS_Shape pair = joinedSheets(disturbedSheets(generator, 0.05));
   FaceMatchOptions options;
   const double needed = matchedPair(pair, options, "free").largest_move_mm;
@@ -70,7 +71,7 @@ TEST(MatchFaces, TrimmedSidesThatWouldMoveAreNotCalledHeld) {
 
 // With weights that change, points move further than poles.
 TEST(MatchFaces, NoPointMovesFurtherThanReported) {
-  std::mt19937 generator(41);
+  std::mt19937 generator(testSeed());
   std::uniform_real_distribution<double> weight(0.3, 3);
   for (int round = 0; round < 20; ++round) {
     TColgp_Array2OfPnt flat(1, 4, 1, 4), tilted(1, 4, 1, 4);
@@ -101,7 +102,7 @@ TEST(MatchFaces, NoPointMovesFurtherThanReported) {
 }
 
 TEST(MatchFaces, WhatJoinsAlreadyIsLeftAlone) {
-  std::mt19937 generator(8);
+  std::mt19937 generator(testSeed());
   const std::array<Spline, 2> parts = cutInTwo(sheet(generator, 9, 6, 5, 3));
   for (const int order : {1, 2}) {
     const TopoDS_Shape pair = joinedSheets(parts);
@@ -143,7 +144,7 @@ TEST(MatchFaces, ClosedAndMissingBoundariesAreRefusedWithReasons) {
 }
 
 TEST(MatchFaces, OnlyAWholeSideCanBeJoined) {
-  std::mt19937 generator(13);
+  std::mt19937 generator(testSeed());
   const std::array<Spline, 2> parts = cutInTwo(sheet(generator, 9, 6, 3, 3));
   const handle<Geom_Surface> a(parts[0].get());
   const TopoDS_Shape half =
@@ -179,7 +180,7 @@ TEST(MatchFaces, BoundariesThatLeaveOneAnotherAreRefused) {
 }
 
 TEST(MatchFaces, AFaceThatReachesBeyondItsSurfaceIsRefused) {
-  std::mt19937 generator(21);
+  std::mt19937 generator(testSeed());
   const std::array<Spline, 2> parts = disturbedSheets(generator, 0.05);
   double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
   parts[1]->Bounds(u0, u1, v0, v1);
@@ -219,7 +220,7 @@ TEST(MatchFaces, AKnifeEdgeIsRefused) {
 }
 
 TEST(MatchFaces, BadArgumentsAreNamed) {
-  std::mt19937 generator(15);
+  std::mt19937 generator(testSeed());
   const TopoDS_Shape pair = joinedSheets(disturbedSheets(generator, 0.05));
   const auto refused = [&](int a, int b,
                            const std::function<void(FaceMatchOptions&)>& change) -> std::string {
@@ -249,7 +250,7 @@ TEST(MatchFaces, BadArgumentsAreNamed) {
 }
 
 TEST(MatchFaces, ProgressGrowsAndCanStopIt) {
-  std::mt19937 generator(16);
+  std::mt19937 generator(testSeed());
   const TopoDS_Shape pair = joinedSheets(disturbedSheets(generator, 0.05));
   std::vector<double> shares;
   matchFaces(pair, 1, 2, {}, [&](double share) {

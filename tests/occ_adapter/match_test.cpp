@@ -33,6 +33,7 @@
 #include <seamwright/occ_adapter/seams/pair_free_edges.hpp>
 
 #include "shapes.hpp"
+#include "support/random.hpp"
 
 namespace seamwright::test {
 namespace {
@@ -395,7 +396,7 @@ TopoDS_Shape grid(int n) {
 }
 
 TEST(Match, AGridIsFoundWithWorkInProportionToItsSize) {
-  std::mt19937 random(11);
+  std::mt19937 random(testSeed());
   for (const int n : {8, 16, 32}) {
     SeamGraph graph = findSeams(transformed(grid(n), randomMotion(random)));
     const occ::MatchSummary summary = matchFreeEdges({.match_mm = 0.001}, graph);
@@ -443,7 +444,7 @@ TEST(Match, OrderAndPlaceOfTheFacesDoNotMatter) {
   const std::vector<TopoDS_Shape> faces = mixture();
   const std::vector<Figures> expected = figures(compoundOf(faces));
   ASSERT_GE(expected.size(), 6u);
-  std::mt19937 random(12);
+  std::mt19937 random(testSeed());
   for (int trial = 0; trial < 6; ++trial) {
     std::vector<TopoDS_Shape> other = faces;
     std::shuffle(other.begin(), other.end(), random);

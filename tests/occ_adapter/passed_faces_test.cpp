@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "shapes.hpp"
+#include "support/random.hpp"
 
 #include <seamwright/occ_adapter/repair/passed_faces.hpp>
 
@@ -35,7 +36,7 @@ TopoDS_Shape squaresAt(const std::vector<double>& heights_mm, const gp_Trsf& mot
 std::map<int, int> passed(const std::vector<double>& before_mm, const std::vector<double>& after_mm,
                           const std::set<int>& moved,
                           const std::set<std::pair<int, int>>& beside = {}) {
-  std::mt19937 generator(20334);
+  std::mt19937 generator(testSeed(1));
   const gp_Trsf motion = randomMotion(generator);
   PassedFaces faces(squaresAt(before_mm, motion), beside, touch_mm);
   return faces.in(squaresAt(after_mm, motion), moved);

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "shapes.hpp"
+#include "support/random.hpp"
 
 namespace seamwright::test {
 namespace {
@@ -88,12 +89,12 @@ gp_Trsf scaling(std::mt19937& random, double factor) {
   return randomMotion(random) * trsf;
 }
 
-TEST(Placement, AsMade) {
+TEST(Placement, FiguresAreKnownWhereTheModelWasMade) {
   for (const Known& known : knownModels()) expectKnown(known, known.shape, 1);
 }
 
-TEST(Placement, RigidMotions) {
-  std::mt19937 random(1);
+TEST(Placement, RigidMotionsChangeNoFigure) {
+  std::mt19937 random(testSeed());
   for (const Known& known : knownModels())
     for (int trial = 0; trial < 25; ++trial) {
       const gp_Trsf motion = randomMotion(random);
@@ -102,8 +103,8 @@ TEST(Placement, RigidMotions) {
     }
 }
 
-TEST(Placement, Mirrors) {
-  std::mt19937 random(2);
+TEST(Placement, MirrorsChangeNoFigure) {
+  std::mt19937 random(testSeed());
   for (const Known& known : knownModels())
     for (int trial = 0; trial < 10; ++trial) {
       const gp_Trsf motion = mirror(random);
@@ -113,7 +114,7 @@ TEST(Placement, Mirrors) {
 }
 
 TEST(Placement, ScalesChangeCurvatureByTheirInverse) {
-  std::mt19937 random(3);
+  std::mt19937 random(testSeed());
   for (const Known& known : knownModels())
     for (const double factor : {0.2, 3.0, 50.0}) {
       const gp_Trsf motion = scaling(random, factor);
@@ -122,8 +123,8 @@ TEST(Placement, ScalesChangeCurvatureByTheirInverse) {
     }
 }
 
-TEST(Placement, LocationsOnLocations) {
-  std::mt19937 random(4);
+TEST(Placement, LocationsOnLocationsChangeNoFigure) {
+  std::mt19937 random(testSeed());
   for (const Known& known : knownModels()) {
     TopoDS_Shape shape = known.shape;
     for (int k = 0; k < 4; ++k)
@@ -133,7 +134,7 @@ TEST(Placement, LocationsOnLocations) {
 }
 
 TEST(Placement, FacesSwappedAndReversed) {
-  std::mt19937 random(5);
+  std::mt19937 random(testSeed());
   for (const Known& known : knownModels()) {
     expectKnown(known, facesSwappedAndReversed(known.shape), 1);
     expectKnown(known, known.shape.Reversed(), 1);

@@ -120,7 +120,7 @@ struct Case {
 
 class ReadBackModels : public testing::TestWithParam<Case> {};
 
-TEST_P(ReadBackModels, SameVerdicts) {
+TEST_P(ReadBackModels, VerdictsAreTheSameWhenReadBack) {
   const std::filesystem::path path = furtherModel(GetParam().model);
   if (path.empty()) GTEST_SKIP() << GetParam().model;
   const RepairReport report = repair(occ::readModel(path), matching(GetParam().match_mm));

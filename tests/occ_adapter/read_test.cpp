@@ -24,6 +24,7 @@
 
 #include "files.hpp"
 #include "shapes.hpp"
+#include "support/random.hpp"
 
 namespace seamwright::test {
 namespace {
@@ -86,7 +87,7 @@ TEST(Read, EveryFormatUnderEveryName) {
 
 TEST(Read, LocationsAndOrientationsComeThrough) {
   const Folder folder;
-  std::mt19937 random(11);
+  std::mt19937 random(testSeed());
   const TopoDS_Shape moved = located(BRepPrimAPI_MakeCylinder(3, 8).Shape(), randomMotion(random));
   for (const Kind& kind : kinds()) {
     SCOPED_TRACE(kind.name);
@@ -103,7 +104,7 @@ TEST(Read, LocationsAndOrientationsComeThrough) {
 TEST(Read, BinaryShapesAreExactInEveryBit) {
   // Of B-splines; axes of planes and cylinders OpenCASCADE makes unit vectors once more, which may
   // move their last bit.
-  std::mt19937 random(12);
+  std::mt19937 random(testSeed());
   const TopoDS_Shape turned =
       transformed(BRepPrimAPI_MakeCylinder(3, 8).Shape(), randomMotion(random));
   const TopoDS_Shape shape = BRepBuilderAPI_NurbsConvert(turned, true).Shape().Reversed();
@@ -116,7 +117,7 @@ TEST(Read, BinaryShapesAreExactInEveryBit) {
 }
 
 TEST(Read, BinaryShapesKeepTheirLocation) {
-  std::mt19937 random(13);
+  std::mt19937 random(testSeed());
   const TopoDS_Shape shape = located(box(), randomMotion(random));
   std::stringstream bytes;
   occ::writeBinaryShape(shape, bytes);

@@ -53,7 +53,7 @@ class ReaderProcess : public ::testing::Test {
   const Folder folder_;
 };
 
-TEST_F(ReaderProcess, Missing) {
+TEST_F(ReaderProcess, AMissingReaderIsTold) {
   EXPECT_EQ(errorWith("/nonexistent").code(), ModelErrc::ReaderMissing);
   EXPECT_EQ(errorWith((folder_ / "box.brep").string()).code(), ModelErrc::ReaderMissing)
       << "not executable";
@@ -64,7 +64,7 @@ TEST_F(ReaderProcess, EndsWithoutAWord) {
     EXPECT_EQ(errorWith(program).code(), ModelErrc::ReaderDied) << program;
 }
 
-TEST_F(ReaderProcess, Crashes) {
+TEST_F(ReaderProcess, ACrashIsTold) {
   for (const char* signal : {"SEGV", "ABRT", "KILL", "BUS"}) {
     const occ::ModelError error = errorWith(script(std::string("kill -") + signal + " $$"));
     EXPECT_EQ(error.code(), ModelErrc::ReaderDied);
@@ -217,7 +217,7 @@ TEST_F(ReaderProcess, EndsWithItsParent) {
   if (isAlive(child)) kill(child, SIGKILL);
 }
 
-TEST_F(ReaderProcess, TalksNonsense) {
+TEST_F(ReaderProcess, NonsenseIsRefused) {
   const std::string zeros = R"(\0\0\0\0\0\0\0)";  // the upper seven bytes of a length
   const std::vector<std::string> answers = {
       "garbage",                                // no frame: a length of text

@@ -23,6 +23,7 @@
 #include "grids.hpp"
 #include "match_pairs.hpp"
 #include "repair_checks.hpp"
+#include "support/random.hpp"
 
 #include <seamwright/occ_adapter/model/write.hpp>
 #include <seamwright/occ_adapter/occt_version.hpp>
@@ -32,7 +33,7 @@ namespace {
 
 /// A sheet of four patches with broken seams and a box that stands twice, in inches.
 void writeAssembly(const std::filesystem::path& path) {
-  std::mt19937 generator(20701);
+  std::mt19937 generator(testSeed(1));
   const Patches patches = cutUp(sheet(generator, 9, 9, 3, 3), {0, 0.5, 1}, {0, 0.5, 1});
   // Only inside: the sides stay where they meet.
   for (const auto& row : patches)

@@ -26,6 +26,7 @@
 #include "grids.hpp"
 #include "repair_checks.hpp"
 #include "shapes.hpp"
+#include "support/random.hpp"
 
 #include <seamwright/occ_adapter/model/read.hpp>
 #include <seamwright/occ_adapter/repair/repair.hpp>
@@ -114,7 +115,7 @@ TEST(RepairCauses, SharpEdgesWithAStrayPathStaySharpAndMeet) {
       expectLedAnew(shape, edge);
       const RepairReport report = repairedModel(shape, {});
       EXPECT_EQ(seamOf(report, edge).after.verdict.seam_class, SeamClass::Crease);
-      std::mt19937 random(20400);
+      std::mt19937 random(testSeed());
       expectLedAnew(transformed(shape, randomMotion(random)), edge);
     }
 }

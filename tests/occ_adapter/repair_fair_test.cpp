@@ -14,6 +14,7 @@
 #include "proof_case.hpp"
 #include "repair_checks.hpp"
 #include "repair_trials.hpp"
+#include "support/random.hpp"
 
 namespace seamwright::test {
 namespace {
@@ -51,7 +52,7 @@ class RepairFair : public testing::TestWithParam<FairTrial> {};
 /// Noise on the poles beside the seams of a smooth model.
 TEST_P(RepairFair, NoFaceOfABrokenNetBecomesWorse) {
   const auto& [kind, noise_mm] = GetParam();
-  const RepairTrial trial{kind, noise_mm};
+  const RepairTrial trial{kind, noise_mm, testSeed()};
   EXPECT_GT(expectFair(brokenModel(trial), trialOptions(trial)), 0);
 }
 
@@ -80,7 +81,7 @@ TEST(RepairFairness, OfStripsWithKinks) {
 TEST(RepairFairness, OfAGridWithTurnedPatches) {
   for (const double turn_deg : {0.3, 0.6}) {
     SCOPED_TRACE(turn_deg);
-    std::mt19937 generator(20841);
+    std::mt19937 generator(testSeed());
     const Patches patches =
         cutUp(sheet(generator, 9, 8, 3, 3), {0, 1.0 / 3, 2.0 / 3, 1}, {0, 1.0 / 3, 2.0 / 3, 1});
     for (const auto& [i, j] : std::vector<std::pair<int, int>>{{0, 0}, {1, 1}, {2, 1}}) {
@@ -111,7 +112,7 @@ TopoDS_Shape roof(double kink_rad) {
 }
 
 /// All that a fair move may cost is what turning the planes costs at the least.
-TEST(RepairFairness, OfARoof) {
+TEST(RepairFairness, ARoofIsMadeFairAtTheLeastCost) {
   for (const double kink_deg : {0.15, 1.0, 2.0}) {
     SCOPED_TRACE(kink_deg);
     EXPECT_EQ(expectFair(roof(kink_deg * degree), {}), 1);

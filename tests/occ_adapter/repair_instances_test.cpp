@@ -12,6 +12,7 @@
 
 #include "match_pairs.hpp"
 #include "repair_checks.hpp"
+#include "support/random.hpp"
 
 namespace seamwright::test {
 namespace {
@@ -20,8 +21,8 @@ using occ::RepairOptions;
 using occ::RepairReport;
 using testing::HasSubstr;
 
-TopoDS_Shape brokenPart(unsigned seed) {
-  std::mt19937 generator(seed);
+TopoDS_Shape brokenPart(unsigned index = 0) {
+  std::mt19937 generator(testSeed(index));
   return joinedSheets(disturbedSheets(generator, 0.01));
 }
 
@@ -66,7 +67,7 @@ void expectSamePlaces(const TopoDS_Shape& a, const TopoDS_Shape& b) {
 }
 
 TEST(RepairInstances, AreRepairedLikeThePartAlone) {
-  const TopoDS_Shape part = brokenPart(20901), all = threeTimes(part);
+  const TopoDS_Shape part = brokenPart(), all = threeTimes(part);
   for (const int order : {1, 2}) {
     const RepairReport alone = repairedModel(part, strictRepair(order)),
                        report = repairedModel(all, strictRepair(order));
@@ -83,12 +84,12 @@ TEST(RepairInstances, AreRepairedLikeThePartAlone) {
 }
 
 TEST(RepairInstances, PartsWithinPartsAndCompoundsOfLooseFaces) {
-  const TopoDS_Shape inner = brokenPart(20902);
-  const TopTools_IndexedMapOfShape faces = partsOf(brokenPart(20903), TopAbs_FACE);
+  const TopoDS_Shape inner = brokenPart();
+  const TopTools_IndexedMapOfShape faces = partsOf(brokenPart(1), TopAbs_FACE);
   // Loose faces with a common edge: only together they have nothing in common with others.
   const TopoDS_Shape sheets = compoundOf({faces(1), faces(2)});
   const TopoDS_Shape pair = compoundOf({inner, located(inner, turnedAndMoved(200, 1)),
-                                        located(brokenPart(20904), turnedAndMoved(0, 3))});
+                                        located(brokenPart(2), turnedAndMoved(0, 3))});
   const TopoDS_Shape all = compoundOf({located(pair, turnedAndMoved(-500, 0.3)), sheets, pair,
                                        located(sheets, turnedAndMoved(900, -1)), inner});
   const RepairReport report = repairedModel(all, strictRepair(1));
@@ -99,7 +100,7 @@ TEST(RepairInstances, PartsWithinPartsAndCompoundsOfLooseFaces) {
 }
 
 TEST(RepairInstances, WhatIsAskedOfOneHoldsForAll) {
-  const TopoDS_Shape all = threeTimes(brokenPart(20905));
+  const TopoDS_Shape all = threeTimes(brokenPart());
   const RepairReport every = repairedModel(all, strictRepair(1));
   RepairOptions picked = strictRepair(1);
   picked.edges = {every.seams[1].before.edges[0]};
@@ -116,8 +117,8 @@ TEST(RepairInstances, WhatIsAskedOfOneHoldsForAll) {
 }
 
 TEST(RepairInstances, WhatStaysIsShared) {
-  const TopoDS_Shape broken = brokenPart(20906),
-                     smooth = repairedModel(brokenPart(20907), strictRepair(1)).model.shape;
+  const TopoDS_Shape broken = brokenPart(),
+                     smooth = repairedModel(brokenPart(1), strictRepair(1)).model.shape;
   const TopoDS_Shape all = compoundOf({smooth, broken, located(smooth, turnedAndMoved(400, 1)),
                                        located(broken, turnedAndMoved(800, 1))});
   const RepairReport report = repairedModel(all, strictRepair(1));
@@ -129,7 +130,7 @@ TEST(RepairInstances, WhatStaysIsShared) {
 }
 
 TEST(RepairInstances, PartsThatShareWithOthersStay) {
-  const TopoDS_Shape part = brokenPart(20908), other = brokenPart(20909);
+  const TopoDS_Shape part = brokenPart(), other = brokenPart(1);
   const TopoDS_Shape all =
       compoundOf({part, located(part, turnedAndMoved(400, 1)),
                   located(partsOf(part, TopAbs_FACE)(1), turnedAndMoved(0, 2)), other});
@@ -141,7 +142,7 @@ TEST(RepairInstances, PartsThatShareWithOthersStay) {
 }
 
 TEST(RepairInstances, OptionsAreCheckedAsEver) {
-  const TopoDS_Shape all = threeTimes(brokenPart(20910));
+  const TopoDS_Shape all = threeTimes(brokenPart());
   for (const int number : {0, 7}) {
     RepairOptions options = strictRepair(1);
     options.fixed_faces = {number};
@@ -152,7 +153,7 @@ TEST(RepairInstances, OptionsAreCheckedAsEver) {
 TEST(RepairInstances, AreLeftWhereOpenEdgesAreMatched) {
   RepairOptions options = strictRepair(1);
   options.match_mm = 0.1;
-  const TopoDS_Shape all = threeTimes(brokenPart(20911));
+  const TopoDS_Shape all = threeTimes(brokenPart());
   const RepairReport report = repair(occ::modelFromShape(all), options);
   EXPECT_FALSE(report.changed());
   for (const occ::SeamRepair& seam : report.seams)

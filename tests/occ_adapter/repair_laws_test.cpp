@@ -10,6 +10,7 @@
 #include "repair_checks.hpp"
 #include "repair_trials.hpp"
 #include "shapes.hpp"
+#include "support/random.hpp"
 
 namespace seamwright::test {
 namespace {
@@ -60,8 +61,8 @@ void expectSame(const Outcome& a, const Outcome& b, const occ::RepairOptions& op
   expectNear(scaled(a.moves_mm), b.moves_mm, scale * noise_mm / 10);
 }
 
-Net brokenNet(const std::string& kind, unsigned seed) {
-  std::mt19937 random(seed);
+Net brokenNet(const std::string& kind, unsigned index) {
+  std::mt19937 random(testSeed(index));
   Net net = netKind(kind).make(random);
   disturb(net, noise_mm, random);
   return net;
@@ -69,13 +70,13 @@ Net brokenNet(const std::string& kind, unsigned seed) {
 
 class RepairLaws : public testing::TestWithParam<std::string> {
  protected:
-  Net net_ = brokenNet(GetParam(), 7);
+  Net net_ = brokenNet(GetParam(), 1);
   occ::RepairOptions options_ = trialOptions({});
   Outcome outcome_ = outcomeOf(shapeOf(net_), options_);
 };
 
-TEST_P(RepairLaws, RigidMotion) {
-  std::mt19937 random(20301);
+TEST_P(RepairLaws, ARigidMotionChangesNothing) {
+  std::mt19937 random(testSeed());
   for (int k = 0; k < 2; ++k)
     expectSame(outcome_, outcomeOf(transformed(shapeOf(net_), randomMotion(random)), options_),
                options_);
@@ -96,13 +97,13 @@ TEST_P(RepairLaws, ScaleWithTheTolerances) {
 TEST_P(RepairLaws, OrderAndSenseOfFaces) {
   expectSame(outcome_, outcomeOf(facesSwappedAndReversed(shapeOf(net_)), options_), options_);
   expectSame(outcome_, outcomeOf(shapeOf(net_).Reversed(), options_), options_);
-  std::mt19937 random(20302);
+  std::mt19937 random(testSeed());
   Net shuffled = net_;
   std::ranges::shuffle(shuffled.faces, random);
   expectSame(outcome_, outcomeOf(shapeOf(shuffled), options_), options_);
 }
 
-TEST_P(RepairLaws, SwapOfParameters) {
+TEST_P(RepairLaws, SwappingTheParametersChangesNothing) {
   Net swapped = net_;
   for (std::size_t f = 0; f < swapped.faces.size(); f += 2) swapParameters(swapped.faces[f]);
   expectSame(outcome_, outcomeOf(shapeOf(swapped), options_), options_);
@@ -122,7 +123,7 @@ Outcome sumOf(Outcome a, const Outcome& b) {
 TEST_P(RepairLaws, PartsThatDoNotMeetAreRepairedAsEachAlone) {
   gp_Trsf aside;
   aside.SetTranslation(gp_Vec(0, 200, 0));
-  const TopoDS_Shape other = transformed(shapeOf(brokenNet(GetParam(), 8)), aside);
+  const TopoDS_Shape other = transformed(shapeOf(brokenNet(GetParam(), 2)), aside);
   const BRep_Builder builder;
   TopoDS_Compound both;
   builder.MakeCompound(both);

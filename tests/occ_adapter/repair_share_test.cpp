@@ -12,6 +12,7 @@
 #include "match_pairs.hpp"
 #include "repair_checks.hpp"
 #include "repair_trials.hpp"
+#include "support/random.hpp"
 
 #include <seamwright/occ_adapter/model/read.hpp>
 #include <seamwright/occ_adapter/model/write.hpp>
@@ -90,7 +91,7 @@ TEST(RepairShare, AndIsWrittenNumberByNumber) {
 }
 
 TEST(RepairShare, FacesFarFromADefectAreShared) {
-  std::mt19937 random(20321);
+  std::mt19937 random(testSeed());
   Net net = netKind("trimmed bricks").make(random);
   Net broken = net;
   for (NetFace& face : broken.faces) face.surface = Spline::DownCast(face.surface->Copy());

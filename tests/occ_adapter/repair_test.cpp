@@ -25,6 +25,7 @@
 #include "grids.hpp"
 #include "match_pairs.hpp"
 #include "repair_checks.hpp"
+#include "support/random.hpp"
 
 #include <seamwright/occ_adapter/model/model.hpp>
 #include <seamwright/occ_adapter/model/read.hpp>
@@ -71,11 +72,11 @@ TopoDS_Shape disturbedGrid(std::mt19937& generator, int count_u, int count_v, do
 
 /// To tolerances of 0.1 micrometres and 0.001 degrees. Noise of 0.05 mm breaks the seam by more
 /// than two degrees; a fair move of the faces is then larger than usually allowed.
-TEST(Repair, TwoSheets) {
+TEST(Repair, TwoSheetsAreJoined) {
   for (const int order : {1, 2})
     for (const double noise_mm : {0.001, 0.01, order == 1 ? 0.05 : 0.02})
       for (unsigned seed = 1; seed <= 3; ++seed) {
-        std::mt19937 generator(seed);
+        std::mt19937 generator(testSeed(seed));
         const TopoDS_Shape shape = disturbedGrid(generator, 2, 1, noise_mm);
         SCOPED_TRACE("order " + std::to_string(order) + ", noise " + std::to_string(noise_mm) +
                      " mm, seed " + std::to_string(seed));
@@ -90,10 +91,10 @@ TEST(Repair, TwoSheets) {
       }
 }
 
-TEST(Repair, Grids) {
+TEST(Repair, GridsAreJoined) {
   for (const double noise_mm : {0.001, 0.01, 0.05})
     for (unsigned seed = 1; seed <= 2; ++seed) {
-      std::mt19937 generator(seed);
+      std::mt19937 generator(testSeed(seed));
       const TopoDS_Shape shape = disturbedGrid(generator, 2, 2, noise_mm);
       SCOPED_TRACE("noise " + std::to_string(noise_mm) + " mm, seed " + std::to_string(seed));
       RepairOptions options = strictRepair(1);
@@ -109,7 +110,7 @@ TEST(Repair, Grids) {
 TEST(Repair, WhatIsBrokenBeyondTheMovesAllowedIsNoWorseAfter) {
   for (const int count_v : {1, 2})
     for (unsigned seed = 1; seed <= 2; ++seed) {
-      std::mt19937 generator(seed);
+      std::mt19937 generator(testSeed(seed));
       SCOPED_TRACE(std::to_string(count_v) + " rows, seed " + std::to_string(seed));
       const RepairReport report =
           repairedModel(disturbedGrid(generator, 2, count_v, 0.1), strictRepair(1));
@@ -119,7 +120,7 @@ TEST(Repair, WhatIsBrokenBeyondTheMovesAllowedIsNoWorseAfter) {
 
 TEST(Repair, AFixedFaceStays) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
-    std::mt19937 generator(seed);
+    std::mt19937 generator(testSeed(seed));
     RepairOptions options = strictRepair(1);
     options.fixed_faces = {1};
     const RepairReport report = repairedModel(disturbedGrid(generator, 2, 1, 0.01), options);
@@ -134,8 +135,8 @@ TEST(Repair, AFixedFaceStays) {
   }
 }
 
-TEST(Repair, BesideAnalyticFaces) {
-  std::mt19937 generator(20261);
+TEST(Repair, JoinsSplinesToAnalyticFaces) {
+  std::mt19937 generator(testSeed());
   for (const Trimmed& kind : trimmedKinds()) {
     SCOPED_TRACE(kind.name);
     const Spline strip = stripBeside(kind.surface, kind.path, kind.away, 15, generator, 0.01);
@@ -154,7 +155,7 @@ TEST(Repair, BesideAnalyticFaces) {
 }
 
 TEST(Repair, OnlyPickedEdgesAreTreated) {
-  std::mt19937 generator(20262);
+  std::mt19937 generator(testSeed());
   const TopoDS_Shape shape = disturbedGrid(generator, 3, 1, 0.01);
   const RepairReport all = repairedModel(shape, strictRepair(1));
   ASSERT_EQ(all.seams.size(), 2);
@@ -171,7 +172,7 @@ TEST(Repair, OnlyPickedEdgesAreTreated) {
 }
 
 TEST(Repair, NoMoveIsLargerThanAllowed) {
-  std::mt19937 generator(20263);
+  std::mt19937 generator(testSeed());
   RepairOptions options = strictRepair(1);
   options.max_move_mm = 1e-4;
   const TopoDS_Shape shape = disturbedGrid(generator, 2, 2, 0.01);
@@ -183,7 +184,7 @@ TEST(Repair, NoMoveIsLargerThanAllowed) {
 }
 
 TEST(Repair, TimeLimitKeepsWhatWasRepaired) {
-  std::mt19937 generator(20264);
+  std::mt19937 generator(testSeed());
   RepairOptions options = strictRepair(1);
   const TopoDS_Shape shape = disturbedGrid(generator, 2, 2, 0.01);
   options.max_time_s = 1e-9;
@@ -258,7 +259,7 @@ TEST(Repair, NoFaceMovesThroughAnother) {
   int in_the_way = 0;
   for (unsigned seed = 1; seed <= 8; ++seed) {
     SCOPED_TRACE(seed);
-    std::mt19937 generator(seed);
+    std::mt19937 generator(testSeed(seed));
     const TopoDS_Shape sheets = disturbedGrid(generator, 2, 1, 0.1);
     const RepairReport free = repairedModel(sheets, options);
     if (repairedSeams(free) == 0) continue;
@@ -281,7 +282,7 @@ TEST(Repair, NoFaceMovesThroughAnother) {
 }
 
 TEST(Repair, AModelWithoutDefectsIsShared) {
-  std::mt19937 generator(20264);
+  std::mt19937 generator(testSeed());
   for (const TopoDS_Shape& shape :
        {disturbedGrid(generator, 2, 2, 0), TopoDS_Shape(BRepPrimAPI_MakeBox(1, 2, 3).Shape())}) {
     const RepairReport report = repairedModel(shape, {});
@@ -294,7 +295,7 @@ TEST(Repair, AModelWithoutDefectsIsShared) {
 TEST(Repair, RigidMotionChangesNothing) {
   constexpr double noise_mm = 0.01;
   for (unsigned seed = 1; seed <= 3; ++seed) {
-    std::mt19937 generator(seed);
+    std::mt19937 generator(testSeed(seed));
     const TopoDS_Shape shape = disturbedGrid(generator, 2, 2, noise_mm);
     const RepairReport here = repairedModel(shape, strictRepair(1));
     const RepairReport there =
@@ -339,7 +340,7 @@ TEST(Repair, ASolidStaysClosed) {
 }
 
 TEST(Repair, ThreadsChangeNothing) {
-  std::mt19937 generator(20268);
+  std::mt19937 generator(testSeed());
   std::vector<occ::Model> models = {modelFromShape(disturbedGrid(generator, 3, 2, 0.1))};
   const std::filesystem::path path =
       std::filesystem::path(SEAMWRIGHT_TEST_MODELS) / "freeform" / "Silk_Demo_02_sewn.step";
@@ -359,7 +360,7 @@ TEST(Repair, ThreadsChangeNothing) {
 }
 
 TEST(Repair, RefusesBadOptions) {
-  std::mt19937 generator(20266);
+  std::mt19937 generator(testSeed());
   const occ::Model model = modelFromShape(disturbedGrid(generator, 2, 1, 0.01));
   const auto refused = [&model](const RepairOptions& options, const std::string& text) {
     try {
@@ -407,7 +408,7 @@ TEST(Repair, RefusesBadOptions) {
 }
 
 TEST(Repair, StopsWhereItIsAskedTo) {
-  std::mt19937 generator(20267);
+  std::mt19937 generator(testSeed());
   const occ::Model model = modelFromShape(disturbedGrid(generator, 2, 2, 0.01));
   std::vector<double> shares;
   const auto note = [&shares](double share) {

@@ -36,6 +36,7 @@
 #include "match_pairs.hpp"
 #include "repair_checks.hpp"
 #include "shapes.hpp"
+#include "support/random.hpp"
 
 #include <seamwright/occ_adapter/model/read.hpp>
 #include <seamwright/occ_adapter/model/write.hpp>
@@ -180,7 +181,7 @@ void expectSolid(const TopoDS_Shape& shape, double volume, double near) {
 }
 
 TEST(Sew, ABoxTakenApart) {
-  std::mt19937 generator(20301);
+  std::mt19937 generator(testSeed());
   const TopoDS_Shape box =
       BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeBox(10, 20, 30).Shape()).Shape();
   for (int trial = 0; trial < 8; ++trial) {
@@ -202,7 +203,7 @@ TEST(Sew, ABoxTakenApart) {
   }
 }
 
-TEST(Sew, OfAnySize) {
+TEST(Sew, SewsModelsOfAnySize) {
   for (const double scale : {0.01, 1.0, 100.0}) {
     gp_Trsf larger;
     larger.SetScale(gp::Origin(), scale);
@@ -216,7 +217,7 @@ TEST(Sew, OfAnySize) {
 }
 
 TEST(Sew, FacesALittleOff) {
-  std::mt19937 generator(20302);
+  std::mt19937 generator(testSeed());
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(10, 20, 30).Shape();
   for (const double off_mm : {1e-6, 1e-4, 2e-3}) {
     std::vector<TopoDS_Shape> faces = apart(box);
@@ -350,9 +351,9 @@ TEST(Sew, EdgesThatRunUnlike) {
     }
 }
 
-TEST(Sew, MovedFirst) {
+TEST(Sew, SewsWhatAMoveHasBroughtTogether) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
-    std::mt19937 generator(seed);
+    std::mt19937 generator(testSeed(seed));
     const auto parts = disturbedSheets(generator, 0.02);
     RepairOptions options = matching(0.5);
     options.tolerance.gap_mm = 0.001;

@@ -16,6 +16,8 @@
 #include <seamwright/occ_adapter/convert/bezier_surface.hpp>
 #include <seamwright/occ_adapter/convert/spline_curve.hpp>
 
+#include "support/random.hpp"
+
 namespace seamwright::test {
 namespace {
 
@@ -66,7 +68,7 @@ void expectSameCurve(const Geom_Curve& theirs, const Curve& ours, double first, 
 }
 
 TEST(SplineCurve, PolynomialsComeBackBitByBit) {
-  std::mt19937_64 random(91);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 500; ++i) {
     const int degree = 1 + i % 25;
     const BSplineCurve curve = randomCurve(degree, 1 + i % degree, 1 + i % 5, false, random);
@@ -79,7 +81,7 @@ TEST(SplineCurve, PolynomialsComeBackBitByBit) {
 }
 
 TEST(SplineCurve, RationalsComeBackToRounding) {
-  std::mt19937_64 random(92);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 300; ++i) {
     const int degree = 1 + i % 7;
     const BSplineCurve curve = randomCurve(degree, 1 + i % degree, 1 + i % 5, true, random);
@@ -93,7 +95,7 @@ TEST(SplineCurve, RationalsComeBackToRounding) {
 }
 
 TEST(SplineCurve, BezierCurvesBothWays) {
-  std::mt19937_64 random(93);
+  std::mt19937_64 random(testSeed());
   for (int degree = 1; degree <= 25; ++degree) {
     const BSplineCurve curve = randomCurve(degree, 1, 1, false, random);
     const BezierCurve bezier = BezierCurve::fromHomogeneous(curve.poles);
@@ -118,7 +120,7 @@ G2Polygon star(int vertices) {
 }
 
 TEST(SplineCurve, MultiplicitiesAreAsLowAsTheSplineAllows) {
-  std::mt19937_64 random(94);
+  std::mt19937_64 random(testSeed());
   G2Polygon direct = star(7);
   direct.closed = false;
   direct.alpha.pop_back();
@@ -140,8 +142,8 @@ TEST(SplineCurve, MultiplicitiesAreAsLowAsTheSplineAllows) {
 
 /// A closed gamma-spline is C1 at its seam too, one with gamma = 1 is C2; a direct G2 spline in
 /// general is not.
-TEST(SplineCurve, Periodic) {
-  std::mt19937_64 random(95);
+TEST(SplineCurve, ClosedSplinesArePeriodic) {
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 200; ++i) {
     const int count = 3 + i % 6;
     GammaPolygon polygon{star(count).vertices, true, {}, {}};
@@ -175,8 +177,8 @@ TEST(SplineCurve, Periodic) {
               ThrowsMessage<std::invalid_argument>(HasSubstr("not closed at its seam")));
 }
 
-TEST(SplineCurve, RationalPeriodic) {
-  std::mt19937_64 random(96);
+TEST(SplineCurve, ACircleIsARationalPeriodicSpline) {
+  std::mt19937_64 random(testSeed());
   const double c = std::sqrt(0.5);
   BezierSpline circle{2, {0, 1, 2, 3, 4}, HomogeneousPoles(9, 4), true};
   circle.poles << 1, 0, 0, 1, c, c, 0, c, 0, 1, 0, 1, -c, c, 0, c, -1, 0, 0, 1, -c, -c, 0, c, 0, -1,
@@ -189,7 +191,7 @@ TEST(SplineCurve, RationalPeriodic) {
 }
 
 TEST(SplineCurve, TrimmedCurvesGiveTheirRange) {
-  std::mt19937_64 random(97);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 200; ++i) {
     const BSplineCurve curve = randomCurve(1 + i % 5, 1, 4, i % 2 == 0, random);
     const double range = curve.knots.back() - curve.knots.front();
@@ -208,7 +210,7 @@ TEST(SplineCurve, TrimmedCurvesGiveTheirRange) {
 }
 
 TEST(SplineCurve, TrimmedAcrossTheSeamOfAPeriodicCurve) {
-  std::mt19937_64 random(98);
+  std::mt19937_64 random(testSeed());
   const BezierSpline spline =
       gammaSpline({star(5).vertices, true, {1, 2, 1, 1.5, 1}, {1, 2, 0.5, 1, 1}});
   const handle<Geom_BSplineCurve> periodic = toBSplineCurve(spline, true);
@@ -217,8 +219,8 @@ TEST(SplineCurve, TrimmedAcrossTheSeamOfAPeriodicCurve) {
   expectSameCurve(*part, ours, 4.5, 8.25, random, 1e-12);
 }
 
-TEST(SplineCurve, UnclampedCurves) {
-  std::mt19937_64 random(99);
+TEST(SplineCurve, UnclampedCurvesAreTheSameCurves) {
+  std::mt19937_64 random(testSeed());
   TColgp_Array1OfPnt poles(1, 6);
   for (gp_Pnt& pole : poles)
     pole = gp_Pnt(drawn(random, -5, 5), drawn(random, -5, 5), drawn(random, -5, 5));
@@ -236,7 +238,7 @@ TEST(SplineCurve, UnclampedCurves) {
 /// Fewer spans than the degree, and spacings down to 2^-34: the same poles bit by bit, and those of
 /// a round trip.
 TEST(SplineCurve, PeriodicCurvesOfFewAndShortSpans) {
-  std::mt19937_64 random(100);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 60; ++i) {
     const int degree = 2 + i % 9, spans = 2 + i % 6;
     TColgp_Array1OfPnt poles(1, spans);
@@ -265,7 +267,7 @@ TEST(SplineCurve, PeriodicCurvesOfFewAndShortSpans) {
 }
 
 TEST(SplineCurve, TrimmedToLessThanOpenCascadesConfusion) {
-  std::mt19937_64 random(101);
+  std::mt19937_64 random(testSeed());
   const BSplineCurve curve = randomCurve(3, 1, 4, false, random);
   const handle<Geom_BSplineCurve> whole = toBSplineCurve(curve);
   const double middle = curve.knots[5];

@@ -31,6 +31,7 @@
 
 #include "files.hpp"
 #include "shapes.hpp"
+#include "support/random.hpp"
 
 namespace seamwright::test {
 namespace {
@@ -253,7 +254,7 @@ TEST(UnusableNumbers, OneInAnyPlaceOfAnyFormatIsSurvived) {
   static const std::regex brep_number("[ \n](-?[0-9]+(\\.[0-9]+)?(e[+-]?[0-9]+)?)(?=[ \n])");
   static const std::regex step_number("[(,](-?[0-9]+\\.[0-9]*(E[+-]?[0-9]+)?)(?=[,)])");
   const Folder folder;
-  std::mt19937 random(8);
+  std::mt19937 random(testSeed());
   int whole = 0, files = 0;
   for (const TopoDS_Shape& shape :
        {roundedBox(), BRepBuilderAPI_NurbsConvert(roundedBox(), true).Shape()}) {

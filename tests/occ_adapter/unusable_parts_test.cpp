@@ -31,6 +31,7 @@
 #include "match_pairs.hpp"
 #include "repair_checks.hpp"
 #include "repair_trials.hpp"
+#include "support/random.hpp"
 
 namespace seamwright::test {
 namespace {
@@ -138,7 +139,7 @@ TEST(UnusableParts, HolesAreFilledUnlessTheyAreBoundedByOne) {
 }
 
 TEST(UnusableParts, OtherFacesAreMatched) {
-  std::mt19937 random(21100);
+  std::mt19937 random(testSeed());
   const TopoDS_Shape pair = joinedSheets(disturbedSheets(random, 0.01));
   const Spline third = Spline::DownCast(splineOf(pair, 1)->Copy());
   third->SetPole(2, 2, gp_Pnt(no_number, 0, 0));
@@ -234,7 +235,7 @@ class OneUnusableNumber : public ::testing::TestWithParam<bool> {};
 TEST_P(OneUnusableNumber, InAnyPlaceIsSurvived) {
   const std::vector<std::string> by = {"inf", "-inf", "nan", "-nan", "1e300"};
   const bool is_solid = GetParam();
-  std::mt19937 random(21101);
+  std::mt19937 random(testSeed());
   const Folder folder;
   writeBrep(brokenShape(is_solid, random), folder / "whole.brep");
   const std::string brep = contentOf(folder / "whole.brep");

@@ -14,6 +14,7 @@
 
 #include "files.hpp"
 #include "shapes.hpp"
+#include "support/random.hpp"
 #include "written.hpp"
 
 namespace seamwright::test {
@@ -202,7 +203,7 @@ TEST_F(Refusal, KilledAtAnyMoment) {
     writeModel(i == 0 ? one : other, target, {.overwrite = true});
     contents[i] = contentOf(target);
   }
-  std::mt19937 random(4);
+  std::mt19937 random(testSeed());
   std::uniform_int_distribution<int> microseconds(0, 15000);
   int seen[2] = {0, 0};
   for (int round = 0; round < 60; ++round) {

@@ -23,6 +23,7 @@
 
 #include "files.hpp"
 #include "shapes.hpp"
+#include "support/random.hpp"
 #include "written.hpp"
 
 namespace seamwright::test {
@@ -68,7 +69,7 @@ TopoDS_Shape wavyFace(std::mt19937& random, double size) {
 
 TEST(Write, PolesComeBackToTheBit) {
   const Folder folder;
-  std::mt19937 random(1);
+  std::mt19937 random(testSeed());
   for (const double size : {1e-2, 37.0}) {
     const TopoDS_Shape face = wavyFace(random, size);
     const std::vector<double> numbers = numbersOf(splineOf(face, 1));
@@ -82,7 +83,7 @@ TEST(Write, PolesComeBackToTheBit) {
 /// The test above can fail: OpenCASCADE's own writer rounds.
 TEST(Write, OpenCascadeItselfRounds) {
   const Folder folder;
-  std::mt19937 random(1);
+  std::mt19937 random(testSeed());
   const TopoDS_Shape face = wavyFace(random, 37);
   writeStep(face, folder / "a.step");
   EXPECT_NE(numbersOf(splineOf(readModel(folder / "a.step").shape, 1)),
@@ -100,7 +101,7 @@ TEST(Write, RealsAreSpelledInTheFewestDigits) {
            {"(3,12.5,.E1.,E2.)", "(3,12.5,.E1.,E2.)"},
            {"(1,\n    2,'a\n  b');\n", "(1,2,'a\n  b');\n"}})
     EXPECT_EQ(occ::withShortestReals(old), now);
-  std::mt19937_64 random(7);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 20000; ++i) {
     const double value = std::bit_cast<double>(random());
     if (!std::isfinite(value)) continue;
@@ -115,7 +116,7 @@ TEST(Write, RealsAreSpelledInTheFewestDigits) {
 
 TEST(Write, AnUnchangedFileKeepsEveryNumberInItsGenerations) {
   const Folder folder;
-  std::mt19937 random(2);
+  std::mt19937 random(testSeed());
   for (const char* unit : {"MM", "M", "INCH", "FT"}) {
     writeStep(wavyFace(random, 20), folder / "0.step", unit);
     const Model first = readModel(folder / "0.step");
@@ -191,7 +192,7 @@ TEST(Write, MovedPolesAreWrittenAndTheRestStays) {
   const Folder folder;
   writeStep(splineBox(), folder / "box.step");
   const Model model = readModel(folder / "box.step");
-  std::mt19937 random(3);
+  std::mt19937 random(testSeed());
   std::uniform_int_distribution<int> face(1, 6);
   for (int round = 0; round < 6; ++round) {
     Model changed = model;
@@ -297,7 +298,7 @@ TEST(Write, LooseFacesThatShareEdgesStillDo) {
   BRep_Builder().MakeCompound(loose);
   const TopoDS_Shape block = splineBox();
   const TopTools_IndexedMapOfShape faces = partsOf(block, TopAbs_FACE);
-  std::mt19937 random(8);
+  std::mt19937 random(testSeed());
   for (int i = 1; i <= 6; ++i) BRep_Builder().Add(loose, faces(i));
   BRep_Builder().Add(loose, wavyFace(random, 3));
   gp_Trsf motion = randomMotion(random);

@@ -7,6 +7,8 @@
 #include <random>
 #include <seamwright/plugin/report/enclosure.hpp>
 
+#include "support/random.hpp"
+
 namespace seamwright::report {
 namespace {
 
@@ -46,7 +48,7 @@ Said read(const std::string& text) {
 }
 
 TEST(EnclosureText, NeverSaysLessThanIsKnownToOnePercentAndTellsTheSideOfTheLimit) {
-  std::mt19937 random(20240511);
+  std::mt19937 random(testSeed());
   const auto logUniform = [&](double low, double high) {
     return std::exp(std::uniform_real_distribution(std::log(low), std::log(high))(random));
   };
