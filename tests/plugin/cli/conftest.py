@@ -1,9 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Fixtures of the tests of the command."""
 
+import pathlib
+import sys
+
 import pytest
 
 from models import box_text
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "support"))
 
 
 @pytest.fixture

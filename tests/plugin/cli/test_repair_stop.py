@@ -15,6 +15,7 @@ import pytest
 
 from command import PROGRAM, run
 from patches import sheet_text
+from seeds import seed_of_test
 
 
 @pytest.fixture
@@ -66,7 +67,7 @@ def without_time(text):
 def test_interrupted(model, how):
     content = model.read_bytes()
     seconds, _ = whole_run(model)
-    moments, stopped = random.Random(7), 0
+    moments, stopped = random.Random(seed_of_test()), 0
     for _ in range(5):
         process = start(model)
         time.sleep(moments.uniform(0.05, 0.8) * seconds)
@@ -99,7 +100,7 @@ def test_killed_at_any_moment(model, out):
     """Moments of the whole run, and as many while files are written, read back and renamed."""
     content = model.read_bytes()
     seconds, (written, report) = whole_run(model, out)
-    moments, seen = random.Random(11), set()
+    moments, seen = random.Random(seed_of_test()), set()
     for aimed in [False, True] * 12:
         process = start(model, out, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         if aimed:

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from seamwright import BernsteinPolynomial
+from seeds import seed_of_test
 
 
 def exact(coefficients, t):
@@ -24,7 +25,7 @@ PLACES = [0.0, 0.1, 0.3, 0.5, 0.77, 1.0]
 
 @pytest.fixture
 def random():
-    return np.random.default_rng(20260302)
+    return np.random.default_rng(seed_of_test())
 
 
 def holds(polynomial, t, value, width=1e-12):

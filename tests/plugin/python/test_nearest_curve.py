@@ -6,11 +6,12 @@ import pytest
 
 import seamwright
 from seamwright import BezierCurve, BSplineCurve
+from seeds import seed_of_test
 
 
 def kinked(degree=3, noise=0.05, weights=None):
     """Two curves along x, the second turned by 0.3 at the origin."""
-    random = np.random.default_rng(7)
+    random = np.random.default_rng(seed_of_test(1))
     x = np.arange(degree + 1.0)
     a = np.stack([x - degree, 0.1 * (x - degree) ** 2, 0 * x], axis=-1)
     b = np.stack([x * np.cos(0.3), x * np.sin(0.3) - 0.05 * x**2, 0 * x], axis=-1)
@@ -28,7 +29,9 @@ def test_curves_join(order, moves, weights):
     a, b = kinked(weights=weights)
     join = seamwright.nearest_curve_join(a, b, order=order, moves=moves)
     assert join["status"] == "solved" and join["reason"] == ""
-    assert max(defects(join, order)) < 1e-10 and join["residual"] < 1e-10
+    # Derivatives by arc length divide roundings by powers of the speed, and one side may be slow.
+    slowness = max(join["beta"][0], 1 / join["beta"][0])
+    assert max(*defects(join, order), join["residual"]) < 1e-13 * slowness ** (2 * order - 1)
     assert join["gradient"] < 1e-8
     assert (join["a"] == a) == (moves == "b")
     assert (join["b"] == b) == (moves == "a")
@@ -54,7 +57,7 @@ def test_poles_that_stay_or_are_dear():
 
 @pytest.mark.parametrize("moves", ["a", "b", "both"])
 def test_the_ends_are_one_point_bit_by_bit(moves):
-    random = np.random.default_rng(11)
+    random = np.random.default_rng(seed_of_test())
     for _ in range(50):
         a = seamwright.BezierCurve(np.cumsum(random.uniform(0.5, 1.5, (4, 3)), axis=0))
         b = seamwright.BezierCurve(

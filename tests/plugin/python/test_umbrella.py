@@ -6,8 +6,15 @@ import pytest
 
 import seamwright
 from seamwright import BezierCurve, BezierPatch, BezierTriangle
+from seeds import seed_of_test
 
-RANDOM = np.random.default_rng(19)
+RANDOM = None
+
+
+@pytest.fixture(autouse=True)
+def random_numbers():
+    global RANDOM
+    RANDOM = np.random.default_rng(seed_of_test())
 
 
 def spokes_of(count, closed=True, degree=3, bend=1.0):
