@@ -25,6 +25,12 @@ double sinc(double x) {
   return std::abs(x) < 0x1p-26 ? 1 : std::sin(x) / x;
 }
 
+double sincSlope(double x) {
+  // Both terms cancel for small x. The series has an error below x^5 / 840.
+  if (std::abs(x) < 1e-3) return -x / 3 + x * x * x / 30;
+  return (x * std::cos(x) - std::sin(x)) / (x * x);
+}
+
 double wrapped(double angle_rad) {
   return std::remainder(angle_rad, 2 * pi);
 }

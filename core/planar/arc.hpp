@@ -30,6 +30,8 @@ struct PlanarArc {
 
 /// sin(x) / x, and 1 at 0.
 double sinc(double x);
+/// The derivative of sinc, (x cos(x) - sin(x)) / x^2, and 0 at 0.
+double sincSlope(double x);
 /// The angle plus the multiple of 2 pi that brings it into [-pi, pi].
 double wrapped(double angle_rad);
 /// The angle of the vector against the first axis, in [-pi, pi].

@@ -7,7 +7,7 @@
 
 #include <seamwright/core/numeric.hpp>
 #include <seamwright/core/planar/biarc_spline.hpp>
-#include <seamwright/core/spline/band_factor.hpp>
+#include <seamwright/core/planar/tridiagonal.hpp>
 
 namespace seamwright {
 
@@ -68,44 +68,11 @@ Polygon polygonOf(const PlanarPoints& points, bool closed) {
   return polygon;
 }
 
-/// Linear equations of the angles alpha at the points: from the tangent at a point to the chord
-/// after it; at the last point of an open curve to the chord before it, so it is -beta there.
-class AngleEquations {
- public:
-  explicit AngleEquations(const Polygon& polygon)
-      : matrix_{.lower = Eigen::VectorXd::Zero(polygon.points()),
-                .diagonal = Eigen::VectorXd::Zero(polygon.points()),
-                .upper = Eigen::VectorXd::Zero(polygon.points()),
-                .scale = Eigen::VectorXd::Ones(polygon.points()),
-                .closed = polygon.closed},
-        right_(Poles::Zero(polygon.points(), 3)) {}
-
-  void add(Index i, double lower, double diagonal, double upper, double right) {
-    matrix_.lower(i) += lower;
-    matrix_.diagonal(i) += diagonal;
-    matrix_.upper(i) += upper;
-    right_(i, 0) += right;
-  }
-  void give(Index i, double value) {
-    matrix_.lower(i) = matrix_.upper(i) = 0;
-    matrix_.diagonal(i) = 1;
-    right_(i, 0) = value;
-  }
-  Eigen::VectorXd solve() && {
-    for (Index i = 0; i < right_.rows(); ++i) {
-      const double size = matrix_.diagonal(i);
-      matrix_.lower(i) /= size;
-      matrix_.upper(i) /= size;
-      right_(i, 0) /= size;
-      matrix_.diagonal(i) = 1;
-    }
-    return solveBand(matrix_, std::move(right_)).x.col(0);
-  }
-
- private:
-  BandMatrix matrix_;
-  Poles right_;
-};
+/// The unknowns are the angles alpha at the points: from the tangent at a point to the chord after
+/// it; at the last point of an open curve to the chord before it, so it is -beta there.
+TridiagonalEquations equationsOf(const Polygon& polygon) {
+  return TridiagonalEquations(polygon.points(), polygon.closed);
+}
 
 /// The quadratic form a (alpha^2 + beta^2) + b (alpha - beta)^2 of a segment.
 struct SegmentForm {
@@ -152,7 +119,7 @@ EndAngles endAngles(const PlanarPoints& points, const Polygon& polygon,
 /// beta = D - alpha of the next point.
 Eigen::VectorXd linearAngles(const PlanarPoints& points, const Polygon& polygon,
                              const TangentOptions& options) {
-  AngleEquations equations(polygon);
+  TridiagonalEquations equations = equationsOf(polygon);
   for (Index s = 0; s < polygon.segments(); ++s) {
     const auto [size, difference] = formOf(options, polygon.chords_mm(s));
     const Index next = polygon.next(s);
@@ -173,12 +140,6 @@ struct ArcResiduals {
   Eigen::Matrix2d derivative;  ///< row: arc; column: alpha, beta
 };
 
-/// (sin x - x cos x) / x^2 = -sinc'(x), by its series for small x.
-double sincSlope(double x) {
-  if (std::abs(x) < 1e-3) return x / 3 - x * x * x / 30;
-  return (std::sin(x) - x * std::cos(x)) / (x * x);
-}
-
 ArcResiduals residualsOf(double alpha, double beta) {
   // Each arc turns by t and has the chord q = 1 / (2 cos(sigma / 2)), sigma = (alpha + beta) / 2.
   const double sigma = (alpha + beta) / 2;
@@ -186,7 +147,7 @@ ArcResiduals residualsOf(double alpha, double beta) {
   const double root_slope = -std::sin(sigma / 2) / (4 * inverse_root);  // by alpha, and by beta
   const auto arc = [&](double t) {
     const double root = std::sqrt(sinc(t / 2));
-    const double slope = root - t * sincSlope(t / 2) / (4 * root);
+    const double slope = root + t * sincSlope(t / 2) / (4 * root);
     return std::pair(t * root, slope);
   };
   const auto [first, first_slope] = arc((3 * alpha - beta) / 2);
@@ -228,7 +189,7 @@ double energyOf(const Polygon& polygon, const Eigen::VectorXd& alpha) {
 /// The change of the angles in one Gauss-Newton step.
 Eigen::VectorXd energyStep(const Polygon& polygon, const Eigen::VectorXd& alpha,
                            const EndAngles& ends) {
-  AngleEquations equations(polygon);
+  TridiagonalEquations equations = equationsOf(polygon);
   for (Index s = 0; s < polygon.segments(); ++s) {
     const ArcResiduals arcs = residualsOf(alpha(s), endAngle(polygon, alpha, s));
     Eigen::Matrix2d by_angles = arcs.derivative;

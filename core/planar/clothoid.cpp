@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include <seamwright/core/numeric.hpp>
+#include <seamwright/core/planar/clothoid.hpp>
+#include <seamwright/core/planar/hermite_quintic.hpp>
+
+namespace seamwright {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Nodes and weights of Gauss' quadrature on [0, 1].
+struct GaussRule {
+  static constexpr int count = 16;
+  std::array<double, count> nodes, weights;
+};
+
+/// The roots of the Legendre polynomial by Newton's method, which doubles the digits in each step.
+GaussRule gaussRule() {
+  constexpr int n = GaussRule::count, steps = 8;
+  GaussRule rule;
+  for (int i = 0; i < n; ++i) {
+    double x = std::cos(pi * (i + 0.75) / (n + 0.5)), slope = 0;
+    for (int step = 0; step < steps; ++step) {
+      double before = 1, value = x;
+      for (int k = 2; k <= n; ++k)
+        before = std::exchange(value, ((2 * k - 1) * x * value - (k - 1) * before) / k);
+      slope = n * (x * value - before) / (x * x - 1);
+      x -= value / slope;
+    }
+    rule.nodes[i] = (1 + x) / 2;
+    rule.weights[i] = 1 / ((1 - x * x) * slope * slope);
+  }
+  return rule;
+}
+
+/// The integral over [0, 1] of a function whose phase turns by at most \p turn_rad: 16 nodes in
+/// each panel of 3 rad are exact up to rounding.
+template <class Function>
+auto integral(const Function& function, double turn_rad) {
+  static const GaussRule rule = gaussRule();
+  constexpr double panel_rad = 3;
+  const int panels = static_cast<int>(std::ceil((turn_rad + 1) / panel_rad));
+  decltype(function(0.0)) sum = function(0.0) * 0.0;
+  for (int panel = 0; panel < panels; ++panel)
+    for (int i = 0; i < GaussRule::count; ++i)
+      sum += rule.weights[i] * function((panel + rule.nodes[i]) / panels);
+  return decltype(sum)(sum / panels);
+}
+
+/// A clothoid on a chord of length 1 along the first axis, as the integrals over t in [0, 1] of its
+/// phase a t^2 + (d - a) t + f.
+struct Phase {
+  double start = 0;   ///< f: direction at the start
+  double change = 0;  ///< d: direction at the end minus that at the start
+
+  double at(double a, double t) const { return (a * t + change - a) * t + start; }
+  double turn(double a) const { return std::abs(a) + std::abs(change); }
+  /// The height of the end: zero for the solution.
+  double height(double a) const {
+    return integral([&](double t) { return std::sin(at(a, t)); }, turn(a));
+  }
+  double heightSlope(double a) const {
+    return integral([&](double t) { return (t * t - t) * std::cos(at(a, t)); }, turn(a));
+  }
+  /// The width of the end: the chord over the length.
+  double width(double a) const {
+    return integral([&](double t) { return std::cos(at(a, t)); }, turn(a));
+  }
+};
+
+/// A start value for Newton's method, fitted to the solution over all ends. [BertolazziFrego2015]
+double guess(double f0, double f1) {
+  const double x = f0 / pi, y = f1 / pi, xy = x * y, squares = x * x + y * y;
+  return (f0 + f1) * (2.989696028701907 + 0.716228953608281 * xy - 0.458969738821509 * xy * xy +
+                      (-0.502821153340377 + 0.261062141752652 * xy) * squares -
+                      0.045854475238709 * squares * squares);
+}
+
+/// The root of the height nearest to the guess. No end needs |a| > 17, and no more than five steps
+/// of Newton's method were seen; the bound of 20 keeps a failure from being silent.
+double solved(const Phase& phase, double a) {
+  constexpr int most_steps = 20;
+  constexpr double largest = 20, smallest_step = 1e-15;
+  for (int step = 0; step < most_steps; ++step) {
+    const double change = phase.height(a) / phase.heightSlope(a);
+    a -= change;
+    if (!(std::abs(a) <= largest)) break;
+    if (std::abs(change) <= smallest_step * (1 + std::abs(a))) return a;
+  }
+  if (std::abs(a) <= largest && std::abs(phase.height(a)) < 1e-13) return a;
+  throw std::domain_error(fmt::format("no clothoid was found for tangents at {} rad and {} rad",
+                                      phase.start, phase.start + phase.change));
+}
+
+/// The error of the quintic of a piece, from a bound of the sixth derivative by arc length.
+double errorBound_mm(const Clothoid& piece) {
+  const double k = std::max(std::abs(piece.curvature_per_mm),
+                            std::abs(piece.curvatureAt_per_mm(piece.length_mm)));
+  const double slope = std::abs(piece.curvature_slope_per_mm2);
+  const double sixth = std::pow(k, 5) + 10 * std::pow(k, 3) * slope + 15 * k * slope * slope;
+  return sixth * std::pow(piece.length_mm, 6) * hermite_quintic_error;
+}
+
+Clothoid pieceOf(const Clothoid& whole, int i, int count) {
+  const double s_mm = whole.length_mm * i / count;
+  return {.start = whole.point(s_mm),
+          .direction_rad = whole.directionAt_rad(s_mm),
+          .curvature_per_mm = whole.curvatureAt_per_mm(s_mm),
+          .curvature_slope_per_mm2 = whole.curvature_slope_per_mm2,
+          .length_mm = whole.length_mm / count};
+}
+
+double largestBound_mm(const Clothoid& whole, int count) {
+  // The curvature is linear, so the largest |k| is in the first or in the last piece.
+  return std::max(errorBound_mm(pieceOf(whole, 0, count)),
+                  errorBound_mm(pieceOf(whole, count - 1, count)));
+}
+
+int piecesWithin(const Clothoid& whole, double tolerance_mm) {
+  constexpr int most = 100'000;
+  const double ratio = errorBound_mm(whole) / tolerance_mm;
+  int count = ratio > 1 ? static_cast<int>(std::min<double>(most, std::pow(ratio, 1.0 / 6))) : 1;
+  count = std::max(1, count / 2);
+  while (count <= most && largestBound_mm(whole, count) > tolerance_mm) ++count;
+  if (count > most)
+    throw std::domain_error(
+        fmt::format("a clothoid of {} mm needs more than {} segments for a "
+                    "tolerance of {} mm",
+                    whole.length_mm, most, tolerance_mm));
+  return count;
+}
+
+PlanarJet jetAt(const Clothoid& curve, double s_mm) {
+  const double direction_rad = curve.directionAt_rad(s_mm);
+  return {.point = curve.point(s_mm),
+          .first = unitVector(direction_rad),
+          .second = curve.curvatureAt_per_mm(s_mm) * unitVector(direction_rad + pi / 2)};
+}
+
+}  // namespace
+
+Eigen::Vector2d Clothoid::point(double s_mm) const {
+  const double turn_rad =
+      std::abs(curvature_per_mm * s_mm) + std::abs(curvature_slope_per_mm2) * s_mm * s_mm / 2;
+  return start +
+         s_mm * integral([&](double t) { return unitVector(directionAt_rad(t * s_mm)); }, turn_rad);
+}
+
+Clothoid reversed(const Clothoid& clothoid) {
+  return {.start = clothoid.end(),
+          .direction_rad = wrapped(clothoid.directionAt_rad(clothoid.length_mm) + pi),
+          .curvature_per_mm = -clothoid.curvatureAt_per_mm(clothoid.length_mm),
+          .curvature_slope_per_mm2 = clothoid.curvature_slope_per_mm2,
+          .length_mm = clothoid.length_mm};
+}
+
+Clothoid clothoid(const HermiteEnds& ends) {
+  const ChordAngles angles = chordAngles(ends);
+  const double f0 = -angles.alpha_rad, f1 = angles.beta_rad;
+  const Phase phase{.start = f0, .change = f1 - f0};
+  const double a = solved(phase, guess(f0, f1));
+  const double width = phase.width(a);
+  constexpr double least_width = 1e-8;
+  if (!(width > least_width))
+    throw std::domain_error(fmt::format(
+        "both tangents point against the chord (alpha {} rad, beta {} rad): the clothoid would be "
+        "more than 1e8 times as long as the chord",
+        angles.alpha_rad, angles.beta_rad));
+  const double length_mm = angles.chord_mm / width;
+  return {.start = ends.start,
+          .direction_rad = ends.start_direction_rad,
+          .curvature_per_mm = (phase.change - a) / length_mm,
+          .curvature_slope_per_mm2 = 2 * a / (length_mm * length_mm),
+          .length_mm = length_mm};
+}
+
+SplineWithin bezierSpline(const std::vector<Clothoid>& chain, double tolerance_mm, bool closed,
+                          double gap_mm) {
+  if (!(tolerance_mm > 0 && std::isfinite(tolerance_mm)))
+    refuse(fmt::format("the tolerance is {} mm: it must be positive and finite", tolerance_mm));
+  std::vector<BezierCurve> segments;
+  std::vector<double> knots = {0};
+  SplineWithin result;
+  for (const Clothoid& whole : chain) {
+    const int count = piecesWithin(whole, tolerance_mm);
+    const double before_mm = knots.back();
+    PlanarJet from = jetAt(whole, 0);
+    for (int i = 0; i < count; ++i) {
+      const PlanarJet to = jetAt(whole, whole.length_mm * (i + 1) / count);
+      segments.push_back(hermiteQuintic(from, to, whole.length_mm / count));
+      knots.push_back(before_mm + whole.length_mm * (i + 1) / count);
+      from = to;
+    }
+    result.distance_mm = std::max(result.distance_mm, largestBound_mm(whole, count));
+  }
+  result.curve = bezierSpline(segments, knots, closed, gap_mm);
+  return result;
+}
+
+}  // namespace seamwright
