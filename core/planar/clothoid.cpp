@@ -8,6 +8,7 @@
 
 #include <seamwright/core/numeric.hpp>
 #include <seamwright/core/planar/clothoid.hpp>
+#include <seamwright/core/planar/clothoid_phase.hpp>
 #include <seamwright/core/planar/hermite_quintic.hpp>
 
 namespace seamwright {
@@ -15,66 +16,6 @@ namespace seamwright {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-/// Nodes and weights of Gauss' quadrature on [0, 1].
-struct GaussRule {
-  static constexpr int count = 16;
-  std::array<double, count> nodes, weights;
-};
-
-/// The roots of the Legendre polynomial by Newton's method, which doubles the digits in each step.
-GaussRule gaussRule() {
-  constexpr int n = GaussRule::count, steps = 8;
-  GaussRule rule;
-  for (int i = 0; i < n; ++i) {
-    double x = std::cos(pi * (i + 0.75) / (n + 0.5)), slope = 0;
-    for (int step = 0; step < steps; ++step) {
-      double before = 1, value = x;
-      for (int k = 2; k <= n; ++k)
-        before = std::exchange(value, ((2 * k - 1) * x * value - (k - 1) * before) / k);
-      slope = n * (x * value - before) / (x * x - 1);
-      x -= value / slope;
-    }
-    rule.nodes[i] = (1 + x) / 2;
-    rule.weights[i] = 1 / ((1 - x * x) * slope * slope);
-  }
-  return rule;
-}
-
-/// The integral over [0, 1] of a function whose phase turns by at most \p turn_rad: 16 nodes in
-/// each panel of 3 rad are exact up to rounding.
-template <class Function>
-auto integral(const Function& function, double turn_rad) {
-  static const GaussRule rule = gaussRule();
-  constexpr double panel_rad = 3;
-  const int panels = static_cast<int>(std::ceil((turn_rad + 1) / panel_rad));
-  decltype(function(0.0)) sum = function(0.0) * 0.0;
-  for (int panel = 0; panel < panels; ++panel)
-    for (int i = 0; i < GaussRule::count; ++i)
-      sum += rule.weights[i] * function((panel + rule.nodes[i]) / panels);
-  return decltype(sum)(sum / panels);
-}
-
-/// A clothoid on a chord of length 1 along the first axis, as the integrals over t in [0, 1] of its
-/// phase a t^2 + (d - a) t + f.
-struct Phase {
-  double start = 0;   ///< f: direction at the start
-  double change = 0;  ///< d: direction at the end minus that at the start
-
-  double at(double a, double t) const { return (a * t + change - a) * t + start; }
-  double turn(double a) const { return std::abs(a) + std::abs(change); }
-  /// The height of the end: zero for the solution.
-  double height(double a) const {
-    return integral([&](double t) { return std::sin(at(a, t)); }, turn(a));
-  }
-  double heightSlope(double a) const {
-    return integral([&](double t) { return (t * t - t) * std::cos(at(a, t)); }, turn(a));
-  }
-  /// The width of the end: the chord over the length.
-  double width(double a) const {
-    return integral([&](double t) { return std::cos(at(a, t)); }, turn(a));
-  }
-};
 
 /// A start value for Newton's method, fitted to the solution over all ends. [BertolazziFrego2015]
 double guess(double f0, double f1) {
@@ -145,7 +86,31 @@ PlanarJet jetAt(const Clothoid& curve, double s_mm) {
           .second = curve.curvatureAt_per_mm(s_mm) * unitVector(direction_rad + pi / 2)};
 }
 
+/// The roots of the Legendre polynomial by Newton's method, which doubles the digits in each step.
+GaussRule computedGaussRule() {
+  constexpr int n = GaussRule::count, steps = 8;
+  GaussRule rule;
+  for (int i = 0; i < n; ++i) {
+    double x = std::cos(pi * (i + 0.75) / (n + 0.5)), slope = 0;
+    for (int step = 0; step < steps; ++step) {
+      double before = 1, value = x;
+      for (int k = 2; k <= n; ++k)
+        before = std::exchange(value, ((2 * k - 1) * x * value - (k - 1) * before) / k);
+      slope = n * (x * value - before) / (x * x - 1);
+      x -= value / slope;
+    }
+    rule.nodes[i] = (1 + x) / 2;
+    rule.weights[i] = 1 / ((1 - x * x) * slope * slope);
+  }
+  return rule;
+}
+
 }  // namespace
+
+const GaussRule& gaussRule() {
+  static const GaussRule rule = computedGaussRule();
+  return rule;
+}
 
 Eigen::Vector2d Clothoid::point(double s_mm) const {
   const double turn_rad =
