@@ -66,7 +66,7 @@ struct BiarcSpline {
 };
 
 /// \param rule of the joint in each segment. \throws as tangentsAt() and biarc() do.
-/// Source: docs/theory/planar.md P3.
+/// Source: docs/theory/planar.md P2.1, P3.1 to P3.3.
 BiarcSpline biarcSpline(const PlanarPoints& points, const TangentOptions& options = {},
                         BiarcRule rule = BiarcRule::EqualChords);
 
