@@ -14,7 +14,7 @@ namespace seamwright {
 ///
 /// Points are integrals of the direction, computed by Gauss' quadrature to a few roundings of the
 /// length. The closed form with Fresnel integrals loses all digits as the curvature becomes
-/// constant. Source: docs/theory/planar.md P5.1.
+/// constant. Source: docs/theory/planar.md P4.1.
 struct Clothoid {
   Eigen::Vector2d start = Eigen::Vector2d::Zero();
   double direction_rad = 0;            ///< of the tangent at the start
@@ -48,7 +48,7 @@ Clothoid reversed(const Clothoid& clothoid);
 /// \throws std::invalid_argument as chordAngles() does. Throws std::domain_error if both tangents
 /// point against the chord so closely that the length has no bound: |alpha + beta| near 2 pi, with
 /// a length of more than 1e8 chords.
-/// Source: docs/theory/planar.md P5.2; [BertolazziFrego2015].
+/// Source: docs/theory/planar.md P4.2; [BertolazziFrego2015].
 Clothoid clothoid(const HermiteEnds& ends);
 
 /// A spline that approximates a chain of curves, and the proven distance.
@@ -66,7 +66,7 @@ struct SplineWithin {
 /// \param gap_mm largest distance between the end of one clothoid and the start of the next.
 /// \throws std::invalid_argument for an empty chain, a tolerance that is not positive and finite,
 /// and gaps. Throws std::domain_error if a clothoid needs more than 100,000 segments.
-/// Source: docs/theory/planar.md P5.3.
+/// Source: docs/theory/planar.md P4.3.
 SplineWithin bezierSpline(const std::vector<Clothoid>& chain, double tolerance_mm, bool closed,
                           double gap_mm);
 

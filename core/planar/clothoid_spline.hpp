@@ -39,7 +39,7 @@ struct ClothoidSpline {
 /// \throws std::invalid_argument as tangentsAt() does, and for a curvature that is not finite.
 /// Throws std::domain_error as tangentsAt() and clothoid() do, and if the steps do not converge,
 /// with the curvature jump that is left: then points have to be inserted.
-/// Source: docs/theory/planar.md P5.4.
+/// Source: docs/theory/planar.md P4.4.
 ClothoidSpline clothoidSpline(const PlanarPoints& points,
                               const ClothoidSplineOptions& options = {});
 

@@ -17,12 +17,12 @@ namespace seamwright {
 /// \param count at least 2; 1 if the ends lie on a circle.
 /// \throws std::invalid_argument as chordAngles() does, and for a count below 1. Throws
 /// std::domain_error if no such arcs exist near the clothoid, and as clothoid() does.
-/// Source: docs/theory/planar.md P6.1.
+/// Source: docs/theory/planar.md P5.1.
 std::vector<PlanarArc> eulerArcs(const HermiteEnds& ends, int count);
 
 /// A piece of a logarithmic spiral. The radius of curvature is radius_mm e^(growth u) after the
 /// tangent has turned by u; with growth 0 it is an arc of a circle.
-/// Source: docs/theory/planar.md P7.1.
+/// Source: docs/theory/planar.md P6.1.
 struct LogSpiral {
   Eigen::Vector2d start = Eigen::Vector2d::Zero();
   double direction_rad = 0;  ///< of the tangent at the start
@@ -46,7 +46,7 @@ struct LogSpiral {
 /// \throws std::invalid_argument as chordAngles() does. Throws std::domain_error for ends of
 /// another shape (a clothoid or a biarc joins these), for turns above pi (a point has to be
 /// inserted), and if the radii at the ends differ by more than the factor 1e12. Source:
-/// docs/theory/planar.md P7.2; [Yang2014].
+/// docs/theory/planar.md P6.2; [Yang2014].
 LogSpiral logSpiral(const HermiteEnds& ends);
 
 /// The smallest number of arcs of logArcs(): floor((alpha + beta) / (2 min(alpha, beta))) + 1.
@@ -58,7 +58,7 @@ int leastLogArcs(const HermiteEnds& ends);
 ///   (5) The arcs meet both ends with their directions, have one sweep, and their radii are a
 ///       geometric progression.
 /// \throws as logSpiral() does, and std::domain_error for a count below leastLogArcs().
-/// Source: docs/theory/planar.md P7.3; [Yang2014].
+/// Source: docs/theory/planar.md P6.3; [Yang2014].
 std::vector<PlanarArc> logArcs(const HermiteEnds& ends, int count);
 
 /// The spiral as quintic segments, each the Hermite interpolant by the turned angle.
@@ -66,7 +66,7 @@ std::vector<PlanarArc> logArcs(const HermiteEnds& ends, int count);
 /// The spline is C2 by the turned angle, hence G2.
 /// \throws std::invalid_argument for a tolerance that is not positive and finite. Throws
 /// std::domain_error if more than 100,000 segments are needed.
-/// Source: docs/theory/planar.md P7.4.
+/// Source: docs/theory/planar.md P6.4.
 SplineWithin bezierSpline(const LogSpiral& spiral, double tolerance_mm);
 
 }  // namespace seamwright

@@ -89,7 +89,7 @@ void expectLeast(const PlanarPoints& points, const TangentOptions& options) {
 
 // Identity (1).
 TEST(BiarcSpline, TangentsMinimiseWhatTheRuleNames) {
-  std::mt19937_64 random(1);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 60; ++i) {
     const Eigen::Index count = 2 + static_cast<Eigen::Index>(random() % 9);
     for (const TangentRule rule :
@@ -109,7 +109,7 @@ TEST(BiarcSpline, TangentsMinimiseWhatTheRuleNames) {
 }
 
 TEST(BiarcSpline, TangentsOfRingsMinimiseWhatTheRuleNames) {
-  std::mt19937_64 random(2);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 60; ++i) {
     const Eigen::Index count = 3 + 2 * static_cast<Eigen::Index>(random() % 5);
     const PlanarPoints points = randomRing(count, random);
@@ -152,7 +152,7 @@ TEST(BiarcSpline, AgreesWithHighPrecision) {
 
 // Identity (2).
 TEST(BiarcSpline, PointsOnACircleGetItsTangents) {
-  std::mt19937_64 random(3);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 50; ++i) {
     const Eigen::Index count = 5 + static_cast<Eigen::Index>(random() % 6);
     const double radius = uniform(random, 0.5, 9);
@@ -179,7 +179,7 @@ TEST(BiarcSpline, PointsOnACircleGetItsTangents) {
 
 // Identity (3).
 TEST(BiarcSpline, ReversedAndMovedPointsGiveReversedAndMovedTangents) {
-  std::mt19937_64 random(4);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 50; ++i) {
     const PlanarPoints points = randomWalk(8, random);
     for (const TangentRule rule : {TangentRule::LinearEnergy, TangentRule::Energy}) {
@@ -201,7 +201,7 @@ TEST(BiarcSpline, ReversedAndMovedPointsGiveReversedAndMovedTangents) {
 }
 
 TEST(BiarcSpline, EnergyIsBelowTheLinearOne) {
-  std::mt19937_64 random(5);
+  std::mt19937_64 random(testSeed());
   for (int i = 0; i < 50; ++i) {
     const PlanarPoints points = randomWalk(9, random);
     const double linear = biarcSpline(points).energy_per_mm;
@@ -211,7 +211,7 @@ TEST(BiarcSpline, EnergyIsBelowTheLinearOne) {
 }
 
 TEST(BiarcSpline, BezierFormRunsThroughThePointsWithoutGaps) {
-  std::mt19937_64 random(6);
+  std::mt19937_64 random(testSeed());
   for (const bool closed : {false, true}) {
     const PlanarPoints points = closed ? randomRing(7, random) : randomWalk(7, random);
     const BiarcSpline arcs = biarcSpline(points, {.closed = closed});

@@ -10,6 +10,7 @@
 #include <seamwright/core/planar/biarc_spline.hpp>
 
 #include "splines.hpp"
+#include "support/random.hpp"
 
 /// What tests of planar curves share.
 namespace seamwright::test {

@@ -70,7 +70,7 @@ std::uint32_t testSeed(std::uint32_t index) {
   const std::uint32_t seed = given ? numberOf(given) : fnv1a(runningTest());
   seedPrinter().use(seed);
   // 2^32 over the golden ratio: an odd number, so that all indices give different seeds.
-  return seed + index * 2654435769;
+  return seed + index * 2654435769U;
 }
 
 }  // namespace seamwright
