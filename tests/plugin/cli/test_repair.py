@@ -90,6 +90,7 @@ def check_seam(seam, report):
     )
     if seam["treated"]:
         assert seam["repaired"] == (seam["reason"] == "")
+        assert (seam["reason"] == "") == (seam["reason_code"] == "")
     else:
         assert not seam["repaired"]
     if seam["repaired"]:
@@ -268,6 +269,7 @@ def test_planes_stay_and_the_reason_says_so(tmp_path):
     assert result.returncode == 1
     (seam,) = report["seams"]
     assert not seam["treated"] and "plane" in seam["reason"]
+    assert seam["reason_code"] == "face_without_poles"
     assert (
         seam["wants_conversion"]
         and report["summary"]["wants_conversion"] == 1
