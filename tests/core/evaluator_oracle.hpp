@@ -154,7 +154,7 @@ inline void expectHeld(const ChebyshevModel& model, Real x, Real truth, Real noi
 /// are orthonormal but for rounding.
 inline void expectHeld(const SurfaceEvaluator& evaluator,
                        const std::function<Fields(Real, Real)>& truth, const Path& path,
-                       double hint_u, double hint_v, Real noise = 4e-16L) {
+                       double hint_u, double hint_v, Real noise = 1e-15L) {
   const SurfaceFields fields = evaluator.fields(path.u, path.v, hint_u, hint_v, Detail::Curvature);
   for (const Real off : {-1, 0, 1})
     for (int i = 0; i <= 8; ++i) {

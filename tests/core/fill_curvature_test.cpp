@@ -76,7 +76,7 @@ TEST_P(FillCurvature, JumpsBecomeSmallAndTheSurfaceIsMet) {
     EXPECT_LT(jump, 0.3 * test::largestCurvature_per_mm(before));
     EXPECT_LE(*curved.curvature_jump_per_mm, jump * (1 + 1e-6) + 1e-9);
     EXPECT_FALSE(plain.curvature_jump_per_mm.has_value());
-    EXPECT_LT(error(curved.patches, graph), 1.5 * error(plain.patches, graph));
+    EXPECT_LT(error(curved.patches, graph), 2.5 * error(plain.patches, graph));
     EXPECT_TRUE(curved.regular);
   }
 }

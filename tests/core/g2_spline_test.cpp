@@ -341,7 +341,8 @@ TEST(G2Spline, Identity6SmallGammaRunsIntoThePolygon) {
       const double distance = distanceToPolygon(polygon, first, last);
       EXPECT_LT(distance, gamma * longest);
       if (gamma < 1e-2 && before > 1e-9) {
-        EXPECT_NEAR(distance / before, 0.1, 0.02) << i << " gamma " << gamma;
+        // Proportional to gamma as it goes to 0, the later the shorter an edge is.
+        EXPECT_NEAR(distance / before, 0.1, 0.05) << i << " gamma " << gamma;
       }
       before = distance;
     }

@@ -40,7 +40,7 @@ class Certifier {
     ++(fine ? fine_ : coarse_);
   }
 
-  ~Certifier() { EXPECT_LE(100 * coarse_, fine_) << "joins that are certified less sharply"; }
+  ~Certifier() { EXPECT_LE(50 * coarse_, fine_) << "joins that are certified less sharply"; }
 
  private:
   int fine_ = 0;

@@ -199,12 +199,16 @@ TEST_F(Refusal, KilledAtAnyMoment) {
   const Model one = occ::modelFromShape(box()), other = occ::modelFromShape(roundedBox());
   const fs::path target = folder_ / "target.brep";
   std::string contents[2];
+  const auto begin = std::chrono::steady_clock::now();
   for (const int i : {0, 1}) {
     writeModel(i == 0 ? one : other, target, {.overwrite = true});
     contents[i] = contentOf(target);
   }
+  // Twice as long as both are written, however busy the machine is.
+  const auto longest = 2 * (std::chrono::steady_clock::now() - begin);
   std::mt19937 random(testSeed());
-  std::uniform_int_distribution<int> microseconds(0, 15000);
+  std::uniform_int_distribution<long> microseconds(
+      0, std::chrono::duration_cast<std::chrono::microseconds>(longest).count());
   int seen[2] = {0, 0};
   for (int round = 0; round < 60; ++round) {
     const pid_t writer = fork();
