@@ -118,13 +118,13 @@ TEST(Note, NamesTheFigureThatHoldsItsLimit) {
     return noteOf(seam, report.tolerance);
   };
   EXPECT_THAT(noteWith(&SeamFigures::gap_mm, {0.009, 0.02, 0}),
-              HasSubstr("gap is 0.009..0.02 mm, with 0.01 mm"));
+              HasSubstr("gap is 0.009..0.02 mm, limit 0.01 mm"));
   EXPECT_THAT(noteWith(&SeamFigures::angle_rad, {4 * degree, 6 * degree, 0}),
-              HasSubstr("4..6 deg, with 5 deg"));
+              HasSubstr("4..6 deg, limit 5 deg"));
   EXPECT_THAT(noteWith(&SeamFigures::curvature_rel, {0.01, 0.03, 0}),
-              HasSubstr("curvature is 1..3 %, with 2 %"));
+              HasSubstr("curvature is 1..3 %, limit 2 %"));
   EXPECT_THAT(noteWith(&SeamFigures::curvature_change_rel, {0.01, 0.03, 0}),
-              HasSubstr("change of curvature is 1..3 %, with 2 %"));
+              HasSubstr("change of curvature is 1..3 %, limit 2 %"));
   EXPECT_EQ(noteWith(&SeamFigures::gap_mm, {0.02, 0.03, 0}), "");
 }
 
