@@ -41,7 +41,7 @@ std::string listOf(const std::vector<int>& numbers) {
 
 std::string apartText(const std::array<TopoDS_Face, 2>& faces, double match_mm) {
   std::ostringstream text;
-  text << "the faces have no common boundary: no edge is shared, and no open edges run side by "
+  text << "the faces have no common boundary: no edge is shared, and no free edges run side by "
           "side within "
        << match_mm << " mm";
   if (!allEdgesHaveCurves(faces[0]) || !allEdgesHaveCurves(faces[1])) return text.str();

@@ -18,7 +18,7 @@ struct FaceMatchOptions {
   double max_move_mm =
       std::numeric_limits<double>::infinity();  ///< largest_move_mm may not be larger
   bool hold_sides = false;  ///< the two other boundaries that end at the seam stay as they are
-  double match_mm = 0.1;    ///< open edges no further apart than this may be the common boundary
+  double match_mm = 0.1;    ///< free edges no further apart than this may be the common boundary
   int edge = 0;  ///< of several common ones, from 1, order of TopExp::MapShapes; 0: the longest
   ContinuityTolerance
       tolerance;  ///< what the figures are judged by, and how near a trimmed boundary is met
@@ -40,7 +40,7 @@ struct MatchReport {
 };
 
 /// Moves one or both of two faces so that they join G1 or G2 along their common boundary: an edge
-/// that both share, or an open edge of each where these are close together over their whole length.
+/// that both share, or a free edge of each where these are close together over their whole length.
 /// The other faces of the model are not looked at.
 ///
 /// A face can move if it lies on a B-spline or Bezier surface and the boundary is the whole of one

@@ -59,7 +59,7 @@ struct NonSeamEdge {
 struct SeamGraph {
   std::vector<Seam> seams;                ///< by edge number; matched ones after the others
   std::vector<NonSeamEdge> open;          ///< one face
-  std::vector<Coedge> open_uses;          ///< the one use of each open edge, in the order of open
+  std::vector<Coedge> open_uses;          ///< the one use of each free edge, in the order of open
   std::vector<NonSeamEdge> non_manifold;  ///< more than two uses, by edge number
   std::vector<std::string> notes;         ///< what could not be looked at, and why
 };

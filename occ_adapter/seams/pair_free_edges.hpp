@@ -16,13 +16,13 @@ struct MatchOptions {
 
 /// What the search looked at.
 struct MatchSummary {
-  std::size_t edges = 0;   ///< open edges that can be evaluated
+  std::size_t edges = 0;   ///< free edges that can be evaluated
   std::size_t pieces = 0;  ///< nearly straight pieces of them
   std::size_t close_pieces =
       0;  ///< pairs of pieces of different edges found close together and looked at
 };
 
-/// Finds where open edges (graph.open) run side by side, and adds a seam of kind Matched for each
+/// Finds where free edges (graph.open) run side by side, and adds a seam of kind Matched for each
 /// common interval.
 ///
 /// An edge is here what its face makes of it: the image of its pcurve on the surface, which is what

@@ -171,7 +171,7 @@ void bindHole(py::module_& module) {
   py::class_<occ::Model> model(module.attr("Model"));
   model.def("holes", &holes, py::kw_only(), py::arg("corner_deg") = 15.0,
             py::arg("gap_mm") = defaults.tolerance.gap_mm,
-            "The closed loops of open edges: a list of dicts {id, length_mm, centre_mm, "
+            "The closed loops of free edges: a list of dicts {id, length_mm, centre_mm, "
             "has_corners, longest, "
             "sides}. The rim "
             "of an open shell is one of them, mostly the longest.\n\n"

@@ -128,7 +128,7 @@ void bindMatch(py::module_& module) {
       "largest_move_mm may not be larger. hold_sides: the two other boundaries that end at the "
       "seam "
       "stay. match_mm: "
-      "open edges no further apart may be the boundary. edge: which of several common edges; 0: "
+      "free edges no further apart may be the boundary. edge: which of several common edges; 0: "
       "the "
       "longest. Tolerances as in analyze().");
 }

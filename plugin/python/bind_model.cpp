@@ -161,7 +161,7 @@ void bindModel(py::module_& module) {
            "Measures and judges every seam. Returns a Report.\n\n"
            "A tolerance that is None is that of the profile, see PROFILES. level: what a seam must "
            "reach, "
-           "'G0' to 'G3'. match_mm: measure also between open edges no further apart than this; 0: "
+           "'G0' to 'G3'. match_mm: measure also between free edges no further apart than this; 0: "
            "between "
            "none. jobs: threads; 0: one for each processor.")
       .def(

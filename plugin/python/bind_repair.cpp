@@ -180,7 +180,7 @@ void bindRepair(py::module_& module) {
             "max_time_s: no more repairs are tried after this time, what was repaired is kept; "
             "None: no limit. "
             "edges: numbers of the edges, from 1, whose seams are treated; None: all defects. "
-            "fixed_faces: numbers of faces that stay. match_mm: also open edges no further apart "
+            "fixed_faces: numbers of faces that stay. match_mm: also free edges no further apart "
             "than this; 0: "
             "none. sew: such edges become one where they meet within the gap tolerance. "
             "convert_analytic: planes, "

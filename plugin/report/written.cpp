@@ -295,7 +295,7 @@ std::string WrittenModel::differences(const ModelCounts& memory) const {
   compare(&ModelCounts::defects, "defect");
   compare(&ModelCounts::faces, "face");
   compare(&ModelCounts::edges, "edge");
-  compare(&ModelCounts::open_edges, "open edge");
+  compare(&ModelCounts::open_edges, "free edge");
   compare(&ModelCounts::seams, "seam");
   std::string text;
   if (!here.empty())

@@ -194,7 +194,7 @@ def test_the_verdict_is_on_the_file_too(box, tmp_path):
     expect_valid(found, VALIDATOR)
     assert found["reached"] and found["output"]["faces"] == 2 and found["output"]["open_edges"] == 6
     assert (
-        f"{out} read back: 2 faces, 7 edges, 6 open edges, 1 seam; the model in memory has 6, "
+        f"{out} read back: 2 faces, 7 edges, 6 free edges, 1 seam; the model in memory has 6, "
         in result.stdout
     )
     assert (

@@ -223,7 +223,7 @@ def test_the_verdict_is_on_the_file_too(tmp_path):
     }
     assert (found["model"]["edges"], found["model"]["faces"]) == (10, 3)
     line = (
-        "read back: 2 defects, 3 faces, 10 edges, 8 open edges, 2 seams; the model in memory has 0, 2, 7, 6, 1: "
+        "read back: 2 defects, 3 faces, 10 edges, 8 free edges, 2 seams; the model in memory has 0, 2, 7, 6, 1: "
         "numbers of faces and edges differ"
     )
     assert result.stdout.endswith(f"\n{out} {line}\nFAILED: 2 defects at level G1\n")

@@ -290,7 +290,7 @@ class Following(FillCase):
         )
         source.Shape = models.rounded_block()
         self.doc.recompute()
-        self.assertNotFilled(obj, "Open has no hole: no open edges form a closed loop.")
+        self.assertNotFilled(obj, "Open has no hole: no free edges form a closed loop.")
         source.Shape = models.open_block(1)
         self.doc.recompute()
         self.assertEqual((fill.error_text(obj), obj.Filled), ("", 1))

@@ -304,7 +304,7 @@ def test_a_profile_is_known_by_its_figures():
 
 def test_summary_counts_and_judges(report):
     text = summary.summary_text(report)
-    assert text.startswith("5 seams: 3 defects, 1 crease, 1 smooth; 1 open edge;")
+    assert text.startswith("5 seams: 3 defects, 1 crease, 1 smooth; 1 free edge;")
     assert "largest gap \u22650.001 mm, largest angle \u22650.9\u00b0" in text and text.endswith(
         "G1 is not met."
     )
@@ -316,7 +316,7 @@ def test_summary_without_seams():
     text = summary.summary_text(
         {"seams": [], "open": [{"edge": 1, "face": 1}, {"edge": 2, "face": 1}]}
     )
-    assert text.endswith("2 open edges can be matched, see the tolerances.")
+    assert text.endswith("2 free edges can be matched, see the tolerances.")
     assert not summary.passed({"seams": []})
 
 

@@ -102,7 +102,7 @@ def test_the_file_is_judged_not_the_model(tmp_path, monkeypatch):
     written = report.write(tmp_path / "out.step")
     assert written["output"]["defects"] == 2 and written["output"]["faces"] == 3
     assert written["differences"].startswith(
-        "read back: 2 defects, 3 faces, 10 edges, 8 open edges"
+        "read back: 2 defects, 3 faces, 10 edges, 8 free edges"
     )
     monkeypatch.setenv(
         "SEAMWRIGHT_READER", str(reader_that_finds(tmp_path / "none.step", tmp_path, found[0]))

@@ -19,7 +19,7 @@ from freecad.seamwright.plain import kernel, summary
 #: property, argument of the kernel, property type, default, help
 TOLERANCES = properties.TOLERANCES + (
     ("MatchDistance", "match_mm", "App::PropertyLength", 0.0,
-     "Measure also between open edges no further apart than this, in mm; 0: between none"),
+     "Measure also between free edges no further apart than this, in mm; 0: between none"),
 )  # fmt: skip
 
 LEVELS = ["G0", "G1", "G2", "G3"]
@@ -32,7 +32,7 @@ RESULTS = (
     ("Defects", "App::PropertyInteger", "Seams that fall short of the level"),
     ("Creases", "App::PropertyInteger", "Seams sharper than the crease angle"),
     ("Uncertain", "App::PropertyInteger", "Seams whose verdict is not certain"),
-    ("Matched", "App::PropertyInteger", "Seams of two open edges that lie side by side"),
+    ("Matched", "App::PropertyInteger", "Seams of two free edges that lie side by side"),
     ("OpenEdges", "App::PropertyInteger", "Edges that bound one face only"),
     ("MaxGap", "App::PropertyLength", "Largest gap seen apart from creases, in mm"),
     ("MaxAngle", "App::PropertyAngle", "Largest angle seen apart from creases, in degrees"),

@@ -190,7 +190,7 @@ def _holes(model, limits, label, edges):
     """
     holes = model.holes(corner_deg=limits["corner_deg"], gap_mm=limits["gap_mm"])
     if not holes:
-        raise ValueError("%s has no hole: no open edges form a closed loop." % label)
+        raise ValueError("%s has no hole: no free edges form a closed loop." % label)
     return holes, fill_text.chosen_holes(holes, edges) if edges else fill_text.default_holes(holes)
 
 

@@ -18,7 +18,7 @@ __all__ = ["MatchSurfaces", "create", "error_text", "is_match", "report_of"]
 #: property, argument of the kernel, property type, default, help
 TOLERANCES = properties.TOLERANCES + (
     ("MatchDistance", "match_mm", "App::PropertyLength", 0.1,
-     "Open edges no further apart than this may be the common boundary, in mm"),
+     "Free edges no further apart than this may be the common boundary, in mm"),
 )  # fmt: skip
 
 TARGETS = ["G1", "G2"]

@@ -19,7 +19,7 @@ __all__ = ["SeamRepair", "create", "error_text", "foresee", "is_repair", "report
 #: property, argument of the kernel, property type, default, help
 TOLERANCES = properties.TOLERANCES + (
     ("MatchDistance", "match_mm", "App::PropertyLength", 0.0,
-     "Open edges no further apart than this are seams too, in mm; 0: none"),
+     "Free edges no further apart than this are seams too, in mm; 0: none"),
 )  # fmt: skip
 
 TARGETS = ["G1", "G2"]

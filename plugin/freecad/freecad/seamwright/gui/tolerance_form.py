@@ -12,7 +12,7 @@ FIELDS = (
     ("CurvatureTolerance", "Curvature (relative)", "", 1.0),
     ("CreaseAngle", "Crease above", "\u00b0", 90.0),
     ("FlatRadius", "Flat above radius", " mm", 1e12),
-    ("MatchDistance", "Match open edges within", " mm", 1e6),
+    ("MatchDistance", "Match free edges within", " mm", 1e6),
     ("CornerAngle", "Corner of a hole above", "\u00b0", 180.0),
     ("SectionTolerance", "Patches to fillets", " mm", 0.1),
 )

@@ -65,7 +65,7 @@ def summary_text(report):
         text = "No seams: no two faces share an edge."
         if report.get("open"):
             text += " %s can be matched, see the tolerances." % counted(
-                len(report["open"]), "open edge"
+                len(report["open"]), "free edge"
             )
         return text
     parts = [
@@ -79,7 +79,7 @@ def summary_text(report):
     ]
     open_edges = len(report.get("open", ()))
     if open_edges:
-        parts.append(counted(open_edges, "open edge"))
+        parts.append(counted(open_edges, "free edge"))
     parts.append(_largest_text(report))
     parts.append("%d of %s certain" % (total - uncertain(report), counted(total, "verdict")))
     verdict = "%s is met" if passed(report) else "%s is not met"
