@@ -12,7 +12,7 @@ namespace seamwright {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Eigen::RowVector3d inSpace(const Eigen::Vector2d& point) {
   return {point.x(), point.y(), 0};

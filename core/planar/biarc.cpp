@@ -12,7 +12,7 @@ namespace seamwright {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// sin(x s) / sin(s): the chord of the first arc over the chord of the ends. For small s both sines
 /// are replaced by their series, which is x (1 + s^2 (1 - x^2) / 6) with an error below s^4 / 100.

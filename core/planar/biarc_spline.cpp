@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The polygon of the points: chords and the turns between them.
 struct Polygon {

@@ -15,7 +15,7 @@ namespace seamwright {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A start value for Newton's method, fitted to the solution over all ends. [BertolazziFrego2015]
 double guess(double f0, double f1) {
