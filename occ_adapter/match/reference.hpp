@@ -5,7 +5,7 @@
 #include <string>
 
 #include <seamwright/occ_adapter/convert/face_strip.hpp>
-#include <seamwright/occ_adapter/deform/boundary.hpp>
+#include <seamwright/occ_adapter/match/boundary.hpp>
 
 /// The face of a pair that stays while the other one is deformed to meet it; not a public header.
 namespace seamwright::occ {

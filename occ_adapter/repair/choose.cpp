@@ -14,7 +14,7 @@
 #include <seamwright/core/differential/fundamental_forms.hpp>
 #include <seamwright/occ_adapter/convert/face_strip.hpp>
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
-#include <seamwright/occ_adapter/deform/boundary.hpp>
+#include <seamwright/occ_adapter/convert/surface_kind.hpp>
 #include <seamwright/occ_adapter/model/usable.hpp>
 #include <seamwright/occ_adapter/repair/choose.hpp>
 #include <seamwright/occ_adapter/repair/reasons.hpp>

@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include <seamwright/occ_adapter/convert/polynomial_surface.hpp>
-#include <seamwright/occ_adapter/deform/boundary.hpp>
+#include <seamwright/occ_adapter/convert/surface_kind.hpp>
 #include <seamwright/occ_adapter/repair/change.hpp>
 #include <seamwright/occ_adapter/repair/convert_faces.hpp>
 #include <seamwright/occ_adapter/repair/prove.hpp>

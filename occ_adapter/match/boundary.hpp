@@ -17,9 +17,6 @@ struct CommonBoundary {
   std::string note;          ///< why there is none, or which of several it is
 };
 
-/// "a plane", "a cylinder", ..
-std::string kindOf(const TopoDS_Face& face);
-
 /// The two faces as a compound.
 TopoDS_Shape pairOf(const std::array<TopoDS_Face, 2>& faces);
 

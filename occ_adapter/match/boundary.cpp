@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <BRepAdaptor_Curve.hxx>
-#include <BRepAdaptor_Surface.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
@@ -15,7 +14,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include <seamwright/occ_adapter/deform/boundary.hpp>
+#include <seamwright/occ_adapter/convert/surface_kind.hpp>
+#include <seamwright/occ_adapter/match/boundary.hpp>
 #include <seamwright/occ_adapter/model/edge_curves.hpp>
 #include <seamwright/occ_adapter/seams/pair_free_edges.hpp>
 
@@ -222,29 +222,6 @@ Pcurve storedPath(const Coedge& use, double match_mm) {
 }
 
 }  // namespace
-
-std::string kindOf(const TopoDS_Face& face) {
-  switch (BRepAdaptor_Surface(face, false).GetType()) {
-    case GeomAbs_Plane:
-      return "a plane";
-    case GeomAbs_Cylinder:
-      return "a cylinder";
-    case GeomAbs_Cone:
-      return "a cone";
-    case GeomAbs_Sphere:
-      return "a sphere";
-    case GeomAbs_Torus:
-      return "a torus";
-    case GeomAbs_SurfaceOfRevolution:
-      return "a surface of revolution";
-    case GeomAbs_SurfaceOfExtrusion:
-      return "a surface of extrusion";
-    case GeomAbs_OffsetSurface:
-      return "an offset surface";
-    default:
-      return "a surface of another kind";
-  }
-}
 
 TopoDS_Shape pairOf(const std::array<TopoDS_Face, 2>& faces) {
   BRep_Builder builder;
