@@ -32,7 +32,7 @@ TEST(Choose, DefectsAreTreatedAndCreasesAreNot) {
   const Choice choice = chosen(chain(
       {{}, {.kink = 1 * degree}, {.kink = 6 * degree}, {.step_mm = 0.02}, {.bend_per_mm = 0.01}}));
   EXPECT_EQ(choice.treated, (std::vector{true, false, true, false}));
-  for (const RepairReason& reason : choice.reasons) EXPECT_TRUE(reason.empty());
+  for (const occ::RepairReason& reason : choice.reasons) EXPECT_TRUE(reason.empty());
   RepairOptions flowing;
   flowing.order = 2;
   EXPECT_EQ(chosen(chain({{}, {.bend_per_mm = 0.01}}), flowing).treated, std::vector{true});
@@ -47,7 +47,7 @@ TEST(Choose, WhatIsPickedIsTreatedUnlessItHasTheLevel) {
   EXPECT_EQ(choice.treated, (std::vector{false, true, false}));
   ASSERT_EQ(choice.reasons.size(), 3);
   EXPECT_TRUE(choice.reasons[0].empty() && choice.reasons[1].empty());
-  EXPECT_EQ(choice.reasons[2].fault, RepairFault::HasLevel);
+  EXPECT_EQ(choice.reasons[2].fault, occ::RepairFault::HasLevel);
   EXPECT_EQ(choice.reasons[2].text, "it has the level already");
 }
 

@@ -49,7 +49,7 @@ RepairOptions picking(std::vector<int> edges, int order = 1) {
   return options;
 }
 
-std::string onlyText(const Reasons& reasons) {
+std::string onlyText(const occ::Reasons& reasons) {
   return reasons.size() == 1 ? reasons.begin()->second.text
                              : std::to_string(reasons.size()) + " reasons";
 }
