@@ -10,7 +10,7 @@ namespace seamwright {
 /// Nodes and weights of Gauss' quadrature on [0, 1].
 struct GaussRule {
   static constexpr int count = 16;
-  std::array<double, count> nodes, weights;
+  std::array<double, count> nodes = {}, weights = {};
 };
 
 const GaussRule& gaussRule();

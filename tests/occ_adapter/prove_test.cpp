@@ -262,7 +262,7 @@ TEST(Prove, NoEdgeStaysBehindItsFaces) {
   EXPECT_THAT(near.faces, IsEmpty());
   const Proof far = strips.proofOf({strips.changed(2, {}), strips.changed(3, {.step_mm = 0.04})});
   ASSERT_EQ(far.faces.size(), 2) << textOf(far);
-  EXPECT_EQ(far.faces.at(3), "an edge of it would be 0.024 mm away");
+  EXPECT_EQ(far.faces.at(3).text, "an edge of it would be 0.024 mm away");
 }
 
 TEST(Prove, AnEdgeThatStrayedMayRunBetweenItsFaces) {
@@ -385,7 +385,7 @@ TEST_F(GrownBox, NoPointMovesFurtherThanIsSaid) {
   const Proof lied = solid_.proofOf(changes(0.01));
   ASSERT_EQ(lied.faces.size(), 6u);
   for (const auto& [number, why] : lied.faces)
-    EXPECT_EQ(why, "a point of it would move 0.187083 mm, its poles 0.01 mm");
+    EXPECT_EQ(why.text, "a point of it would move 0.187083 mm, its poles 0.01 mm");
 }
 
 TEST_F(GrownBox, ATenthAndAHundredthOfTheGapMoreAreNoMatter) {
@@ -403,7 +403,7 @@ TEST_F(GrownBox, TheVolumeChangesByWhatTheMovesExplain) {
   const occ::RepairTask task = solid_.task();
   const auto whyNot = [&](double said_mm) {
     const std::vector<FaceChange> all = changes(said_mm);
-    return occ::whyNotVolumes(task, all, solid_.withChanges(all), task.before, {});
+    return occ::whyNotVolumes(task, all, solid_.withChanges(all), task.before, {}).text;
   };
   EXPECT_EQ(whyNot(truly_mm_), "");
   EXPECT_THAT(whyNot(0.01),
