@@ -67,8 +67,8 @@ class SideFit {
   struct Corners {
     std::array<SideFitEnd, 2> ends;
     std::array<Vector3d, 2> normals;
-    std::array<double, 2> angles_rad;  ///< between the planes of the corners and of the faces
-    double enough_rad = 0;             ///< accepted angle, or the larger one that the corners allow
+    std::array<double, 2> angles_rad = {};  ///< between the planes of the corners and of the faces
+    double enough_rad = 0;  ///< accepted angle, or the larger one that the corners allow
   };
 
   std::array<Parametrisation, 3> parametrisations() const {
