@@ -10,33 +10,18 @@ namespace seamwright {
 
 /// A real polynomial p(t) = sum_i c_i B_i^n(t) on [0, 1], known up to rounding.
 ///
-/// **Padding.** The class stores n + 1 coefficients and one number, the padding. Each true
-/// coefficient lies within the padding of the stored one. Hence p(t) lies within the padding of
-/// sum_i c_i B_i^n(t) for all t in [0, 1]. A polynomial made from given doubles has padding 0: the
-/// doubles are exact. Each operation returns coefficients rounded to double. Its padding covers
-/// what the paddings of the operands can do to the exact result, and the rounding of the operation
-/// itself. So the statement "the true polynomial is in here" survives any chain of operations. It
-/// holds in every rounding mode of IEEE doubles, denormals included, but not under -ffast-math.
+/// The class stores n + 1 coefficients and one number, the padding. Each true coefficient lies
+/// within the padding of the stored one, and hence p(t) within the padding of sum_i c_i B_i^n(t),
+/// for all t in [0, 1]. A polynomial made from given doubles has padding 0. The padding of a result
+/// covers those of the operands and the rounding of the operation, in every rounding mode of IEEE
+/// doubles, denormals included, but not under -ffast-math. docs/theory/enclosures.md E1.2 bounds
+/// it.
 ///
-/// Let u = 2^-52, gamma_k = k u / (1 - k u) and eta = 2^-1074. M is the largest |c_i| and e the
-/// padding of the operand, with an index if there are two operands; M' is the largest coefficient
-/// of the result. |p| is the polynomial of coefficients |c_i|, and max(|p|) its largest
-/// coefficient. The padding of the result is at most the following, plus the rounding of the
-/// formula itself, which is upwards:
+///     const BernsteinPolynomial p(Eigen::Vector3d(1, -2, 1));  // 1 - 6 t + 6 t^2
+///     const Interval range = (p * p.derivative()).range(1e-6);
 ///
-///   p'             2 n e + gamma_3 M'
-///   p + q, p - q   e_p + e_q + u M'                           after elevation to the same degree
-///   s p            |s| e + u M' + eta
-///   p q            e_p max(1 |q|) + e_q max(1 |p|) + e_p e_q + gamma_(k+2) max(|p| |q|) + eta,
-///                  with 1 written in the degree of the other factor, so that max(1 |q|) <= M_q;
-///                  k = min(m, n) + 4 + r(m) + r(n) + r(m+n), with r(d) = max(0, d - 56) the
-///                  roundings in binomials of degree d (up to 56 they are exact doubles)
-///   elevation      that of p times the polynomial 1 of degree `by`
-///   split          e + gamma_(3n) M + 4 n eta; with gamma_n at t = 1/2; only e at t = 0 and 1
-///   restriction    e + gamma_(9n) M + 8 n eta
-///
-/// evaluate(t) returns an interval of radius e + gamma_(3n+1) sum_i |c_i| B_i^n(t) + 4 n eta (only
-/// e at 0 and 1).
+/// evaluate(t) has the radius e + gamma_(3n+1) sum_i |c_i| B_i^n(t) + 4 n eta (only e at 0 and 1),
+/// with e the padding, u = 2^-52, gamma_k = k u / (1 - k u) and eta = 2^-1074.
 ///
 /// Identities, true within the padding (each has a test of its number):
 ///   (1) All coefficients 1: p(t) = 1 (partition of unity).

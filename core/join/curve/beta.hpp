@@ -12,11 +12,13 @@ namespace seamwright {
 
 /// The beta constraint. Curve a ends at the joint and curve b begins there. The joint is G^n iff
 /// there are beta_1 > 0, beta_2, .., beta_n with b_k = sum_j B_kj(beta) a_j for the derivatives of
-/// orders k = 0..n. beta_k is the k-th derivative of a's parameter by b's parameter. Betas are
-/// given as a vector, beta_1 first.
+/// orders k = 0..n. beta_k is the k-th derivative of a's parameter by b's parameter.
+/// docs/curve_joins.md writes the equations out.
 ///
-/// The matrix is (n+1) by (n+1) and lower triangular, with B_00 = 1 and the partial Bell
-/// polynomials B_kj = sum_i C(k-1, i-1) beta_i B_{k-i, j-1}.
+///     Eigen::Vector2d beta(1.2, -0.5);  // G2
+///     const BezierCurve joined = joinedCurve(a, b, {.beta = beta});
+///
+/// The matrix is (n+1) by (n+1) and lower triangular; B_kj are the partial Bell polynomials.
 /// Identities (each has a test of its number):
 ///   (1) betaMatrix(composed(b, c)) = betaMatrix(b) betaMatrix(c): c is applied first.
 ///   (2) betaMatrix(inverse(b)) is the inverse matrix: the two sides exchange their roles.
@@ -35,25 +37,21 @@ Eigen::VectorXd reversedBeta(const Eigen::VectorXd& beta);
 struct BetaFit {
   /// The vector beta_1 .. beta_n; empty if beta_1 <= 0 or a curve has no tangent at the joint.
   Eigen::VectorXd beta;
-  /// defects[k], k = 0..n, are dimensionless: |c_k of b - c_k of a| L^(k-1), where c_k is the k-th
-  /// derivative by arc length (k = 0: gap / L). The joint is G^n iff all defects with k <= n are 0
-  /// up to rounding. If a curve has no tangent at the joint or a c_k is beyond the range of a
-  /// double, the vector holds only the gap.
+  /// defects[k] = |c_k of b - c_k of a| L^(k-1), k = 0..n, without unit, with c_k the k-th
+  /// derivative by arc length (k = 0: gap / L). The gap alone if a curve has no tangent at the
+  /// joint, or if a c_k is beyond the range of a double.
   std::vector<double> defects;
-  /// Certain bounds of the defects, one for each defect. They include the rounding of the
-  /// evaluation and take the homogeneous poles and L as exact. If lower[k] > 0 the joint is proven
-  /// not to be G^k.
+  /// Certain bounds of the defects, rounding included, for exact poles and L. lower[k] > 0 proves
+  /// that the joint is not G^k.
   std::vector<double> lower, upper;
   double length_mm = 0;  ///< L
 };
 
-/// Measures a joint by the beta constraint, with derivatives by the parameters of the curves.
-/// beta_k is found by projecting row k on a's tangent. The bounds come from a running error
-/// analysis of two steps: first the speed v from (v^2)^(m) = (X' . X')^(m), then c from the
-/// equations X^(k) = sum_j B_kj(v, v', ..) c_j.
-/// \param length_mm L. Without a value L is the smaller of the two distances between the end points
-/// of a curve. A closed curve is skipped; its end points are within 1e-12 of its size. For two
-/// closed curves L is the smaller diagonal of the boxes of the poles.
+/// Measures a joint by the beta constraint. beta_k is found by projecting row k on a's tangent; the
+/// bounds come from a running error analysis.
+/// \param length_mm L; nothing: the smaller chord of both curves. A closed curve has none (ends
+/// within 1e-12 of its size) and does not count; for two of them L is the smaller diagonal of the
+/// boxes of the poles.
 ///
 /// Identities (each has a test of its number):
 ///   (5) The result is invariant under rigid motion, scale (of L too), reparametrisation of either
@@ -72,22 +70,20 @@ struct CurveJoinRule {
       beta;           ///< beta_1..beta_n by the common parameter; n is the order; (1, 0, ..) is C^n
   double length = 1;  ///< length of a in the common parameter
   double next_length = 1;  ///< length of b in the common parameter
-  /// The factor between the homogeneous curves: its value e_0 > 0 and its derivatives e_1, .. e_n
-  /// by the common parameter, with H_b^(k) = sum_j C(k,j) e_{k-j} (B(beta) H_a)_j. Empty means 1,
-  /// 0, .., 0. The factor changes weights and poles; the order of the joint stays the same.
+  /// Value e_0 > 0 and derivatives e_1, .., e_n, by the common parameter, of the factor between the
+  /// homogeneous curves; empty: 1, 0, .., 0. It changes weights and poles, not the order.
   Eigen::VectorXd scale;
 };
 
 /// The first n + 1 homogeneous poles of the curve of degree \p degree that continues \p a by \p
-/// rule; its other poles are free. The first pole is e_0 times the last pole of a, bitwise if e_0 =
-/// 1.
+/// rule; the others are free. The first is e_0 times the last pole of a, bitwise if e_0 = 1.
 ///   (8) Explicit for n = 2 and unit lengths: Q_1 = Q_0 + (m/m') beta_1 (P_m - P_{m-1}), Q_2 = 2
 ///       Q_1 - Q_0 + (m (m-1) beta_1^2 (P_m - 2 P_{m-1} + P_{m-2}) + m beta_2 (P_m - P_{m-1})) /
 ///       (m' (m'-1)).
 /// \throws std::invalid_argument for a degree below n or above 100, betas that betaMatrix()
 /// refuses, lengths that are not positive, a scale whose size is not n + 1 or with e_0 <= 0, a
 /// curve a without tangent at its end, and a resulting weight that is not positive (index and
-/// value). In the last case a smaller next_length or smaller e_1, e_2, .. help.
+/// value).
 /// Source: docs/theory/curves.md C2.4, C3.1, C3.2.
 HomogeneousPoles nextPoles(const BezierCurve& a, int degree, const CurveJoinRule& rule);
 
