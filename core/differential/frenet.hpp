@@ -18,15 +18,13 @@ enum class CurvePoint {
   Point        ///< all given derivatives are zero within rounding: no tangent
 };
 
-/// Frenet frame, curvature and torsion of a curve at a point, each with an error bound. The bound
-/// covers rounding and the noise of the derivatives. The bounds are proved, except for their own
-/// rounding.
+/// Frenet frame, curvature and torsion of a curve at a point. Proven error bounds cover rounding
+/// and the noise of the derivatives, but not their own rounding.
 ///
-/// Where the curvature is zero within its bound, it is 0, and normal, binormal, torsion and change
-/// of curvature are nothing. At a cusp, curvature and all that follows from it are nothing. Torsion
-/// and change of curvature are also nothing where they or their bounds exceed the range of a
-/// double. So at a regular point the curvature is certainly not zero, but the torsion may be
-/// smaller than its bound.
+/// Where the curvature is zero within its bound it is 0, and normal, binormal, torsion and change
+/// of curvature are nothing. At a cusp the curvature is nothing too. So at a regular point the
+/// curvature is certainly not zero, but the torsion may be smaller than its bound. Figures beyond
+/// the range of a double are nothing.
 struct FrenetFrame {
   CurvePoint kind = CurvePoint::Point;
   double speed = 0;  ///< |X'|
@@ -45,6 +43,9 @@ struct FrenetFrame {
   std::optional<double> curvature_change_error_per_mm2;
 };
 
+///     const FrenetFrame frame = frenetFrame(curve, 0.5);
+///     if (frame.kind == CurvePoint::Regular) use(*frame.curvature_per_mm);
+///
 /// Identities (each has a test of its number):
 ///   (1) Frenet-Serret: T_s = kappa N, N_s = -kappa T + tau B, B_s = -tau N.
 ///   (2) A circle of radius r: 1 / r, torsion 0; a helix of radius r, pitch 2 pi b: r / (r^2 +
@@ -61,11 +62,8 @@ struct FrenetFrame {
 /// Source: docs/theory/curves.md C1.1, C1.3; [doCarmo1976].
 FrenetFrame frenetFrame(const CurveDerivatives& derivatives, double speed_noise = 0,
                         double acceleration_noise = 0);
-/// The frame of a curve at the parameter t. Homogeneous poles count as exact; where weights and
-/// poles were given separately, their products have already been rounded. The computation is
-/// backward stable: the result is exact for poles moved by a few units in the last place of their
-/// distances, whatever the weights and however near t is to an end. Orders above 3 are used only
-/// where the lower ones are zero.
+/// The frame of a curve at the parameter t, of homogeneous poles that count as exact. Backward
+/// stable: the result is exact for poles moved by a few units in the last place of their distances.
 /// \throws std::invalid_argument if the parameter or the curve there is not finite.
 FrenetFrame frenetFrame(const BezierCurve& curve, double t);
 
@@ -83,21 +81,15 @@ struct CurveDegeneracies {
   double speed_lower = 0;
 };
 
-/// Finds all cusps (X' = 0) and inflections (X' x X'' = 0, X' != 0) of a curve. The Bernstein forms
-/// of X' and X' x X'' (for rational curves: of their numerators) are subdivided. Subdivision ends
-/// when an interval is free of zeros, or is shorter than \p resolution, or is zero within rounding
-/// throughout. An interval is free of zeros if all coefficients have a positive component along
-/// their mean. This test resolves speeds of 1e-15 of the largest; a test with squares would end at
-/// 1e-8.
+/// Finds all cusps (X' = 0) and inflections (X' x X'' = 0, X' != 0) of a curve. Bernstein forms are
+/// subdivided until an interval is free of zeros, shorter than \p resolution, or zero within
+/// rounding throughout. Speeds down to 1e-15 of the largest are resolved.
 ///
-/// What is not reported is proved free of cusps and inflections. A reported interval does not prove
-/// that there is one. Intervals that touch are merged; the merged interval is a cusp if it may
-/// contain a cusp. The interval of a cusp is wider than the resolution, typically 1e-7: X' x X''
-/// has a double zero there, so rounding hides an inflection nearby. On a line the intervals of
-/// cusps are short, and all the rest is reported as without curvature. A curve that is one point
-/// has one interval of kind Point.
-/// \throws std::invalid_argument for a resolution outside 1e-12..1.
-/// Source: docs/theory/curves.md C1.4.
+/// What is not reported is proved free of cusps and inflections; a reported interval does not prove
+/// that there is one. Intervals that touch are merged, into a cusp if one may be among them. That
+/// of a cusp is typically 1e-7 wide, because rounding hides inflections nearby. A curve that is one
+/// point has one interval of kind Point. \throws std::invalid_argument for a resolution outside
+/// 1e-12..1. Source: docs/theory/curves.md C1.4.
 CurveDegeneracies findDegeneracies(const BezierCurve& curve, double resolution = 1e-9);
 
 /// A frame that does not turn about the tangent (rotation minimising), by double reflection.
@@ -106,10 +98,9 @@ struct MovingFrame {
   Eigen::Vector3d point, tangent, normal, binormal;
 };
 
-/// Frames at the given parameters, which increase. The first normal is \p normal made orthogonal to
-/// the tangent, or any normal if it is not given. The frames continue through inflections and
-/// straight pieces. The error of the twist is O(step^4). Steps in which the tangent turns by more
-/// than a right angle are halved.
+/// Frames at the given parameters, which increase, also through inflections and straight pieces.
+/// The first normal is \p normal made orthogonal to the tangent, or any. The error of the twist is
+/// O(step^4); steps in which the tangent turns by more than a right angle are halved.
 /// \throws std::invalid_argument for parameters that do not increase; for a normal that is along
 /// the tangent or not finite; and, with the parameter, for a cusp (as findDegeneracies() finds it)
 /// at or between the parameters.

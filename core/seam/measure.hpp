@@ -45,30 +45,24 @@ struct PairMeasure {
   /// Angle between the tangent planes, 0..pi/2; nothing if a side has no tangent plane.
   std::optional<double> angle_rad;
   /// The faces leave the seam to the same side: one turns back over the other by more than 90
-  /// degrees. The tangent planes of such a knife edge agree as they do in a smooth join. False also
-  /// where the tangents of the two sides contradict each other.
+  /// degrees. False also where the tangents of both sides contradict each other.
   bool fold = false;
   /// Nothing if a side has no tangent plane, or if the curvature exceeds the range of a double.
   std::optional<CurvatureDifference> curvature;
-  /// Nothing in the same cases, and also if a jet has no third partials or if the sides do not
-  /// agree on a tangent of the seam.
+  /// Nothing also if a jet has no third partials or if the sides disagree on the seam's tangent.
   std::optional<CurvatureChange> curvature_change;
 };
 
-/// Measures gap, tangent-plane angle and curvature difference of two surface points. From jets of
-/// third order it also measures the difference of the change of curvature.
+/// Measures gap, tangent-plane angle and curvature difference of two surface points; from jets of
+/// third order also the difference of the change of curvature. docs/seams.md explains the figures.
 ///
-/// The angle is atan2(|n_a x n_b|, |n_a . n_b|). For the curvature, n_b is taken on the side of
-/// n_a. The smallest rotation that takes n_b to n_a turns the tensor of b. For two planes through
-/// the tangent of the seam this is the rotation about that tangent. The figure is the spectral norm
-/// of the difference in the common plane.
+///     const PairMeasure figures = measurePair({.jet = a, .tangent = t}, {.jet = b, .tangent = t});
 ///
-/// The change of curvature is measured across the seam: it is f_bbb of curvatureChange() in the
-/// direction B = N x T with T the tangent of the seam. B is perpendicular to the seam in the
-/// tangent plane of the side. The rotation about T that takes one tangent plane to the other also
-/// takes one B to the other. Where the sides are G2 all along the seam, f_bbb is the only
-/// third-order number in which they can differ, so they are G3 iff f_bbb agrees. Elsewhere it is
-/// one of the four numbers of (D II).
+/// The angle is atan2(|n_a x n_b|, |n_a . n_b|). For the curvature n_b is aligned with n_a, the
+/// smallest rotation that takes n_b to n_a turns the tensor of b, and the figure is the spectral
+/// norm of the difference. The change of curvature is f_bbb of curvatureChange() in the direction B
+/// = N x T across the seam, T its tangent. Where the sides are G2 all along the seam they are G3
+/// iff f_bbb agrees; elsewhere it is one of four numbers.
 ///
 /// Identities (each has a test of its number):
 ///   (1) Swapping the sides, or reversing the seam, changes no figure.
@@ -93,15 +87,10 @@ PairMeasure measurePair(const SidePoint& a, const SidePoint& b);
 double relativeDifference(const CurvatureDifference& curvature, double flat_radius_mm);
 
 /// The difference divided by the largest of both changes and k^2, with k the larger of both
-/// curvature norms; 0..2.
-///
-/// For a normal section of curvature k, difference / k^2 is the jump of d(radius)/ds. Where a
-/// change is larger than k^2 (an inflection, a spiral that starts from a line) the result is the
-/// share of that change. The result is 0 where both changes are below 100 / R^2 with R the flat
-/// radius: within R / 100, 1 m by default, they add less than the flat curvature 1 / R. (Poles
-/// rounded to 1e-7 mm show changes of 1e-9 per mm^2 where the true change is 0.) Scaling the sides
-/// and R changes nothing.
-/// \param flat_radius_mm positive.
+/// curvature norms; 0..2. For a normal section, difference / k^2 is the jump of d(radius)/ds. 0
+/// where both changes are below 100 / R^2 with R the flat radius: within R / 100 they add less than
+/// the flat curvature 1 / R. Scaling the sides and R changes nothing. \param flat_radius_mm
+/// positive.
 double relativeChange(const CurvatureChange& change, const CurvatureDifference& curvature,
                       double flat_radius_mm);
 

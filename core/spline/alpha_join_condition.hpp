@@ -11,29 +11,18 @@ namespace seamwright {
 
 /// The condition for an alpha-surface Y(u, v) that continues a given one X at u = 1. It depends on
 /// the shapes along the seam, a = a_v of X and c = next_a_v of Y. Shapes across the seam are free
-/// (1e-6 to 1).
+/// (1e-6 to 1). docs/alpha_curves.md has the equations and their reasons.
 ///
-/// **Curves of two shapes.** Let X_0..X_3 be the poles of a curve of shape a. Its quintic has
-/// Bernstein coefficients q_0..q_5, and quintics of shape a are those with
-///   (i) q_2 = q_3   and   (ii) q_1 + q_4 - (1 - a) (q_0 + q_5) - a (q_2 + q_3) = 0.
-/// For X, with c instead of a, the left side of (ii) is (a - c) (X_1 + X_2 - X_0 - X_3). So for c
-/// != a a curve has both shapes iff X_0 + X_3 = X_1 + X_2. Such a row is called balanced.
+/// A row X_0..X_3 of poles is balanced iff X_0 + X_3 = X_1 + X_2. For c = a every net has joins of
+/// every order. For c != a a net has a C^n join, and a G^n join in proportional form (Y_u = beta1
+/// X_u, Y_uu = beta1^2 X_uu + beta2 X_u with constants), iff its rows 3 .. 3 - n are balanced.
 ///
-/// **C^0, C^1, C^2.** Along the seam Y^(k) equals X^(k), which is a combination of the net's rows 3
-/// .. 3 - k with a nonzero factor at row 3 - k. So for c = a every net has joins of every order.
-/// For c != a a net has a C^n join iff its rows 3 .. 3 - n are balanced; general nets do not even
-/// have a C^0 join. The same holds for G^n in proportional form: Y_u = beta1 X_u, Y_uu = beta1^2
-/// X_uu + beta2 X_u with constants (alphaJoinRows()).
+/// G^1 in general is Y_u = alpha(v) X_u + beta(v) X_v, alpha > 0. If X_u x X_v has degree 9 along
+/// the seam and no real or complex zero, and X_v degree 4, as for general nets, alpha is constant
+/// and beta linear: a family of solutions of six linear equations.
 ///
-/// **G^1.** Y_u = alpha(v) X_u + beta(v) X_v, alpha > 0. For general nets X_u x X_v has degree 9
-/// and no real or complex zero, and X_v has degree 4. Then alpha is constant and beta linear: a
-/// common denominator would vanish where X_u x X_v does, and alpha X_u x X_v = Y_u x X_v has degree
-/// 9. (i) and (ii) are then six linear equations for alpha, beta(0), beta(1); their solutions are
-/// the family below. With A, B, 0, C, D the coefficients of X_v, (i) is beta(1) B = beta(0) C. So
-/// if B and C are not parallel, beta is 0, and for c != a row 2 has to be balanced too. On a
-/// straight boundary there may be more joins, and on some curved boundaries too: for c = a with a =
-/// 2/3 and B = -C = (A - D) / 4, beta(1) = -beta(0); with a = 4/5, C = 0, B = (A - D) / 4, beta(1)
-/// = 0, or the same reversed; with a = 1 and B = C = -(A + D) / 4, beta constant.
+///     const AlphaSeamCondition condition = alphaSeamCondition(given, 0.9);
+///     if (condition.order < 1) given = alphaBalanced(given, 1);
 ///
 /// Identities (each has a test of its number):
 ///   (1) For c = a any net has order 2. For c != a a net has order n iff its rows 3 .. 3 - n are
@@ -41,21 +30,18 @@ namespace seamwright {
 ///   (2) alphaJoinRows() builds the joins that the condition allows and refuses the others.
 ///   (3) A general net has a family of dimension 1 for c = a (alpha alone), and of dimension 0 for
 ///       c != a.
-///   (4) The three curved boundaries above have dimension 2.
+///   (4) The three curved boundaries of C9.4 that allow beta != 0 have dimension 2.
 /// Source: docs/theory/curves.md C9.2 to C9.4.
 struct AlphaSeamCondition {
   bool any_net = false;  ///< the shapes along the seam are the same
-  /// |P_i0 + P_i3 - P_i1 - P_i2| of the rows i = 3, 2, 1, and the value up to which it counts as
-  /// rounding.
+  /// |P_i0 + P_i3 - P_i1 - P_i2| of the rows i = 3, 2, 1; up to noise_mm it counts as rounding.
   std::array<double, 3> defects_mm{};
   double noise_mm = 0;
   /// Largest n <= 2 for which C^n and proportional G^n joins exist; -1: the edges cannot meet.
   int order = -1;
-  /// A basis of all (alpha, beta(0), beta(1)) for which Y_u = alpha X_u + beta X_v gives an
-  /// alpha-surface; 3 by 0..3.
+  /// A basis of all (alpha, beta(0), beta(1)) of the family; 3 by 0..3.
   Eigen::Matrix3Xd first_rows = Eigen::Matrix3Xd(3, 0);
-  /// Singular values of the six equations, with X_u and X_v divided by their sizes, descending.
-  /// Values up to rank_noise count as 0.
+  /// Of the six equations, without unit, descending; up to rank_noise they count as 0.
   Eigen::Vector3d singular = Eigen::Vector3d::Zero();
   double rank_noise = 0;
   bool g1 = false;  ///< the edges can meet, and some member of the family has alpha > 0
@@ -68,21 +54,19 @@ AlphaSeamCondition alphaSeamCondition(const AlphaSurface& given, double next_a_v
 /// The rows Q_0j, Q_1j of the next net for Y_u = alpha X_u + beta X_v, beta(v) = (1 - v) beta0 + v
 /// beta1: eight poles.
 ///   (5) The rows satisfy that equation at every v, for all members of the family.
-/// \throws std::invalid_argument for arguments that alphaSeamCondition() refuses, alpha <= 0, and
-/// functions outside the family, with the defect.
+/// \throws std::invalid_argument as alphaSeamCondition() does, for alpha <= 0, and for functions
+/// outside the family, with the defect.
 Poles alphaSlidingRows(const AlphaSurface& given, double next_a_u, double next_a_v, double alpha,
                        double beta0, double beta1);
 
-/// The given surface with its rows 3 .. 3 - order replaced by the nearest balanced rows: X_1, X_2
-/// move by a quarter of the defect, X_0, X_3 by the opposite vector.
-/// \param order 0 to 2.
+/// The given surface with its rows 3 .. 3 - order, order 0 to 2, replaced by the nearest balanced
+/// rows.
 ///   (6) No other balanced rows are nearer in the sum of squares.
 /// Source: docs/theory/curves.md C9.2.
 AlphaSurface alphaBalanced(const AlphaSurface& given, int order);
 
-/// How two alpha-surfaces meet, a at u = 1 and b at u = 0, in proportional form. Each figure is the
-/// largest Bernstein coefficient of the residual of an equation, so it bounds the residual at every
-/// v.
+/// How two alpha-surfaces meet, a at u = 1 and b at u = 0, in proportional form. Each figure bounds
+/// the residual of an equation at every v.
 struct AlphaSeamFit {
   double gap_mm = 0;            ///< of the edges at the same v
   double beta1 = 0, beta2 = 0;  ///< the betas that fit best
@@ -119,19 +103,15 @@ struct AlphaNearest {
   double cost_given = 0, cost_next = 0;
 };
 
-/// The nearest proportional join. The given surface moves only if it has no join as it is
-/// (alphaBalanced()). Then the rows of the next surface move as little as possible, over all beta1
-/// > 0 and beta2.
-///
-/// Moves are measured by the sum of squares. beta2 enters linearly. The remaining cost is a
-/// polynomial of degree 4 in beta1 with at most one minimum at beta1 > 0. This minimum may cost
-/// more than values near beta1 = 0.
+/// The nearest proportional join in the sum of squared moves. The given surface moves only if it
+/// has no join as it is (alphaBalanced()). Then the rows of the next one move as little as
+/// possible, over all beta1 > 0 and beta2.
 ///   (8) No beta1, beta2 nearby cost less, none of a search over a range costs less, and none near
 ///       beta1 = 0.
-/// \returns nothing if joins near beta1 = 0, which lose the tangent, cost less than all others.
-/// Usually the next surface then runs backwards.
+/// \returns nothing if joins near beta1 = 0, which lose the tangent, cost less than all others, as
+/// where the next surface runs backwards.
 /// \throws std::invalid_argument as alphaSeamCondition() does, for an order or length out of range,
-/// and for betas or poles of the join beyond the range of a double.
+/// and for a result beyond the range of a double.
 /// Source: docs/theory/curves.md C9.5.
 std::optional<AlphaNearest> alphaNearestJoin(const AlphaSurface& given, const AlphaSurface& next,
                                              const AlphaNearestOptions& options = {});

@@ -16,13 +16,11 @@ namespace seamwright::occ {
 /// Options of cornerFillet(). Edges are numbered from 1, in the order of TopExp::MapShapes.
 struct CornerFilletOptions {
   std::map<int, double> radii_mm;  ///< of every edge at the vertex
-  /// Distance from the vertex, along the edge, to the section where its fillet ends. Edges without
-  /// a value, or with 0, get the smallest setback that the radii allow, plus half the mean distance
-  /// of the contact lines from their edges.
+  /// Distance from the vertex, along the edge, to the section where its fillet ends; without a
+  /// value, or with 0, it is chosen.
   std::map<int, double> setbacks_mm;
-  /// Largest distance of the polynomial section curves from their circles, in [1e-9, 0.1]. It is
-  /// the gap between cylinders and patches. Where faces are curved, the sides are fitted to a
-  /// twentieth of the tolerance instead.
+  /// Largest gap between cylinders and patches, in [1e-9, 0.1]. At curved faces the sides are
+  /// fitted to a twentieth of the tolerance instead.
   double section_mm = 1e-6;
   ContinuityTolerance tolerance;  ///< what the new seams must meet
   int jobs = 0;                   ///< threads; 0: one for each processor
@@ -51,8 +49,7 @@ struct CornerSeam {
 struct CornerFilletEdge {
   int edge = 0;  ///< number in the given model
   bool convex = true;
-  /// Angle between its faces at the vertex: inside the solid, or, at a concave edge, outside of
-  /// it.
+  /// Between its faces at the vertex: inside the solid, at a concave edge outside of it.
   double angle_rad = 0;
   double radius_mm = 0;
   double contact_mm = 0;  ///< distance of the contact lines from the edge, at the section
@@ -70,7 +67,7 @@ struct CornerFillet {
   double section_error_mm = 0;
   std::vector<CornerSeam> seams;  ///< new seams, by edge number
   bool valid = false;             ///< OpenCASCADE's checks of the new shell pass
-  /// What fails, with numbers. Empty if the shell is valid, the patches are proved regular, and the
+  /// What fails, with numbers; empty if the shell is valid, the patches are proved regular, and the
   /// new seams meet the tolerance with G1.
   std::string shortfall;
 
@@ -85,26 +82,21 @@ struct CornerFillet {
 std::vector<int> cornerEdges(const Model& model, int vertex);
 
 /// Rounds the edges that meet at a vertex, each with its own radius, and closes the corner with
-/// patches that meet each other exactly with G1 (nSidedFill()).
+/// patches that meet each other exactly with G1 (nSidedFill()). docs/corner_fillet.md describes the
+/// construction.
 ///
-/// Between planes, each edge gets a cylinder that touches both its faces: that of a rolling ball,
-/// inside the solid along convex edges, outside along concave ones. The cylinder begins at the
-/// setback from the vertex, in a section across the edge, and runs to the far end, where the face
-/// there cuts it. In each face at the vertex, a cubic spring curve leads from the contact line of
-/// one cylinder to that of the next, tangent to both. The sections and spring curves of m edges
-/// bound a hole of 2 m sides. Its corners are right angles at which the neighbours agree to second
-/// order. So the patches meet the planes along their sides exactly, and the cylinders to within
-/// section_mm.
+///     CornerFilletOptions options;
+///     for (int edge : cornerEdges(model, 6)) options.radii_mm[edge] = 2;
+///     const CornerFillet corner = cornerFillet(model, 6, options);
 ///
-/// OpenCASCADE makes the fillets if a face at the vertex is curved, if an edge is not a line, or if
-/// anything but two more edges and one more plane meets at its far end. It rounds the solid from
-/// which a ball about the vertex is removed. The fillets are cut off at the setbacks, the spring
-/// curves are projected onto the faces, and fillHole() fills the hole. Setbacks that are not given
-/// are then large enough that the sections are outside the ball.
+/// Between planes the fillets are cylinders, and the patches meet the planes exactly and the
+/// cylinders to within section_mm. OpenCASCADE makes the fillets if a face at the vertex is curved,
+/// if an edge is not a line, or if anything but two more edges and one more plane meets at its far
+/// end; then fillHole() fills the corner.
 ///
 /// **Supported** is a vertex in one shell of one solid where 3 to 6 edges, convex or concave, and
 /// as many faces meet, no two of them tangent along an edge. The shell may be the wall of a void.
-/// Other shells and solids stay.
+/// Other shells and solids stay. The given model is not changed.
 ///
 /// Identities (each has a test of its number):
 ///   (1) Between planes, the distance of the cylinders' axes from both is the radius.

@@ -16,12 +16,11 @@ struct FaceMatchOptions {
   int order = 1;  ///< 1: G1, 2: G2
   MatchMoves moves = MatchMoves::Second;
   double max_move_mm =
-      std::numeric_limits<double>::infinity();  ///< largest_move_mm may not be larger
-  bool hold_sides = false;  ///< the two other boundaries that end at the seam stay as they are
+      std::numeric_limits<double>::infinity();  ///< upper limit of MatchReport::largest_move_mm
+  bool hold_sides = false;  ///< the two boundaries that end at the seam stay, to 1/100 of the gap
   double match_mm = 0.1;    ///< free edges no further apart than this may be the common boundary
   int edge = 0;  ///< of several common ones, from 1, order of TopExp::MapShapes; 0: the longest
-  ContinuityTolerance
-      tolerance;  ///< what the figures are judged by, and how near a trimmed boundary is met
+  ContinuityTolerance tolerance;  ///< of the figures, and how near a trimmed boundary is met
 
   /// \throws std::invalid_argument with the offending number.
   void validate() const;
@@ -29,61 +28,54 @@ struct FaceMatchOptions {
 
 struct MatchReport {
   bool matched = false;
-  std::string reason;  ///< why not, or what the user should know; one line with numbers
+  std::string reason;  ///< why not, or how; one line with numbers
   TopoDS_Shape
       shape;  ///< the two faces as a shell that shares the seam edge; as given where not matched
   SeamResult before;  ///< faces and edges by their numbers in the model
   SeamResult after;  ///< faces and edges by their numbers in the shape; as before where not matched
   double largest_move_mm =
-      0;  ///< of a pole; where weights change too, also of points of the surface, see below
+      0;  ///< of a pole, which no point exceeds; if weights change, also of points on a grid
   bool exact = false;  ///< joined in poles, to rounding; false: to the tolerance
 };
 
 /// Moves one or both of two faces so that they join G1 or G2 along their common boundary: an edge
 /// that both share, or a free edge of each where these are close together over their whole length.
-/// The other faces of the model are not looked at.
+/// The other faces of the model are not considered. docs/match.md describes how faces move.
+///
+///     const MatchReport report = matchFaces(shape, 3, 7, {.order = 2, .hold_sides = true});
+///     if (report.matched) use(report.shape); else show(report.reason);
 ///
 /// A face can move if it lies on a B-spline or Bezier surface and the boundary is the whole of one
-/// side of it (u or v is constant there, and the face ends with it). Only the order + 1 rows of
-/// poles behind that side move; where there are too few of them for the opposite side to stay, the
-/// degree across is raised and knots are inserted, which changes no shape. Trimmed edges keep their
-/// paths in the parameter plane.
+/// side of it. Only the order + 1 rows of poles behind that side move. If both faces end there with
+/// a side of their spline surfaces, the join is exact to rounding (nearestJoin()). Otherwise, or
+/// where that moves more than twice as far, one face fits what the other one shows at sampled
+/// points.
 ///
-/// Where both faces end there with a side of their spline surfaces, the join is one of poles and
-/// exact to rounding: the smallest move (core/join/nearest/nearest.hpp), with the knots along the
-/// seam as they are or, where at most 300 poles move, with inner ones repeated up to \p order times
-/// more, whichever moves less. Otherwise, or where that cannot be or moves more than twice as far,
-/// one face follows what the other one shows along the boundary at several points a knot span
-/// (position, tangent plane, curvature), row by row, each by the smallest move that meets it; knot
-/// spans where the tolerance is not met are halved, at most 6 times.
+/// Matched means that all of these hold; otherwise the shape is that of the faces as given:
+///   - The enclosed figures of the new seam are within the tolerance.
+///   - OpenCASCADE's checks pass.
+///   - No edge or vertex has a tolerance above twice the largest that the faces had, or twice the
+///   gap
+///     tolerance.
+///   - The normal turned by less than 90 degrees at the points of a grid.
+///   - No pole moved further than max_move_mm.
 ///
-/// Matched means: the figures of the new seam are enclosed and within the tolerance, OpenCASCADE's
-/// checks pass, no edge or vertex has a tolerance above twice the largest that the faces had (or
-/// twice the gap tolerance), and the moved surface's normal nowhere turned by 90 degrees or more at
-/// the points of a grid (9 a knot span along the seam, 5 across the moved rows). Where any of this
-/// fails, or a pole would move further than \p max_move_mm, the shape is that of the two faces as
-/// given. A pair that has the level already comes back unchanged.
+/// Special cases:
+///   - A pair that has the level already is returned unchanged.
+///   - A boundary that is a closed loop, or a part of a side, is refused.
+///   - A moved face that ends in a point at the seam keeps that point; its curvature may grow
+///   without
+///     bound towards it, and the reason says so.
+///   - With hold_sides the boundaries that end at the seam must already end in the tangent plane of
+///     the neighbour (G2: with its curvature); the reason says by how much they do not.
+///   - Faces with numbers that are not finite, or 1e100 and more, are refused; in other faces such
+///     numbers have no effect.
 ///
-/// A moved face that ends in a point at the seam keeps that point. If its tangent plane had to turn
-/// there, its curvature grows without bound towards it; the reason then says that it may.
-///
-/// A boundary that is a closed loop is refused, and one that is a part of a side. Work can be
-/// stopped between its steps, not within an exact join.
-///
-/// hold_sides: the first and the last pole of each moved row stay. That needs boundaries that
-/// already end in the neighbour, in its tangent plane (G2: with its curvature); the reason says by
-/// how much they do not. A boundary that ends at the seam and is trimmed away from the sides of the
-/// surface is refused where it would move (by more than a hundredth of the gap tolerance).
-///
-/// Points of a surface move no further than its poles where weights stay. An exact join of rational
-/// surfaces changes weights; then the largest move is also that of points at the same parameters,
-/// on a grid over the moved rows (9 a knot span along the seam, 17 across).
+/// The model is not changed. An exact join can't be cancelled within its computation.
 ///
 /// \param face_a, face_b numbers from 1 in the order of TopExp::MapShapes.
-/// \throws std::invalid_argument for numbers that name no two faces, an edge that is none of their
-/// common ones, or bad options; Cancelled. A face with numbers that are not finite, or 1e100 and
-/// more, in its surface or one of its edges is refused with that reason; in other faces they do no
-/// harm.
+/// \throws std::invalid_argument for numbers that name no two faces, an edge that is not a common
+/// one, and invalid options; Cancelled.
 /// Source: docs/theory/surfaces.md S5.1 to S5.5 (exact joins, and to the tolerance row by row).
 MatchReport matchFaces(const TopoDS_Shape& model, int face_a, int face_b,
                        const FaceMatchOptions& options = {}, const Progress& progress = {});

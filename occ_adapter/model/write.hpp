@@ -15,27 +15,24 @@ namespace seamwright::occ {
 struct WriteOptions {
   bool overwrite = false;         ///< another file of that name may be replaced
   bool overwrite_source = false;  ///< the file the model was read from may be replaced
-  /// Writes the shape with Model::attributes alone, though the model has a source that could be
-  /// followed.
+  /// Writes the shape with Model::attributes alone, even if the model has a source to follow.
   bool afresh = false;
-  /// A STEP file that follows its source states this share of the accuracy that it would else.
-  /// Readers join what is nearer than that, so a coarse one costs them short edges.
+  /// A STEP file that follows its source states this share of its accuracy. Readers join
+  /// what is nearer than the stated accuracy, and so lose short edges if it is coarse.
   double share_of_accuracy = 1;
-  /// The model is what its file holds: a file of the same format becomes a copy of that file, byte
-  /// for byte.
+  /// The model is what its file holds. A file of the same format becomes a copy, byte for byte.
   bool unchanged = false;
-  /// Called with the new file, whole, while it waits beside its place under another name: to read
-  /// it back, say. What it throws is passed on, and nothing is written then.
+  /// Called with the complete new file before it is renamed, for example to read it back. What it
+  /// throws is passed on, and nothing is written then.
   std::function<void(const std::filesystem::path&)> check = {};
 };
 
 /// What writeModel() did.
 struct WriteReport {
   Format format = Format::Step;
-  /// The source was read again and its structure followed; otherwise the file was made of shape and
-  /// attributes.
+  /// The source was read again and its structure kept; false: made of shape and attributes.
   bool followed_source = false;
-  int changed_faces = 0;  ///< where the source was followed: faces with another surface than there
+  int changed_faces = 0;  ///< if the source was followed: faces with another surface than there
   int changed_edges = 0;
   int changed_vertices = 0;
   std::vector<std::string> notes;  ///< what a user should know: what the format can't hold, ...
@@ -45,51 +42,44 @@ struct WriteReport {
 /// .bin (binary BREP). Upper case is the same. \throws ModelError (UnknownTarget)
 Format targetFormat(const std::filesystem::path& path);
 
-/// Throws now what writeModel() says of the target before its work: a name that tells no format, a
-/// file that is there, the source itself, a folder that is missing or closed.
-/// \param source the file that the model is read from; empty if none. \throws ModelError
+/// Checks a target as writeModel() does, before the work whose result it is to hold: its name tells
+/// a format, it does not exist or may be replaced, and its folder can be written to. \param source
+/// the file that the model is read from; empty if none. \throws ModelError
 void requireTarget(const std::filesystem::path& source, const std::filesystem::path& target,
                    const WriteOptions& options = {});
 
-/// Writes a model to a STEP, IGES or BREP file, told by its extension.
+/// Writes a model to a STEP, IGES or BREP file; the extension tells the format. docs/writing.md
+/// states what each format keeps.
 ///
-/// A model that was read from a STEP or IGES file and has still the faces, edges and vertices of
-/// that file, in the same order and places, is written by reading the file once more and carrying
-/// over into it what has changed: surfaces, curves, parameter curves, points and tolerances.
-/// Products, instances, names, colours, layers and order are those of the file. What has not
-/// changed stays bitwise as it was read. A part that stands in several places has to be changed
-/// alike in all of them; a deep copy of the shape is no change, even where it has made copies of
-/// such a part.
+///     Model model = readModel("part.step");
+///     const WriteReport report = writeModel(model, "copy.step", {.overwrite = true});
+///     for (const std::string& note : report.notes) warn(note);
 ///
-/// Where the faces, edges or vertices are others (a sewn model), where the model comes from memory
-/// or from BREP, or with WriteOptions::afresh, a new file is made of the shape and
-/// Model::attributes; a compound whose solids have names becomes an assembly, loose faces that
-/// share edges become shells. Such a file has the faces in their order, but edges within a reversed
-/// face may be numbered otherwise when it is read. STEP states the largest tolerance of the shape
-/// as its accuracy then, and IGES has faces that share edges, also where those of the source share
-/// none.
+/// A model from a STEP or IGES file that still has the faces, edges and vertices of that file, in
+/// the same order and positions, is written by reading the file again and carrying the changes
+/// over: surfaces, curves, pcurves, points and tolerances. Products, instances, names, colours,
+/// layers and order are those of the file; what has not changed stays bitwise. A part with several
+/// instances has to be changed alike in all of them. Otherwise, or with WriteOptions::afresh, a new
+/// file is made of the shape and Model::attributes. Then edges within a reversed face may be
+/// numbered otherwise when it is read.
 ///
-/// STEP: schema (AP203, AP214 or AP242), header texts, length unit and stated accuracy of a STEP
-/// source are kept, and parameter curves are written. Where edges or vertices got larger tolerances
-/// than that accuracy, it becomes the largest of those, for readers throw away parameter curves
-/// that miss their vertices by more. Numbers are written with the fewest digits that read back as
-/// the same double, where OpenCASCADE's own writer rounds to 13 digits; beyond 1e-99 and 1e99, 16
-/// digits. So in mm poles, weights, knots and points come back bit by bit; in other units the
-/// conversion may move the last bit. OpenCASCADE normalises directions when it reads, which may
-/// move their last bit, and it drops what it does not know (texts of faces, validation and
-/// tolerance data in part). Surfaces without a topology (geometrically bounded) get one. IGES: unit
-/// of an IGES or STEP source; 17 digits. A colour of a solid comes back as that of its faces too.
-/// BREP: mm, no names, colours or layers. Binary keeps every number; text keeps poles and knots,
-/// and 15 digits of points.
+///   - STEP keeps schema, header, length unit and stated accuracy of a STEP source. The accuracy
+///   grows
+///     to the largest tolerance that grew, because readers discard pcurves that miss their vertices
+///     by more. Numbers have the fewest digits that read back as the same double (beyond 1e-99 and
+///     1e99, 16 digits). OpenCASCADE normalises directions, and drops what it does not know.
+///   - IGES has the unit of the source, and 17 digits. A colour of a solid is read as that of its
+///   faces
+///     too.
+///   - BREP is in mm, without names, colours and layers. Text keeps 15 digits of points.
+///   - Numbers that are not finite are written in BREP, and refused (NotWritten) in STEP and IGES.
 ///
-/// OpenCASCADE writes in the process that reads (see readModel()), under the same limits. The file
-/// is written beside its place under another name, flushed to the disk and renamed: whenever the
-/// work is stopped, the target is what it was before, or the new file. Only a killed process leaves
-/// the file beside (.NAME.NUMBER.part). A target that is a symbolic link stays one; the file it
-/// leads to is replaced.
+/// The process that reads also writes (see readModel()), under the same limits. The file is written
+/// beside its target under another name, flushed to the disk and renamed. So the target is always
+/// what it was before, or the new file; only a killed process leaves .NAME.NUMBER.part. A target
+/// that is a symbolic link stays one; the file it leads to is replaced.
 ///
-/// Numbers that are not finite are written in BREP, and refused (NotWritten) in STEP and IGES,
-/// which can't hold them.
+/// The model is not changed.
 ///
 /// \throws ModelError (its code says which kind) or Cancelled; nothing is written then.
 WriteReport writeModel(const Model& model, const std::filesystem::path& path,

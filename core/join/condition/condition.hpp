@@ -11,20 +11,16 @@ namespace seamwright {
 
 /// A polynomial of the seam's parameter that vanishes iff a condition holds.
 struct JoinResidual {
-  /// The Bernstein coefficients; for a vector-valued polynomial their lengths. Weights are divided
-  /// by the largest weight of both seams.
+  /// In Bernstein form, of vectors the lengths. Weights are divided by the largest of both seams.
   Eigen::VectorXd coefficients;
-  /// Largest coefficient, divided by the product of the sizes of the fields that it is made of. It
-  /// is dimensionless and independent of the size and the position of the patches and of the speed
-  /// of their parameters.
+  /// Largest coefficient, divided by the sizes of the fields that it is made of: without unit, and
+  /// independent of size, position and speed.
   double relative = 0;
-  /// Bound of the relative residual that the rounding of the poles and of these computations may
-  /// cause where the exact one is 0.
+  /// Bound of the relative residual that rounding may cause where the exact one is 0.
   double noise = 0;
   double at = 0;  ///< parameter k / degree of the largest coefficient
-  /// relative <= the caller's tolerance, or, without a tolerance, relative <= noise. Without a
-  /// tolerance no condition holds whose noise is above 1e-2 of the fields (for second derivatives:
-  /// of these or of the first ones), because it cannot be decided.
+  /// relative <= the caller's tolerance, or without one relative <= noise <= 1e-2; with more noise
+  /// nothing can be decided.
   bool holds = false;
 };
 
@@ -47,8 +43,7 @@ struct JoinCondition {
   JoinResidual first, second;
   /// Largest n <= 2 for which the sides are found to meet with C^n in (s, t); -1: they do not meet.
   int parametric_order = -1;
-  JoinResidual tangent_plane;  ///< det(P_s, P_t, Q_s); rational: det(P, P_s, P_t, Q_s) of
-                               ///< homogeneous vectors over n
+  JoinResidual tangent_plane;  ///< det(P_s, P_t, Q_s); rational: det(P, P_s, P_t, Q_s) / n
   /// Bound of the angle between the tangent planes at the same t; pi if no bound is known.
   double angle_bound_rad = 0;
   JoinVerdict verdict = JoinVerdict::NotG1;
@@ -67,28 +62,24 @@ struct JoinConditionOptions {
 
 /// Judges the join of two ribbons over the same t. Ribbon a runs out of its patch, ribbon b into
 /// its own. The judgement uses polynomials that vanish iff the join holds, and no samples. Any pair
-/// of tensor-product patches and triangles is allowed, polynomial or rational.
+/// of tensor-product patches and triangles is allowed, polynomial or rational, of any degrees up
+/// to 30.
 ///
-/// G1. det(P_s, P_t, Q_s) = 0 and N_P.N_Q > 0 with N_P = P_s x P_t, N_Q = Q_s x P_t. For rational
-/// sides the determinant is det(P, P_s, P_t, Q_s) of the homogeneous vectors. It needs no common
-/// scale: any e0(t) is allowed. Its coefficients are divided by the degree n of P, as P ^ P_t = n X
-/// ^ Y with X, Y the first and the last n poles. The determinant also vanishes for folds and where
-/// a side has no tangent plane. So the sign of N_P.N_Q is certified by Bernstein coefficients and
-/// subdivision. Rounding of the poles perturbs a normal. If fewer than two digits remain, as for a
-/// small patch very far from the origin, the verdict is Singular.
+///     const JoinCondition join = joinCondition(a, b);
+///     if (join.verdict == JoinVerdict::G1 && join.g2()) ...
 ///
-/// The angle of the tangent planes is the angle of P_s x P_t and Q_s x Q_t, each side with its own
-/// seam. If the seams differ, it includes the angle between their directions.
+/// G1: det(P_s, P_t, Q_s) = 0 and N_P.N_Q > 0 with N_P = P_s x P_t, N_Q = Q_s x P_t; for rational
+/// sides det(P, P_s, P_t, Q_s) of the homogeneous vectors. The sign of N_P.N_Q is certified by
+/// Bernstein coefficients and subdivision. Where rounding of the poles leaves a normal less than
+/// two digits, the verdict is Singular.
 ///
-/// G2, of a G1 join. With alpha = A / mu, beta = B / mu, A = (Q_s x P_t).N_P, B = (P_s x Q_s).N_P,
-/// mu = N_P.N_P:
-///   N_P.(mu^2 Q_ss - A^2 P_ss - 2 A B P_st - B^2 P_tt) = 0,
-/// which is necessary and sufficient for rational functions alpha and beta too. If a connection is
-/// given, its alpha and beta are used, and Q_s = alpha P_s + beta P_t is assumed, not checked:
-/// N_P.(Q_ss - alpha^2 P_ss - 2 alpha beta P_st - beta^2 P_tt) = 0. For rational sides these are
-/// derivatives of the points, multiplied by the powers of the weights that make them polynomials.
+/// G2, of a G1 join, with A = (Q_s x P_t).N_P, B = (P_s x Q_s).N_P, mu = N_P.N_P:
+///   N_P.(mu^2 Q_ss - A^2 P_ss - 2 A B P_st - B^2 P_tt) = 0.
+/// It is necessary and sufficient for rational functions alpha = A / mu and beta = B / mu too. A
+/// given connection is used in place of these, without a check that it is one.
 ///
-/// Ribbons of different degrees are compared in the higher degree.
+/// The angle is that of P_s x P_t and Q_s x Q_t, each side with its own seam.
+///
 /// Identities (each has a test of its number):
 ///   (1) The verdict of a constructed join is G1, and for order 2 g2() holds too; with alpha < 0
 ///       the verdict is Fold.

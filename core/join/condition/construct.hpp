@@ -20,27 +20,22 @@ struct JoinRows {
 /// The following holds for all functions below.
 ///
 /// The given ribbon runs out of its patch (Across::OutOf). The result begins at the seam and
-/// satisfies the equations of Connection as polynomials. So the join is exact along the whole seam,
-/// up to rounding of the poles.
+/// satisfies the equations of Connection as polynomials: exactly along the whole seam, up to
+/// rounding of the poles.
 ///
-/// Degrees. If no degree is given, the degree along the seam is the lowest in which each term of
-/// those equations can be written:
-///   tensor, G1   max of n, deg alpha + deg P_s, deg beta + n - 1   (with e0 = 1, e1 = 0)
-///   tensor, G2   also of 2 deg alpha + deg P_ss, deg alpha + deg beta + deg P_s - 1,
-///                2 deg beta + n - 2, deg p + deg P_s, deg q + n - 1
-///   triangle     max of n, 1 + deg alpha + deg P_s, 1 + deg beta + n - 1
-/// with deg P_s = deg P_ss = n for a tensor-product patch, n - 1 and n - 2 for a triangle. A
-/// function that is zero has no term, and a function whose coefficients are all the same is a
-/// constant. So constant alpha and p with linear beta and q keep the degree n of a tensor-product
-/// patch. If a degree is given, rows are raised to it, or lowered to it if their sums have that
-/// degree: see docs/theory/surfaces.md S2.1, S4.2.
+///     const BezierPatch next = continuation(ribbon, {.beta = Eigen::Vector2d(0.2, -0.2)}, 2, 5);
+///
+/// Without a given degree, the degree along the seam is the lowest in which each term of those
+/// equations can be written (docs/joins.md has the table): constant alpha and p with linear beta
+/// and q keep the degree of a tensor-product patch. With a given degree, rows are raised to it, or
+/// lowered to it if their sums have that degree.
 ///
 /// \throws std::invalid_argument, with name, index and value, for a function without coefficients,
 /// of a degree above 100, or with a coefficient that is not finite; for an alpha or e0 that is not
 /// positive everywhere on [0, 1]; for an order other than 1 and 2 or above the degree across; for a
 /// degree above 800; for rows that cannot be written in the given degree, with the defect as a
 /// distance of homogeneous poles; and for a resulting weight that is zero or negative, with its row
-/// and index (e1 and e2 control the weights of rows 1 and 2).
+/// and index.
 /// Source: docs/theory/surfaces.md S2.1, S3.1, S3.3, S4.2, S4.3; [Farin2002].
 
 /// The first order + 1 rows of a tensor-product patch of that degree across:
