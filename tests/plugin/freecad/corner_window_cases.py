@@ -17,7 +17,7 @@ from window import (
 )  # fmt: skip
 
 from freecad.seamwright.document import corner
-from freecad.seamwright.gui.corner_panel import RADIUS, SETBACK
+from freecad.seamwright.gui.corner.panel import RADIUS, SETBACK
 from freecad.seamwright.plain import corner_text
 
 CORNER = "Seamwright_CornerFillet"

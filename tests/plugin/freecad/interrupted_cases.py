@@ -24,8 +24,8 @@ from PySide import QtCore
 from window import WindowCase, press_escape
 
 from freecad.seamwright.document import analysis, corner, fill, match, repair
-from freecad.seamwright.gui.qt import QtWidgets
-from freecad.seamwright.gui.tasks import tasks
+from freecad.seamwright.gui.widgets.qt import QtWidgets
+from freecad.seamwright.gui.widgets.tasks import tasks
 
 SEED = int(os.environ.get("SEAMWRIGHT_TEST_SEED", "16"))
 COUNT = int(os.environ.get("SEAMWRIGHT_TEST_INTERRUPTIONS", "200"))

@@ -15,7 +15,7 @@ from PySide import QtGui
 from window import CANCELLED, OUT, PanelWindow, click, messages, picture, settle, whole_window
 
 from freecad.seamwright.document import match
-from freecad.seamwright.gui.zebra import zebra
+from freecad.seamwright.gui.scene.zebra import zebra
 
 MATCH, ZEBRA = "Seamwright_MatchSurfaces", "Seamwright_ZebraStripes"
 MANY = 5000  # pixels of a face

@@ -26,9 +26,10 @@ from window import (
 )
 
 from freecad.seamwright.document import analysis
-from freecad.seamwright.gui import computation, surface_colours
-from freecad.seamwright.gui.tasks import tasks
-from freecad.seamwright.gui.zebra import zebra
+from freecad.seamwright.gui.scene import surface_colours
+from freecad.seamwright.gui.scene.zebra import zebra
+from freecad.seamwright.gui.widgets import computation
+from freecad.seamwright.gui.widgets.tasks import tasks
 from freecad.seamwright.plain import curvature
 
 NONE, MOVES, CURVATURE, ZEBRA = "None", "Moves", "Mean curvature", "Zebra stripes"

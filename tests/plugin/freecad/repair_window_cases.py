@@ -18,7 +18,7 @@ from window import (
 )  # fmt: skip
 
 from freecad.seamwright.document import analysis, elements, repair
-from freecad.seamwright.gui.qt import QtWidgets
+from freecad.seamwright.gui.widgets.qt import QtWidgets
 from freecad.seamwright.plain import moves, repair_text
 
 REPAIR = "Seamwright_RepairSeams"

@@ -15,9 +15,10 @@ from window import (
 )  # fmt: skip
 
 from freecad.seamwright.document import fill, match, repair
-from freecad.seamwright.gui import computation, repair_view
-from freecad.seamwright.gui.qt import QtWidgets
-from freecad.seamwright.gui.tasks import tasks
+from freecad.seamwright.gui.repair import view as repair_view
+from freecad.seamwright.gui.widgets import computation
+from freecad.seamwright.gui.widgets.qt import QtWidgets
+from freecad.seamwright.gui.widgets.tasks import tasks
 
 SHOWN_S = 2 * computation.LOCK_AFTER_MS / 1000
 NO_RESULTS = "Cancelled; there are no results yet."

@@ -18,6 +18,14 @@ FORBIDDEN = {
     "document": WINDOW | {INSIDE + "gui"},
 }
 
+#: The folders of the ring ``gui``; each imports only from those on lines before its own.
+GUI_ORDER = (
+    {"widgets"},
+    {"scene"},
+    {"base"},
+    {"analysis", "repair", "match", "fill", "corner"},
+)
+
 
 def imported(path):
     """Every module a file imports, wherever in the file."""
@@ -45,6 +53,22 @@ def test_ring_imports_inwards_only(ring):
                     path.relative_to(PACKAGE),
                     module,
                 )
+
+
+def test_folders_of_the_gui_import_in_order():
+    assert set().union(*GUI_ORDER) == {
+        path.name for path in (PACKAGE / "gui").iterdir() if any(path.glob("*.py"))
+    }
+    before = set()
+    for group in GUI_ORDER:
+        for folder in sorted(group):
+            allowed = before | {folder, "icon_path"}
+            for path in (PACKAGE / "gui" / folder).glob("*.py"):
+                for module in imported(path):
+                    if module.startswith(INSIDE + "gui."):
+                        inner = module[len(INSIDE + "gui.") :].split(".")[0]
+                        assert inner in allowed, "%s imports %s" % (path.name, module)
+        before |= group
 
 
 def test_the_namespace_package_is_left_to_freecad():

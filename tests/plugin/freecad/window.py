@@ -16,8 +16,8 @@ import numpy
 from PySide import QtCore, QtGui
 
 from freecad.seamwright.document import analysis
-from freecad.seamwright.gui import tasks
-from freecad.seamwright.gui.qt import QtWidgets
+from freecad.seamwright.gui.widgets import tasks
+from freecad.seamwright.gui.widgets.qt import QtWidgets
 
 #: Panels compute as if the kernel said that the user cancelled.
 CANCELLED = mock.patch.object(tasks.Task, "_progress", lambda self, fraction: False)

@@ -16,9 +16,11 @@ from window import (
 )  # fmt: skip
 
 from freecad.seamwright.document import analysis
-from freecad.seamwright.gui import export_dialog, marker, progress
-from freecad.seamwright.gui.qt import QtWidgets
-from freecad.seamwright.gui.task_panel import TaskPanel
+from freecad.seamwright.gui.analysis import export_dialog
+from freecad.seamwright.gui.analysis.panel import AnalysisPanel
+from freecad.seamwright.gui.scene import marker
+from freecad.seamwright.gui.widgets import progress
+from freecad.seamwright.gui.widgets.qt import QtWidgets
 from freecad.seamwright.plain import palette, rows
 
 STEP = "/usr/share/opencascade/data/step/linkrods.step"
@@ -131,7 +133,7 @@ class Panel(WindowCase):
                 step()
                 settle()
                 self.assertEqual((self.shown(panel), obj.Report, obj.Summary), states[place])
-                fresh = TaskPanel(obj, False)  # one that never saw another state
+                fresh = AnalysisPanel(obj, False)  # one that never saw another state
                 self.assertEqual(self.shown(fresh), states[place][0])
                 fresh.leave()
 

@@ -32,22 +32,23 @@ class SeamwrightWorkbench(Gui.Workbench):
         return "Gui::PythonWorkbench"
 
 
-#: For each kind of document object, the module of its view.
+#: For each kind of document object, the folder of its view in ``gui``.
 VIEWS = {
-    "CornerFillet": "corner_view",
-    "MatchSurfaces": "match_view",
-    "SeamAnalysis": "view_provider",
-    "SeamRepair": "repair_view",
-    "UmbrellaFill": "fill_view",
+    "CornerFillet": "corner",
+    "MatchSurfaces": "match",
+    "SeamAnalysis": "analysis",
+    "SeamRepair": "repair",
+    "UmbrellaFill": "fill",
 }
 
 
 def _attach_view(obj):
-    importlib.import_module("freecad.seamwright.gui." + VIEWS[obj.Proxy.Type]).attach_view(obj)
+    module = "freecad.seamwright.gui.%s.view" % VIEWS[obj.Proxy.Type]
+    importlib.import_module(module).attach_view(obj)
 
 
 def _progress(text):
-    from freecad.seamwright.gui import progress
+    from freecad.seamwright.gui.widgets import progress
 
     return progress.progress_dialog(text)
 

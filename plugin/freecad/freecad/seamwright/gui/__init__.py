@@ -1,5 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Commands, task panels and view providers, which need FreeCAD's window."""
+"""What needs FreeCAD's window: commands, task panels and view providers.
+
+A folder imports only from those before it in this list:
+
+* ``widgets``   fields, forms, messages, progress, threads, steps that can be undone;
+* ``scene``     what is drawn in the 3D view;
+* ``base``      base classes of panels and view providers;
+* ``analysis``, ``repair``, ``match``, ``fill``, ``corner``   panel and view of one document object.
+
+The commands in ``commands.py`` use all of them.
+"""
 
 import os
 

@@ -4,7 +4,8 @@
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from freecad.seamwright.gui import icon_path, messages
+from freecad.seamwright.gui import icon_path
+from freecad.seamwright.gui.widgets import messages
 from freecad.seamwright.plain import kernel
 
 

@@ -6,8 +6,9 @@ import FreeCADGui as Gui
 import Part
 
 from freecad.seamwright.document import analysis, corner, fill, match, repair, sources
-from freecad.seamwright.gui import export_dialog, messages
+from freecad.seamwright.gui.analysis import export_dialog
 from freecad.seamwright.gui.command import Command, begin, open_new
+from freecad.seamwright.gui.scene.zebra import zebra
 from freecad.seamwright.gui.selected import (
     selected_analysis,
     selected_elements,
@@ -15,7 +16,7 @@ from freecad.seamwright.gui.selected import (
     selected_seams,
     selected_sources,
 )
-from freecad.seamwright.gui.zebra import zebra
+from freecad.seamwright.gui.widgets import messages
 from freecad.seamwright.plain import summary
 
 

@@ -1,32 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The view of a Match Surfaces: its sources are hidden while it has a shape.
+"""The name under which documents of version 0.1.0 find this class; do not remove it."""
 
-The class path is written into documents: neither rename nor move it.
-"""
+from freecad.seamwright.gui.match.view import MatchSurfacesView
 
-from freecad.seamwright.document import match
-from freecad.seamwright.gui.match_panel import MatchPanel
-from freecad.seamwright.gui.result_view import ResultView, attach_as
-
-
-class MatchSurfacesView(ResultView):
-    """Proxy of the view provider of a Match Surfaces."""
-
-    ICON = "seamwright-match"
-
-    def sources(self, obj):
-        """Return the objects to which the faces belong."""
-        return match.source_objects(obj)
-
-    def has_result(self, obj):
-        """Return whether the faces match."""
-        return bool(obj.Matched)
-
-    def make_panel(self, obj, created):
-        """Return the task panel."""
-        return MatchPanel(obj, created)
-
-
-def attach_view(obj):
-    """Give a match its view provider if it has none."""
-    attach_as(MatchSurfacesView, obj)
+__all__ = ["MatchSurfacesView"]

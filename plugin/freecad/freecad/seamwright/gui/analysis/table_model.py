@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The seam table as a Qt model; plain.rows has the texts of cells and the sorting of rows."""
+
+from freecad.seamwright.gui.widgets.qt import QtCore, QtGui
+from freecad.seamwright.plain import palette, rows
+
+Qt = QtCore.Qt
+
+_RIGHT = Qt.AlignRight | Qt.AlignVCenter
+NUMBERS = _RIGHT.value if hasattr(_RIGHT, "value") else int(_RIGHT)
+
+
+class SeamTableModel(QtCore.QAbstractTableModel):
+    """Rows of one report, sorted and filtered."""
+
+    def __init__(self, parent=None):
+        super().__init__(parent)
+        self._all = []
+        self._shown = []
+        self._wanted = None
+        self._order = None  # (field, descending), or None for worst first
+
+    def set_rows(self, all_rows):
+        """Show the rows of another report; sorting and filter stay."""
+        self._all = list(all_rows)
+        self._arrange()
+
+    def set_filter(self, wanted):
+        """Show one class, or the uncertain rows (see ``rows.filter_rows``); None shows all rows."""
+        self._wanted = wanted
+        self._arrange()
+
+    def row(self, place):
+        """Return the Row at an index of the shown rows."""
+        return self._shown[place]
+
+    def places_of_edge(self, number):
+        """Return the indices of the shown rows whose seam has this edge."""
+        return [place for place, row in enumerate(self._shown) if number in row.edges]
+
+    def rowCount(self, parent=None):
+        """Return the number of shown rows."""
+        return 0 if parent is not None and parent.isValid() else len(self._shown)
+
+    def columnCount(self, parent=None):
+        """Return the number of columns."""
+        return 0 if parent is not None and parent.isValid() else len(rows.COLUMNS)
+
+    def data(self, index, role=Qt.DisplayRole):
+        """Return text, tool tip, alignment or colour mark of a cell."""
+        row, column = self._shown[index.row()], rows.COLUMNS[index.column()]
+        if role == Qt.DisplayRole:
+            return rows.cell_text(row, column)
+        if role == Qt.ToolTipRole:
+            return row.detail
+        if role == Qt.DecorationRole and column.field == "seam_class":
+            return QtGui.QColor(*palette.BY_KEY[row.seam_class].rgb)
+        if role == Qt.TextAlignmentRole and column.numeric:
+            return NUMBERS
+        return None
+
+    def headerData(self, section, orientation, role=Qt.DisplayRole):
+        """Return the heading of a column or its tool tip."""
+        if orientation != Qt.Horizontal:
+            return None
+        column = rows.COLUMNS[section]
+        return {Qt.DisplayRole: column.title, Qt.ToolTipRole: column.tip}.get(role)
+
+    def sort(self, column, order=Qt.AscendingOrder):
+        """Sort by a column; column -1 means worst first."""
+        field = rows.COLUMNS[column].field if column >= 0 else None
+        self._order = (field, order == Qt.DescendingOrder) if field else None
+        self._arrange()
+
+    def _arrange(self):
+        self.beginResetModel()
+        shown = rows.filter_rows(self._all, self._wanted)
+        self._shown = rows.sort_rows(shown, *self._order) if self._order else shown
+        self.endResetModel()

@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The task panel of an object that is computed when the user presses Preview or OK.
+
+It has a summary, a table of seams, and a choice to show the model before or after.
+"""
+
+import Part
+
+from freecad.seamwright.gui.base.result_panel import ResultPanel
+from freecad.seamwright.gui.scene import seam_view
+from freecad.seamwright.gui.widgets.computation import Computation
+from freecad.seamwright.gui.widgets.forms import make_form, make_text, show_seams_in
+from freecad.seamwright.gui.widgets.qt import QtGui, QtWidgets
+from freecad.seamwright.plain import repair_text
+
+TABLE_HEIGHT = 190
+
+PREVIEW, PREVIEW_AGAIN = "Preview", "Update preview"
+
+#: Text colours of the last column, by the state of a row.
+INKS = {repair_text.REPAIRED: (0, 120, 88), repair_text.LEFT: (190, 80, 0)}
+
+
+class PreviewPanel(ResultPanel):
+    """Shows and changes one object; a subclass defines its fields and rows.
+
+    A row has ``cells``, a text for each of ``COLUMNS``; ``detail``, its tool tip; and ``state``, a
+    key of ``INKS`` or another state, whose text has the default colour.
+    """
+
+    DOCK_WIDTH = 600
+    TITLE = ICON = PREVIEW_TIP = ""
+    COLUMNS = ()  # heading, tool tip
+
+    def __init__(self, obj, created, title, changeable):
+        super().__init__(obj, created, title, changeable)
+        self._rows = []
+        self._build()
+        self.computation = Computation(self.form)
+        self.read_fields()
+        self.connect_fields()
+        self._connect()
+        if self.has_result():
+            self.refresh()
+        else:
+            self.begin()
+
+    # Methods that a subclass defines.
+
+    def build_boxes(self):
+        """Return the widgets below the table."""
+        raise NotImplementedError
+
+    def connect_fields(self):
+        """Call ``changed`` when a field changes."""
+        raise NotImplementedError
+
+    def begin(self):
+        """Show what is known before anything was computed."""
+        raise NotImplementedError
+
+    def stored(self):
+        """Return (rows, text) of the results as they are stored now."""
+        raise NotImplementedError
+
+    def marked(self, rows, shown):
+        """Return (report, seams) of rows for ``seam_view.show``, as they are in the shown object.
+
+        Returns no seams where the shown object does not have them.
+        """
+        raise NotImplementedError
+
+    def note(self, rows):
+        """Return the text below the table about the chosen rows."""
+        return ""
+
+    # The window.
+
+    def _build(self):
+        self.form, layout = make_form(self.TITLE, self.ICON)
+        self.summary, self.remark = make_text(), make_text()
+        self.remark.hide()
+        for widget in (self.summary, self._build_table(), self.remark):
+            layout.addWidget(widget)
+        layout.addLayout(self._build_show())
+        for box in self.build_boxes():
+            layout.addWidget(box)
+
+    def _build_table(self):
+        self.table = QtWidgets.QTableWidget(0, len(self.COLUMNS))
+        self.table.setHorizontalHeaderLabels([heading for heading, _ in self.COLUMNS])
+        for place, (_, tip) in enumerate(self.COLUMNS):
+            self.table.horizontalHeaderItem(place).setToolTip(tip)
+        self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
+        show_seams_in(self.table, TABLE_HEIGHT)
+        self._fit_columns()
+        return self.table
+
+    def _fit_columns(self):
+        """Fit the widths of columns to their texts; the last column fills the remaining width."""
+        header, last = self.table.horizontalHeader(), len(self.COLUMNS) - 1
+        header.setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
+        if header.length() <= self.table.viewport().width():
+            header.setSectionResizeMode(last, QtWidgets.QHeaderView.Stretch)
+
+    def _build_show(self):
+        self.show_line = QtWidgets.QHBoxLayout()
+        self.show_line.addWidget(QtWidgets.QLabel("Show"))
+        self.before, self.after = QtWidgets.QRadioButton("Before"), QtWidgets.QRadioButton("After")
+        self.after.setChecked(True)
+        for widget in (self.before, self.after):
+            self.show_line.addWidget(widget)
+        self.show_line.addStretch(1)
+        self.preview_button = QtWidgets.QPushButton(PREVIEW)
+        self.preview_button.setToolTip(
+            "%s; nothing is kept before OK is pressed" % self.PREVIEW_TIP
+        )
+        self.show_line.addWidget(self.preview_button)
+        return self.show_line
+
+    def _connect(self):
+        self.preview_button.clicked.connect(lambda *_: self.preview())
+        self.table.itemSelectionChanged.connect(self._selection_changed)
+        self.after.toggled.connect(lambda *_: self.show(self.after.isChecked()))
+
+    # Actions.
+
+    def has_result(self):
+        """Return whether the object was computed."""
+        return not self.obj.Shape.isNull()
+
+    def computed(self):
+        """Show the results, or the source where there are none."""
+        (self.after if self.has_result() else self.before).setChecked(True)
+        self.refresh()
+
+    def say(self, text):
+        """Show this text above the table."""
+        self.summary.setText(text)
+
+    def refresh(self):
+        """Show the results as they are stored now."""
+        self.fill(*self.stored())
+        self.show(self.after.isChecked())
+        self._name_preview()
+
+    def show(self, after):
+        """Show the result or the source."""
+        after = after and self.has_result()
+        self.obj.ViewObject.Visibility = after
+        for each in self.replaced():
+            each.ViewObject.Visibility = not after
+        if not self._ended:
+            self._selection_changed()
+
+    def fill(self, built, text):
+        """Show these rows, and the text above them."""
+        self._rows = built
+        self.summary.setText(text)
+        self.table.clearSelection()
+        self.table.setRowCount(len(built))
+        for line, row in enumerate(built):
+            for column, cell in enumerate(row.cells):
+                self.table.setItem(line, column, _item(cell, row, column))
+        self._fit_columns()
+        self.after.setEnabled(self.has_result())
+
+    def show_before(self):
+        """Show the source, since there is no result yet."""
+        self.before.setChecked(True)
+        self.show(False)
+
+    def changed(self, *_):
+        """A field differs from what was computed."""
+        super().changed()
+        self._name_preview()
+
+    def _name_preview(self):
+        self.preview_button.setText(
+            PREVIEW_AGAIN if self.is_due() and self.has_result() else PREVIEW
+        )
+
+    def shown_object(self):
+        """Return the visible object: the result or its source."""
+        return self.obj if self.after.isChecked() and self.has_result() else self.sources()[0]
+
+    def _selection_changed(self):
+        """Mark the seams of the chosen rows as they are in the shown object, and zoom to them."""
+        places = sorted({index.row() for index in self.table.selectionModel().selectedRows()})
+        rows = [self._rows[place] for place in places]
+        remark = self.note(rows)
+        self.remark.setText(remark)
+        self.remark.setVisible(bool(remark))
+        shown = self.shown_object() if rows and self.sources() else None
+        report, seams = self.marked(rows, shown) if shown is not None else ({}, [])
+        if not seams:
+            self.obj.ViewObject.Proxy.mark([], [], [])
+            return
+        size = Part.getShape(shown).BoundBox.DiagonalLength
+        seam_view.show(self.obj, report, seams, size)
+
+
+def _item(text, row, column):
+    item = QtWidgets.QTableWidgetItem(text)
+    item.setToolTip(row.detail)
+    if column == len(row.cells) - 1 and row.state in INKS:
+        item.setForeground(QtGui.QBrush(QtGui.QColor(*INKS[row.state])))
+    return item

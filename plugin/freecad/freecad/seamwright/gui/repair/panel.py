@@ -1,0 +1,232 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The task panel of Repair Seams: the seams to repair, the target, and each seam's figures."""
+
+import FreeCADGui as Gui
+
+from freecad.seamwright.document import analysis, elements, properties, repair
+from freecad.seamwright.document.plan import Plan
+from freecad.seamwright.gui.base.preview_panel import PreviewPanel
+from freecad.seamwright.gui.scene import seam_view
+from freecad.seamwright.gui.scene.surface_colours import CURVATURE, ZEBRA, SurfaceColours
+from freecad.seamwright.gui.widgets.element_list import ElementList
+from freecad.seamwright.gui.widgets.forms import make_box
+from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
+from freecad.seamwright.gui.widgets.tolerance_form import NumberField, ToleranceForm
+from freecad.seamwright.plain import repair_text, rows
+
+CHOSEN = "The seams at these edges:"
+NONE, MOVES = "None", "Moves"
+COLOURS = (
+    (NONE, "The faces as they look in the document"),
+    (MOVES, "After: each point coloured by how far it moved"),
+    (
+        CURVATURE,
+        "Before and after: each point coloured by its mean curvature, both with the same scale",
+    ),
+    (
+        ZEBRA,
+        "Before and after: stripes that break where faces meet at an angle, and bend at a step of curvature",
+    ),
+)
+ALL_DEFECTS = "All defects; to choose, select rows or edges and add them:"
+
+
+class RepairPanel(PreviewPanel):
+    """Shows and changes one Seam Repair; ``created``: Cancel removes it."""
+
+    TITLE, ICON, COLUMNS = "Repair Seams", "seamwright-repair", repair_text.COLUMNS
+    PREVIEW_TIP = "Repair the seams as the fields say"
+
+    def __init__(self, obj, created):
+        self._report = repair.empty_report(obj)
+        self._lines = [each.Name for each in _analyses(obj) if each.ViewObject.Visibility]
+        changeable = [
+            "Target",
+            "MaxMove",
+            *(name for name, *_ in repair.ELEMENTS + repair.TOLERANCES),
+        ]
+        super().__init__(obj, created, "Edit seam repair", changeable)
+
+    def sources(self):
+        """Return the object whose seams are repaired."""
+        return elements.source_objects(self.obj)
+
+    def replaced(self):
+        """Return the source and its analyses that were visible when the panel was opened."""
+        return self.sources() + [each for each in _analyses(self.obj) if each.Name in self._lines]
+
+    def release(self):
+        """Clear the selection, and draw result and source as they were."""
+        Gui.Selection.clearSelection()
+        self.obj.ViewObject.ShowMoves = False
+        self.surface.end()
+        self._show_lines(not self.obj.ViewObject.Visibility)
+
+    # The window.
+
+    def build_boxes(self):
+        """Return the boxes of the seams and of target and limits."""
+        self.colours = QtWidgets.QComboBox()
+        for place, (name, tip) in enumerate(COLOURS):
+            self.colours.addItem(name)
+            self.colours.setItemData(place, tip, QtCore.Qt.ToolTipRole)
+        self.colours.setCurrentText(MOVES)
+        self.colours.setToolTip("What the colours of the faces tell")
+        for place, widget in enumerate((QtWidgets.QLabel("Colours"), self.colours), 3):
+            self.show_line.insertWidget(place, widget)
+        return self._build_seams(), self._build_limits()
+
+    def _build_seams(self):
+        box = QtWidgets.QGroupBox("Seams")
+        layout = QtWidgets.QFormLayout(box)
+        self.lists = {}
+        for name, kind, tip in repair.ELEMENTS:
+            self.lists[name] = ElementList(lambda kind=kind: self._picked(kind), self._select, tip)
+        self.which = QtWidgets.QLabel()
+        layout.addRow("Repair", self.which)
+        layout.addRow("", self.lists["Edges"])
+        layout.addRow("Keep faces", self.lists["FixedFaces"])
+        return box
+
+    def _build_limits(self):
+        self.tolerances = ToleranceForm(repair.TOLERANCES, ("Target", repair.TARGETS))
+        self.max_move = NumberField(" mm", 1e6)
+        self.max_move.setSpecialValueText("by size of face")
+        self.max_move.setToolTip(
+            "No point of a face may move further; by size: a hundredth of it and twice the gap of its seams"
+        )
+        self.tolerances.layout().insertRow(1, "Largest move", self.max_move)
+        return make_box("Target and limits", self.tolerances)[0]
+
+    def connect_fields(self):
+        """React to changes of the fields, and draw on the surfaces what they ask for."""
+        self.surface = SurfaceColours(
+            self.obj,
+            self.computation,
+            surfaces=lambda: self.sources() + ([self.obj] if self.has_result() else []),
+            left=lambda: self.colours.setCurrentText(NONE),
+            changed=lambda: None if self._ended else self.show(self.after.isChecked()),
+        )
+        for each in self.lists.values():
+            each.changed.connect(self.changed)
+        self.max_move.valueChanged.connect(self.changed)
+        self.tolerances.changed.connect(self.changed)
+        self.colours.currentIndexChanged.connect(lambda *_: self.show(self.after.isChecked()))
+
+    def read_fields(self):
+        """Show the values of the object."""
+        for name, each in self.lists.items():
+            each.set_names(elements.names(self.obj, name))
+        self.max_move.setValue(properties.number(self.obj, "MaxMove"))
+        self.tolerances.read_from(self.obj)
+        self._name_seams()
+
+    def wanted(self):
+        """Return the {property: value} of the fields."""
+        chosen = {
+            name: elements.link_to(self.obj, each.names()) for name, each in self.lists.items()
+        }
+        return {**chosen, "MaxMove": self.max_move.value(), **self.tolerances.values()}
+
+    # Actions.
+
+    def begin(self):
+        """Show the seams that would be treated."""
+        self.fill([], "")
+        self.show_before()
+        plan = Plan(self.obj, {}, repair.foreseeing)
+
+        def keep(found, error):
+            plan.end(found, error)
+            try:
+                self._report, text = plan.results()
+            except plan.failures as failure:
+                text = repair_text.named(str(failure))
+            self.fill(repair_text.build_rows(self._report), text)
+            self.show_before()
+
+        self.computation.follow(
+            plan, keep, lambda why: self.say("%s; Preview analyses and repairs the seams." % why)
+        )
+
+    def stored(self):
+        """Return (rows, text) of the results as they are stored now."""
+        self._report = repair.report_of(self.obj)
+        return repair_text.build_rows(self._report), repair.error_text(self.obj) or self.obj.Summary
+
+    def show(self, after):
+        """Show the result or the source, in the wanted colours."""
+        wanted = None if self._ended else self.colours.currentText()
+        self.obj.ViewObject.ShowMoves = after and self.has_result() and wanted == MOVES
+        super().show(after)
+        if self._ended:
+            return
+        on_surface = wanted in (CURVATURE, ZEBRA)
+        self._show_lines(not self.obj.ViewObject.Visibility and not on_surface)
+        self.surface.show(wanted if on_surface else None)
+
+    def _show_lines(self, visible):
+        """Show or hide the analyses of the source."""
+        for each in self.replaced():
+            if each.Name in self._lines:
+                each.ViewObject.Visibility = visible
+
+    def left(self, why):
+        """Say why a repair has no result, and show again the colours that it interrupted."""
+        super().left(why)
+        self.show(self.after.isChecked())
+
+    def fill(self, built, text):
+        """Show these rows, and the text above them."""
+        super().fill(built, text)
+        self.table.setColumnHidden(repair_text.CURVATURE_COLUMN, self._report["target"] != "G2")
+        self._fit_columns()
+
+    def changed(self, *_):
+        """A field differs from what was computed."""
+        super().changed()
+        self._name_seams()
+
+    def _name_seams(self):
+        self.which.setText(CHOSEN if self.lists["Edges"].names() else ALL_DEFECTS)
+
+    def _picked(self, kind):
+        """Return the selected elements of a kind, on the source or on the result.
+
+        Both have the same names.
+        """
+        own = (self.obj, *self.sources())
+        chosen = [each for each in Gui.Selection.getSelectionEx() if each.Object in own]
+        return [name for each in chosen for name in each.SubElementNames if name.startswith(kind)]
+
+    def _select(self, name):
+        if self.sources():
+            Gui.Selection.clearSelection()
+            seam_view.select(self._doc, self.shown_object().Name, name)
+
+    def marked(self, chosen, shown):
+        """Return (report, seams) of rows as they are in the shown object."""
+        which = "after" if shown == self.obj and repair_text.is_done(self._report) else "before"
+        by_number = {seam["before"]["id"]: seam[which] for seam in self._report["seams"]}
+        report = rows.located(by_number.values(), self._report["tolerance"], shown.Name)
+        return report, [by_number[row.seam] for row in chosen]
+
+    def note(self, chosen):
+        """Return the full reasons why the seams of the chosen rows were not repaired.
+
+        The column is too narrow for them.
+        """
+        return "\n".join(
+            "%s: %s" % (row.cells[0], row.cells[-1])
+            for row in chosen
+            if row.state == repair_text.LEFT
+        )
+
+
+def _analyses(obj):
+    """Return the analyses of the source of a repair; their lines show it before the repair."""
+    return [
+        each
+        for each in obj.Document.Objects
+        if analysis.is_analysis(each) and obj.Source in each.Analysed
+    ]

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Marks at the worst points of chosen seams: a ring and a label that nothing hides."""
+
+from pivy import coin
+
+from freecad.seamwright.gui.scene.overlay import outside_bounding_box, set_image, unlit_unpickable
+from freecad.seamwright.gui.widgets.qt import QtCore, QtGui
+
+RING_PX, TEXT_PX = 23, 13
+INK, PAPER = (20, 20, 20), (255, 255, 255)
+
+#: The distance between the ring and its label.
+GAP_PX = 4
+
+
+class Marker:
+    """Scene nodes of the marks; add ``node`` to the root of a view provider."""
+
+    def __init__(self):
+        self._marks = coin.SoSeparator()
+        overlay = coin.SoAnnotation()  # drawn last, over everything
+        for node in (*unlit_unpickable(), self._marks):
+            overlay.addChild(node)
+        self.node = outside_bounding_box(overlay)
+
+    def show(self, marks):
+        """Show only these marks, each (point, label); the coordinates of the point are in mm."""
+        self._marks.removeAllChildren()
+        for point, label in marks:
+            mark, place = coin.SoSeparator(), coin.SoTranslation()
+            place.translation = tuple(point)
+            mark.addChild(place)
+            mark.addChild(_image(draw_ring(), coin.SoImage.CENTER, coin.SoImage.HALF))
+            if label:
+                mark.addChild(_image(draw_label(label), coin.SoImage.LEFT, coin.SoImage.HALF))
+            self._marks.addChild(mark)
+
+
+def _image(picture, horizontal, vertical):
+    node = coin.SoImage()
+    node.horAlignment, node.vertAlignment = horizontal, vertical
+    set_image(node, picture)
+    return node
+
+
+def draw_ring():
+    """Return a QImage of a dark ring between two light ones, visible on any background."""
+    image = QtGui.QImage(RING_PX, RING_PX, QtGui.QImage.Format_ARGB32)
+    image.fill(QtCore.Qt.transparent)
+    painter = QtGui.QPainter(image)
+    painter.setRenderHint(QtGui.QPainter.Antialiasing)
+    middle = QtCore.QPointF(RING_PX / 2, RING_PX / 2)
+    for colour, width in ((PAPER, 6), (INK, 2.5)):
+        painter.setPen(QtGui.QPen(QtGui.QColor(*colour), width))
+        painter.drawEllipse(middle, RING_PX / 2 - 4, RING_PX / 2 - 4)
+    painter.end()
+    return image
+
+
+def draw_label(text):
+    """Return a QImage of the text on a light background, to the right of the ring."""
+    font = QtGui.QFont("Sans Serif")
+    font.setPixelSize(TEXT_PX)
+    font.setBold(True)
+    width = QtGui.QFontMetrics(font).boundingRect(text).width() + TEXT_PX
+    left, height = RING_PX // 2 + GAP_PX, int(1.6 * TEXT_PX)
+    image = QtGui.QImage(left + width, height, QtGui.QImage.Format_ARGB32)
+    image.fill(QtCore.Qt.transparent)
+    painter = QtGui.QPainter(image)
+    painter.setFont(font)
+    painter.setPen(QtGui.QColor(*INK))
+    box = QtCore.QRect(left, 0, width - 1, height - 1)
+    painter.fillRect(box, QtGui.QColor(*PAPER))
+    painter.drawRect(box)
+    painter.drawText(box, QtCore.Qt.AlignCenter, text)
+    painter.end()
+    return image

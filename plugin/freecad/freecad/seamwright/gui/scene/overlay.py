@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Images of fixed size in the scene, drawn over the model."""
+
+from pivy import coin
+
+from freecad.seamwright.gui.widgets.qt import QtGui
+
+
+def set_image(node, picture):
+    """Put a QImage into an SoImage."""
+    picture = picture.convertToFormat(QtGui.QImage.Format_RGBA8888).mirrored(False, True)
+    size = coin.SbVec2s(picture.width(), picture.height())
+    node.image.setValue(size, 4, bytes(picture.constBits()))
+
+
+def unlit_unpickable():
+    """Return nodes that make the nodes after them unlit and transparent for the mouse."""
+    pick, light = coin.SoPickStyle(), coin.SoLightModel()
+    pick.style = coin.SoPickStyle.UNPICKABLE
+    light.model = coin.SoLightModel.BASE_COLOR
+    return pick, light
+
+
+def outside_bounding_box(child):
+    """Return a group that "fit all" ignores. FreeCAD registers its type with the scene library."""
+    group = coin.SoType.fromName("SoSkipBoundingGroup").createInstance()
+    group.addChild(child)
+    return group

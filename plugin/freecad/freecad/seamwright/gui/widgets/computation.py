@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The computations of a task panel, one at a time, with a progress bar and a stop button.
+
+The panel is locked meanwhile.
+"""
+
+import traceback
+
+import FreeCAD as App
+import FreeCADGui as Gui
+
+from freecad.seamwright.gui.widgets.dock import dock_of
+from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
+from freecad.seamwright.gui.widgets.tasks import tasks
+
+#: Shorter computations do not lock the panel, since it would flicker and a field would lose focus.
+LOCK_AFTER_MS = 300
+
+STEPS = 1000
+
+CANCELLED, CHANGED = "Cancelled", "The model was changed meanwhile"
+
+
+class _Escape(QtCore.QObject):
+    """Lets Esc stop a computation wherever the key is pressed in the window.
+
+    The window does not get this key event. Otherwise the view would end the editing, both when the
+    key is pressed and when it is released.
+    """
+
+    def __init__(self, computation, parent):
+        super().__init__(parent)
+        self._computation = computation
+        self._is_down = False
+
+    def eventFilter(self, window, event):
+        """Return whether the event ends here."""
+        if event.type() not in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
+            return False
+        if event.key() != QtCore.Qt.Key_Escape:
+            return False
+        taken = self._is_down
+        if event.type() == QtCore.QEvent.KeyRelease:
+            self._is_down = False
+        elif self._computation.runs:
+            self._is_down = taken = True
+            QtCore.QTimer.singleShot(0, self._computation.stop)
+        return taken
+
+
+class Computation:
+    """The progress line at the top of a panel's form, and the task that it shows."""
+
+    def __init__(self, form):
+        """``form``: the widget of the panel; the progress line is added to its layout."""
+        self._form = form
+        self._task = self._stopped = None
+        self._locks = True
+        self._locked, self._focus = [], None
+        self._build()
+        Gui.getMainWindow().windowHandle().installEventFilter(_Escape(self, self.line))
+        self._timer = QtCore.QTimer(self.line)
+        self._timer.setInterval(LOCK_AFTER_MS)
+        self._timer.timeout.connect(self._show)
+
+    def _build(self):
+        self.line = QtWidgets.QWidget()
+        layout = QtWidgets.QHBoxLayout(self.line)
+        layout.setContentsMargins(0, 0, 0, 0)
+        self.text, self.bar = QtWidgets.QLabel(), QtWidgets.QProgressBar()
+        self.bar.setRange(0, STEPS)
+        self.stop_button = QtWidgets.QPushButton("Stop")
+        self.stop_button.setToolTip("Stop; the results stay as they are. Esc does the same.")
+        self.stop_button.clicked.connect(lambda *_: self.stop())
+        for widget, stretch in ((self.text, 0), (self.bar, 1), (self.stop_button, 0)):
+            layout.addWidget(widget, stretch)
+        self.line.hide()
+        self._form.layout().insertWidget(0, self.line)  # the bottom of a long form may be hidden
+
+    @property
+    def runs(self):
+        """Whether a computation runs."""
+        return self._task is not None
+
+    @property
+    def busy(self):
+        """Whether a computation runs for which the panel has to wait."""
+        return self._task is not None and self._locks
+
+    def start(self, text, run, done, stopped, locks=True):
+        """Run what ``tasks.start`` takes in a thread; a running computation is dropped.
+
+        Calls ``done(found, error)``, or ``stopped()`` where the user stopped the computation.
+        ``locks``: the panel waits for it. Returns the Task.
+        """
+        self.drop()
+        self._locks = locks
+
+        def over(found, error):
+            self._end()
+            done(found, error)
+
+        self._task, self._stopped = tasks.start(run, over), stopped
+        self.text.setText(text)
+        self._timer.start()
+        return self._task
+
+    def follow(self, plan, keep, left):
+        """Compute a plan.Plan in a thread, then call ``keep(found, error)``.
+
+        The arguments are those of ``apply``. Where there is nothing to keep, ``left(why)`` is
+        called instead. Where the object was deleted, nothing is called.
+        """
+
+        def done(found, error):
+            if plan.object() is None:
+                return
+            if isinstance(error, plan.cancelled):
+                left(CANCELLED)
+            elif error is not None and not isinstance(error, plan.failures):
+                App.Console.PrintError(
+                    "".join(traceback.format_exception(type(error), error, error.__traceback__))
+                )
+                left("Failed: %s" % error)
+            elif not plan.is_current():
+                left(CHANGED)
+            else:
+                keep(found, error)
+
+        self.start(plan.text, plan.run, done, lambda: left(CANCELLED))
+
+    def stop(self):
+        """Stop for the user; return False where nothing is computed."""
+        if self._task is None:
+            return False
+        stopped = self._stopped
+        self.drop()
+        stopped()
+        return True
+
+    def drop(self):
+        """Stop without calling anything."""
+        if self._task is not None:
+            self._task.cancel()
+            self._end()
+
+    def _end(self):
+        self._task = self._stopped = None
+        self._timer.stop()
+        self.line.hide()
+        if self._locked:
+            self._enable_ok(True)
+        for widget in self._locked:
+            widget.setEnabled(True)
+        if self._focus is not None:
+            self._focus.setFocus()
+        self._locked, self._focus = [], None
+
+    def _show(self):
+        """Lock the panel when the computation takes long, and show its progress."""
+        if not self.line.isVisible():
+            if self._locks:
+                self._lock()
+            self.line.show()
+            if self._focus is not None:
+                self.stop_button.setFocus()  # so that the panel still gets Esc
+        self.bar.setValue(int(self._task.fraction * STEPS))
+
+    def _lock(self):
+        children = self._form.findChildren(QtWidgets.QWidget)
+        parts = [
+            each for each in children if each.parentWidget() == self._form and each != self.line
+        ]
+        self._locked = [each for each in parts if each.isEnabled()]
+        self._enable_ok(False)
+        focus = QtWidgets.QApplication.focusWidget()
+        self._focus = focus if focus is not None and self._form.isAncestorOf(focus) else None
+        for widget in self._locked:
+            widget.setEnabled(False)
+
+    def _enable_ok(self, enabled):
+        """Enable or disable OK of the dock that holds the panel.
+
+        The button is not stored, since FreeCAD deletes it without PySide noticing.
+        """
+        dock = dock_of(self._form)
+        for box in dock.findChildren(QtWidgets.QDialogButtonBox) if dock is not None else ():
+            ok = box.button(QtWidgets.QDialogButtonBox.Ok)
+            if ok is not None:
+                ok.setEnabled(enabled)

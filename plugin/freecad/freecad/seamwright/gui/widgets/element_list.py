@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A list of faces or edges that the user fills by picking them in the view."""
+
+from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
+
+LINES = 1.5
+
+
+class ElementList(QtWidgets.QWidget):
+    """Names such as "Face3" with buttons to add selected elements and to remove elements.
+
+    ``picked``: a callable that returns the names of the selected elements. ``select``: a callable
+    that selects a name in the view.
+    """
+
+    changed = QtCore.Signal()
+
+    def __init__(self, picked, select, tip):
+        super().__init__()
+        self._picked = picked
+        layout = QtWidgets.QHBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        self.list = QtWidgets.QListWidget()
+        self.list.setToolTip(tip)
+        self.list.setSelectionMode(QtWidgets.QAbstractItemView.ExtendedSelection)
+        self.list.setFlow(QtWidgets.QListView.LeftToRight)
+        self.list.setWrapping(True)
+        self.list.setResizeMode(QtWidgets.QListView.Adjust)
+        self.list.setSpacing(1)
+        self.list.setFixedHeight(int(LINES * (self.list.fontMetrics().height() + 6)))
+        self.list.itemClicked.connect(lambda item: select(item.text()))
+        self.add, self.remove = QtWidgets.QPushButton("Add selected"), QtWidgets.QPushButton(
+            "Remove"
+        )
+        self.add.setToolTip("Add what is selected in the view")
+        self.remove.setToolTip(
+            "Take what is chosen here off the list; all of it if nothing is chosen"
+        )
+        self.add.clicked.connect(self._add)
+        self.remove.clicked.connect(self._remove)
+        layout.addWidget(self.list, 1)
+        layout.addWidget(self.add)
+        layout.addWidget(self.remove)
+
+    def names(self):
+        """Return the names in the list, in the order in which they were added."""
+        return [self.list.item(place).text() for place in range(self.list.count())]
+
+    def set_names(self, names):
+        """Show these names."""
+        self.list.clear()
+        self.list.addItems(list(dict.fromkeys(names)))
+        self.remove.setEnabled(bool(names))
+        self.changed.emit()
+
+    def _add(self, *_):
+        self.set_names(self.names() + self._picked())
+
+    def _remove(self, *_):
+        chosen = {item.text() for item in self.list.selectedItems()} or set(self.names())
+        self.set_names([name for name in self.names() if name not in chosen])

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The common parts of the task panels: forms, tables of seams, buttons."""
+
+from freecad.seamwright.gui import icon_path
+from freecad.seamwright.gui.widgets.qt import QtGui, QtWidgets
+
+
+def make_form(title, icon):
+    """Return (widget with title and icon of a panel, its vertical layout)."""
+    form = QtWidgets.QWidget()
+    form.setWindowTitle(title)
+    form.setWindowIcon(QtGui.QIcon(icon_path(icon)))
+    return form, QtWidgets.QVBoxLayout(form)
+
+
+def make_box(title, content=None):
+    """Return (group box with a title, its vertical layout); ``content`` is put into the box."""
+    box = QtWidgets.QGroupBox(title)
+    layout = QtWidgets.QVBoxLayout(box)
+    if content is not None:
+        layout.addWidget(content)
+    return box, layout
+
+
+def make_text():
+    """Return a label whose text is broken into lines."""
+    label = QtWidgets.QLabel()
+    label.setWordWrap(True)
+    return label
+
+
+def show_seams_in(table, height):
+    """Set up a table with one seam in each line.
+
+    The user selects whole lines. ``height``: the minimum height in pixels.
+    """
+    table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
+    table.setAlternatingRowColors(True)
+    table.setWordWrap(False)
+    table.setMinimumHeight(height)
+    table.verticalHeader().hide()
+    table.verticalHeader().setDefaultSectionSize(table.fontMetrics().height() + 6)
+    table.horizontalHeader().setHighlightSections(False)
+
+
+def buttons(*names):
+    """Return the value for getStandardButtons, for names such as "Ok"."""
+    flags = QtWidgets.QDialogButtonBox.NoButton
+    for name in names:
+        flags = flags | getattr(QtWidgets.QDialogButtonBox, name)
+    return flags if hasattr(flags, "value") else int(flags)  # PySide2 needs the number

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Messages to the user: in the report view, and in a box that does not block."""
+
+import FreeCAD as App
+import FreeCADGui as Gui
+
+from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
+
+TITLE = "Seamwright"
+
+STATUS_MS = 10000
+
+
+def show_error(text):
+    """Show an error."""
+    App.Console.PrintError("%s: %s\n" % (TITLE, text))
+    _show(QtWidgets.QMessageBox.Warning, text)
+
+
+def show_notice(text):
+    """Show a result that is no error, such as a hole that is not filled."""
+    App.Console.PrintMessage("%s: %s\n" % (TITLE, text))
+    _show(QtWidgets.QMessageBox.Information, text)
+
+
+def say(text):
+    """Show a text that needs no answer, in the report view and the status bar."""
+    App.Console.PrintMessage("%s: %s\n" % (TITLE, text))
+    Gui.getMainWindow().statusBar().showMessage(text, STATUS_MS)
+
+
+def _show(icon, text):
+    box = QtWidgets.QMessageBox(icon, TITLE, text, QtWidgets.QMessageBox.Ok, Gui.getMainWindow())
+    box.setAttribute(QtCore.Qt.WA_DeleteOnClose)
+    box.open()

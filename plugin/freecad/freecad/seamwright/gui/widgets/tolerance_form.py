@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The input fields for level and tolerances."""
+
+from freecad.seamwright.document import properties
+from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
+from freecad.seamwright.plain import profiles
+
+#: property, label, unit shown after the number, largest value
+FIELDS = (
+    ("GapTolerance", "Gap", " mm", 1e6),
+    ("AngleTolerance", "Angle", "\u00b0", 90.0),
+    ("CurvatureTolerance", "Curvature (relative)", "", 1.0),
+    ("CreaseAngle", "Crease above", "\u00b0", 90.0),
+    ("FlatRadius", "Flat above radius", " mm", 1e12),
+    ("MatchDistance", "Match free edges within", " mm", 1e6),
+    ("CornerAngle", "Corner of a hole above", "\u00b0", 180.0),
+    ("SectionTolerance", "Patches to fillets", " mm", 0.1),
+)
+
+#: Fields whose zero switches the function off.
+OFF_AT_ZERO = ("MatchDistance",)
+
+CUSTOM = "Custom"
+
+
+class NumberField(QtWidgets.QDoubleSpinBox):
+    """A number shown with as many digits as it has, not with a fixed number of digits."""
+
+    def __init__(self, unit, largest):
+        super().__init__()
+        self.setDecimals(9)
+        self.setRange(0.0, largest)
+        self.setSuffix(unit)
+        self.setStepType(QtWidgets.QAbstractSpinBox.AdaptiveDecimalStepType)
+
+    def textFromValue(self, value):
+        """Return at most nine significant digits, with the decimal point of the language."""
+        return ("%.9g" % value).replace(".", str(self.locale().decimalPoint()))
+
+
+class ToleranceForm(QtWidgets.QWidget):
+    """Fields for the tolerances of an object, from a table of its module.
+
+    The form changes no object; ``values`` returns the values of its fields. ``choice``: (property
+    for the level of continuity, its values), or None without one.
+    """
+
+    changed = QtCore.Signal()
+
+    def __init__(self, table, choice=None):
+        super().__init__()
+        self._level_name, levels = choice or ("", ())
+        self._arguments = {name: argument for name, argument, *_ in table}
+        layout = QtWidgets.QFormLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        self.level = QtWidgets.QComboBox()
+        self.level.addItems(levels)
+        self.level.currentIndexChanged.connect(lambda *_: self.changed.emit())
+        profile = self._build_profile()
+        if choice:
+            first_line = QtWidgets.QHBoxLayout()
+            for widget, stretch in (
+                (self.level, 1),
+                (QtWidgets.QLabel("Tolerances"), 0),
+                (profile, 2),
+            ):
+                first_line.addWidget(widget, stretch)
+            layout.addRow(self._level_name, first_line)
+        else:
+            layout.addRow("Tolerances", profile)
+        self.fields = {}
+        tips = {name: tip for name, *_, tip in table}
+        for name, label, unit, largest in (field for field in FIELDS if field[0] in tips):
+            field = NumberField(unit, largest)
+            field.setToolTip(tips[name])
+            if name in OFF_AT_ZERO:
+                field.setSpecialValueText("off")
+            field.valueChanged.connect(self._field_changed)
+            self.fields[name] = field
+            layout.addRow(label, field)
+
+    def _build_profile(self):
+        self.profile = QtWidgets.QComboBox()
+        for name in profiles.PROFILES:
+            self.profile.addItem(profiles.LABELS[name][0], name)
+            tip = profiles.tip(name)
+            self.profile.setItemData(self.profile.count() - 1, tip, QtCore.Qt.ToolTipRole)
+        self.profile.addItem(CUSTOM, None)
+        self.profile.setToolTip(
+            "Fills in the fields below with what a kind of work usually accepts"
+        )
+        self.profile.activated.connect(self._profile_chosen)
+        return self.profile
+
+    def _profile_chosen(self, place):
+        name = self.profile.itemData(place)
+        if name is not None:
+            for field_name, field in self.fields.items():
+                field.setValue(
+                    profiles.PROFILES[name].get(self._arguments[field_name], field.value())
+                )
+        self._field_changed()  # choosing "Custom" changes nothing
+
+    def _field_changed(self, *_):
+        values = {self._arguments[name]: field.value() for name, field in self.fields.items()}
+        self.profile.setCurrentIndex(self.profile.findData(profiles.name_of(values)))
+        self.changed.emit()
+
+    def read_from(self, obj):
+        """Show the tolerances of an object."""
+        if self._level_name:
+            self.level.setCurrentText(getattr(obj, self._level_name))
+        for name, field in self.fields.items():
+            field.setValue(properties.number(obj, name))
+        self._field_changed()
+
+    def differs_from(self, obj):
+        """Return whether the value of a field differs from that of the object."""
+        return bool(properties.differing(obj, self.values()))
+
+    def values(self):
+        """Return the {property: value} of the fields."""
+        level = {self._level_name: self.level.currentText()} if self._level_name else {}
+        return {**level, **{name: field.value() for name, field in self.fields.items()}}
