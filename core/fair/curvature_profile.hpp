@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <vector>
+
+#include <seamwright/core/bernstein/interval.hpp>
+#include <seamwright/core/bezier/curve.hpp>
+
+namespace seamwright {
+
+/// A place where the curvature has an extremum.
+struct CurvatureExtremum {
+  Interval parameters;  ///< hold exactly one zero of the derivative of the curvature
+  bool maximum = false;
+  double curvature_per_mm = 0;  ///< in the middle of the interval
+};
+
+/// Where the curvature of a curve grows, falls and changes its sign, with certainty: between the
+/// intervals below the derivative of the curvature, and the curvature itself, are certainly not 0.
+struct CurvatureProfile {
+  std::vector<CurvatureExtremum> extrema;  ///< inside of (0, 1), in the order of the parameter
+  std::vector<Interval> inflections;       ///< the curvature changes its sign once in each
+  /// Intervals in which rounding hides the sign: of the derivative of the curvature, and of the
+  /// curvature. Zeros at the ends of the curve and zeros without a change of sign lie here. For an
+  /// arc of a circle the first is [0, 1], for a line both are.
+  std::vector<Interval> undecided_extrema, undecided_inflections;
+
+  /// Whether the curve is certainly a spiral: its curvature is strictly monotone.
+  bool monotone() const { return extrema.empty() && undecided_extrema.empty(); }
+};
+
+/// The profile of the signed curvature of a curve in the plane z = 0, polynomial or rational.
+/// Curvature above 0 turns to the left. Identities (each has a test of its number):
+///   (1) The extrema of a parabola and of an ellipse are their vertices.
+///   (2) A reversed curve has the mirrored intervals and the opposite curvature. Rigid motions and
+///       scaling by powers of two do not change the numbers of extrema and inflections.
+///   (3) Between two intervals, curvatures on a dense sample grow or fall throughout.
+///   (4) A cubic with control edges that turn by the same angle and grow by the same factor
+///       s >= 1 / cos(angle) is monotone.
+/// \throws std::invalid_argument if a pole is outside of the plane, or if the degree is 0.
+/// \throws std::domain_error if the curve may stop: |r'| is not certainly above 0 (with the
+/// parameter). Source: docs/theory/planar.md P8.1, P8.2.
+CurvatureProfile planarCurvatureProfile(const BezierCurve& curve);
+
+/// The profile of the curvature of a curve in space, which is not negative. A point of zero
+/// curvature is in undecided_inflections and in undecided_extrema.
+///   (5) For planar curves without inflections it is that of the planar profile.
+/// \throws as planarCurvatureProfile() for degree and zero speed. Source: docs/theory/planar.md
+/// P8.3.
+CurvatureProfile spaceCurvatureProfile(const BezierCurve& curve);
+
+}  // namespace seamwright
