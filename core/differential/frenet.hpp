@@ -89,7 +89,8 @@ struct CurveDegeneracies {
 /// that there is one. Intervals that touch are merged, into a cusp if one may be among them. That
 /// of a cusp is typically 1e-7 wide, because rounding hides inflections nearby. A curve that is one
 /// point has one interval of kind Point. \throws std::invalid_argument for a resolution outside
-/// 1e-12..1. Source: docs/theory/curves.md C1.4.
+/// 1e-12..1.
+/// Source: docs/theory/curves.md C1.4.
 CurveDegeneracies findDegeneracies(const BezierCurve& curve, double resolution = 1e-9);
 
 /// A frame that does not turn about the tangent (rotation minimising), by double reflection.

@@ -35,21 +35,11 @@ struct ThreeSidedFill {
 /// Fills a hole of three sides with Bezier triangles. They meet each other, and the tangent planes
 /// of the surroundings, exactly with G1.
 ///
-/// The domain triangle over the three corners is cut at its centroid. Across spoke k the
-/// derivatives to the three corners add up to zero,
-///   D_(k-1) + D_k + D_(k+1) = 0,  D_j the derivative from the centre to corner j,
-/// in the triangles on either side. In poles: each pole of a spoke is the mean of the three before
-/// it, one on the spoke and one beside it in either triangle. So the triangles are one C^1 surface
-/// over the cut triangle, whose spoke leaves corner k along (E_k' - E_(k-1)') / 3.
-///
-/// The derivative from a side to the centre is -(p T + q E'), p > 0 and q linear and given by their
-/// values in the corners. The degree of the triangles is N = max(3, d + 1, e + 2), d and e the
-/// largest degrees of edges and cross-boundary derivatives; for position alone max(3, d). The free
-/// poles are (N - 2)(N - 3) / 2 in each triangle and N - 2 beside each side of position alone. They
-/// minimise fairness: the sum, over all poles of the derivatives of that order (without the factors
-/// of differentiation), of their squares as tensors in the plane where the corners are an
-/// equilateral triangle of side 1. That is one linear least-squares problem with one solution. If
-/// its triangles are not proven regular, the other order is tried.
+/// The triangles are one C^1 surface over a triangle cut at its centroid. Their degree is max(3, d +
+/// 1, e + 2), d and e the largest degrees of edges and cross-boundary derivatives; for position
+/// alone max(3, d). The free poles minimise the sum of squared derivatives of one order; if the
+/// triangles are not proven regular, the other order is tried. docs/n_sided_fill.md shows the
+/// construction.
 ///
 /// **Corners.** The edges and cross-boundary derivatives of the two sides of a corner have to be in
 /// one plane, and the angle of the hole there has to be between 0 and pi. A spoke ends in the

@@ -11,15 +11,14 @@ namespace seamwright {
 
 /// The condition for an alpha-surface Y(u, v) that continues a given one X at u = 1. It depends on
 /// the shapes along the seam, a = a_v of X and c = next_a_v of Y. Shapes across the seam are free
-/// (1e-6 to 1). docs/alpha_curves.md has the equations and their reasons.
+/// (1e-6 to 1). See docs/alpha_curves.md.
 ///
 /// A row X_0..X_3 of poles is balanced iff X_0 + X_3 = X_1 + X_2. For c = a every net has joins of
 /// every order. For c != a a net has a C^n join, and a G^n join in proportional form (Y_u = beta1
 /// X_u, Y_uu = beta1^2 X_uu + beta2 X_u with constants), iff its rows 3 .. 3 - n are balanced.
 ///
-/// G^1 in general is Y_u = alpha(v) X_u + beta(v) X_v, alpha > 0. If X_u x X_v has degree 9 along
-/// the seam and no real or complex zero, and X_v degree 4, as for general nets, alpha is constant
-/// and beta linear: a family of solutions of six linear equations.
+/// For general nets all G^1 joins Y_u = alpha X_u + beta X_v have alpha > 0 constant and beta
+/// linear. They are the solutions of six linear equations.
 ///
 ///     const AlphaSeamCondition condition = alphaSeamCondition(given, 0.9);
 ///     if (condition.order < 1) given = alphaBalanced(given, 1);
@@ -65,8 +64,8 @@ Poles alphaSlidingRows(const AlphaSurface& given, double next_a_u, double next_a
 /// Source: docs/theory/curves.md C9.2.
 AlphaSurface alphaBalanced(const AlphaSurface& given, int order);
 
-/// How two alpha-surfaces meet, a at u = 1 and b at u = 0, in proportional form. Each figure bounds
-/// the residual of an equation at every v.
+/// How two alpha-surfaces meet, a at u = 1 and b at u = 0, in proportional form. Figures bound
+/// residuals at every v.
 struct AlphaSeamFit {
   double gap_mm = 0;            ///< of the edges at the same v
   double beta1 = 0, beta2 = 0;  ///< the betas that fit best

@@ -17,8 +17,8 @@ namespace seamwright {
 using UmbrellaMember = std::variant<BezierPatch, BezierTriangle>;
 enum class MemberKind { Tensor, Triangle };
 
-/// The edges through O. Spoke i is the edge v = 0 of member i, PatchEdge::V0 or TriangleEdge::L1,
-/// and the edge u = 0 of member i - 1, PatchEdge::U0 or TriangleEdge::L0 run backwards.
+/// Spoke i, an edge through O, is the edge v = 0 of member i (V0, or L1 of a triangle) and the edge
+/// u = 0 of member i - 1 (U0, or L0 run backwards).
 ///
 /// Across an inner spoke C, with U and V the derivatives of members i - 1 and i away from it:
 /// V = a C' + b U, b < 0. As a Connection: alpha = -b, beta = a. Bernstein coefficients on [0, 1];
@@ -60,12 +60,11 @@ struct Umbrella {
   Eigen::Index free_vectors = 0;      ///< number of free vectors in the poles
 };
 
-/// The lowest degree of members around spokes of degree \p spoke_degree, for a linear and b
-/// constant: the degree of the spokes, one more for a triangle next to a triangle, and at least 2
-/// for triangles. docs/umbrella.md has the table.
+/// The lowest degree of members for a linear and b constant: that of the spokes, one more for a
+/// triangle next to a triangle; of triangles at least 2.
 int lowestUmbrellaDegree(const std::vector<MemberKind>& kinds, bool closed, int spoke_degree);
 
-/// The umbrella around spokes. docs/umbrella.md explains the construction and why it closes.
+/// The umbrella around spokes; see docs/umbrella.md.
 ///
 ///     const Umbrella umbrella = umbrellaAround({spoke0, spoke1, spoke2, spoke3, spoke4});
 ///
@@ -73,14 +72,14 @@ int lowestUmbrellaDegree(const std::vector<MemberKind>& kinds, bool closed, int 
 /// many members as spokes, member i between spoke i and spoke i + 1; an open fan has one less.
 /// Spokes of lower degree are raised.
 ///
-/// Spokes stay up to rounding, with three exceptions. A closed fan of an even number of members
-/// imposes one condition on the normal curvatures of the spokes; the smallest change that meets it
-/// moves their third poles (spokes of degree 2 are raised before). A given second fundamental form
-/// moves the same poles. Tangents within the tolerance of one plane are put into it.
+/// Spokes stay up to rounding, except that a closed fan of an even number of members needs one
+/// condition on their curvatures at O: the smallest change moves their third poles (spokes of
+/// degree 2 are raised before). A given second fundamental form moves the same poles. Tangents
+/// within the tolerance of one plane are put into it.
 ///
-/// b is constant, and a linear with slope lambda. lambda and all poles behind the spokes solve one
-/// linear least-squares problem: the members move least, or have the least energy, the sum of
-/// |P_uu|^2 + 2 |P_uv|^2 + |P_vv|^2 as differences of poles.
+/// b is constant, and a linear with slope lambda. The free poles and lambda make the members move
+/// least, or give them the least energy: the sum of |P_uu|^2 + 2 |P_uv|^2 + |P_vv|^2, as
+/// differences of poles.
 ///
 /// Identities (each has a test of its number):
 ///   (1) G1 across every inner spoke, up to rounding: V = a C' + b U, relative to the largest term.
@@ -91,10 +90,10 @@ int lowestUmbrellaDegree(const std::vector<MemberKind>& kinds, bool closed, int 
 ///   (5) No other umbrella with these spokes and b constant, a linear has a smaller sum.
 ///
 /// \throws std::invalid_argument as umbrellaVertex() does, and for spokes or members that are
-/// rational, spokes of degree 0 or that do not begin at one point, numbers of kinds, members,
-/// lambda or mu that do not match the spokes, values that are not finite, a degree that is too low,
-/// and a nonzero mu where no member allows it. Source: docs/theory/fills.md F1.1 to F1.8;
-/// [DuSchmitt1990]; [Peters1991].
+/// rational, spokes of degree 0 or that do not begin at one point, counts that do not match the
+/// spokes, values that are not finite, a degree that is too low, and a nonzero mu where no member
+/// allows it.
+/// Source: docs/theory/fills.md F1.1 to F1.8; [DuSchmitt1990]; [Peters1991].
 Umbrella umbrellaAround(const std::vector<BezierCurve>& spokes,
                         const UmbrellaOptions& options = {});
 
@@ -106,9 +105,9 @@ struct UmbrellaInsideOptions {
 };
 
 /// The umbrella inside a closed boundary: one member for each corner, and spokes to the middles of
-/// the sides. The tangents at O are an affine image of a regular star, and all free poles together
-/// have the least energy of umbrellaAround(). The boundary stays up to rounding; there is no
-/// condition across it. Member i has the corner between side i and side i + 1 at (u, v) = (1, 1).
+/// the sides. The tangents at O are an affine image of a regular star, and the energy is least. The
+/// boundary stays; there is no condition across it. Member i has the corner between side i and side
+/// i + 1 at (u, v) = (1, 1).
 /// \param sides 3 to 12 polynomial curves, each beginning where the one before ends.
 /// \throws std::invalid_argument for a number of sides outside 3 to 12, sides that are rational or
 /// not connected, a degree that is too low, and a boundary for which the tangents at O become

@@ -94,17 +94,16 @@ struct FillHoleReport {
 /// neighbours stay; their edges are cut at the middles of the sides. A closed shell becomes a
 /// solid, oriented outward.
 ///
-/// Every new seam is measured by enclosures. The fill is kept if every seam certainly reaches the
-/// target; if the new faces are proved regular, reach out to at most three times the size of the
-/// hole and touch other faces only near shared edges and vertices; and if OpenCASCADE's checks pass
-/// for them, and as before for the neighbours and the shape. With keep_anyway it is kept if it
-/// could be sewn. Otherwise the model is returned as it is, and the report says how near the fill
-/// came.
+/// The fill is kept if every new seam certainly reaches the target, by enclosures; if the new faces
+/// are proved regular, reach out to at most three times the size of the hole and touch other faces
+/// only near shared edges and vertices; and if OpenCASCADE's checks pass for them, and as before
+/// for the rest. With keep_anyway it is kept if it could be sewn. Otherwise the model is returned
+/// as it is, and the report says how near the fill came.
 ///
 /// A defect of the hole never throws; it is the reason in the report. Holes with more than 12
-/// corners, with more than 4 of which one is above pi, or with one above 5.3 rad are not filled.
-/// Nor are holes beside faces or edges with numbers that are not finite, or 1e100 and more;
-/// elsewhere in the model such faces stay and are not part of any check.
+/// corners, with more than 4 of which one is above pi, with one above 5.3 rad, and beside faces or
+/// edges with numbers that are not finite, or 1e100 and more, are not filled. Elsewhere in the
+/// model such faces stay and are not checked.
 ///
 /// The given model is not changed.
 /// \param hole one of findHoles() of this model.

@@ -55,8 +55,7 @@ struct MatchReport {
 ///   - The enclosed figures of the new seam are within the tolerance.
 ///   - OpenCASCADE's checks pass.
 ///   - No edge or vertex has a tolerance above twice the largest that the faces had, or twice the
-///   gap
-///     tolerance.
+///     gap tolerance.
 ///   - The normal turned by less than 90 degrees at the points of a grid.
 ///   - No pole moved further than max_move_mm.
 ///
@@ -64,8 +63,7 @@ struct MatchReport {
 ///   - A pair that has the level already is returned unchanged.
 ///   - A boundary that is a closed loop, or a part of a side, is refused.
 ///   - A moved face that ends in a point at the seam keeps that point; its curvature may grow
-///   without
-///     bound towards it, and the reason says so.
+///     without bound towards it, and the reason says so.
 ///   - With hold_sides the boundaries that end at the seam must already end in the tangent plane of
 ///     the neighbour (G2: with its curvature); the reason says by how much they do not.
 ///   - Faces with numbers that are not finite, or 1e100 and more, are refused; in other faces such

@@ -64,13 +64,12 @@ void requireTarget(const std::filesystem::path& source, const std::filesystem::p
 /// numbered otherwise when it is read.
 ///
 ///   - STEP keeps schema, header, length unit and stated accuracy of a STEP source. The accuracy
-///   grows
-///     to the largest tolerance that grew, because readers discard pcurves that miss their vertices
-///     by more. Numbers have the fewest digits that read back as the same double (beyond 1e-99 and
-///     1e99, 16 digits). OpenCASCADE normalises directions, and drops what it does not know.
+///     grows to the largest tolerance that grew, because readers discard pcurves that miss their
+///     vertices by more. Numbers have the fewest digits that read back as the same double (beyond
+///     1e-99 and 1e99, 16 digits). OpenCASCADE normalises directions, and drops what it does not
+///     know.
 ///   - IGES has the unit of the source, and 17 digits. A colour of a solid is read as that of its
-///   faces
-///     too.
+///     faces too.
 ///   - BREP is in mm, without names, colours and layers. Text keeps 15 digits of points.
 ///   - Numbers that are not finite are written in BREP, and refused (NotWritten) in STEP and IGES.
 ///

@@ -12,8 +12,7 @@ namespace seamwright {
 
 /// The beta constraint. Curve a ends at the joint and curve b begins there. The joint is G^n iff
 /// there are beta_1 > 0, beta_2, .., beta_n with b_k = sum_j B_kj(beta) a_j for the derivatives of
-/// orders k = 0..n. beta_k is the k-th derivative of a's parameter by b's parameter.
-/// docs/curve_joins.md writes the equations out.
+/// orders k = 0..n. beta_k is the k-th derivative of a's parameter by b's. See docs/curve_joins.md.
 ///
 ///     Eigen::Vector2d beta(1.2, -0.5);  // G2
 ///     const BezierCurve joined = joinedCurve(a, b, {.beta = beta});
@@ -25,8 +24,7 @@ namespace seamwright {
 ///   (3) Both curves are reversed and exchanged: reversed(b)_k = (-1)^(k+1) inverse(b)_k.
 ///   (4) beta = (1, 0, .., 0): the unit matrix, C^n.
 /// \throws std::invalid_argument, with index and value, for numbers that are not finite, beta_1 <=
-/// 0, more than 30 betas, arguments with different numbers of betas, or a result beyond the range
-/// of a double.
+/// 0, more than 30 betas, different numbers of betas, or a result beyond the range of a double.
 /// Source: docs/theory/curves.md C2.1, C2.2 (also the opposite convention); [BarskyDeRose1989].
 Eigen::MatrixXd betaMatrix(const Eigen::VectorXd& beta);
 Eigen::VectorXd composedBeta(const Eigen::VectorXd& beta, const Eigen::VectorXd& first);
@@ -77,13 +75,10 @@ struct CurveJoinRule {
 
 /// The first n + 1 homogeneous poles of the curve of degree \p degree that continues \p a by \p
 /// rule; the others are free. The first is e_0 times the last pole of a, bitwise if e_0 = 1.
-///   (8) Explicit for n = 2 and unit lengths: Q_1 = Q_0 + (m/m') beta_1 (P_m - P_{m-1}), Q_2 = 2
-///       Q_1 - Q_0 + (m (m-1) beta_1^2 (P_m - 2 P_{m-1} + P_{m-2}) + m beta_2 (P_m - P_{m-1})) /
-///       (m' (m'-1)).
-/// \throws std::invalid_argument for a degree below n or above 100, betas that betaMatrix()
-/// refuses, lengths that are not positive, a scale whose size is not n + 1 or with e_0 <= 0, a
-/// curve a without tangent at its end, and a resulting weight that is not positive (index and
-/// value).
+///   (8) For n = 2 and unit lengths the formulas of docs/curve_joins.md ("Building").
+/// \throws std::invalid_argument as betaMatrix() does, for a degree below n or above 100, lengths
+/// that are not positive, a scale whose size is not n + 1 or with e_0 <= 0, a curve a without
+/// tangent at its end, and a resulting weight that is not positive (index and value).
 /// Source: docs/theory/curves.md C2.4, C3.1, C3.2.
 HomogeneousPoles nextPoles(const BezierCurve& a, int degree, const CurveJoinRule& rule);
 
@@ -99,8 +94,7 @@ BezierCurve joinedCurve(const BezierCurve& a, const BezierCurve& b, const CurveJ
 
 /// The curve of degree n + m + 1 from the end of \p a to the beginning of \p b that joins a with
 /// G^n and b with G^m. beta_1..beta_n belong to the joint with a, beta_end_1..beta_end_m to the
-/// joint with b (betaMatrix(beta_end) maps the derivatives of the bridge to those of b). Its last
-/// poles are nextPoles() of the reversed b with reversedBeta(beta_end).
+/// joint with b (betaMatrix(beta_end) maps the derivatives of the bridge to those of b).
 /// \throws std::invalid_argument for a rational curve (with the first weights that differ),
 /// otherwise as nextPoles() does.
 /// Source: docs/theory/curves.md C3.3.

@@ -91,8 +91,8 @@ struct NearestJoin {
 /// (scaled to 0..1); for options out of range, weights that are not positive, lists whose length is
 /// not the number of poles, invalid surfaces (see requireValid()), a side without extent across the
 /// seam, a held alpha with a coefficient that is not positive, and a matrix of more than 1.5
-/// million entries (about 220 cubic spans for G2). Source: docs/theory/surfaces.md S5.1 to S5.4,
-/// S2.5, S3.3; [GolubPereyra1973].
+/// million entries (about 220 cubic spans for G2).
+/// Source: docs/theory/surfaces.md S5.1 to S5.4, S2.5, S3.3; [GolubPereyra1973].
 NearestJoin nearestJoin(const JoinSide& a, const JoinSide& b, const NearestOptions& options = {});
 
 }  // namespace seamwright

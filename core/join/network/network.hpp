@@ -92,15 +92,13 @@ struct NetworkResult {
 /// Moves the poles of a network of surfaces, as little as possible, so that all seams join exactly
 /// and agree at the vertices. docs/theory/surfaces.md S6 derives the laws at vertices.
 ///
-///     const NetworkResult result =
-///         nearestNetwork({{.surface = a}, {.surface = b, .moves = false}},
-///                        {{.surfaces = {0, 1}, .edges = {PatchEdge::U1, PatchEdge::U0}}});
+///     nearestNetwork({{.surface = a}, {.surface = b}}, {{.surfaces = {0, 1}}}).surfaces
 ///
 /// Minimises the sum of weight |move|^2 over all poles such that each seam obeys a law of the form
 /// above; poles on a seam are shared. The result is a local minimum. There are three kinds of
 /// vertices, found from the seams that meet in a corner:
 ///   - regular, where two lines cross between four surfaces: degrees and knots stay, G2 is
-///   possible.
+///     possible.
 ///   - extraordinary, of 3, 5 or more surfaces, or of 4 if not regular: G1 alone. Surfaces beside
 ///     it, and those tied to them by opposite edges, may get degree 4 along the seams.
 ///   - boundary, which seams do not surround: no condition.
@@ -113,8 +111,8 @@ struct NetworkResult {
 /// Identities (each has a test of its number):
 ///   (1) encloseSeam() of each seam that joins gives a gap of 0, and an angle and for order 2 a
 ///       curvature difference that are rounding.
-///   (2) The move is orthogonal to the solutions of A x = 0. For two surfaces it is the move of
-///       nearestJoin() if that function finds the same laws.
+///   (2) The move is orthogonal to the solutions of the laws' equations. For two surfaces it is
+///       that of nearestJoin() if both find the same laws.
 ///   (3) Rigid motion and scale of all surfaces act on the result in the same way.
 ///   (4) The order of surfaces and of seams, the sides of a seam and the sense of edges do not
 ///       change the result.
@@ -127,8 +125,8 @@ struct NetworkResult {
 /// not the number of poles, weights that are not positive, seams that name no surface, an edge that
 /// is in two seams or joined to itself, sides whose degrees or knots along the seam (scaled to
 /// 0..1) differ, held laws with coefficients that are not finite or with c or d not positive, and
-/// options out of range. Source: docs/theory/surfaces.md S2.6, S5.3, S6.1 to S6.3;
-/// docs/theory/fills.md F1.2 to F1.5.
+/// options out of range.
+/// Source: docs/theory/surfaces.md S2.6, S5.3, S6.1 to S6.3; docs/theory/fills.md F1.2 to F1.5.
 NetworkResult nearestNetwork(const std::vector<NetworkSurface>& surfaces,
                              const std::vector<NetworkSeam>& seams,
                              const NetworkOptions& options = {});
