@@ -6,11 +6,11 @@
 
 namespace seamwright::occ {
 
-/// Called now and then during long work with the share that is done, 0..1, always from the caller's
-/// thread. Returning false asks the work to stop, which then throws Cancelled.
+/// Called from time to time during long work with the share that is done, 0..1, always from the
+/// caller's thread. If it returns false the work stops and throws Cancelled.
 using Progress = std::function<bool(double share)>;
 
-/// Progress of a part of longer work, which goes from one share of it to another.
+/// Progress of a part of longer work, which runs from one share of the whole to another.
 inline Progress partOf(const Progress& progress, double from, double to) {
   if (!progress) return {};
   return [&progress, from, to](double share) { return progress(from + share * (to - from)); };

@@ -35,8 +35,8 @@ struct ThreeSidedFill {
 /// Fills a hole of three sides with Bezier triangles. They meet each other, and the tangent planes
 /// of the surroundings, exactly with G1.
 ///
-/// The triangles are one C^1 surface over a triangle cut at its centroid. Their degree is max(3, d +
-/// 1, e + 2), d and e the largest degrees of edges and cross-boundary derivatives; for position
+/// The triangles are one C^1 surface over a triangle cut at its centroid. Their degree is max(3, d
+/// + 1, e + 2), d and e the largest degrees of edges and cross-boundary derivatives; for position
 /// alone max(3, d). The free poles minimise the sum of squared derivatives of one order; if the
 /// triangles are not proven regular, the other order is tried. docs/n_sided_fill.md shows the
 /// construction.

@@ -5,11 +5,11 @@
 
 namespace seamwright::occ {
 
-/// Measures and judges one seam: encloses its figures where the kinds of its surfaces and curves
-/// allow it, else samples them.
+/// Measures and judges one seam. The figures are enclosed where the kinds of its surfaces and
+/// curves allow it, and otherwise sampled.
 ///
-/// Never throws: what goes wrong on a seam is a note on that seam, which then has no figures, level
-/// None and class Defect.
+/// Never throws: a failure becomes the note of the seam, which then has no figures, level None and
+/// class Defect. Several threads may measure different seams of one shape.
 SeamResult measureSeam(const Seam& seam, const AnalyzeOptions& options);
 
 }  // namespace seamwright::occ

@@ -19,9 +19,10 @@ struct WorstPoint {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< mm, on side a
 };
 
-/// A seam with its figures and what they amount to.
+/// A seam with its figures and their verdict. Edges and faces are numbered from 1, in the order of
+/// TopExp::MapShapes.
 struct SeamResult {
-  int id = 0;
+  int id = 0;  ///< from 1, in the order of Report::seams
   SeamKind kind = SeamKind::Shared;
   std::vector<int> edges;
   std::array<int, 2> faces{};
@@ -32,22 +33,24 @@ struct SeamResult {
   std::string note;                 ///< what a user should know of this seam; empty if nothing
 };
 
+/// A model as reports name it.
 struct ModelFacts {
   std::string path;
   std::string format;
-  std::string length_unit;
+  std::string length_unit;  ///< of the file; all figures are in mm
   int faces = 0;
   int edges = 0;
   std::vector<std::string> notes;
 };
 
+/// The seams of a model, judged.
 struct Report {
   ModelFacts model;
   ContinuityTolerance tolerance;
   Level level = Level::G1;
   std::vector<SeamResult> seams;
-  std::vector<NonSeamEdge> open;
-  std::vector<NonSeamEdge> non_manifold;
+  std::vector<NonSeamEdge> open;          ///< free edges, also those matched in part
+  std::vector<NonSeamEdge> non_manifold;  ///< edges at which more than two faces meet
   double read_s = 0;
   double analyze_s = 0;
 
@@ -55,13 +58,13 @@ struct Report {
   bool passed() const;
 };
 
-/// The level of a seam and its figures, largest values that are known, in one line.
+/// The level of a seam and the largest known values of its figures, in one line.
 std::string figuresText(const SeamResult& seam);
 
 /// The worst point of a seam that reaches \p level: where the figure that decides the next level is
-/// largest. That is the gap below G0, the angle at G0 (or the fold), the curvature at G1, its
-/// change above. Where that figure has no value, the last one before it that has; nothing if none
-/// has.
+/// largest. This is the gap below G0, the angle at G0 (or the fold), the curvature at G1, and its
+/// change above. If that figure has no value, the last one before it that has one counts; nothing
+/// if none has.
 /// \param point_at the point of the seam at 0..1, on side a.
 std::optional<WorstPoint> worstPoint(const SeamFigures& figures, Level level,
                                      const std::function<Eigen::Vector3d(double at)>& point_at);

@@ -13,22 +13,22 @@
 
 /// Bézier curves, patches and triangles of core as OpenCASCADE's, and back.
 ///
-/// Poles and weights are taken over as poles() and weights() give them: there and back a polynomial
-/// is the same bit by bit, a rational one to the rounding of its homogeneous poles. OpenCASCADE
-/// takes weights that agree to the last place for a polynomial and forgets them.
+/// Poles and weights are those of poles() and weights(). A polynomial that is converted and
+/// converted back is bitwise the same, a rational one except for the rounding of its homogeneous
+/// poles. OpenCASCADE treats weights that agree to the last place as a polynomial and discards
+/// them.
 ///
-/// OpenCASCADE holds degrees 1 to 25. All functions to it throw std::invalid_argument for others,
-/// with the degree.
+/// OpenCASCADE supports degrees 1 to 25. All conversions to it throw std::invalid_argument for
+/// other degrees, with the degree.
 namespace seamwright::occ {
 
 opencascade::handle<Geom_BezierCurve> toBezierCurve(const BezierCurve& curve);
 opencascade::handle<Geom_BezierSurface> toBezierSurface(const BezierPatch& patch);
 
-/// The Bézier curve that a Geom_BezierCurve is, or a Geom_BSplineCurve of one span, whose range
-/// becomes [0, 1].
+/// The Bézier curve of a Geom_BezierCurve, or of a Geom_BSplineCurve of one span, over [0, 1].
 /// \throws std::domain_error for other kinds, with the name, and for more spans, with their number.
 BezierCurve bezierCurve(const Geom_Curve& curve);
-/// The same of a Geom_BezierSurface or a Geom_BSplineSurface of one span in both parameters.
+/// The same for a Geom_BezierSurface or a Geom_BSplineSurface of one span in both parameters.
 BezierPatch bezierPatch(const Geom_Surface& surface);
 
 /// The three patches of regularPatches(). OpenCASCADE has no triangles.

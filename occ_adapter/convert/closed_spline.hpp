@@ -8,16 +8,17 @@ namespace seamwright::occ {
 
 enum class Direction { U, V };
 
-/// The first and the last pole of each row in that direction are one, or within that distance one,
-/// and the side is no single point. False for a surface that is periodic there.
+/// Whether the first and the last pole of each row in that direction are within that distance of
+/// each other and the side is not a single point. False for a surface that is periodic in that
+/// direction.
 bool endsAtItself(const Geom_BSplineSurface& surface, Direction direction, double near_mm);
 
-/// Makes a surface that ends at itself periodic over the same range, with the knot at its ends
-/// repeated only as often as has to be for no pole to move further than \p near_mm; the poles at
-/// the end become those at the beginning. \pre endsAtItself() \throws Standard_Failure.
+/// Makes a surface that ends at itself periodic over the same range. The knot at its ends gets the
+/// least multiplicity with which no pole moves further than \p near_mm; the poles at the end become
+/// those at the beginning. \pre endsAtItself() \throws Standard_Failure.
 void makePeriodic(Geom_BSplineSurface& surface, Direction direction, double near_mm);
 
-/// Range and shape stay; the surface is periodic in no direction. \throws Standard_Failure.
+/// Makes a surface clamped and not periodic. Range and shape stay. \throws Standard_Failure.
 void makeClamped(Geom_BSplineSurface& surface);
 
 }  // namespace seamwright::occ

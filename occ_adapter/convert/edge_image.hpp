@@ -11,14 +11,15 @@
 #include <gp_Pnt2d.hxx>
 #include <vector>
 
-/// An edge as the surfaces beside it show it; not a public header.
+/// The images of an edge on the surfaces beside it. Not a public header.
 namespace seamwright::occ {
 
+/// Samples at which the distance of images is measured.
 constexpr int points_of_an_edge = 257;
-/// What lies between the points may be off by more than what they show.
+/// Between the samples the distance may be larger; tolerances are the sampled distance times this.
 constexpr double between_points = 1.2;
 
-/// A surface where it lies in space.
+/// A surface with its location in space.
 struct PlacedSurface {
   opencascade::handle<Geom_Surface> surface;
   TopLoc_Location location;
@@ -44,25 +45,25 @@ struct EdgeSide {
 
 PlacedSurface surfaceOf(const TopoDS_Face& face);
 
-/// Without a curve if the edge has no path on the face.
+/// The pcurve of an edge on a face; without a curve if the edge has none there.
 PlanarPath pathOf(const TopoDS_Edge& edge, const TopoDS_Face& face);
-/// \throws std::runtime_error as pcurveOf().
+/// The same, rebuilt where pcurveOf() rebuilds it. \throws std::runtime_error as pcurveOf().
 PlanarPath pathOrBuilt(const TopoDS_Edge& edge, const TopoDS_Face& face, double gap_mm);
 
-/// Of the images of a path on two surfaces, at points_of_an_edge points.
+/// Largest distance between the images of a path on two surfaces, at points_of_an_edge points.
 double largestDistance_mm(const PlacedSurface& a, const PlacedSurface& b, const PlanarPath& path);
-/// Of the images of paths from a curve over [first, last], at points_of_an_edge points.
+/// Largest distance of the images of paths from a curve over [first, last], at the same points.
 double largestDistance_mm(const std::vector<EdgeSide>& sides, const Geom_Curve& curve, double first,
                           double last);
-/// Of an edge's curve from its image on the face, at equal parameters, whatever its tolerance says;
-/// 0 without a curve.
+/// Largest distance of an edge's curve from its image on the face, at equal parameters and
+/// regardless of its tolerance; 0 without a curve.
 /// \throws std::runtime_error as pcurveOf().
 double distanceFromImage_mm(const TopoDS_Edge& edge, const TopoDS_Face& face, double gap_mm);
 
-/// The mean of the images of the paths as a curve over [first, last]: exact where the paths are
-/// parameter lines of polynomial splines, or one of a rational one, run along at constant speed;
-/// else approximated.
-/// \param near_mm how near an approximation keeps. \throws std::runtime_error where there is none.
+/// The mean of the images of the paths as a curve over [first, last]. It is exact if the paths run
+/// at constant speed along parameter lines of polynomial splines, or if there is one path, along
+/// one of a rational spline; otherwise it is approximated.
+/// \param near_mm accuracy of an approximation. \throws std::runtime_error if there is none.
 opencascade::handle<Geom_Curve> meanImage(const std::vector<EdgeSide>& sides, double first,
                                           double last, double near_mm);
 

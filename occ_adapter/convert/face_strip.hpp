@@ -12,26 +12,25 @@
 
 namespace seamwright::occ {
 
-/// To which order a strip is evaluated. Third costs a little more and can fail where second does
-/// not.
+/// The order to which a strip is evaluated. Third order costs a little more and can fail where
+/// second order does not.
 enum class JetOrder { Second = 2, Third = 3 };
-/// Where a path is in space and how it goes on.
+/// A point of a path in space, and its derivative.
 struct PathPoint {
   Eigen::Vector3d p;
   Eigen::Vector3d d;  ///< derivative of p by s
 };
 
-/// One side of a seam as core sees it: a surface along a path, s in [0, 1] running with the edge's
-/// curve.
+/// One side of a seam as values of core: a surface along a path, with s in [0, 1] in the sense of
+/// the edge's curve.
 ///
-/// Locations (also mirrored ones) are applied. Not to be shared between threads: OpenCASCADE's
-/// adaptors cache.
+/// Locations, mirrored ones included, are applied. Not thread-safe: OpenCASCADE's adaptors cache.
 class FaceStrip {
  public:
   /// \param pcurve the path of the edge on the face, see pcurveOf().
   FaceStrip(const Coedge& use, const Pcurve& pcurve, JetOrder order = JetOrder::Second);
 
-  /// Jet to the order asked for, its noise, and the direction of the seam.
+  /// The jet to the given order, its noise, and the direction of the seam; lengths in mm.
   /// \throws Standard_Failure where OpenCASCADE can't evaluate.
   SidePoint at(double s) const;
 
@@ -48,12 +47,12 @@ class FaceStrip {
   /// the surface's knot lines.
   std::vector<double> breaks() const;
 
-  /// From end 0 or 1 of the path, the share of it over which the surface has no tangent plane
+  /// The share of the path, from its end 0 or 1, over which the surface has no tangent plane
   /// because a boundary of it collapses there.
   double poleReach(int end) const;
 
-  /// Whether the parameter line that collapses at end 0 or 1 of the path is not quite one point:
-  /// poles of a spline that differ at all, points of another surface that differ by more than
+  /// Whether the parameter line that collapses at end 0 or 1 of the path is not exactly one point:
+  /// the poles of a spline differ at all, or points of another surface differ by more than
   /// rounding.
   bool isScatteredAt(int end) const;
 

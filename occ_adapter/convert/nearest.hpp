@@ -5,13 +5,12 @@
 
 namespace seamwright::occ {
 
-/// The place on the path where its distance from p has a local minimum, reached downhill from \p
-/// start within
-/// [low, high].
+/// The parameter in [low, high] of the path at which its distance from p has a local minimum, by
+/// descent from \p start.
 ///
 /// Gauss-Newton steps, halved until they lead downhill; they converge quickly where the distance is
-/// small beside the path's radius of curvature. Ends where no step longer than 1e-13 of the path's
-/// range leads downhill, or after 60 steps.
+/// small compared with the path's radius of curvature. The descent ends when no step longer than
+/// 1e-13 of the path's range leads downhill, or after 60 steps.
 /// \throws Standard_Failure where OpenCASCADE can't evaluate.
 double nearestPlace(const FaceStrip& path, const Eigen::Vector3d& p, double start, double low = 0,
                     double high = 1);

@@ -16,16 +16,15 @@ struct Pcurve {
   std::string note;  ///< not empty: what was wrong with the stored one
 };
 
-/// The pcurve of an edge on a face, rebuilt if need be.
+/// The pcurve of an edge on a face, rebuilt if necessary.
 ///
-/// Stored pcurves are taken as they are if, at 9 points, they keep within one and a half times the
-/// tolerance of the edge from its curve in space (within the tolerance is OpenCASCADE's own
-/// condition for a valid edge, but it measures tolerances that a file does not hold at some points
-/// only), or within a hundredth of \p gap_mm, which no verdict notices. Where one is missing or
-/// strays further, the curve in space is projected onto the surface; the projection replaces the
-/// stored pcurve only if it at least halves the distance, because otherwise the surface itself is
-/// away from the edge, which is a gap of the model and not a fault of the pcurve. The edge and the
-/// face are never changed.
+/// A stored pcurve is used if, at 9 points, it is within one and a half times the tolerance of the
+/// edge of the edge's curve in space, or within a hundredth of \p gap_mm, which affects no verdict.
+/// (OpenCASCADE's condition for a valid edge is the tolerance itself. But where a file holds no
+/// tolerances, OpenCASCADE measures them at some points only.) If a pcurve is missing or strays
+/// further, the curve in space is projected onto the surface. The projection replaces the stored
+/// pcurve only if it at least halves the distance: otherwise the surface itself is away from the
+/// edge, which is a gap of the model and not a fault of the pcurve. Edge and face are not changed.
 ///
 /// \throws std::runtime_error if the face has no surface, or if there is no pcurve and none can be
 /// built.

@@ -7,15 +7,15 @@
 
 namespace seamwright::occ {
 
-/// The side of a seam for enclosures: what OpenCASCADE holds, as numbers of core, exact but for the
-/// rounding of placements.
+/// The side of a seam for enclosures: OpenCASCADE's numbers as values of core, exact except for the
+/// rounding of locations.
 ///
 /// Surfaces: planes, cylinders, cones, spheres, tori, Bezier and B-spline surfaces (rational,
 /// periodic), surfaces of revolution and of extrusion, offsets of all these, trimmed or not. Curves
 /// (pcurves, and the curves of revolution and extrusion): lines, circles, ellipses, hyperbolas,
 /// parabolas, Bezier and B-spline curves, trimmed or not.
 ///
-/// s runs with the pcurve over its whole range. Not to be shared between threads.
+/// s runs with the pcurve over its whole range. The result is not thread-safe.
 /// \throws std::domain_error if the surface or a curve is of another kind, with its name;
 /// std::invalid_argument if a number is not finite.
 SeamSide seamSide(const Coedge& use, const Pcurve& pcurve);

@@ -10,27 +10,28 @@
 
 namespace seamwright::occ {
 
-/// A copy of a B-spline or Bezier surface, or of a trimmed one of these over its trimmed range,
-/// placed in space: clamped and not periodic, with the same parameters. The points are the same but
-/// for the rounding of the placement and of inserted knots.
+/// A copy of a B-spline or Bezier surface, over its range if it is trimmed, placed in space:
+/// clamped and not periodic, with the same parameters. Points are the same except for the rounding
+/// of the location and of inserted knots.
 /// \returns null for a surface of another kind. \throws Standard_Failure.
 opencascade::handle<Geom_BSplineSurface> clampedSpline(
     const opencascade::handle<Geom_Surface>& surface, const TopLoc_Location& location = {});
 
-/// The numbers of a surface as clampedSpline() makes them.
+/// A surface of the form that clampedSpline() returns as a value of core.
 /// \throws std::invalid_argument for a surface that is periodic or not clamped, or has a number
 /// that is not finite.
 BSplineSurface coreSurface(const Geom_BSplineSurface& surface);
 
-/// \throws std::invalid_argument as requireValid(); for a knot in the interior that is repeated
-/// more often than the degree, or nearer to the next one than OpenCASCADE tells knots apart.
+/// \throws std::invalid_argument as requireValid(), for an inner knot with a multiplicity above the
+/// degree, and for inner knots that are too near to each other for OpenCASCADE.
 opencascade::handle<Geom_BSplineSurface> geomSurface(const BSplineSurface& surface);
 
-/// The poles of a clamped spline surface as rows that run along one of its edges, counted from the
-/// edge, and columns that run across it; columns and the parameter t in [0, 1] in the edge's own
-/// sense (or against it, if reversed).
+/// The poles of a clamped spline surface as rows along one of its edges, counted from the edge, and
+/// columns across it. Columns and the parameter t in [0, 1] run in the edge's own sense, or against
+/// it if reversed.
 ///
-/// Changes the surface it is made of, whose shape only setPole() changes.
+/// Functions that raise degrees or insert knots modify the surface, not its shape; only setPole()
+/// and setKnotsAlong() change the shape.
 class EdgeRows {
  public:
   EdgeRows(opencascade::handle<Geom_BSplineSurface> surface, PatchEdge edge, bool reversed = false);
@@ -59,13 +60,12 @@ class EdgeRows {
   /// Knots are inserted until each t in ]0, 1[ has that multiplicity, at most the degree; nothing
   /// is removed.
   void insertAlong(double t, int multiplicity);
-  /// Moves the knots to these places, as many as there are; a change of the parameter that changes
-  /// the shape by as much.
+  /// Replaces the knots by these, of the same number. The shape changes by as much as the knots.
   void setKnotsAlong(const std::vector<double>& t);
-  /// Knots half-way across until there are as many rows.
+  /// Inserts knots halfway across until there are that many rows.
   void refineAcross(int rows);
 
-  /// Parameters of the surface at t, and a share of its range across, 0 at the edge.
+  /// The surface's parameters at t and at a share of its range across, 0 at the edge.
   Eigen::Vector2d parameters(double t, double across = 0) const;
   /// The edge as a curve over [first, last] that runs with t.
   opencascade::handle<Geom_Curve> boundary(double first, double last) const;
@@ -82,8 +82,8 @@ class EdgeRows {
 };
 
 /// Gives both edges the same degree and knots along t, by raising degrees and inserting knots;
-/// shapes stay. Knots of the second that are within 1e-9 of the range from one of the first become
-/// that one, which changes the second's shape by as much.
+/// shapes stay. A knot of the second within 1e-9 of the range of a knot of the first becomes that
+/// knot, which changes the second's shape by as much.
 /// \param extra_multiplicity added to that of the inner knots.
 void alignAlong(EdgeRows& first, EdgeRows& second, int extra_multiplicity = 0);
 

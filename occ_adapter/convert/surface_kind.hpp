@@ -7,8 +7,8 @@
 /// The kind of a face's surface, for messages; not a public header.
 namespace seamwright::occ {
 
-/// The kind with its article: "a plane", "a cylinder", ... "a surface of another kind" stands for
-/// all that have no name here, B-spline and Bezier surfaces included.
+/// The kind with its article: "a plane", "a cylinder", ...; "a surface of another kind" for kinds
+/// without a name here, B-spline and Bezier surfaces included.
 std::string kindOf(const TopoDS_Face& face);
 
 }  // namespace seamwright::occ

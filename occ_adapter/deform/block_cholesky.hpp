@@ -4,14 +4,14 @@
 #include <Eigen/Core>
 #include <vector>
 
-/// A factorisation of matrices of many small blocks; not a public header.
+/// Factorises sparse matrices of small blocks. Not a public header.
 namespace seamwright::occ {
 
-/// A point a row.
+/// #points by 3: one point in each row.
 using PointRows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
-/// The blocks on and above the diagonal that may not be zero: of column j those in the rows
-/// rows[begins[j]] .. rows[begins[j + 1] - 1], which increase; the last is j itself.
+/// The blocks on and above the diagonal that may differ from zero. Column j has blocks in the rows
+/// rows[begins[j]] .. rows[begins[j + 1] - 1], which increase; the last is j.
 struct BlockPattern {
   std::vector<int> begins = {0}, rows;
 
@@ -21,20 +21,19 @@ struct BlockPattern {
 /// A symmetric block of 3 x 3: xx, yy, zz, xy, yz, zx.
 using SymmetricBlock = Eigen::Matrix<double, 6, 1>;
 
-/// The Cholesky factorisation of a positive definite matrix of symmetric blocks of 3 x 3. Columns
-/// with nearly one structure are factored together as a dense front, in an order that fills in
-/// little, which is found once for all matrices of a pattern. This is the multifrontal method with
-/// amalgamation of fronts.
+/// The Cholesky factorisation of a positive definite matrix of symmetric blocks of 3 x 3, by the
+/// multifrontal method with amalgamation of fronts. The order of elimination is found once for all
+/// matrices of a pattern. Not thread-safe.
 /// Source: [DuffReid1983]; [AshcraftGrimes1989].
 class BlockCholesky {
  public:
   explicit BlockCholesky(const BlockPattern& pattern);
 
-  /// \param blocks in the order of the pattern. \param diagonal is added to it.
-  /// \returns false if the matrix is not positive definite as far as rounding tells.
+  /// \param blocks in the order of the pattern. \param diagonal added to the diagonal.
+  /// \returns false if the matrix is not positive definite up to rounding.
   bool factor(const std::vector<SymmetricBlock>& blocks, double diagonal);
 
-  /// \pre the last factor() was good
+  /// Solves for one right-hand side, #points by 3. \pre the last factor() returned true.
   PointRows solve(const PointRows& right) const;
 
  private:
@@ -48,7 +47,7 @@ class BlockCholesky {
     std::vector<Entry> entries = {};
     std::vector<int> children = {};
     std::vector<int> in_parent = {};  ///< by place below: its row in the parent's front
-    double zeros = 0;                 ///< blocks that amalgamation stored in vain
+    double zeros = 0;                 ///< zero blocks that amalgamation stores
     Eigen::MatrixXd panel = {};       ///< the factor's columns
 
     int columns() const { return last - first; }

@@ -14,19 +14,19 @@ namespace seamwright::occ {
 
 /// The surface of a face in space, with the normals of the face. Not a public header.
 ///
-/// Not to be shared between threads: OpenCASCADE's adaptors cache.
+/// Not thread-safe: OpenCASCADE's adaptors cache.
 class DisplaySurface {
  public:
-  /// \throws Standard_Failure where the face has no surface.
+  /// \throws Standard_Failure if the face has no surface.
   explicit DisplaySurface(const TopoDS_Face& face);
 
-  /// The range of parameters in use: it tells where the inside lies from a pole, and what a small
-  /// step is.
+  /// Sets the range of parameters in use. It determines where the inside is, seen from a pole, and
+  /// the size of a small step.
   void setRange(const Eigen::Vector2d& low, const Eigen::Vector2d& high);
 
   struct Place {
     Eigen::Vector3d point;
-    Eigen::Vector3d normal;  ///< of unit length; zero where the surface has none
+    Eigen::Vector3d normal;  ///< unit; zero where the surface has none
   };
   /// \throws Standard_Failure where OpenCASCADE can't evaluate.
   Place at(const Eigen::Vector2d& uv) const;

@@ -17,8 +17,8 @@
 
 namespace seamwright::occ {
 
-/// A piece of an edge between two nodes, counted along the edge: the same one on both faces of the
-/// edge. Not a public header.
+/// A piece of an edge between two nodes, numbered along the edge, so that it is the same on both
+/// faces of the edge. Not a public header.
 struct EdgePiece {
   int edge = 0;   ///< from 1; 0: of no edge
   int nodes = 0;  ///< of the edge as first triangulated
@@ -30,13 +30,13 @@ struct EdgePiece {
 /// The triangles of one face while they are refined.
 class FaceMesh {
  public:
-  /// \param face with triangles; \param edges tells the numbers of its edges.
-  /// \throws Standard_Failure where the surface can't be evaluated, or the face has no triangles.
+  /// \param face with triangles. \param edges gives the numbers of its edges.
+  /// \throws Standard_Failure if the surface can't be evaluated or the face has no triangles.
   FaceMesh(const TopoDS_Face& face, const TopTools_IndexedMapOfShape& edges,
            const DisplayMeshOptions& options);
 
-  /// The face before it moved: triangles are split until they tell the move. \throws
-  /// Standard_Failure where it has no surface.
+  /// Sets the face before it moved; triangles are split until they resolve the move. \throws
+  /// Standard_Failure if it has no surface.
   void setMoves(const TopoDS_Face& before, double rough_mm, double longest_rel);
 
   /// The pieces of edges that are too coarse for this face. \throws Standard_Failure as
@@ -45,11 +45,10 @@ class FaceMesh {
   /// Halves the pieces of edges that are among the sorted \p pieces. \throws Standard_Failure as
   /// DisplaySurface.
   void splitPieces(const std::vector<EdgePiece>& pieces);
-  /// Splits triangles inside the face until they are fine enough; those on its edges are left as
-  /// they are.
+  /// Splits triangles inside the face until they are fine enough. Pieces of edges stay.
   /// \throws Standard_Failure as DisplaySurface.
   void refineInside();
-  /// Gives nodes where the surface has no normal that of the triangles around them.
+  /// Gives nodes at which the surface has no normal the normal of the triangles around them.
   void completeNormals();
 
   double areaMm2() const;

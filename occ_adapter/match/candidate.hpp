@@ -7,7 +7,7 @@
 #include <seamwright/occ_adapter/match/constrained_deformation.hpp>
 #include <seamwright/occ_adapter/match/rebuild.hpp>
 
-/// Ways to make two faces join; not a public header.
+/// Joins of two faces before they are proven. Not a public header.
 namespace seamwright::occ {
 
 struct PairToMatch {
@@ -30,14 +30,14 @@ struct Candidate {
   SeamPlan plan;
 };
 
-/// The side's spline, a copy, with rows enough for the order and for the opposite side to stay.
+/// A copy of the side's spline with enough rows for the order and for the opposite side to stay.
 EdgeRows rowsToMove(const MatchSide& side, int order);
 
-/// \pre both sides are natural. \throws Standard_Failure.
+/// The exact join (nearestJoin()). \pre both sides are natural. \throws Standard_Failure.
 Candidate joinInPoles(const PairToMatch& pair);
 
-/// The driver follows the other side. \param limit share of the tolerance that samples have to
-/// meet.
+/// The driver is deformed to meet the other side. \param limit share of the tolerance that samples
+/// have to meet.
 Candidate joinToTolerance(const PairToMatch& pair, double limit);
 
 }  // namespace seamwright::occ

@@ -7,43 +7,43 @@
 
 #include <seamwright/occ_adapter/deform/block_cholesky.hpp>
 
-/// Conditions on the moves of points, by least squares; not a public header.
+/// The least moves of points that satisfy linear conditions. Not a public header.
 namespace seamwright::occ {
 
-/// Work and memory grow with the pairs of points that stand in a condition together.
+/// Time and memory grow with the number of pairs of points that occur together in a condition. Not
+/// thread-safe.
 class LeastMoves {
  public:
   explicit LeastMoves(int points) : points_(points) {}
 
-  /// That move is given; before the conditions that hold the point.
+  /// Prescribes a move. Must be called before the conditions that contain the point are added.
   void fix(int point, const Eigen::Vector3d& move);
 
-  /// For each row of factors: direction . (sum of factor times move) = value. A column of the
-  /// factors is of the point of the same place in the list.
+  /// For each row of factors: direction . (sum of factor times move) = value.
+  /// \param factors #values by #points.
   void add(const std::vector<int>& points, const Eigen::MatrixXd& factors,
            const Eigen::Vector3d& direction, const Eigen::VectorXd& values);
   /// Sum of factor times move = value.
   void addPoint(const std::vector<int>& points, const Eigen::RowVectorXd& factors,
                 const Eigen::Vector3d& value);
 
-  /// The same, but \p softness of solve() times.
+  /// The same, with the weight \p softness of solve().
   void addSoft(const std::vector<int>& points, const Eigen::RowVectorXd& factors,
                const Eigen::Vector3d& value);
 
-  /// The least sum of the squares of the conditions' residuals and, \p damping times, of the moves.
-  /// Solving again for the same conditions costs less.
+  /// Minimises the sum of the squared residuals of the conditions plus \p damping times the squared
+  /// moves. Returns #points by 3. A second call for the same conditions is faster.
   PointRows solve(double damping, double softness = 1) const;
 
  private:
-  /// Conditions of some points: along one direction, a value each, or one condition in all three
-  /// coordinates.
+  /// Conditions of the same points: several along one direction, or one in all three coordinates.
   struct Group {
     std::vector<int> points;  ///< they do not decrease
     Eigen::MatrixXd factors;
     bool is_point = false;
     bool is_soft = false;
-    Eigen::Vector3d direction;  ///< of a point: its value
-    Eigen::VectorXd values;     ///< of a point: none
+    Eigen::Vector3d direction;  ///< if is_point: the value
+    Eigen::VectorXd values;     ///< if is_point: empty
   };
   /// The blocks of the normal matrix: those of soft conditions are multiples of the unit matrix.
   struct Normal {
@@ -66,7 +66,7 @@ class LeastMoves {
   std::unordered_map<int, Eigen::Vector3d> fixed_;
   std::vector<Group> groups_;
   mutable std::optional<Prepared>
-      prepared_;  ///< for the conditions as they are, once they were solved
+      prepared_;  ///< for the present conditions, after the first call of solve()
 };
 
 }  // namespace seamwright::occ

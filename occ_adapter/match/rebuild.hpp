@@ -10,10 +10,10 @@
 
 #include <seamwright/occ_adapter/seams/find.hpp>
 
-/// The topology of two faces with a new seam; not a public header.
+/// Builds two faces with a new common edge. Not a public header.
 namespace seamwright::occ {
 
-/// A face that is built again.
+/// What a face is rebuilt from.
 struct FacePlan {
   TopoDS_Face face;  ///< as it was
   Coedge use;        ///< the edge that becomes the seam
@@ -27,7 +27,7 @@ struct SeamPlan {
   std::array<FacePlan, 2> faces;
   double first = 0, last = 1;             ///< parameters of both paths and of the curve
   opencascade::handle<Geom_Curve> curve;  ///< in space
-  double gap_mm = 0.01;  ///< curves that have to be approximated keep within a thousandth of it
+  double gap_mm = 0.01;                   ///< curves are approximated to a thousandth of it
 };
 
 struct RebuiltPair {
@@ -35,19 +35,18 @@ struct RebuiltPair {
   TopoDS_Edge seam;
 };
 
-/// Both faces as a shell that shares the seam. Everything is new but the curves and surfaces that
-/// stay; the old shape is not touched.
+/// Both faces as a shell that shares the seam. Curves and surfaces that stay are shared with the
+/// old shape, which is not changed; everything else is new.
 ///
-/// Edges keep their paths in the parameter plane. Where a surface moved below an edge, its curve in
-/// space is the image of the path: exact along a parameter line, else approximated. Tolerances of
-/// edges and vertices are what 257 points of each path show and a fifth more, and not below those
-/// they had where nothing moved.
-/// \throws std::runtime_error where a curve can't be built; Standard_Failure.
+/// Edges keep their pcurves. If the surface under an edge moved, its curve in space is the image of
+/// the pcurve: exact along a parameter line, otherwise approximated. Tolerances of edges and
+/// vertices are the distances at 257 points of each pcurve plus a fifth; where nothing moved they
+/// are not below those before.
+/// \throws std::runtime_error if a curve can't be built; Standard_Failure.
 RebuiltPair rebuild(const SeamPlan& plan);
 
-/// How far the new surface takes the edges of the face that end at the seam from where they were;
-/// of 257 points each.
-/// \throws std::runtime_error for an edge without a path on the face.
+/// The largest move, at 257 points each, of the edges of the face that end at the seam.
+/// \throws std::runtime_error for an edge without a pcurve on the face.
 double largestSideMove_mm(const FacePlan& plan, double gap_mm);
 
 }  // namespace seamwright::occ

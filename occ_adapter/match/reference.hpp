@@ -7,37 +7,36 @@
 #include <seamwright/occ_adapter/convert/face_strip.hpp>
 #include <seamwright/occ_adapter/match/boundary.hpp>
 
-/// The face of a pair that stays while the other one is deformed to meet it; not a public header.
+/// The face that stays while the other one of a pair is deformed to meet it. Not a public header.
 namespace seamwright::occ {
 
-/// The other face's path along the side of a spline surface, brought to the parameter t of that
-/// side.
+/// The other face's pcurve along the side of a spline surface, in the parameter t of that side.
 struct ReferencePath {
-  /// A point of it belongs to t in [0, 1] linearly: t = 0 at first, or at last if against.
+  /// Its parameter is linear in t in [0, 1]: t = 0 at first, or at last if against.
   Pcurve pcurve;
   bool against = false;
   bool with_edge_curve = true;  ///< the pcurve runs with the curve of the other face's edge
-  bool linear = true;           ///< it is the pcurve as given; false: fitted to the nearest points
+  bool linear = true;           ///< it is the given pcurve; false: fitted to the nearest points
   double apart_mm = 0;  ///< largest distance of the side from its nearest points on the path
   double mismatch_mm =
-      0;  ///< largest distance of points of equal t, with t linear along the path given
-  double ends_apart_mm = 0;  ///< largest distance of the ends that belong together
-  std::string failure;       ///< why there is none
+      0;  ///< largest distance of points of equal t, with t linear along the given path
+  double ends_apart_mm = 0;  ///< largest distance of corresponding ends
+  std::string failure;       ///< why there is no such path; empty if there is one
 };
 
-/// \param moving the side that is deformed; \param other the face beside it. A linear
-/// correspondence is kept where the nearest points are within the larger of a tenth of the gap
-/// tolerance and the distance of the edges from it; else the path is run through at the nearest
-/// points of the side, as a spline that keeps within a hundredth of the gap tolerance of the path
-/// given.
+/// A linear correspondence is kept if it is within a tenth of the gap tolerance, or within the
+/// distance of the edges if that is larger, of the nearest points. Otherwise the path is
+/// reparametrised to the points nearest to the side, as a spline within a hundredth of the gap
+/// tolerance of the given path.
+/// \param moving the side that is deformed. \param other the face beside it.
 /// \throws Standard_Failure.
 ReferencePath referencePath(const EdgeRows& moving, const MatchSide& other,
                             const FaceMatchOptions& options);
 
-/// A point of a side of a spline surface as core sees it, tangent in the sense of t.
+/// A point of a side of a spline surface as a value of core, with the tangent in the sense of t.
 SidePoint sidePoint(const EdgeRows& rows, double t);
 
-/// Points of the other face by the parameter t of the side that is deformed.
+/// Points of the other face by the parameter t of the side that is deformed. Not thread-safe.
 class Reference {
  public:
   Reference(const MatchSide& other, const ReferencePath& path);

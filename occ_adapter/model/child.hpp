@@ -11,8 +11,8 @@
 
 namespace seamwright::occ {
 
-/// A process that answers on file descriptor 3; its other descriptors lead nowhere, but for the
-/// input it may be given. Ended with the object if it still runs.
+/// A process that answers on file descriptor 3. Its other descriptors lead nowhere, except for the
+/// input that it may be given. If it still runs when the object is destroyed, it is ended.
 class Child {
  public:
   static constexpr int answer_descriptor = 3;
@@ -24,11 +24,11 @@ class Child {
   Child& operator=(const Child&) = delete;
   ~Child();
 
-  /// Hands what arrives within 50 ms to \p receive. \returns false once the child has closed its
+  /// Passes what arrives within 50 ms to \p receive. \returns false once the child has closed its
   /// end.
   bool receive(const std::function<void(std::string_view)>& receive);
-  /// Waits for the end, at most a few milliseconds. \returns the wait status (waitpid) once the
-  /// child has ended.
+  /// Waits for the child to end, for a few milliseconds at most. \returns the wait status (waitpid)
+  /// once it has ended.
   std::optional<int> ended();
 
  private:

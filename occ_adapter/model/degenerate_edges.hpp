@@ -6,10 +6,10 @@
 
 namespace seamwright::occ {
 
-/// Numbers of the edges that have a path on a face and no curve in space: the pole of a sphere, and
-/// what readers put where two paths of a face end at one vertex but do not meet in the parameters
-/// of the face. From 1, in the order of TopExp::MapShapes, ascending. Such edges have no length and
-/// are no seams.
+/// Numbers of the edges that have a pcurve and no curve in space, such as the pole of a sphere.
+/// Readers also add such edges where two pcurves of a face end at one vertex but do not meet in the
+/// parameters of the face. From 1, in the order of TopExp::MapShapes, ascending. These edges have
+/// no length and are no seams.
 std::vector<int> degenerateEdges(const Model& model);
 
 }  // namespace seamwright::occ

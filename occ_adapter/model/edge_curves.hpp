@@ -6,12 +6,12 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 
-/// Edges that have paths on their faces alone; not a public header.
+/// Edges that have pcurves only. Not a public header.
 namespace seamwright::occ {
 
 /// Whether each edge that is not degenerated has a curve in space. OpenCASCADE reads an edge
-/// without one where the curve in a file is refused (knots that do not increase, say), and its
-/// distances of shapes crash on it.
+/// without one if it refuses the curve in a file, for example because its knots do not increase.
+/// Its distance of shapes crashes on such an edge.
 inline bool allEdgesHaveCurves(const TopoDS_Shape& shape) {
   for (TopExp_Explorer it(shape, TopAbs_EDGE); it.More(); it.Next()) {
     const TopoDS_Edge& edge = TopoDS::Edge(it.Current());

@@ -7,8 +7,8 @@
 
 namespace seamwright::occ {
 
-/// The type and the message of a failure of OpenCASCADE in one line. A failure that was caught and
-/// thrown again by OpenCASCADE has the text of the first one in its message.
+/// The type and the message of a failure of OpenCASCADE, in one line. If OpenCASCADE caught a
+/// failure and threw another one, the message contains the text of the first.
 std::string failureText(const Standard_Failure& failure);
 
 }  // namespace seamwright::occ

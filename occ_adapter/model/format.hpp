@@ -11,7 +11,7 @@ enum class Format { Step, Iges, BrepText, BrepBinary };
 /// "STEP", "IGES", "BREP", "binary BREP".
 std::string_view name(Format format);
 
-/// Tells the format of a model file by its content; the name of the file plays no part.
+/// Detects the format of a model file from its content; the name of the file does not matter.
 ///
 /// \throws ModelError if the file is missing, is a folder, can't be opened, is empty, is text of
 /// another kind (UTF-16, an archive and a Git LFS pointer are recognised and named), or is a STEP

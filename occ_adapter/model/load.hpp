@@ -13,7 +13,7 @@
 
 namespace seamwright::occ {
 
-/// Passes OpenCASCADE's progress on.
+/// Passes OpenCASCADE's progress to a Progress, which may stop the work.
 class Reporter : public Message_ProgressIndicator {
  public:
   explicit Reporter(const Progress& progress) : progress_(progress) {}
@@ -27,13 +27,13 @@ class Reporter : public Message_ProgressIndicator {
   bool stopped_ = false;
 };
 
-/// A STEP or IGES file in full: the model, the document with its labels, and the entities as the
-/// file has them. The parts of the model's shape are those of the document, not copies.
+/// A complete STEP or IGES file: the model, the document with its labels, and the entities of the
+/// file. The parts of the model's shape are those of the document, not copies.
 struct LoadedDocument {
   Model model;
   opencascade::handle<TDocStd_Document> document = new TDocStd_Document("BinXCAF");
   opencascade::handle<Interface_InterfaceModel> entities;
-  std::shared_ptr<void> reader;  ///< empties the entities when it goes
+  std::shared_ptr<void> reader;  ///< clears the entities when it is destroyed
 };
 
 /// Reads a STEP or IGES file in this process; only the reading program calls it.
@@ -43,7 +43,7 @@ LoadedDocument loadDocument(const std::filesystem::path& path, const std::string
                             const Progress& progress);
 
 /// Reads a model file in this process; only the reading program calls it.
-/// \param format "STEP", "IGES", "BREP" or "binary BREP", as detectFormat() told.
+/// \param format "STEP", "IGES", "BREP" or "binary BREP", as detectFormat() returns it.
 /// \throws ModelError, Standard_Failure
 Model loadModel(const std::filesystem::path& path, const std::string& format,
                 const Progress& progress);

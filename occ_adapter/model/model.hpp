@@ -22,14 +22,14 @@ enum class ModelErrc {
   Truncated,       ///< the closing record is missing
   Malformed,       ///< OpenCASCADE could not read it
   UnknownUnits,    ///< no length unit that is understood
-  NoShapes,        ///< read, but nothing with a face came out
-  ReaderDied,      ///< the reading process crashed or used up its time or memory
+  NoShapes,        ///< read, but it has no face
+  ReaderDied,      ///< the reading process crashed or exceeded its time or memory
   ReaderMissing,   ///< the reading program is not installed where it belongs
   UnknownTarget,   ///< the name of the output tells no format
-  TargetExists,    ///< the output is there, or is the file that was read, and may not be replaced
+  TargetExists,    ///< the output exists, or is the file that was read, and may not be replaced
   NotWritable,     ///< the output's folder is missing or closed, or the disk is full
   NotWritten,      ///< OpenCASCADE could not write it
-  UnlikeInstances  ///< one part of an assembly was changed in one of its places alone
+  UnlikeInstances  ///< a part of an assembly was changed in some of its instances only
 };
 
 /// A model that can't be used. what() is one line: the file, what is wrong, what to do.
@@ -53,15 +53,16 @@ struct ShapeAttribute {
   std::vector<std::string> layers;             ///< UTF-8, sorted
 };
 
-/// A shape with what its file says about it. Lengths are in mm whatever the unit of the file.
+/// A shape with what its file says about it. Lengths are in mm, whatever the unit of the file. A
+/// copy shares the shape. Functions of this library do not modify the shape of a model that they
+/// are given.
 struct Model {
   TopoDS_Shape shape;
   std::string path;         ///< as given; empty for a shape from memory
   std::string format;       ///< "STEP", "IGES", "BREP", "binary BREP", "memory"
-  std::string length_unit;  ///< the file's own unit; "mm (assumed)" where the format has none
+  std::string length_unit;  ///< the file's unit; "mm (assumed)" if the format has none
   std::vector<ShapeAttribute> attributes;
-  std::vector<std::string>
-      notes;  ///< what a user should know: faces that did not come through, ...
+  std::vector<std::string> notes;  ///< what a user should know: faces that could not be read, ...
   double read_s = 0;
 
   int faceCount() const;
@@ -73,13 +74,13 @@ struct Model {
 /// \throws ModelError if the shape is null, has no face, or has no face with finite numbers.
 Model modelFromShape(const TopoDS_Shape& shape);
 
-/// The shape in OpenCASCADE's binary format as FreeCAD writes it (Part.Shape.exportBinary). Poles,
-/// knots and points come through exactly; axes of analytic surfaces and locations are normalised
-/// again when read, which may move the last bit.
+/// Writes the shape in OpenCASCADE's binary format, as FreeCAD does (Part.Shape.exportBinary).
+/// Poles, knots and points are preserved exactly. Reading normalises axes of analytic surfaces and
+/// locations again, which may change the last bit.
 void writeBinaryShape(const TopoDS_Shape& shape, std::ostream& stream);
-/// Reads what writeBinaryShape() or FreeCAD wrote. A null shape if the stream holds none.
+/// Reads what writeBinaryShape() or FreeCAD wrote. Returns a null shape if the stream holds none.
 TopoDS_Shape readBinaryShape(std::istream& stream);
-/// The shape as text, readable by every OpenCASCADE; coordinates keep 15 digits.
+/// Writes the shape as text, which every version of OpenCASCADE reads; coordinates keep 15 digits.
 void writeTextShape(const TopoDS_Shape& shape, std::ostream& stream);
 TopoDS_Shape readTextShape(std::istream& stream);
 

@@ -4,7 +4,7 @@
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 
-/// The parts of a shape by number; not a public header.
+/// The parts of a shape by number. Not a public header.
 namespace seamwright::occ {
 
 /// The parts of a kind, each once, numbered from 1 in the order of TopExp::MapShapes.

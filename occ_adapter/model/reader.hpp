@@ -13,7 +13,7 @@
 
 namespace seamwright::occ {
 
-/// What the reading program said, put together. Which parts there are depends on what it was asked.
+/// The answer of the reading program. Which members are set depends on the question.
 struct Answer {
   Model model;  ///< without its shape
   std::optional<std::string> shape;
@@ -23,19 +23,19 @@ struct Answer {
 
 /// A question to the reading program, see reader_main.cpp.
 struct Question {
-  std::filesystem::path model;  ///< the file that errors speak of
+  std::filesystem::path model;  ///< the file that errors name
   std::uintmax_t bytes = 0;     ///< size of all files that the program is given
-  std::string deed;             ///< what can't be done where the program fails: "read", "written"
+  std::string deed;             ///< what can't be done if the program fails: "read", "written"
   std::vector<std::string> arguments;  ///< of the program
   int input = -1;                      ///< descriptor of its standard input; -1: none
 };
 
 /// Runs the reading program until it ends.
-/// \throws ModelError where it says so, dies, answers with no sense or does not end in time
-/// (readerBounds); std::invalid_argument from readerBounds; Cancelled.
+/// \throws ModelError if the program reports one, crashes, sends an invalid answer or exceeds its
+/// limits (readerBounds()); std::invalid_argument as readerBounds(); Cancelled.
 Answer askReader(const Question& question, const Progress& progress);
 
-/// The shape that the reading program sent. \throws ModelError, about the file \p path
+/// The shape that the reading program sent. \throws ModelError, which names the file \p path.
 TopoDS_Shape decodeShape(std::string bytes, const std::filesystem::path& path);
 
 }  // namespace seamwright::occ

@@ -8,8 +8,8 @@
 #include <seamwright/occ_adapter/model/model.hpp>
 #include <seamwright/occ_adapter/model/write.hpp>
 
-/// What the reading process says to the process that asked: a sequence of frames, each a kind, a
-/// length and a payload.
+/// What the reading process sends to the process that asked: a sequence of frames, each of which is
+/// a kind, a length and a payload.
 namespace seamwright::occ::wire {
 
 enum class Kind : char {
@@ -21,10 +21,10 @@ enum class Kind : char {
   Error = 'E'      ///< {code, text} as JSON
 };
 
-/// Writes to a file descriptor until all is written. \throws std::system_error
+/// Sends one frame to a file descriptor. \throws std::system_error
 void send(int descriptor, Kind kind, std::string_view payload);
 
-/// Cuts a stream of bytes into frames.
+/// Divides a stream of bytes into frames.
 class FrameParser {
  public:
   using Receive = std::function<void(Kind kind, std::string payload)>;
@@ -37,7 +37,7 @@ class FrameParser {
 };
 
 std::string factsToJson(const Model& model);
-/// Fills everything but the shape. \throws nlohmann::json::exception
+/// Sets all members except the shape. \throws nlohmann::json::exception
 void factsFromJson(const std::string& text, Model& model);
 
 std::string reportToJson(const WriteReport& report);

@@ -6,9 +6,9 @@
 
 namespace seamwright::occ {
 
-/// The text of a STEP file with each real in the fewest digits that read back as the same double,
-/// and its lines broken again. Reals that are written without an exponent, texts in quotes and
-/// everything else stay as they are.
+/// The text of a STEP file with each real in the fewest digits that read back as the same double.
+/// Lines are broken again. Reals without an exponent, quoted texts and everything else stay the
+/// same.
 std::string withShortestReals(std::string_view step);
 
 }  // namespace seamwright::occ

@@ -7,7 +7,7 @@
 
 namespace seamwright::occ {
 
-/// A written file and what was done for it.
+/// The bytes of a written file and the report on it.
 struct Stored {
   std::string bytes;
   WriteReport report;
@@ -15,8 +15,8 @@ struct Stored {
 
 /// Writes a model as STEP or IGES in this process, see writeModel(); only the reading program calls
 /// it.
-/// \param options what concerns the content: afresh, share_of_accuracy. \throws ModelError,
-/// Standard_Failure
+/// \param options only those of the content count: afresh, share_of_accuracy.
+/// \throws ModelError, Standard_Failure
 Stored storeModel(const Model& model, Format target, const WriteOptions& options,
                   const Progress& progress);
 

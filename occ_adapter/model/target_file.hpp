@@ -9,23 +9,24 @@
 
 namespace seamwright::occ {
 
-/// The file that a name stands for, through symbolic links, whether it is there or not.
+/// The file that a name refers to, with symbolic links resolved, whether it exists or not.
 std::filesystem::path withoutLinks(const std::filesystem::path& target);
 
-/// Gives a file its content at once or not at all: the bytes go to a file beside it, to the disk,
-/// and take its place. What processes that were killed left beside it for that is taken away.
+/// Gives a file its new content at once or not at all. The bytes are written to a file beside it
+/// and flushed to the disk; then that file is renamed. Files that killed processes left beside the
+/// target are removed.
 ///
-/// \param replace a file that is there may be replaced; it hands its permissions on. Symbolic links
-/// stay and are written through.
-/// \param check called with the file beside when it is whole; what it throws is passed on.
-/// \throws ModelError (NotAFile, TargetExists, NotWritable), Cancelled; the file beside is gone
+/// \param replace an existing file may be replaced; the new one gets its permissions. Symbolic
+/// links stay, and the file that they lead to is replaced.
+/// \param check called with the complete file before it is renamed; what it throws is passed on.
+/// \throws ModelError (NotAFile, TargetExists, NotWritable), Cancelled; the file beside is removed
 /// then.
 void replaceFile(const std::filesystem::path& target, std::string_view content, bool replace,
                  const std::function<void(const std::filesystem::path&)>& check,
                  const Progress& progress);
 
-/// Throws now what replaceFile() could only say after the work: a folder that is missing or closed,
-/// a target that is there.
+/// Checks the target as replaceFile() does, before the work whose result it is to hold.
+/// \throws ModelError if its folder is missing or not writable, or if it exists.
 void requireWritable(const std::filesystem::path& target, bool replace);
 
 }  // namespace seamwright::occ

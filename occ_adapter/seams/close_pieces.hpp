@@ -8,8 +8,8 @@
 
 namespace seamwright::occ {
 
-/// For pairs of paths, the smaller number first, the pieces that may come within match_mm of one
-/// another and run in about the same direction. \throws Cancelled.
+/// By pair of paths, with the smaller number first: the pieces that may come within match_mm of
+/// each other and have about the same direction. \throws Cancelled.
 std::map<std::pair<std::size_t, std::size_t>, ClosePieces> findClosePieces(
     const EdgePaths& paths, double match_mm, const Progress& progress);
 

@@ -10,7 +10,7 @@
 
 namespace seamwright::occ {
 
-/// A place on one path, the nearest one on another, and how far they are from one another.
+/// A parameter of one path, that of the nearest point of another path, and their distance.
 struct Foot {
   double a = 0;
   double b = 0;
@@ -26,14 +26,14 @@ struct EdgeInterval {
 
   const Foot& front() const { return feet.front(); }
   const Foot& back() const { return feet.back(); }
-  /// The place on b that belongs to one on a, and the reverse; linear between feet.
+  /// The parameter of b for one of a, and the reverse; linear between feet.
   double bOf(double a) const;
   double aOf(double b) const;
-  /// Distance at a place on a, linear between feet.
+  /// Distance at a parameter of a, linear between feet.
   double distanceAt_mm(double a) const;
 };
 
-/// Numbers of pieces of two paths that are close to one another.
+/// Numbers of pieces of two paths that are close to each other.
 using ClosePieces = std::vector<std::pair<std::size_t, std::size_t>>;
 
 /// Finds where path b runs within a distance of path a and within 45 degrees of its direction.
@@ -41,8 +41,8 @@ class PairWalk {
  public:
   PairWalk(const EdgePath& a, const EdgePath& b, const ClosePieces& close, double match_mm);
 
-  /// Intervals by increasing a, however short. Their ends are where the distance or the angle is
-  /// exceeded, or where either path ends; closed paths end at their start.
+  /// The intervals in the order of a, however short. They end where the distance or the angle is
+  /// exceeded, or where either path ends. Closed paths end at their start.
   std::vector<std::vector<Foot>> intervals() const;
 
  private:
@@ -56,7 +56,7 @@ class PairWalk {
   const EdgePath& a_;
   const EdgePath& b_;
   double match_mm_;
-  std::vector<std::vector<std::size_t>> near_;  ///< for each piece of a, those of b that are close
+  std::vector<std::vector<std::size_t>> near_;  ///< by piece of a: the pieces of b that are close
 };
 
 }  // namespace seamwright::occ

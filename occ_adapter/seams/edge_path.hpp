@@ -11,25 +11,25 @@ namespace seamwright::occ {
 
 /// A short part of a path and its chord.
 struct PathPiece {
-  double from = 0, to = 0;  ///< places, 0..1
+  double from = 0, to = 0;  ///< parameters, 0..1
   Eigen::Vector3d start, end;
   double sagitta_mm =
-      0;  ///< the path stays so close to the chord (twice the largest deviation of 3 points)
+      0;  ///< bound of the distance from the chord: twice the largest deviation of 3 points
 
   double place(double share) const { return from + share * (to - from); }
-  /// Share of the chord, 0..1, at its point nearest to p.
+  /// The share of the chord, 0..1, at its point nearest to p.
   double nearestShare(const Eigen::Vector3d& p) const;
   double distance(const Eigen::Vector3d& p) const {
     return (start + nearestShare(p) * (end - start) - p).norm();
   }
 };
 
-/// A free edge as its face sees it: the image of its pcurve, cut into nearly straight pieces.
+/// The image of a free edge's pcurve on its face, cut into nearly straight pieces.
 ///
-/// Places are 0..1 of the edge's curve range. Not to be shared between threads.
+/// Places are parameters, 0..1 over the range of the edge's curve. Not thread-safe.
 class EdgePath {
  public:
-  /// \throws std::runtime_error if the edge has no path on the face or one that is not finite;
+  /// \throws std::runtime_error if the edge has no pcurve, or one that is not finite;
   /// Standard_Failure.
   EdgePath(const Coedge& use, int edge, double gap_mm);
 
@@ -40,14 +40,13 @@ class EdgePath {
   std::size_t pieceAt(double place) const;
 
   double length_mm() const { return lengths_mm_.back(); }
-  /// Arc length from the start to the place; within a piece taken as linear.
+  /// Arc length from the start to the place, linear within a piece.
   double lengthTo_mm(double place) const;
   /// Arc length between two places, by quadrature.
   double lengthBetween_mm(double from, double to) const;
-  /// The place whose chord comes nearest to p among those pieces, at least one: where to start a
-  /// search.
+  /// The place nearest to p on the chords of these pieces (at least one): where a search starts.
   double nearestOnChords(const std::vector<std::size_t>& pieces, const Eigen::Vector3d& p) const;
-  /// As nearestPlace(); a closed path is searched across its start.
+  /// As nearestPlace(), on a closed path also across its start.
   double nearest(const Eigen::Vector3d& p, double start) const;
   /// Unit tangent; where the path is stationary, the direction of a short chord.
   Eigen::Vector3d direction(double place) const;
@@ -59,17 +58,18 @@ class EdgePath {
   int edge_;
   FaceStrip strip_;
   std::vector<PathPiece> pieces_;
-  std::vector<double> lengths_mm_;  ///< up to the start of each piece, and the whole
+  std::vector<double> lengths_mm_;  ///< to the start of each piece, and the whole length
   bool closed_ = false;
 };
 
-/// How far apart the path and another may be: an interval is at least 4 times as long as the paths
-/// are apart.
+/// Largest distance from another path in a seam: an interval is at least 4 times as long as its
+/// paths are apart.
 inline double reach_mm(const EdgePath& path, double match_mm) {
   return std::min(match_mm, path.length_mm() / 4);
 }
 
-/// What is shorter is no seam, and may be left out of a path that is matched over its whole length.
+/// The least length of a seam. Shorter intervals may be missing from a path that is matched over
+/// its whole length.
 inline double shortestSeam_mm(const EdgePath& path, double match_mm) {
   return std::min(4 * match_mm, path.length_mm() / 10);
 }

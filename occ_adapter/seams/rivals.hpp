@@ -10,7 +10,7 @@
 
 namespace seamwright::occ {
 
-/// The paths of the free edges; empty where there is none.
+/// The paths of the free edges; null for an edge without one.
 using EdgePaths = std::vector<std::unique_ptr<EdgePath>>;
 
 struct Settled {
@@ -19,8 +19,8 @@ struct Settled {
       crowded;  ///< paths where three or more faces meet, and these faces
 };
 
-/// The intervals that are long enough and not contested, or won; for the rules see
-/// matchFreeEdges().
+/// The intervals that count by the rules of matchFreeEdges(): long enough, and nearer than all
+/// rivals.
 Settled settleRivals(const std::vector<EdgeInterval>& intervals, const EdgePaths& paths,
                      double match_mm);
 
