@@ -58,8 +58,8 @@ struct FillCorner {
   double angle_bound_rad = 0;
 };
 
-/// The connection of the fill to a neighbour on each half of the side, with a parameter in [0, 1];
-/// valid if the half's corner is exact.
+/// Connection to a neighbour on each half of a side over [0, 1]; valid if the half's corner is
+/// exact.
 using FillSideJoin = std::array<Connection, 2>;
 
 /// A hole filled by as many patches as it has sides.
@@ -90,9 +90,8 @@ struct NSidedFill {
 /// degrees of edges and cross-boundary derivatives. What the joins leave free minimises the sum of
 /// squared differences of poles, and with FillOptions::curvature_degrees the jumps of curvature.
 ///
-/// At a corner both sides have to have one tangent plane and an angle between 0 and pi. If the
-/// neighbours prescribe different mixed derivatives there, the fill leaves their planes by up to
-/// FillCorner::angle_bound_rad.
+/// A corner needs one tangent plane and an angle between 0 and pi. If the neighbours prescribe
+/// different mixed derivatives there, the fill leaves their planes by up to angle_bound_rad.
 ///
 /// Identities (each has a test of its number):
 ///   (1) Edges U1 and V1 of the patches are the sides; neighbours share the poles of their spoke

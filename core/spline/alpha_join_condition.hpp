@@ -13,9 +13,8 @@ namespace seamwright {
 /// the shapes along the seam, a = a_v of X and c = next_a_v of Y. Shapes across the seam are free
 /// (1e-6 to 1). See docs/alpha_curves.md.
 ///
-/// A row X_0..X_3 of poles is balanced iff X_0 + X_3 = X_1 + X_2. For c = a every net has joins of
-/// every order. For c != a a net has a C^n join, and a G^n join in proportional form (Y_u = beta1
-/// X_u, Y_uu = beta1^2 X_uu + beta2 X_u with constants), iff its rows 3 .. 3 - n are balanced.
+/// A row X_0..X_3 is balanced iff X_0 + X_3 = X_1 + X_2. Joins have proportional form if Y_u =
+/// beta1 X_u, Y_uu = beta1^2 X_uu + beta2 X_u with constants.
 ///
 /// For general nets all G^1 joins Y_u = alpha X_u + beta X_v have alpha > 0 constant and beta
 /// linear. They are the solutions of six linear equations.

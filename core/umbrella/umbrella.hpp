@@ -69,30 +69,28 @@ int lowestUmbrellaDegree(const std::vector<MemberKind>& kinds, bool closed, int 
 ///     const Umbrella umbrella = umbrellaAround({spoke0, spoke1, spoke2, spoke3, spoke4});
 ///
 /// \param spokes polynomial curves that begin at O, in their order around it. A closed fan has as
-/// many members as spokes, member i between spoke i and spoke i + 1; an open fan has one less.
-/// Spokes of lower degree are raised.
+/// many members as spokes, member i after spoke i; an open fan has one less. Spokes of lower degree
+/// are raised.
 ///
-/// Spokes stay up to rounding, except that a closed fan of an even number of members needs one
-/// condition on their curvatures at O: the smallest change moves their third poles (spokes of
-/// degree 2 are raised before). A given second fundamental form moves the same poles. Tangents
-/// within the tolerance of one plane are put into it.
+/// Spokes stay, except that a closed fan of an even number of members needs one condition on their
+/// curvatures at O, which the smallest change of their third poles meets (degree 2 is raised
+/// before). A given form changes the same poles. Tangents near one plane are put into it.
 ///
-/// b is constant, and a linear with slope lambda. The free poles and lambda make the members move
-/// least, or give them the least energy: the sum of |P_uu|^2 + 2 |P_uv|^2 + |P_vv|^2, as
-/// differences of poles.
+/// b is constant and a linear with slope lambda. lambda and the free poles make the members move
+/// least, or minimise the sum of |P_uu|^2 + 2 |P_uv|^2 + |P_vv|^2, as differences of poles.
 ///
 /// Identities (each has a test of its number):
 ///   (1) G1 across every inner spoke, up to rounding: V = a C' + b U, relative to the largest term.
 ///   (2) Members that already are such an umbrella are returned the same.
-///   (3) Numbering from another spoke, and the order reversed, give the same members. Rigid motion
-///       and scale act on them in the same way.
+///   (3) Another first spoke, or the reversed order, give the same members. Rigid motion and scale
+///       act on them in the same way.
 ///   (4) Symmetric input gives a symmetric umbrella.
 ///   (5) No other umbrella with these spokes and b constant, a linear has a smaller sum.
 ///
 /// \throws std::invalid_argument as umbrellaVertex() does, and for spokes or members that are
-/// rational, spokes of degree 0 or that do not begin at one point, counts that do not match the
-/// spokes, values that are not finite, a degree that is too low, and a nonzero mu where no member
-/// allows it.
+/// rational, spokes of degree 0 or without a common start, counts that do not match the spokes,
+/// values that are not finite, a degree that is too low, and a nonzero mu where no member allows
+/// it.
 /// Source: docs/theory/fills.md F1.1 to F1.8; [DuSchmitt1990]; [Peters1991].
 Umbrella umbrellaAround(const std::vector<BezierCurve>& spokes,
                         const UmbrellaOptions& options = {});

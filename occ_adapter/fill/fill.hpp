@@ -13,8 +13,7 @@
 namespace seamwright::occ {
 
 struct FillHoleOptions {
-  /// What every new seam has to reach. Fills are built for G1; jumps of curvature are minimised,
-  /// for target G1 only in low degrees.
+  /// What every new seam has to reach. Fills are built for G1 with small jumps of curvature.
   Level target = Level::G1;
   ContinuityTolerance tolerance{.gap_mm = 0.001, .angle_rad = 0.01 * 0.017453292519943295};
   /// A fill that misses the target is kept too.
@@ -25,8 +24,7 @@ struct FillHoleOptions {
   int most_degree = 9;       ///< largest degree of the polynomials fitted to a side, 3 to 11
   int jobs = 0;              ///< threads; 0: one for each processor
 
-  /// Sets the accepted angle, and raises a crease angle below it, so that no accepted seam counts
-  /// as a crease.
+  /// Sets the accepted angle, and raises a smaller crease angle to it.
   void setAngle(double angle_rad);
   /// \throws std::invalid_argument with the offending number.
   void validate() const;
@@ -58,7 +56,7 @@ struct FillHoleReport {
   double reach = 0;
   /// See NSidedFill, against neighbours as fitted; nothing if it was not minimised.
   std::optional<double> curvature_jump_per_mm;
-  /// Between new faces and others, measured in the filled model even if that was not kept.
+  /// Between new faces and others, also measured if the fill was not kept.
   std::vector<SeamResult> outer;
   std::vector<SeamResult> inner;  ///< seams between the new faces
   std::vector<int> faces;         ///< numbers of the new faces in the filled model
@@ -81,16 +79,15 @@ struct FillHoleReport {
 
 /// Fills a hole and sews the faces to the neighbours. docs/fill.md describes the construction.
 ///
-///     for (const Hole& hole : findHoles(model)) {
+///     for (const Hole& hole : findHoles(model.shape).holes) {
 ///       const FillHoleReport report = fillHole(model, hole);
 ///       if (report.filled) return report.model;
 ///     }
 ///
 /// If one surface continues through the hole, within a twentieth of the tolerance of all edges and,
-/// above G0, of the tangent planes along them, the fill is one face on it, whatever the form of the
-/// hole. Otherwise a hole of 3 to 12 corners, none above pi, gets as many patches (nSidedFill()),
-/// and one of fewer corners, or of four with some above pi, five (ringFill()). Sides are fitted by
-/// polynomials to a twentieth of the tolerance. Surfaces, names, colours and layers of the
+/// above G0, of the tangent planes along them, the fill is one face on it. Otherwise a hole of 3 to
+/// 12 corners, none above pi, gets as many patches (nSidedFill()), and one of fewer corners, or of
+/// four with some above pi, five (ringFill()). Surfaces, names, colours and layers of the
 /// neighbours stay; their edges are cut at the middles of the sides. A closed shell becomes a
 /// solid, oriented outward.
 ///

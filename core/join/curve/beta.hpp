@@ -47,9 +47,8 @@ struct BetaFit {
 
 /// Measures a joint by the beta constraint. beta_k is found by projecting row k on a's tangent; the
 /// bounds come from a running error analysis.
-/// \param length_mm L; nothing: the smaller chord of both curves. A closed curve has none (ends
-/// within 1e-12 of its size) and does not count; for two of them L is the smaller diagonal of the
-/// boxes of the poles.
+/// \param length_mm L; nothing: the smaller chord of both curves. Closed curves (ends within 1e-12
+/// of the size) have none; for two of them L is the smaller diagonal of the boxes of the poles.
 ///
 /// Identities (each has a test of its number):
 ///   (5) The result is invariant under rigid motion, scale (of L too), reparametrisation of either
@@ -82,9 +81,9 @@ struct CurveJoinRule {
 /// Source: docs/theory/curves.md C2.4, C3.1, C3.2.
 HomogeneousPoles nextPoles(const BezierCurve& a, int degree, const CurveJoinRule& rule);
 
-/// \p b with its first n + 1 homogeneous poles replaced by nextPoles(). b is elevated before: with
-/// \p keep_end to degree 2n + 1 at least, so that its end stays the same up to order n; otherwise
-/// to degree n at least. All other poles stay bitwise.
+/// \p b with its first n + 1 homogeneous poles replaced by nextPoles(); the others stay bitwise. b
+/// is raised before: with \p keep_end to degree 2n + 1, so that its end stays up to order n;
+/// otherwise to degree n.
 ///   (9) fitBeta() returns beta_k next_length^k / length, which is beta for unit lengths. For C^n
 ///       the derivatives by the common parameter are equal.
 /// \throws as nextPoles() does.
@@ -93,8 +92,8 @@ BezierCurve joinedCurve(const BezierCurve& a, const BezierCurve& b, const CurveJ
                         bool keep_end = true);
 
 /// The curve of degree n + m + 1 from the end of \p a to the beginning of \p b that joins a with
-/// G^n and b with G^m. beta_1..beta_n belong to the joint with a, beta_end_1..beta_end_m to the
-/// joint with b (betaMatrix(beta_end) maps the derivatives of the bridge to those of b).
+/// G^n, by \p beta, and b with G^m, by \p beta_end (which maps derivatives of the bridge to those
+/// of b).
 /// \throws std::invalid_argument for a rational curve (with the first weights that differ),
 /// otherwise as nextPoles() does.
 /// Source: docs/theory/curves.md C3.3.
