@@ -86,20 +86,18 @@ struct NSidedFill {
 ///     nSidedFill({fillSide(a, PatchEdge::V1, true), fillSide(b, PatchEdge::U0, false),
 ///                 fillSide(c, PatchEdge::V0, false)}).patches
 ///
-/// The degree is max(4, e + 1, d + 1), with the quadratic law at least 5; d and e are the largest
-/// degrees of edges and cross-boundary derivatives. What the joins leave free minimises the sum of
-/// squared differences of poles, and with FillOptions::curvature_degrees the jumps of curvature.
+/// The degree is max(4, e + 1, d + 1), with the quadratic law at least 5, for edges of degree d and
+/// cross-boundary derivatives of degree e. Free poles minimise the sum of squared differences of
+/// poles, and with curvature_degrees the jumps of curvature.
 ///
 /// A corner needs one tangent plane and an angle between 0 and pi. If the neighbours prescribe
 /// different mixed derivatives there, the fill leaves their planes by up to angle_bound_rad.
 ///
 /// Identities (each has a test of its number):
-///   (1) Edges U1 and V1 of the patches are the sides; neighbours share the poles of their spoke
-///       bitwise.
-///   (2) encloseSeam(): the angle across spokes, and to neighbours next to exact corners, is
-///       rounding; next to other corners it is within the bound.
-///   (3) Rigid motion, scale, and the numbering of the sides act on the fill in the same way;
-///       reversing all sides exchanges u and v.
+///   (1) Edges U1 and V1 are the sides; neighbours share the poles of their spoke bitwise.
+///   (2) encloseSeam(): the angle across spokes, and next to exact corners, is rounding; next to
+///       others it is within the bound.
+///   (3) Rigid motion, scale and numbering act on the fill likewise; reversal exchanges u and v.
 ///   (4) The fill of planar sides is planar; a symmetric hole has a symmetric fill.
 ///   (5) No other choice of the free quantities is fairer.
 ///

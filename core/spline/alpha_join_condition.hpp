@@ -23,11 +23,9 @@ namespace seamwright {
 ///     if (condition.order < 1) given = alphaBalanced(given, 1);
 ///
 /// Identities (each has a test of its number):
-///   (1) For c = a any net has order 2. For c != a a net has order n iff its rows 3 .. 3 - n are
-///       balanced.
+///   (1) For c = a any net has order 2, for c != a order n iff its rows 3 .. 3 - n are balanced.
 ///   (2) alphaJoinRows() builds the joins that the condition allows and refuses the others.
-///   (3) A general net has a family of dimension 1 for c = a (alpha alone), and of dimension 0 for
-///       c != a.
+///   (3) The family of a general net has dimension 1 for c = a (alpha alone), else 0.
 ///   (4) The three curved boundaries of C9.4 that allow beta != 0 have dimension 2.
 /// Source: docs/theory/curves.md C9.2 to C9.4.
 struct AlphaSeamCondition {
@@ -68,22 +66,21 @@ AlphaSurface alphaBalanced(const AlphaSurface& given, int order);
 struct AlphaSeamFit {
   double gap_mm = 0;            ///< of the edges at the same v
   double beta1 = 0, beta2 = 0;  ///< the betas that fit best
-  /// |Y' - beta1 X'| relative to |Y'|, and |Y'' - beta1^2 X'' - beta2 X'| relative to the largest
-  /// term.
+  /// Relative residuals of Y' = beta1 X' and Y'' = beta1^2 X'' + beta2 X'.
   double first = 0, second = 0;
   double c_first = 0, c_second = 0;  ///< the same for beta1 = 1, beta2 = 0
-  /// Values up to which the gap, first and second count as rounding.
+  /// Up to these, gap, first and second count as rounding.
   std::array<double, 3> noise{};
   int parametric_order = -1;  ///< C^n, n <= 2; -1: the edges do not meet
-  /// G^n in proportional form, n <= 2; joins with beta != 0 are not detected.
+  /// G^n in proportional form, n <= 2.
   int geometric_order = -1;
 };
 
 /// \param length, next_length lengths of u in the common parameter.
 /// \throws std::invalid_argument as alphaSeamCondition() does, for a length out of range, and for a
 /// result beyond the range of a double.
-///   (7) Surfaces built with alphaJoinRows() have the order and the betas given there. After a move
-///       of one pole by 1e-6 of the size the order of its row is lost.
+///   (7) Surfaces of alphaJoinRows() have its order and betas; a move of one pole by 1e-6 of the
+///       size loses the order of its row.
 /// Source: docs/theory/curves.md C9.5.
 AlphaSeamFit alphaSeamFit(const AlphaSurface& a, const AlphaSurface& b, double length = 1,
                           double next_length = 1);
@@ -97,15 +94,13 @@ struct AlphaNearestOptions {
 struct AlphaNearest {
   AlphaSurface given, next;
   double beta1 = 1, beta2 = 0;
-  /// Sums of squared moves, in mm^2; 0 or infinite if the value is beyond the range of a double.
+  /// Sums of squared moves, in mm^2; may underflow to 0 or be infinite.
   double cost_given = 0, cost_next = 0;
 };
 
-/// The nearest proportional join in the sum of squared moves. The given surface moves only if it
-/// has no join as it is (alphaBalanced()). Then the rows of the next one move as little as
-/// possible, over all beta1 > 0 and beta2.
-///   (8) No beta1, beta2 nearby cost less, none of a search over a range costs less, and none near
-///       beta1 = 0.
+/// The nearest proportional join in the sum of squared moves, over all beta1 > 0 and beta2. The
+/// given surface moves only if it has no join as it is (alphaBalanced()).
+///   (8) No beta1, beta2 of a search, nearby, over a range and near beta1 = 0, cost less.
 /// \returns nothing if joins near beta1 = 0, which lose the tangent, cost less than all others, as
 /// where the next surface runs backwards.
 /// \throws std::invalid_argument as alphaSeamCondition() does, for an order or length out of range,

@@ -21,8 +21,8 @@ enum class MemberKind { Tensor, Triangle };
 /// u = 0 of member i - 1 (U0, or L0 run backwards).
 ///
 /// Across an inner spoke C, with U and V the derivatives of members i - 1 and i away from it:
-/// V = a C' + b U, b < 0. As a Connection: alpha = -b, beta = a. Bernstein coefficients on [0, 1];
-/// one if a function is constant, none on a boundary spoke.
+/// V = a C' + b U, b < 0 (as a Connection alpha = -b, beta = a). In Bernstein form; one coefficient
+/// for a constant, none on a boundary spoke.
 struct SpokeFunctions {
   Eigen::VectorXd a, b;
 };
@@ -34,8 +34,7 @@ struct UmbrellaOptions {
   bool closed = true;
   /// Empty: the kinds of the given members, or all tensor products.
   std::vector<MemberKind> kinds = {};
-  /// Members to be changed as little as possible, in the sum of squared moves of poles; empty: the
-  /// result is the fairest.
+  /// Members to be moved least, in the sum of squares; empty: the result is the fairest.
   std::vector<UmbrellaMember> members = {};
   /// Of all members in u and v; nothing: the lowest possible one, and not below given members.
   std::optional<int> degree = std::nullopt;
@@ -47,7 +46,7 @@ struct UmbrellaOptions {
   VertexOptions vertex = {};
 };
 
-/// Members around a point that join G1 across every spoke, and the changes of the given data.
+/// Members that join G1 across every spoke, and the changes of what was given.
 struct Umbrella {
   std::vector<UmbrellaMember> members;
   std::vector<BezierCurve> spokes;
@@ -56,7 +55,7 @@ struct Umbrella {
   double largest_spoke_move_mm = 0;   ///< of a pole of a spoke
   double largest_second_change = 0;   ///< |C''(0)|, in mm
   double largest_lambda_change = 0;   ///< of a given lambda
-  double largest_member_move_mm = 0;  ///< of a pole of a given member; 0 without given members
+  double largest_member_move_mm = 0;  ///< of a pole of a given member
   Eigen::Index free_vectors = 0;      ///< number of free vectors in the poles
 };
 
@@ -68,9 +67,8 @@ int lowestUmbrellaDegree(const std::vector<MemberKind>& kinds, bool closed, int 
 ///
 ///     const Umbrella umbrella = umbrellaAround({spoke0, spoke1, spoke2, spoke3, spoke4});
 ///
-/// \param spokes polynomial curves that begin at O, in their order around it. A closed fan has as
-/// many members as spokes, member i after spoke i; an open fan has one less. Spokes of lower degree
-/// are raised.
+/// \param spokes polynomial curves that begin at O, in their order around it. Member i follows
+/// spoke i; an open fan has one member less.
 ///
 /// Spokes stay, except that a closed fan of an even number of members needs one condition on their
 /// curvatures at O, which the smallest change of their third poles meets (degree 2 is raised
@@ -80,7 +78,7 @@ int lowestUmbrellaDegree(const std::vector<MemberKind>& kinds, bool closed, int 
 /// least, or minimise the sum of |P_uu|^2 + 2 |P_uv|^2 + |P_vv|^2, as differences of poles.
 ///
 /// Identities (each has a test of its number):
-///   (1) G1 across every inner spoke, up to rounding: V = a C' + b U, relative to the largest term.
+///   (1) V = a C' + b U across every inner spoke, up to rounding of the largest term.
 ///   (2) Members that already are such an umbrella are returned the same.
 ///   (3) Another first spoke, or the reversed order, give the same members. Rigid motion and scale
 ///       act on them in the same way.
@@ -103,9 +101,8 @@ struct UmbrellaInsideOptions {
 };
 
 /// The umbrella inside a closed boundary: one member for each corner, and spokes to the middles of
-/// the sides. The tangents at O are an affine image of a regular star, and the energy is least. The
-/// boundary stays; there is no condition across it. Member i has the corner between side i and side
-/// i + 1 at (u, v) = (1, 1).
+/// the sides, with the least energy of umbrellaAround(). There is no condition across the boundary.
+/// Member i has the corner between side i and side i + 1 at (u, v) = (1, 1).
 /// \param sides 3 to 12 polynomial curves, each beginning where the one before ends.
 /// \throws std::invalid_argument for a number of sides outside 3 to 12, sides that are rational or
 /// not connected, a degree that is too low, and a boundary for which the tangents at O become

@@ -30,7 +30,6 @@ struct FillHoleOptions {
   void validate() const;
 };
 
-/// A side of a hole as it was passed to nSidedFill().
 struct FilledSide {
   std::vector<int> edges;  ///< edge numbers of the given model
   bool position_only = false;
@@ -44,7 +43,7 @@ struct FilledSide {
 struct FillHoleReport {
   Model model;          ///< with the fill, or as given
   bool filled = false;  ///< the fill is in the model
-  /// Every new seam certainly reaches the target, and the new faces are regular and not too large.
+  /// The new faces are regular and not too large, and every new seam certainly reaches the target.
   bool reached = false;
   /// Why the target is not reached, with numbers of the given model; empty if it is.
   FillReason reason;
@@ -92,10 +91,9 @@ struct FillHoleReport {
 /// solid, oriented outward.
 ///
 /// The fill is kept if every new seam certainly reaches the target, by enclosures; if the new faces
-/// are proved regular, reach out to at most three times the size of the hole and touch other faces
-/// only near shared edges and vertices; and if OpenCASCADE's checks pass for them, and as before
-/// for the rest. With keep_anyway it is kept if it could be sewn. Otherwise the model is returned
-/// as it is, and the report says how near the fill came.
+/// are proved regular, not too large, and clear of others; and if OpenCASCADE's checks pass as
+/// before. With keep_anyway it is kept if it could be sewn. Otherwise the model is returned as it
+/// is, and the report says how near the fill came.
 ///
 /// A defect of the hole never throws; it is the reason in the report. Holes with more than 12
 /// corners, with more than 4 of which one is above pi, with one above 5.3 rad, and beside faces or
@@ -111,8 +109,8 @@ FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOpti
                         const Progress& progress = {});
 
 /// Removes a face and fills the hole that it leaves. A face with several loops, or with an edge
-/// without a neighbour, is not replaced: the model is returned as it is, with the reason. A face
-/// with numbers that are not finite can be replaced if its edges and neighbours have finite ones.
+/// without a neighbour, is not replaced, with a reason. A face with numbers that are not finite can
+/// be replaced if those of its edges and neighbours are.
 /// \param face from 1, in the order of TopExp::MapShapes.
 /// \throws std::invalid_argument for invalid options and for a face that the model does not have;
 /// Cancelled.

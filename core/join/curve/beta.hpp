@@ -10,53 +10,47 @@
 
 namespace seamwright {
 
-/// The beta constraint. Curve a ends at the joint and curve b begins there. The joint is G^n iff
+/// The beta constraint: the joint of a curve a and a curve b that begins at its end is G^n iff
 /// there are beta_1 > 0, beta_2, .., beta_n with b_k = sum_j B_kj(beta) a_j for the derivatives of
-/// orders k = 0..n. beta_k is the k-th derivative of a's parameter by b's. See docs/curve_joins.md.
+/// orders k = 0..n. The matrix is (n+1) by (n+1) and lower triangular. See docs/curve_joins.md.
 ///
-///     Eigen::Vector2d beta(1.2, -0.5);  // G2
-///     const BezierCurve joined = joinedCurve(a, b, {.beta = beta});
+///     const BezierCurve joined = joinedCurve(a, b, {.beta = Eigen::Vector2d(1.2, -0.5)});  // G2
 ///
-/// The matrix is (n+1) by (n+1) and lower triangular; B_kj are the partial Bell polynomials.
 /// Identities (each has a test of its number):
-///   (1) betaMatrix(composed(b, c)) = betaMatrix(b) betaMatrix(c): c is applied first.
-///   (2) betaMatrix(inverse(b)) is the inverse matrix: the two sides exchange their roles.
-///   (3) Both curves are reversed and exchanged: reversed(b)_k = (-1)^(k+1) inverse(b)_k.
+///   (1) betaMatrix(composed(b, c)) = betaMatrix(b) betaMatrix(c).
+///   (2) betaMatrix(inverse(b)) is the inverse matrix: the sides exchange their roles.
+///   (3) Curves reversed and exchanged: reversed(b)_k = (-1)^(k+1) inverse(b)_k.
 ///   (4) beta = (1, 0, .., 0): the unit matrix, C^n.
 /// \throws std::invalid_argument, with index and value, for numbers that are not finite, beta_1 <=
 /// 0, more than 30 betas, different numbers of betas, or a result beyond the range of a double.
-/// Source: docs/theory/curves.md C2.1, C2.2 (also the opposite convention); [BarskyDeRose1989].
+/// Source: docs/theory/curves.md C2.1, C2.2; [BarskyDeRose1989].
 Eigen::MatrixXd betaMatrix(const Eigen::VectorXd& beta);
 Eigen::VectorXd composedBeta(const Eigen::VectorXd& beta, const Eigen::VectorXd& first);
 Eigen::VectorXd inverseBeta(const Eigen::VectorXd& beta);
 Eigen::VectorXd reversedBeta(const Eigen::VectorXd& beta);
 
-/// The betas that fit best, order by order, and the defects that remain.
+/// The betas that fit best, order by order.
 struct BetaFit {
-  /// The vector beta_1 .. beta_n; empty if beta_1 <= 0 or a curve has no tangent at the joint.
+  /// Empty if beta_1 <= 0 or a curve has no tangent at the joint.
   Eigen::VectorXd beta;
-  /// defects[k] = |c_k of b - c_k of a| L^(k-1), k = 0..n, without unit, with c_k the k-th
-  /// derivative by arc length (k = 0: gap / L). The gap alone if a curve has no tangent at the
-  /// joint, or if a c_k is beyond the range of a double.
+  /// |c_k of b - c_k of a| L^(k-1), k = 0..n, with c_k the k-th derivative by arc length; only k =
+  /// 0 if a curve has no tangent, or a c_k exceeds the range of a double.
   std::vector<double> defects;
-  /// Certain bounds of the defects, rounding included, for exact poles and L. lower[k] > 0 proves
-  /// that the joint is not G^k.
+  /// Proven bounds of the defects, for exact poles and L. lower[k] > 0: the joint is not G^k.
   std::vector<double> lower, upper;
   double length_mm = 0;  ///< L
 };
 
-/// Measures a joint by the beta constraint. beta_k is found by projecting row k on a's tangent; the
-/// bounds come from a running error analysis.
+/// Measures a joint. beta_k comes from projecting row k on a's tangent.
 /// \param length_mm L; nothing: the smaller chord of both curves. Closed curves (ends within 1e-12
 /// of the size) have none; for two of them L is the smaller diagonal of the boxes of the poles.
 ///
 /// Identities (each has a test of its number):
-///   (5) The result is invariant under rigid motion, scale (of L too), reparametrisation of either
-///       side and degree elevation.
+///   (5) Rigid motion, scale (of L too), reparametrisation and degree elevation change nothing.
 ///   (6) For a curve that nextPoles() built with beta, the fit returns beta.
 ///   (7) defects[k] = differences[k] L^(k-1), with the differences of measureJoint().
-/// \throws std::invalid_argument for an order outside 0..30, a length that is not positive (all
-/// poles are one point), or end points beyond the range of a double.
+/// \throws std::invalid_argument for an order outside 0..30, a length that is not positive, or end
+/// points beyond the range of a double.
 /// Source: docs/theory/curves.md C2.5 to C2.7.
 BetaFit fitBeta(const BezierCurve& a, const BezierCurve& b, int order,
                 std::optional<double> length_mm = std::nullopt);
@@ -67,8 +61,8 @@ struct CurveJoinRule {
       beta;           ///< beta_1..beta_n by the common parameter; n is the order; (1, 0, ..) is C^n
   double length = 1;  ///< length of a in the common parameter
   double next_length = 1;  ///< length of b in the common parameter
-  /// Value e_0 > 0 and derivatives e_1, .., e_n, by the common parameter, of the factor between the
-  /// homogeneous curves; empty: 1, 0, .., 0. It changes weights and poles, not the order.
+  /// e_0 > 0, e_1, .., e_n: the factor between the homogeneous curves and its derivatives; empty:
+  /// 1, 0, .., 0. It changes weights and poles, not the order.
   Eigen::VectorXd scale;
 };
 
