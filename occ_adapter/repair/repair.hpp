@@ -32,8 +32,7 @@ struct RepairOptions {
   double fairness = 1.5;
   /// Seams that certainly are G2 stay G2.
   bool keep_curvature = false;
-  /// No more repairs are tried after this time; those made so far are kept. Sewing and the proof
-  /// of what is kept come after it.
+  /// No more repairs are tried after this time; those made so far are proven and kept.
   double max_time_s = std::numeric_limits<double>::infinity();
   int jobs = 0;  ///< threads; 0: one for each processor
 
@@ -53,7 +52,7 @@ struct SeamRepair {
   bool repaired = false;  ///< the seam meets the target, and its change was kept
   /// Why the seam was not treated or not repaired.
   RepairReason reason;
-  /// Not repaired, as none of its faces can move, but one could with convert_analytic.
+  /// None of its faces can move, but one could with convert_analytic.
   bool wants_conversion = false;
   bool sewn = false;     ///< two edges before, one after
   std::string not_sewn;  ///< why a matched seam that was to be sewn was not
@@ -114,10 +113,9 @@ struct RepairReport {
 ///   - The shape passes OpenCASCADE's checks as before, and closed solids stay closed.
 ///
 /// Other seams are left as they were, with a reason. With order 2 a seam that can't reach G2 is
-/// tried with G1; it does not count as repaired. A crease with a gap stays sharp unless its edge
-/// was picked. Faces without poles stay unless they may be converted; so do faces at non-manifold
-/// edges, and faces with numbers that are not finite, or 1e100 and more. A model without seams to
-/// treat or to sew is returned as it is.
+/// tried with G1; it does not count as repaired. Faces without poles stay unless they may be
+/// converted, and so do faces at non-manifold edges and faces with numbers that are not finite, or
+/// 1e100 and more. A model without seams to treat or to sew is returned as it is.
 ///
 /// The given model is not changed. Without a limit of time the result does not depend on the number
 /// of jobs.
