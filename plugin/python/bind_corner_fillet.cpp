@@ -114,21 +114,16 @@ py::dict writeRounded(const CornerFilletResult& result, const std::filesystem::p
 }
 
 constexpr const char* corner_fillet_doc =
-    R"(Rounds the edges that meet at a vertex, each with a radius of its own, and closes the
-corner with G1 patches.
+    R"(Rounds the edges that meet at a vertex, each with a radius of its own, and closes the corner with G1 patches.
 
-vertex: its number, from 1; corner_edges(vertex) names the edges, counter-clockwise seen from
-outside.
+vertex: its number, from 1; corner_edges(vertex) names the edges, counter-clockwise seen from outside.
 radii_mm: a number for all edges, or a dict of numbers by edge, all edges of the vertex.
-setbacks_mm: where the fillets end, from the vertex along the edge; a number, or a dict of some
-edges; 0 and the others are chosen.
+setbacks_mm: where the fillets end, from the vertex along the edge; a number, or a dict of some edges; 0 and the others are chosen.
 section_mm: the largest distance of the patches' sides from the cylinders between planes.
 profile, gap_mm, angle_deg: what the new seams must meet, as in analyze().
 
-Returns a CornerFillet; the model is not changed. It has a model also where met is False, which
-write() writes with keep_anyway alone. Supported are 3 to 6 edges, convex or concave, of a solid,
-between planes or curved faces that are not tangent to each other. ValueError, with numbers, for
-others, and where there is no room.)";
+Returns a CornerFillet; the model is not changed. It has a model also where met is False, which write() writes with keep_anyway alone. Supported are 3 to 6 edges, convex or concave, of a solid, between planes or curved
+faces that are not tangent to each other. ValueError, with numbers, for others, and where there is no room.)";
 
 }  // namespace
 

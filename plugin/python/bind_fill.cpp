@@ -172,88 +172,64 @@ py::dict nSidedFillOf(const py::sequence& given, const py::object& law,
 }
 
 constexpr const char* n_sided_fill_doc =
-    R"(Fills a hole of 3 to 12 sides with as many patches, which meet each other and the
-surroundings with G1, exactly.
+    R"(Fills a hole of 3 to 12 sides with as many patches, which meet each other and the surroundings with G1, exactly.
 
 sides: in order, with the hole to the left, each beginning where the one before ends. A side is
-  (patch, edge[, reversed])   the patch beyond it and that patch's edge, reversed if the hole runs
-                              against the edge's own sense;
-  (curve, cross[, bend])      a BezierCurve and Bernstein coefficients (m, 3) of a field that spans
-                              with the curve's tangent the
-                              tangent planes to be met; it points out of the hole. bend, of the
-                              same shape: the second derivative of
+  (patch, edge[, reversed])   the patch beyond it and that patch's edge, reversed if the hole runs against the edge's own sense;
+  (curve, cross[, bend])      a BezierCurve and Bernstein coefficients (m, 3) of a field that spans with the curve's tangent the
+                              tangent planes to be met; it points out of the hole. bend, of the same shape: the second derivative of
                               the surface beyond along it, for curvature;
   curve                       a BezierCurve: position alone.
 law: "linear", patches of degree 4 for cubic sides, or "quadratic", degree 5.
 fairness_order: order 2 or 3 of the differences of poles whose sum of squares is least.
-corner_tolerance_rad: largest angle, up to 0.1, between the tangent planes of two sides at their
-corner, beyond rounding.
-curvature_degrees: None, or a number from 0 to 6 by which the degree is raised: jumps of curvature
-are made small.
+corner_tolerance_rad: largest angle, up to 0.1, between the tangent planes of two sides at their corner, beyond rounding.
+curvature_degrees: None, or a number from 0 to 6 by which the degree is raised: jumps of curvature are made small.
 
 Returns a dict:
-  patches          BezierPatches; patch k has corner k, where side k begins, at (1, 1) and the
-                   centre at (0, 0). Its edge v1 is the first
-                   half of side k, u1 the second half of side k - 1; u0 and v0 are spokes, u0 that
-                   of v0 of patch k + 1
+  patches          BezierPatches; patch k has corner k, where side k begins, at (1, 1) and the centre at (0, 0). Its edge v1 is the first
+                   half of side k, u1 the second half of side k - 1; u0 and v0 are spokes, u0 that of v0 of patch k + 1
   spoke            {alpha, beta}, Bernstein coefficients: the connection of patch k + 1 to patch k
-  sides            for each side None, or {alpha, beta} for both halves: the connection of the fill
-                   to the neighbour
-  corners          for each {angle_rad, plane_angle_rad, twist_defect_mm, exact, angle_bound_rad}.
-                   exact: the tangent planes are met; else
-                   the fill leaves them, on the halves of the sides next to the corner, by at most
-                   the bound
+  sides            for each side None, or {alpha, beta} for both halves: the connection of the fill to the neighbour
+  corners          for each {angle_rad, plane_angle_rad, twist_defect_mm, exact, angle_bound_rad}. exact: the tangent planes are met; else
+                   the fill leaves them, on the halves of the sides next to the corner, by at most the bound
   fairness_mm2     sum of the squared differences
   regular          it is proved that no normal vanishes or turns back
-  spoke_scale      None, or the prescribed length of the spokes' beginnings, where fairness alone
-                   gave no regular patches
-  curvature_jump_per_mm  None, or the largest jump of normal curvature found at places along all
-                         edges
+  spoke_scale      None, or the prescribed length of the spokes' beginnings, where fairness alone gave no regular patches
+  curvature_jump_per_mm  None, or the largest jump of normal curvature found at places along all edges
 
-ValueError, with side or corner and number, for holes that do not close, angles of pi and more,
-tangent planes that contradict each other in a corner, cross-boundary derivatives parallel to
-their edge, and rational sides.)";
+ValueError, with side or corner and number, for holes that do not close, angles of pi and more, tangent planes that contradict each
+other in a corner, cross-boundary derivatives parallel to their edge, and rational sides.)";
 
 constexpr const char* three_sided_fill_doc =
-    R"(Fills a hole of three sides with three triangles around a centre, which meet each other and
-the surroundings with G1, exactly.
+    R"(Fills a hole of three sides with three triangles around a centre, which meet each other and the surroundings with G1, exactly.
 
 sides: as of n_sided_fill().
 fairness_order: order 2 or 3 of the derivatives whose sum of squares, over their poles, is least.
 corner_tolerance_rad: as of n_sided_fill().
 
 Returns a dict:
-  triangles        BezierTriangles of degree 5 for cubic sides with cubic fields; triangle k has
-                   side k as edge l2, from corner k to the
-                   next, and the centre as P2. Its edges l1, from the centre, and l0, to it, are
-                   spokes
-  sides            for each side None, or {alpha, beta}: the connection of the fill, in the
-                   direction to the centre, to the neighbour
-  corners          as of n_sided_fill(); neighbours need not agree about their mixed derivatives,
-                   twist_defect_mm is 0
+  triangles        BezierTriangles of degree 5 for cubic sides with cubic fields; triangle k has side k as edge l2, from corner k to the
+                   next, and the centre as P2. Its edges l1, from the centre, and l0, to it, are spokes
+  sides            for each side None, or {alpha, beta}: the connection of the fill, in the direction to the centre, to the neighbour
+  corners          as of n_sided_fill(); neighbours need not agree about their mixed derivatives, twist_defect_mm is 0
   fairness_mm2     the sum
   regular          it is proved that no normal vanishes or turns back
 
 ValueError, with side or corner and number, as of n_sided_fill().)";
 
 constexpr const char* ring_fill_doc =
-    R"(Fills a hole of four sides, of which corners may be smooth or reflex, with five patches: a
-ring of four around a fifth.
+    R"(Fills a hole of four sides, of which corners may be smooth or reflex, with five patches: a ring of four around a fifth.
 
 Arguments are as of n_sided_fill(), the default of fairness_order excepted.
 
 Returns a dict:
-  patches          BezierPatches; patch k < 4 has side k as edge u1, spokes to corners k and k + 1
-                   as v0 and v1, and as u0 an edge of
+  patches          BezierPatches; patch k < 4 has side k as edge u1, spokes to corners k and k + 1 as v0 and v1, and as u0 an edge of
                    patch 4: v0, u1, v1 and u0, those two against their sense
-  corners          for each {angle_rad, plane_angle_rad, twist_defect_mm, exact, angle_bound_rad};
-                   angles are within 0 and 2 pi
+  corners          for each {angle_rad, plane_angle_rad, twist_defect_mm, exact, angle_bound_rad}; angles are within 0 and 2 pi
   fairness_mm2, regular, curvature_jump_per_mm   as of n_sided_fill()
-  spoke_scale      the length of the ends of spokes that was taken, 1 unless only others gave
-                   regular patches
+  spoke_scale      the length of the ends of spokes that was taken, 1 unless only others gave regular patches
 
-ValueError, with side or corner and number, as of n_sided_fill(), and for corners that turn by
-less than 0.01 rad but more than rounding.)";
+ValueError, with side or corner and number, as of n_sided_fill(), and for corners that turn by less than 0.01 rad but more than rounding.)";
 
 }  // namespace
 
