@@ -168,7 +168,7 @@ class Errors(CornerCase):
         self.assertNotRounded(corner.create(cube, "Vertex1", 0.0), "radius of Edge1 is 0 mm")
         self.assertNotRounded(corner.create(cube, "Vertex99", 1.0), "Cube has no Vertex99")
         self.assertNotRounded(
-            corner.create(cube, "Edge1", 1.0), "Edge1 is no vertex: name one, as Vertex1"
+            corner.create(cube, "Edge1", 1.0), "Edge1 is not a vertex: name one, such as Vertex1"
         )
         block = models.add(self.doc, models.rounded_block(), "Block")
         self.assertNotRounded(corner.create(block, "Vertex1"), "Not rounded: Edge")
@@ -180,7 +180,10 @@ class Errors(CornerCase):
 
     def test_numbers_that_do_not_fit_the_edges(self):
         cube = self.cube()
-        text = r"Radii has 2 numbers for the 3 edges of the corner (Edge1, Edge10, Edge2): give one for each"
+        text = (
+            r"Radii has 2 numbers for the 3 edges of the corner (Edge1, Edge10, Edge2): "
+            "give one for each"
+        )
         self.assertNotRounded(corner.create(cube, "Vertex1", [1.0, 2.0]), text)
         self.assertNotRounded(
             corner.create(cube, "Vertex1", 1.0, setbacks_mm=[3.0] * 4), "Setbacks has 4 numbers"
@@ -202,11 +205,11 @@ class Errors(CornerCase):
         self.assertNotRounded(obj, "Vertex names Cube001, which is not the source Cube")
         obj.Vertex = (cube, ["Vertex1", "Vertex2"])
         self.doc.recompute()
-        self.assertNotRounded(obj, "Vertex names 2 vertices: one is needed")
+        self.assertNotRounded(obj, "Vertex names 2 vertices: name exactly one")
         self.doc.removeObject("Cube")
         obj.touch()
         self.doc.recompute()
-        self.assertNotRounded(obj, "The source is gone")
+        self.assertNotRounded(obj, "The source was deleted")
 
     def test_bad_arguments_leave_nothing_behind(self):
         cube = self.cube()

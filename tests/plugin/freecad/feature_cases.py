@@ -12,8 +12,12 @@ from document_cases import ABSENT, DocumentCase
 from freecad.seamwright.document import analysis, corner, feature, fill, match, repair
 
 FEATURES = (
-    analysis.SeamAnalysis, corner.CornerFillet, fill.UmbrellaFill, match.MatchSurfaces, repair.SeamRepair
-)  # fmt: skip
+    analysis.SeamAnalysis,
+    corner.CornerFillet,
+    fill.UmbrellaFill,
+    match.MatchSurfaces,
+    repair.SeamRepair,
+)
 
 #: Written into documents; it must never change.
 PATHS = {

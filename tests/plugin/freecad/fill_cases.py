@@ -18,7 +18,8 @@ from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.plain import fill_text
 
 
-#: A fill of three sides leaves the octant of a ball of 4 mm, of 33.5 mm3, by less than a twentieth of it.
+#: The octant of a ball of 4 mm has 33.5 mm3. The volume under a fill of three sides differs from it
+#: by less than a twentieth of this.
 BALL_DELTA = 1.6
 
 
@@ -222,7 +223,7 @@ class Holes(FillCase):
         obj.KeepAnyway = True
         self.doc.recompute()
         self.assertEqual((fill.error_text(obj), obj.Filled, obj.Reached), ("", 1, False))
-        self.assertTrue(obj.Summary.endswith("G1 is missed, kept anyway."), obj.Summary)
+        self.assertTrue(obj.Summary.endswith("G1 is not met, kept anyway."), obj.Summary)
         obj.KeepAnyway, obj.Target = False, "G0"
         self.doc.recompute()
         self.assertEqual((obj.Filled, obj.Reached), (1, True), obj.Summary)
@@ -322,7 +323,8 @@ class Errors(FillCase):
             for n in range(1, len(source.Shape.Edges) + 1)
             if "Edge%d" % n not in loops[0]
         )
-        self.assertNotFilled(fill.create(source, edges=[inner]), "%s is no edge of a hole" % inner)
+        obj = fill.create(source, edges=[inner])
+        self.assertNotFilled(obj, "%s does not belong to a hole" % inner)
         self.assertNotFilled(fill.create(source, edges=["Edge999"]), "Open has no Edge999")
         self.assertNotFilled(fill.create(source, face="Face999"), "Open has no Face999")
         can = models.add(self.doc, Part.makeCylinder(3, 10), "Can")
@@ -332,7 +334,7 @@ class Errors(FillCase):
         obj = fill.create(block, face="Face1")
         obj.Face = (block, ["Face1", "Face2"])
         self.doc.recompute()
-        self.assertNotFilled(obj, "2 faces are chosen: one is replaced at a time")
+        self.assertNotFilled(obj, "2 faces are chosen: only one is replaced at a time")
         obj.Face = (source, ["Face1"])
         self.doc.recompute()
         self.assertNotFilled(obj, "Face names Open, which is not the source Block")
@@ -351,7 +353,7 @@ class Errors(FillCase):
         self.doc.removeObject(source.Name)
         obj.touch()
         self.doc.recompute()
-        self.assertNotFilled(obj, "The source is gone")
+        self.assertNotFilled(obj, "The source was deleted")
 
     def test_bad_arguments_leave_nothing_behind(self):
         source, loops = self.open_block()

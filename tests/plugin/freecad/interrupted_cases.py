@@ -33,8 +33,8 @@ COUNT = int(os.environ.get("SEAMWRIGHT_TEST_INTERRUPTIONS", "200"))
 #: After the start of a computation, in ms; each computation takes some 50 to 500.
 MOMENTS_MS = (0, 1, 5, 20, 50, 100, 200, 400)
 
-#: No new interruption begins after so long: a busy machine makes fewer, and says how many fewer. The test fails where that
-#: leaves less than this share of COUNT.
+#: No interruption begins after this time: a busy machine makes fewer, and says how many. The test
+#: fails where there are fewer than this share of COUNT.
 LIMIT_S, LEAST_SHARE = 360, 0.75
 
 #: A cancelled thread has to end within this.
@@ -44,7 +44,8 @@ TESTS = (analysis.is_analysis, corner.is_corner, fill.is_fill, match.is_match, r
 
 QUITS = 4  # of them two by closing the window
 
-#: FreeCAD 1.0 crashes on quit() while a document is shown, also without this workbench; there all close the window.
+#: FreeCAD 1.0 crashes on quit() while a document is shown, also without this workbench. There all
+#: quits close the window.
 QUIT_CRASHES = App.Version()[:2] == ["1", "0"]
 
 QUIT = """
@@ -259,8 +260,9 @@ def other_command(doc, panel, source):
 
 
 INTERRUPTIONS = (
-    press_once, press_twice, press_in_view, press_cancel, press_ok, press_stop, compute_again, end_editing, delete_source,
-    delete_by_command, delete_object, change_source, recompute, undo, undo_and_redo, close_document, other_command
+    press_once, press_twice, press_in_view, press_cancel, press_ok, press_stop, compute_again,
+    end_editing, delete_source, delete_by_command, delete_object, change_source, recompute, undo,
+    undo_and_redo, close_document, other_command
 )  # fmt: skip
 
 

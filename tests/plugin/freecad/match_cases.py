@@ -143,7 +143,7 @@ class Results(MatchCase):
         other = models.add(self.doc, Part.makeBox(1, 1, 1), "Box")
         obj.CommonEdge = (other, ["Edge1"])
         self.doc.recompute()
-        self.assertNotMatched(obj, "Box.Edge1 is no edge of the two faces")
+        self.assertNotMatched(obj, "Box.Edge1 is not an edge of the two faces")
 
 
 class Following(MatchCase):
@@ -219,7 +219,7 @@ class Errors(MatchCase):
         self.doc.removeObject("Right")
         obj.touch()
         self.doc.recompute()
-        self.assertNotMatched(obj, "The second face is gone")
+        self.assertNotMatched(obj, "The second face was deleted")
 
     def test_a_face_that_is_no_more(self):
         self.sheets()

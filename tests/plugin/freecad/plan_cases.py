@@ -117,7 +117,7 @@ class Plans(DocumentCase):
         self.doc.removeObject("Panel")
         plan = Plan(obj, {})
         plan.apply(*run_in_thread(plan))
-        self.assertFailed(obj, "The source is gone")
+        self.assertFailed(obj, "The source was deleted")
 
     def test_no_result_is_no_error(self):
         obj = self.makers()[4]()

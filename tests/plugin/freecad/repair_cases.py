@@ -293,7 +293,7 @@ class Errors(RepairCase):
         self.doc.removeObject("Panel")
         obj.touch()
         self.doc.recompute()
-        self.assertNotRepaired(obj, "The source is gone")
+        self.assertNotRepaired(obj, "The source was deleted")
 
     def test_a_source_without_shape_or_faces_and_back(self):
         panel = self.panel()
@@ -318,10 +318,12 @@ class Errors(RepairCase):
         with self.assertRaisesRegex(sources.SourceError, "Panel has no Edge99"):
             foreseen(obj)
         self.assertNotRepaired(
-            repair.create(panel, fixed_faces=["Edge1"]), "Edge1 is no face: name one, as Face1"
+            repair.create(panel, fixed_faces=["Edge1"]),
+            "Edge1 is not a face: name one, such as Face1",
         )
         self.assertNotRepaired(
-            repair.create(panel, edges=["Face1"]), "Face1 is no edge: name one, as Edge1"
+            repair.create(panel, edges=["Face1"]),
+            "Face1 is not an edge: name one, such as Edge1",
         )
         obj.Edges = (box, ["Edge1"])
         self.doc.recompute()

@@ -140,7 +140,7 @@ class Curvature(Colours):
                 model = MODEL.width() * MODEL.height() - white
                 self.assertGreater(count(shown, rgb, QtCore.QRect(420, 0, 780, 800)), 0.5 * model)
                 meanings = [text for *_, text in curvature.legend_entries(found.limit)]
-                self.assertEqual(meanings[-1], "as a ball of radius %g mm" % (-1 / expected))
+                self.assertEqual(meanings[-1], "as a sphere of radius %g mm" % (-1 / expected))
                 surface = found.surfaces["Panel"]
                 u, v = shape.Faces[0].Surface.parameter(
                     App.Vector(*surface.mesh.points[len(surface.mesh.points) // 2])
@@ -324,7 +324,7 @@ class Curvature(Colours):
         with mock.patch.dict(sys.modules, seamwright=None):
             self.colour(panel, CURVATURE)
         written = report_view()[len(before) :]
-        self.assertIn("the surface is not shown: The compiled part of Seamwright", written)
+        self.assertIn("the colours are not shown: The compiled part of Seamwright", written)
         self.assertNotIn("Traceback", written)
         self.assertEqual(panel.colours.currentText(), NONE)
         self.colour(panel, CURVATURE)

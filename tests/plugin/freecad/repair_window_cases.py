@@ -13,8 +13,8 @@ import models
 from PySide import QtCore
 
 from window import (
-    CANCELLED, PICTURE, PanelWindow, camera, click, click_row, count, messages, picture, report_view, settle,
-    whole_window
+    CANCELLED, PICTURE, PanelWindow, camera, click, click_row, count, messages, picture,
+    report_view, settle, whole_window
 )  # fmt: skip
 
 from freecad.seamwright.document import analysis, elements, repair
@@ -260,8 +260,8 @@ class Choosing(RepairWindow):
         found, panel = self.analyse()
         panel.tolerances.fields["AngleTolerance"].setValue(1.0)
         panel.recompute()
-        click_row(panel.table, 1)
-        edge = panel.model.row(1).edges[0]
+        click_row(panel.seam_table.table, 1)
+        edge = panel.seam_table.model.row(1).edges[0]
         buttons = [
             each
             for each in panel.form.findChildren(QtWidgets.QPushButton)
@@ -377,7 +377,7 @@ class Staying(RepairWindow):
         self.preview(panel)
         self.doc.removeObject("Panel")
         self.preview(panel)
-        self.assertIn("The source is gone", panel.summary.text())
+        self.assertIn("The source was deleted", panel.summary.text())
         panel.before.setChecked(True)
         settle()
         App.closeDocument(self.doc.Name)

@@ -11,7 +11,8 @@ import FreeCADGui as Gui
 import models
 
 from window import (
-    COMPUTED_S, PanelWindow, WindowCase, analyses, held, pause, press_escape, report_view, settle, whole_window
+    COMPUTED_S, PanelWindow, WindowCase, analyses, held, pause, press_escape, report_view, settle,
+    whole_window
 )  # fmt: skip
 
 from freecad.seamwright.document import fill, match, repair
@@ -133,7 +134,7 @@ class Repairing(PanelWindow):
             self.doc.openTransaction("Move")
             self.source.Placement.Base.z = 5
             self.doc.commitTransaction()
-        self.assertIn("The model was changed meanwhile", self.panel.summary.text())
+        self.assertIn("The model was changed during the computation", self.panel.summary.text())
         self.panel.preview()
         settle()
         self.assertEqual(self.obj.Repaired, 7)

@@ -44,7 +44,7 @@ def test_colours_pass_through_the_ramp_and_stop_at_its_ends():
 
 def test_a_point_without_curvature_has_a_colour_of_its_own():
     found = curvature.colours(numpy.array([math.nan, 0.0]), 1.0) * 255
-    assert tuple(found[0]) == pytest.approx(curvature.UNTOLD)
+    assert tuple(found[0]) == pytest.approx(curvature.UNDEFINED)
     assert curvature.limit(numpy.array([math.nan, 0.5]), numpy.ones(2)) == 0.5
 
 
@@ -84,11 +84,11 @@ def test_a_little_bend_in_a_large_plane_counts():
     assert curvature.limit(numpy.empty(0), numpy.empty(0)) == 0.0
 
 
-def test_the_legend_has_curvatures_and_radii_from_the_most_hollow():
+def test_the_legend_has_curvatures_and_radii_from_the_most_concave():
     entries = curvature.legend_entries(0.02)
     assert [name for _, name, _ in entries][::4] == ["+0.02 1/mm", "0 1/mm", "\u22120.02 1/mm"]
     assert [meaning for *_, meaning in entries][::4] == [
-        "as a ball of radius 50 mm", "flat, or a saddle", "as a ball of radius 50 mm"
+        "as a sphere of radius 50 mm", "flat, or a saddle", "as a sphere of radius 50 mm"
     ]  # fmt: skip
     assert [entries[0][0].rgb, entries[-1][0].rgb] == [curvature.RAMP[-1][1], curvature.RAMP[0][1]]
     assert "beyond \u00b10.02 1/mm" in curvature.legend_footer(0.02)

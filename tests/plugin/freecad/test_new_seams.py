@@ -36,7 +36,7 @@ def hole(number, *sides, longest=False, corners=True, centre=(1.0, -1e-12, 2.5))
 # Seams
 
 
-def test_rows_come_worst_first_and_say_what_is_sure():
+def test_rows_come_worst_first_and_say_what_is_certain():
     seams = [
         measured(1, angle=0.009),
         measured(2, angle=0.02),
@@ -46,18 +46,24 @@ def test_rows_come_worst_first_and_say_what_is_sure():
     ]
     rows = new_seams.build_rows(seams, LIMITS, "G1")
     assert [row.place for row in rows] == [3, 1, 2, 0, 4]
-    assert [row.cells[-1] for row in rows] == ["not G1"] * 2 + ["not surely G1"] + ["meets G1"] * 2
-    assert [row.state for row in rows] == [repair_text.LEFT] * 3 + [repair_text.REPAIRED] * 2
+    verdicts = ["misses G1"] * 2 + ["G1 uncertain"] + ["meets G1"] * 2
+    assert [row.cells[-1] for row in rows] == verdicts
+    states = [repair_text.NOT_REPAIRED] * 3 + [repair_text.REPAIRED] * 2
+    assert [row.state for row in rows] == states
     assert all(len(row.cells) == len(new_seams.COLUMNS) for row in rows)
     assert rows[1].cells[:3] == ("Edge2", "fill, Face1", "0.02")
     rows = new_seams.build_rows(seams, LIMITS, "G0")
-    assert sorted(row.cells[-1] for row in rows) == ["meets G0"] * 3 + ["not G0", "not surely G0"]
+    assert sorted(row.cells[-1] for row in rows) == [
+        "G0 uncertain",
+        *["meets G0"] * 3,
+        "misses G0",
+    ]
     assert {row.place for row in rows[:2]} == {2, 3}
 
 
 @pytest.mark.parametrize("value", [0.01, 0.01 * (1 + 1e-12), 0.00999])
 def test_the_limit_itself_is_met(value):
-    assert new_seams.surely_meets(measured(1, angle=value), LIMITS, "G1") == (value <= 0.01)
+    assert new_seams.certainly_meets(measured(1, angle=value), LIMITS, "G1") == (value <= 0.01)
 
 
 def test_a_seam_that_was_not_kept_has_no_number():
@@ -98,25 +104,32 @@ def test_a_worst_point_that_does_not_decide_is_dropped():
 
 
 def test_the_longest_loop_is_left_out_unless_there_is_no_other():
-    rim, inner = hole(1, [1, 2], [3], longest=True), hole(2, [4], [5], [6])
-    assert fill_text.default_holes([rim, inner]) == [inner]
-    assert fill_text.default_holes([rim]) == [rim]
+    outer, inner = hole(1, [1, 2], [3], longest=True), hole(2, [4], [5], [6])
+    assert fill_text.default_holes([outer, inner]) == [inner]
+    assert fill_text.default_holes([outer]) == [outer]
     assert fill_text.default_holes([]) == []
-    assert fill_text.hole_text(inner, [rim, inner]) == "Hole 2: 3 sides, 30 mm around (1, 0, 2.5)"
     assert (
-        fill_text.hole_text(rim, [rim, inner])
-        == "Hole 1: 2 sides, 20 mm around (1, 0, 2.5), the longest loop: a rim?"
+        fill_text.hole_text(inner, [outer, inner])
+        == "Hole 2: 3 sides, length 30 mm, centre (1, 0, 2.5)"
     )
-    assert fill_text.hole_text(rim, [rim]) == "Hole 1: 2 sides, 20 mm around (1, 0, 2.5)"
+    assert (
+        fill_text.hole_text(outer, [outer, inner])
+        == "Hole 1: 2 sides, length 20 mm, centre (1, 0, 2.5), the longest loop: an outer boundary?"
+    )
+    alone = fill_text.hole_text(outer, [outer])
+    assert alone == "Hole 1: 2 sides, length 20 mm, centre (1, 0, 2.5)"
     smooth = hole(3, [7], corners=False)
-    assert fill_text.hole_text(smooth, [smooth]) == "Hole 3: no corner, 10 mm around (1, 0, 2.5)"
-    assert fill_text.hole_tip(rim) == "Edge1, Edge2, Edge3"
+    assert (
+        fill_text.hole_text(smooth, [smooth])
+        == "Hole 3: no corner, length 10 mm, centre (1, 0, 2.5)"
+    )
+    assert fill_text.hole_tip(outer) == "Edge1, Edge2, Edge3"
 
 
 def test_loops_of_one_length_are_all_filled_and_told_apart():
     holes = [hole(1, [1, 2], [3], centre=(0, 0, 0)), hole(2, [4, 5], [6], centre=(0, 0, 30))]
     assert fill_text.default_holes(holes) == holes
-    assert [fill_text.hole_text(each, holes).split(" around ")[1] for each in holes] == [
+    assert [fill_text.hole_text(each, holes).split("centre ")[1] for each in holes] == [
         "(0, 0, 0)",
         "(0, 0, 30)",
     ]
@@ -126,7 +139,7 @@ def test_one_edge_of_a_hole_names_it_whatever_the_order():
     holes = [hole(1, [1, 2], [3]), hole(2, [4], [5], [6]), hole(3, [9])]
     for edges in itertools.permutations([5, 1, 2]):
         assert fill_text.chosen_holes(holes, edges) == holes[:2]
-    with pytest.raises(ValueError, match="edge 7 is no edge of a hole"):
+    with pytest.raises(ValueError, match="edge 7 does not belong to a hole"):
         fill_text.chosen_holes(holes, [5, 7])
 
 
@@ -178,7 +191,8 @@ def test_a_fill_that_was_not_kept_says_why_in_names_of_the_source():
     assert entry["faces"] == [] and all(each["edges"] == [] for each in entry["seams"])
     report = {"target": "G1", "tolerance": LIMITS, "fills": [entry]}
     assert fill_text.summary_text(report) == (
-        "Not filled: Hole 2: a seam between Face3 and the fill does not surely reach G1: level G0, angle 1 degrees."
+        "Not filled: Hole 2: a seam between Face3 and the fill does not surely reach G1: level G0, "
+        "angle 1 degrees."
     )
 
 
@@ -192,7 +206,7 @@ def test_some_of_several_fills():
         return fill_text.summary_text({"target": "G1", "tolerance": LIMITS, "fills": list(fills)})
 
     assert text(kept, missed).startswith("1 of 2 holes filled with 2 faces; ")
-    assert text(kept, anyway).endswith("; G1 is missed, kept anyway.")
+    assert text(kept, anyway).endswith("; G1 is not met, kept anyway.")
     assert (
         text(missed, missed)
         == "0 of 2 holes filled: Hole 2: it has 0 corners. Hole 2: it has 0 corners."

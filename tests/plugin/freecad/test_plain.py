@@ -233,11 +233,11 @@ def test_the_tool_tip_names_what_figures_leave_out():
         "curvature_rel": [[0, 1e-6], [0.25, 0.2501], [0.9995, 1]],
     }
     text = rows.detail_text({**seam(1), "left_out": left_out}, TOLERANCE)
-    (curvature,) = [line for line in text.split("\n") if "without" in line]
+    (curvature,) = [line for line in text.split("\n") if "excluding" in line]
     assert curvature.endswith(
-        "at 0.25 of the edge, without the first 1e-06, 0.25 to 0.2501, the last 0.0005 of it"
+        "at 0.25 of the edge, excluding the first 1e-06, 0.25 to 0.2501, the last 0.0005 of it"
     )
-    assert text.count("without") == 1
+    assert text.count("excluding") == 1
 
 
 def test_the_change_of_curvature_decides_for_g3():
@@ -247,8 +247,15 @@ def test_the_change_of_curvature_decides_for_g3():
     assert "change of curvature: 10 %" in rows.detail_text(g3, TOLERANCE)
 
 
-@pytest.mark.parametrize("quantity, label", [("gap", "\u22650.001 mm"), ("angle", "12.4\u00b0"),
-                                             ("curvature", "50..60 %"), ("curvature_change", "")])  # fmt: skip
+@pytest.mark.parametrize(
+    "quantity, label",
+    [
+        ("gap", "\u22650.001 mm"),
+        ("angle", "12.4\u00b0"),
+        ("curvature", "50..60 %"),
+        ("curvature_change", ""),
+    ],
+)
 def test_the_label_of_a_worst_point_has_figure_and_unit(quantity, label):
     one = {**seam(1), "angle_deg": figure(12.4, 12.4), "curvature_rel": figure(0.5, 0.6)}
     one["worst"] = {"quantity": quantity, "at": 0.5, "point": [0, 0, 0]}
@@ -264,8 +271,9 @@ def test_uncertain_rows_can_be_filtered(report):
 
 def test_a_picked_edge_is_found_on_source_and_analysis(report):
     report["seams"] = [seam(1, edges=[4]), seam(2, edges=[4, 6]), seam(3, edges=[3])]
-    for element, number in (("Edge1", 4), ("Edge2", 6), ("Edge3", 3), ("Edge4", None), ("Edge0", None),
-                            ("Vertex1", None), ("", None)):  # fmt: skip
+    known = {"Edge1": 4, "Edge2": 6, "Edge3": 3}
+    for element in (*known, "Edge4", "Edge0", "Vertex1", ""):
+        number = known.get(element)
         assert rows.edge_number(report, "Analysis", "Analysis", element) == number
     assert rows.edge_number(report, "Analysis", "Box", "Edge7") == 3
     assert rows.edge_number(report, "Analysis", "Box", "Edge8") is None
@@ -316,7 +324,7 @@ def test_summary_without_seams():
     text = summary.summary_text(
         {"seams": [], "open": [{"edge": 1, "face": 1}, {"edge": 2, "face": 1}]}
     )
-    assert text.endswith("2 free edges can be matched, see the tolerances.")
+    assert text.endswith("2 free edges can be matched: see Tolerances.")
     assert not summary.passed({"seams": []})
 
 
@@ -455,10 +463,11 @@ def test_a_missing_module_says_what_it_was_built_for():
 @pytest.fixture
 def matched():
     return {
-        "matched": True, "reason": "joined in poles", "exact": True, "largest_move_mm": 0.36346, "target": "G1",
-        "tolerance": dict(TOLERANCE), "faces": ["Left.Face1", "Right.Face4"],
-        "before": {**seam(1, "defect"), "gap_mm": figure(0.0, 1e-13), "angle_deg": figure(3.0685, 3.0686),
-                   "curvature_rel": None, "level": "G0", "certified": True},
+        "matched": True, "reason": "joined in poles", "exact": True, "largest_move_mm": 0.36346,
+        "target": "G1", "tolerance": dict(TOLERANCE), "faces": ["Left.Face1", "Right.Face4"],
+        "before": {**seam(1, "defect"), "gap_mm": figure(0.0, 1e-13),
+                   "angle_deg": figure(3.0685, 3.0686), "curvature_rel": None, "level": "G0",
+                   "certified": True},
         "after": {**seam(1), "gap_mm": figure(0.0, 1e-13), "angle_deg": figure(0.0, 2.73e-6),
                   "curvature_rel": figure(0.41, 0.45), "level": "G1", "certified": False},
     }  # fmt: skip

@@ -66,7 +66,11 @@ def test_summary_counts_what_was_repaired_and_moved(done):
 def test_rows_come_worst_first_with_figures_before_and_after(done):
     rows = repair_text.build_rows(done)
     assert [row.seam for row in rows] == [3, 2, 5]
-    assert [row.state for row in rows] == [repair_text.LEFT, repair_text.REPAIRED, repair_text.LEFT]
+    assert [row.state for row in rows] == [
+        repair_text.NOT_REPAIRED,
+        repair_text.REPAIRED,
+        repair_text.NOT_REPAIRED,
+    ]
     cells = rows[1].cells
     assert cells[0] == "Edge2"
     assert cells[1] == "2, 3"
@@ -125,11 +129,11 @@ def test_nothing_to_repair_says_why():
 
     assert (
         text(False, seam(1))
-        == "Nothing to repair: no seam falls short of G1; the model is as it was."
+        == "Nothing to repair: no seam falls short of G1; the model is unchanged."
     )
     assert (
         text(True, seam(1))
-        == "Nothing to repair: the chosen seams meet G1; the model is as it was."
+        == "Nothing to repair: the chosen seams meet G1; the model is unchanged."
     )
     assert text(False).startswith("Nothing to repair: no two faces share an edge")
 

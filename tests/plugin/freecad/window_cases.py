@@ -12,10 +12,12 @@ import models
 from PySide import QtCore
 
 from window import (
-    OUT, WindowCase, analyses, camera, click, click_row, count, messages, mouse, picture, press_escape, settle, whole_window
+    OUT, WindowCase, analyses, camera, click, click_row, count, messages, mouse, picture,
+    press_escape, settle, whole_window
 )  # fmt: skip
 
 from freecad.seamwright.document import analysis
+from freecad.seamwright.gui import commands
 from freecad.seamwright.gui.analysis import export_dialog
 from freecad.seamwright.gui.analysis.panel import AnalysisPanel
 from freecad.seamwright.gui.scene import marker
@@ -48,7 +50,7 @@ class Picture(WindowCase):
             with self.subTest(seam_class.name):
                 self.assertGreater(count(view, seam_class.rgb, LEGEND), FEW)
                 self.assertGreater(count(view, seam_class.rgb, MODEL), FEW)
-        self.assertEqual(panel.model.rowCount(), obj.Seams)
+        self.assertEqual(panel.seam_table.model.rowCount(), obj.Seams)
         self.assertEqual(panel.summary.text(), obj.Summary)
 
     def test_a_click_on_a_row_selects_the_edge_and_moves_the_camera(self):
@@ -56,8 +58,8 @@ class Picture(WindowCase):
         source = obj.Analysed[0].Name
         for place in (0, 3):
             before = camera()
-            click_row(panel.table, place)
-            seam = panel.seams[panel.model.row(place).seam]
+            click_row(panel.seam_table.table, place)
+            seam = panel.seams[panel.seam_table.model.row(place).seam]
             chosen = [
                 (one.ObjectName, one.SubElementNames) for one in Gui.Selection.getSelectionEx()
             ]
@@ -68,16 +70,17 @@ class Picture(WindowCase):
 
     def test_filter_and_sorting(self):
         obj, panel = self.analyse()
-        panel.filter.setCurrentIndex(panel.filter.findData("crease"))
-        self.assertEqual(panel.model.rowCount(), obj.Creases)
-        panel.filter.setCurrentIndex(0)
-        header = panel.table.horizontalHeader()
+        panel.seam_table.filter.setCurrentIndex(panel.seam_table.filter.findData("crease"))
+        self.assertEqual(panel.seam_table.model.rowCount(), obj.Creases)
+        panel.seam_table.filter.setCurrentIndex(0)
+        header = panel.seam_table.table.horizontalHeader()
         for _ in range(2):
             click(header.viewport(), QtCore.QPoint(header.sectionViewportPosition(2) + 20, 8))
-        angles = [panel.model.row(place).angle_deg for place in range(panel.model.rowCount())]
+        model = panel.seam_table.model
+        angles = [model.row(place).angle_deg for place in range(model.rowCount())]
         self.assertIn(angles, (sorted(angles), sorted(angles, reverse=True)))
-        panel.sort_worst_first()
-        self.assertEqual(panel.model.row(0).seam_class, "defect")
+        panel.seam_table.sort_worst_first()
+        self.assertEqual(panel.seam_table.model.row(0).seam_class, "defect")
 
 
 class Panel(WindowCase):
@@ -102,12 +105,13 @@ class Panel(WindowCase):
 
     def shown(self, panel):
         """All that a panel shows."""
-        places = range(panel.model.rowCount())
-        columns = range(panel.model.columnCount())
+        model, choice = panel.seam_table.model, panel.seam_table.filter
+        columns = range(model.columnCount())
         cells = [
-            [panel.model.index(place, column).data() for column in columns] for place in places
+            [model.index(place, column).data() for column in columns]
+            for place in range(model.rowCount())
         ]
-        filters = [panel.filter.itemText(place) for place in range(panel.filter.count())]
+        filters = [choice.itemText(place) for place in range(choice.count())]
         fields = [
             panel.tolerances.level.currentText(),
             *(each.text() for each in panel.tolerances.fields.values()),
@@ -162,7 +166,7 @@ class Panel(WindowCase):
         form.profile.activated.emit(place)
         self.assertEqual(form.fields["GapTolerance"].value(), 0.02)
         self.assertEqual(form.fields["CurvatureTolerance"].value(), 0.1)
-        self.assertIn("other values", panel.recompute_button.text())
+        self.assertIn("values were changed", panel.recompute_button.text())
         click(panel.recompute_button, QtCore.QPoint(5, 5))
         self.assertEqual((obj.GapTolerance.Value, obj.CurvatureTolerance), (0.02, 0.1))
         form.fields["GapTolerance"].setValue(0.03)
@@ -174,7 +178,7 @@ class Panel(WindowCase):
 
     def test_the_worst_point_is_marked_while_its_row_is_chosen(self):
         obj, panel = self.analyse()
-        click_row(panel.table, 0)
+        click_row(panel.seam_table.table, 0)
         whole_window("window-marker")
         shown = picture("marker")
         self.assertGreater(count(shown, (255, 217, 0)), FEW)
@@ -182,9 +186,9 @@ class Panel(WindowCase):
         without = count(picture("no-marker"), marker.INK, MODEL)
         self.assertGreater(count(shown, marker.INK, MODEL), without + FEW)
         with mock.patch.object(obj.ViewObject.Proxy.marker, "show") as show:
-            panel.table.clearSelection()
-            click_row(panel.table, 0)
-            (number,) = panel.model.row(0).edges
+            panel.seam_table.table.clearSelection()
+            click_row(panel.seam_table.table, 0)
+            (number,) = panel.seam_table.model.row(0).edges
             ((point, label),) = show.call_args.args[0]
             panel.reject()
             settle()
@@ -208,28 +212,29 @@ class Panel(WindowCase):
         before = camera()
         prism = obj.Analysed[0]
         for name, element, place in ((prism.Name, "Edge%d", 5), (obj.Name, "Edge%d", 0)):
-            row = panel.model.row(place)
+            row = panel.seam_table.model.row(place)
             number = row.edges[0]
             if name == obj.Name:
                 number = rows.edge_numbers(panel.report).index(number) + 1
             Gui.Selection.clearSelection()
             Gui.Selection.addSelection(self.doc.Name, name, element % number, 1.0, 2.0, 3.0)
             settle()
-            chosen = [index.row() for index in panel.table.selectionModel().selectedRows()]
+            selection = panel.seam_table.table.selectionModel()
+            chosen = [index.row() for index in selection.selectedRows()]
             self.assertEqual(chosen, [place])
             self.assertEqual(camera(), before)
         self.assertGreater(count(picture("picked"), (255, 217, 0)), FEW)
 
     def test_picking_an_edge_of_a_filtered_class_shows_all(self):
         obj, panel = self.analyse()
-        panel.filter.setCurrentIndex(panel.filter.findData("smooth"))
+        panel.seam_table.filter.setCurrentIndex(panel.seam_table.filter.findData("smooth"))
         crease = next(seam for seam in panel.report["seams"] if seam["class"] == "crease")
         Gui.Selection.addSelection(
             self.doc.Name, obj.Analysed[0].Name, "Edge%d" % crease["edges"][0]
         )
         settle()
-        (index,) = panel.table.selectionModel().selectedRows()
-        self.assertEqual(panel.model.row(index.row()).seam, crease["id"])
+        (index,) = panel.seam_table.table.selectionModel().selectedRows()
+        self.assertEqual(panel.seam_table.model.row(index.row()).seam, crease["id"])
         panel.reject()
         Gui.Selection.addSelection(self.doc.Name, obj.Analysed[0].Name, "Edge1")
         settle()
@@ -240,7 +245,7 @@ class Panel(WindowCase):
         self.doc.recompute()
         panel.refresh()
         self.assertIn("-1", panel.summary.text())
-        self.assertEqual(panel.model.rowCount(), 0)
+        self.assertEqual(panel.seam_table.model.rowCount(), 0)
 
     def test_export_from_the_panel(self):
         obj, _ = self.analyse()
@@ -252,7 +257,7 @@ class Panel(WindowCase):
 
     def test_closing_the_panel_drops_selection_and_band(self):
         obj, panel = self.analyse()
-        click_row(panel.table, 0)
+        click_row(panel.seam_table.table, 0)
         panel.reject()
         settle()
         self.assertEqual(Gui.Selection.getSelection(), [])
@@ -263,6 +268,13 @@ class Panel(WindowCase):
 
 
 class Commands(WindowCase):
+    def test_each_tool_tip_says_what_the_command_does(self):
+        for command in commands.COMMANDS:
+            with self.subTest(command.name):
+                texts = command().GetResources()
+                self.assertRegex(texts["ToolTip"], r"^[A-Z][^.]+\..*\.$")
+                self.assertTrue(os.path.exists(texts["Pixmap"]))
+
     def test_the_selected_object_alone_is_analysed(self):
         models.add(self.doc, models.three_classes(), "Prism")
         box = self.doc.addObject("Part::Box", "Box")

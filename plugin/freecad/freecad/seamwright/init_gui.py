@@ -16,7 +16,9 @@ class SeamwrightWorkbench(Gui.Workbench):
     """Menu and toolbar of Seamwright."""
 
     MenuText = "Seamwright"
-    ToolTip = "Measure and mend the seams of CAD models: gap, angle and curvature between faces"
+    ToolTip = (
+        "Measure and repair the seams of CAD models: gap, angle and curvature where faces meet"
+    )
     Icon = icon_path("seamwright")
 
     def Initialize(self):

@@ -19,23 +19,23 @@ from freecad.seamwright.plain import kernel, summary
 #: property, argument of the kernel, property type, default, help
 TOLERANCES = properties.TOLERANCES + (
     ("MatchDistance", "match_mm", "App::PropertyLength", 0.0,
-     "Measure also between free edges no further apart than this, in mm; 0: between none"),
+     "Free edges no further apart than this are measured as seams too, in mm; 0: off"),
 )  # fmt: skip
 
 LEVELS = ["G0", "G1", "G2", "G3"]
 DEFAULT_LEVEL = "G1"
 
 RESULTS = (
-    ("Summary", "App::PropertyString", "What was found, in one line"),
+    ("Summary", "App::PropertyString", "The result in one line, or why there is none"),
     ("Passed", "App::PropertyBool", "Whether no seam is a defect"),
     ("Seams", "App::PropertyInteger", "Number of seams"),
     ("Defects", "App::PropertyInteger", "Seams that fall short of the level"),
     ("Creases", "App::PropertyInteger", "Seams sharper than the crease angle"),
     ("Uncertain", "App::PropertyInteger", "Seams whose verdict is not certain"),
     ("Matched", "App::PropertyInteger", "Seams of two free edges that lie side by side"),
-    ("OpenEdges", "App::PropertyInteger", "Edges that bound one face only"),
-    ("MaxGap", "App::PropertyLength", "Largest gap seen apart from creases, in mm"),
-    ("MaxAngle", "App::PropertyAngle", "Largest angle seen apart from creases, in degrees"),
+    ("OpenEdges", "App::PropertyInteger", "Free edges: each bounds one face and is in no seam"),
+    ("MaxGap", "App::PropertyLength", "Largest gap that was seen, creases excluded, in mm"),
+    ("MaxAngle", "App::PropertyAngle", "Largest angle that was seen, creases excluded, in degrees"),
 )
 
 INTERNAL = feature.INTERNAL + (
@@ -60,11 +60,11 @@ class SeamAnalysis(feature.Feature):
     def add_properties(obj):
         """Add the properties that an object lacks, with their defaults."""
         adder = properties.Adder(obj)
-        adder.add("App::PropertyLinkListGlobal", "Sources", "Seams",
-                  "The objects to analyse; empty means all solids and shells of the document")  # fmt: skip
+        tip = "The objects to analyse; empty: all solids and shells of the document"
+        adder.add("App::PropertyLinkListGlobal", "Sources", "Seams", tip)
         adder.add_tolerances(TOLERANCES)
         adder.add_choice(
-            "Level", "Tolerances", "Level every seam should meet", LEVELS, DEFAULT_LEVEL
+            "Level", "Tolerances", "Level that every seam should meet", LEVELS, DEFAULT_LEVEL
         )
         adder.add_results(RESULTS, INTERNAL)
         obj.setEditorMode("Placement", ["Hidden"])

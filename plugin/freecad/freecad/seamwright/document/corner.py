@@ -27,11 +27,11 @@ TOLERANCES = (
 )  # fmt: skip
 
 RESULTS = (
-    ("Summary", "App::PropertyString", "What came of it, in one line"),
+    ("Summary", "App::PropertyString", "The result in one line, or why there is none"),
     (
         "Met",
         "App::PropertyBool",
-        "Whether the solid is valid and every new seam surely meets the tolerances",
+        "Whether the solid is valid and every new seam certainly meets the tolerances",
     ),
     (
         "CornerEdges",
@@ -39,8 +39,8 @@ RESULTS = (
         "The edges at the vertex, in the order of Radii and Setbacks",
     ),
     ("Patches", "App::PropertyInteger", "Number of patches of the corner"),
-    ("MaxGap", "App::PropertyLength", "No gap of a new seam is larger, in mm"),
-    ("MaxAngle", "App::PropertyAngle", "No angle of a new seam is larger, in degrees"),
+    ("MaxGap", "App::PropertyLength", "Upper bound of the gaps of the new seams, in mm"),
+    ("MaxAngle", "App::PropertyAngle", "Upper bound of the angles of the new seams, in degrees"),
 )
 
 
@@ -60,9 +60,12 @@ class CornerFillet(feature.Feature):
         adder.add(
             "App::PropertyLinkSubGlobal", "Vertex", "Corner", "The vertex whose edges are rounded"
         )
-        tip = "Radii in mm, of the edges in the order of CornerEdges; one number: of all"
+        tip = "Radii in mm, in the order of CornerEdges; one number: for all edges"
         adder.add("App::PropertyFloatList", "Radii", "Corner", tip)
-        tip = "Where the fillets end, from the vertex along the edge, in mm, likewise; 0, or none: it is chosen"
+        tip = (
+            "Distances from the vertex at which the fillets end, in mm, in the order of "
+            "CornerEdges; one number: for all edges; 0 or empty: automatic"
+        )
         adder.add("App::PropertyFloatList", "Setbacks", "Corner", tip)
         adder.add_tolerances(TOLERANCES)
         adder.add_results(RESULTS, feature.INTERNAL)
@@ -137,7 +140,7 @@ def _corner(module, obj):
     shape = elements.source_shape(obj)
     vertices = elements.numbers(obj, shape, "Vertex", "Vertex")
     if len(vertices) != 1:
-        raise sources.SourceError("Vertex names %d vertices: one is needed" % len(vertices))
+        raise sources.SourceError("Vertex names %d vertices: name exactly one" % len(vertices))
     model = module.Model.from_freecad(shape)
     edges = model.corner_edges(vertices[0])
     return model, vertices[0], edges, [shape.Edges[number - 1].Length for number in edges]

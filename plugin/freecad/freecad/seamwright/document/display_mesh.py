@@ -74,6 +74,6 @@ def display_mesh(shape, progress=None):
 def fault_lines(label, faults):
     """Return a line for the user for each fault."""
     return [
-        "%s: Face%d is not drawn as it is: %s" % (label, fault["face"], fault["reason"])
+        "%s: Face%d is not drawn correctly: %s" % (label, fault["face"], fault["reason"])
         for fault in faults
     ]

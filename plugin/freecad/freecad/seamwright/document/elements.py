@@ -6,6 +6,7 @@ import operator
 from freecad.seamwright.document import sources
 
 KINDS = {"Face": "Faces", "Edge": "Edges", "Vertex": "Vertexes"}
+WORDS = {"Face": "a face", "Edge": "an edge", "Vertex": "a vertex"}
 
 
 def source_objects(obj):
@@ -16,7 +17,9 @@ def source_objects(obj):
 def source_shape(obj):
     """Return the shape of the source at its position in the model. Raises SourceError."""
     if obj.Source is None:
-        raise sources.SourceError("The source is gone: choose another one in the property Source")
+        raise sources.SourceError(
+            "The source was deleted: choose another one in the property Source"
+        )
     return sources.world_shape(obj.Source)
 
 
@@ -88,7 +91,9 @@ def numbers(obj, shape, name, kind):
 def _number(source, element, kind, count):
     digits = element[len(kind) :] if element.startswith(kind) else ""
     if any(element.startswith(other) for other in KINDS if other != kind):
-        raise sources.SourceError("%s is no %s: name one, as %s1." % (element, kind.lower(), kind))
+        raise sources.SourceError(
+            "%s is not %s: name one, such as %s1." % (element, WORDS[kind], kind)
+        )
     if not digits.isdecimal() or not 0 < int(digits) <= count:
         raise sources.SourceError("%s has no %s: choose another one." % (source.Label, element))
     return int(digits)

@@ -22,7 +22,7 @@ TOLERANCES = (
     ("AngleTolerance", "angle_deg", "App::PropertyAngle", 0.01,
      "Largest angle between tangent planes of each new seam for G1, in degrees"),
     ("CornerAngle", "corner_deg", "App::PropertyAngle", 15.0,
-     "A side of a hole ends where the tangent turns by more, in degrees"),
+     "A side of a hole ends where its tangent turns by more than this, in degrees"),
 )  # fmt: skip
 
 #: For G0 the new faces only have to meet in position.
@@ -30,22 +30,22 @@ TARGETS = ["G1", "G0"]
 
 #: property, kind of element, help
 ELEMENTS = (
-    ("Edges", "Edge", "The holes to fill, by an edge of each; empty: all but rims"),
-    ("Face", "Face", "The face that is taken out and replaced; empty: holes are filled"),
+    ("Edges", "Edge", "One edge of each hole to fill; empty: all holes except outer boundaries"),
+    ("Face", "Face", "The face to replace; empty: holes are filled"),
 )
 
 RESULTS = (
-    ("Summary", "App::PropertyString", "What came of it, in one line"),
+    ("Summary", "App::PropertyString", "The result in one line, or why there is none"),
     ("Filled", "App::PropertyInteger", "Number of holes that were filled"),
     ("Wanted", "App::PropertyInteger", "Number of holes that were to be filled"),
-    ("Reached", "App::PropertyBool", "Whether every new seam surely meets the target"),
+    ("Reached", "App::PropertyBool", "Whether every new seam certainly meets the target"),
     ("NewFaces", "App::PropertyInteger", "Number of new faces"),
-    ("MaxGap", "App::PropertyLength", "No gap of a new seam is larger, in mm"),
-    ("MaxAngle", "App::PropertyAngle", "No angle of a new seam is larger, in degrees"),
+    ("MaxGap", "App::PropertyLength", "Upper bound of the gaps of the new seams, in mm"),
+    ("MaxAngle", "App::PropertyAngle", "Upper bound of the angles of the new seams, in degrees"),
     (
         "MaxCurvature",
         "App::PropertyFloat",
-        "No relative difference of curvature at a new seam is larger",
+        "Upper bound of the relative differences of curvature at the new seams",
     ),
 )
 
@@ -68,11 +68,12 @@ class UmbrellaFill(feature.Feature):
         adder.add_choice(
             "Target",
             "Fill",
-            "What every new seam has to meet; G0: position only",
+            "Level that every new seam has to meet; G0: position only",
             TARGETS,
             TARGETS[0],
         )
-        adder.add("App::PropertyBool", "KeepAnyway", "Fill", "Keep also fills that miss the target")
+        tip = "Keep a fill even if it misses the target"
+        adder.add("App::PropertyBool", "KeepAnyway", "Fill", tip)
         adder.add_tolerances(TOLERANCES)
         adder.add_results(RESULTS, feature.INTERNAL)
         obj.setEditorMode("Placement", ["Hidden"])
@@ -131,7 +132,9 @@ def fill_job(module, obj, private=False):
     shape = elements.source_shape(obj)
     edges, faces = (elements.numbers(obj, shape, *entry[:2]) for entry in ELEMENTS)
     if len(faces) > 1:
-        raise sources.SourceError("%d faces are chosen: one is replaced at a time" % len(faces))
+        raise sources.SourceError(
+            "%d faces are chosen: only one is replaced at a time" % len(faces)
+        )
     limits, label, make = (
         tolerances(obj),
         obj.Source.Label,
@@ -154,7 +157,7 @@ def fill_job(module, obj, private=False):
         )
         return {**report, "fills": entries}, last
 
-    return feature.Job("Filling\u2026", run, finish)
+    return feature.Job("Filling holes\u2026", run, finish)
 
 
 def _fill_each(model, given, wanted, progress):
@@ -265,7 +268,8 @@ def prepare(source, *, edges=(), face=None, target="G1", keep_anyway=False, **to
     faces = [] if face is None else [elements.checked_name("face", face, "Face")]
     if edges and faces:
         raise ValueError(
-            "edges %s and face %r: holes are filled, or a face is replaced" % (edges, face)
+            "edges %s and face %r: give edges of holes to fill, or a face to replace"
+            % (edges, face)
         )
     values = properties.checked(
         {**tolerances, "target": target}, TOLERANCES, {"target": ("Target", TARGETS)}

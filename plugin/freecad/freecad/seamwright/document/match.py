@@ -28,35 +28,27 @@ DEFAULT_MOVES = "Second"
 LINKS = (
     ("FirstFace", "The first face"),
     ("SecondFace", "The second face"),
-    ("CommonEdge", "Along which of several common edges; empty: the longest"),
+    ("CommonEdge", "The common edge to match along, if there are several; empty: the longest"),
 )
 
 RESULTS = (
-    ("Summary", "App::PropertyString", "What came of it, in one line"),
-    ("Matched", "App::PropertyBool", "Whether the faces join as the target says, for certain"),
+    ("Summary", "App::PropertyString", "The result in one line, or why there is none"),
+    ("Matched", "App::PropertyBool", "Whether the faces certainly meet the target"),
     (
         "Exact",
         "App::PropertyBool",
-        "Whether they join in their poles, to rounding, and not just within the tolerance",
+        "Whether the poles meet the target exactly, to rounding, and not just within the tolerance",
     ),
     ("Certain", "App::PropertyBool", "Whether the verdict about the new seam is certain"),
-    ("LargestMove", "App::PropertyLength", "How far a pole has moved at most, in mm"),
-    ("GapBefore", "App::PropertyLength", "Largest distance between the sides, as given, in mm"),
-    ("GapAfter", "App::PropertyLength", "Largest distance between the sides, matched, in mm"),
-    (
-        "AngleBefore",
-        "App::PropertyAngle",
-        "Largest angle between tangent planes, as given, in degrees",
-    ),
-    (
-        "AngleAfter",
-        "App::PropertyAngle",
-        "Largest angle between tangent planes, matched, in degrees",
-    ),
-    ("CurvatureBefore", "App::PropertyFloat", "Largest relative difference of curvature, as given"),
-    ("CurvatureAfter", "App::PropertyFloat", "Largest relative difference of curvature, matched"),
-    ("LevelBefore", "App::PropertyString", "Level of continuity, as given"),
-    ("LevelAfter", "App::PropertyString", "Level of continuity, matched"),
+    ("LargestMove", "App::PropertyLength", "Largest move of a pole, in mm"),
+    ("GapBefore", "App::PropertyLength", "Gap of the seam before the match, in mm"),
+    ("GapAfter", "App::PropertyLength", "Gap of the seam after the match, in mm"),
+    ("AngleBefore", "App::PropertyAngle", "Angle of the seam before the match, in degrees"),
+    ("AngleAfter", "App::PropertyAngle", "Angle of the seam after the match, in degrees"),
+    ("CurvatureBefore", "App::PropertyFloat", "Relative difference of curvature before the match"),
+    ("CurvatureAfter", "App::PropertyFloat", "Relative difference of curvature after the match"),
+    ("LevelBefore", "App::PropertyString", "Level of continuity before the match"),
+    ("LevelAfter", "App::PropertyString", "Level of continuity after the match"),
 )
 
 
@@ -80,13 +72,13 @@ class MatchSurfaces(feature.Feature):
             "App::PropertyLength",
             "MaxMove",
             "Match",
-            "No pole may move further, in mm; 0: as far as it takes",
+            "Largest move that a pole may make, in mm; 0: no limit",
         )
         adder.add(
             "App::PropertyBool",
             "HoldSides",
             "Match",
-            "The two other boundaries that end at the seam stay",
+            "Keep the two other boundaries that end at the seam",
         )
         adder.add_tolerances(TOLERANCES)
         adder.add_results(RESULTS, feature.INTERNAL)
@@ -178,8 +170,8 @@ def match_job(module, obj, private=False):
     target, limits, make = obj.Target, tolerances(obj), feature.model_maker(module, shape, private)
     given = {
         "target": target, "moves": obj.Moves.lower(), "hold_sides": bool(obj.HoldSides),
-        "max_move_mm": properties.number(obj, "MaxMove") or None, "edge": _edge_number(obj, shape, found.shapes[2:]),
-        **limits
+        "max_move_mm": properties.number(obj, "MaxMove") or None,
+        "edge": _edge_number(obj, shape, found.shapes[2:]), **limits
     }  # fmt: skip
 
     def named(text):
@@ -205,11 +197,11 @@ def _links(obj):
     for target, word, name in zip(links, ("first", "second"), ("FirstFace", "SecondFace")):
         if target is None:
             raise sources.SourceError(
-                "The %s face is gone: choose another one in the property %s" % (word, name)
+                "The %s face was deleted: choose another one in the property %s" % (word, name)
             )
     if links[0] == links[1]:
         raise sources.SourceError(
-            "%s is chosen twice: two faces are needed" % link_text(obj, "FirstFace")
+            "%s is chosen twice: choose two different faces" % link_text(obj, "FirstFace")
         )
     return [target for target in links if target is not None]
 
@@ -223,7 +215,9 @@ def _edge_number(obj, shape, chosen):
         for number, other in enumerate(shape.Edges, 1):
             if other.isSame(edge):
                 return number
-        raise sources.SourceError("%s is no edge of the two faces" % link_text(obj, "CommonEdge"))
+        raise sources.SourceError(
+            "%s is not an edge of the two faces" % link_text(obj, "CommonEdge")
+        )
     return 0
 
 

@@ -16,7 +16,7 @@ TOLERANCES = (
     ("FlatRadius", "flat_radius_mm", "App::PropertyLength", 1e5,
      "A side whose radii of curvature are all larger counts as flat, in mm"),
     ("CreaseAngle", "crease_deg", "App::PropertyAngle", 5.0,
-     "A seam with a larger angle is an intended crease and no defect, in degrees"),
+     "A seam with a larger angle counts as an intended crease, not as a defect, in degrees"),
 )  # fmt: skip
 
 # Values of the property Outcome: how the last computation ended.
@@ -106,7 +106,7 @@ def checked(given, table, choices):
                 )
             values[names[argument]] = value
         else:
-            raise TypeError("there is no tolerance %r" % argument)
+            raise TypeError("unknown tolerance %r" % argument)
     return values
 
 

@@ -8,48 +8,48 @@ move it.
 
 import Part
 
-from freecad.seamwright.document import elements, feature, properties, sources
+from freecad.seamwright.document import elements, feature, properties
 from freecad.seamwright.document.feature import empty_report, report_of, tolerances
 from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.document.properties import error_text
 from freecad.seamwright.plain import kernel, repair_text
 
-__all__ = ["SeamRepair", "create", "error_text", "foresee", "is_repair", "report_of"]
+__all__ = ["SeamRepair", "create", "error_text", "foreseeing", "is_repair", "report_of"]
 
 #: property, argument of the kernel, property type, default, help
 TOLERANCES = properties.TOLERANCES + (
     ("MatchDistance", "match_mm", "App::PropertyLength", 0.0,
-     "Free edges no further apart than this are seams too, in mm; 0: none"),
+     "Free edges no further apart than this are repaired as seams too, in mm; 0: off"),
 )  # fmt: skip
 
 TARGETS = ["G1", "G2"]
 
 #: property, kind of element, help
 ELEMENTS = (
-    ("Edges", "Edge", "The seams to repair, by their edges; empty: all defects"),
-    ("FixedFaces", "Face", "Faces that stay as they are"),
+    ("Edges", "Edge", "The edges of the seams to repair; empty: all defects"),
+    ("FixedFaces", "Face", "Faces that must not move"),
 )
 
 RESULTS = (
-    ("Summary", "App::PropertyString", "What came of it, in one line"),
-    ("Changed", "App::PropertyBool", "Whether a face was moved"),
+    ("Summary", "App::PropertyString", "The result in one line, or why there is none"),
+    ("Changed", "App::PropertyBool", "Whether the shape changed"),
     ("Wanted", "App::PropertyInteger", "Number of seams that were to be repaired"),
     ("Repaired", "App::PropertyInteger", "Number of seams that were repaired"),
     ("MovedFaces", "App::PropertyInteger", "Number of faces that moved"),
-    ("LargestMove", "App::PropertyLength", "How far a pole has moved at most, in mm"),
-    ("DefectsBefore", "App::PropertyInteger", "Seams that fall short of the target, as given"),
-    ("DefectsAfter", "App::PropertyInteger", "Seams that fall short of the target, repaired"),
-    ("MaxGapBefore", "App::PropertyLength", "Largest gap seen apart from creases, as given, in mm"),
-    ("MaxGapAfter", "App::PropertyLength", "Largest gap seen apart from creases, repaired, in mm"),
+    ("LargestMove", "App::PropertyLength", "Largest move of a pole, in mm"),
+    ("DefectsBefore", "App::PropertyInteger", "Seams that miss the target before the repair"),
+    ("DefectsAfter", "App::PropertyInteger", "Seams that miss the target after the repair"),
+    ("MaxGapBefore", "App::PropertyLength", "Largest gap seen before, creases excluded, in mm"),
+    ("MaxGapAfter", "App::PropertyLength", "Largest gap seen after, creases excluded, in mm"),
     (
         "MaxAngleBefore",
         "App::PropertyAngle",
-        "Largest angle seen apart from creases, as given, in degrees",
+        "Largest angle seen before, creases excluded, in degrees",
     ),
     (
         "MaxAngleAfter",
         "App::PropertyAngle",
-        "Largest angle seen apart from creases, repaired, in degrees",
+        "Largest angle seen after, creases excluded, in degrees",
     ),
 )
 
@@ -72,7 +72,10 @@ class SeamRepair(feature.Feature):
         for name, _, tip in ELEMENTS:
             adder.add("App::PropertyLinkSubGlobal", name, "Seams", tip)
         adder.add_choice("Target", "Repair", "Level of continuity to reach", TARGETS, TARGETS[0])
-        tip = "No point of a face may move further, in mm; 0: a hundredth of the size of the face and twice the gap of its seams"
+        tip = (
+            "Largest move that a point of a face may make, in mm; 0: a hundredth of the size of "
+            "the face plus twice the largest gap of its seams"
+        )
         adder.add("App::PropertyLength", "MaxMove", "Repair", tip)
         adder.add_tolerances(TOLERANCES)
         adder.add_results(RESULTS, feature.INTERNAL)

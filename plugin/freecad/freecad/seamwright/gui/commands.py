@@ -27,8 +27,8 @@ class AnalyzeSeams(Command):
     menu = "Analyze Seams"
     icon = "seamwright-analyze"
     tip = (
-        "Measure how well the faces of the selected objects join; "
-        "with nothing selected, of all solids and shells of the document"
+        "Measure gap, angle and curvature where faces of the selected objects meet, and colour the "
+        "seams by the result. With nothing selected, take all solids and shells of the document."
     )
 
     def Activated(self):
@@ -44,7 +44,10 @@ class ExportReport(Command):
     name = "Seamwright_ExportReport"
     menu = "Export Seam Report\u2026"
     icon = "seamwright-export"
-    tip = "Write the selected seam analysis as a table (CSV) or a report (JSON)"
+    tip = (
+        "Write the results of the selected seam analysis to a file, as a table (CSV) or as a "
+        "report (JSON). With nothing selected, take the newest analysis."
+    )
 
     def IsActive(self):
         """Return whether there is an analysis."""
@@ -62,8 +65,8 @@ class MatchSurfaces(Command):
     menu = "Match Surfaces"
     icon = "seamwright-match"
     tip = (
-        "Move the second of two selected faces, or both, so that they join without a kink (G1) or with "
-        "equal curvature (G2); select a common edge too where they have several"
+        "Move the second of two selected faces, or both, until they join without a kink (G1) or "
+        "with equal curvature (G2). If they have several common edges, select one of these too."
     )
 
     def Activated(self):
@@ -71,7 +74,8 @@ class MatchSurfaces(Command):
         faces, edges = selected_elements("Face"), selected_elements("Edge")
         if len(faces) != 2 or len(edges) > 1:
             messages.show_error(
-                "Select two faces, first the one that stays, then the one that moves. Selected: %s, %s."
+                "Select two faces, first the one that stays, then the one that moves, and at most "
+                "one common edge. Selected: %s, %s."
                 % (summary.counted(len(faces), "face"), summary.counted(len(edges), "edge"))
             )
             return
@@ -88,8 +92,9 @@ class RepairSeams(Command):
     menu = "Repair Seams"
     icon = "seamwright-repair"
     tip = (
-        "Move faces of the selected object, as little as possible, until its seams join without a kink "
-        "(G1) or with equal curvature (G2); select edges, or rows of an analysis, to repair their seams alone"
+        "Move faces of the selected object as little as possible, until its seams are smooth: "
+        "without a kink (G1) or with equal curvature (G2). Select edges, or rows of an analysis, "
+        "to repair only their seams."
     )
 
     def Activated(self):
@@ -99,8 +104,8 @@ class RepairSeams(Command):
         objects = list(dict.fromkeys(obj for obj, _ in chosen))
         if len(objects) != 1:
             messages.show_error(
-                "Select the object whose seams are to be repaired, or some of its edges: one object at a time. "
-                "Found: %s." % (", ".join(obj.Label for obj in objects) or "none")
+                "Select one object to repair its seams, or some of its edges. Found: %s."
+                % (", ".join(obj.Label for obj in objects) or "none")
             )
             return
         (source,), edges = objects, [edge for _, edge in chosen if edge]
@@ -132,8 +137,8 @@ class UmbrellaFill(Command):
     menu = "Umbrella Fill"
     icon = "seamwright-fill"
     tip = (
-        "Close holes of the selected object with faces that are tangent to their surroundings; select edges to fill "
-        "their holes alone, or one face to take it out and fill the hole that it leaves"
+        "Close holes of the selected object with faces that are tangent to their neighbours. "
+        "Select edges to fill only their holes, or one face to replace it."
     )
 
     def Activated(self):
@@ -142,7 +147,7 @@ class UmbrellaFill(Command):
         chosen = selected_parts(doc)
         if len(chosen) != 1:
             messages.show_error(
-                "Select the object whose holes are to be filled, some of its edges, or a face: one object at a time. "
+                "Select one object to fill its holes, some of its edges, or one of its faces. "
                 "Found: %s." % (", ".join(obj.Label for obj in chosen) or "none")
             )
             return
@@ -152,7 +157,7 @@ class UmbrellaFill(Command):
         )
         if len(faces) > 1 or (faces and edges):
             messages.show_error(
-                "Select edges of holes, or one face that is to be replaced. Selected: %s, %s."
+                "Select edges of holes, or one face to replace. Selected: %s, %s."
                 % (summary.counted(len(faces), "face"), summary.counted(len(edges), "edge"))
             )
             return
@@ -167,8 +172,8 @@ class CornerFillet(Command):
     menu = "Corner Fillet"
     icon = "seamwright-corner"
     tip = (
-        "Round the 3 to 6 edges at the selected vertex of a solid, each with a radius of its own, and close the corner "
-        "between them with patches that join without a kink"
+        "Round the 3 to 6 edges at the selected vertex of a solid, each with its own radius, and "
+        "close the corner between them with patches that join without a kink."
     )
 
     def Activated(self):
@@ -176,7 +181,7 @@ class CornerFillet(Command):
         vertices = selected_elements("Vertex")
         if len(vertices) != 1:
             messages.show_error(
-                "Select one vertex of a solid, at which 3 to 6 edges meet. Selected: %s."
+                "Select one vertex of a solid at which 3 to 6 edges meet. Selected: %s."
                 % (", ".join("%s.%s" % (obj.Label, name) for obj, name in vertices) or "no vertex")
             )
             return
@@ -190,9 +195,9 @@ class ZebraStripes(Command):
     menu = "Zebra Stripes"
     icon = "seamwright-zebra"
     tip = (
-        "Show how the faces of the selected objects, or of all that are visible, reflect stripes: "
-        "a stripe that breaks at a seam tells of an angle, one that bends of a step of curvature. "
-        "Press again to take the stripes off."
+        "Show how the faces of the selected objects, or of all visible objects, reflect stripes. "
+        "Stripes break at a seam with an angle and bend at a step of curvature. "
+        "Press again to remove the stripes."
     )
 
     def IsActive(self):

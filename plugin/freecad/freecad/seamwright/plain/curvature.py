@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Colours for the mean curvature of a surface.
 
-White means mean curvature 0. Orange means that the surface is hollow, blue that it bulges. Both
-colours grow darker with the curvature in the same way. So readers with any colour vision can tell
-flat from curved and hollow from bulging.
+White means mean curvature 0, orange concave, and blue convex. Both colours grow darker with the
+curvature in the same way. So readers with any colour vision can tell flat from curved and concave
+from convex.
 """
 
 import math
@@ -30,7 +30,7 @@ RAMP = (
 )
 
 #: Colour of points where the curvature is undefined, such as the tip of a cone.
-UNTOLD = (128, 128, 128)
+UNDEFINED = (128, 128, 128)
 
 #: At each end, this share of the area may lie beyond the limit.
 TAIL = 0.02
@@ -83,8 +83,8 @@ def limit(values, weights):
     curvature is flat, the largest absolute curvature is taken instead. The limit is 0 where that is
     flat too.
     """
-    told = numpy.isfinite(values)
-    values, weights = values[told], weights[told]
+    known = numpy.isfinite(values)
+    values, weights = values[known], weights[known]
     found = float(abs(quantiles(values, weights, (TAIL, 1 - TAIL))).max())
     if found < FLAT:
         found = float(abs(values).max(initial=0.0))
@@ -101,15 +101,15 @@ def colours(values, limit_per_mm):
 
     Curvatures beyond the limit get the colours of the ends.
     """
-    told = numpy.isfinite(values)
+    known = numpy.isfinite(values)
     shares = (
-        numpy.where(told, values, 0.0) / limit_per_mm
+        numpy.where(known, values, 0.0) / limit_per_mm
         if limit_per_mm > 0
         else numpy.zeros(len(values))
     )
     places, rgb = [share for share, _ in RAMP], numpy.array([colour for _, colour in RAMP], float)
     found = numpy.stack([numpy.interp(shares, places, channel) for channel in rgb.T], axis=1)
-    found[~told] = UNTOLD
+    found[~known] = UNDEFINED
     return found / 255
 
 
@@ -119,7 +119,7 @@ def legend(limit_per_mm):
 
 
 def legend_entries(limit_per_mm):
-    """Return [(Sample, "0.02 1/mm", "as a ball of radius 50 mm")], the most hollow first.
+    """Return [(Sample, "0.02 1/mm", "as a sphere of radius 50 mm")], the most concave first.
 
     Has one line where the whole surface is flat.
     """
@@ -131,7 +131,7 @@ def legend_entries(limit_per_mm):
 def _entry(value, limit_per_mm):
     rgb = colours(numpy.array([value]), limit_per_mm)[0] * 255
     meaning = (
-        "as a ball of radius %s mm" % enclosure.number(1 / abs(value))
+        "as a sphere of radius %s mm" % enclosure.number(1 / abs(value))
         if value
         else "flat, or a saddle"
     )
@@ -146,10 +146,10 @@ def signed(value):
 
 def legend_footer(limit_per_mm):
     """Say what the signs mean and which colours curvatures beyond the limit have."""
-    signs = "+ hollow, %s bulging, seen from where the normals point" % MINUS
+    signs = "+ concave, %s convex, seen from the side of the normals" % MINUS
     if limit_per_mm <= 0:
         return signs
-    return "%s\nwhat is beyond \u00b1%s 1/mm has the end colours" % (
+    return "%s\nvalues beyond \u00b1%s 1/mm have the end colours" % (
         signs,
         enclosure.number(limit_per_mm),
     )

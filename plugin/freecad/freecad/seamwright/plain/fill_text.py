@@ -37,21 +37,23 @@ def chosen_holes(holes, edges):
     for number in edges:
         if number not in owners:
             raise ValueError(
-                "edge %d is no edge of a hole: it is not open, or part of no closed loop" % number
+                "edge %d does not belong to a hole: it is not free, or not part of a closed loop"
+                % number
             )
     wanted = {owners[number]["id"] for number in edges}
     return [hole for hole in holes if hole["id"] in wanted]
 
 
 def hole_text(hole, holes):
-    """ "Hole 2: 4 sides, 63.1 mm around (5, 0, 2.5)".
+    """ "Hole 2: 4 sides, length 63.1 mm, centre (5, 0, 2.5)".
 
     A hole that is not filled by default has a remark.
     """
     sides = summary.counted(len(hole["sides"]), "side") if hole["has_corners"] else "no corner"
     centre = ", ".join("%.4g" % (round(coordinate, 9) + 0.0) for coordinate in hole["centre_mm"])
-    text = "Hole %d: %s, %.4g mm around (%s)" % (hole["id"], sides, hole["length_mm"], centre)
-    return text if hole in default_holes(holes) else text + ", the longest loop: a rim?"
+    length = "%.4g mm" % hole["length_mm"]
+    text = "Hole %d: %s, length %s, centre (%s)" % (hole["id"], sides, length, centre)
+    return text if hole in default_holes(holes) else text + ", the longest loop: an outer boundary?"
 
 
 def hole_tip(hole):
@@ -158,5 +160,5 @@ def summary_text(report):
     seams = new_seams.largest_text(
         [seam for fill in done for seam in fill["seams"]], report["tolerance"]
     )
-    verdict = "%s is met" if all(fill["reached"] for fill in done) else "%s is missed, kept anyway"
+    verdict = "%s is met" if all(fill["reached"] for fill in done) else "%s is not met, kept anyway"
     return "%s with %s; %s; %s." % (text, made, seams, verdict % target)

@@ -13,11 +13,11 @@ from freecad.seamwright.plain import enclosure, repair_text, rows, summary
 #: heading, tool tip
 COLUMNS = (
     ("Edge", "The edge of the seam in the result"),
-    ("Between", "What meets there"),
+    ("Between", "The faces that meet at the seam"),
     ("Angle \u00b0", "Largest angle between the tangent planes, in degrees"),
     ("Gap mm", "Largest distance between the two sides, in mm"),
     ("Curvature %", "Largest relative difference of curvature, in %"),
-    ("Result", "Whether the seam surely meets the target"),
+    ("Result", "Whether the seam certainly meets the target"),
 )
 
 
@@ -26,12 +26,12 @@ class Row:
     """One seam, ready to be shown; ``place`` is its index in the list of seams, from 0."""
 
     place: int
-    state: str  # REPAIRED or LEFT, see repair_text
+    state: str  # REPAIRED or NOT_REPAIRED, see repair_text
     cells: tuple  # texts, one for each of COLUMNS
     detail: str
 
 
-def surely_meets(seam, tolerance, target):
+def certainly_meets(seam, tolerance, target):
     """Return whether the seam certainly meets the target.
 
     The upper bounds of all figures that decide the target have to be within the tolerance.
@@ -56,20 +56,20 @@ def build_rows(seams, tolerance, target):
     return sorted(
         every,
         key=lambda row: (
-            row.state != repair_text.LEFT,
+            row.state != repair_text.NOT_REPAIRED,
             -rows.severity(seams[row.place], tolerance, target),
         ),
     )
 
 
 def _row(place, seam, tolerance, target):
-    met = surely_meets(seam, tolerance, target)
+    met = certainly_meets(seam, tolerance, target)
     figures = (
         rows.figure_text(seam, name, tolerance) for name in ("angle_deg", "gap_mm", "curvature_rel")
     )
     return Row(
         place=place,
-        state=repair_text.REPAIRED if met else repair_text.LEFT,
+        state=repair_text.REPAIRED if met else repair_text.NOT_REPAIRED,
         cells=(
             repair_text.edges_text(seam) or "\u2013",
             seam["between"],
@@ -80,7 +80,7 @@ def _row(place, seam, tolerance, target):
     )
 
 
-def surely_misses(seam, tolerance, target):
+def certainly_misses(seam, tolerance, target):
     """Return whether the seam certainly misses the target.
 
     The lower bound of a figure that decides the target has to be beyond the tolerance.
@@ -93,9 +93,9 @@ def surely_misses(seam, tolerance, target):
 
 
 def _verdict(seam, tolerance, target):
-    if surely_meets(seam, tolerance, target):
+    if certainly_meets(seam, tolerance, target):
         return "meets %s" % target
-    return ("not %s" if surely_misses(seam, tolerance, target) else "not surely %s") % target
+    return ("misses %s" if certainly_misses(seam, tolerance, target) else "%s uncertain") % target
 
 
 def largest(seams, name):

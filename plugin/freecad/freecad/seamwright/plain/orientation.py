@@ -16,7 +16,7 @@ SMOOTH = 0.5
 
 #: Mean normals decide about the sides where their scalar product is below the negative of this. The
 #: mean normal of a closed face is almost zero and decides nothing.
-TOLD = 1e-2
+DECISIVE = 1e-2
 
 
 def signs(points, normals, first_nodes, groups):
@@ -106,7 +106,7 @@ def agreeing(normals, first_nodes, other_normals, other_first_nodes):
     -1 means that the normals of the same face of another model point to the opposite side.
     """
     one, other = _means(normals, first_nodes), _means(other_normals, other_first_nodes)
-    return numpy.where((one * other).sum(axis=1) < -TOLD, -1, 1)
+    return numpy.where((one * other).sum(axis=1) < -DECISIVE, -1, 1)
 
 
 def _means(normals, first_nodes):

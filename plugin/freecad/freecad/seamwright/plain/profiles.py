@@ -7,13 +7,16 @@ module.
 
 PROFILES = {
     "default": {
-        "gap_mm": 0.01, "angle_deg": 0.1, "curvature_rel": 0.02, "flat_radius_mm": 1e5, "crease_deg": 5.0
+        "gap_mm": 0.01, "angle_deg": 0.1, "curvature_rel": 0.02,
+        "flat_radius_mm": 1e5, "crease_deg": 5.0
     },
     "class-a": {
-        "gap_mm": 0.001, "angle_deg": 0.01, "curvature_rel": 0.02, "flat_radius_mm": 1e5, "crease_deg": 5.0
+        "gap_mm": 0.001, "angle_deg": 0.01, "curvature_rel": 0.02,
+        "flat_radius_mm": 1e5, "crease_deg": 5.0
     },
     "vda": {
-        "gap_mm": 0.02, "angle_deg": 0.1, "curvature_rel": 0.1, "flat_radius_mm": 1e5, "crease_deg": 5.0
+        "gap_mm": 0.02, "angle_deg": 0.1, "curvature_rel": 0.1,
+        "flat_radius_mm": 1e5, "crease_deg": 5.0
     },
 }  # fmt: skip
 

@@ -24,7 +24,7 @@ from freecad.seamwright.plain import enclosure, rows, summary
 
 ARROW = " \u2192 "
 
-REPAIRED, LEFT, WAITING = "repaired", "left", "waiting"
+REPAIRED, NOT_REPAIRED, WAITING = "repaired", "not repaired", "waiting"
 
 EMPTY_REPORT = {
     "target": "G1",
@@ -45,7 +45,7 @@ class Row:
 
     seam: int
     edges: tuple
-    state: str  # REPAIRED, LEFT or WAITING
+    state: str  # REPAIRED, NOT_REPAIRED or WAITING
     cells: tuple  # texts, one for each of COLUMNS
     detail: str
 
@@ -162,7 +162,7 @@ def _nothing_text(report):
     if not report["total"]:
         return "Nothing to repair: no two faces share an edge, and none are matched."
     seams = "the chosen seams meet" if report["chosen"] else "no seam falls short of"
-    return "Nothing to repair: %s %s; the model is as it was." % (seams, report["target"])
+    return "Nothing to repair: %s %s; the model is unchanged." % (seams, report["target"])
 
 
 def build_rows(report):
@@ -182,13 +182,13 @@ def _severity(seam, tolerance, target):
 
 def _row(seam, tolerance, done):
     before, after = seam["before"], seam["after"]
-    state = WAITING if not done else REPAIRED if seam["repaired"] else LEFT
+    state = WAITING if not done else REPAIRED if seam["repaired"] else NOT_REPAIRED
     figures = (
         _change_text(before, after, name, tolerance)
         for name in ("angle_deg", "gap_mm", "curvature_rel")
     )
     reason = named(seam["reason"])
-    result = {WAITING: "", REPAIRED: "repaired", LEFT: reason}[state]
+    result = {WAITING: "", REPAIRED: "repaired", NOT_REPAIRED: reason}[state]
     faces = ", ".join(str(number) for number in before["faces"])
     return Row(
         seam=before["id"],

@@ -96,8 +96,8 @@ COLUMNS = (
     Column("curvature_change_rel", "Change %",
            "Largest relative difference of the change of curvature, in % (measured for G3)"),
     Column("level", "Level", "Highest level of continuity the seam meets", numeric=False),
-    Column("certain", "Certain", "Whether class and level are the same for every value within the bounds",
-           numeric=False),
+    Column("certain", "Certain",
+           "Whether class and level are the same for every value within the bounds", numeric=False),
     Column("edge_text", "Edge", "The edge or edges of the seam", numeric=False),
     Column("face_text", "Faces", "The two faces that meet", numeric=False),
     Column("length_mm", "Length mm", "Length of the seam, in mm"),
@@ -258,13 +258,14 @@ def _placed_text(seam, name, tolerance):
     if figure.get("at") is not None:
         text += ", largest at %.3g of the edge" % figure["at"]
     # Results of earlier versions have no left_out.
-    stretches = seam.get("left_out", {}).get(name, [])
-    if stretches:
-        text += ", without %s of it" % ", ".join(_stretch_text(*stretch) for stretch in stretches)
+    intervals = seam.get("left_out", {}).get(name, [])
+    if intervals:
+        excluded = ", ".join(_interval_text(*interval) for interval in intervals)
+        text += ", excluding %s of it" % excluded
     return text
 
 
-def _stretch_text(first, last):
+def _interval_text(first, last):
     if first <= 0:
         return "the first %.3g" % last
     if last >= 1:

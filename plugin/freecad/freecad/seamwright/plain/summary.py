@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Counts and sentences about a report: summary line, legend and tolerance line."""
 
-from freecad.seamwright.plain import enclosure, palette, rows
+from freecad.seamwright.plain import enclosure, palette
 
 
 def class_counts(report):
@@ -64,7 +64,7 @@ def summary_text(report):
     if total == 0:
         text = "No seams: no two faces share an edge."
         if report.get("open"):
-            text += " %s can be matched, see the tolerances." % counted(
+            text += " %s can be matched: see Tolerances." % counted(
                 len(report["open"]), "free edge"
             )
         return text

@@ -8,26 +8,19 @@ from freecad.seamwright.document.plan import Plan
 from freecad.seamwright.document.properties import plain
 from freecad.seamwright.gui.analysis import export_dialog
 from freecad.seamwright.gui.analysis.picking import EdgePicker
-from freecad.seamwright.gui.analysis.table_model import SeamTableModel
+from freecad.seamwright.gui.analysis.seam_table import SeamTable
 from freecad.seamwright.gui.base.result_panel import OLD_RESULTS
 from freecad.seamwright.gui.scene import seam_view
 from freecad.seamwright.gui.widgets import messages
 from freecad.seamwright.gui.widgets.computation import Computation
 from freecad.seamwright.gui.widgets.dock import widen_dock
-from freecad.seamwright.gui.widgets.forms import (
-    buttons,
-    make_box,
-    make_form,
-    make_text,
-    show_seams_in,
-)
+from freecad.seamwright.gui.widgets.forms import buttons, make_box, make_form, make_text
 from freecad.seamwright.gui.widgets.later import later
-from freecad.seamwright.gui.widgets.qt import QtCore, QtGui, QtWidgets
+from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 from freecad.seamwright.gui.widgets.steps import remove, take_back
 from freecad.seamwright.gui.widgets.tolerance_form import ToleranceForm
-from freecad.seamwright.plain import kernel, palette, rows, summary
+from freecad.seamwright.plain import kernel
 
-TABLE_HEIGHT = 260
 DOCK_WIDTH = 600
 
 
@@ -47,9 +40,7 @@ class AnalysisPanel:
         self.obj = obj
         self._doc, self._name = obj.Document, obj.Name
         self._created = created
-        self.model = SeamTableModel()
         self.picker = EdgePicker(obj, self._edge_picked)
-        self._look = True
         self._build()
         self.computation = Computation(self.form)
         self._read_fields()
@@ -82,35 +73,11 @@ class AnalysisPanel:
         self.form, layout = make_form("Seam Analysis", "seamwright-analyze")
         self.summary = make_text()
         layout.addWidget(self.summary)
-        layout.addLayout(self._build_filter())
-        layout.addWidget(self._build_table())
+        self.seam_table = SeamTable()
+        self.seam_table.chosen.connect(self._show_seams)
+        layout.addWidget(self.seam_table)
         layout.addWidget(self._build_tolerances())
         layout.addLayout(self._build_export())
-
-    def _build_filter(self):
-        line = QtWidgets.QHBoxLayout()
-        line.addWidget(QtWidgets.QLabel("Show"))
-        self.filter = QtWidgets.QComboBox()
-        self.filter.addItem("All seams", None)
-        for seam_class in palette.CLASSES:
-            self.filter.addItem("", seam_class.key)
-        self.filter.addItem("", rows.UNCERTAIN)
-        self.filter.currentIndexChanged.connect(self._filter_changed)
-        line.addWidget(self.filter, 1)
-        worst = QtWidgets.QPushButton("Worst first")
-        worst.setToolTip("Sort by class, then by how far the figures are from the tolerances")
-        worst.clicked.connect(self.sort_worst_first)
-        line.addWidget(worst)
-        return line
-
-    def _build_table(self):
-        self.table = QtWidgets.QTableView()
-        self.table.setModel(self.model)
-        show_seams_in(self.table, TABLE_HEIGHT)
-        self.table.horizontalHeader().setSortIndicator(-1, QtCore.Qt.AscendingOrder)
-        self.table.setSortingEnabled(True)
-        self.table.selectionModel().selectionChanged.connect(self._selection_changed)
-        return self.table
 
     def _build_tolerances(self):
         self.tolerances = ToleranceForm(analysis.TOLERANCES, ("Level", analysis.LEVELS))
@@ -123,7 +90,7 @@ class AnalysisPanel:
     def _build_export(self):
         line = QtWidgets.QHBoxLayout()
         repair = QtWidgets.QPushButton("Repair\u2026")
-        repair.setToolTip("Repair the seams of the chosen rows; with none chosen, all defects")
+        repair.setToolTip("Repair the seams of the chosen rows; if none is chosen, all defects")
         repair.clicked.connect(lambda *_: QtCore.QTimer.singleShot(0, _repair))
         line.addWidget(repair)
         for kind in ("csv", "json"):
@@ -141,22 +108,8 @@ class AnalysisPanel:
         self._shown = self._state()
         self.report, self.seams = seam_view.seams_by_number(self.obj)
         self.picker.report = self.report
-        built = rows.build_rows(self.report)
-        self.model.set_rows(built)
-        for place, column in enumerate(rows.COLUMNS):
-            if column.field == "curvature_change_rel":
-                self.table.setColumnHidden(place, not rows.has_values(built, column.field))
-        failure = analysis.error_text(self.obj)
-        self.summary.setText(failure or self.obj.Summary)
-        counts = summary.class_counts(self.report)
-        self.filter.setItemText(0, "All seams (%d)" % sum(counts.values()))
-        for place, seam_class in enumerate(palette.CLASSES, 1):
-            text = "%s (%d)" % (seam_class.name, counts[seam_class.key])
-            self.filter.setItemText(place, text)
-            self.filter.setItemIcon(place, _swatch(seam_class.rgb))
-        text = "Not certain (%d)" % summary.uncertain(self.report)
-        self.filter.setItemText(self.filter.count() - 1, text)
-        self.table.resizeColumnsToContents()
+        self.seam_table.show_report(self.report)
+        self.summary.setText(analysis.error_text(self.obj) or self.obj.Summary)
         self._tolerances_changed()
 
     def recompute(self, *_):
@@ -200,9 +153,9 @@ class AnalysisPanel:
             self._read = self._values()
             self.refresh()
 
-        self.computation.follow(plan, keep, self._left)
+        self.computation.follow(plan, keep, self._abandoned)
 
-    def _left(self, why):
+    def _abandoned(self, why):
         """Say why a computation has no result; the object of the first computation is removed."""
         if self._created:
             self._withdraw()
@@ -216,11 +169,6 @@ class AnalysisPanel:
         take_back(self._doc, name)
         Gui.getDocument(self._doc.Name).resetEdit()
 
-    def sort_worst_first(self, *_):
-        """Restore the initial order of the table."""
-        self.table.horizontalHeader().setSortIndicator(-1, QtCore.Qt.AscendingOrder)
-        self.model.sort(-1)
-
     def leave(self):
         """Clear the selection, and stop computing and observing the view."""
         self.computation.drop()
@@ -230,55 +178,27 @@ class AnalysisPanel:
             self._doc.commitTransaction()
             later(self.obj, lambda obj: remove(obj.Document, obj.Name))
 
-    def _filter_changed(self, place):
-        self.model.set_filter(self.filter.itemData(place))
-        self.table.resizeColumnsToContents()
-
     def _tolerances_changed(self):
         stale = self.tolerances.differs_from(self.obj)
-        text = "Recompute (the results are for other values)" if stale else "Recompute"
+        text = "Recompute (values were changed)" if stale else "Recompute"
         self.recompute_button.setText(text)
 
-    def _selection_changed(self, *_):
-        places = [index.row() for index in self.table.selectionModel().selectedRows()]
-        if places:
-            chosen = [self.seams[self.model.row(place).seam] for place in places]
-            with self.picker.paused():
-                seam_view.show(
-                    self.obj,
-                    self.report,
-                    chosen,
-                    self.obj.Shape.BoundBox.DiagonalLength,
-                    self._look,
-                )
+    def _show_seams(self, numbers, look):
+        """Show seams in the view; ``look``: turn and zoom the view to them."""
+        chosen = [self.seams[number] for number in numbers]
+        size = self.obj.Shape.BoundBox.DiagonalLength
+        with self.picker.paused():
+            seam_view.show(self.obj, self.report, chosen, size, look)
 
     def _edge_picked(self, number):
         """Select the rows of an edge once FreeCAD has finished its own selection."""
-        QtCore.QTimer.singleShot(0, lambda: self.picker.active and self.select_edge(number))
 
-    def select_edge(self, number):
-        """Select the rows of the seams that have an edge; the view stays as it is."""
-        places = self.model.places_of_edge(number)
-        if not places:
-            self.filter.setCurrentIndex(0)
-            places = self.model.places_of_edge(number)
-        chosen = QtCore.QItemSelection()
-        for place in places:
-            index = self.model.index(place, 0)
-            chosen.select(index, index)
-        self._look = False
-        flags = QtCore.QItemSelectionModel.ClearAndSelect | QtCore.QItemSelectionModel.Rows
-        self.table.selectionModel().select(chosen, flags)
-        self._look = True
-        if places:
-            self.table.scrollTo(self.model.index(places[0], 0))
+        def act():
+            if self.picker.active:
+                self.seam_table.select_edge(number)
+
+        QtCore.QTimer.singleShot(0, act)
 
 
 def _repair():
     Gui.runCommand("Seamwright_RepairSeams")  # closes the panel
-
-
-def _swatch(rgb):
-    pixmap = QtGui.QPixmap(16, 16)
-    pixmap.fill(QtGui.QColor(*rgb))
-    return QtGui.QIcon(pixmap)

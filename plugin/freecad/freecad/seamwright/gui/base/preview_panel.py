@@ -18,7 +18,7 @@ TABLE_HEIGHT = 190
 PREVIEW, PREVIEW_AGAIN = "Preview", "Update preview"
 
 #: Text colours of the last column, by the state of a row.
-INKS = {repair_text.REPAIRED: (0, 120, 88), repair_text.LEFT: (190, 80, 0)}
+INKS = {repair_text.REPAIRED: (0, 120, 88), repair_text.NOT_REPAIRED: (190, 80, 0)}
 
 
 class PreviewPanel(ResultPanel):
@@ -113,7 +113,7 @@ class PreviewPanel(ResultPanel):
         self.show_line.addStretch(1)
         self.preview_button = QtWidgets.QPushButton(PREVIEW)
         self.preview_button.setToolTip(
-            "%s; nothing is kept before OK is pressed" % self.PREVIEW_TIP
+            "%s; nothing is kept until OK is pressed" % self.PREVIEW_TIP
         )
         self.show_line.addWidget(self.preview_button)
         return self.show_line

@@ -189,13 +189,13 @@ class ResultPanel:
             if then is not None:
                 then()
 
-        self.computation.follow(plan, keep, self.left)
+        self.computation.follow(plan, keep, self.abandoned)
 
     def computed(self):
         """Show new results."""
         self.refresh()
 
-    def left(self, why):
+    def abandoned(self, why):
         """Say why a computation has no result."""
         self.say(why + (OLD_RESULTS if self.obj.Report else NO_RESULTS))
 

@@ -18,7 +18,7 @@ class CornerPanel(NewSeamsPanel):
     """Shows and changes one Corner Fillet; ``created``: Cancel removes it."""
 
     TITLE, ICON = "Corner Fillet", "seamwright-corner"
-    PREVIEW_TIP = "Round the corner as the fields say"
+    PREVIEW_TIP = "Round the corner with these values"
 
     def __init__(self, obj, created):
         self._edges, self._lengths, self._problem = corner.corner_of(obj)
@@ -47,7 +47,7 @@ class CornerPanel(NewSeamsPanel):
         self.edges.setFixedHeight((1 + min(LINES, max(1, len(self._edges)))) * height + 4)
         layout.addWidget(self.edges)
         self.same = QtWidgets.QPushButton("Same radius for all")
-        self.same.setToolTip("Give all edges the radius of the first")
+        self.same.setToolTip("Give all edges the radius of the first one")
         layout.addWidget(self.same)
         return box
 
@@ -56,8 +56,8 @@ class CornerPanel(NewSeamsPanel):
         fields = [NumberField(" mm", 1e6) for _ in self._edges]
         for line, field in enumerate(fields):
             if column == SETBACK:
-                field.setSpecialValueText("chosen")
-                field.setToolTip("Where the fillet ends, from the vertex along the edge")
+                field.setSpecialValueText("auto")
+                field.setToolTip("Distance from the vertex at which the fillet ends")
             self.edges.setCellWidget(line, column, field)
         return fields
 
@@ -87,15 +87,15 @@ class CornerPanel(NewSeamsPanel):
     def _describe_edges(self):
         """Write what is known about the edges.
 
-        Angles and chosen setbacks are known only after the edges were rounded.
+        Angles and automatic setbacks are known only after the edges were rounded.
         """
         known = {"Edge%d" % edge["edge"]: edge for edge in corner.report_of(self.obj)["edges"]}
         for line, (name, length) in enumerate(zip(self._edges, self._lengths)):
             angle = corner_text.edge_text(known[name]) if name in known else ""
             for column, text in enumerate((name, "%.6g" % length, angle)):
                 self.edges.setItem(line, column, QtWidgets.QTableWidgetItem(text))
-            chosen = "chosen: %.4g mm" % known[name]["setback_mm"] if name in known else "chosen"
-            self.fields[SETBACK][line].setSpecialValueText(chosen)
+            automatic = "auto: %.4g mm" % known[name]["setback_mm"] if name in known else "auto"
+            self.fields[SETBACK][line].setSpecialValueText(automatic)
 
     def wanted(self):
         """Return the {property: value} of the fields."""

@@ -20,7 +20,7 @@ class HoleList(QtWidgets.QListWidget):
     def __init__(self):
         super().__init__()
         self.holes = []
-        self.setToolTip("The holes that are ticked are filled; a click selects the edges of one")
+        self.setToolTip("Ticked holes are filled. Click a hole to select its edges.")
         self.setFixedHeight(LINES * (self.fontMetrics().height() + 6))
         self.itemChanged.connect(self._ticked)
         self.itemClicked.connect(

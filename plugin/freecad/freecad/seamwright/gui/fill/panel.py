@@ -16,7 +16,7 @@ class FillPanel(NewSeamsPanel):
     """Shows and changes one Umbrella Fill; ``created``: Cancel removes it."""
 
     TITLE, ICON = "Umbrella Fill", "seamwright-fill"
-    PREVIEW_TIP = "Fill the holes as the fields say"
+    PREVIEW_TIP = "Fill the holes with these values"
 
     def __init__(self, obj, created):
         changeable = [
@@ -33,12 +33,12 @@ class FillPanel(NewSeamsPanel):
         return self._build_holes(), self._build_limits()
 
     def _build_holes(self):
-        box, layout = make_box("What is filled")
+        box, layout = make_box("Holes")
         self.which = QtWidgets.QLabel()
         self.holes = HoleList()
         self.pick = QtWidgets.QPushButton("Only selected")
         self.pick.setToolTip(
-            "Fill the holes of the edges that are selected in the view, and no others"
+            "Fill only the holes whose edges are selected in the view"
         )
         for widget in (self.which, self.holes, self.pick):
             layout.addWidget(widget)
@@ -46,10 +46,10 @@ class FillPanel(NewSeamsPanel):
 
     def _build_limits(self):
         self.tolerances = ToleranceForm(fill.TOLERANCES, ("Target", fill.TARGETS))
-        self.tolerances.level.setToolTip("G1: no kink, G0: position only")
+        self.tolerances.level.setToolTip("G1: without a kink; G0: position only")
         self.keep_anyway = QtWidgets.QCheckBox("Keep anyway")
         self.keep_anyway.setToolTip(
-            "Keep also a fill that misses the target; without, the hole is left as it is"
+            "Keep a fill even if it misses the target; otherwise the hole stays open"
         )
         self.tolerances.layout().addRow("", self.keep_anyway)
         return make_box("Target and tolerances", self.tolerances)[0]
@@ -73,7 +73,7 @@ class FillPanel(NewSeamsPanel):
         face = ", ".join(elements.names(self.obj, "Face"))
         holes, wanted, text = ([], [], "") if face else fill.holes_of(self.obj)
         self.holes.set_holes(holes, wanted)
-        self.which.setText("%s is taken out and replaced" % face)
+        self.which.setText("%s is replaced" % face)
         self.which.setVisible(bool(face))
         for widget in (self.holes, self.pick):
             widget.setVisible(not face)

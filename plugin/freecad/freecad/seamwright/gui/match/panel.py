@@ -83,19 +83,20 @@ class MatchPanel(ResultPanel):
         line = QtWidgets.QHBoxLayout()
         self.moves = QtWidgets.QComboBox()
         self.moves.addItems(match.MOVES)
-        self.moves.setToolTip("The face that is moved; its shape far from the seam stays")
+        self.moves.setToolTip("The face that moves; away from the seam it keeps its shape")
         self.swap = QtWidgets.QPushButton("Swap")
         self.swap.setToolTip(
-            "Let first and second change places, and with them the face that is moved"
+            "Exchange the first and the second face, and with them the one that moves"
         )
         line.addWidget(self.moves, 1)
         line.addWidget(self.swap)
         layout.addRow("Moves", line)
         self.max_move = NumberField(" mm", 1e6)
         self.max_move.setSpecialValueText("no limit")
-        self.max_move.setToolTip("No pole of a surface may move further")
+        self.max_move.setToolTip("Largest move that a pole of a surface may make")
         layout.addRow("Largest move", self.max_move)
         self.hold_sides = QtWidgets.QCheckBox("Hold the boundaries that end at the seam")
+        self.hold_sides.setToolTip("Move no pole of the two other boundaries that end at the seam")
         layout.addRow("", self.hold_sides)
         return box
 

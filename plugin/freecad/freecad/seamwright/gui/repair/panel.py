@@ -25,17 +25,17 @@ COLOURS = (
     ),
     (
         ZEBRA,
-        "Before and after: stripes that break where faces meet at an angle, and bend at a step of curvature",
+        "Before and after: stripes break at a seam with an angle, and bend at a step of curvature",
     ),
 )
-ALL_DEFECTS = "All defects; to choose, select rows or edges and add them:"
+ALL_DEFECTS = "All defects. To choose, select rows or edges and add them:"
 
 
 class RepairPanel(PreviewPanel):
     """Shows and changes one Seam Repair; ``created``: Cancel removes it."""
 
     TITLE, ICON, COLUMNS = "Repair Seams", "seamwright-repair", repair_text.COLUMNS
-    PREVIEW_TIP = "Repair the seams as the fields say"
+    PREVIEW_TIP = "Repair the seams with these values"
 
     def __init__(self, obj, created):
         self._report = repair.empty_report(obj)
@@ -71,7 +71,7 @@ class RepairPanel(PreviewPanel):
             self.colours.addItem(name)
             self.colours.setItemData(place, tip, QtCore.Qt.ToolTipRole)
         self.colours.setCurrentText(MOVES)
-        self.colours.setToolTip("What the colours of the faces tell")
+        self.colours.setToolTip("What the colours of the faces show")
         for place, widget in enumerate((QtWidgets.QLabel("Colours"), self.colours), 3):
             self.show_line.insertWidget(place, widget)
         return self._build_seams(), self._build_limits()
@@ -93,7 +93,8 @@ class RepairPanel(PreviewPanel):
         self.max_move = NumberField(" mm", 1e6)
         self.max_move.setSpecialValueText("by size of face")
         self.max_move.setToolTip(
-            "No point of a face may move further; by size: a hundredth of it and twice the gap of its seams"
+            "Largest move that a point of a face may make. By size of face: a hundredth of the "
+            "size plus twice the largest gap of the seams"
         )
         self.tolerances.layout().insertRow(1, "Largest move", self.max_move)
         return make_box("Target and limits", self.tolerances)[0]
@@ -104,7 +105,7 @@ class RepairPanel(PreviewPanel):
             self.obj,
             self.computation,
             surfaces=lambda: self.sources() + ([self.obj] if self.has_result() else []),
-            left=lambda: self.colours.setCurrentText(NONE),
+            abandoned=lambda: self.colours.setCurrentText(NONE),
             changed=lambda: None if self._ended else self.show(self.after.isChecked()),
         )
         for each in self.lists.values():
@@ -171,9 +172,9 @@ class RepairPanel(PreviewPanel):
             if each.Name in self._lines:
                 each.ViewObject.Visibility = visible
 
-    def left(self, why):
+    def abandoned(self, why):
         """Say why a repair has no result, and show again the colours that it interrupted."""
-        super().left(why)
+        super().abandoned(why)
         self.show(self.after.isChecked())
 
     def fill(self, built, text):
@@ -219,7 +220,7 @@ class RepairPanel(PreviewPanel):
         return "\n".join(
             "%s: %s" % (row.cells[0], row.cells[-1])
             for row in chosen
-            if row.state == repair_text.LEFT
+            if row.state == repair_text.NOT_REPAIRED
         )
 
 

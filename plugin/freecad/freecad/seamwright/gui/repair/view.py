@@ -38,7 +38,7 @@ class SeamRepairView(ResultView):
         root.insertChild(self.colours.node, root.findChild(self.halo.node) + 1)
         root.insertChild(self.legend.node, 0)
         self._drawn = None  # the report whose moves are drawn
-        self._left = None  # the report whose moves are not drawn, since the user stopped it
+        self._stopped = None  # the report whose moves are not drawn, since the user stopped it
         self._task = self._mapped = None  # the task that maps moves, and the report of these moves
         later(vobj.Object, lambda obj: self._draw(obj.ViewObject))
 
@@ -72,9 +72,9 @@ class SeamRepairView(ResultView):
         self.colours.show(shown)
         self.legend.show(shown)
         if not vobj.ShowMoves:
-            self._left = None
+            self._stopped = None
         working = self._task is not None and self._task.wanted and self._mapped == report
-        if wanted and not shown and not working and self._left != report:
+        if wanted and not shown and not working and self._stopped != report:
             self._map_moves(vobj.Object)
 
     def _map_moves(self, obj):
@@ -94,7 +94,7 @@ class SeamRepairView(ResultView):
         def done(mapped, error):
             self._task = None
             if isinstance(error, kernel.KernelUnavailable):
-                self._left = report
+                self._stopped = report
                 App.Console.PrintWarning(
                     "Seamwright: the moves of %s are not shown: %s\n" % (place[1], error)
                 )
@@ -116,7 +116,7 @@ class SeamRepairView(ResultView):
             return tasks.start(run, done)
 
         def stopped():
-            self._left = report
+            self._stopped = report
 
         return self.panel.computation.start(
             "Computing moves\u2026", run, done, stopped, locks=False
@@ -126,7 +126,7 @@ class SeamRepairView(ResultView):
         self.colours.update(mapped, obj.Shape.Edges)
         entries = moves.legend_entries(mapped.largest_mm)
         self.legend.update(
-            "Moves of points", entries, moves.legend_footer(found, count), LEGEND_TEXT_PX
+            "Moves", entries, moves.legend_footer(found, count), LEGEND_TEXT_PX
         )
         self._drawn = obj.Report
         self._draw(obj.ViewObject)

@@ -15,7 +15,7 @@ from pivy import coin
 STRIPES, LEAN = 32, math.radians(30)
 
 #: Brightness of dark and of light stripes, and the factor where a face is seen from the side.
-DARK, LIGHT, ASKANCE = 0.07, 0.97, 0.7
+DARK, LIGHT, GRAZING = 0.07, 0.97, 0.7
 
 VERTEX = """
 varying vec3 normal;
@@ -36,7 +36,7 @@ void main() {
   float pixel = max(fwidth(place), 1e-6);
   float inside = abs(fract(place) - 0.5) - 0.25;
   float part = mix(clamp(0.5 + inside / pixel, 0.0, 1.0), 0.5, clamp(2.0 * pixel - 0.5, 0.0, 1.0));
-  float shade = mix(%(dark).8f, %(light).8f, part) * mix(%(askance).8f, 1.0, abs(n.z));
+  float shade = mix(%(dark).8f, %(light).8f, part) * mix(%(grazing).8f, 1.0, abs(n.z));
   gl_FragColor = vec4(vec3(shade), 1.0);
 }
 """ % {
@@ -45,7 +45,7 @@ void main() {
     "y": math.sin(LEAN),
     "dark": DARK,
     "light": LIGHT,
-    "askance": ASKANCE,
+    "grazing": GRAZING,
 }
 
 

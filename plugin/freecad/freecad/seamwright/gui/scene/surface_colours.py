@@ -11,8 +11,8 @@ from pivy import coin
 from freecad.seamwright.document.curvature_map import align, curvature_map_later
 from freecad.seamwright.document.display_mesh import fault_lines
 from freecad.seamwright.gui.scene import coloured, stripes
-from freecad.seamwright.gui.scene.coats import Coats, local_shape
 from freecad.seamwright.gui.scene.legend import Legend
+from freecad.seamwright.gui.scene.substitutes import Substitutes, local_shape
 from freecad.seamwright.gui.widgets.later import find, later
 from freecad.seamwright.gui.widgets.tasks import tasks
 from freecad.seamwright.plain import curvature, kernel
@@ -46,15 +46,16 @@ class SurfaceColours:
 
     ``computation``: of the panel, which shows the progress. ``surfaces()`` returns the existing
     ones of these objects, the source first. Results are kept until the objects have other shapes;
-    ``changed()`` is called when an object that is drawn gets another shape. ``left()`` is called
-    where nothing can be drawn: the user stopped the computation, or the compiled part is missing.
+    ``changed()`` is called when an object that is drawn gets another shape. ``abandoned()`` is
+    called where nothing can be drawn: the user stopped the computation, or the compiled part is
+    missing.
     """
 
-    def __init__(self, obj, computation, surfaces, left, changed):
+    def __init__(self, obj, computation, surfaces, abandoned, changed):
         self._place = obj.Document.Name, obj.Name
         self._computation, self._surfaces = computation, surfaces
-        self._told_left, self._told_changed = left, changed
-        self._coats, self._legend = Coats(self._drop), Legend()
+        self._tell_abandoned, self._tell_changed = abandoned, changed
+        self._substitutes, self._legend = Substitutes(self._drop), Legend()
         self._root = obj.ViewObject.RootNode
         self._root.insertChild(self._legend.node, 0)
         self._kind = self._found = None
@@ -71,19 +72,19 @@ class SurfaceColours:
             self._found = None
             self._cancel()
         if kind != self._kind or self._found is None:
-            self._undress()
+            self._clear()
         self._kind = kind
         if kind is None:
             self._cancel()
         elif self._found is not None:
-            self._dress()
+            self._draw()
         elif self._task is None or not self._task.wanted:
             self._compute()
 
     def end(self):
         """Remove all that was added to the views."""
         self._cancel()
-        self._undress()
+        self._clear()
         self._root.removeChild(self._legend.node)
 
     def _shapes(self):
@@ -96,14 +97,14 @@ class SurfaceColours:
             shape.isPartner(self._of[name]) for name, shape in now.items()
         )
 
-    def _undress(self):
-        self._coats.clear()
+    def _clear(self):
+        self._substitutes.clear()
         self._legend.show(False)
 
     def _drop(self, obj):
         """An object that is drawn has another shape."""
         self._found = None
-        later(obj, lambda _: self._told_changed())
+        later(obj, lambda _: self._tell_changed())
 
     def _cancel(self):
         """Stop the computation, unless another computation of the panel has replaced it."""
@@ -116,8 +117,8 @@ class SurfaceColours:
         try:
             work = work_on(self._surfaces())
         except kernel.KernelUnavailable as error:
-            App.Console.PrintWarning("Seamwright: the surface is not shown: %s\n" % error)
-            self._told_left()
+            App.Console.PrintWarning("Seamwright: the colours are not shown: %s\n" % error)
+            self._tell_abandoned()
             return
 
         def done(found, error):
@@ -127,7 +128,7 @@ class SurfaceColours:
             if found is not None and find(*self._place) is not None:
                 self._found = found
                 self._warn()
-                self._dress()
+                self._draw()
 
         self._start(work, done)
 
@@ -136,7 +137,7 @@ class SurfaceColours:
         self._in_panel = not self._computation.busy
         if self._in_panel:
             self._task = self._computation.start(
-                "Computing colours\u2026", run, done, self._told_left, locks=False
+                "Computing colours\u2026", run, done, self._tell_abandoned, locks=False
             )
         else:
             self._task = tasks.start(run, done)
@@ -154,11 +155,14 @@ class SurfaceColours:
             for line in fault_lines(obj.Label, surface.mesh.faults):
                 App.Console.PrintWarning("Seamwright: %s\n" % line)
 
-    def _dress(self):
-        """Put coats on all objects, including a hidden one, which then shows its coat at once."""
+    def _draw(self):
+        """Put substitutes on all objects.
+
+        A hidden object gets one too, so that it has its colours as soon as it is shown.
+        """
         for obj, surface in self._drawn():
-            if not self._coats.wears(obj):
-                self._coats.put(obj, self._node(obj.Name, surface))
+            if not self._substitutes.has(obj):
+                self._substitutes.put(obj, self._node(obj.Name, surface))
         if self._kind == CURVATURE:
             self._legend.update(*curvature.legend(self._found.limit), LEGEND_TEXT_PX)
         self._legend.show(self._kind == CURVATURE)
@@ -220,7 +224,9 @@ def draw(kind, surface):
         return stripes.node(surface.mesh)
     group = coin.SoSeparator()
     for node in (
-        coloured.unpickable(), coloured.faces(surface.mesh, surface.colours, lit=False), coloured.lines(surface.lines)
-    ):  # fmt: skip
+        coloured.unpickable(),
+        coloured.faces(surface.mesh, surface.colours, lit=False),
+        coloured.lines(surface.lines),
+    ):
         group.addChild(node)
     return group

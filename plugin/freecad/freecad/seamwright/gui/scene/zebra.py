@@ -9,7 +9,7 @@ import FreeCAD as App
 
 from freecad.seamwright.document.display_mesh import display_mesh, fault_lines
 from freecad.seamwright.gui.scene import stripes
-from freecad.seamwright.gui.scene.coats import Coats, key, local_shape
+from freecad.seamwright.gui.scene.substitutes import Substitutes, key, local_shape
 from freecad.seamwright.gui.widgets.progress import progress_dialog
 from freecad.seamwright.gui.widgets.qt import QtCore
 
@@ -18,12 +18,12 @@ class Zebra:
     """The stripes of all documents."""
 
     def __init__(self):
-        self._coats = Coats(self._follow_shape)
+        self._substitutes = Substitutes(self._follow_shape)
         self._stale = set()
 
     def objects(self, doc):
         """Return the objects of a document that have stripes."""
-        return self._coats.objects(doc)
+        return self._substitutes.objects(doc)
 
     def show(self, objects):
         """Draw stripes on the objects as they are now; return False when the user cancelled."""
@@ -35,14 +35,14 @@ class Zebra:
                 )
                 if found is None:
                     return False
-                self._coats.put(obj, stripes.node(found))
+                self._substitutes.put(obj, stripes.node(found))
                 for line in fault_lines(obj.Label, found.faults):
                     App.Console.PrintWarning("Seamwright: %s\n" % line)
         return True
 
     def hide(self, objects):
         """Remove the stripes of the objects."""
-        self._coats.take_off(objects)
+        self._substitutes.remove(objects)
 
     def _follow_shape(self, obj):
         """Redraw the stripes of a changed object, once FreeCAD has finished its recompute."""
@@ -57,7 +57,7 @@ class Zebra:
             for doc, name in stale
             if doc in App.listDocuments()
         ]
-        self.show([obj for obj in found if obj is not None and self._coats.wears(obj)])
+        self.show([obj for obj in found if obj is not None and self._substitutes.has(obj)])
 
 
 zebra = Zebra()

@@ -18,7 +18,7 @@ LOCK_AFTER_MS = 300
 
 STEPS = 1000
 
-CANCELLED, CHANGED = "Cancelled", "The model was changed meanwhile"
+CANCELLED, CHANGED = "Cancelled", "The model was changed during the computation"
 
 
 class _Escape(QtCore.QObject):
@@ -70,7 +70,7 @@ class Computation:
         self.text, self.bar = QtWidgets.QLabel(), QtWidgets.QProgressBar()
         self.bar.setRange(0, STEPS)
         self.stop_button = QtWidgets.QPushButton("Stop")
-        self.stop_button.setToolTip("Stop; the results stay as they are. Esc does the same.")
+        self.stop_button.setToolTip("Stop and keep the earlier results. Esc does the same.")
         self.stop_button.clicked.connect(lambda *_: self.stop())
         for widget, stretch in ((self.text, 0), (self.bar, 1), (self.stop_button, 0)):
             layout.addWidget(widget, stretch)
@@ -105,29 +105,29 @@ class Computation:
         self._timer.start()
         return self._task
 
-    def follow(self, plan, keep, left):
+    def follow(self, plan, keep, abandoned):
         """Compute a plan.Plan in a thread, then call ``keep(found, error)``.
 
-        The arguments are those of ``apply``. Where there is nothing to keep, ``left(why)`` is
-        called instead. Where the object was deleted, nothing is called.
+        The arguments are those of ``apply``. Where there is nothing to keep, ``abandoned(why)``
+        is called instead. Where the object was deleted, nothing is called.
         """
 
         def done(found, error):
             if plan.object() is None:
                 return
             if isinstance(error, plan.cancelled):
-                left(CANCELLED)
+                abandoned(CANCELLED)
             elif error is not None and not isinstance(error, plan.failures):
                 App.Console.PrintError(
                     "".join(traceback.format_exception(type(error), error, error.__traceback__))
                 )
-                left("Failed: %s" % error)
+                abandoned("Failed: %s" % error)
             elif not plan.is_current():
-                left(CHANGED)
+                abandoned(CHANGED)
             else:
                 keep(found, error)
 
-        self.start(plan.text, plan.run, done, lambda: left(CANCELLED))
+        self.start(plan.text, plan.run, done, lambda: abandoned(CANCELLED))
 
     def stop(self):
         """Stop for the user; return False where nothing is computed."""

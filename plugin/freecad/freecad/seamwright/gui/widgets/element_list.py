@@ -29,13 +29,10 @@ class ElementList(QtWidgets.QWidget):
         self.list.setSpacing(1)
         self.list.setFixedHeight(int(LINES * (self.list.fontMetrics().height() + 6)))
         self.list.itemClicked.connect(lambda item: select(item.text()))
-        self.add, self.remove = QtWidgets.QPushButton("Add selected"), QtWidgets.QPushButton(
-            "Remove"
-        )
-        self.add.setToolTip("Add what is selected in the view")
-        self.remove.setToolTip(
-            "Take what is chosen here off the list; all of it if nothing is chosen"
-        )
+        self.add = QtWidgets.QPushButton("Add selected")
+        self.remove = QtWidgets.QPushButton("Remove")
+        self.add.setToolTip("Add what is selected in the view to the list")
+        self.remove.setToolTip("Remove the chosen names from the list; all if none is chosen")
         self.add.clicked.connect(self._add)
         self.remove.clicked.connect(self._remove)
         layout.addWidget(self.list, 1)

@@ -21,9 +21,9 @@ UPDATE_EVERY_S = 0.05
 INPUT = tuple(
     getattr(QtCore.QEvent, name)
     for name in (
-        "Close", "ContextMenu", "DragEnter", "Drop", "InputMethod", "KeyPress", "KeyRelease", "MouseButtonDblClick",
-        "MouseButtonPress", "MouseButtonRelease", "MouseMove", "Shortcut", "ShortcutOverride", "TabletPress",
-        "TouchBegin", "Wheel",
+        "Close", "ContextMenu", "DragEnter", "Drop", "InputMethod", "KeyPress", "KeyRelease",
+        "MouseButtonDblClick", "MouseButtonPress", "MouseButtonRelease", "MouseMove", "Shortcut",
+        "ShortcutOverride", "TabletPress", "TouchBegin", "Wheel",
     )
 )  # fmt: skip
 

@@ -14,7 +14,7 @@ FIELDS = (
     ("FlatRadius", "Flat above radius", " mm", 1e12),
     ("MatchDistance", "Match free edges within", " mm", 1e6),
     ("CornerAngle", "Corner of a hole above", "\u00b0", 180.0),
-    ("SectionTolerance", "Patches to fillets", " mm", 0.1),
+    ("SectionTolerance", "Gap of patch to fillet", " mm", 0.1),
 )
 
 #: Fields whose zero switches the function off.
@@ -87,7 +87,7 @@ class ToleranceForm(QtWidgets.QWidget):
             self.profile.setItemData(self.profile.count() - 1, tip, QtCore.Qt.ToolTipRole)
         self.profile.addItem(CUSTOM, None)
         self.profile.setToolTip(
-            "Fills in the fields below with what a kind of work usually accepts"
+            "Fill in the tolerances that are usual for a kind of work"
         )
         self.profile.activated.connect(self._profile_chosen)
         return self.profile
