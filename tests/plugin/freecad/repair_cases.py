@@ -38,9 +38,9 @@ def _angle_deg(faces, point):
     return math.degrees(math.asin(min(1.0, one.cross(other).Length)))
 
 
-def foreseen(obj):
+def candidates(obj):
     """(report, text) of the seams that a repair would treat."""
-    plan = Plan(obj, {}, repair.foreseeing)
+    plan = Plan(obj, {}, repair.candidates_job)
     plan.end(plan.run(None), None)
     return plan.results()
 
@@ -252,11 +252,11 @@ class Options(RepairCase):
         self.doc.recompute()
         self.assertNotRepaired(obj, "0.05")
 
-    def test_foreseen_seams_are_those_that_are_treated(self):
+    def test_candidates_are_those_that_are_treated(self):
         panel = self.panel()
         for edges in ((), ("Edge1", "Edge5")):
             obj = repair.prepare(panel, edges=edges, crease_deg=60.0, angle_deg=1.0)
-            report, text = foreseen(obj)
+            report, text = candidates(obj)
             self.assertEqual(obj.Report, "")
             self.doc.recompute()
             done = repair.report_of(obj)
@@ -316,7 +316,7 @@ class Errors(RepairCase):
         obj = repair.create(panel, edges=["Edge99"])
         self.assertNotRepaired(obj, "Panel has no Edge99")
         with self.assertRaisesRegex(sources.SourceError, "Panel has no Edge99"):
-            foreseen(obj)
+            candidates(obj)
         self.assertNotRepaired(
             repair.create(panel, fixed_faces=["Edge1"]),
             "Edge1 is not a face: name one, such as Face1",

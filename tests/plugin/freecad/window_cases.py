@@ -272,7 +272,7 @@ class Commands(WindowCase):
         for command in commands.COMMANDS:
             with self.subTest(command.name):
                 texts = command().GetResources()
-                self.assertRegex(texts["ToolTip"], r"^[A-Z][^.]+\..*\.$")
+                self.assertRegex(texts["ToolTip"], r"^[A-Z].{60,}\.$")
                 self.assertTrue(os.path.exists(texts["Pixmap"]))
 
     def test_the_selected_object_alone_is_analysed(self):

@@ -11,7 +11,7 @@ from freecad.seamwright.document.display_mesh import ShownMesh
 from freecad.seamwright.plain import kernel, orientation
 
 #: Surfaces of constant curvature: large triangles show it as well as small ones.
-EVEN = ("Part::GeomPlane", "Part::GeomCylinder", "Part::GeomSphere")
+CONSTANT = ("Part::GeomPlane", "Part::GeomCylinder", "Part::GeomSphere")
 
 #: Only faces whose size is at least this part of the size of the model get small triangles: there
 #: are few such faces. Triangles of other faces are small enough for normals, and so for the view.
@@ -34,19 +34,19 @@ def curvature_map_later(shape):
     make = module.bridge.model_later(shape)
     groups = _groups(shape)
     large = LARGE * shape.BoundBox.DiagonalLength
-    bent = [
+    curved = [
         number
         for number, face in enumerate(shape.Faces, 1)
-        if face.Surface.TypeId not in EVEN and face.BoundBox.DiagonalLength >= large
+        if face.Surface.TypeId not in CONSTANT and face.BoundBox.DiagonalLength >= large
     ]
 
     def run(progress=None):
         model = make()
         try:
-            mesh = _mesh(model, bent, progress)
-            spoilt = {fault["face"] for fault in mesh.faults} & set(bent)
-            if spoilt:
-                mesh = _mesh(model, [number for number in bent if number not in spoilt], progress)
+            mesh = _mesh(model, curved, progress)
+            faulty = {fault["face"] for fault in mesh.faults} & set(curved)
+            if faulty:
+                mesh = _mesh(model, [number for number in curved if number not in faulty], progress)
         except module.Cancelled:
             return None
         shown = ShownMesh.of(mesh)

@@ -14,7 +14,7 @@ from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.document.properties import error_text
 from freecad.seamwright.plain import kernel, repair_text
 
-__all__ = ["SeamRepair", "create", "error_text", "foreseeing", "is_repair", "report_of"]
+__all__ = ["SeamRepair", "candidates_job", "create", "error_text", "is_repair", "report_of"]
 
 #: property, argument of the kernel, property type, default, help
 TOLERANCES = properties.TOLERANCES + (
@@ -152,7 +152,7 @@ def repair_job(module, obj, private=False):
     return feature.Job("Repairing seams\u2026", run, finish)
 
 
-def foreseeing(module, obj, private=False):
+def candidates_job(module, obj, private=False):
     """Return the Job that finds (report, text) of the seams that a repair would treat.
 
     The report has these seams as they are now; the text is one line about them. This function and

@@ -172,8 +172,8 @@ class CornerFillet(Command):
     menu = "Corner Fillet"
     icon = "seamwright-corner"
     tip = (
-        "Round the 3 to 6 edges at the selected vertex of a solid, each with its own radius, and "
-        "close the corner between them with patches that join without a kink."
+        "Round the 3 to 6 edges at the selected vertex of a solid, each with its own radius. "
+        "Patches close the corner between the fillets without a kink."
     )
 
     def Activated(self):

@@ -117,7 +117,7 @@ def waiting(before, target, edges):
 
 
 def is_done(report):
-    """Return whether a repair was computed, not only foreseen."""
+    """Return whether a repair was computed, not only its candidates."""
     return report["defects"][1] is not None
 
 

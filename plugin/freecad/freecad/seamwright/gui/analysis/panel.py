@@ -17,7 +17,7 @@ from freecad.seamwright.gui.widgets.dock import widen_dock
 from freecad.seamwright.gui.widgets.forms import buttons, make_box, make_form, make_text
 from freecad.seamwright.gui.widgets.later import later
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
-from freecad.seamwright.gui.widgets.steps import remove, take_back
+from freecad.seamwright.gui.widgets.steps import abort, remove
 from freecad.seamwright.gui.widgets.tolerance_form import ToleranceForm
 from freecad.seamwright.plain import kernel
 
@@ -166,7 +166,7 @@ class AnalysisPanel:
     def _withdraw(self):
         """Remove the object that the command created, and close the panel."""
         name, self._name, self._created = self._name, None, False
-        take_back(self._doc, name)
+        abort(self._doc, name)
         Gui.getDocument(self._doc.Name).resetEdit()
 
     def leave(self):

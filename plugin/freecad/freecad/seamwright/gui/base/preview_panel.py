@@ -18,14 +18,14 @@ TABLE_HEIGHT = 190
 PREVIEW, PREVIEW_AGAIN = "Preview", "Update preview"
 
 #: Text colours of the last column, by the state of a row.
-INKS = {repair_text.REPAIRED: (0, 120, 88), repair_text.NOT_REPAIRED: (190, 80, 0)}
+TEXT_COLOURS = {repair_text.REPAIRED: (0, 120, 88), repair_text.NOT_REPAIRED: (190, 80, 0)}
 
 
 class PreviewPanel(ResultPanel):
     """Shows and changes one object; a subclass defines its fields and rows.
 
     A row has ``cells``, a text for each of ``COLUMNS``; ``detail``, its tool tip; and ``state``, a
-    key of ``INKS`` or another state, whose text has the default colour.
+    key of ``TEXT_COLOURS`` or another state, whose text has the default colour.
     """
 
     DOCK_WIDTH = 600
@@ -203,6 +203,6 @@ class PreviewPanel(ResultPanel):
 def _item(text, row, column):
     item = QtWidgets.QTableWidgetItem(text)
     item.setToolTip(row.detail)
-    if column == len(row.cells) - 1 and row.state in INKS:
-        item.setForeground(QtGui.QBrush(QtGui.QColor(*INKS[row.state])))
+    if column == len(row.cells) - 1 and row.state in TEXT_COLOURS:
+        item.setForeground(QtGui.QBrush(QtGui.QColor(*TEXT_COLOURS[row.state])))
     return item

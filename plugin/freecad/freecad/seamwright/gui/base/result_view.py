@@ -22,7 +22,7 @@ class ResultView(PanelView):
         """Return whether the object has a shape of its own to show."""
         return not obj.Shape.isNull()
 
-    def began(self, obj):
+    def first_result(self, obj):
         """Called when there is a result for the first time."""
 
     def attach(self, vobj):
@@ -39,7 +39,7 @@ class ResultView(PanelView):
         if has_result != self._had_result:
             self._had_result = has_result
             if has_result:
-                self.began(obj)
+                self.first_result(obj)
             if self.panel is None:
                 self.show_sources(obj, not has_result)
 

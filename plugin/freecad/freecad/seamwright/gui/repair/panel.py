@@ -135,7 +135,7 @@ class RepairPanel(PreviewPanel):
         """Show the seams that would be treated."""
         self.fill([], "")
         self.show_before()
-        plan = Plan(self.obj, {}, repair.foreseeing)
+        plan = Plan(self.obj, {}, repair.candidates_job)
 
         def keep(found, error):
             plan.end(found, error)

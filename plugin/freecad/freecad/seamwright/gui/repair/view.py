@@ -50,7 +50,7 @@ class SeamRepairView(ResultView):
         """Return the task panel."""
         return RepairPanel(obj, created)
 
-    def began(self, obj):
+    def first_result(self, obj):
         """Give the repair the look of its source."""
         look_like(obj, obj.Source)
 

@@ -21,7 +21,7 @@ def step(doc, name):
             doc.commitTransaction()
 
 
-def take_back(doc, name):
+def abort(doc, name):
     """Abort the open transaction, and remove the object of this name if it still exists."""
     if doc.HasPendingTransaction:
         doc.abortTransaction()

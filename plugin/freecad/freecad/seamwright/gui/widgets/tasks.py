@@ -13,7 +13,7 @@ import FreeCAD as App
 
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 
-LOOK_EVERY_MS = 30
+POLL_EVERY_MS = 30
 
 
 class Task:
@@ -42,7 +42,7 @@ class Task:
         """Wait until the thread has ended."""
         self._thread.join()
 
-    def tell(self):
+    def deliver(self):
         """Deliver the result, unless the task was cancelled."""
         if self.wanted:
             self._done(self._found, self._error)
@@ -81,8 +81,8 @@ class Tasks:
         """
         if self._timer is None:
             self._timer = QtCore.QTimer()
-            self._timer.setInterval(LOOK_EVERY_MS)
-            self._timer.timeout.connect(self._look)
+            self._timer.setInterval(POLL_EVERY_MS)
+            self._timer.timeout.connect(self._poll)
             QtWidgets.QApplication.instance().aboutToQuit.connect(self.end)
         if not self._running:
             self._collects = gc.isenabled()
@@ -110,7 +110,7 @@ class Tasks:
             task.join()
         self._forget(self._running)
 
-    def _look(self):
+    def _poll(self):
         if self._collects and gc.get_count()[0] > gc.get_threshold()[0] > 0:
             gc.collect(1)
         self._forget([task for task in self._running if task.is_over() and not task.wanted])
@@ -123,7 +123,7 @@ class Tasks:
             if not over:
                 return
             self._forget(over[:1])
-            over[0].tell()
+            over[0].deliver()
 
     def _forget(self, tasks):
         self._running = [task for task in self._running if task not in tasks]
