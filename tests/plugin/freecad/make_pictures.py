@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Makes the pictures of the task panels for the documentation, on a screen of 1600 x 1000.
+
+    python3 run_freecad.py --window --mod ADDON --out FOLDER make_pictures
+
+writes workbench.png, repair.png, match.png, fill_freecad.png and corner_fillet_freecad.png, to be
+looked at and moved to docs/images. For repair_curvature.png it writes the models:
+
+    seam-picture --pair FOLDER/before.brep FOLDER/after.brep repair_curvature.png --curvature ...
+"""
+
+import os
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import ImportGui
+import models
+import Part
+from PySide import QtCore
+from window import OUT, PanelWindow, click_row, settle, whole_window
+from window_cases import STEP
+
+from freecad.seamwright.document import corner, fill, match, repair
+from freecad.seamwright.gui.corner.panel import RADIUS
+from freecad.seamwright.gui.widgets.dock import dock_of
+
+GREY = (0.7, 0.7, 0.7)
+
+
+def take(name):
+    """Save the whole window once everything is drawn."""
+    settle(1.0)
+    whole_window(name)
+
+
+def open_block():
+    """A block with a hole between three fillets of different radii."""
+    box = Part.makeBox(30, 24, 20)
+    corner_point = App.Vector(30, 0, 20)
+    edges = [
+        edge
+        for edge in box.Edges
+        if any(vertex.Point.isEqual(corner_point, 1e-9) for vertex in edge.Vertexes)
+    ]
+    doc = App.newDocument("Fillet", hidden=True)
+    source = models.add(doc, box, "Box")
+    rounded = doc.addObject("Part::Fillet", "Rounded")
+    rounded.Base = source
+    numbers = [n for n, edge in enumerate(box.Edges, 1) if any(edge.isSame(e) for e in edges)]
+    rounded.Edges = [(n, radius, radius) for n, radius in zip(numbers, (4.0, 6.0, 9.0))]
+    doc.recompute()
+    kinds = ("Part::GeomPlane", "Part::GeomCylinder")
+    shell = Part.makeShell([f for f in rounded.Shape.Faces if f.Surface.TypeId in kinds])
+    App.closeDocument(doc.Name)
+    return shell
+
+
+class AnalysisPicture(PanelWindow):
+    def test_workbench(self):
+        ImportGui.insert(STEP, self.doc.Name)
+        self.doc.recompute()
+        self.fit()
+        _, panel = self.analyse()
+        click_row(panel.seam_table.table, 3)
+        take("workbench")
+        panel.reject()
+
+
+class RepairPicture(PanelWindow):
+    COMMAND = "Seamwright_RepairSeams"
+    is_made = staticmethod(repair.is_repair)
+
+    def test_repair(self):
+        source = models.add(self.doc, models.broken_panel(), "Panel")
+        source.ViewObject.ShapeColor = GREY
+        self.doc.recompute()
+        self.fit()
+        obj, panel = self.run_selected([(source, "")])
+        Gui.getMainWindow().resizeDocks([dock_of(panel.form)], [820], QtCore.Qt.Horizontal)
+        self.fit()
+        self.preview(panel)
+        take("repair")
+        for shape, name in ((source.Shape, "before.brep"), (obj.Shape, "after.brep")):
+            shape.exportBrep(os.path.join(OUT, name))
+        self.cancel()
+
+
+class MatchPicture(PanelWindow):
+    COMMAND = "Seamwright_MatchSurfaces"
+    is_made = staticmethod(match.is_match)
+
+    def test_match(self):
+        shapes = models.sheet(-1), models.sheet(1, slope_deg=3.0, bend=0.002)
+        sheets = [
+            models.add(self.doc, shape, name) for shape, name in zip(shapes, ("Left", "Right"))
+        ]
+        self.doc.recompute()
+        self.fit()
+        _, panel = self.run_selected([(sheet, "Face1") for sheet in sheets])
+        panel.tolerances.level.setCurrentText("G2")
+        settle(1.0)
+        panel.zebra.setChecked(True)
+        take("match")
+        self.cancel()
+
+
+class FillPicture(PanelWindow):
+    COMMAND = "Seamwright_UmbrellaFill"
+    is_made = staticmethod(fill.is_fill)
+
+    def test_fill(self):
+        shell = open_block()
+        App.setActiveDocument(self.doc.Name)
+        source = models.add(self.doc, shell, "Block")
+        source.ViewObject.ShapeColor = GREY
+        self.doc.recompute()
+        self.fit()
+        _, panel = self.run_selected([(source, "")])
+        self.preview(panel)
+        take("fill_freecad")
+        self.cancel()
+
+
+class CornerPicture(PanelWindow):
+    COMMAND = "Seamwright_CornerFillet"
+    is_made = staticmethod(corner.is_corner)
+
+    def test_corner(self):
+        source = models.add(self.doc, Part.makeBox(10, 10, 10), "Cube")
+        source.ViewObject.ShapeColor = GREY
+        self.doc.recompute()
+        self.fit()
+        near = App.Vector(10, 0, 10)
+        (number,) = [
+            n for n, v in enumerate(source.Shape.Vertexes, 1) if v.Point.isEqual(near, 1e-9)
+        ]
+        _, panel = self.run_selected([(source, "Vertex%d" % number)])
+        for field, radius in zip(panel.fields[RADIUS], (1.0, 2.0, 3.0)):
+            field.setValue(radius)
+        self.preview(panel)
+        take("corner_fillet_freecad")
+        self.cancel()
