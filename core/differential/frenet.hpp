@@ -18,13 +18,11 @@ enum class CurvePoint {
   Point        ///< all given derivatives are zero within rounding: no tangent
 };
 
-/// Frenet frame, curvature and torsion of a curve at a point. Proven error bounds cover rounding
-/// and the noise of the derivatives, but not their own rounding.
+/// Frenet frame, curvature and torsion at a point, with proven bounds of rounding and noise.
 ///
 /// Where the curvature is zero within its bound it is 0, and normal, binormal, torsion and change
-/// of curvature are nothing. At a cusp the curvature is nothing too. So at a regular point the
-/// curvature is certainly not zero, but the torsion may be smaller than its bound. Figures beyond
-/// the range of a double are nothing.
+/// of curvature are nothing; at a cusp the curvature too. So at a regular point it is certainly not
+/// zero. Figures beyond the range of a double are nothing.
 struct FrenetFrame {
   CurvePoint kind = CurvePoint::Point;
   double speed = 0;  ///< |X'|
@@ -85,11 +83,10 @@ struct CurveDegeneracies {
 /// subdivided until an interval is free of zeros, shorter than \p resolution, or zero within
 /// rounding throughout. Speeds down to 1e-15 of the largest are resolved.
 ///
-/// What is not reported is proved free of cusps and inflections; a reported interval does not prove
-/// that there is one. Intervals that touch are merged, into a cusp if one may be among them. That
-/// of a cusp is typically 1e-7 wide, because rounding hides inflections nearby. A curve that is one
-/// point has one interval of kind Point. \throws std::invalid_argument for a resolution outside
-/// 1e-12..1.
+/// What is not reported is proved free of cusps and inflections; what is reported need not be one.
+/// Intervals that touch are merged, into a cusp if one may be among them. That of a cusp is
+/// typically 1e-7 wide. A curve that is one point has one interval of kind Point.
+/// \throws std::invalid_argument for a resolution outside 1e-12..1.
 /// Source: docs/theory/curves.md C1.4.
 CurveDegeneracies findDegeneracies(const BezierCurve& curve, double resolution = 1e-9);
 

@@ -73,15 +73,14 @@ struct NSidedFill {
   double fairness_mm2 = 0;  ///< sum of the squared differences of poles
   /// Proven: no normal of a patch vanishes or turns back.
   bool regular = false;
-  /// Relative length of the spokes' first derivatives, if prescribed; nothing: fairness chose it.
+  /// Relative length of the spokes' first derivatives, if it was prescribed.
   std::optional<double> spoke_scale;
   /// The largest at sampled parameters of all edges, if asked for.
   std::optional<double> curvature_jump_per_mm = std::nullopt;
 };
 
 /// Fills a hole of 3 to 12 sides with tensor-product Bezier patches. They meet each other, and the
-/// tangent planes of the surroundings, exactly with G1: the equations hold as polynomials. See
-/// docs/n_sided_fill.md.
+/// tangent planes of the surroundings, exactly with G1. See docs/n_sided_fill.md.
 ///
 ///     nSidedFill({fillSide(a, PatchEdge::V1, true), fillSide(b, PatchEdge::U0, false),
 ///                 fillSide(c, PatchEdge::V0, false)}).patches

@@ -12,8 +12,7 @@
 
 namespace seamwright {
 
-/// A patch over [0, 1]^2 or a triangle over u = l0, v = l1; (u, v) = (0, 0) is the common point O,
-/// which is corner P2 of a triangle.
+/// A patch over [0, 1]^2 or a triangle over u = l0, v = l1; (0, 0) is the common point O.
 using UmbrellaMember = std::variant<BezierPatch, BezierTriangle>;
 enum class MemberKind { Tensor, Triangle };
 
@@ -59,8 +58,7 @@ struct Umbrella {
   Eigen::Index free_vectors = 0;      ///< number of free vectors in the poles
 };
 
-/// The lowest degree of members for a linear and b constant: that of the spokes, one more for a
-/// triangle next to a triangle; of triangles at least 2.
+/// The lowest degree of members for a linear and b constant, see docs/umbrella.md.
 int lowestUmbrellaDegree(const std::vector<MemberKind>& kinds, bool closed, int spoke_degree);
 
 /// The umbrella around spokes; see docs/umbrella.md.
@@ -104,9 +102,8 @@ struct UmbrellaInsideOptions {
 /// the sides, with the least energy of umbrellaAround(). There is no condition across the boundary.
 /// Member i has the corner between side i and side i + 1 at (u, v) = (1, 1).
 /// \param sides 3 to 12 polynomial curves, each beginning where the one before ends.
-/// \throws std::invalid_argument for a number of sides outside 3 to 12, sides that are rational or
-/// not connected, a degree that is too low, and a boundary for which the tangents at O become
-/// parallel.
+/// \throws std::invalid_argument for another number of sides, sides that are rational or not
+/// connected, a degree that is too low, and tangents at O that become parallel.
 /// Source: docs/theory/fills.md F1.8, F1.9; [Loop1994].
 Umbrella umbrellaInside(const std::vector<BezierCurve>& sides,
                         const UmbrellaInsideOptions& options = {});

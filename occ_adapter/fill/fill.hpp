@@ -95,10 +95,9 @@ struct FillHoleReport {
 /// before. With keep_anyway it is kept if it could be sewn. Otherwise the model is returned as it
 /// is, and the report says how near the fill came.
 ///
-/// A defect of the hole never throws; it is the reason in the report. Holes with more than 12
-/// corners, with more than 4 of which one is above pi, with one above 5.3 rad, and beside faces or
-/// edges with numbers that are not finite, or 1e100 and more, are not filled. Elsewhere in the
-/// model such faces stay and are not checked.
+/// A defect of the hole never throws; it is the reason in the report. Not filled are holes with
+/// more than 12 corners, with more than 4 of which one is above pi, with one above 5.3 rad, and
+/// beside faces or edges with numbers that are not finite, or 1e100 and more.
 ///
 /// The given model is not changed.
 /// \param hole one of findHoles() of this model.

@@ -36,8 +36,8 @@ EdgeRows rowsToMove(const MatchSide& side, int order);
 /// The exact join (nearestJoin()). \pre both sides are natural. \throws Standard_Failure.
 Candidate joinInPoles(const PairToMatch& pair);
 
-/// The driver is deformed to meet the other side. \param limit share of the tolerance that samples
-/// have to meet.
+/// The driver is deformed to meet the other side.
+/// \param limit share of the tolerance that samples have to meet.
 Candidate joinToTolerance(const PairToMatch& pair, double limit);
 
 }  // namespace seamwright::occ

@@ -43,8 +43,9 @@ struct WriteReport {
 Format targetFormat(const std::filesystem::path& path);
 
 /// Checks a target as writeModel() does, before the work whose result it is to hold: its name tells
-/// a format, it does not exist or may be replaced, and its folder can be written to. \param source
-/// the file that the model is read from; empty if none. \throws ModelError
+/// a format, it does not exist or may be replaced, and its folder can be written to.
+/// \param source the file that the model is read from; empty if none.
+/// \throws ModelError
 void requireTarget(const std::filesystem::path& source, const std::filesystem::path& target,
                    const WriteOptions& options = {});
 

@@ -55,7 +55,7 @@ struct NearestJoin {
 };
 
 /// Moves poles of two surfaces that nearly meet along one edge each, so that the surfaces join
-/// exactly with G1 or G2. The move is as small as possible. docs/nearest_joins.md explains how.
+/// exactly with G1 or G2, by the smallest move. See docs/nearest_joins.md.
 ///
 ///     const NearestJoin join = nearestJoin({.surface = a, .edge = PatchEdge::U1, .moves = false},
 ///                                          {.surface = b, .edge = PatchEdge::U0}, {.order = 2});
@@ -68,8 +68,7 @@ struct NearestJoin {
 ///   - Inner knots along the seam force beta (for G2 also q) to vanish there, or the seam to become
 ///     smoother. withRaisedKnots() on both sides leaves beta free.
 ///   - A side that has a tangent plane keeps it; it turns by less than a right angle.
-///   - Infeasible does not prove that no join exists: fixed poles, knots, collapsed edges, weights
-///     that would become negative, and rounding may be the cause.
+///   - Infeasible does not prove that no join exists.
 ///   - Rational surfaces move in homogeneous coordinates. The squared move of a pole (w x, w) is
 ///     |w dx + (x - m) dw|^2 / w^2 + (L dw / w)^2, with m the mean of the seam's poles and L the
 ///     size of the rows.
