@@ -177,7 +177,8 @@ def main():
         print(text_of(f"{len(rows)} models", total))
         if total["defects"]:
             print(
-                f"\nleft in memory {total['after'] / total['defects']:.1%}, in the file {total['in file'] / total['defects']:.1%}"
+                f"\nleft in memory {total['after'] / total['defects']:.1%}, in the file "
+                f"{total['in file'] / total['defects']:.1%}"
             )
     print("\nwithout defects:", ", ".join(without_defects) or "none")
     print("not repaired:", "; ".join(failures) or "none")

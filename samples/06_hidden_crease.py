@@ -95,13 +95,17 @@ def legend():
         ("#009e73", "accepted: 0.1°"),
     ]
     for row, (color, words) in enumerate(entries):
-        yield f'<rect x="{LEFT + 14}" y="{TOP + 8 + 19 * row}" width="12" height="10" fill="{color}"/>'
+        yield (
+            f'<rect x="{LEFT + 14}" y="{TOP + 8 + 19 * row}" width="12" height="10" '
+            f'fill="{color}"/>'
+        )
         yield text(LEFT + 33, TOP + 17 + 19 * row, words)
 
 
 def picture():
     yield (
-        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="sans-serif" '
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" '
+        'font-family="sans-serif" '
         'font-size="12">'
     )
     yield f'<rect width="{WIDTH}" height="{HEIGHT}" fill="white"/>'
@@ -124,7 +128,10 @@ def picture():
             f'<rect x="{left:.1f}" y="{top - 1:.1f}" width="{x_of(1 / SPANS) - LEFT:.1f}" '
             f'height="{bottom - top + 2:.1f}" fill="#d55e00"/>'
         )
-    yield f'<polyline points="{" ".join(f"{x_of(s):.1f},{y_of(a):.1f}" for s, a in curve)}" fill="none" stroke="#222"/>'
+    yield (
+        f'<polyline points="{" ".join(f"{x_of(s):.1f},{y_of(a):.1f}" for s, a in curve)}" '
+        'fill="none" stroke="#222"/>'
+    )
     for s, degrees in checked:
         yield f'<circle cx="{x_of(s):.1f}" cy="{y_of(degrees):.1f}" r="4" fill="#0072b2"/>'
     yield from legend()
@@ -135,5 +142,6 @@ with open(sys.argv[1], "w", encoding="utf-8") as file:
     file.write("\n".join(picture()) + "\n")
 lower, upper = max(b["lower"] for b in bounds), max(b["upper"] for b in bounds)
 print(
-    f"21 points see {max(a for _, a in checked):.3g} deg, the largest angle is {lower:.6g} to {upper:.6g} deg"
+    f"21 points see {max(a for _, a in checked):.3g} deg, the largest angle is {lower:.6g} to "
+    f"{upper:.6g} deg"
 )

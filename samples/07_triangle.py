@@ -81,7 +81,8 @@ def lines(patch, middle, color):
 
 def picture():
     yield (
-        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="sans-serif" '
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" '
+        'font-family="sans-serif" '
         'font-size="13" text-anchor="middle">'
     )
     yield f'<rect width="{WIDTH}" height="{HEIGHT}" fill="white"/>'
@@ -92,7 +93,10 @@ def picture():
         yield f'<text x="{middle}" y="{HEIGHT - 10}" fill="#222">{words}</text>'
         for name, corner in zip(("P0", "P1", "P2"), CORNERS):
             x, y = projected(corner, middle)
-            yield f'<text x="{x:.1f}" y="{y + (-8 if name == "P0" else 20):.1f}" fill="#222">{name}</text>'
+            yield (
+                f'<text x="{x:.1f}" y="{y + (-8 if name == "P0" else 20):.1f}" '
+                f'fill="#222">{name}</text>'
+            )
     yield "</svg>"
 
 

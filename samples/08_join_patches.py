@@ -30,7 +30,8 @@ for order, between in blends.items():
         join = seamwright.join_condition(surface, edge, between, own)
         jump = seamwright.enclose_seam(surface, edge, between, own)["curvature_per_mm"]["lower"]
         print(
-            f"order {order}, degrees {between.degree_u} by {between.degree_v}: {'G2' if join['g2'] else join['verdict']}, "
+            f"order {order}, degrees {between.degree_u} by {between.degree_v}: "
+            f"{'G2' if join['g2'] else join['verdict']}, "
             f"angle below {join['angle_bound_rad']:.0e} rad, curvature jumps by {jump:.4f} / mm"
         )
 
@@ -55,7 +56,10 @@ def drawing(patches, height):
     for patch, color in zip(patches, ("#0072b2", "#d55e00", "#0072b2")):
         points = [(p + [0, height], q + [0, height]) for p, q in comb(patch)]
         for p, q in points:
-            yield f'<line x1="{p[0]:.1f}" y1="{p[1]:.1f}" x2="{q[0]:.1f}" y2="{q[1]:.1f}" stroke="#bbb"/>'
+            yield (
+                f'<line x1="{p[0]:.1f}" y1="{p[1]:.1f}" x2="{q[0]:.1f}" y2="{q[1]:.1f}" '
+                'stroke="#bbb"/>'
+            )
         for k, style in ((0, f'stroke="{color}" stroke-width="3"'), (1, 'stroke="#666"')):
             path = " ".join(f"{pair[k][0]:.1f},{pair[k][1]:.1f}" for pair in points)
             yield f'<polyline points="{path}" fill="none" {style}/>'
@@ -63,7 +67,8 @@ def drawing(patches, height):
 
 def picture():
     yield (
-        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="sans-serif" '
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" '
+        'font-family="sans-serif" '
         'font-size="13">'
     )
     yield f'<rect width="{WIDTH}" height="{HEIGHT}" fill="white"/>'

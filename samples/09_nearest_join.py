@@ -49,7 +49,10 @@ for order in (1, 2):
             left, "u0", right, "u0", order=order, moves=moves
         )
         gap, angle, curvature = enclosed(join["a"], join["b"])
-        text = f"G{order}, {moves:4} moves: {join['status']}, largest move {join['largest_move_mm']:.3f} mm"
+        text = (
+            f"G{order}, {moves:4} moves: {join['status']}, largest move "
+            f"{join['largest_move_mm']:.3f} mm"
+        )
         print(
             text,
             f"angle < {max(angle, 1e-9):.0e} deg"
@@ -67,7 +70,10 @@ def section(surface, style):
 
 
 def picture():
-    yield f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="sans-serif" font-size="12">'
+    yield (
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" '
+        'font-family="sans-serif" font-size="12">'
+    )
     yield f'<rect width="{WIDTH}" height="{HEIGHT}" fill="white"/>'
     yield f'<line x1="{WIDTH / 2}" y1="40" x2="{WIDTH / 2}" y2="{HEIGHT - 20}" stroke="#ddd"/>'
     entries = [

@@ -43,7 +43,8 @@ for name, one in (("bend", bend), ("cusp", cusp)):
     for place in found["places"]:
         middle, reach = (place["last"] + place["first"]) / 2, (place["last"] - place["first"]) / 2
         print(
-            f"{name}: {place['kind']} within {reach:.0e} of t = {middle:.6f}, certainly nowhere else"
+            f"{name}: {place['kind']} within {reach:.0e} of t = {middle:.6f}, certainly nowhere "
+            "else"
         )
 
 before, after = (seamwright.frenet_frame(bend, t)["normal"] for t in (0.5 - 1e-6, 0.5 + 1e-6))
@@ -57,7 +58,8 @@ print(
 for tolerance in (1, 1e-4, 1e-11):
     length = seamwright.arc_length(cusp, tolerance)
     print(
-        f"length of the cusp's curve: {length['value_mm']:.10f} mm, certain to {length['upper_mm'] - length['lower_mm']:.0e}"
+        f"length of the cusp's curve: {length['value_mm']:.10f} mm, certain to "
+        f"{length['upper_mm'] - length['lower_mm']:.0e}"
     )
 steps = np.linspace(0, length["value_mm"], 17)
 even = [cusp.point(seamwright.parameter_at_length(cusp, s, 1e-9)) for s in steps]

@@ -29,7 +29,8 @@ for beta in ([1, 0], [0.6, 0], [1.8, 0], [1, 4], [1, -4]):
     missed = next(k for k in range(4) if fit["lower"][k] > 0 and fit["defects"][k] > 1e-9)
     found = np.round(fit["beta"][:2], 9) + 0
     print(
-        f"beta {beta[0]:3}, {beta[1]:2}: defects below {max(fit['upper'][:3]):.0e} to G2, G{missed} missed by {fit['defects'][missed]:.3f}, "
+        f"beta {beta[0]:3}, {beta[1]:2}: defects below {max(fit['upper'][:3]):.0e} to G2, "
+        f"G{missed} missed by {fit['defects'][missed]:.3f}, "
         f"found beta {found[0]:.3f}, {found[1]:.3f}"
     )
     assert max(fit["upper"][:3]) < 1e-12

@@ -40,7 +40,8 @@ for order, color in ((1, "#0072b2"), (2, "#009e73"), (3, "#cc79a7")):
     worst = max(seamwright.fit_beta(join["a"], join["b"], order)["defects"])
     exponent = max(-13, int(np.ceil(np.log10(max(worst, 1e-300)))))
     print(
-        f"G{order}: {join['status']}, largest move {join['largest_move_mm']:.2f} mm, defects below 1e{exponent}"
+        f"G{order}: {join['status']}, largest move {join['largest_move_mm']:.2f} mm, defects below "
+        f"1e{exponent}"
     )
     assert worst < 1e-11
     for given, name in ((a, "a"), (b, "b")):

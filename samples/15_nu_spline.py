@@ -59,7 +59,8 @@ draw(one, 4, "nu = 100 at the fourth point only", comb=None)
 biased = seamwright.beta_spline(points, bias=[1, 1, 1, 3, 1, 1, 1])["curve"]
 joint = biased.measure_joints(2)[2]
 print(
-    f"bias 3 at the fourth point: G{joint['order_reached']}, and the curve leaves it a third as fast"
+    f"bias 3 at the fourth point: G{joint['order_reached']}, and the curve leaves it a third as "
+    "fast"
 )
 draw(biased, 5, "bias = 3 at the fourth point", comb=40)
 drawing.write(sys.argv[1])

@@ -100,14 +100,16 @@ mixed = seamwright.umbrella(
 label = labels()
 draw(mixed, [0, 0, 0], label)
 print(
-    f"around 5 spokes: members of degree {mixed['members'][0].degree_u}, angle below {certified(mixed):.0e} rad, "
+    f"around 5 spokes: members of degree {mixed['members'][0].degree_u}, angle below "
+    f"{certified(mixed):.0e} rad, "
     f"condition {mixed['condition']:.1f}"
 )
 
 filled = seamwright.umbrella_inside([side(k) for k in range(5)])
 draw(filled, [28, 0, 0], label)
 print(
-    f"inside 5 sides: members of degree {filled['members'][0].degree_u}, angle below {certified(filled):.0e} rad, "
+    f"inside 5 sides: members of degree {filled['members'][0].degree_u}, angle below "
+    f"{certified(filled):.0e} rad, "
     f"sectors of {np.degrees(filled['angles_rad']).round().astype(int)} degrees"
 )
 

@@ -89,7 +89,8 @@ for k, patch in enumerate(around):
 for name, seams in (("between the patches", spokes), ("to the surroundings", sides)):
     angle, curvature = worst(seams)
     print(
-        f"{name}: angle below {max(angle, 1e-8):.0e} degrees, curvature jumps by up to {curvature:.4f} / mm"
+        f"{name}: angle below {max(angle, 1e-8):.0e} degrees, curvature jumps by up to "
+        f"{curvature:.4f} / mm"
     )
     assert angle < 1e-8
 
@@ -126,7 +127,8 @@ def lines(patch, left, color):
 
 with open(sys.argv[1], "w", encoding="utf-8") as file:
     print(
-        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="sans-serif" font-size="12">',
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" '
+        'font-family="sans-serif" font-size="12">',
         file=file,
     )
     print(f'<rect width="{WIDTH}" height="{HEIGHT}" fill="white"/>', file=file)

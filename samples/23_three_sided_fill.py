@@ -54,7 +54,8 @@ off = [
     abs(np.linalg.norm(triangle.point(u, v)) - RADIUS) for triangle in triangles for u, v in places
 ]
 print(
-    f"at most {max(off):.3f} mm from the sphere of {RADIUS:.0f} mm; the arcs are {RADIUS * 2.73e-4:.3f} mm from it"
+    f"at most {max(off):.3f} mm from the sphere of {RADIUS:.0f} mm; the arcs are "
+    f"{RADIUS * 2.73e-4:.3f} mm from it"
 )
 
 WIDTH, HEIGHT, SCALE = 760, 310, 10.0
@@ -75,11 +76,17 @@ def facet(points, left, color):
     normal = np.cross(points[1] - points[0], points[2] - points[0])
     shade = 0.35 + 0.65 * abs(normal @ LIGHT) / np.linalg.norm(normal)
     fill_color = "rgb({:.0f},{:.0f},{:.0f})".format(*(np.clip(shade, 0, 1) * np.array(color)))
-    return f'<polygon points="{" ".join(projected(points, left))}" fill="{fill_color}" stroke="{fill_color}" stroke-width="0.5"/>'
+    return (
+        f'<polygon points="{" ".join(projected(points, left))}" fill="{fill_color}" '
+        f'stroke="{fill_color}" stroke-width="0.5"/>'
+    )
 
 
 def line(points, left, width):
-    return f'<polyline points="{" ".join(projected(points, left))}" fill="none" stroke="#222" stroke-width="{width}"/>'
+    return (
+        f'<polyline points="{" ".join(projected(points, left))}" fill="none" stroke="#222" '
+        f'stroke-width="{width}"/>'
+    )
 
 
 def shaded_patch(patch, left, color):
@@ -121,7 +128,8 @@ def web(triangle, left):
 
 with open(sys.argv[1], "w", encoding="utf-8") as file:
     print(
-        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" font-family="sans-serif" font-size="12">',
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" '
+        'font-family="sans-serif" font-size="12">',
         file=file,
     )
     print(f'<rect width="{WIDTH}" height="{HEIGHT}" fill="white"/>', file=file)

@@ -30,8 +30,8 @@ double poleTolerance(const TopTools_MapOfShape& poles, const TopoDS_Vertex& vert
   return !vertex.IsNull() && poles.Contains(vertex) ? BRep_Tool::Tolerance(vertex) : 0;
 }
 
-Coedge faceUse(int number, const TopoDS_Face& face, const TopoDS_Edge& edge,
-               const TopTools_MapOfShape& poles) {
+Coedge coedgeOf(int number, const TopoDS_Face& face, const TopoDS_Edge& edge,
+                const TopTools_MapOfShape& poles) {
   return {number,
           face,
           edge,
@@ -60,17 +60,17 @@ std::vector<UsesOfEdge> collectUses(const TopoDS_Shape& shape,
           edge.Orientation() == TopAbs_FORWARD || edge.Orientation() == TopAbs_REVERSED;
       if (!bounds || BRep_Tool::Degenerated(edge)) continue;
       const int e = edges.FindIndex(edge);
-      uses[e].push_back(faceUse(f, face, edge, poles));
+      uses[e].push_back(coedgeOf(f, face, edge, poles));
       uses[e].back().fault = faultOfUse(unusable, f, e);
     }
   }
   return uses;
 }
 
-NonSeamEdge looseEdge(int edge, const UsesOfEdge& uses) {
-  NonSeamEdge loose{edge, {}};
-  for (const Coedge& use : uses) loose.faces.push_back(use.face);
-  return loose;
+NonSeamEdge nonSeamEdge(int edge, const UsesOfEdge& uses) {
+  NonSeamEdge result{edge, {}};
+  for (const Coedge& use : uses) result.faces.push_back(use.face);
+  return result;
 }
 
 }  // namespace
@@ -87,14 +87,14 @@ SeamGraph findSeams(const TopoDS_Shape& shape) {
   for (int e = 1; e <= edges.Extent(); ++e) {
     const UsesOfEdge& sides = uses[e];
     if (sides.size() == 1) {
-      graph.open.push_back(looseEdge(e, sides));
+      graph.open.push_back(nonSeamEdge(e, sides));
       graph.open_uses.push_back(sides.front());
     } else if (sides.size() == 2) {
       const SeamKind kind = sides[0].face == sides[1].face ? SeamKind::Closed : SeamKind::Shared;
       graph.seams.push_back(
           {static_cast<int>(graph.seams.size()) + 1, kind, {e}, {sides[0], sides[1]}, {}, {}});
     } else if (sides.size() > 2) {
-      graph.non_manifold.push_back(looseEdge(e, sides));
+      graph.non_manifold.push_back(nonSeamEdge(e, sides));
     }
   }
   return graph;

@@ -168,7 +168,7 @@ double costOf(const AlphaSurface& given, const AlphaSurface& next, const AlphaNe
   return middle - slope * slope / (2 * bend);
 }
 
-/// Nets whose join has a local minimum at a beta1 > 0 that is dearer than those next to 0.
+/// Nets whose join has a local minimum at a beta1 > 0 that is costlier than those next to 0.
 std::pair<AlphaSurface, AlphaSurface> withLocalMinimum() {
   AlphaSurface given, next;
   const double x[] = {0, 1, 2, 3}, z[] = {0, 1, 0, 0}, next_x[] = {3, 2.9375, 3, 6},
@@ -183,7 +183,7 @@ std::pair<AlphaSurface, AlphaSurface> withLocalMinimum() {
 
 TEST(AlphaJoinCondition, Identity8NorNextToBetaZero) {
   std::mt19937_64 random(testSeed());
-  int none = 0, dearer = 0;
+  int none = 0, costlier = 0;
   for (int i = 0; i < 1500; ++i) {
     AlphaSurface given = randomSurface(random), next = randomSurface(random);
     for (int k = 0; k < 16; ++k) next.poles.row(k) += 2 * test::randomVector(random).transpose();
@@ -213,11 +213,11 @@ TEST(AlphaJoinCondition, Identity8NorNextToBetaZero) {
     } else {
       EXPECT_GE(least, limit * (1 - 1e-6)) << i << ": no beta1 is nearer than those next to 0";
       ++none;
-      dearer += dips;
+      costlier += dips;
     }
   }
   EXPECT_GT(none, 50);
-  EXPECT_GT(dearer, 2) << "with a local minimum that is dearer";
+  EXPECT_GT(costlier, 2) << "with a local minimum that is costlier";
 }
 
 TEST(AlphaJoinCondition, ALocalMinimumIsNotTheNearest) {

@@ -145,7 +145,6 @@ TEST(EncloseSeam, TheGapOutsideTheRangeSeesAllOfThePath) {
 }
 
 // --- limits of the verdict
-// ---------------------------------------------------------------------------------
 
 /// The plane z = 0 turned about y by the angle with this cosine and sine.
 SeamSide turnedPlane(double cosine, double sine) {
@@ -336,10 +335,8 @@ TEST(EncloseSeam, SpheresThatTouchAreHeldToThePrecisionOfRounding) {
 }
 
 // --- degenerate patches
-// ------------------------------------------------------------------------------------
 
 // --- laws
-// --------------------------------------------------------------------------------------------------
 
 TEST(EncloseSeam, ACreaseWhereAPeriodEndsIsSeen) {
   // A prism over an equilateral triangle, the period from -pi to pi, which its knots round.

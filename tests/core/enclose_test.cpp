@@ -268,7 +268,6 @@ TEST(EncloseSeam, ACertainVerdictIsThatOfTheDensestSampling) {
 }
 
 // --- exact joins
-// -------------------------------------------------------------------------------------------
 
 /// Bernstein coefficients of a polynomial with values in space or of numbers.
 template <class Value>
@@ -411,7 +410,6 @@ TEST(EncloseSeam, Identity3JoinsOfHighDegreeLeaveOnlyRounding) {
 }
 
 // --- seams that hide something
-// -----------------------------------------------------------------------------
 
 BezierPatch mapped(const BezierPatch& patch, const Eigen::Matrix3d& matrix,
                    const Vec& translation) {

@@ -105,7 +105,7 @@ TEST(NSidedFillLimits, AnglesOfPiAndMore) {
 }
 
 // A cross-boundary derivative that points into the hole: the angle lies on the other side.
-TEST(NSidedFillLimits, CrossFieldPointsIntoTheHole) {
+TEST(NSidedFillLimits, CrossBoundaryDerivativesPointIntoTheHole) {
   std::vector<FillSide> sides = square();
   for (FillSide& side : sides) side.cross = -*side.cross;
   expectRefused(sides, HasSubstr("split the hole"));

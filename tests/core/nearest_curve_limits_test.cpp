@@ -85,7 +85,7 @@ TEST(NearestCurve, ResultsScaleWithTheCurves) {
   }
 }
 
-TEST(NearestCurve, DearPolesHardlyMove) {
+TEST(NearestCurve, CostlyPolesHardlyMove) {
   const Pair pair = kinked(0.4);
   NearestCurveJoinOptions options = pair.options;
   options.costs_a = Eigen::Vector4d::Constant(1e12);

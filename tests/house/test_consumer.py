@@ -40,7 +40,8 @@ def test_consumer(tmp_path):
     )
     assert (
         output
-        == "core: patch of degree 1 x 1, point (0.5, 0.5, 0)\nocc: 48 seams, verdict: some fall short\n"
+        == "core: patch of degree 1 x 1, point (0.5, 0.5, 0)\nocc: 48 seams, verdict: some fall "
+           "short\n"
     )
 
 

@@ -105,7 +105,10 @@ def test_python_package_works_from_the_install(tmp_path):
     placed = install("python", tmp_path)
     package = tmp_path / "lib/python3/dist-packages"
     assert f"{package.relative_to(tmp_path)}/seamwright/__init__.py" in placed
-    program = "import sys, seamwright; r = seamwright.read(sys.argv[1]).analyze(); print(len(r), r.passed, seamwright.__file__)"
+    program = (
+        "import sys, seamwright; r = seamwright.read(sys.argv[1]).analyze(); print(len(r), "
+        "r.passed, seamwright.__file__)"
+    )
     run = subprocess.run(
         ["/usr/bin/python3", "-c", program, str(BROKEN)],
         capture_output=True,

@@ -12,7 +12,8 @@ import pytest
 SOURCE = Path(os.environ["SEAMWRIGHT_SOURCE"])
 ADDON = SOURCE / "plugin/freecad/freecad/seamwright"
 OPENCASCADE = re.compile(
-    r"\b(?:TopoDS|TopAbs|TopExp|TopTools|TopLoc|Geom|Geom2d|BRep[A-Za-z]*|Bnd|gp|TCol[A-Za-z]*|XCAFDoc|TDF|STEP[A-Za-z]*"
+    r"\b(?:TopoDS|TopAbs|TopExp|TopTools|TopLoc|Geom|Geom2d|BRep[A-Za-z]*|Bnd|gp|TCol[A-Za-z]*"
+    r"|XCAFDoc|TDF|STEP[A-Za-z]*"
     r"|Standard)_\w+|\bopencascade::handle\b|\bHandle\("
 )
 # A program must name what it catches and which OpenCASCADE it runs.

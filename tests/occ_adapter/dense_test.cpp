@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Every seam of real models against plain evaluation at thousands of points.
+// Every seam of models against plain evaluation at thousands of points.
 #include <gtest/gtest.h>
 
 #include <BRepFilletAPI_MakeFillet.hxx>
@@ -8,17 +8,18 @@
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include <seamwright/occ_adapter/model/read.hpp>
 
 #include "dense_oracle.hpp"
+#include "files.hpp"
+#include "repair_trials.hpp"
 #include "shapes.hpp"
+#include "support/random.hpp"
 
 namespace seamwright::test {
 namespace {
 
-namespace fs = std::filesystem;
 using occ::SeamResult;
 
 /// The largest values just before, at and just after a place: on a knot line both sides count.
@@ -157,38 +158,40 @@ void PrintTo(const File& file, std::ostream* out) {
 class DenseFiles : public ::testing::TestWithParam<File> {};
 
 TEST_P(DenseFiles, EveryFigureAndLevel) {
-  const fs::path given = GetParam().path;
-  const fs::path path = given.is_absolute() ? given : fs::path(SEAMWRIGHT_TEST_MODELS) / given;
-  if (!fs::exists(path)) GTEST_SKIP() << path << " is not installed";
-  compareAllSeams(occ::readModel(path), GetParam().points, GetParam().uncertified);
+  compareAllSeams(occ::readModel(occtModel(GetParam().path)), GetParam().points,
+                  GetParam().uncertified);
 }
 
-#define OCCT_DATA "/usr/share/opencascade/data/"
-INSTANTIATE_TEST_SUITE_P(Installed, DenseFiles,
-                         ::testing::Values(File{"linkrods", OCCT_DATA "step/linkrods.step", 2001},
-                                           File{"screw", OCCT_DATA "step/screw.step", 20001},
-                                           File{"hammer", OCCT_DATA "occ/hammer.brep", 2001},
-                                           File{"shell1", OCCT_DATA "occ/shell1.brep", 2001},
-                                           File{"Bottom", OCCT_DATA "occ/Bottom.brep", 2001},
-                                           File{"Top", OCCT_DATA "occ/Top.brep", 2001, 2},
-                                           File{"Motor_c", OCCT_DATA "occ/Motor-c.brep", 2001},
-                                           File{"Pump_Nut", OCCT_DATA "occ/Pump_Nut.brep", 2001}),
+INSTANTIATE_TEST_SUITE_P(Occt, DenseFiles,
+                         ::testing::Values(File{"linkrods", "step/linkrods.step", 2001},
+                                           File{"screw", "step/screw.step", 20001},
+                                           File{"hammer", "occ/hammer.brep", 2001},
+                                           File{"bottle", "occ/bottle.brep", 2001},
+                                           File{"shell1", "occ/shell1.brep", 2001},
+                                           File{"Bottom", "occ/Bottom.brep", 2001},
+                                           File{"Top", "occ/Top.brep", 2001, 2},
+                                           File{"Motor_c", "occ/Motor-c.brep", 2001},
+                                           File{"Pump_Nut", "occ/Pump_Nut.brep", 2001}),
                          [](const auto& file) { return std::string(file.param.name); });
 
-INSTANTIATE_TEST_SUITE_P(
-    Models, DenseFiles,
-    ::testing::Values(File{"frame", "large/frame.step", 501},
-                      File{"NIST_1", "small/NIST_MBE_PMI_1.stp", 2001},
-                      File{"NIST_5", "freeform/NIST_MBE_PMI_5.stp", 2001},
-                      File{"NIST_11", "small/NIST_MBE_PMI_11.stp", 20001},
-                      File{"nozzle", "small/nozzle.stp", 20001},
-                      File{"rounded_cube", "small/rounded-cube_rounded-cube.step", 20001},
-                      File{"bottle", "freeform/bottle.brep", 2001},
-                      File{"blendsolid", "freeform/blendsolid_test.step", 2001},
-                      File{"s60", "freeform/s60.step", 2001},
-                      File{"Silk_01", "freeform/Silk_Demo_01_sewn.step", 2001},
-                      File{"Silk_02", "freeform/Silk_Demo_02_sewn.step", 2001}),
-    [](const auto& file) { return std::string(file.param.name); });
+class DenseNets : public ::testing::TestWithParam<std::string> {};
+
+/// With smooth seams, with small defects and with defects of some tolerances.
+TEST_P(DenseNets, EveryFigureAndLevel) {
+  for (const double noise_mm : {0.0, 0.001, 0.02}) {
+    SCOPED_TRACE(noise_mm);
+    compareAllSeams(occ::modelFromShape(brokenModel({GetParam(), noise_mm, testSeed()})), 501);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, DenseNets,
+                         ::testing::Values("sheet", "blob 6", "mixed sheet", "trimmed bricks",
+                                           "trimmed triangles", "refitted quads"),
+                         [](const auto& kind) {
+                           std::string name = kind.param;
+                           std::ranges::replace(name, ' ', '_');
+                           return name;
+                         });
 
 TEST(DenseOracle, KnowsClosedForms) {
   const auto measured = [](const TopoDS_Shape& shape) {

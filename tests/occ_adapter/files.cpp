@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "files.hpp"
 
+#include <linux/capability.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <BRepTools.hxx>
@@ -10,16 +13,39 @@
 #include <Interface_Static.hxx>
 #include <STEPControl_Controller.hxx>
 #include <STEPControl_Writer.hxx>
+#include <array>
 #include <cstdlib>
+#include <exception>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#include <thread>
 
 #include <seamwright/occ_adapter/occt_version.hpp>
 
 namespace seamwright::test {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+/// Of the calling thread alone: capabilities belong to threads.
+void dropOverride() {
+  __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
+  std::array<__user_cap_data_struct, _LINUX_CAPABILITY_U32S_3> sets{};
+  bool dropped = syscall(SYS_capget, &header, sets.data()) == 0;
+  for (const int capability : {CAP_DAC_OVERRIDE, CAP_DAC_READ_SEARCH}) {
+    // Else programs that the superuser starts get it back.
+    dropped = dropped && prctl(PR_CAPBSET_DROP, capability, 0, 0, 0) == 0;
+    const __u32 others = ~CAP_TO_MASK(capability);
+    auto& set = sets[CAP_TO_INDEX(capability)];
+    set = {set.effective & others, set.permitted & others, set.inheritable & others};
+  }
+  if (!dropped || syscall(SYS_capset, &header, sets.data()) != 0)
+    throw std::runtime_error("the superuser's capabilities can't be dropped");
+}
+
+}  // namespace
 
 Folder::Folder() {
   std::string name = (fs::temp_directory_path() / "seamwright-test-XXXXXX").string();
@@ -93,9 +119,25 @@ occ::ModelError errorOf(const fs::path& path) {
   throw std::runtime_error(path.string() + " was read");
 }
 
-fs::path furtherModel(const std::string& name) {
-  const fs::path path = fs::path(SEAMWRIGHT_TEST_MODELS) / name;
-  return fs::exists(path) ? path : fs::path();
+fs::path occtModel(const std::string& name) {
+  const fs::path path = fs::path("/usr/share/opencascade/data") / name;
+  if (!fs::exists(path))
+    throw std::runtime_error(path.string() + " is missing: install Debian's package occt-misc");
+  return path;
+}
+
+void boundByPermissions(const std::function<void()>& task) {
+  if (geteuid() != 0) return task();
+  std::exception_ptr error;
+  std::thread([&] {
+    try {
+      dropOverride();
+      task();
+    } catch (...) {
+      error = std::current_exception();
+    }
+  }).join();
+  if (error) std::rethrow_exception(error);
 }
 
 }  // namespace seamwright::test

@@ -3,6 +3,7 @@
 
 #include <TopoDS_Shape.hxx>
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include <seamwright/occ_adapter/model/read.hpp>
@@ -51,7 +52,12 @@ std::string replaced(std::string text, const std::string& old, const std::string
 /// The error readModel() ends with; throws if it reads the file.
 occ::ModelError errorOf(const std::filesystem::path& path);
 
-/// A model that is not part of the project, or nothing.
-std::filesystem::path furtherModel(const std::string& name);
+/// A model of OpenCASCADE's, as "step/screw.step". Throws if it is not installed: Debian's package
+/// occt-misc has it, which `tools/debian-packages --install picture` installs.
+std::filesystem::path occtModel(const std::string& name);
+
+/// Runs the task as a user whom permissions of files bind. The superuser's runs in a thread without
+/// the capabilities that override them; processes that it starts have none either.
+void boundByPermissions(const std::function<void()>& task);
 
 }  // namespace seamwright::test

@@ -34,6 +34,7 @@
 #include <numbers>
 #include <set>
 
+#include "files.hpp"
 #include "fill_checks.hpp"
 #include "shapes.hpp"
 #include "support/random.hpp"
@@ -351,8 +352,7 @@ TEST(Fill, MovesAndScalesWithTheModel) {
 }
 
 TEST(Fill, OfFacesOfAShellOfSplinesIsSmooth) {
-  std::ifstream stream("/usr/share/opencascade/data/occ/shell1.brep");
-  if (!stream) GTEST_SKIP() << "OpenCASCADE's shell1.brep is not installed";
+  std::ifstream stream(occtModel("occ/shell1.brep"));
   const TopoDS_Shape shell = occ::readTextShape(stream);
   for (const int face : {8, 11, 64, 99}) {
     const FillHoleReport report = replaceFace(modelFromShape(shell), face);
@@ -367,8 +367,7 @@ TEST(Fill, OfFacesOfAShellOfSplinesIsSmooth) {
 /// Neighbours bend back and forth, and corners lie out of their tangent planes by more than a fit
 /// is to miss: fields across the sides that nearly vanish at corners would make faces that fold.
 TEST(Fill, OfLongHolesInAShellOfSplinesIsRegular) {
-  std::ifstream stream("/usr/share/opencascade/data/occ/shell1.brep");
-  if (!stream) GTEST_SKIP() << "OpenCASCADE's shell1.brep is not installed";
+  std::ifstream stream(occtModel("occ/shell1.brep"));
   const occ::Model shell = modelFromShape(occ::readTextShape(stream));
   for (const int face : {50, 74, 77}) {
     const FillHoleReport report = replaceFace(shell, face);
@@ -386,8 +385,7 @@ TEST(Fill, OfLongHolesInAShellOfSplinesIsRegular) {
 /// to both has a smaller jump there. The bounds are that jump, computed from both neighbours, and a
 /// tenth.
 TEST(Fill, HasJumpsOfCurvatureLittleLargerThanTheCornersAskFor) {
-  std::ifstream stream("/usr/share/opencascade/data/occ/shell1.brep");
-  if (!stream) GTEST_SKIP() << "OpenCASCADE's shell1.brep is not installed";
+  std::ifstream stream(occtModel("occ/shell1.brep"));
   const occ::Model shell = modelFromShape(occ::readTextShape(stream));
   struct Case {
     int face;
@@ -412,8 +410,7 @@ TEST(Fill, HasJumpsOfCurvatureLittleLargerThanTheCornersAskFor) {
 /// The first two have planes that differ at corners by more than half the tolerance, the third a
 /// side of two edges.
 TEST(Fill, OfHolesWhoseNeighboursDisagreeALittleIsWithinTheTolerance) {
-  std::ifstream stream("/usr/share/opencascade/data/occ/shell1.brep");
-  if (!stream) GTEST_SKIP() << "OpenCASCADE's shell1.brep is not installed";
+  std::ifstream stream(occtModel("occ/shell1.brep"));
   const occ::Model shell = modelFromShape(occ::readTextShape(stream));
   for (const auto& [face, within_deg] : {std::pair{36, 0.0045}, {41, 0.004}, {78, 0.01}}) {
     const FillHoleReport report = replaceFace(shell, face);

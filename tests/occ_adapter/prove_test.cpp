@@ -137,8 +137,8 @@ TEST(Prove, WhatTheUserAskedForIsHeldWhereLessIsTried) {
   EXPECT_THAT(onlyText(strips.proofOf(task, bent).worse), HasSubstr("a lower level"));
 }
 
-/// The treated seam keeps what it is to have, and no more: of one that is to have G1 the curvature
-/// is no matter.
+/// The treated seam keeps what it is to have, and no more: the curvature
+/// of one that is to have G1 does not count.
 TEST(Prove, TheOrderOfATreatedSeamDecides) {
   const ProofCase strips(chain({{}, {.kink = 0.5 * degree}, {}}), picking({first_seam_edge}, 2));
   RepairTask task = strips.task();

@@ -13,7 +13,6 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
-#include <cctype>
 #include <functional>
 #include <tuple>
 #include <utility>
@@ -21,7 +20,9 @@
 
 #include "files.hpp"
 #include "repair_checks.hpp"
+#include "repair_trials.hpp"
 #include "shapes.hpp"
+#include "support/random.hpp"
 
 #include <seamwright/occ_adapter/model/write.hpp>
 
@@ -112,42 +113,41 @@ TEST(ReadBack, IgesKeepsWhatWasSewn) {
   EXPECT_TRUE(found.open.empty());
 }
 
-struct Case {
-  const char* model;
-  double match_mm;
-  int most_defects, most_open;
-};
-
-class ReadBackModels : public testing::TestWithParam<Case> {};
-
-TEST_P(ReadBackModels, VerdictsAreTheSameWhenReadBack) {
-  const std::filesystem::path path = furtherModel(GetParam().model);
-  if (path.empty()) GTEST_SKIP() << GetParam().model;
-  const RepairReport report = repair(occ::readModel(path), matching(GetParam().match_mm));
+/// No more defects and free edges than these, and the same in each file.
+void expectSameWhenReadBack(const occ::Model& model, const occ::RepairOptions& options,
+                            int most_defects, std::size_t most_open) {
+  const RepairReport report = repair(model, options);
   EXPECT_LE(std::ranges::count_if(report.after.seams,
                                   [](const occ::SeamResult& seam) {
                                     return seam.verdict.seam_class == SeamClass::Defect;
                                   }),
-            GetParam().most_defects);
+            most_defects);
   // What still matches without being sewn is open where nothing is matched.
   const std::size_t open = occ::analyze(report.model).open.size();
-  EXPECT_LE(open, GetParam().most_open);
+  EXPECT_LE(open, most_open);
   const Folder folder;
   for (const char* name : {"a.step", "a.igs", "a.brep"})
     EXPECT_EQ(expectSameInFile(report, folder / name).open.size(), open) << name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, ReadBackModels,
-                         testing::Values(Case{"freeform/linkrods.step", 0, 0, 0},
-                                         Case{"freeform/Silk_Demo_01_raw.step", 0.0001, 0, 12},
-                                         Case{"freeform/Silk_Demo_01_raw.step", 0.01, 9, 14},
-                                         Case{"freeform/Silk_Demo_02_raw.step", 0.01, 0, 9}),
-                         [](const auto& test) {
-                           std::string name =
-                               std::filesystem::path(test.param.model).stem().string() + "_" +
-                               std::to_string(static_cast<int>(1e4 * test.param.match_mm));
-                           std::ranges::replace_if(
-                               name, [](char c) { return std::isalnum(c) == 0; }, '_');
+TEST(ReadBack, VerdictsOfAFileOfAnotherProgramAreTheSame) {
+  expectSameWhenReadBack(occ::readModel(occtModel("step/linkrods.step")), {}, 0, 0);
+}
+
+class ReadBackNets : public testing::TestWithParam<std::string> {};
+
+TEST_P(ReadBackNets, VerdictsOfSewnFacesAreTheSame) {
+  const TopoDS_Shape shell = brokenModel({GetParam(), 0.0005, testSeed()});
+  const Folder folder;
+  writeStep(compoundOf(apart(shell)), folder / "loose.step");
+  expectSameWhenReadBack(occ::readModel(folder / "loose.step"), matching(0.05), 0,
+                         occ::findSeams(shell).open.size());
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, ReadBackNets, testing::Values("sheet", "trimmed triangles"),
+                         [](const auto& kind) {
+                           std::string name = kind.param;
+                           std::ranges::replace(name, ' ', '_');
                            return name;
                          });
 

@@ -23,6 +23,7 @@
 #include <numbers>
 
 #include "dense_oracle.hpp"
+#include "files.hpp"
 #include "grids.hpp"
 #include "repair_checks.hpp"
 #include "shapes.hpp"
@@ -31,7 +32,7 @@
 #include <seamwright/occ_adapter/model/read.hpp>
 #include <seamwright/occ_adapter/repair/repair.hpp>
 
-/// What kept repairs of real models from succeeding, each cause alone.
+/// What kept repairs of models from succeeding, each cause alone.
 namespace seamwright::test {
 namespace {
 
@@ -93,7 +94,7 @@ double gap_mm(const TopoDS_Shape& shape, const occ::SeamRepair& seam) {
   return sides ? denseMaxima(*sides, 1001, {}).gap_mm.value : 1;
 }
 
-void expectLedAnew(const TopoDS_Shape& shape, int edge) {
+void expectNewPath(const TopoDS_Shape& shape, int edge) {
   const RepairReport report = repairedModel(shape, {});
   const occ::SeamRepair& seam = seamOf(report, edge);
   EXPECT_EQ(seam.before.verdict.seam_class, SeamClass::Defect);
@@ -112,31 +113,31 @@ TEST(RepairCauses, SharpEdgesWithAStrayPathStaySharpAndMeet) {
     for (const double aside : {0.05, -0.2}) {
       SCOPED_TRACE("edge " + std::to_string(edge) + ", " + std::to_string(aside) + " mm aside");
       const TopoDS_Shape shape = withStrayPath(box, edge, aside, 0.05);
-      expectLedAnew(shape, edge);
+      expectNewPath(shape, edge);
       const RepairReport report = repairedModel(shape, {});
       EXPECT_EQ(seamOf(report, edge).after.verdict.seam_class, SeamClass::Crease);
       std::mt19937 random(testSeed());
-      expectLedAnew(transformed(shape, randomMotion(random)), edge);
+      expectNewPath(transformed(shape, randomMotion(random)), edge);
     }
 }
 
-TEST(RepairCauses, EdgesBetweenFacesWithoutPolesAreLedAnewToo) {
+TEST(RepairCauses, EdgesBetweenFacesWithoutPolesGetNewPathsToo) {
   for (const int edge : {1, 4, 7, 12}) {
     SCOPED_TRACE("edge " + std::to_string(edge));
     const TopoDS_Shape planes = BRepPrimAPI_MakeBox(20, 30, 40).Shape();
     leadAstray(planes, edge, 0.1, 0.05);
-    expectLedAnew(planes, edge);
+    expectNewPath(planes, edge);
   }
   // The circle between a cylinder and its lid.
   const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(10, 20).Shape();
   leadAstray(cylinder, 1, 0.1, 0);
-  expectLedAnew(cylinder, 1);
+  expectNewPath(cylinder, 1);
 }
 
-TEST(RepairCauses, AnEdgeThatRunsAtTwoSpeedsIsLedAnew) {
+TEST(RepairCauses, AnEdgeThatRunsAtTwoSpeedsGetsANewPath) {
   // Both paths are the same line in space: only their speed differs.
   const TopoDS_Shape shape = withStrayPath(BRepPrimAPI_MakeBox(20, 30, 40).Shape(), 3, 0, 0.1);
-  expectLedAnew(shape, 3);
+  expectNewPath(shape, 3);
   EXPECT_LT(repairedModel(shape, {}).edge_moves.at(0).largest_move_mm, 1e-6);
   RepairOptions near;
   near.max_move_mm = 0.001;
@@ -166,37 +167,24 @@ TEST(RepairCauses, NoEdgeIsLedFurtherThanAllowedOrOnAFixedFace) {
   }
 }
 
-struct RealModel {
+struct OcctModel {
   const char* name;
   int treated, most_left;
 };
 
-class RepairOfModels : public testing::TestWithParam<RealModel> {};
+class RepairOfModels : public testing::TestWithParam<OcctModel> {};
 
 TEST_P(RepairOfModels, LeavesFewDefects) {
-  const std::filesystem::path path =
-      std::filesystem::path(SEAMWRIGHT_TEST_MODELS) / "freeform" / GetParam().name;
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << path;
-  const RepairReport report = repair(occ::readModel(path));
+  const RepairReport report = repair(occ::readModel(occtModel(GetParam().name)));
   EXPECT_EQ(std::ranges::count(report.seams, true, &occ::SeamRepair::treated), GetParam().treated);
   const auto isLeft = [](const occ::SeamRepair& seam) { return seam.treated && !seam.repaired; };
   EXPECT_LE(std::ranges::count_if(report.seams, isLeft), GetParam().most_left) << reasonsOf(report);
 }
 
 // Faces with poles and flat ones; edges of which the paths alone are apart.
-INSTANTIATE_TEST_SUITE_P(Freeform, RepairOfModels,
-                         testing::Values(RealModel{"Silk_Demo_01_sewn.step", 9, 0},
-                                         RealModel{"Silk_Demo_02_sewn.step", 3, 0},
-                                         RealModel{"NIST_MBE_PMI_5.stp", 4, 0}));
-
-TEST(RepairCauses, WhatFoldsBackIsToldAndLeft) {
-  const std::filesystem::path path =
-      std::filesystem::path(SEAMWRIGHT_TEST_MODELS) / "freeform" / "s60.step";
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << path;
-  const RepairReport report = repair(occ::readModel(path));
-  EXPECT_FALSE(report.changed());
-  EXPECT_EQ(seamOf(report, 4).reason.text.find("the faces fold back on one another there"), 0);
-}
+INSTANTIATE_TEST_SUITE_P(Occt, RepairOfModels,
+                         testing::Values(OcctModel{"occ/hammer.brep", 38, 3},
+                                         OcctModel{"occ/CrankArm.brep", 4, 0}));
 
 /// Part of a cylinder of radius 20 about the x axis, x from x0 to x0 + 10: through its points at
 /// every degree of 30, with degree 1 or 3.

@@ -24,7 +24,7 @@ double largestMove_mm(const occ::RepairReport& report);
 /// So that noise of 0.001 mm is a defect.
 occ::RepairOptions strictRepair(int order);
 
-/// Loose edges up to so far apart are seams.
+/// Free edges up to so far apart are seams.
 occ::RepairOptions matching(double match_mm);
 
 }  // namespace seamwright::test

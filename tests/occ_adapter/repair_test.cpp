@@ -25,6 +25,7 @@
 #include "grids.hpp"
 #include "match_pairs.hpp"
 #include "repair_checks.hpp"
+#include "repair_trials.hpp"
 #include "support/random.hpp"
 
 #include <seamwright/occ_adapter/model/model.hpp>
@@ -314,15 +315,11 @@ double volume_mm3(const TopoDS_Shape& shape) {
 }
 
 TEST(Repair, ASolidStaysClosed) {
-  const std::filesystem::path path =
-      std::filesystem::path(SEAMWRIGHT_TEST_MODELS) / "freeform" / "blendsolid_test.step";
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << path;
-  const occ::Model model = occ::readModel(path);
-  RepairOptions options;
-  options.max_move_mm = 1;
-  const RepairReport report = repair(model, options);
-  EXPECT_EQ(treated(report), 8);
-  EXPECT_EQ(repairedSeams(report), 8) << reasonsOf(report);
+  const RepairTrial trial{"blob 24", 0.01, testSeed()};
+  const occ::Model model = modelFromShape(brokenModel(trial));
+  const RepairReport report = repair(model, trialOptions(trial));
+  EXPECT_EQ(treated(report), 48);
+  EXPECT_EQ(repairedSeams(report), 48) << reasonsOf(report);
   EXPECT_TRUE(report.after.passed());
   EXPECT_TRUE(BRepCheck_Analyzer(report.model.shape).IsValid());
   const TopTools_IndexedMapOfShape shells = partsOf(report.model.shape, TopAbs_SHELL);
@@ -341,11 +338,9 @@ TEST(Repair, ASolidStaysClosed) {
 
 TEST(Repair, ThreadsChangeNothing) {
   std::mt19937 generator(testSeed());
-  std::vector<occ::Model> models = {modelFromShape(disturbedGrid(generator, 3, 2, 0.1))};
-  const std::filesystem::path path =
-      std::filesystem::path(SEAMWRIGHT_TEST_MODELS) / "freeform" / "Silk_Demo_02_sewn.step";
-  if (std::filesystem::exists(path)) models.push_back(occ::readModel(path));
-  for (const occ::Model& model : models) {
+  for (const TopoDS_Shape& shape :
+       {disturbedGrid(generator, 3, 2, 0.1), brokenModel({"trimmed bricks", 0.02, testSeed(1)})}) {
+    const occ::Model model = modelFromShape(shape);
     RepairOptions one, four;
     one.jobs = 1;
     four.jobs = 4;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Loose faces that become shells. What is expected is known of the solids that were taken apart, or
-// is what the makers of a model sewed.
+// Loose faces that become shells. What is expected is known of the shells and solids that were
+// taken apart.
 #include <gtest/gtest.h>
 
-#include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepCheck_Analyzer.hxx>
@@ -35,6 +34,7 @@
 #include "files.hpp"
 #include "match_pairs.hpp"
 #include "repair_checks.hpp"
+#include "repair_trials.hpp"
 #include "shapes.hpp"
 #include "support/random.hpp"
 
@@ -53,14 +53,6 @@ using std::numbers::pi;
 
 int count(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
   return partsOf(shape, kind).Extent();
-}
-
-/// Copies of the faces that share nothing.
-std::vector<TopoDS_Shape> apart(const TopoDS_Shape& shape) {
-  std::vector<TopoDS_Shape> faces;
-  for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next())
-    faces.push_back(BRepBuilderAPI_Copy(face.Current()).Shape());
-  return faces;
 }
 
 double volume_mm3(const TopoDS_Shape& shape) {
@@ -512,27 +504,30 @@ TEST(Sew, WhatIsWrittenComesBackSewn) {
   expectSolid(back.shape, 6000, 1e-6);
 }
 
-struct File {
-  const char* name;
-  double match_mm;
-  int edges, sewn, open;  ///< of the model that its makers sewed, or, for IGES, that has no slits
+struct Shell {
+  const char* kind;
+  double noise_mm;
   bool may_move = true;
 };
 
-class SewFiles : public testing::TestWithParam<File> {};
+void PrintTo(const Shell& shell, std::ostream* out) {
+  *out << shell.kind << ", noise of " << shell.noise_mm << " mm";
+}
 
-TEST_P(SewFiles, AsTheirMakersDid) {
-  const std::filesystem::path path =
-      std::filesystem::path(SEAMWRIGHT_TEST_MODELS) / "freeform" / GetParam().name;
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << path;
-  const occ::Model model = occ::readModel(path);
-  RepairOptions options = matching(GetParam().match_mm);
+class SewShells : public testing::TestWithParam<Shell> {};
+
+/// The faces of a shell, taken apart, become a shell with as many edges and seams.
+TEST_P(SewShells, AsTheyWere) {
+  const TopoDS_Shape shell = brokenModel({GetParam().kind, GetParam().noise_mm, testSeed()});
+  const occ::SeamGraph was = occ::findSeams(shell);
+  const occ::Model model = modelFromShape(compoundOf(apart(shell)));
+  RepairOptions options = matching(0.05);
   for (int f = 1; f <= model.faceCount() && !GetParam().may_move; ++f)
     options.fixed_faces.push_back(f);
   const RepairReport report = repair(model, options);
-  EXPECT_EQ(report.model.edgeCount(), GetParam().edges);
-  EXPECT_EQ(sewnSeams(report), GetParam().sewn) << whyNot(report);
-  EXPECT_EQ(report.after.open.size(), GetParam().open);
+  EXPECT_EQ(report.model.edgeCount(), count(shell, TopAbs_EDGE));
+  EXPECT_EQ(sewnSeams(report), was.seams.size()) << whyNot(report);
+  EXPECT_EQ(report.after.open.size(), was.open.size());
   EXPECT_TRUE(BRepCheck_Analyzer(report.model.shape).IsValid());
   EXPECT_EQ(count(report.model.shape, TopAbs_SHELL), 1);
   expectTolerancesHold(report.model.shape);
@@ -543,13 +538,15 @@ TEST_P(SewFiles, AsTheirMakersDid) {
         << describe(seam.after);
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, SewFiles,
-                         testing::Values(File{"Silk_Demo_01_raw.step", 0.02, 79, 63, 12, false},
-                                         File{"Silk_Demo_02_raw.step", 0.5, 24, 15, 9},
-                                         File{"pygeo_fuse.igs", 0.05, 57, 56, 1}),
+INSTANTIATE_TEST_SUITE_P(Nets, SewShells,
+                         testing::Values(Shell{"sheet", 0.001}, Shell{"blob 24", 0.001},
+                                         Shell{"trimmed bricks", 0.004, false},
+                                         Shell{"trimmed triangles", 0.001},
+                                         Shell{"ring of quads", 0, false}),
                          [](const auto& test) {
-                           std::string name = test.param.name;
-                           return name.substr(0, name.find('.'));
+                           std::string name = test.param.kind;
+                           std::ranges::replace(name, ' ', '_');
+                           return name;
                          });
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepLib.hxx>
@@ -15,6 +16,7 @@
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_ToroidalSurface.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
@@ -254,6 +256,13 @@ TopoDS_Shape compoundOf(const std::vector<TopoDS_Shape>& shapes) {
   builder.MakeCompound(compound);
   for (const TopoDS_Shape& shape : shapes) builder.Add(compound, shape);
   return compound;
+}
+
+std::vector<TopoDS_Shape> apart(const TopoDS_Shape& shape) {
+  std::vector<TopoDS_Shape> faces;
+  for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next())
+    faces.push_back(BRepBuilderAPI_Copy(face.Current()).Shape());
+  return faces;
 }
 
 TopoDS_Shape plate(double x0, double x1, double y0, double y1, double z) {

@@ -74,6 +74,8 @@ double curvature(const occ::SeamResult& seam);
 double relativeCurvature(const occ::SeamResult& seam);
 
 TopoDS_Shape compoundOf(const std::vector<TopoDS_Shape>& shapes);
+/// Copies of the faces that share nothing.
+std::vector<TopoDS_Shape> apart(const TopoDS_Shape& shape);
 
 /// Of the plane at height z.
 TopoDS_Shape plate(double x0, double x1, double y0, double y1, double z = 0);

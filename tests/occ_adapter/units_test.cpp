@@ -63,21 +63,44 @@ TEST(Units, TheUnitOfTheFileIsTold) {
   EXPECT_THAT(occ::readModel(folder / "box.brep").length_unit, HasSubstr("assumed"));
 }
 
-TEST(Units, CubesOfOtherPrograms) {
-  const auto inch = furtherModel("small/cube-units_cube-in.step"),
-             metre = furtherModel("small/cube-units_cube-m.step");
-  if (inch.empty() || metre.empty()) GTEST_SKIP() << "the models are not there";
-  const std::multiset<long> a = edgeLengths(occ::readModel(inch)),
-                            b = edgeLengths(occ::readModel(metre));
-  EXPECT_EQ(a.size(), 12u);
-  EXPECT_EQ(std::set<long>(a.begin(), a.end()).size(), 1u);
-  EXPECT_EQ(std::set<long>(b.begin(), b.end()).size(), 1u);
-}
-
 /// The text of a STEP file of a box in mm with its length unit replaced.
 std::string withUnit(const Folder& folder, const std::string& unit) {
   writeStep(box(), folder / "box.step");
   return replaced(contentOf(folder / "box.step"), "SI_UNIT(.MILLI.,.METRE.)", unit);
+}
+
+/// Other programs than OpenCASCADE state units so: SI units with prefix or none, and units that are
+/// a multiple of another one, under any name.
+TEST(Units, OfOtherProgramsScaleTheModel) {
+  const Folder folder;
+  struct Case {
+    const char* unit;
+    double mm;
+  };
+  for (const Case& each : {Case{"SI_UNIT($,.METRE.)", 1000}, Case{"SI_UNIT(.CENTI.,.METRE.)", 10},
+                           Case{"SI_UNIT(.MICRO.,.METRE.)", 0.001}}) {
+    setContent(folder / "box.step", withUnit(folder, each.unit));
+    std::multiset<long> expected;
+    for (const long length : boxLengths())
+      expected.insert(std::lround(static_cast<double>(length) * each.mm));
+    EXPECT_EQ(edgeLengths(occ::readModel(folder / "box.step")), expected) << each.unit;
+  }
+  for (const char* name : {"INCH", "inch", "Zoll"}) {
+    const std::string multiple = std::string("CONVERSION_BASED_UNIT('") + name + "',#99998)";
+    std::string text = withUnit(folder, multiple);
+    const std::regex old(R"(\(\s*LENGTH_UNIT\(\)\s*NAMED_UNIT\(\*\)\s*CONVERSION[^)]*\)\s*\))");
+    ASSERT_TRUE(std::regex_search(text, old));
+    text = std::regex_replace(text, old, "( " + multiple + " LENGTH_UNIT() NAMED_UNIT(#99997) )");
+    text = replaced(
+        text, "ENDSEC;\nEND-ISO",
+        "#99996 = ( LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.) );\n"
+        "#99997 = DIMENSIONAL_EXPONENTS(1.,0.,0.,0.,0.,0.,0.);\n"
+        "#99998 = LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4),#99996);\nENDSEC;\nEND-ISO");
+    setContent(folder / "inch.step", text);
+    std::multiset<long> expected;
+    for (const long length : boxLengths()) expected.insert(length / 10 * 254);
+    EXPECT_EQ(edgeLengths(occ::readModel(folder / "inch.step")), expected) << name;
+  }
 }
 
 TEST(Units, StepUnitsThatAreNotUnderstood) {

@@ -33,7 +33,7 @@ def computed(case):
     ends = Ends(given)
     f0, f1 = -ends.alpha, ends.beta
     change = f1 - f0
-    # The file tells which root is meant; it is computed anew from five of its digits.
+    # The file tells which root is meant; it is computed again from five of its digits.
     guess = mp.nint(real(out["A"]) * 10**5) / 10**5
     a = root(f0, change, guess) if abs(f0 + f1) > mpf(10) ** -20 else mpf(0)
     pieces = [0, 0.25, 0.5, 0.75, 1]

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The derivative of the curvature of a planar Bezier curve as a Bernstein polynomial, and its roots.
+"""The derivative of the curvature of a planar Bezier curve as a Bernstein polynomial; its roots.
 
 Source: docs/theory/planar.md.
 """

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Euler arc splines: arcs laid end to end, and the difference of their curvatures by Newton's method.
+"""Euler arc splines: arcs laid end to end; the difference of their curvatures by Newton's method.
 
 Source: docs/theory/planar.md.
 """
@@ -38,7 +38,7 @@ def expected(case):
         last = joints(x, mpf(1))[1][-1] - ends.start
         return (last / mp.expj(ends.direction)).imag
 
-    # The file tells which root is meant; it is computed anew from five of its digits.
+    # The file tells which root is meant; it is computed again from five of its digits.
     guess = mp.nint(real(out["delta"]) * real(out["L"]) * 10**5) / 10**5
     x = mp.findroot(height, (guess, guess + mpf("0.001")), tol=mpf(10) ** -100)
     length = ends.chord / abs(joints(x, mpf(1))[1][-1] - ends.start)

@@ -80,9 +80,9 @@ class Hole:
         p, q = self.last[k] if t else self.first[k]
         half = self.p[k][t]
         slope = 2 * (half[1] - half[0])
-        cross_field = jet(self.crosses[k], t, 1)
+        derivative = jet(self.crosses[k], t, 1)
         return add(
-            scaled(p, cross_field[1]), scaled(slope, cross_field[0]), scaled(q, self.d(k, t, 2))
+            scaled(p, derivative[1]), scaled(slope, derivative[0]), scaled(q, self.d(k, t, 2))
         )
 
     def corner(self, k):

@@ -44,7 +44,7 @@ def expected(case):
                 abs(curvature(joint, a, before, wa)) / abs(curvature(joint, b, after, wb))
             )
 
-        # The file tells which root is meant; it is computed anew from five of its digits.
+        # The file tells which root is meant; it is computed again from five of its digits.
         guess = mp.nint(real(out["theta"][i]) * 10**5) / 10**5
         theta = mp.findroot(jump, (guess, guess + mpf("0.00001")), tol=mpf(10) ** -100)
         rotations.append(theta)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Logarithmic arc splines and spirals: arcs laid end to end, and the spiral by its closed form, with
+"""Logarithmic arc splines and spirals: arcs laid end to end, and the spiral in closed form, with
 the growth of the radius by bisection and Newton's method.
 
 Source: docs/theory/planar.md.

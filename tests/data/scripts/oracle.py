@@ -2,7 +2,7 @@
 """What the scripts of this folder share: exact numbers, Bernstein polynomials, the comparison.
 
 NAME.py recomputes ../NAME.json from its inputs: without arguments it compares what it finds with
-the digits of the file, with --write it writes the file anew. Inputs are exact fractions. What is
+the digits of the file, with --write it writes the file again. Inputs are exact fractions. What is
 rational stays a fraction; the rest is computed with 60 digits.
 """
 

@@ -9,13 +9,20 @@ PROGRAM = os.environ["SEAMWRIGHT"]
 (READER,) = pathlib.Path(PROGRAM).parent.glob("seamwright-read-*")
 
 
-def run(*arguments, reader=None, cwd=None):
+def bound_by_permissions():
+    """What a command begins with, so that permissions of files bind the superuser too."""
+    if os.geteuid() != 0:
+        return []
+    return ["setpriv", "--bounding-set", "-dac_override,-dac_read_search"]
+
+
+def run(*arguments, reader=None, cwd=None, begin=()):
     environment = dict(os.environ)
     environment.pop("SEAMWRIGHT_READER", None)
     if reader is not None:
         environment["SEAMWRIGHT_READER"] = str(reader)
     return subprocess.run(
-        [PROGRAM, *map(str, arguments)],
+        [*begin, PROGRAM, *map(str, arguments)],
         capture_output=True,
         text=True,
         timeout=60,

@@ -1,19 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Model files written by hand, so that the tests of the command need no other program."""
 
-import os
 import pathlib
 
-import pytest
-
-MODELS = pathlib.Path(os.environ.get("SEAMWRIGHT_TEST_MODELS", "missing"))
 OCCT_DATA = pathlib.Path("/usr/share/opencascade/data")
+BROKEN = pathlib.Path(__file__).resolve().parents[2] / "data" / "broken"
 
 
 def installed(path):
-    """The path, or a skipped test."""
-    if not path.exists():
-        pytest.skip(f"{path} is not installed")
+    """The path of a model of OpenCASCADE's."""
+    assert path.exists(), f"{path} is missing: install Debian's package occt-misc"
     return path
 
 
@@ -105,7 +101,8 @@ def file_text(lines, face_ids, unit=_MILLIMETRE, closed=True):
         + unit
         + "#15=(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#19))"
         f"GLOBAL_UNIT_ASSIGNED_CONTEXT(({units}))REPRESENTATION_CONTEXT('',''));\n"
-        + f"#19=UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-07),{'#16' if unit else '#17'},'','');\n"
+        + f"#19=UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-07),{'#16' if unit else '#17'},'',"
+          "'');\n"
         + f"#10={kind}('',(#14,#20),#15);\n#20={model};\n#21={shell}('',({','.join(face_ids)}));\n"
         + "\n".join(lines)
         + "\nENDSEC;\nEND-ISO-10303-21;\n"

@@ -85,7 +85,8 @@ class _Part:
         key = owner, start, end
         if key not in self.edges:
             curve = self.add(
-                f"B_SPLINE_CURVE_WITH_KNOTS('',3,{self.points(row)},.UNSPECIFIED.,.F.,.F.,(4,4),(0.,1.),.UNSPECIFIED.)"
+                f"B_SPLINE_CURVE_WITH_KNOTS('',3,{self.points(row)},.UNSPECIFIED.,.F.,.F.,(4,4),"
+                "(0.,1.),.UNSPECIFIED.)"
             )
             ends = self.vertex((owner, start), row[0]), self.vertex((owner, end), row[-1])
             self.edges[key] = self.add(f"EDGE_CURVE('',{ends[0]},{ends[1]},{curve},.T.)")
@@ -94,7 +95,8 @@ class _Part:
     def face(self, i, j, poles):
         rows = ",".join(self.points(row) for row in poles)
         surface = self.add(
-            f"B_SPLINE_SURFACE_WITH_KNOTS('',3,3,({rows}),.UNSPECIFIED.,.F.,.F.,.F.,(4,4),(4,4),(0.,1.),(0.,1.),"
+            f"B_SPLINE_SURFACE_WITH_KNOTS('',3,3,({rows}),.UNSPECIFIED.,.F.,.F.,.F.,(4,4),(4,4),"
+            "(0.,1.),(0.,1.),"
             ".UNSPECIFIED.)"
         )
         across = [list(column) for column in zip(*poles)]
@@ -136,7 +138,8 @@ def surfaces_of(text):
     }
     found = {}
     pattern = (
-        r"B_SPLINE_SURFACE_WITH_KNOTS\('[^']*',(\d+),(\d+),\(((?:\([#\d,]+\),?)+)\),\.\w+\.,\.\w\.,\.\w\.,\.\w\.,"
+        r"B_SPLINE_SURFACE_WITH_KNOTS\('[^']*',(\d+),(\d+),\(((?:\([#\d,]+\),?)+)\),"
+        r"\.\w+\.,\.\w\.,\.\w\.,\.\w\.,"
         r"\(([\d,]+)\),\(([\d,]+)\),\(([^)]*)\),\(([^)]*)\)"
     )
     for u, v, poles, u_counts, v_counts, u_knots, v_knots in re.findall(pattern, text):

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Bad input: one line on standard error that says what is wrong, status 2, nothing written."""
 
+import re
+
 import pytest
 
 from command import contents, expect_one_line, run
-from models import MODELS, box_text, installed
+from models import BROKEN, box_text
 
 
 def write(path, content):
@@ -141,26 +143,30 @@ def test_readers_that_talk_nonsense(tmp_path, content):
 
 
 @pytest.mark.parametrize(
-    "file",
+    "file, said",
     [
-        "ap203_malformed_representation.stp",
-        "ap203_part21_scope.stp",
-        "ap242_tessellated.stp",
-        "f3d_lfs_pointer.stp",
-        "mutated/utf16.step",
+        ("point_as_context.stp", ""),
+        ("scope.stp", ""),
+        ("triangles.stp", ""),
+        ("lfs_pointer.stp", "Git LFS"),
     ],
 )
-def test_broken_files(file):
-    path = installed(MODELS / "broken" / file)
-    expect_one_line(run("analyze", path), path)
+def test_broken_files(file, said):
+    result = run("analyze", BROKEN / file)
+    expect_one_line(result, BROKEN / file)
+    assert said in result.stderr
 
 
-def test_what_is_known_of_a_broken_file_is_said():
-    assert "Git LFS" in run("analyze", installed(MODELS / "broken/f3d_lfs_pointer.stp")).stderr
-    assert "UTF-16" in run("analyze", installed(MODELS / "broken/mutated/utf16.step")).stderr
-    dangling = run("analyze", installed(MODELS / "broken/mutated/dangling_ref.step"))
-    assert dangling.returncode in (0, 1)
-    assert "10 faces" in dangling.stdout and "could not be made" in dangling.stdout
+def test_utf16_is_called_so(tmp_path):
+    path = write(tmp_path / "wide.step", b"\xff\xfe" + box_text().encode("utf-16-le"))
+    expect_one_line(run("analyze", path), "UTF-16")
+
+
+def test_a_face_of_a_missing_surface_is_told(tmp_path):
+    text = re.sub(r"(ADVANCED_FACE\('',\(#\d+\),)#\d+", r"\1#99999999", box_text(), count=1)
+    result = run("analyze", write(tmp_path / "dangling.step", text))
+    assert result.returncode in (0, 1)
+    assert "6 faces" in result.stdout and "could not be made" in result.stdout
 
 
 def test_help_and_version_go_to_standard_output():

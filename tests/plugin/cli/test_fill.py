@@ -83,8 +83,10 @@ def test_a_closed_solid_comes_out_closed_with_its_colours(tmp_path):
     face = text.index("ADVANCED_FACE")
     number = text[text.rindex("#", 0, face) : face].rstrip("=")
     colour = (
-        f"#9001=STYLED_ITEM('',(#9002),{number});#9002=PRESENTATION_STYLE_ASSIGNMENT((#9003));#9003=SURFACE_STYLE_USAGE(.BOTH.,#9004);"
-        "#9004=SURFACE_SIDE_STYLE('',(#9005));#9005=SURFACE_STYLE_FILL_AREA(#9006);#9006=FILL_AREA_STYLE('',(#9007));"
+        f"#9001=STYLED_ITEM('',(#9002),{number});#9002=PRESENTATION_STYLE_ASSIGNMENT((#9003));"
+        "#9003=SURFACE_STYLE_USAGE(.BOTH.,#9004);"
+        "#9004=SURFACE_SIDE_STYLE('',(#9005));#9005=SURFACE_STYLE_FILL_AREA(#9006);"
+        "#9006=FILL_AREA_STYLE('',(#9007));"
         "#9007=FILL_AREA_STYLE_COLOUR('',#9008);#9008=COLOUR_RGB('',1.,0.,0.);"
     )
     box.write_text(text.replace("ENDSEC;\nEND-ISO", colour + "\nENDSEC;\nEND-ISO"))

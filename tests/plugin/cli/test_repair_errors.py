@@ -10,7 +10,7 @@ import tempfile
 import pytest
 
 from command import PROGRAM, contents, expect_one_line, run
-from models import MODELS, box_text, installed
+from models import BROKEN, box_text
 from patches import sheet_text
 
 
@@ -131,11 +131,9 @@ def test_the_order_of_checks_saves_the_reading(tmp_path, name):
     expect_one_line(run("repair", *arguments, reader="/bin/false"), said)
 
 
-@pytest.mark.parametrize(
-    "file", ["ap203_malformed_representation.stp", "ap203_part21_scope.stp", "f3d_lfs_pointer.stp"]
-)
+@pytest.mark.parametrize("file", ["point_as_context.stp", "scope.stp", "lfs_pointer.stp"])
 def test_broken_files(tmp_path, file):
-    path = installed(MODELS / "broken" / file)
+    path = BROKEN / file
     expect_one_line(run("repair", path, "-o", tmp_path / "out.step"), path)
     assert os.listdir(tmp_path) == []
 

@@ -294,7 +294,8 @@ def test_reports_of_older_versions_are_shown(report):
 
 
 def test_profiles_are_those_of_the_kernel():
-    seamwright = pytest.importorskip("seamwright")
+    import seamwright
+
     assert list(profiles.PROFILES) == list(seamwright.PROFILES) == list(profiles.LABELS)
     for name, figures in seamwright.PROFILES.items():
         assert profiles.PROFILES[name] == pytest.approx(figures, rel=1e-12)

@@ -34,10 +34,7 @@ FEW = 60  # pixels of a short line
 class Picture(WindowCase):
     def setUp(self):
         super().setUp()
-        if os.path.exists(STEP):
-            ImportGui.insert(STEP, self.doc.Name)
-        else:
-            models.add(self.doc, models.three_classes(), "Prism")
+        ImportGui.insert(STEP, self.doc.Name)
         self.fit()
 
     def test_the_command_colours_the_seams_and_shows_a_legend(self):

@@ -37,7 +37,8 @@ def patches_text(first, second):
     def edge(poles):
         p = points(poles)
         curve = add(
-            f"B_SPLINE_CURVE_WITH_KNOTS('',3,({','.join(p)}),.UNSPECIFIED.,.F.,.F.,(4,4),(0.,1.),.UNSPECIFIED.)"
+            f"B_SPLINE_CURVE_WITH_KNOTS('',3,({','.join(p)}),.UNSPECIFIED.,.F.,.F.,(4,4),(0.,1.),"
+            ".UNSPECIFIED.)"
         )
         ends = [vertex(poles[0], p[0]), vertex(poles[-1], p[-1])]
         return add(f"EDGE_CURVE('',{ends[0]},{ends[1]},{curve},.T.)")
@@ -45,7 +46,8 @@ def patches_text(first, second):
     def face(poles, edges):
         rows = ",".join("(" + ",".join(points(row)) + ")" for row in poles)
         surface = add(
-            f"B_SPLINE_SURFACE_WITH_KNOTS('',3,3,({rows}),.UNSPECIFIED.,.F.,.F.,.F.,(4,4),(4,4),(0.,1.),(0.,1.),"
+            f"B_SPLINE_SURFACE_WITH_KNOTS('',3,3,({rows}),.UNSPECIFIED.,.F.,.F.,.F.,(4,4),(4,4),"
+            "(0.,1.),(0.,1.),"
             ".UNSPECIFIED.)"
         )
         uses = [
@@ -67,7 +69,8 @@ def patches_text(first, second):
         + "#15=(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#19))"
         "GLOBAL_UNIT_ASSIGNED_CONTEXT((#16,#17,#18))REPRESENTATION_CONTEXT('',''));\n"
         + "#19=UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-07),#16,'','');\n"
-        + "#10=MANIFOLD_SURFACE_SHAPE_REPRESENTATION('',(#14,#20),#15);\n#20=SHELL_BASED_SURFACE_MODEL('',(#21));\n"
+        + "#10=MANIFOLD_SURFACE_SHAPE_REPRESENTATION('',(#14,#20),#15);"
+          "\n#20=SHELL_BASED_SURFACE_MODEL('',(#21));\n"
         + f"#21=OPEN_SHELL('',({a},{b}));\n"
         + "\n".join(lines)
         + "\nENDSEC;\nEND-ISO-10303-21;\n"

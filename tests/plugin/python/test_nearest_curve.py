@@ -108,7 +108,7 @@ def test_splines():
         ({"costs_a": np.ones((4, 1))}, "costs_a is array"),
         ({"costs_a": [1, 2]}, "costs_a has 2 numbers, the curve 4 poles"),
         ({"costs_b": [1, 1, 0, 1]}, r"costs_b\[2\] is 0"),
-        ({"costs_b": "dear"}, "costs_b is 'dear': a sequence of numbers is needed"),
+        ({"costs_b": "high"}, "costs_b is 'high': a sequence of numbers is needed"),
         ({"fixed_a": [4]}, r"fixed_a is \[4\]: no pole 4; the curve has 4 poles"),
         ({"fixed_b": [-5]}, r"fixed_b is \[-5\]: no pole -5; the curve has 4 poles"),
         ({"fixed_a": [True, False]}, r"fixed_a is \[True, False\]: 2 booleans"),
