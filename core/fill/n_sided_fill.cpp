@@ -31,8 +31,8 @@ int degreeOf(const std::vector<FillSide>& sides, const FillOptions& options) {
   return degree + options.curvature_degrees.value_or(0);
 }
 
-Connection acrossSpokes(SpokeLaw law, int n) {
-  Connection connection;
+ConnectionFunctions acrossSpokes(SpokeLaw law, int n) {
+  ConnectionFunctions connection;
   connection.beta = Eigen::VectorXd::Zero(law == SpokeLaw::Linear ? 2 : 3);
   connection.beta(0) = fill::starFactor(n);
   return connection;

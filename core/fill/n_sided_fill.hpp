@@ -58,16 +58,17 @@ struct FillCorner {
   double angle_bound_rad = 0;
 };
 
-/// Connection to a neighbour on each half of a side over [0, 1]; valid if the half's corner is
-/// exact.
-using FillSideJoin = std::array<Connection, 2>;
+/// Connection functions to a neighbour on each half of a side over [0, 1]; valid if the half's
+/// corner is exact.
+using FillSideJoin = std::array<ConnectionFunctions, 2>;
 
 /// A hole filled by as many patches as it has sides.
 struct NSidedFill {
   /// Patch k has the centre at (0, 0), corner k at (1, 1), spoke k at u = 0 and spoke k - 1 at v =
   /// 0. u = 1 is the second half of side k - 1; v = 1 is the first half of side k, backwards.
   std::vector<BezierPatch> patches;
-  Connection spoke;  ///< of patch k + 1, edge V0, to patch k, edge U0; the same on all spokes
+  /// Of patch k + 1, edge V0, to patch k, edge U0; the same on all spokes.
+  ConnectionFunctions spoke;
   std::vector<std::optional<FillSideJoin>> sides;  ///< nothing: position alone
   std::vector<FillCorner> corners;
   double fairness_mm2 = 0;  ///< sum of the squared differences of poles

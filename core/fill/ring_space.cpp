@@ -79,11 +79,11 @@ class Equations {
   /// c V + d U = e S', with linear functions given by their ends.
   void add(const Forms& edge, const Forms& after, const Forms& before, const Eigen::Vector2d& c,
            const Eigen::Vector2d& d, const Eigen::Vector2d& e) {
-    const Forms law = product(c, after - edge) + product(d, before - edge) -
-                      elevated(product(e, derivative(edge)), n_ + 1) / n_;
-    const Index old = laws_.rows();
-    laws_.conservativeResize(old + law.rows(), law.cols());
-    laws_.bottomRows(law.rows()) = law;
+    const Forms added = product(c, after - edge) + product(d, before - edge) -
+                        elevated(product(e, derivative(edge)), n_ + 1) / n_;
+    const Index old = equations_.rows();
+    equations_.conservativeResize(old + added.rows(), added.cols());
+    equations_.bottomRows(added.rows()) = added;
   }
 
   void fix(Index pole, const Eigen::RowVector3d& point) {
@@ -103,20 +103,20 @@ class Equations {
   int n_;
   std::vector<bool> known_;
   Poles points_;
-  Forms laws_;
+  Forms equations_;
 };
 
 void Equations::solve(FillSpace& space) const {
   std::vector<Index> bound, loose;  // poles of the equations, and others
-  for (Index pole = 0; pole < laws_.cols(); ++pole) {
+  for (Index pole = 0; pole < equations_.cols(); ++pole) {
     const bool is_shared = sharedRow(space, static_cast<int>(pole) / ((n_ + 1) * (n_ + 1)),
                                      static_cast<int>(pole) / (n_ + 1) % (n_ + 1),
                                      static_cast<int>(pole) % (n_ + 1)) != pole;
     if (is_shared || known_[pole]) continue;
-    (laws_.col(pole).isZero(0) ? loose : bound).push_back(pole);
+    (equations_.col(pole).isZero(0) ? loose : bound).push_back(pole);
   }
-  const Eigen::MatrixXd matrix = laws_(Eigen::indexing::all, bound);
-  const Poles right = -laws_ * points_;
+  const Eigen::MatrixXd matrix = equations_(Eigen::indexing::all, bound);
+  const Poles right = -equations_ * points_;
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> least(matrix);
   least.setThreshold(rank_threshold);
   const Poles particular = least.solve(right);
@@ -130,7 +130,7 @@ void Equations::solve(FillSpace& space) const {
   const Eigen::MatrixXd idle = all.rightCols(matrix.cols() - qr.rank());
 
   space.coefficients =
-      Eigen::MatrixXd::Zero(laws_.cols(), idle.cols() + static_cast<Index>(loose.size()));
+      Eigen::MatrixXd::Zero(equations_.cols(), idle.cols() + static_cast<Index>(loose.size()));
   space.constants = points_;
   space.coefficients(bound, Eigen::seqN(0, idle.cols())) = idle;
   space.constants(bound, Eigen::indexing::all) = particular;

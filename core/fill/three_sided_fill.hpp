@@ -24,7 +24,7 @@ struct ThreeSidedFill {
   /// The connection of the fill to each neighbour, whose derivative out of the hole is T; the
   /// cross-boundary direction is the direction to the centre. It holds if both corners of the side
   /// are exact. Nothing: position alone.
-  std::vector<std::optional<Connection>> sides;
+  std::vector<std::optional<ConnectionFunctions>> sides;
   /// exact and angle_bound_rad are for both sides of the corner. twist_defect_mm is 0, because the
   /// neighbours need not agree.
   std::vector<FillCorner> corners;

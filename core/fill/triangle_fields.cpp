@@ -51,7 +51,7 @@ CentreFields centreFields(const std::vector<FillSide>& sides, int degree, double
     const Across across =
         acrossSide(sides[k], result.spokes.row(static_cast<Eigen::Index>(k)), end, degree - 1);
     result.sides[k] = across.taken;
-    result.joins[k] = Connection{.alpha = across.p, .beta = -across.q};
+    result.joins[k] = ConnectionFunctions{.alpha = across.p, .beta = -across.q};
     for (FillCorner* corner : {&result.corners[k], &result.corners[next]})
       if (!corner->exact)
         corner->angle_bound_rad = std::max(corner->angle_bound_rad,

@@ -10,7 +10,7 @@ namespace seamwright::fill {
 /// Derivatives of the fill from each side to the centre, of one degree less than the triangles.
 struct CentreFields {
   std::vector<std::optional<Poles>> sides;  ///< nothing: position alone
-  std::vector<std::optional<Connection>> joins;
+  std::vector<std::optional<ConnectionFunctions>> joins;
   std::vector<FillCorner> corners;
   Poles spokes;  ///< from corner k to the centre: S' in the corner, one per row
 };

@@ -36,7 +36,7 @@ void requirePositive(const char* name, const Eigen::VectorXd& function) {
 
 }  // namespace
 
-Connection checked(const Connection& c) {
+ConnectionFunctions checked(const ConnectionFunctions& c) {
   requireFunction("alpha", c.alpha);
   requireFunction("beta", c.beta);
   requireFunction("p", c.p);
@@ -46,8 +46,15 @@ Connection checked(const Connection& c) {
   requireFunction("e2", c.e2);
   requirePositive("alpha", c.alpha);
   requirePositive("e0", c.e0);
-  return {rows::trimmed(c.alpha), rows::trimmed(c.beta), rows::trimmed(c.p), rows::trimmed(c.q),
-          rows::trimmed(c.e0),    rows::trimmed(c.e1),   rows::trimmed(c.e2)};
+  if (!isConstant(c.gamma, 1))
+    throw std::invalid_argument("gamma is not 1: only networks have a common denominator");
+  return {.alpha = rows::trimmed(c.alpha),
+          .beta = rows::trimmed(c.beta),
+          .p = rows::trimmed(c.p),
+          .q = rows::trimmed(c.q),
+          .e0 = rows::trimmed(c.e0),
+          .e1 = rows::trimmed(c.e1),
+          .e2 = rows::trimmed(c.e2)};
 }
 
 }  // namespace seamwright

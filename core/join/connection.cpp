@@ -161,7 +161,7 @@ class Recognition {
   }
 
   bool tangents() {
-    Connection& c = fit_.connection;
+    ConnectionFunctions& c = fit_.connection;
     const Field<4> out = rows::product<4>(c.e0, pair_.a.first),
                    along = rows::product<4>(c.e0, P_t_);
     const int last = std::max(rows::degree(pair_.b.first) - rows::degree(out), 0) + 2;
@@ -198,7 +198,7 @@ class Recognition {
   }
 
   bool curvatures() {
-    Connection& c = fit_.connection;
+    ConnectionFunctions& c = fit_.connection;
     const Field<4>&P_s = pair_.a.first, &P_ss = pair_.a.second;
     const Field<4> first = Sum<4>().add(c.alpha, P_s).add(c.beta, P_t_).total();
     const Field<4> second = Sum<4>()

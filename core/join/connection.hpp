@@ -1,33 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <Eigen/Core>
 #include <optional>
+#include <seamwright/core/join/connection_functions.hpp>
 #include <seamwright/core/join/ribbon.hpp>
 #include <string>
 
 namespace seamwright {
-
-/// The connection functions of a join, each a polynomial of the seam's parameter in Bernstein form
-/// on [0, 1].
-///
-/// Let P be the homogeneous ribbon of the given patch (s out of it) and Q that of the other patch
-/// (s into it), both along the same t:
-///   Q    = e0 P
-///   Q_s  = e1 P + e0 (alpha P_s + beta P_t)                               (G1, alpha > 0)
-///   Q_ss = e2 P + 2 e1 (alpha P_s + beta P_t)
-///          + e0 (alpha^2 P_ss + 2 alpha beta P_st + beta^2 P_tt + p P_s + q P_t) (G2)
-/// Polynomial patches have e0 = 1, e1 = e2 = 0. alpha = 1 and beta = p = q = 0 is C^1 (C^2) in s.
-/// Source: docs/theory/surfaces.md S1.1, S2.4, S3.3; [Peters2002].
-struct Connection {
-  Eigen::VectorXd alpha = Eigen::VectorXd::Ones(1);
-  Eigen::VectorXd beta = Eigen::VectorXd::Zero(1);
-  Eigen::VectorXd p = Eigen::VectorXd::Zero(1);
-  Eigen::VectorXd q = Eigen::VectorXd::Zero(1);
-  Eigen::VectorXd e0 = Eigen::VectorXd::Ones(1);
-  Eigen::VectorXd e1 = Eigen::VectorXd::Zero(1);
-  Eigen::VectorXd e2 = Eigen::VectorXd::Zero(1);
-};
 
 struct ConnectionFitOptions {
   int order = 1;  ///< 1: alpha, beta; 2: also p, q
@@ -41,10 +20,11 @@ struct ConnectionFitOptions {
   double largest_condition = 1e12;
 };
 
-/// The connection of two ribbons, and how well it fits.
+/// The connection functions of two ribbons, and how well they fit.
 struct ConnectionFit {
   bool found = false;  ///< all residuals are within the tolerance, and alpha is positive on [0, 1]
-  Connection connection;  ///< the best of the degrees tried; for order 1 p = q = 0
+  /// The best of the degrees tried, with gamma = 1; for order 1 p = q = 0.
+  ConnectionFunctions connection;
   /// Largest remaining coefficient of all equations solved, relative to the fields.
   double residual = 0;
   double noise = 0;  ///< the residual that rounding of the poles may cause where the exact one is 0

@@ -105,9 +105,9 @@ class Frame {
     for (int i = 0; i < in_.vertex.spokes(); ++i) {
       if (!in_.vertex.isInner(i)) continue;
       const Forms first = derivative(in_.spokes[i]);
-      sums.row(i) = in_.laws[i].a(0) * derivative(first).row(0) +
-                    slope(in_.laws[i].a) * first.row(0) +
-                    slope(in_.laws[i].b) * tangent(in_.vertex.before(i));
+      sums.row(i) = in_.functions[i].a(0) * derivative(first).row(0) +
+                    slope(in_.functions[i].a) * first.row(0) +
+                    slope(in_.functions[i].b) * tangent(in_.vertex.before(i));
     }
     twists_ = solution.of_sums * sums;
     if (solution.direction.size() > 0) twists_ += solution.direction * free_.next();
@@ -150,18 +150,18 @@ class Frame {
   /// derivative has the lower degree.
   void placeFields(int spoke) {
     const Side u = before(spoke), v = after(spoke);
-    const SpokeFunctions& law = in_.laws[spoke];
-    const Forms along = times(law.a, derivative(in_.spokes[spoke]));
+    const SpokeFunctions& across = in_.functions[spoke];
+    const Forms along = times(across.a, derivative(in_.spokes[spoke]));
     const bool from_v = v.net.isTriangle() && !u.net.isTriangle();
     const Side &master = from_v ? v : u, &follower = from_v ? u : v;
     const int degree =
-        master.net.crossDegree() - (law.b.size() > 1 && !master.net.isTriangle() ? 1 : 0);
+        master.net.crossDegree() - (across.b.size() > 1 && !master.net.isTriangle() ? 1 : 0);
     const Forms field = freeField(master, degree);
-    const Forms scaled = from_v ? field : times(law.b, field);
+    const Forms scaled = from_v ? field : times(across.b, field);
     const int common = std::max(rows::degree(scaled), rows::degree(along));
-    const Forms there = from_v
-                            ? Forms((elevated(scaled, common) - elevated(along, common)) / law.b(0))
-                            : Forms(elevated(scaled, common) + elevated(along, common));
+    const Forms there =
+        from_v ? Forms((elevated(scaled, common) - elevated(along, common)) / across.b(0))
+               : Forms(elevated(scaled, common) + elevated(along, common));
     placeRow(master, field);
     placeRow(follower, there);
   }
@@ -208,16 +208,17 @@ Eigen::Index polesOf(const std::vector<Net>& nets) {
   return nets.back().first + nets.back().size();
 }
 
-std::vector<SpokeFunctions> lawsOf(const UmbrellaVertex& vertex, const SpokeSeconds& seconds) {
-  std::vector<SpokeFunctions> laws(vertex.spokes());
+std::vector<SpokeFunctions> functionsOf(const UmbrellaVertex& vertex, const SpokeSeconds& seconds) {
+  std::vector<SpokeFunctions> functions(vertex.spokes());
   for (int i = 0; i < vertex.spokes(); ++i) {
     if (!vertex.isInner(i)) continue;
     const auto linear = [](double at_0, double slope) {
       return rows::trimmed(Eigen::Vector2d(at_0, at_0 + slope));
     };
-    laws[i] = {linear(vertex.alpha(i), seconds.lambda(i)), linear(vertex.beta(i), seconds.mu(i))};
+    functions[i] = {linear(vertex.alpha(i), seconds.lambda(i)),
+                    linear(vertex.beta(i), seconds.mu(i))};
   }
-  return laws;
+  return functions;
 }
 
 Forms framed(const FrameInput& input, FreeVectors& free) {

@@ -8,11 +8,12 @@
 #include <seamwright/core/umbrella/twists.hpp>
 #include <seamwright/core/umbrella/umbrella.hpp>
 
-/// The poles of all umbrellas with the same laws across their spokes; not a public header.
+/// The poles of all umbrellas with the same connection functions across their spokes; not a public
+/// header.
 ///
-/// With fixed laws G1 is linear in the poles, and the three coordinates are independent. So every
-/// pole is a fixed combination of a few free vectors and a constant vector. Any choice of the free
-/// vectors gives exact joins.
+/// With fixed functions G1 is linear in the poles, and the three coordinates are independent. So
+/// every pole is a fixed combination of a few free vectors and a constant vector. Any choice of the
+/// free vectors gives exact joins.
 namespace seamwright::umbrella {
 
 /// Vectors as combinations, one per row: first the coefficients of the free vectors, then the
@@ -56,8 +57,8 @@ struct Net {
 std::vector<Net> netsOf(const std::vector<MemberKind>& kinds, int degree);
 Eigen::Index polesOf(const std::vector<Net>& nets);
 
-/// The laws of the inner spokes; those of boundary spokes are empty.
-std::vector<SpokeFunctions> lawsOf(const UmbrellaVertex& vertex, const SpokeSeconds& seconds);
+/// The functions across the inner spokes; those of boundary spokes are empty.
+std::vector<SpokeFunctions> functionsOf(const UmbrellaVertex& vertex, const SpokeSeconds& seconds);
 
 /// Poles, one per row, and which of them are given.
 struct GivenPoles {
@@ -67,14 +68,14 @@ struct GivenPoles {
 
 struct FrameInput {
   const UmbrellaVertex& vertex;
-  const std::vector<SpokeFunctions>& laws;
+  const std::vector<SpokeFunctions>& functions;
   const std::vector<Net>& nets;
   const std::vector<Forms>& spokes;                ///< of degree 1 or more
-  std::optional<GivenPoles> outer = std::nullopt;  ///< must agree with the laws
+  std::optional<GivenPoles> outer = std::nullopt;  ///< must agree with the functions
 };
 
 /// All poles, one per row, as combinations of the free vectors handed out so far.
-/// \pre the degrees allow the laws, see lowestUmbrellaDegree().
+/// \pre the degrees allow the functions, see lowestUmbrellaDegree().
 /// Source: docs/theory/fills.md F1.7, F1.8.
 Forms framed(const FrameInput& input, FreeVectors& free);
 

@@ -124,15 +124,15 @@ Umbrella umbrellaInside(const std::vector<BezierCurve>& sides,
 
   const int n = static_cast<int>(sides.size());
   const UmbrellaVertex regular = umbrellaVertex(regularTangents(n), true);
-  const std::vector<SpokeFunctions> laws =
-      umbrella::lawsOf(regular, defaultSeconds(regular, Eigen::Matrix3Xd::Zero(3, n)));
+  const std::vector<SpokeFunctions> functions =
+      umbrella::functionsOf(regular, defaultSeconds(regular, Eigen::Matrix3Xd::Zero(3, n)));
   const std::vector<Net> nets =
       umbrella::netsOf(std::vector<MemberKind>(n, MemberKind::Tensor), degree);
   const std::vector<Halves> halves = halvesOf(sides, degree);
   FreeVectors free(umbrella::polesOf(nets));
   const std::vector<Forms> spokes = freeSpokes(regular, halves, options.spoke_degree, free);
   const Forms forms =
-      umbrella::framed({regular, laws, nets, spokes, outerPoles(nets, halves)}, free);
+      umbrella::framed({regular, functions, nets, spokes, outerPoles(nets, halves)}, free);
 
   const Eigen::MatrixXd energy = umbrella::energyRows(nets);
   const Eigen::MatrixXd least = linear::LeastSquares(energy * umbrella::linearPart(forms, free))
@@ -144,7 +144,7 @@ Umbrella umbrellaInside(const std::vector<BezierCurve>& sides,
   for (const Forms& spoke : spokes) result.spokes.emplace_back(valued(spoke));
   result.vertex = umbrellaVertex(umbrella::tangentsOf(result.spokes), true);
   result.members = umbrella::membersOf(nets, valued(forms));
-  result.laws = laws;
+  result.functions = functions;
   result.free_vectors = free.count();
   return result;
 }

@@ -162,8 +162,8 @@ class Choice {
   FreeVectors freeVectors() const { return FreeVectors(umbrella::polesOf(nets_)); }
 
   umbrella::Forms formsWith(const SpokeSeconds& seconds, FreeVectors& free) const {
-    const std::vector<SpokeFunctions> laws = umbrella::lawsOf(vertex_, seconds);
-    return umbrella::framed({vertex_, laws, nets_, spokes_}, free);
+    const std::vector<SpokeFunctions> functions = umbrella::functionsOf(vertex_, seconds);
+    return umbrella::framed({vertex_, functions, nets_, spokes_}, free);
   }
 
   /// The constant part of all poles; the linear one does not depend on a.
@@ -281,7 +281,7 @@ Umbrella umbrellaAround(const std::vector<BezierCurve>& given, const UmbrellaOpt
   const Poles poles = choice.poles(seconds);
 
   result.members = umbrella::membersOf(nets, poles);
-  result.laws = umbrella::lawsOf(vertex, seconds);
+  result.functions = umbrella::functionsOf(vertex, seconds);
   result.free_vectors = choice.dimension();
   if (!options.members.empty())
     result.largest_member_move_mm = (poles - aim.target).rowwise().norm().maxCoeff();

@@ -20,8 +20,8 @@ enum class MemberKind { Tensor, Triangle };
 /// u = 0 of member i - 1 (U0, or L0 run backwards).
 ///
 /// Across an inner spoke C, with U and V the derivatives of members i - 1 and i away from it:
-/// V = a C' + b U, b < 0 (as a Connection alpha = -b, beta = a). In Bernstein form; one coefficient
-/// for a constant, none on a boundary spoke.
+/// V = a C' + b U, b < 0 (as ConnectionFunctions alpha = -b, beta = a). In Bernstein form; one
+/// coefficient for a constant, none on a boundary spoke.
 struct SpokeFunctions {
   Eigen::VectorXd a, b;
 };
@@ -50,12 +50,12 @@ struct Umbrella {
   std::vector<UmbrellaMember> members;
   std::vector<BezierCurve> spokes;
   UmbrellaVertex vertex;
-  std::vector<SpokeFunctions> laws;
-  double largest_spoke_move_mm = 0;   ///< of a pole of a spoke
-  double largest_second_change = 0;   ///< |C''(0)|, in mm
-  double largest_lambda_change = 0;   ///< of a given lambda
-  double largest_member_move_mm = 0;  ///< of a pole of a given member
-  Eigen::Index free_vectors = 0;      ///< number of free vectors in the poles
+  std::vector<SpokeFunctions> functions;  ///< across each spoke
+  double largest_spoke_move_mm = 0;       ///< of a pole of a spoke
+  double largest_second_change = 0;       ///< |C''(0)|, in mm
+  double largest_lambda_change = 0;       ///< of a given lambda
+  double largest_member_move_mm = 0;      ///< of a pole of a given member
+  Eigen::Index free_vectors = 0;          ///< number of free vectors in the poles
 };
 
 /// The lowest degree of members for a linear and b constant, see docs/umbrella.md.

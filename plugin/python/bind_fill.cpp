@@ -53,7 +53,7 @@ SpokeLaw lawOf(const py::object& value) {
   throw py::value_error("law is " + shown(value) + ": linear or quadratic is needed");
 }
 
-py::dict ratioDict(const Connection& connection) {
+py::dict ratioDict(const ConnectionFunctions& connection) {
   py::dict dict;
   dict["alpha"] = connection.alpha;
   dict["beta"] = connection.beta;
@@ -143,7 +143,7 @@ py::dict threeSidedFillOf(const py::sequence& given, const py::object& fairness_
     return threeSidedFill(sides, options);
   }();
   py::list joins;
-  for (const std::optional<Connection>& join : fill.sides)
+  for (const std::optional<ConnectionFunctions>& join : fill.sides)
     joins.append(join ? py::object(ratioDict(*join)) : py::none());
   py::dict dict;
   dict["triangles"] = fill.triangles;

@@ -18,11 +18,12 @@ namespace seamwright::python {
 
 namespace {
 
-using Function = Eigen::VectorXd Connection::*;
+using Function = Eigen::VectorXd ConnectionFunctions::*;
 constexpr std::pair<const char*, Function> functions[] = {
-    {"alpha", &Connection::alpha}, {"beta", &Connection::beta}, {"p", &Connection::p},
-    {"q", &Connection::q},         {"e0", &Connection::e0},     {"e1", &Connection::e1},
-    {"e2", &Connection::e2}};
+    {"alpha", &ConnectionFunctions::alpha}, {"beta", &ConnectionFunctions::beta},
+    {"p", &ConnectionFunctions::p},         {"q", &ConnectionFunctions::q},
+    {"e0", &ConnectionFunctions::e0},       {"e1", &ConnectionFunctions::e1},
+    {"e2", &ConnectionFunctions::e2}};
 
 /// Bernstein coefficients, from one number or a sequence.
 Eigen::VectorXd functionOf(const char* name, const py::object& value) {
@@ -34,8 +35,8 @@ Eigen::VectorXd functionOf(const char* name, const py::object& value) {
 }
 
 /// The connection from keywords or a dict; other keys are ignored.
-Connection connectionOf(const py::dict& keywords) {
-  Connection connection;
+ConnectionFunctions connectionOf(const py::dict& keywords) {
+  ConnectionFunctions connection;
   for (const auto& [name, function] : functions)
     if (keywords.contains(name))
       connection.*function = functionOf(name, py::object(keywords[name]));
@@ -54,7 +55,7 @@ void requireKnown(const py::dict& keywords, std::initializer_list<const char*> o
 }
 
 /// The connection from a dict that may contain only functions.
-Connection givenConnectionOf(const char* name, const py::object& value) {
+ConnectionFunctions givenConnectionOf(const char* name, const py::object& value) {
   if (!py::isinstance<py::dict>(value))
     throw py::value_error(std::string(name) + " is " + shown(value) +
                           ": a dict of functions is needed");
@@ -155,7 +156,7 @@ py::object joinedOf(const py::object& surface, const py::object& edge, const py:
   requireKnown(keywords, {"order", "reversed"});
   const bool reversed = keywords.contains("reversed") && isReversed(keyword(keywords, "reversed"));
   const Ribbon from = ribbonOf("given", given, "given_edge", given_edge, false, Across::OutOf);
-  const Connection connection = connectionOf(keywords);
+  const ConnectionFunctions connection = connectionOf(keywords);
   const int order = optionalWhole("order", keyword(keywords, "order")).value_or(1);
   const Ribbon old = ribbonOf("surface", surface, "edge", edge, reversed, Across::Into);
   if (py::isinstance<BezierPatch>(surface))
@@ -189,7 +190,7 @@ py::dict residualDict(const JoinResidual& residual) {
   return dict;
 }
 
-py::dict connectionDict(const Connection& connection) {
+py::dict connectionDict(const ConnectionFunctions& connection) {
   py::dict dict;
   for (const auto& [name, function] : functions) dict[name] = connection.*function;
   return dict;

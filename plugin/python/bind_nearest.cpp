@@ -162,7 +162,7 @@ py::dict nearestJoinOf(const Surface& a, const std::string& edge_a, const Surfac
     const py::gil_scoped_release release;
     join = nearestJoin(side_a, side_b, options);
   }
-  const Connection& c = join.connection;
+  const ConnectionFunctions& c = join.connection;
   py::dict result;
   const bool changed =
       join.status == NearestStatus::Joined || join.status == NearestStatus::NotConverged;

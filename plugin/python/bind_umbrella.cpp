@@ -83,11 +83,11 @@ std::optional<Eigen::Matrix3d> formOf(const py::object& value) {
 }
 
 /// A connection in the form that join_condition() takes; None at an outer spoke.
-py::object connectionOf(const SpokeFunctions& law) {
-  if (law.a.size() == 0) return py::none();
+py::object connectionOf(const SpokeFunctions& functions) {
+  if (functions.a.size() == 0) return py::none();
   py::dict connection;
-  connection["alpha"] = Eigen::VectorXd(-law.b);
-  connection["beta"] = law.a;
+  connection["alpha"] = Eigen::VectorXd(-functions.b);
+  connection["beta"] = functions.a;
   return connection;
 }
 
@@ -95,7 +95,8 @@ py::dict umbrellaDict(const Umbrella& umbrella) {
   py::list members, connections;
   for (const UmbrellaMember& member : umbrella.members)
     members.append(std::visit([](const auto& surface) { return py::cast(surface); }, member));
-  for (const SpokeFunctions& law : umbrella.laws) connections.append(connectionOf(law));
+  for (const SpokeFunctions& functions : umbrella.functions)
+    connections.append(connectionOf(functions));
   py::dict dict;
   dict["members"] = members;
   dict["spokes"] = umbrella.spokes;

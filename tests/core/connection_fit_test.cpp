@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Connection functions that come back from joins made with them.
+// ConnectionFunctions functions that come back from joins made with them.
 #include <gmock/gmock.h>
 
 #include "joins.hpp"
@@ -79,7 +79,7 @@ TEST(ConnectionFit, FunctionsThatVanishComeBack) {
   for (int run = 0; run < 400; ++run) {
     const Ribbon a = endingAtU1(
         gentlePatch(test::whole(2, 6, random), test::whole(1, 6, random), run % 4 == 3, random));
-    Connection made;
+    ConnectionFunctions made;
     if (run % 2) made.alpha(0) = test::uniform(0.5, 2, random);
     if (run % 3) made.beta(0) = test::uniform(-0.5, 0.5, random);
     const auto patch = test::built([&] { return continuation(a, made, 2, 3); });
@@ -101,7 +101,7 @@ TEST(ConnectionFit, WhatStandsInTheWayIsSaid) {
   EXPECT_THAT(fitConnection(a, other).note, HasSubstr("the seams are not the same"));
   EXPECT_THAT(fitConnection(flat, beginningAtU0(continuation(a, {}, 1, 2))).note,
               HasSubstr("condition"));
-  const Connection quadratic = test::randomConnection(2, 3, random);
+  const ConnectionFunctions quadratic = test::randomConnection(2, 3, random);
   const ConnectionFit low = fitConnection(a, beginningAtU0(continuation(a, quadratic, 1, 2)),
                                           {.alpha_degree = 0, .beta_degree = 1});
   EXPECT_FALSE(low.found);

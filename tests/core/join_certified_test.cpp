@@ -57,7 +57,7 @@ TEST(JoinCertified, Identity2ContinuationsOfTensorPatches) {
     const BezierPatch patch = gentlePatch(m, n, rational, random);
     const PatchEdge edge = test::patch_edges[run % 4];
     const bool reversed = run % 8 < 4;
-    const Connection c = test::randomConnection(k, whole(0, k + 1, random), random);
+    const ConnectionFunctions c = test::randomConnection(k, whole(0, k + 1, random), random);
     const int l = whole(order, 6, random);
     const auto next = built(
         [&] { return continuation(ribbon(patch, edge, reversed, Across::OutOf), c, order, l); });
@@ -74,7 +74,7 @@ TEST(JoinCertified, Identity2TrianglesAndPatches) {
   Certifier certifier;
   for (int run = 0; run < 600; ++run) {
     const int n = whole(1, 4, random), k = whole(0, 1, random);
-    const Connection c = test::randomConnection(k, whole(0, k + 1, random), random);
+    const ConnectionFunctions c = test::randomConnection(k, whole(0, k + 1, random), random);
     const TriangleEdge edge = test::triangle_edges[run % 3];
     const bool reversed = run % 2 == 0, tensor = run % 3 == 0;
     const BezierTriangle triangle = gentleTriangle(n, false, random);
@@ -106,8 +106,8 @@ TEST(JoinCertified, BlendsMeetBoth) {
     Poles away = gentlePatch(3, 2, false, random).poles();
     away.col(0).array() += 20;
     const BezierPatch second(3, 2, away);
-    const Connection to_first = test::randomConnection(0, 1, random),
-                     to_second = test::randomConnection(1, 1, random);
+    const ConnectionFunctions to_first = test::randomConnection(0, 1, random),
+                              to_second = test::randomConnection(1, 1, random);
     const auto between = built([&] {
       return blend(ribbon(first, PatchEdge::U1, false, Across::OutOf), to_first,
                    ribbon(second, PatchEdge::U0, false, Across::OutOf), to_second, order);

@@ -189,7 +189,7 @@ TEST(JoinCondition, Identity2OneMovedPoleEndsIt) {
     const BezierPatch a =
         gentlePatch(whole(2, 6, random), whole(1, 6, random), run % 4 == 0, random);
     const int k = whole(0, 2, random), l = whole(2, 6, random);
-    const Connection c = test::randomConnection(k, whole(0, k + 1, random), random);
+    const ConnectionFunctions c = test::randomConnection(k, whole(0, k + 1, random), random);
     std::optional<BezierPatch> b;
     try {
       b = continuation(endingAtU1(a), c, 2, l);
@@ -371,10 +371,10 @@ TEST(JoinCondition, ParametricOrders) {
         gentlePatch(3, 4, run % 2 == 1, random);  // with weights so even that they stay positive
     const Ribbon a =
         endingAtU1(BezierPatch(3, 4, patch.poles(), patch.weights().array().pow(0.03)));
-    const auto order = [&](const Connection& c, int built) {
+    const auto order = [&](const ConnectionFunctions& c, int built) {
       return joinCondition(a, beginningAtU0(continuation(a, c, built, 4))).parametric_order;
     };
-    Connection scaled, bent_weights;  // of the weights alone
+    ConnectionFunctions scaled, bent_weights;  // of the weights alone
     scaled.e0 = bent_weights.e0 = Eigen::Vector2d(1, 1.25);
     bent_weights.e1(0) = 0.125;
     bent_weights.e2(0) = -0.0625;
@@ -382,7 +382,7 @@ TEST(JoinCondition, ParametricOrders) {
     EXPECT_EQ(order({}, 1), 1);
     EXPECT_EQ(order(scaled, 2), 2);
     EXPECT_EQ(order(bent_weights, 2), 2);
-    Connection faster, bent;
+    ConnectionFunctions faster, bent;
     faster.alpha(0) = 1.001;
     bent.p(0) = 0.001;
     EXPECT_EQ(order(faster, 2), 0);
@@ -466,7 +466,7 @@ TEST(JoinCondition, FunctionsOfAGivenConnectionAreChecked) {
   std::mt19937_64 random(testSeed());
   const Ribbon a = endingAtU1(gentlePatch(3, 3, false, random)),
                b = beginningAtU0(continuation(a, {}, 2, 3));
-  const auto messageWith = [&](const Connection& c) -> std::string {
+  const auto messageWith = [&](const ConnectionFunctions& c) -> std::string {
     try {
       joinCondition(a, b, {.connection = c});
     } catch (const std::invalid_argument& error) {
@@ -475,11 +475,11 @@ TEST(JoinCondition, FunctionsOfAGivenConnectionAreChecked) {
     return "accepted";
   };
   for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity(), -1.0, 0.0}) {
-    Connection c;
+    ConnectionFunctions c;
     c.alpha = Eigen::Vector2d(1, bad);
     EXPECT_THAT(messageWith(c), HasSubstr("alpha ")) << bad;
   }
-  Connection none, unbounded;
+  ConnectionFunctions none, unbounded;
   none.beta.resize(0);
   unbounded.beta(0) = -std::numeric_limits<double>::infinity();
   EXPECT_THAT(messageWith(none), HasSubstr("beta has no coefficient"));

@@ -26,8 +26,8 @@ Ribbon endingAtU1(const json& net) {
   return test::endingAtU1(test::patch(net));
 }
 
-Connection connectionOf(const json& input) {
-  Connection c;
+ConnectionFunctions connectionOf(const json& input) {
+  ConnectionFunctions c;
   const auto take = [&](const char* key, Eigen::VectorXd& f) {
     if (input.contains(key)) f = function(input[key]);
   };
@@ -104,8 +104,8 @@ TEST(JoinRowsData, TensorG2AndRational) {
 
 /// The case's cross direction points out of both triangles, with beta < 0 on it and alpha along the
 /// seam.
-Connection ofTriangles(const json& input) {
-  Connection c;
+ConnectionFunctions ofTriangles(const json& input) {
+  ConnectionFunctions c;
   c.alpha = -function(input["beta"]);
   c.beta = -function(input["alpha"]);
   return c;
@@ -146,7 +146,7 @@ TEST(JoinRowsData, RowsOfPatchesBesideTriangles) {
     // t multiplies P1, so the edge runs backwards; the case's cross direction keeps the weight of
     // P2, not of P1.
     const Ribbon given = ribbon(test::triangle(input["T"]), TriangleEdge::L0, true, Across::OutOf);
-    Connection c;
+    ConnectionFunctions c;
     c.alpha = -function(input["alpha"]);
     c.beta = function(input["beta"]) - function(input["alpha"]);
     const JoinRows found = tensorRows(given, c, 1, input["m"]);
@@ -160,7 +160,7 @@ TEST(JoinRowsData, RowsOfPatchesBesideTriangles) {
 TEST(JoinRowsData, RowsOfTrianglesBesidePatches) {
   for (const json& entry : test::dataCases("triangle_joins.json", "tri_from_tensor")) {
     const json& input = entry["input"];
-    Connection c;
+    ConnectionFunctions c;
     c.alpha = -function(input["alpha_bar"]);
     c.beta = 1 - function(input["beta_bar"]).array();
     const JoinRows found = triangleRows(endingAtU1(input["P"]), c);
@@ -172,7 +172,7 @@ TEST(JoinRowsData, RowsOfTrianglesBesidePatches) {
   }
 }
 
-// The equations of Connection, evaluated pointwise.
+// The equations of ConnectionFunctions, evaluated pointwise.
 
 Eigen::Vector4d derivativeAt(const HomogeneousPoles& rows, double t) {
   const Eigen::Index n = rows.rows() - 1;
@@ -188,7 +188,8 @@ HomogeneousPoles differenced(const HomogeneousPoles& rows) {
 }
 
 /// By how much b misses the equations with a, relative to the sizes of their terms.
-double equationDefect(const Ribbon& a, const Ribbon& b, const Connection& c, int order, double t) {
+double equationDefect(const Ribbon& a, const Ribbon& b, const ConnectionFunctions& c, int order,
+                      double t) {
   const auto f = [t](const Eigen::VectorXd& g) { return value(g, t); };
   const Eigen::Vector4d P = value(a.position, t), P_s = value(a.first, t),
                         P_t = derivativeAt(a.position, t);
@@ -214,7 +215,7 @@ TEST(JoinConstruct, Identity1EquationsHoldForTensorPatches) {
     const BezierPatch patch =
         gentlePatch(whole(1, 7, random), whole(1, 7, random), rational, random);
     const int order = whole(1, 2, random), k = whole(0, 2, random);
-    Connection c = test::randomConnection(k, whole(0, k + 1, random), random);
+    ConnectionFunctions c = test::randomConnection(k, whole(0, k + 1, random), random);
     if (rational) c = test::withScaling(c, random);
     const Ribbon given = ribbon(patch, test::patch_edges[run % 4], run % 8 < 4, Across::OutOf);
     const auto next = built([&] { return continuation(given, c, order, whole(order, 7, random)); });
@@ -232,7 +233,7 @@ TEST(JoinConstruct, Identity4EquationsHoldForTriangles) {
   for (int run = 0; run < 1000; ++run) {
     const bool to_tensor = run % 3 == 0, from_tensor = run % 3 == 1;
     const int n = whole(1, 6, random), k = whole(0, 2, random);
-    const Connection c = test::randomConnection(k, whole(0, k + 1, random), random);
+    const ConnectionFunctions c = test::randomConnection(k, whole(0, k + 1, random), random);
     const Ribbon given = from_tensor
                              ? ribbon(gentlePatch(whole(1, 5, random), n, false, random),
                                       test::patch_edges[run % 4], run % 2, Across::OutOf)
@@ -248,7 +249,7 @@ TEST(JoinConstruct, Identity4EquationsHoldForTriangles) {
 
 TEST(JoinConstruct, ContinuationsAreTheirTaylorPolynomials) {
   std::mt19937_64 random(testSeed());
-  const Connection c = test::randomConnection(1, 2, random);
+  const ConnectionFunctions c = test::randomConnection(1, 2, random);
   const Ribbon given =
       ribbon(gentlePatch(3, 3, false, random), PatchEdge::V1, false, Across::OutOf);
   const BezierPatch next = continuation(given, c, 2, 5);
@@ -298,7 +299,7 @@ TEST(JoinConstruct, DegreesAreThoseOfTheTable) {
   EXPECT_EQ(along(triangleRows(triangle, functions(0, 0))), 4);
   EXPECT_EQ(along(triangleRows(triangle, functions(1, 1))), 5);
   EXPECT_EQ(along(triangleRows(tensor, functions(0, 0))), 5);
-  Connection same = functions(0, 1);
+  ConnectionFunctions same = functions(0, 1);
   same.alpha = Eigen::Vector2d(1.25, 1.25);
   EXPECT_EQ(along(tensorRows(tensor, same, 1, 3)), 4);
   EXPECT_EQ(along(tensorRows(tensor, functions(0, 1), 1, 3, 6)), 6);
@@ -313,7 +314,7 @@ TEST(JoinConstruct, ReplacedRowsLeaveTheOthers) {
     const Ribbon given =
         ribbon(gentlePatch(3, n, rational, random), PatchEdge::U1, false, Across::OutOf);
     const BezierPatch before = gentlePatch(4, 4, rational, random);
-    const Connection c = test::randomConnection(0, 1, random);
+    const ConnectionFunctions c = test::randomConnection(0, 1, random);
     const auto rows = built([&] { return tensorRows(given, c, order, 4); });
     if (!rows) continue;
     const BezierPatch after = withRows(before, edge, reversed, *rows);
@@ -334,7 +335,7 @@ TEST(JoinConstruct, ReplacedRowsOfATriangleLeaveTheOthers) {
     const Ribbon given =
         ribbon(gentleTriangle(3, false, random), TriangleEdge::L1, false, Across::OutOf);
     const BezierTriangle before = gentleTriangle(4, false, random);
-    const Connection c = test::randomConnection(1, 1, random);
+    const ConnectionFunctions c = test::randomConnection(1, 1, random);
     const BezierTriangle after = withRows(before, edge, reversed, triangleRows(given, c));
     EXPECT_LE(equationDefect(given, ribbon(after, edge, reversed, Across::Into), c, 1, 0.4), 1e-13);
     for (int r = 2; r <= 4; ++r)
@@ -359,8 +360,9 @@ TEST(JoinConstruct, RowsAreRaisedOrRaiseThePatch) {
             1e-13);
 }
 
-Connection with(Eigen::VectorXd Connection::*function, const Eigen::VectorXd& coefficients) {
-  Connection c;
+ConnectionFunctions with(Eigen::VectorXd ConnectionFunctions::*function,
+                         const Eigen::VectorXd& coefficients) {
+  ConnectionFunctions c;
   c.*function = coefficients;
   return c;
 }
@@ -379,27 +381,33 @@ TEST(JoinConstruct, RefusesBadConnectionsAndDegrees) {
   std::mt19937_64 random(testSeed());
   const Ribbon given =
       ribbon(gentlePatch(3, 3, false, random), PatchEdge::U1, false, Across::OutOf);
-  const auto refused = [&](const Connection& c, int order = 1, int across = 3,
+  const auto refused = [&](const ConnectionFunctions& c, int order = 1, int across = 3,
                            std::optional<int> degree = {}) {
     return refusal([&] { tensorRows(given, c, order, across, degree); });
   };
   const double nan = std::nan("");
-  EXPECT_THAT(refused(with(&Connection::alpha, Eigen::Vector2d(1, -0.25))),
+  EXPECT_THAT(refused(with(&ConnectionFunctions::alpha, Eigen::Vector2d(1, -0.25))),
               HasSubstr("alpha is -0.25 at t = 1:"));
-  EXPECT_THAT(refused(with(&Connection::alpha, Eigen::Vector3d(1, -3, 1))), HasSubstr("alpha is "));
-  EXPECT_THAT(refused(with(&Connection::alpha, Eigen::Vector3d(1, -1, 1))),
+  EXPECT_THAT(refused(with(&ConnectionFunctions::alpha, Eigen::Vector3d(1, -3, 1))),
+              HasSubstr("alpha is "));
+  EXPECT_THAT(refused(with(&ConnectionFunctions::alpha, Eigen::Vector3d(1, -1, 1))),
               HasSubstr("at t = 0.5:"));  // touches 0
-  EXPECT_THAT(refused(with(&Connection::alpha, Eigen::Vector3d(1, -0.9, 1))),
+  EXPECT_THAT(refused(with(&ConnectionFunctions::alpha, Eigen::Vector3d(1, -0.9, 1))),
               HasSubstr("nothing was refused"));
-  EXPECT_THAT(refused(with(&Connection::alpha, Eigen::VectorXd::Zero(1))), HasSubstr("alpha is 0"));
-  EXPECT_THAT(refused(with(&Connection::beta, Eigen::Vector2d(0, nan))),
+  EXPECT_THAT(refused(with(&ConnectionFunctions::alpha, Eigen::VectorXd::Zero(1))),
+              HasSubstr("alpha is 0"));
+  EXPECT_THAT(refused(with(&ConnectionFunctions::beta, Eigen::Vector2d(0, nan))),
               HasSubstr("beta has coefficient 1 = nan"));
-  EXPECT_THAT(refused(with(&Connection::q, Eigen::VectorXd())), HasSubstr("q has no coefficient"));
-  EXPECT_THAT(refused(with(&Connection::e0, -Eigen::VectorXd::Ones(1))), HasSubstr("e0 is -1"));
-  EXPECT_THAT(refused(with(&Connection::e1, Eigen::VectorXd::Constant(1, -4))),
+  EXPECT_THAT(refused(with(&ConnectionFunctions::q, Eigen::VectorXd())),
+              HasSubstr("q has no coefficient"));
+  EXPECT_THAT(refused(with(&ConnectionFunctions::e0, -Eigen::VectorXd::Ones(1))),
+              HasSubstr("e0 is -1"));
+  EXPECT_THAT(refused(with(&ConnectionFunctions::e1, Eigen::VectorXd::Constant(1, -4))),
               HasSubstr("row 1, pole 0 has weight -0.33333333333333326: it must be positive; e1"));
-  EXPECT_THAT(refused(with(&Connection::beta, Eigen::VectorXd::Random(200))),
+  EXPECT_THAT(refused(with(&ConnectionFunctions::beta, Eigen::VectorXd::Random(200))),
               HasSubstr("beta has degree 199"));
+  EXPECT_THAT(refused(with(&ConnectionFunctions::gamma, Eigen::Vector2d(1, 2))),
+              HasSubstr("gamma is not 1"));
   EXPECT_THAT(refused({}, 3), HasSubstr("order 3"));
   EXPECT_THAT(refused({}, 0), HasSubstr("order 0"));
   EXPECT_THAT(refused({}, 2, 1), HasSubstr("order 2 needs a degree across of at least as much: 1"));

@@ -65,8 +65,9 @@ inline Eigen::VectorXd randomFunction(int degree, double low, double high,
 }
 
 /// alpha, p of one degree, beta, q of another.
-inline Connection randomConnection(int alpha_degree, int beta_degree, std::mt19937_64& random) {
-  Connection c;
+inline ConnectionFunctions randomConnection(int alpha_degree, int beta_degree,
+                                            std::mt19937_64& random) {
+  ConnectionFunctions c;
   c.alpha = randomFunction(alpha_degree, 0.6, 1.6, random);
   c.beta = randomFunction(beta_degree, -0.4, 0.4, random);
   c.p = randomFunction(alpha_degree, -1, 1, random);
@@ -148,11 +149,11 @@ auto built(const Build& build) -> std::optional<decltype(build())> {
 
 struct Join {
   Ribbon a, b;
-  Connection connection;
+  ConnectionFunctions connection;
   int order = 1;
 };
 
-inline Connection withScaling(Connection c, std::mt19937_64& random) {
+inline ConnectionFunctions withScaling(ConnectionFunctions c, std::mt19937_64& random) {
   c.e0 = randomFunction(whole(0, 1, random), 0.8, 1.25, random);
   c.e1 = randomFunction(0, -0.1, 0.1, random);
   c.e2 = randomFunction(0, -0.1, 0.1, random);

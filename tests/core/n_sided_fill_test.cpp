@@ -87,7 +87,7 @@ TEST_P(RandomFill, ConnectionsAreThoseReported) {
           -test::value(fill.spoke.alpha, t) * a.u + test::value(fill.spoke.beta, t) * a.v;
       EXPECT_LT((b.v - wanted).norm(), 1e-11 * (b.v.norm() + wanted.norm()));
       for (int half : {0, 1}) {
-        const Connection& join = (*fill.sides[k])[half];
+        const ConnectionFunctions& join = (*fill.sides[k])[half];
         const SurfaceJet beyond = test::neighbourHalf(sides_[k], half).jet(0, t);
         const SurfaceJet ours =
             half == 0 ? fill.patches[k].jet(1 - t, 1) : fill.patches[(k + 1) % n_].jet(1, t);

@@ -91,10 +91,9 @@ Rows rowsOf(const BSplineSurface& surface) {
   return rows;
 }
 
-/// The rows of b that Connection's equations of the natural degrees ask for, by products of
-/// polynomials.
-/// Source: docs/theory/surfaces.md S3.1.
-Rows continued(const Rows& p, int across_a, int across_b, const Connection& c, int order) {
+/// The rows of b that ConnectionFunctions's equations of the natural degrees ask for, by products
+/// of polynomials. Source: docs/theory/surfaces.md S3.1.
+Rows continued(const Rows& p, int across_a, int across_b, const ConnectionFunctions& c, int order) {
   const double m = across_a, l = across_b;
   const auto n = static_cast<int>(p[0].rows()) - 1;
   const Poles out = m * (p[0] - p[1]), second = m * (m - 1) * (p[0] - 2 * p[1] + p[2]);
@@ -127,9 +126,10 @@ Rows moved(const Rows& rows, double size, std::mt19937_64& random) {
   return result;
 }
 
-Connection moved(const Connection& connection, double size, std::mt19937_64& random) {
+ConnectionFunctions moved(const ConnectionFunctions& connection, double size,
+                          std::mt19937_64& random) {
   std::normal_distribution<double> normal;
-  Connection result = connection;
+  ConnectionFunctions result = connection;
   for (Eigen::VectorXd* f : {&result.alpha, &result.beta, &result.p, &result.q})
     for (double& coefficient : *f) coefficient += size * normal(random);
   return result;
@@ -164,7 +164,7 @@ TEST(NearestJoin, NoJoinNearbyIsNearer) {  // (2)
     a.moves = both;
     const NearestJoin join = nearestJoin(a, b, {.order = order});
     const Rows at_a = rowsOf(a.surface), at_b = rowsOf(b.surface), to_a = rowsOf(join.a);
-    const auto cost = [&](const Rows& rows, const Connection& connection) {
+    const auto cost = [&](const Rows& rows, const ConnectionFunctions& connection) {
       return squaredMove(at_a, rows, order) +
              squaredMove(at_b, continued(rows, 3, 3, connection, order), order);
     };
@@ -173,11 +173,12 @@ TEST(NearestJoin, NoJoinNearbyIsNearer) {  // (2)
     for (int k = 0; k < 10; ++k) {
       const double size = 1e-4;
       const Rows rows = both ? moved(to_a, size, random) : to_a;
-      const Connection connection = moved(join.connection, size, random);
+      const ConnectionFunctions connection = moved(join.connection, size, random);
       Rows opposite = to_a;
       for (int i = 0; i < 3; ++i) opposite[i] = 2 * to_a[i] - rows[i];
-      Connection against = join.connection;
-      for (const auto f : {&Connection::alpha, &Connection::beta, &Connection::p, &Connection::q})
+      ConnectionFunctions against = join.connection;
+      for (const auto f : {&ConnectionFunctions::alpha, &ConnectionFunctions::beta,
+                           &ConnectionFunctions::p, &ConnectionFunctions::q})
         against.*f = 2 * join.connection.*f - connection.*f;
       const double one = cost(rows, connection) - least, other = cost(opposite, against) - least;
       EXPECT_GT(one, 0);
@@ -217,7 +218,7 @@ TEST(NearestJoin,
     ASSERT_EQ(join.status, NearestStatus::Joined);
     expectJoined(join, pair, order, 10);
     for (int k = 0; k < 4; ++k) {
-      Connection held = moved(join.connection, 1e-3, random);
+      ConnectionFunctions held = moved(join.connection, 1e-3, random);
       held.e0.setOnes();
       if (rational) {
         held.e1 = (join.connection.e1.array() / join.connection.e0(0) + 1e-4 * (k - 1.5)).matrix();
@@ -320,7 +321,7 @@ TEST(NearestJoin, AJoinOfHigherDegreeIsLeftAsItIs) {  // (6)
   JoinSide a{strip({3, 3}, -1, 0.1, random)}, b{strip({3, 5}, 1, 0.1, random)};
   a.surface = elevated(elevated(a.surface, SurfaceDirection::V), SurfaceDirection::V);
   a.moves = false;
-  Connection held;
+  ConnectionFunctions held;
   held.alpha = Eigen::Vector3d(0.9, 1.1, 1);
   held.beta = Eigen::Vector3d(0.1, -0.2, 0.2);
   const NearestJoin join = nearestJoin(a, b, {.held = held});

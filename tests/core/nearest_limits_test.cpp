@@ -84,7 +84,7 @@ TEST(NearestJoinKnots, RaisedKnotsLeaveBetaFree) {
     a.moves = round / 2 % 3 != 1;
     b.moves = round / 2 % 3 != 2;
     const NearestJoin join = nearestJoin(a, b, {.order = order});
-    Connection straight;
+    ConnectionFunctions straight;
     straight.alpha = join.connection.alpha;
     straight.p = join.connection.p;
     const NearestJoin held = nearestJoin(a, b, {.order = order, .held = straight});
@@ -352,15 +352,17 @@ TEST(NearestJoinErrors, NameTheOffendingNumber) {
   expectRefused(b, {.max_iterations = -1}, "max_iterations is -1");
   const auto held = [](auto change) {
     NearestOptions options;
-    options.held = Connection{};
+    options.held = ConnectionFunctions{};
     change(*options.held);
     return options;
   };
-  expectRefused(b, held([](Connection& c) { c.alpha(0) = -1; }), "coefficient 0 of alpha is -1");
-  expectRefused(b, held([](Connection& c) { c.beta(0) = nan; }), "beta");
-  expectRefused(b, held([](Connection& c) { c.e0(0) = 2; }), "e0");
-  expectRefused(b, held([](Connection& c) { c.e1(0) = 2; }), "e1");
-  expectRefused(b, held([](Connection& c) { c.alpha.resize(0); }), "alpha is -1");
+  expectRefused(b, held([](ConnectionFunctions& c) { c.alpha(0) = -1; }),
+                "coefficient 0 of alpha is -1");
+  expectRefused(b, held([](ConnectionFunctions& c) { c.beta(0) = nan; }), "beta");
+  expectRefused(b, held([](ConnectionFunctions& c) { c.e0(0) = 2; }), "e0");
+  expectRefused(b, held([](ConnectionFunctions& c) { c.e1(0) = 2; }), "e1");
+  expectRefused(b, held([](ConnectionFunctions& c) { c.gamma(0) = 2; }), "gamma");
+  expectRefused(b, held([](ConnectionFunctions& c) { c.alpha.resize(0); }), "alpha is -1");
   expectRefused({strip({3, 4}, 1, 0.1, random)}, {}, "degrees along the seam are 3 and 4");
   expectRefused({strip({3, 3, {0.5}}, 1, 0.1, random)}, {}, "knots along the seam are 8 and 9");
   JoinSide other{strip({3, 3, {0.5}}, 1, 0.1, random)};

@@ -105,7 +105,7 @@ TEST(NearestOracle, BothSidesForAConnectionThatIsHeld) {
   for (const json& entry : cases("symmetric_g1")) {
     // Weight 1 of the seam of each side makes 2 of both.
     const JoinSide p = ofP(entry), q = ofQ(entry);
-    Connection held;
+    ConnectionFunctions held;
     held.alpha = coefficients(entry["input"]["alpha"]);
     held.beta = coefficients(entry["input"]["beta"]);
     const NearestJoin join = nearestJoin(p, q, {.held = held});
@@ -136,7 +136,7 @@ TEST(NearestOracle, ASeamWithKnots) {
   const int l = entry["input"]["l"];
   JoinSide q{test::strip({l, given.degree_v, {0.25, 0.25, 0.5, 0.5}}, 1, 1, random), PatchEdge::U0};
   ASSERT_EQ(q.surface.knots_v, entry["expected"]["t_knots_Q"].get<std::vector<double>>());
-  Connection held;
+  ConnectionFunctions held;
   held.alpha = coefficients(entry["input"]["alpha"]);
   held.beta = coefficients(entry["input"]["beta"]);
   const NearestJoin join = nearestJoin(p, q, {.held = held});

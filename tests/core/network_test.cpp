@@ -96,7 +96,7 @@ double distance(const NetworkResult& a, const NetworkResult& b) {
   return largest;
 }
 
-// What is smooth already obeys laws of the form sought, and is left alone bitwise.
+// What is smooth already has connection functions of the form sought, and is left alone bitwise.
 TEST(Network, SmoothNetworksAreLeftAlone) {
   std::mt19937_64 random(testSeed());
   std::vector<Net> nets = {grid(3, 4, 1, random), grid(3, 3, 3, random, 2), ball(20)};
@@ -213,13 +213,13 @@ TEST(Network, OneSeamIsANearestJoin) {  // (2)
     ASSERT_EQ(join.status, NearestStatus::Joined);
     EXPECT_NEAR(result.cost, join.cost, 1e-7 * join.cost);
     EXPECT_LT(largestDifference(result.surfaces[0], join.a), 1e-4 * join.largest_move_mm);
-    EXPECT_NEAR(result.seams[0].law.d(0) / result.seams[0].law.c(0), join.connection.alpha(0),
-                1e-5);
+    EXPECT_NEAR(result.seams[0].connection.alpha(0) / result.seams[0].connection.gamma(0),
+                join.connection.alpha(0), 1e-5);
   }
 }
 
-// Another solution with the same laws, reached from elsewhere: the way to it is orthogonal to the
-// move.
+// Another solution with the same connection functions, reached from elsewhere: the way to it is
+// orthogonal to the move.
 TEST(Network, MoveIsOrthogonalToTheSolutions) {  // (2)
   std::mt19937_64 random(testSeed());
   std::vector<Net> nets = {grid(3, 3, 2, random), grid(3, 2, 1, random, 2), regularFan(5, random),
@@ -231,7 +231,7 @@ TEST(Network, MoveIsOrthogonalToTheSolutions) {  // (2)
     Net elsewhere = net;
     disturb(elsewhere, 0.5, 3, random);
     for (std::size_t i = 0; i < net.seams.size(); ++i)
-      elsewhere.seams[i].held = result.seams[i].law;
+      elsewhere.seams[i].held = result.seams[i].connection;
     const NetworkResult other = joined(elsewhere);
     ASSERT_EQ(other.status, NetworkStatus::Joined);
     double product = 0;
@@ -471,10 +471,13 @@ TEST(Network, BadInputIsRefused) {
                 }),
                 "poles 4 and 5");
   expectRefused(with([](Net& n) {
-                  n.seams[0].held = SeamLaw{};
-                  n.seams[0].held->d(0) = 0;
+                  n.seams[0].held = ConnectionFunctions{};
+                  n.seams[0].held->alpha(0) = 0;
                 }),
-                "coefficient 0 of d of the law of seam 0 is 0");
+                "coefficient 0 of alpha of the connection of seam 0 is 0");
+  expectRefused(
+      with([](Net& n) { n.seams[2].held = ConnectionFunctions{.e1 = Eigen::Vector2d(0, 1)}; }),
+      "the connection of seam 2 scales poles");
   expectRefused(net, "regular_rad is 2", {.regular_rad = 2});
   expectRefused(net, "max_iterations is -1", {.max_iterations = -1});
   EXPECT_EQ(nearestNetwork({}, {}).status, NetworkStatus::Unchanged);
@@ -514,16 +517,16 @@ TEST(NetworkOracle, NetworksAroundAVertexAsInTheData) {
         net.surfaces.push_back(member(input["nets"][i]));
         net.surfaces.back().weights(0) = 1.0 / count;
         NetworkSeam seam{{i, (i + 1) % count}, {PatchEdge::U0, PatchEdge::V0}, false, 1};
-        SeamLaw law;
+        ConnectionFunctions connection;
         if (input.contains("law")) {
-          law.c = function(input["law"][i]["c"]);
-          law.d = function(input["law"][i]["d"]);
-          law.e = function(input["law"][i]["e"]);
+          connection.gamma = function(input["law"][i]["c"]);
+          connection.alpha = function(input["law"][i]["d"]);
+          connection.beta = function(input["law"][i]["e"]);
         } else {
-          law.d = -function(input["b"][i]);
-          law.e = function(input["a"][i]);
+          connection.alpha = -function(input["b"][i]);
+          connection.beta = function(input["a"][i]);
         }
-        seam.held = law;
+        seam.held = connection;
         net.seams.push_back(seam);
       }
       const NetworkResult result = joined(net);
@@ -542,17 +545,17 @@ TEST(NetworkOracle, SeamsAsInTheData) {
       const json& input = entry["input"];
       Net net;
       net.surfaces = {{splineSurface(patch(input["P"]))}, {splineSurface(patch(input["Q"]))}};
-      SeamLaw law;
-      law.d = function(input[input.contains("alpha") ? "alpha" : "d"]);
-      law.e = function(input[input.contains("beta") ? "beta" : "e"]);
+      ConnectionFunctions connection;
+      connection.alpha = function(input[input.contains("alpha") ? "alpha" : "d"]);
+      connection.beta = function(input[input.contains("beta") ? "beta" : "e"]);
       if (input.contains("c")) {
-        law.c = function(input["c"]);
+        connection.gamma = function(input["c"]);
         for (NetworkSurface& surface : net.surfaces)
           surface.weights = Eigen::VectorXd::Ones(surface.surface.poles.rows());
         net.surfaces[0].weights.tail(net.surfaces[0].surface.countV()).setConstant(0.5);
         net.surfaces[1].weights.head(net.surfaces[1].surface.countV()).setConstant(0.5);
       }
-      net.seams = {{{0, 1}, {PatchEdge::U1, PatchEdge::U0}, false, 1, law}};
+      net.seams = {{{0, 1}, {PatchEdge::U1, PatchEdge::U0}, false, 1, connection}};
       const NetworkResult result = joined(net);
       ASSERT_EQ(result.status, NetworkStatus::Joined);
       const BSplineSurface &p = result.surfaces[0], &q = result.surfaces[1];
@@ -593,12 +596,12 @@ TEST(NetworkOracle, InnerKnotsAsInTheData) {
       q.poles.row(static_cast<Eigen::Index>(i) * columns + j).head<3>() =
           p.poles.row(static_cast<Eigen::Index>(p.countU() - 1) * columns + j).head<3>() +
           Eigen::RowVector3d(5.0 * i, 0, 0);
-  SeamLaw law;
-  law.d = function(input["alpha"]);
-  law.e = function(input["beta"]);
+  ConnectionFunctions connection;
+  connection.alpha = function(input["alpha"]);
+  connection.beta = function(input["beta"]);
   Net net;
   net.surfaces = {{p, false}, {q}};
-  net.seams = {{{0, 1}, {PatchEdge::U1, PatchEdge::U0}, false, 1, law}};
+  net.seams = {{{0, 1}, {PatchEdge::U1, PatchEdge::U0}, false, 1, connection}};
   const NetworkResult result = joined(net);
   ASSERT_EQ(result.status, NetworkStatus::Joined);
   for (int row = 0; row < 2; ++row)

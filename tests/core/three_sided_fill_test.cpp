@@ -69,7 +69,7 @@ TEST_P(RandomTriangleFill, LawOfTheSpokesAndConnections) {
       const SurfaceJet after = fill.triangles[k].jet(t, 0),
                        before = fill.triangles[(k + 2) % 3].jet(0, t);
       EXPECT_LT((before.u + after.u + after.v).norm(), 1e-11 * (before.u.norm() + after.v.norm()));
-      const Connection& join = *fill.sides[k];
+      const ConnectionFunctions& join = *fill.sides[k];
       const Vector3d beyond = -BezierCurve(*sides_[k].cross).point(t),
                      along = sides_[k].edge.jet(t).d1;
       const Vector3d in = -fill.triangles[k].jet(1 - t, t).u;

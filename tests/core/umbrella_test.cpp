@@ -101,7 +101,7 @@ TEST(UmbrellaData, LambdaIsRecognised) {
     EXPECT_LE(found.largest_member_move_mm, 1e-11 * sizeOf(given.options)) << given.id;
     for (int i = 0; i < found.vertex.spokes(); ++i) {
       if (!found.vertex.isInner(i)) continue;
-      const Eigen::VectorXd& a = found.laws[i].a;
+      const Eigen::VectorXd& a = found.functions[i].a;
       EXPECT_NEAR(a(a.size() - 1) - a(0), lambda(i), 1e-11 * (1 + found.vertex.alpha.norm()))
           << given.id;
     }
@@ -283,7 +283,7 @@ TEST(Umbrella, Identity4SymmetricSpokesMakeASymmetricOne) {
         const Poles here = test::polesOf(found.members[i]),
                     next = test::polesOf(found.members[(i + 1) % m]);
         EXPECT_LE((here * turn.transpose() - next).cwiseAbs().maxCoeff(), 1e-11) << m << " " << i;
-        EXPECT_LE((found.laws[i].b.array() + 1).abs().maxCoeff(), 1e-12);
+        EXPECT_LE((found.functions[i].b.array() + 1).abs().maxCoeff(), 1e-12);
       }
       // The mirror at the bisector of sector 0 exchanges u and v.
       const Eigen::Vector3d across(-std::sin(pi / m), std::cos(pi / m), 0);
@@ -342,7 +342,8 @@ TEST(Umbrella, Identity5NoOtherIsFairer) {
     others.lambda = Eigen::VectorXd::Zero(fair.vertex.spokes());
     for (int i = 0; i < fair.vertex.spokes(); ++i)
       if (fair.vertex.isInner(i))
-        (*others.lambda)(i) = fair.laws[i].a(fair.laws[i].a.size() - 1) - fair.laws[i].a(0);
+        (*others.lambda)(i) =
+            fair.functions[i].a(fair.functions[i].a.size() - 1) - fair.functions[i].a(0);
     others.degree =
         lowestUmbrellaDegree(fan.options.kinds, fan.options.closed, fair.spokes[0].degree());
     const Umbrella same = umbrellaAround(fair.spokes, others);

@@ -90,7 +90,8 @@ inline double worstLaw(const Umbrella& umbrella) {
     const double size = u.position.leftCols<3>().cwiseAbs().maxCoeff();
     double defect = 0, scale = 0;
     for (int k = 0; k <= 32; ++k) {
-      const double t = k / 32.0, a = value(umbrella.laws[i].a, t), b = value(umbrella.laws[i].b, t);
+      const double t = k / 32.0, a = value(umbrella.functions[i].a, t),
+                   b = value(umbrella.functions[i].b, t);
       const Eigen::Vector3d U = -value(u.first, t).head<3>(), V = value(v.first, t).head<3>();
       const Eigen::Vector3d tangent = umbrella.spokes[i].derivatives(t, 1).row(1);
       const Eigen::Vector3d gap = (value(u.position, t) - value(v.position, t)).head<3>();

@@ -293,7 +293,7 @@ Eigen::VectorXd cube(const Eigen::VectorXd& w) {
 }
 
 JoinResidual curvatureCondition(const Derivatives& a, const Derivatives& b, const Field<3>& normal,
-                                double length, const Connection& c,
+                                double length, const ConnectionFunctions& c,
                                 std::optional<double> tolerance) {
   const Eigen::VectorXd w = cube(b.w), &alpha = c.alpha, &beta = c.beta;
   const double of_normal = relativeNoise(a.s) + relativeNoise(a.t);
@@ -339,7 +339,7 @@ std::string_view name(JoinVerdict verdict) {
 
 JoinCondition joinCondition(const Ribbon& a, const Ribbon& b, const JoinConditionOptions& options) {
   requireTolerance(options.tolerance);
-  std::optional<Connection> connection = options.connection;
+  std::optional<ConnectionFunctions> connection = options.connection;
   if (connection) connection = checked(*connection);
   const NormalizedPair pair(a, b);
   const Derivatives of_a = derivativesOf(pair.a, pair.rounding),

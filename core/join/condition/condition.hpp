@@ -57,7 +57,7 @@ struct JoinConditionOptions {
   /// Of relative residuals; nothing: the noise of each one.
   std::optional<double> tolerance = std::nullopt;
   /// Of b to a, for the curvature condition; nothing: from the ribbons.
-  std::optional<Connection> connection = std::nullopt;
+  std::optional<ConnectionFunctions> connection = std::nullopt;
 };
 
 /// Judges the join of two ribbons over the same t. Ribbon a runs out of its patch, ribbon b into

@@ -22,7 +22,7 @@ void requireRibbon(const Ribbon& given) {
 
 /// The ribbon of the other patch at the seam, into that patch. Each part has the lowest degree in
 /// which its terms can be written.
-Ribbon beyond(const Ribbon& given, const Connection& c, int order) {
+Ribbon beyond(const Ribbon& given, const ConnectionFunctions& c, int order) {
   requireRibbon(given);
   const Field<4>&P = given.position, &P_s = given.first, &P_ss = given.second;
   const Field<4> P_t = rows::derivative<4>(P);
@@ -135,21 +135,21 @@ std::vector<HomogeneousPoles> rowsOf(const BezierPatch& patch, int degree) {
 
 }  // namespace
 
-JoinRows tensorRows(const Ribbon& given, const Connection& connection, int order, int degree_across,
-                    std::optional<int> degree) {
+JoinRows tensorRows(const Ribbon& given, const ConnectionFunctions& connection, int order,
+                    int degree_across, std::optional<int> degree) {
   requireOrder(order, degree_across);
   return tensorRowsOf(beyond(given, checked(connection), order), order, degree_across, order + 1,
                       degree);
 }
 
-BezierPatch continuation(const Ribbon& given, const Connection& connection, int order,
+BezierPatch continuation(const Ribbon& given, const ConnectionFunctions& connection, int order,
                          int degree_across, std::optional<int> degree) {
   requireOrder(order, degree_across);
   const Ribbon q = beyond(given, checked(connection), order);
   return patchOf(tensorRowsOf(q, order, degree_across, degree_across + 1, degree).rows);
 }
 
-JoinRows triangleRows(const Ribbon& given, const Connection& connection,
+JoinRows triangleRows(const Ribbon& given, const ConnectionFunctions& connection,
                       std::optional<int> degree) {
   const Ribbon q = beyond(given, checked(connection), 1);
   const int n = degree.value_or(std::max(rows::degree(q.position), rows::degree(q.first) + 1));
@@ -164,7 +164,7 @@ JoinRows triangleRows(const Ribbon& given, const Connection& connection,
 
 /// The pole (r, k) of Q(t) + s Q_s(t) is Q_k + r (next_k - Q_k): as a polynomial of (s, t), Q has
 /// the poles Q_k in all rows.
-BezierTriangle triangleContinuation(const Ribbon& given, const Connection& connection,
+BezierTriangle triangleContinuation(const Ribbon& given, const ConnectionFunctions& connection,
                                     std::optional<int> degree) {
   JoinRows all = triangleRows(given, connection, degree);
   const int n = all.degree_across;
@@ -177,8 +177,8 @@ BezierTriangle triangleContinuation(const Ribbon& given, const Connection& conne
   return {affinePoles(net), net.col(3)};
 }
 
-BezierPatch blend(const Ribbon& first, const Connection& to_first, const Ribbon& second,
-                  const Connection& to_second, int order) {
+BezierPatch blend(const Ribbon& first, const ConnectionFunctions& to_first, const Ribbon& second,
+                  const ConnectionFunctions& to_second, int order) {
   const int degree = 2 * order + 1;
   std::vector<HomogeneousPoles> net = tensorRows(first, to_first, order, degree).rows;
   const std::vector<HomogeneousPoles> far = tensorRows(second, to_second, order, degree).rows;

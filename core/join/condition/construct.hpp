@@ -20,8 +20,8 @@ struct JoinRows {
 /// The following holds for all functions below.
 ///
 /// The given ribbon runs out of its patch (Across::OutOf). The result begins at the seam and
-/// satisfies the equations of Connection as polynomials: exactly along the whole seam, up to
-/// rounding of the poles.
+/// satisfies the equations of ConnectionFunctions as polynomials: exactly along the whole seam, up
+/// to rounding of the poles.
 ///
 ///     const BezierPatch next = continuation(ribbon, {.beta = Eigen::Vector2d(0.2, -0.2)}, 2, 5);
 ///
@@ -32,44 +32,44 @@ struct JoinRows {
 ///
 /// \throws std::invalid_argument, with name, index and value, for a function without coefficients,
 /// of a degree above 100, or with a coefficient that is not finite; for an alpha or e0 that is not
-/// positive everywhere on [0, 1]; for an order other than 1 and 2 or above the degree across; for a
-/// degree above 800; for rows that cannot be written in the given degree, with the defect as a
-/// distance of homogeneous poles; and for a resulting weight that is zero or negative, with its row
-/// and index.
-/// Source: docs/theory/surfaces.md S2.1, S3.1, S3.3, S4.2, S4.3; [Farin2002].
+/// positive everywhere on [0, 1]; for a gamma other than 1; for an order other than 1 and 2 or
+/// above the degree across; for a degree above 800; for rows that cannot be written in the given
+/// degree, with the defect as a distance of homogeneous poles; and for a resulting weight that is
+/// zero or negative, with its row and index. Source: docs/theory/surfaces.md S2.1, S3.1, S3.3,
+/// S4.2, S4.3; [Farin2002].
 
 /// The first order + 1 rows of a tensor-product patch of that degree across:
 ///   Q[0] = Q(0), Q[1] = Q[0] + Q_u / l, Q[2] = 2 Q[1] - Q[0] + Q_uu / (l (l - 1)).
 /// Here l is the degree across. Further rows are free. From l = 2 order + 1 on the opposite edge
 /// can be joined independently.
 /// Identities (each has a test of its number):
-///   (1) The ribbon of a patch with these rows satisfies the equations of Connection.
+///   (1) The ribbon of a patch with these rows satisfies the equations of ConnectionFunctions.
 ///   (2) The join is G1 (order 2: G2) along the whole seam for any other rows, certified by
 ///       encloseSeam().
 ///   (3) alpha = 1, beta = p = q = 0 gives C^order.
-JoinRows tensorRows(const Ribbon& given, const Connection& connection, int order, int degree_across,
-                    std::optional<int> degree = std::nullopt);
+JoinRows tensorRows(const Ribbon& given, const ConnectionFunctions& connection, int order,
+                    int degree_across, std::optional<int> degree = std::nullopt);
 
 /// The first two rows of a triangle; p, q and e2 have no influence. Identity (4): the ribbon of a
-/// triangle with these rows satisfies the equations of Connection.
-JoinRows triangleRows(const Ribbon& given, const Connection& connection,
+/// triangle with these rows satisfies the equations of ConnectionFunctions.
+JoinRows triangleRows(const Ribbon& given, const ConnectionFunctions& connection,
                       std::optional<int> degree = std::nullopt);
 
 /// The patch on the other side of the given patch's edge (u = 0 is the seam, v = t) whose
 /// derivatives by u of an order above \p order vanish.
-BezierPatch continuation(const Ribbon& given, const Connection& connection, int order,
+BezierPatch continuation(const Ribbon& given, const ConnectionFunctions& connection, int order,
                          int degree_across, std::optional<int> degree = std::nullopt);
 
 /// The triangle on the other side of the given patch's edge, of degree 1 in s: Q + s Q_s. Its edge
 /// L0 is the seam, and the barycentric coordinates of (P0, P1, P2) are (s, 1 - s - t, t).
-BezierTriangle triangleContinuation(const Ribbon& given, const Connection& connection,
+BezierTriangle triangleContinuation(const Ribbon& given, const ConnectionFunctions& connection,
                                     std::optional<int> degree = std::nullopt);
 
 /// The patch between two given patches, of degree 2 order + 1 in u. It joins the first patch at u =
 /// 0 and the second one at u = 1. Both ribbons run out of their patches, along the same v. The
 /// degree in v is the higher one of the two joins.
-BezierPatch blend(const Ribbon& first, const Connection& to_first, const Ribbon& second,
-                  const Connection& to_second, int order);
+BezierPatch blend(const Ribbon& first, const ConnectionFunctions& to_first, const Ribbon& second,
+                  const ConnectionFunctions& to_second, int order);
 
 /// The patch with the first rows at one of its edges replaced; the other rows stay. Patch and rows
 /// are brought to the same degree along the seam: the lower one is raised.

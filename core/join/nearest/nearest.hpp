@@ -28,9 +28,9 @@ struct NearestOptions {
   /// Lower bound of alpha, in (0, 1], as a share of the ratio of the cross-boundary derivatives.
   double smallest_alpha = 1e-3;
   int max_iterations = 50;
-  /// The connection functions to be used; nothing: they are sought. e0 must be 1. e1 and e2 must be
-  /// 0 unless a surface is rational.
-  std::optional<Connection> held = std::nullopt;
+  /// The connection functions to be used; nothing: they are sought. e0 and gamma must be 1. e1 and
+  /// e2 must be 0 unless a surface is rational.
+  std::optional<ConnectionFunctions> held = std::nullopt;
 };
 
 enum class NearestStatus {
@@ -43,11 +43,11 @@ enum class NearestStatus {
 /// The smallest move that makes two surfaces join.
 struct NearestJoin {
   NearestStatus status = NearestStatus::Infeasible;
-  BSplineSurface a, b;         ///< with the degrees and knots given
-  Connection connection;       ///< of b to a; all parameters are scaled to 0..1
-  double largest_move_mm = 0;  ///< of a pole
-  double cost = 0;             ///< sum of weight times squared move, in mm^2
-  /// The largest defect of Connection's equations, relative to the largest |Q_s| (and |Q_ss|).
+  BSplineSurface a, b;             ///< with the degrees and knots given
+  ConnectionFunctions connection;  ///< of b to a; all parameters are scaled to 0..1
+  double largest_move_mm = 0;      ///< of a pole
+  double cost = 0;                 ///< sum of weight times squared move, in mm^2
+  /// The largest defect of the equations, relative to the largest |Q_s| (and |Q_ss|).
   double residual = 0;
   /// Share of the move that lies along the joins nearby, 0 to 1.
   double stationarity = 0;
@@ -61,9 +61,9 @@ struct NearestJoin {
 ///                                          {.surface = b, .edge = PatchEdge::U0}, {.order = 2});
 ///
 /// Minimises the sum of weight |move|^2 over the poles of the first order + 1 rows of both sides
-/// and over the connection functions, subject to Connection's equations with surface a as P and b
-/// as Q. The join holds at every parameter, up to rounding (a residual of at most 1e-6). Degrees
-/// and knots stay. Poles that do not move stay bitwise. The result is a local minimum.
+/// and over the connection functions, subject to their equations with surface a as P and b as Q.
+/// The join holds at every parameter, up to rounding (a residual of at most 1e-6). Degrees and
+/// knots stay. Poles that do not move stay bitwise. The result is a local minimum.
 ///
 ///   - Inner knots along the seam force beta (for G2 also q) to vanish there, or the seam to become
 ///     smoother. withRaisedKnots() on both sides leaves beta free.

@@ -6,6 +6,7 @@
 #include <string>
 
 #include <seamwright/core/bspline/basis.hpp>
+#include <seamwright/core/join/checked_connection.hpp>
 #include <seamwright/core/join/nearest/nearest_family.hpp>
 #include <seamwright/core/linear/dense.hpp>
 #include <seamwright/core/numeric.hpp>
@@ -242,11 +243,9 @@ std::vector<Family> familiesThatMayHold(const NearestOptions& options, bool rati
   return families;
 }
 
-Family heldFamily(const Connection& held, const NearestOptions& options, bool rational) {
-  const auto isConstant = [](const Eigen::VectorXd& f, double value) {
-    return f.size() > 0 && (f.array() == value).all();
-  };
+Family heldFamily(const ConnectionFunctions& held, const NearestOptions& options, bool rational) {
   if (!isConstant(held.e0, 1)) refuse("e0 of a held connection must be 1");
+  if (!isConstant(held.gamma, 1)) refuse("gamma of a held connection must be 1");
   if (!rational && (!isConstant(held.e1, 0) || !isConstant(held.e2, 0)))
     refuse("e1 and e2 of a held connection must be 0 unless a surface is rational");
   const std::array<const Eigen::VectorXd*, function_count> functions = {
@@ -276,13 +275,14 @@ Family heldFamily(const Connection& held, const NearestOptions& options, bool ra
   return family;
 }
 
-Connection connectionOf(const Unknowns& u, const Degrees& degrees, const Eigen::VectorXd& c) {
+ConnectionFunctions connectionOf(const Unknowns& u, const Degrees& degrees,
+                                 const Eigen::VectorXd& c) {
   const auto offset = offsets(degrees);
   const auto part = [&](Function f) -> Eigen::VectorXd {
     if (degrees[f] < 0) return Eigen::VectorXd::Zero(1);
     return c.segment(offset[f], degrees[f] + 1);
   };
-  Connection connection;
+  ConnectionFunctions connection;
   connection.alpha = part(Alpha);
   connection.beta = part(Beta);
   connection.p = part(P);

@@ -28,8 +28,9 @@ std::optional<Family> smoothFamily(const Unknowns& unknowns, const Family& rough
 std::vector<Family> familiesThatMayHold(const NearestOptions& options, bool rational);
 
 /// \throws std::invalid_argument as nearestJoin() does.
-Family heldFamily(const Connection& held, const NearestOptions& options, bool rational);
+Family heldFamily(const ConnectionFunctions& held, const NearestOptions& options, bool rational);
 
-Connection connectionOf(const Unknowns& unknowns, const Degrees& degrees, const Eigen::VectorXd& c);
+ConnectionFunctions connectionOf(const Unknowns& unknowns, const Degrees& degrees,
+                                 const Eigen::VectorXd& c);
 
 }  // namespace seamwright::nearest

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -8,7 +9,7 @@
 
 #include <seamwright/core/bezier/homogeneous.hpp>
 #include <seamwright/core/join/nearest/nearest_solver.hpp>
-#include <seamwright/core/join/network/network_laws.hpp>
+#include <seamwright/core/join/network/network_model.hpp>
 #include <seamwright/core/join/network/network_projection.hpp>
 #include <seamwright/core/numeric.hpp>
 
@@ -21,12 +22,6 @@ using namespace network;
 /// Share of the derivatives above which rounding hides whether a seam joins.
 constexpr double largest_network_rounding = 1e-6;
 
-Eigen::MatrixXd polesOf(const Eigen::MatrixXd& x, const std::vector<int>& columns) {
-  Eigen::MatrixXd result(std::ssize(columns), x.cols());
-  for (Eigen::Index i = 0; i < result.rows(); ++i) result.row(i) = x.row(columns[i]);
-  return result;
-}
-
 /// One seam of a system: its condition and the unknowns of that.
 struct Member {
   int seam = 0;
@@ -35,35 +30,38 @@ struct Member {
   Eigen::Index first_row = 0;
 };
 
-/// The laws with c and d of degree \p degree, e of one more, p and q of twice these degrees. They
-/// are used to test whether a seam already joins.
-SeamLaw generalLaw(int degree) {
-  SeamLaw law;
-  law.c = law.d = Eigen::VectorXd::Ones(degree + 1);
-  law.e = Eigen::VectorXd::Ones(degree + 2);
-  law.p = Eigen::VectorXd::Ones(2 * degree + 1);
-  law.q = Eigen::VectorXd::Ones(2 * degree + 2);
-  return law;
+/// The shape of connections with gamma and alpha of degree \p degree, beta of one more, p and q of
+/// twice these degrees. It is used to test whether a seam already joins.
+ConnectionFunctions generalShape(int degree) {
+  ConnectionFunctions connection;
+  connection.gamma = connection.alpha = Eigen::VectorXd::Ones(degree + 1);
+  connection.beta = Eigen::VectorXd::Ones(degree + 2);
+  connection.p = Eigen::VectorXd::Ones(2 * degree + 1);
+  connection.q = Eigen::VectorXd::Ones(2 * degree + 2);
+  return connection;
 }
 
-/// The law of a seam that already joins.
+/// The connection of a seam that already joins.
 std::optional<SeamJoin> joinedAlready(const Network& network, const Unknowns& u, int index) {
   const NetworkSeam& seam = network.seams[index];
-  const auto check = [&](const SeamLaw& shape, int degree) -> std::optional<SeamJoin> {
+  const auto check = [&](const ConnectionFunctions& shape, int degree) -> std::optional<SeamJoin> {
     const Condition condition(rowsOf(network.surfaces, seam, 0, seam.order),
                               rowsOf(network.surfaces, seam, 1, seam.order), seam.order, shape);
     const Eigen::MatrixXd x = polesOf(u.target, columnsOf(u, seam, condition));
-    const SeamLaw law = seam.held ? *seam.held : condition.closest(degree, x);
-    if (!(law.c.minCoeff() > 0 && law.d.minCoeff() > 0)) return std::nullopt;
-    const double residual = condition.residual(law, x);
+    const ConnectionFunctions connection = seam.held ? *seam.held : condition.closest(degree, x);
+    if (!(connection.gamma.minCoeff() > 0 && connection.alpha.minCoeff() > 0)) return std::nullopt;
+    const double residual = condition.residual(connection, x);
     if (!(residual <= largest_network_rounding) ||
-        !nearest::holds(condition.matrix(law), x, u.largest))
+        !nearest::holds(condition.matrix(connection), x, u.largest))
       return std::nullopt;
-    return SeamJoin{SeamStatus::Unchanged, seam.order, residual, law, {}};
+    return SeamJoin{.status = SeamStatus::Unchanged,
+                    .order = seam.order,
+                    .residual = residual,
+                    .connection = connection};
   };
   if (seam.held) return check(*seam.held, 0);
   for (int degree = 0; degree <= 2; ++degree)
-    if (auto found = check(generalLaw(degree), degree)) return found;
+    if (auto found = check(generalShape(degree), degree)) return found;
   return std::nullopt;
 }
 
@@ -129,11 +127,12 @@ std::vector<NetworkSurface> raised(const Network& network, const Plan& plan) {
     if (hasFixed(network.surfaces[i / 2])) stays[strip[i]] = true;
   for (std::size_t i = 0; i < plan.seams.size(); ++i) {
     const SeamPlan& seam = plan.seams[i];
-    const bool any = seam.takes_part && !network.seams[i].held && seam.e != SeamPlan::E::Zero;
+    const bool any =
+        seam.takes_part && !network.seams[i].held && seam.beta != SeamPlan::BetaForm::Zero;
     if (!any) continue;
     Raise& needed = to[strip[directionOf(network.seams[i].surfaces[0], network.seams[i].edges[0])]];
     needed.multiplicity = std::max(needed.multiplicity, 1 + seam.order);
-    if (seam.linear || seam.e == SeamPlan::E::Double) needed.degree = 4;
+    if (seam.linear || seam.beta == SeamPlan::BetaForm::Double) needed.degree = 4;
   }
   std::vector<NetworkSurface> result = network.surfaces;
   for (std::size_t i = 0; i < strip.size(); ++i)
@@ -142,7 +141,7 @@ std::vector<NetworkSurface> raised(const Network& network, const Plan& plan) {
   return result;
 }
 
-/// The network with laws of one form.
+/// The network with connection functions of one form.
 class Attempt {
  public:
   Attempt(const std::vector<NetworkSurface>& surfaces, const std::vector<NetworkSeam>& seams,
@@ -156,13 +155,13 @@ class Attempt {
 
  private:
   Network network() const { return {surfaces_, seams_, takes_part_}; }
-  void addMembers(const Laws& laws);
-  Eigen::SparseMatrix<double> matrix(const Laws& laws, const Eigen::VectorXd& y) const;
-  Eigen::SparseMatrix<double> derivative(const Laws& laws, const Eigen::VectorXd& y,
+  void addMembers(const ConnectionModel& model);
+  Eigen::SparseMatrix<double> matrix(const ConnectionModel& model, const Eigen::VectorXd& y) const;
+  Eigen::SparseMatrix<double> derivative(const ConnectionModel& model, const Eigen::VectorXd& y,
                                          const Eigen::MatrixXd& x) const;
-  void search(const Laws& laws, const NetworkOptions& options);
-  bool improve(const Laws& laws);
-  void check(const Laws& laws);
+  void search(const ConnectionModel& model, const NetworkOptions& options);
+  bool improve(const ConnectionModel& model);
+  void check(const ConnectionModel& model);
   bool keepsNormals(const Member& member) const;
   void place();
   bool isExact(const Projection& at) const {
@@ -205,19 +204,19 @@ Attempt::Attempt(const std::vector<NetworkSurface>& surfaces, const std::vector<
     unknowns_ = unknowns(surfaces_, seams_, takes_part_);
   }
   const Network own = network();
-  const Laws laws(own, unknowns_, plan_);
-  addMembers(laws);
-  search(laws, options);
-  check(laws);
+  const ConnectionModel model(own, unknowns_, plan_);
+  addMembers(model);
+  search(model, options);
+  check(model);
   place();
 }
 
-void Attempt::addMembers(const Laws& laws) {
+void Attempt::addMembers(const ConnectionModel& model) {
   for (int i = 0; i < std::ssize(seams_); ++i) {
     if (!takes_part_[i]) continue;
     const int order = plan_.seams[i].order;
     Condition condition(rowsOf(surfaces_, seams_[i], 0, order),
-                        rowsOf(surfaces_, seams_[i], 1, order), order, laws.shape(i));
+                        rowsOf(surfaces_, seams_[i], 1, order), order, model.shape(i));
     std::vector<int> columns = columnsOf(unknowns_, seams_[i], condition);
     const Eigen::Index rows = condition.rows();
     members_.push_back({i, std::move(condition), std::move(columns), rows_});
@@ -225,10 +224,11 @@ void Attempt::addMembers(const Laws& laws) {
   }
 }
 
-Eigen::SparseMatrix<double> Attempt::matrix(const Laws& laws, const Eigen::VectorXd& y) const {
+Eigen::SparseMatrix<double> Attempt::matrix(const ConnectionModel& model,
+                                            const Eigen::VectorXd& y) const {
   std::vector<Eigen::Triplet<double>> entries;
   for (const Member& member : members_) {
-    const Eigen::MatrixXd a = member.condition.matrix(laws.law(member.seam, y));
+    const Eigen::MatrixXd a = member.condition.matrix(model.at(member.seam, y));
     for (Eigen::Index i = 0; i < a.rows(); ++i)
       for (Eigen::Index j = 0; j < a.cols(); ++j)
         if (a(i, j) != 0) entries.emplace_back(member.first_row + i, member.columns[j], a(i, j));
@@ -238,15 +238,16 @@ Eigen::SparseMatrix<double> Attempt::matrix(const Laws& laws, const Eigen::Vecto
   return result;
 }
 
-Eigen::SparseMatrix<double> Attempt::derivative(const Laws& laws, const Eigen::VectorXd& y,
+Eigen::SparseMatrix<double> Attempt::derivative(const ConnectionModel& model,
+                                                const Eigen::VectorXd& y,
                                                 const Eigen::MatrixXd& x) const {
   std::vector<Eigen::Triplet<double>> entries;
   for (const Member& member : members_) {
     const Eigen::MatrixXd poles = polesOf(x, member.columns);
-    const SeamLaw law = laws.law(member.seam, y);
-    for (const int k : laws.parametersOf(member.seam)) {
+    const ConnectionFunctions connection = model.at(member.seam, y);
+    for (const int k : model.parametersOf(member.seam)) {
       const Eigen::MatrixXd by =
-          member.condition.change(law, laws.derivative(member.seam, y, k), poles);
+          member.condition.change(connection, model.derivative(member.seam, y, k), poles);
       for (Eigen::Index i = 0; i < by.rows(); ++i)
         for (Eigen::Index d = 0; d < by.cols(); ++d)
           if (by(i, d) != 0) entries.emplace_back(d * rows_ + member.first_row + i, k, by(i, d));
@@ -254,38 +255,38 @@ Eigen::SparseMatrix<double> Attempt::derivative(const Laws& laws, const Eigen::V
   }
   Eigen::SparseMatrix<double> result(x.cols() * rows_, y.size());
   result.setFromTriplets(entries.begin(), entries.end());
-  return result * laws.basis();
+  return result * model.directions();
 }
 
-void Attempt::search(const Laws& laws, const NetworkOptions& options) {
-  y_ = laws.start();
-  const Eigen::SparseMatrix<double> a = matrix(laws, y_);
+void Attempt::search(const ConnectionModel& model, const NetworkOptions& options) {
+  y_ = model.start();
+  const Eigen::SparseMatrix<double> a = matrix(model, y_);
   at_ = project(a, unknowns_.move_weights, unknowns_.target, of_projection_);
   noise_ = 64 * machine_epsilon * unknowns_.largest *
            std::sqrt(unknowns_.move_weights.maxCoeff() * static_cast<double>(rows_ + 1));
-  converged_ = laws.directions() == 0;
+  converged_ = model.directions().cols() == 0;
   while (!converged_ && iterations_ < options.max_iterations) {
     ++iterations_;
-    if (!improve(laws)) break;
+    if (!improve(model)) break;
   }
 }
 
 /// False if no step decreases the cost or the unreachable part. The search has then converged if
 /// the predicted decrease was small.
-bool Attempt::improve(const Laws& laws) {
+bool Attempt::improve(const ConnectionModel& model) {
   constexpr double resolved = 1e-10, small = 1e-6;
   constexpr double least_damping = 1e-10, most_damping = 1e4;
-  const Eigen::SparseMatrix<double> a = matrix(laws, y_), g = derivative(laws, y_, at_.x);
+  const Eigen::SparseMatrix<double> a = matrix(model, y_), g = derivative(model, y_, at_.x);
   const double cost = at_.cost + unknowns_.joining;
   for (;; damping_ = std::max(damping_ * 100, least_damping)) {
     const Step next = step(a, unknowns_.move_weights, unknowns_.target, at_, g, damping_, of_step_);
     stationarity_ = cost > 0 ? std::abs(next.decrease) / cost : 0;
     converged_ = isExact(at_) && stationarity_ * cost <= resolved * cost + noise_ * noise_;
     if (converged_) return false;
-    const Eigen::VectorXd y = laws.moved(y_, next.change);
+    const Eigen::VectorXd y = model.moved(y_, next.change);
     if (y.allFinite()) {
       Projection trial =
-          project(matrix(laws, y), unknowns_.move_weights, unknowns_.target, of_projection_);
+          project(matrix(model, y), unknowns_.move_weights, unknowns_.target, of_projection_);
       const bool nearer = isExact(at_) ? isExact(trial) && trial.cost < at_.cost
                                        : trial.unreachable < 0.75 * at_.unreachable;
       if (nearer) {
@@ -318,23 +319,24 @@ bool Attempt::keepsNormals(const Member& member) const {
   return true;
 }
 
-void Attempt::check(const Laws& laws) {
+void Attempt::check(const ConnectionModel& model) {
   joins_.assign(seams_.size(), {});
   for (const Member& member : members_) {
-    const SeamLaw law = laws.law(member.seam, y_);
+    const ConnectionFunctions connection = model.at(member.seam, y_);
     const Eigen::MatrixXd x = polesOf(at_.x, member.columns);
     SeamJoin& join = joins_[member.seam];
-    join.law = law;
+    join.connection = connection;
     join.order = plan_.seams[member.seam].order;
     join.why = plan_.seams[member.seam].why;
-    join.residual = member.condition.residual(law, x);
+    join.residual = member.condition.residual(connection, x);
     join.status = SeamStatus::Joined;
-    if (!nearest::holds(member.condition.matrix(law), x, unknowns_.largest) ||
+    if (!nearest::holds(member.condition.matrix(connection), x, unknowns_.largest) ||
         !(join.residual <= largest_network_rounding))
       obstacles_.push_back(
           {member.seam, join.residual,
-           "what stays, and the laws of the seams around it, leave a residual of " +
-               text(join.residual) + " of the derivatives"});
+           fmt::format("what stays, and the connection functions of the seams around it, leave a "
+                       "residual of {:.3g} of the derivatives",
+                       join.residual)});
     else if (!keepsNormals(member))
       obstacles_.push_back({member.seam, join.residual,
                             "joined, the surfaces would fold or lose their tangent plane"});
@@ -445,7 +447,8 @@ NetworkResult nearestNetwork(const std::vector<NetworkSurface>& surfaces,
     if (best->joins()) {
       NetworkResult result = best->result();
       for (const Obstacle& obstacle : left) {
-        result.seams[obstacle.seam] = {SeamStatus::Left, 0, obstacle.residual, {}, obstacle.why};
+        result.seams[obstacle.seam] = {
+            .status = SeamStatus::Left, .residual = obstacle.residual, .why = obstacle.why};
         result.status = NetworkStatus::Partly;
       }
       return result;

@@ -8,23 +8,9 @@
 #include <vector>
 
 #include <seamwright/core/bspline/surface.hpp>
+#include <seamwright/core/join/connection_functions.hpp>
 
 namespace seamwright {
-
-/// The law that connects the two sides of a seam, in a form that treats both sides alike. Its
-/// functions are polynomials of the seam's parameter t in Bernstein form. With P surface 0 (s out
-/// of it), Q surface 1 (s into it), and all parameters scaled to 0..1:
-///   c Q_s    = d P_s + e P_t                                               (G1; c, d > 0)
-///   c^2 Q_ss = d^2 P_ss + 2 d e P_st + e^2 P_tt + p P_s + q P_t            (G2)
-/// With c = 1 these are Connection's alpha = d, beta = e, p, q. The law stays the same if c, d, e
-/// are multiplied by one factor and p, q by its square.
-struct SeamLaw {
-  Eigen::VectorXd c = Eigen::VectorXd::Ones(1);
-  Eigen::VectorXd d = Eigen::VectorXd::Ones(1);
-  Eigen::VectorXd e = Eigen::VectorXd::Zero(1);
-  Eigen::VectorXd p = Eigen::VectorXd::Zero(1);
-  Eigen::VectorXd q = Eigen::VectorXd::Zero(1);
-};
 
 /// One surface of a network; its weights must be equal (no rational surface).
 struct NetworkSurface {
@@ -41,8 +27,8 @@ struct NetworkSeam {
   std::array<PatchEdge, 2> edges = {PatchEdge::U1, PatchEdge::U0};
   bool reversed = false;  ///< the edge of surface 1 runs against it
   int order = 1;          ///< 1: G1, 2: G2
-  /// The law to be used; nothing: it is sought.
-  std::optional<SeamLaw> held = std::nullopt;
+  /// The connection functions to be used, with e0 = 1, e1 = e2 = 0; nothing: they are sought.
+  std::optional<ConnectionFunctions> held = std::nullopt;
 };
 
 struct NetworkOptions {
@@ -50,22 +36,22 @@ struct NetworkOptions {
   /// other within this angle, in [0, 1].
   double regular_rad = 0.1;
   bool raise = true;        ///< degrees and multiplicities may be raised
-  int max_iterations = 30;  ///< of the improvement of the laws
+  int max_iterations = 30;  ///< of the improvement of the connection functions
 };
 
 enum class SeamStatus {
-  Joined,     ///< the law holds to rounding
-  Unchanged,  ///< the law already held, and no number of the network was changed
+  Joined,     ///< the equations of the join hold to rounding
+  Unchanged,  ///< the sides already joined, and no number of the network was changed
   Left,       ///< the seam is excluded, see why
 };
 
 struct SeamJoin {
   SeamStatus status = SeamStatus::Left;
   int order = 0;  ///< of the join: the given one, or 1 if a vertex does not allow more
-  /// Of the law, relative to the largest derivative in it.
+  /// Of the equations of the join, relative to the largest derivative in them.
   double residual = 0;
-  SeamLaw law;
-  std::string why;  ///< why it is excluded or joins with another order; otherwise empty
+  ConnectionFunctions connection = {};  ///< of surface 1 to surface 0
+  std::string why = {};  ///< why it is excluded or joins with another order; otherwise empty
 };
 
 enum class NetworkStatus {
@@ -84,35 +70,37 @@ struct NetworkResult {
   std::vector<double> moves_mm;
   double largest_move_mm = 0;
   double cost = 0;  ///< sum of weight times squared move, in mm^2
-  /// Decrease that better laws may still give, relative to the cost. The search ends below 1e-10.
+  /// Decrease that better connection functions may still give, relative to the cost. The search
+  /// ends below 1e-10.
   double stationarity = 0;
   int iterations = 0;
 };
 
 /// Moves the poles of a network of surfaces, as little as possible, so that all seams join exactly
-/// and agree at the vertices. docs/theory/surfaces.md S6 derives the laws at vertices.
+/// and agree at the vertices. docs/theory/surfaces.md S6 derives the functions at vertices.
 ///
 ///     nearestNetwork({{.surface = a}, {.surface = b}}, {{.surfaces = {0, 1}}}).surfaces
 ///
-/// Minimises the sum of weight |move|^2 over all poles such that each seam obeys a law of the form
-/// above; poles on a seam are shared. The result is a local minimum. There are three kinds of
-/// vertices, found from the seams that meet in a corner:
+/// Minimises the sum of weight |move|^2 over all poles such that each seam satisfies the equations
+/// of ConnectionFunctions with surface 0 as P, surface 1 as Q and all parameters scaled to 0..1.
+/// Poles on a seam are shared. The result is a local minimum. There are three kinds of vertices,
+/// found from the seams that meet in a corner:
 ///   - regular, where two lines cross between four surfaces: degrees and knots stay, G2 is
 ///     possible.
 ///   - extraordinary, of 3, 5 or more surfaces, or of 4 if not regular: G1 alone. Surfaces beside
 ///     it, and those tied to them by opposite edges, may get degree 4 along the seams.
 ///   - boundary, which seams do not surround: no condition.
 ///
-/// What is fixed stays bitwise. Give the seams between two fixed surfaces too, because their laws
-/// determine those at the same vertices, and give smooth seams, so that they stay smooth. If laws
-/// contradict each other or the fixed poles, the seam of the largest residual is excluded, with a
-/// reason, until the rest can be solved.
+/// What is fixed stays bitwise. Give the seams between two fixed surfaces too, because their
+/// functions determine those at the same vertices, and give smooth seams, so that they stay smooth.
+/// If equations contradict each other or the fixed poles, the seam of the largest residual is
+/// excluded, with a reason, until the rest can be solved.
 ///
 /// Identities (each has a test of its number):
 ///   (1) encloseSeam() of each seam that joins gives a gap of 0, and an angle and for order 2 a
 ///       curvature difference that are rounding.
-///   (2) The move is orthogonal to the solutions of the laws' equations. For two surfaces it is
-///       that of nearestJoin() if both find the same laws.
+///   (2) The move is orthogonal to the solutions of the joins' equations. For two surfaces it is
+///       that of nearestJoin() if both find the same connection.
 ///   (3) Rigid motion and scale of all surfaces act on the result in the same way.
 ///   (4) The order of surfaces and of seams, the sides of a seam and the sense of edges do not
 ///       change the result.
@@ -124,8 +112,8 @@ struct NetworkResult {
 /// \throws std::invalid_argument for surfaces that are invalid or rational, lists whose length is
 /// not the number of poles, weights that are not positive, seams that name no surface, an edge that
 /// is in two seams or joined to itself, sides whose degrees or knots along the seam (scaled to
-/// 0..1) differ, held laws with coefficients that are not finite or with c or d not positive, and
-/// options out of range.
+/// 0..1) differ, held connections with coefficients that are not finite, with alpha or gamma not
+/// positive, or with e0 other than 1 or e1 or e2 other than 0, and options out of range.
 /// Source: docs/theory/surfaces.md S2.6, S5.3, S6.1 to S6.3; docs/theory/fills.md F1.2 to F1.5.
 NetworkResult nearestNetwork(const std::vector<NetworkSurface>& surfaces,
                              const std::vector<NetworkSeam>& seams,

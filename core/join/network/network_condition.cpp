@@ -17,36 +17,46 @@ double valueOf(const Eigen::VectorXd& function, double t) {
 }
 
 /// Degree of the condition of that order; \p n that of the rows.
-int conditionDegree(int order, int n, const SeamLaw& law) {
-  std::array<int, law_functions> degree{};
-  const auto all = functions(law);
-  for (int f = 0; f < law_functions; ++f)
+int conditionDegree(int order, int n, const ConnectionFunctions& connection) {
+  std::array<int, function_count> degree{};
+  const auto all = functions(connection);
+  for (int f = 0; f < function_count; ++f)
     degree[f] = isZero(*all[f]) ? -n : static_cast<int>(all[f]->size()) - 1;
-  if (order == 1) return std::max({n + degree[C], n + degree[D], n - 1 + degree[E]});
-  return std::max({n + 2 * degree[C], n + 2 * degree[D], n - 1 + degree[D] + degree[E],
-                   n - 2 + 2 * degree[E], n + degree[P], n - 1 + degree[Q]});
+  if (order == 1) return std::max({n + degree[Gamma], n + degree[Alpha], n - 1 + degree[Beta]});
+  return std::max({n + 2 * degree[Gamma], n + 2 * degree[Alpha],
+                   n - 1 + degree[Alpha] + degree[Beta], n - 2 + 2 * degree[Beta], n + degree[P],
+                   n - 1 + degree[Q]});
 }
 
 }  // namespace
 
-std::array<Eigen::VectorXd*, law_functions> functions(SeamLaw& law) {
-  return {&law.c, &law.d, &law.e, &law.p, &law.q};
+std::array<Eigen::VectorXd*, function_count> functions(ConnectionFunctions& connection) {
+  return {&connection.gamma, &connection.alpha, &connection.beta, &connection.p, &connection.q};
 }
 
-std::array<const Eigen::VectorXd*, law_functions> functions(const SeamLaw& law) {
-  return {&law.c, &law.d, &law.e, &law.p, &law.q};
+std::array<const Eigen::VectorXd*, function_count> functions(
+    const ConnectionFunctions& connection) {
+  return {&connection.gamma, &connection.alpha, &connection.beta, &connection.p, &connection.q};
+}
+
+ConnectionFunctions withRatio(double ratio) {
+  ConnectionFunctions connection;
+  connection.gamma(0) = 2 / (1 + ratio);
+  connection.alpha(0) = 2 * ratio / (1 + ratio);
+  return connection;
 }
 
 bool isZero(const Eigen::VectorXd& function) {
   return (function.array() == 0).all();
 }
 
-Condition::Condition(nearest::SeamRows a, nearest::SeamRows b, int order, const SeamLaw& law)
+Condition::Condition(nearest::SeamRows a, nearest::SeamRows b, int order,
+                     const ConnectionFunctions& shape)
     : a_(std::move(a)), b_(std::move(b)), width_(a_.degree + 1) {
   const std::vector<double> inner(a_.knots.begin() + a_.degree + 1, a_.knots.end() - a_.degree - 1);
-  const bool smooth = isZero(law.e) && isZero(law.q);
+  const bool smooth = isZero(shape.beta) && isZero(shape.q);
   for (int k = 1; k <= order; ++k) {
-    const int degree = conditionDegree(k, a_.degree, law);
+    const int degree = conditionDegree(k, a_.degree, shape);
     for (const nearest::Place& place :
          nearest::places(a_.degree, a_.knots, k, degree, smooth ? inner : std::vector<double>{}))
       points_.push_back(pointAt(k, place.t, place.span));
@@ -85,25 +95,25 @@ Condition::Point Condition::pointAt(int order, double t, int span) const {
   return point;
 }
 
-Condition::Values Condition::values(const SeamLaw& law, double t) {
+Condition::Values Condition::values(const ConnectionFunctions& connection, double t) {
   Values result{};
-  const auto all = functions(law);
-  for (int f = 0; f < law_functions; ++f) result[f] = valueOf(*all[f], t);
+  const auto all = functions(connection);
+  for (int f = 0; f < function_count; ++f) result[f] = valueOf(*all[f], t);
   return result;
 }
 
 Condition::Combination Condition::combination(int order, const Values& f) {
   Combination w = Combination::Zero();
   if (order == 1) {
-    w(FieldQs) = f[C];
-    w(FieldPs) = -f[D];
-    w(FieldPt) = -f[E];
+    w(FieldQs) = f[Gamma];
+    w(FieldPs) = -f[Alpha];
+    w(FieldPt) = -f[Beta];
     return w;
   }
-  w(FieldQss) = f[C] * f[C];
-  w(FieldPss) = -f[D] * f[D];
-  w(FieldPst) = -2 * f[D] * f[E];
-  w(FieldPtt) = -f[E] * f[E];
+  w(FieldQss) = f[Gamma] * f[Gamma];
+  w(FieldPss) = -f[Alpha] * f[Alpha];
+  w(FieldPst) = -2 * f[Alpha] * f[Beta];
+  w(FieldPtt) = -f[Beta] * f[Beta];
   w(FieldPs) = -f[P];
   w(FieldPt) = -f[Q];
   return w;
@@ -112,10 +122,10 @@ Condition::Combination Condition::combination(int order, const Values& f) {
 Condition::Combination Condition::derivative(int order, const Values& f, const Values& by) {
   if (order == 1) return combination(1, by);
   Combination w = Combination::Zero();
-  w(FieldQss) = 2 * f[C] * by[C];
-  w(FieldPss) = -2 * f[D] * by[D];
-  w(FieldPst) = -2 * (f[D] * by[E] + f[E] * by[D]);
-  w(FieldPtt) = -2 * f[E] * by[E];
+  w(FieldQss) = 2 * f[Gamma] * by[Gamma];
+  w(FieldPss) = -2 * f[Alpha] * by[Alpha];
+  w(FieldPst) = -2 * (f[Alpha] * by[Beta] + f[Beta] * by[Alpha]);
+  w(FieldPtt) = -2 * f[Beta] * by[Beta];
   w(FieldPs) = -by[P];
   w(FieldPt) = -by[Q];
   return w;
@@ -129,12 +139,13 @@ Eigen::MatrixXd Condition::fieldsAt(const Point& point, const Eigen::MatrixXd& x
   return point.fields * local;
 }
 
-Eigen::MatrixXd Condition::matrix(const SeamLaw& law) const {
+Eigen::MatrixXd Condition::matrix(const ConnectionFunctions& connection) const {
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(rows(), columns());
   for (Eigen::Index i = 0; i < rows(); ++i) {
     const Point& point = points_[i];
     const Eigen::RowVectorXd row =
-        point.scale * combination(point.order, values(law, point.t)).transpose() * point.fields;
+        point.scale * combination(point.order, values(connection, point.t)).transpose() *
+        point.fields;
     for (int block = 0; block < blocks(); ++block)
       result.row(i).segment(static_cast<Eigen::Index>(block) * a_.count + point.first, width_) =
           row.segment(static_cast<Eigen::Index>(block) * width_, width_);
@@ -142,25 +153,28 @@ Eigen::MatrixXd Condition::matrix(const SeamLaw& law) const {
   return result;
 }
 
-Eigen::MatrixXd Condition::change(const SeamLaw& law, const SeamLaw& direction,
+Eigen::MatrixXd Condition::change(const ConnectionFunctions& connection,
+                                  const ConnectionFunctions& direction,
                                   const Eigen::MatrixXd& x) const {
   Eigen::MatrixXd result(rows(), x.cols());
   for (Eigen::Index i = 0; i < rows(); ++i) {
     const Point& point = points_[i];
-    const Combination w = derivative(point.order, values(law, point.t), values(direction, point.t));
+    const Combination w =
+        derivative(point.order, values(connection, point.t), values(direction, point.t));
     result.row(i) = point.scale * w.transpose() * fieldsAt(point, x);
   }
   return result;
 }
 
-double Condition::residual(const SeamLaw& law, const Eigen::MatrixXd& x) const {
+double Condition::residual(const ConnectionFunctions& connection, const Eigen::MatrixXd& x) const {
   std::array<double, 3> worst{}, largest{};
   for (const Point& point : points_) {
     const Eigen::MatrixXd fields = fieldsAt(point, x);
-    const Values f = values(law, point.t);
-    const double derivative = point.order == 1 ? f[C] * fields.row(FieldQs).norm()
-                                               : f[C] * f[C] * fields.row(FieldQss).norm() +
-                                                     f[C] * f[C] * fields.row(FieldQs).norm();
+    const Values f = values(connection, point.t);
+    const double derivative = point.order == 1
+                                  ? f[Gamma] * fields.row(FieldQs).norm()
+                                  : f[Gamma] * f[Gamma] * fields.row(FieldQss).norm() +
+                                        f[Gamma] * f[Gamma] * fields.row(FieldQs).norm();
     largest[point.order] = std::max(largest[point.order], derivative);
     worst[point.order] =
         std::max(worst[point.order], (combination(point.order, f).transpose() * fields).norm());
@@ -173,14 +187,15 @@ double Condition::ratio(const Eigen::MatrixXd& x) const {
   return std::sqrt(normals(1, x).squaredNorm() / normals(0, x).squaredNorm());
 }
 
-SeamLaw Condition::fitted(SeamLaw law, int order, const std::vector<Function>& sought,
-                          const Eigen::MatrixXd& x) const {
-  SeamLaw zero = law;
+ConnectionFunctions Condition::fitted(ConnectionFunctions connection, int order,
+                                      const std::vector<Function>& sought,
+                                      const Eigen::MatrixXd& x) const {
+  ConnectionFunctions zero = connection;
   for (Eigen::VectorXd* f : functions(zero)) f->setZero();
   Eigen::Index count = 0;
   for (const Function f : sought) {
-    functions(law)[f]->setZero();
-    count += functions(law)[f]->size();
+    functions(connection)[f]->setZero();
+    count += functions(connection)[f]->size();
   }
   const auto ofOrder = [&](Eigen::MatrixXd values) -> Eigen::VectorXd {
     for (Eigen::Index i = 0; i < rows(); ++i)
@@ -190,33 +205,33 @@ SeamLaw Condition::fitted(SeamLaw law, int order, const std::vector<Function>& s
   Eigen::MatrixXd by(rows() * x.cols(), count);
   Eigen::Index column = 0;
   for (const Function f : sought)
-    for (Eigen::Index k = 0; k < functions(law)[f]->size(); ++k) {
-      SeamLaw unit = zero;
+    for (Eigen::Index k = 0; k < functions(connection)[f]->size(); ++k) {
+      ConnectionFunctions unit = zero;
       (*functions(unit)[f])(k) = 1;
-      by.col(column++) = ofOrder(change(law, unit, x));
+      by.col(column++) = ofOrder(change(connection, unit, x));
     }
-  const Eigen::VectorXd found = linear::LeastSquares(by).solve(-ofOrder(matrix(law) * x));
+  const Eigen::VectorXd found = linear::LeastSquares(by).solve(-ofOrder(matrix(connection) * x));
   column = 0;
   for (const Function f : sought) {
-    Eigen::VectorXd& function = *functions(law)[f];
+    Eigen::VectorXd& function = *functions(connection)[f];
     function = found.segment(column, function.size());
     column += function.size();
   }
-  return law;
+  return connection;
 }
 
-SeamLaw Condition::closest(int degree, const Eigen::MatrixXd& x) const {
-  SeamLaw zero;
-  zero.c = zero.d = Eigen::VectorXd::Zero(degree + 1);
-  zero.e = Eigen::VectorXd::Zero(degree + 2);
+ConnectionFunctions Condition::closest(int degree, const Eigen::MatrixXd& x) const {
+  ConnectionFunctions zero;
+  zero.gamma = zero.alpha = Eigen::VectorXd::Zero(degree + 1);
+  zero.beta = Eigen::VectorXd::Zero(degree + 2);
   zero.p = Eigen::VectorXd::Zero(2 * degree + 1);
   zero.q = Eigen::VectorXd::Zero(2 * degree + 2);
-  // Of order 1 the law is linear and homogeneous: the singular vector of the least singular value,
-  // in comparable units.
+  // The equations of order 1 are linear and homogeneous in the functions. The singular vector of
+  // the least singular value, in comparable units, solves them best.
   std::vector<Eigen::VectorXd> columns;
-  for (const Function f : {C, D, E})
+  for (const Function f : {Gamma, Alpha, Beta})
     for (Eigen::Index k = 0; k < functions(zero)[f]->size(); ++k) {
-      SeamLaw unit = zero;
+      ConnectionFunctions unit = zero;
       (*functions(unit)[f])(k) = 1;
       Eigen::MatrixXd values = change(zero, unit, x);
       for (Eigen::Index i = 0; i < rows(); ++i)
@@ -230,11 +245,11 @@ SeamLaw Condition::closest(int degree, const Eigen::MatrixXd& x) const {
   Eigen::VectorXd found = unit.cwiseProduct(v.rightCols(1).col(0));
   const double sum = found.head(2 * degree + 2).sum();
   if (sum != 0) found *= 2 * (degree + 1) / sum;
-  SeamLaw law = zero;
-  law.c = found.head(degree + 1);
-  law.d = found.segment(degree + 1, degree + 1);
-  law.e = found.tail(degree + 2);
-  return points_.back().order == 2 ? fitted(law, 2, {P, Q}, x) : law;
+  ConnectionFunctions connection = zero;
+  connection.gamma = found.head(degree + 1);
+  connection.alpha = found.segment(degree + 1, degree + 1);
+  connection.beta = found.tail(degree + 2);
+  return points_.back().order == 2 ? fitted(connection, 2, {P, Q}, x) : connection;
 }
 
 Eigen::MatrixXd Condition::normals(int side, const Eigen::MatrixXd& x) const {

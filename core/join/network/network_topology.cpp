@@ -7,6 +7,7 @@
 
 #include <seamwright/core/bezier/homogeneous.hpp>
 #include <seamwright/core/disjoint_sets.hpp>
+#include <seamwright/core/join/checked_connection.hpp>
 #include <seamwright/core/join/network/network_topology.hpp>
 #include <seamwright/core/numeric.hpp>
 
@@ -92,21 +93,23 @@ void requireSurface(const NetworkSurface& side, std::size_t index) {
              std::to_string(side.weights(i)) + ": weights must be positive and finite");
 }
 
-void requireLaw(const SeamLaw& law, const std::string& name) {
-  static constexpr std::array names = {"c", "d", "e", "p", "q"};
-  const auto all = functions(law);
-  for (int f = 0; f < law_functions; ++f) {
+void requireConnection(const ConnectionFunctions& connection, const std::string& name) {
+  static constexpr std::array names = {"gamma", "alpha", "beta", "p", "q"};
+  const auto all = functions(connection);
+  for (int f = 0; f < function_count; ++f) {
     if (all[f]->size() == 0 || all[f]->size() > 7)
-      refuse(std::string(names[f]) + " of the law of " + name + " has " +
+      refuse(std::string(names[f]) + " of the connection of " + name + " has " +
              std::to_string(all[f]->size()) + " coefficients: 1 to 7 are needed");
     for (Eigen::Index k = 0; k < all[f]->size(); ++k) {
       const double value = (*all[f])(k);
-      if (!std::isfinite(value) || (f <= D && !(value > 0)))
-        refuse("coefficient " + std::to_string(k) + " of " + names[f] + " of the law of " + name +
-               " is " + std::to_string(value) +
-               (f <= D ? ": it must be positive" : ": it must be finite"));
+      if (!std::isfinite(value) || (f <= Alpha && !(value > 0)))
+        refuse("coefficient " + std::to_string(k) + " of " + names[f] + " of the connection of " +
+               name + " is " + std::to_string(value) +
+               (f <= Alpha ? ": it must be positive" : ": it must be finite"));
     }
   }
+  if (!isConstant(connection.e0, 1) || !isZero(connection.e1) || !isZero(connection.e2))
+    refuse("the connection of " + name + " scales poles: e0 must be 1, e1 and e2 must be 0");
 }
 
 void requireSameSeam(const nearest::SeamRows& a, const nearest::SeamRows& b,
@@ -121,6 +124,121 @@ void requireSameSeam(const nearest::SeamRows& a, const nearest::SeamRows& b,
       refuse("knot " + std::to_string(i) + " along " + name + ", scaled to 0..1, is " +
              std::to_string(a.knots[i]) + " and " + std::to_string(b.knots[i]) +
              ": they must be equal");
+}
+
+/// The unknown of each pole, per surface, and the number of unknowns.
+struct Numbering {
+  std::vector<std::vector<int>> of_pole;
+  int count = 0;
+};
+
+/// Poles on a seam have the same unknown on both sides.
+Numbering numbered(const std::vector<NetworkSurface>& surfaces,
+                   const std::vector<NetworkSeam>& seams, const std::vector<bool>& takes_part) {
+  std::vector<int> offset = {0};
+  for (const NetworkSurface& surface : surfaces)
+    offset.push_back(offset.back() + static_cast<int>(surface.surface.poles.rows()));
+  DisjointSets sets(offset.back());
+  for (std::size_t i = 0; i < seams.size(); ++i) {
+    if (!takes_part[i]) continue;
+    const NetworkSeam& seam = seams[i];
+    const nearest::SeamRows a = rowsOf(surfaces, seam, 0, 1), b = rowsOf(surfaces, seam, 1, 1);
+    for (int j = 0; j < a.count; ++j)
+      sets.unite(offset[seam.surfaces[0]] + a.pole(0, j), offset[seam.surfaces[1]] + b.pole(0, j));
+  }
+  Numbering result;
+  std::vector<int> number(offset.back(), -1);
+  result.of_pole.resize(surfaces.size());
+  for (std::size_t s = 0; s < surfaces.size(); ++s)
+    for (int k = 0; k < surfaces[s].surface.poles.rows(); ++k) {
+      int& n = number[sets.of(offset[s] + k)];
+      if (n < 0) n = result.count++;
+      result.of_pole[s].push_back(n);
+    }
+  return result;
+}
+
+/// Of all poles. Its centre does not depend on the order of surfaces, as their mean would by
+/// rounding.
+struct Box {
+  Eigen::RowVector3d centre = Eigen::RowVector3d::Zero();
+  double largest = 0;  ///< coordinate
+};
+
+Box boxOf(const std::vector<Poles>& poles) {
+  Eigen::RowVector3d low = Eigen::RowVector3d::Constant(std::numeric_limits<double>::infinity()),
+                     high = -low;
+  for (const Poles& of : poles) {
+    low = low.cwiseMin(of.colwise().minCoeff());
+    high = high.cwiseMax(of.colwise().maxCoeff());
+  }
+  return {.centre = (low + high) / 2,
+          .largest = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff())};
+}
+
+/// A pole of a surface, as a wish for the position of its unknown.
+struct Wish {
+  int unknown = 0;
+  bool fixed = false;
+  double weight = 1;
+  Eigen::RowVector3d x = Eigen::RowVector3d::Zero();  ///< relative to the centre
+};
+
+std::vector<Wish> wishes(const std::vector<NetworkSurface>& surfaces, const Numbering& numbering,
+                         const std::vector<Poles>& poles, const Eigen::RowVector3d& centre) {
+  std::vector<Wish> result;
+  for (std::size_t s = 0; s < surfaces.size(); ++s)
+    for (int k = 0; k < poles[s].rows(); ++k) {
+      const NetworkSurface& of = surfaces[s];
+      result.push_back({.unknown = numbering.of_pole[s][k],
+                        .fixed = !of.moves || (!of.fixed.empty() && of.fixed[k]),
+                        .weight = of.weights.size() == 0 ? 1.0 : of.weights(k),
+                        .x = poles[s].row(k) - centre});
+    }
+  return result;
+}
+
+/// The target of each unknown: the position of its first fixed pole, or the weighted mean.
+struct Targets {
+  Eigen::MatrixXd position;
+  Eigen::VectorXd weight;   ///< sum of its poles
+  std::vector<int> shared;  ///< number of its poles
+  std::vector<bool> stays;
+};
+
+Targets targetsOf(const std::vector<Wish>& wishes, int count) {
+  Targets t{.position = Eigen::MatrixXd::Zero(count, 3),
+            .weight = Eigen::VectorXd::Zero(count),
+            .shared = std::vector<int>(count, 0),
+            .stays = std::vector<bool>(count, false)};
+  for (const Wish& wish : wishes) {
+    const int i = wish.unknown;
+    ++t.shared[i];
+    if (wish.fixed && !t.stays[i]) t.position.row(i) = wish.x;
+    t.stays[i] = t.stays[i] || wish.fixed;
+    if (!t.stays[i]) t.position.row(i) += wish.weight * wish.x;
+    t.weight(i) += wish.weight;
+  }
+  for (int i = 0; i < count; ++i)
+    if (!t.stays[i]) t.position.row(i) /= t.weight(i);
+  return t;
+}
+
+/// How far the wishes are from the targets, as in Unknowns.
+struct Distances {
+  Eigen::VectorXd contradiction;
+  double joining = 0;
+};
+
+Distances distancesOf(const std::vector<Wish>& wishes, const Targets& targets) {
+  Distances result{.contradiction = Eigen::VectorXd::Zero(targets.position.rows())};
+  for (const Wish& wish : wishes) {
+    const int i = wish.unknown;
+    const double distance = (wish.x - targets.position.row(i)).norm();
+    if (wish.fixed) result.contradiction(i) = std::max(result.contradiction(i), distance);
+    if (!wish.fixed) result.joining += wish.weight * distance * distance;
+  }
+  return result;
 }
 
 }  // namespace
@@ -152,7 +270,7 @@ void requireNetwork(const std::vector<NetworkSurface>& surfaces,
     }
     requireSameSeam(rowsOf(surfaces, seam, 0, seam.order), rowsOf(surfaces, seam, 1, seam.order),
                     name);
-    if (seam.held) requireLaw(*seam.held, name);
+    if (seam.held) requireConnection(*seam.held, name);
   }
 }
 
@@ -215,71 +333,28 @@ std::vector<Vertex> vertices(std::size_t surfaces, const std::vector<NetworkSeam
 
 Unknowns unknowns(const std::vector<NetworkSurface>& surfaces,
                   const std::vector<NetworkSeam>& seams, const std::vector<bool>& takes_part) {
-  std::vector<int> offset = {0};
-  for (const NetworkSurface& surface : surfaces)
-    offset.push_back(offset.back() + static_cast<int>(surface.surface.poles.rows()));
-  DisjointSets sets(offset.back());
-  for (std::size_t i = 0; i < seams.size(); ++i) {
-    if (!takes_part[i]) continue;
-    const NetworkSeam& seam = seams[i];
-    const nearest::SeamRows a = rowsOf(surfaces, seam, 0, 1), b = rowsOf(surfaces, seam, 1, 1);
-    for (int j = 0; j < a.count; ++j)
-      sets.unite(offset[seam.surfaces[0]] + a.pole(0, j), offset[seam.surfaces[1]] + b.pole(0, j));
-  }
-  Unknowns u;
-  std::vector<int> number(offset.back(), -1);
-  int count = 0;
-  u.of_pole.resize(surfaces.size());
-  for (std::size_t s = 0; s < surfaces.size(); ++s)
-    for (int k = 0; k < surfaces[s].surface.poles.rows(); ++k) {
-      int& n = number[sets.of(offset[s] + k)];
-      if (n < 0) n = count++;
-      u.of_pole[s].push_back(n);
-    }
-
-  // The middle of the box, which does not depend on the order of surfaces.
-  Eigen::RowVector3d low = Eigen::RowVector3d::Constant(std::numeric_limits<double>::infinity()),
-                     high = -low;
+  Numbering numbering = numbered(surfaces, seams, takes_part);
   std::vector<Poles> poles;
-  for (const NetworkSurface& surface : surfaces) {
+  for (const NetworkSurface& surface : surfaces)
     poles.push_back(affinePoles(surface.surface.poles));
-    low = low.cwiseMin(poles.back().colwise().minCoeff());
-    high = high.cwiseMax(poles.back().colwise().maxCoeff());
-  }
-  u.largest = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
-  u.centre = (low + high) / 2;
-  u.target = Eigen::MatrixXd::Zero(count, 3);
-  u.move_weights = Eigen::VectorXd::Zero(count);
-  u.contradiction = Eigen::VectorXd::Zero(count);
-  u.shared.assign(count, 0);
-  std::vector<bool> stays(count, false);
-  const auto each = [&](const auto& visit) {
-    for (std::size_t s = 0; s < surfaces.size(); ++s)
-      for (int k = 0; k < poles[s].rows(); ++k) {
-        const NetworkSurface& of = surfaces[s];
-        const bool fixed = !of.moves || (!of.fixed.empty() && of.fixed[k]);
-        const double weight = of.weights.size() == 0 ? 1.0 : of.weights(k);
-        visit(u.of_pole[s][k], fixed, weight, Eigen::RowVector3d(poles[s].row(k) - u.centre));
-      }
-  };
-  each([&](int i, bool fixed, double weight, const Eigen::RowVector3d& x) {
-    ++u.shared[i];
-    if (fixed && !stays[i]) u.target.row(i) = x;
-    stays[i] = stays[i] || fixed;
-    if (!stays[i]) u.target.row(i) += weight * x;
-    u.move_weights(i) += weight;
-  });
-  for (int i = 0; i < count; ++i)
-    if (!stays[i]) u.target.row(i) /= u.move_weights(i);
-  each([&](int i, bool fixed, double weight, const Eigen::RowVector3d& x) {
-    const double distance = (x - u.target.row(i)).norm();
-    if (fixed) u.contradiction(i) = std::max(u.contradiction(i), distance);
-    if (!fixed) u.joining += weight * distance * distance;
-    if (u.shared[i] == 1) u.target.row(i) = x;
-  });
-  for (int i = 0; i < count; ++i)
-    if (stays[i]) u.move_weights(i) = 0;
-  return u;
+  const Box box = boxOf(poles);
+  const std::vector<Wish> all = wishes(surfaces, numbering, poles, box.centre);
+  Targets targets = targetsOf(all, numbering.count);
+  Distances distances = distancesOf(all, targets);
+  // A pole that is not shared keeps its position bitwise. The quotient of weighted positions may
+  // differ from it by rounding.
+  for (const Wish& wish : all)
+    if (targets.shared[wish.unknown] == 1) targets.position.row(wish.unknown) = wish.x;
+  for (int i = 0; i < numbering.count; ++i)
+    if (targets.stays[i]) targets.weight(i) = 0;
+  return {.of_pole = std::move(numbering.of_pole),
+          .target = std::move(targets.position),
+          .move_weights = std::move(targets.weight),
+          .shared = std::move(targets.shared),
+          .contradiction = std::move(distances.contradiction),
+          .centre = box.centre,
+          .largest = box.largest,
+          .joining = distances.joining};
 }
 
 std::vector<int> columnsOf(const Unknowns& unknowns, const NetworkSeam& seam,
@@ -291,6 +366,12 @@ std::vector<int> columnsOf(const Unknowns& unknowns, const NetworkSeam& seam,
   };
   for (int row = 0; row <= condition.side(0).depth; ++row) add(0, row);
   for (int row = 1; row <= condition.side(1).depth; ++row) add(1, row);
+  return result;
+}
+
+Eigen::MatrixXd polesOf(const Eigen::MatrixXd& x, const std::vector<int>& columns) {
+  Eigen::MatrixXd result(std::ssize(columns), x.cols());
+  for (Eigen::Index i = 0; i < result.rows(); ++i) result.row(i) = x.row(columns[i]);
   return result;
 }
 

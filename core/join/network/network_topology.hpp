@@ -74,4 +74,7 @@ Unknowns unknowns(const std::vector<NetworkSurface>& surfaces,
 std::vector<int> columnsOf(const Unknowns& unknowns, const NetworkSeam& seam,
                            const Condition& condition);
 
+/// The rows of x of these unknowns.
+Eigen::MatrixXd polesOf(const Eigen::MatrixXd& x, const std::vector<int>& columns);
+
 }  // namespace seamwright::network
