@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 #include <limits>
+#include <vector>
 
 #include <seamwright/core/seam/piece.hpp>
 #include <seamwright/core/seam/side_length.hpp>
@@ -36,15 +37,20 @@ Interval SideLength::of(double from, double to, int halvings) const {
     const Interval second = of(*side.split, to, halvings - 1);
     return {first.lower + second.lower, first.upper + second.upper};
   }
-  Interval length;
-  for (const SurfaceFields& fields : side.alternatives) {
-    const ControlPolygon<3> polygon = controlPolygon(fields.point);
+  std::vector<ControlPolygon<3>> polygons;
+  for (const SurfaceFields& fields : side.alternatives)
+    polygons.push_back(controlPolygon(fields.point));
+  Interval length = {infinite, 0};
+  for (const ControlPolygon<3>& polygon : polygons) {
     double sum = 2 * polygon.radius;
     for (int i = 1; i <= polygon.degree; ++i)
       sum += (polygon.points[i] - polygon.points[i - 1]).norm();
     length.upper = std::max(length.upper, sum);
-    const double chord = (polygon.points[polygon.degree] - polygon.points[0]).norm();
-    length.lower = std::max(0.0, chord - 2 * polygon.radius);
+    // The piece may begin on one side of a knot line and end on the other one.
+    for (const ControlPolygon<3>& end : polygons) {
+      const double chord = (end.points[end.degree] - polygon.points[0]).norm();
+      length.lower = std::min(length.lower, std::max(0.0, chord - (polygon.radius + end.radius)));
+    }
   }
   return length;
 }

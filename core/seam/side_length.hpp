@@ -16,8 +16,8 @@ class SideLength {
 
   /// Bounds of the length over an interval of the parameter of the seam. Chords give the lower
   /// bound and control polygons the upper one. Where a short interval lies across a knot line, the
-  /// upper bound is that of the longest alternative. The upper bound is infinite if there are too
-  /// many knot lines.
+  /// lower bound is that of the shortest alternative and the upper bound that of the longest one.
+  /// The upper bound is infinite if there are too many knot lines.
   Interval of(double from, double to) const { return of(from, to, 6); }
 
   /// A lower bound of the length of the side: the length of a polygon through those points that are
