@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -8,7 +9,6 @@
 #include <seamwright/core/fill/hole_corner.hpp>
 #include <seamwright/core/join/bernstein_rows.hpp>
 #include <seamwright/core/numeric.hpp>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -86,6 +86,8 @@ Vector3d normal(const SideEnd& end) {
   return end.cross.cross(end.edge).normalized();
 }
 
+/// Bounds within a thousandth of the largest coefficient: that changes a bound of an angle by as
+/// little.
 double least(const Eigen::VectorXd& polynomial) {
   const BernsteinPolynomial p(polynomial);
   return std::max(0.0, p.range(1e-3 * polynomial.cwiseAbs().maxCoeff()).lower);
@@ -113,9 +115,7 @@ void requireSides(const std::vector<FillSide>& sides) {
 }
 
 std::string degreesText(double angle_rad) {
-  std::ostringstream out;
-  out << angle_rad * degrees_per_radian << " degrees";
-  return out.str();
+  return fmt::format("{:.6g} degrees", angle_rad * degrees_per_radian);
 }
 
 void requireFairness(int order) {

@@ -2,6 +2,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <seamwright/core/fill/ring_fields.hpp>
@@ -95,81 +96,137 @@ Vector3d meetSlopes(const HoleCorner& corner, const SpokeEnd& spoke, RingScalars
   return -up.dot(missed) * up;
 }
 
+/// The corners of a hole, and the sides as a ring.
+struct Ring {
+  const std::vector<FillSide>& sides;
+  std::vector<HoleCorner> corners;
+
+  std::size_t size() const { return sides.size(); }
+  std::size_t next(std::size_t k) const { return (k + 1) % size(); }
+  std::size_t before(std::size_t k) const { return (k + size() - 1) % size(); }
+};
+
+/// The lengths of the spokes. They are shares of the distances from the centre to the corners.
+std::vector<double> spokeLengths(const std::vector<FillSide>& sides, double spoke_scale) {
+  const auto n = static_cast<double>(sides.size());
+  Vector3d centre = Vector3d::Zero();
+  for (const FillSide& side : sides)
+    centre += (side.edge.point(0) + side.edge.point(0.5)) / (2.0 * n);
+  double mean_mm = 0;
+  for (const FillSide& side : sides) mean_mm += (side.edge.point(0) - centre).norm() / n;
+  std::vector<double> lengths_mm;
+  for (const FillSide& side : sides) {
+    // The lower bound is needed because a reflex corner may lie near the centre.
+    const double distance_mm = std::max((side.edge.point(0) - centre).norm(), mean_mm / 4);
+    lengths_mm.push_back(spoke_scale * spoke_share * distance_mm);
+  }
+  return lengths_mm;
+}
+
+/// The functions of each side with a cross-boundary derivative, with which G is the derivative of
+/// the spokes at the ends; the slopes are those of linear functions.
+std::vector<RingScalars> linearScalars(const Ring& ring, const std::vector<SpokeEnd>& spokes) {
+  std::vector<RingScalars> scalars(ring.size());
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    if (!ring.sides[k].cross) continue;
+    const SideEnd &a = *ring.corners[k].after(), &b = *ring.corners[ring.next(k)].before();
+    RingScalars& s = scalars[k];
+    s.begin = combination(a.cross, a.edge, *spokes[k].derivative);
+    s.end = combination(b.cross, b.edge, *spokes[ring.next(k)].derivative);
+    s.slope_begin = s.slope_end = s.end - s.begin;
+  }
+  return scalars;
+}
+
+/// The functions of G with slopes that agree in the corners, and the defects that are left there.
+struct MetSlopes {
+  std::vector<RingScalars> scalars;
+  std::vector<Vector3d> defects;
+};
+
+MetSlopes metSlopes(const Ring& ring, const std::vector<SpokeEnd>& spokes,
+                    std::vector<RingScalars> scalars) {
+  std::vector<Vector3d> defects(ring.size(), Vector3d::Zero());
+  for (std::size_t k = 0; k < ring.size(); ++k)
+    if (ring.corners[k].before() && ring.corners[k].after())
+      defects[k] = meetSlopes(ring.corners[k], spokes[k], scalars[ring.before(k)], scalars[k]);
+  return {.scalars = std::move(scalars), .defects = std::move(defects)};
+}
+
+Poles wantedField(const FillSide& side, const RingScalars& scalars) {
+  return rows::sum<3>(rows::product<3>(cubic(scalars, 0), rows::Field<3>(*side.cross)),
+                      rows::product<3>(cubic(scalars, 1), rows::derivative<3>(side.edge.poles())));
+}
+
+/// The wanted field with the spokes' derivatives at its ends, changed beside smooth corners so that
+/// half of the defect there vanishes; the other side of the corner makes up for the other half.
+Poles takenField(const Poles& wanted, const std::array<SpokeEnd, 2>& spokes,
+                 const std::array<Vector3d, 2>& defects) {
+  const Eigen::Index degree = wanted.rows() - 1;
+  Poles taken = wanted;
+  taken.row(0) = *spokes[0].derivative;
+  taken.row(degree) = *spokes[1].derivative;
+  const auto bend = [&](Eigen::Index row, int end, double weight) {
+    if (!spokes[end].smooth) return;
+    taken.row(row) -= defects[end].transpose() / (2 * weight * static_cast<int>(degree));
+  };
+  bend(1, 0, spokes[0].c);
+  bend(degree - 1, 1, spokes[1].d);
+  return taken;
+}
+
+/// The figures of a smooth corner with the defect of its twist.
+FillCorner withTwistDefect(FillCorner figures, const HoleCorner& corner, const Vector3d& defect) {
+  figures.twist_defect_mm = defect.dot(corner.up().normalized());
+  // That of a derivative, with room for the factors c, d, e, p and q and for their slopes, which
+  // meetSlopes() solves for.
+  constexpr double room = 512;
+  const double noise = room * (corner.before() ? corner.before()->noise : 0);
+  figures.exact = figures.exact && std::abs(figures.twist_defect_mm) <= noise;
+  return figures;
+}
+
 }  // namespace
 
 RingFields ringFields(const std::vector<FillSide>& sides, double spoke_scale, double tolerance_rad,
                       int more_degrees) {
   const std::size_t n = sides.size();
-  const auto next = [n](std::size_t k) { return (k + 1) % n; };
-  const auto before = [n](std::size_t k) { return (k + n - 1) % n; };
-  Vector3d centre = Vector3d::Zero();
-  for (const FillSide& side : sides)
-    centre += (side.edge.point(0) + side.edge.point(0.5)) / (2.0 * static_cast<double>(n));
-  double mean_mm = 0;
-  for (const FillSide& side : sides)
-    mean_mm += (side.edge.point(0) - centre).norm() / static_cast<double>(n);
+  const std::vector<double> lengths_mm = spokeLengths(sides, spoke_scale);
+  Ring ring{.sides = sides, .corners = {}};
   RingFields result;
-  std::vector<HoleCorner> corners;
   for (std::size_t k = 0; k < n; ++k) {
-    corners.emplace_back(sides, k);
-    result.corners.push_back(figuresOf(corners[k], k, tolerance_rad));
-    // The lower bound is needed because a reflex corner may lie near the centre.
-    const double way_mm = std::max((sides[k].edge.point(0) - centre).norm(), mean_mm / 4);
-    const double length_mm = spoke_scale * spoke_share * way_mm;
-    result.spokes.push_back(spokeEnd(corners[k], result.corners[k], length_mm));
+    ring.corners.emplace_back(sides, k);
+    result.corners.push_back(figuresOf(ring.corners[k], k, tolerance_rad));
+    result.spokes.push_back(spokeEnd(ring.corners[k], result.corners[k], lengths_mm[k]));
   }
+  const MetSlopes met = metSlopes(ring, result.spokes, linearScalars(ring, result.spokes));
 
-  std::vector<RingScalars> scalars(n);
-  for (std::size_t k = 0; k < n; ++k) {
-    if (!sides[k].cross) continue;
-    const SideEnd &a = *corners[k].after(), &b = *corners[next(k)].before();
-    RingScalars& s = scalars[k];
-    s.begin = combination(a.cross, a.edge, *result.spokes[k].derivative);
-    s.end = combination(b.cross, b.edge, *result.spokes[next(k)].derivative);
-    s.slope_begin = s.slope_end = s.end - s.begin;
-  }
-  std::vector<Vector3d> defects(n, Vector3d::Zero());
-  for (std::size_t k = 0; k < n; ++k)
-    if (corners[k].before() && corners[k].after())
-      defects[k] = meetSlopes(corners[k], result.spokes[k], scalars[before(k)], scalars[k]);
-
-  result.degree = 5;
+  result.degree = 5;  // the lowest in which the two ends of a field are independent
   std::vector<Poles> wanted(n);
   for (std::size_t k = 0; k < n; ++k) {
     result.degree = std::max(result.degree, sides[k].edge.degree());
     if (!sides[k].cross) continue;
-    wanted[k] = rows::sum<3>(
-        rows::product<3>(cubic(scalars[k], 0), rows::Field<3>(*sides[k].cross)),
-        rows::product<3>(cubic(scalars[k], 1), rows::derivative<3>(sides[k].edge.poles())));
+    wanted[k] = wantedField(sides[k], met.scalars[k]);
     result.degree = std::max(result.degree, rows::degree(wanted[k]));
   }
   result.degree += more_degrees;
+
+  for (std::size_t k = 0; k < n; ++k)
+    if (result.spokes[k].smooth && (sides[k].cross || sides[ring.before(k)].cross))
+      result.corners[k] = withTwistDefect(result.corners[k], ring.corners[k], met.defects[k]);
   result.fields.resize(n);
   for (std::size_t k = 0; k < n; ++k) {
     if (!sides[k].cross) continue;
+    const std::size_t end = ring.next(k);
     const Poles full = rows::elevated<3>(rows::Field<3>(wanted[k]), result.degree);
-    Poles taken = full;
-    taken.row(0) = *result.spokes[k].derivative;
-    taken.row(result.degree) = *result.spokes[next(k)].derivative;
-    const auto bend = [&](Eigen::Index row, std::size_t at, double weight) {
-      if (!result.spokes[at].smooth) return;
-      taken.row(row) -= defects[at].transpose() / (2 * weight * result.degree);
-    };
-    bend(1, k, result.spokes[k].c);
-    bend(result.degree - 1, next(k), result.spokes[next(k)].d);
-    for (const std::size_t at : {k, next(k)}) {
-      FillCorner& corner = result.corners[at];
-      if (!result.spokes[at].smooth) continue;
-      corner.twist_defect_mm = defects[at].dot(corners[at].up().normalized());
-      const double noise = 64 * (corners[at].before() ? corners[at].before()->noise : 0) * 8;
-      corner.exact = corner.exact && std::abs(corner.twist_defect_mm) <= noise;
-    }
-    for (const std::size_t at : {k, next(k)})
+    const Poles taken = takenField(full, {result.spokes[k], result.spokes[end]},
+                                   {met.defects[k], met.defects[end]});
+    for (const std::size_t at : {k, end})
       if (!result.corners[at].exact)
         result.corners[at].angle_bound_rad =
             std::max(result.corners[at].angle_bound_rad,
                      angleBound(full, taken - full, rows::derivative<3>(sides[k].edge.poles())));
-    result.fields[k] = std::move(taken);
+    result.fields[k] = taken;
   }
   return result;
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <span>
-#include <sstream>
+#include <string>
 
 #include <seamwright/core/numeric.hpp>
 #include <seamwright/core/seam/enclose.hpp>
@@ -16,6 +17,9 @@ namespace seamwright {
 
 namespace {
 
+/// Allowed width of the bounds of a figure, as a share of the figure or, if that is larger, of its
+/// tolerance: two digits, as reports show.
+constexpr double allowed_share = 0.01;
 /// Share of the parameter of the seam. A shorter piece that has bounds is not cut to make them
 /// narrower.
 constexpr double shortest_piece = 0x1p-24;
@@ -61,13 +65,6 @@ void include(PieceFigures& sum, const PieceFigures& more) {
   merge(*sum.curvature_rel, *more.curvature_rel);
 }
 
-std::string placeText(double s) {
-  std::ostringstream text;
-  text.precision(6);
-  text << s;
-  return text.str();
-}
-
 class Enclosure {
  public:
   Enclosure(const SeamSide& a, const SeamSide& b, const ContinuityTolerance& tolerance,
@@ -109,6 +106,18 @@ class Enclosure {
   bool isSettled(const Piece& piece) const;
   void refine();
   double planeShare();
+  /// What the pieces say together.
+  struct Summary {
+    std::array<double, Quantities> upper{};
+    bool has_plane = false;  ///< on some piece
+    bool may_fold = false;
+    std::optional<double> fold_at, unknown_at;
+    bool isFoldOpen() const { return may_fold && !fold_at; }
+  };
+  Summary summary() const;
+  void addFigures(const Summary& sum, SeamFigures& figures) const;
+  std::string whyUncertified(const Summary& sum, const SeamFigures& figures,
+                             bool is_crease_known) const;
   SeamFigures figures();
   std::optional<Figure> figure(Quantity quantity, double upper) const;
   Interval belowCreaseShare() const;
@@ -138,7 +147,7 @@ double Enclosure::tolerated(Quantity quantity) const {
 }
 
 double Enclosure::allowed(Quantity quantity) const {
-  return 0.01 * std::max(lower_[quantity], tolerated(quantity));
+  return allowed_share * std::max(lower_[quantity], tolerated(quantity));
 }
 
 bool Enclosure::isEnough(Quantity quantity, double upper) const {
@@ -232,11 +241,10 @@ bool Enclosure::measure(Piece& piece, Detail detail, std::optional<double>& spli
   const SideFields b = b_.fields(piece.from, piece.to, detail);
   split = b.split;
   if (split) return false;
-  const double relative = 0.01;
-  const PieceSlack slack = {{relative, allowed(Gap)},
-                            {relative, allowed(Angle)},
-                            {relative, allowed(Curvature)},
-                            {relative, allowed(RelativeCurvature)}};
+  const PieceSlack slack = {{allowed_share, allowed(Gap)},
+                            {allowed_share, allowed(Angle)},
+                            {allowed_share, allowed(Curvature)},
+                            {allowed_share, allowed(RelativeCurvature)}};
   bool first = true;
   for (const SurfaceFields& fields_a : a.alternatives)
     for (const SurfaceFields& fields_b : b.alternatives) {
@@ -515,62 +523,72 @@ Interval Enclosure::belowCreaseShare() const {
   return {least, most};
 }
 
-SeamFigures Enclosure::figures() {
-  SeamFigures figures;
-  std::array<double, Quantities> upper{};
-  double with_plane = 0;
-  bool may_fold = false;
-  std::optional<double> unknown_at;
+Enclosure::Summary Enclosure::summary() const {
+  Summary sum;
   for (const Piece& piece : pieces_) {
     const PieceFigures& f = piece.figures;
-    upper[Gap] = std::max(upper[Gap], f.gap_mm.upper);
-    if (!std::isfinite(f.gap_mm.upper)) unknown_at = piece.at(0);
+    sum.upper[Gap] = std::max(sum.upper[Gap], f.gap_mm.upper);
+    if (!std::isfinite(f.gap_mm.upper)) sum.unknown_at = piece.at(0);
     if (piece.left_out) continue;
-    with_plane += piece.width();
-    upper[Angle] = std::max(upper[Angle], f.angle_rad.upper);
+    sum.has_plane = true;
+    sum.upper[Angle] = std::max(sum.upper[Angle], f.angle_rad.upper);
     if (!piece.curvature_left_out) {
-      upper[Curvature] =
-          std::max(upper[Curvature], f.curvature_per_mm ? f.curvature_per_mm->upper : infinite);
-      upper[RelativeCurvature] =
-          std::max(upper[RelativeCurvature], f.curvature_rel ? f.curvature_rel->upper : infinite);
+      sum.upper[Curvature] =
+          std::max(sum.upper[Curvature], f.curvature_per_mm ? f.curvature_per_mm->upper : infinite);
+      sum.upper[RelativeCurvature] = std::max(sum.upper[RelativeCurvature],
+                                              f.curvature_rel ? f.curvature_rel->upper : infinite);
     }
-    if (!std::isfinite(f.angle_rad.upper)) unknown_at = piece.at(0);
-    if (folds(piece) && f.angle_rad.upper <= tolerance_.crease_rad && !figures.fold_at)
-      figures.fold_at = piece.at(0);
-    if (folds(piece) && f.smallest_angle_rad <= tolerance_.crease_rad) may_fold = true;
+    if (!std::isfinite(f.angle_rad.upper)) sum.unknown_at = piece.at(0);
+    if (!folds(piece)) continue;
+    if (f.angle_rad.upper <= tolerance_.crease_rad && !sum.fold_at) sum.fold_at = piece.at(0);
+    if (f.smallest_angle_rad <= tolerance_.crease_rad) sum.may_fold = true;
   }
-  figures.gap_mm = figure(Gap, upper[Gap]);
-  if (with_plane > 0) figures.angle_rad = figure(Angle, upper[Angle]);
+  // The relative difference cannot be larger where the curvature has bounds at all.
+  if (std::isfinite(sum.upper[Curvature]))
+    sum.upper[RelativeCurvature] =
+        std::min(sum.upper[RelativeCurvature], largest_relative_difference);
+  return sum;
+}
+
+void Enclosure::addFigures(const Summary& sum, SeamFigures& figures) const {
+  figures.gap_mm = figure(Gap, sum.upper[Gap]);
+  figures.fold_at = sum.fold_at;
+  if (!sum.has_plane) return;
+  figures.angle_rad = figure(Angle, sum.upper[Angle]);
   const bool sharp = lower_[Angle] > tolerance_.crease_rad;
-  if (with_plane > 0 && !sharp && !figures.fold_at) {
-    figures.curvature_per_mm = figure(Curvature, upper[Curvature]);
-    if (std::isfinite(upper[Curvature]))
-      upper[RelativeCurvature] = std::min(upper[RelativeCurvature], largest_relative_difference);
-    figures.curvature_rel = figure(RelativeCurvature, upper[RelativeCurvature]);
-    if (!unknown_at && !std::isfinite(upper[RelativeCurvature]))
-      figures.uncertified = "the curvature is not bounded";
+  if (sharp || sum.fold_at) return;
+  figures.curvature_per_mm = figure(Curvature, sum.upper[Curvature]);
+  figures.curvature_rel = figure(RelativeCurvature, sum.upper[RelativeCurvature]);
+}
+
+/// The most important reason comes first.
+std::string Enclosure::whyUncertified(const Summary& sum, const SeamFigures& figures,
+                                      bool is_crease_known) const {
+  if (sum.unknown_at) {
+    const std::string pieces = exhausted_ ? fmt::format(" with {} pieces", looks_) : "";
+    return fmt::format("no bound was found at {:.6g}{}", *sum.unknown_at, pieces);
   }
+  if (sum.isFoldOpen()) return "the faces may fold back on one another";
+  if (!is_crease_known) return "the crease angle is passed near the middle of its length";
+  if (figures.curvature_rel && !figures.curvature_rel->upper) return "the curvature is not bounded";
+  if (exhausted_) return fmt::format("the enclosures are still wide after {} pieces", looks_);
+  return "";
+}
+
+SeamFigures Enclosure::figures() {
+  const Summary sum = summary();
+  SeamFigures figures;
+  addFigures(sum, figures);
   const Interval share = belowCreaseShare();
+  // The judge asks whether half of the length is below the crease angle.
+  const bool is_crease_known = !(share.lower <= 0.5 && share.upper > 0.5);
   figures.below_crease_share = share.middle();
   figures.plane_share = planeShare();
+  figures.shares_known = is_crease_known && !sum.isFoldOpen();
   figures.degenerate = degenerate_;
   addLeftOut(figures);
   figures.points = looks_;
-  figures.shares_known = true;
-  if (share.lower <= 0.5 && share.upper > 0.5) {
-    figures.shares_known = false;
-    figures.uncertified = "the crease angle is passed near the middle of its length";
-  }
-  if (may_fold && !figures.fold_at) {
-    figures.shares_known = false;
-    figures.uncertified = "the faces may fold back on one another";
-  }
-  if (exhausted_ && figures.uncertified.empty())
-    figures.uncertified =
-        "the enclosures are still wide after " + std::to_string(looks_) + " pieces";
-  if (unknown_at)
-    figures.uncertified = "no bound was found at " + placeText(*unknown_at) +
-                          (exhausted_ ? " with " + std::to_string(looks_) + " pieces" : "");
+  figures.uncertified = whyUncertified(sum, figures, is_crease_known);
   const auto known = [](const std::optional<Figure>& figure) { return !figure || figure->upper; };
   figures.certified =
       known(figures.gap_mm) && known(figures.angle_rad) &&

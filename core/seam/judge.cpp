@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -18,17 +18,9 @@ constexpr double degrees(double rad) {
   return rad * degrees_per_radian;
 }
 
-std::string number(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
-
 [[noreturn]] void refuse(std::string_view field, double value, std::string_view unit,
                          std::string_view why) {
-  std::ostringstream text;
-  text << field << " is " << value << unit << ": " << why;
-  throw std::invalid_argument(text.str());
+  throw std::invalid_argument(fmt::format("{} is {:.6g}{}: {}", field, value, unit, why));
 }
 
 void requireNotNegative(std::string_view field, double value, std::string_view unit) {
@@ -85,8 +77,9 @@ std::string sharpSpotRemark(const SeamFigures& figures, const ContinuityToleranc
   if (!figures.angle_rad || figures.angle_rad->lower <= tolerance.crease_rad ||
       figures.below_crease_share <= 0.5)
     return {};
-  return "sharp spot in a seam that is below the crease angle over " +
-         number(std::floor(100 * figures.below_crease_share)) + " % of its length";
+  return fmt::format(
+      "sharp spot in a seam that is below the crease angle over {:.0f} % of its length",
+      std::floor(100 * figures.below_crease_share));
 }
 
 }  // namespace
@@ -102,9 +95,9 @@ void ContinuityTolerance::validate() const {
   if (crease_rad > std::numbers::pi / 2)
     refuse("crease angle", degrees(crease_rad), " deg", "tangent planes meet at 90 deg at most");
   if (crease_rad < angle_rad)
-    refuse(
-        "crease angle", degrees(crease_rad), " deg",
-        "it must not be smaller than the angle tolerance, " + number(degrees(angle_rad)) + " deg");
+    refuse("crease angle", degrees(crease_rad), " deg",
+           fmt::format("it must not be smaller than the angle tolerance, {:.6g} deg",
+                       degrees(angle_rad)));
 }
 
 std::string_view name(Level level) {
