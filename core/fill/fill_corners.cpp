@@ -10,6 +10,8 @@ namespace seamwright {
 
 namespace {
 
+/// Each level halves the angle and adds two knots: 12 divide it by 4096. Source:
+/// docs/theory/fills.md F3.2.
 constexpr int most_levels = 12;
 
 double reach(int level) {

@@ -340,6 +340,8 @@ CurvedPatches leastCurvatureJump(
     const FillSpace& space, const std::vector<BezierPatch>& given, const FillEdges& edges,
     const std::vector<FillSide>& sides, int order,
     const std::function<std::vector<BezierPatch>(const Poles& unknowns)>& patchesOf) {
+  // The sum of squares may fall while the largest jump, which is measured at more parameters, grows
+  // a little.
   constexpr double most_growth = 1.02;
   const double size_mm = sizeOf(sides);
   const Places places(space.degree, edges, sides);

@@ -90,14 +90,15 @@ struct Polynomials {
   Eigen::VectorXd coefficients;
   double scale = 0;  ///< the product of the sizes of the fields
   double noise = 0;  ///< of a coefficient
-  /// The scale for fields of usual size. Noise is judged against the larger of the two scales; 0:
-  /// not used.
-  double ordinary = 0;
+  /// The scale that the condition has where no field happens to be small. Second derivatives, for
+  /// example, vanish in bilinear patches; then 0 = 0 can be told if the noise is small against
+  /// first derivatives. 0: scale alone counts.
+  double usual_scale = 0;
 };
 
 bool canBeTold(const Polynomials& condition) {
   return condition.scale == 0 ||
-         condition.noise <= kLargestNoise * std::max(condition.scale, condition.ordinary);
+         condition.noise <= kLargestNoise * std::max(condition.scale, condition.usual_scale);
 }
 
 /// \param unit factor of the resulting coefficients.
@@ -116,16 +117,19 @@ JoinResidual residual(const Polynomials& condition, double unit, std::optional<d
 }
 
 /// f A - g B = 0 of vector-valued polynomials A, B, relative to the size of its larger term.
-/// \param ordinary a usual size of A and B.
+/// \param usual_size that of A and B where they do not happen to be small; 0: none is known.
 JoinResidual agreement(const Eigen::VectorXd& f, const Rounded<3>& a, const Eigen::VectorXd& g,
-                       const Rounded<3>& b, double ordinary, double length,
+                       const Rounded<3>& b, double usual_size, double length,
                        std::optional<double> tolerance) {
   const Field<3> difference = Sum<3>().add(f, b.field).add(-g, a.field).total();
   const double size_f = f.cwiseAbs().maxCoeff(), size_g = g.cwiseAbs().maxCoeff();
   const double scale = std::max(size_f * b.size(), size_g * a.size());
   const double noise =
       size_f * b.noise + size_g * a.noise + factor_roundings * machine_epsilon * scale;
-  return residual({difference.rowwise().norm(), scale, noise, ordinary * std::max(size_f, size_g)},
+  return residual({.coefficients = difference.rowwise().norm(),
+                   .scale = scale,
+                   .noise = noise,
+                   .usual_scale = usual_size * std::max(size_f, size_g)},
                   length, tolerance);
 }
 

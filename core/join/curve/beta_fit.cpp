@@ -16,6 +16,7 @@ namespace {
 
 using Eigen::Index;
 
+/// Rounding bounds grow by a digit or more with each order, so a double has none left long before.
 constexpr int most_orders = 30;
 
 /// Rows of numbers that carry the bounds of their own rounding.

@@ -266,7 +266,9 @@ Restoration Search::restoration(const Iterate& at, const Linear& model) const {
       model.conditions * unit.asDiagonal(), Eigen::ComputeThinU | Eigen::ComputeFullV);
   const VectorXd& singular = svd.values;
   Index held = 0;
-  while (held < singular.size() && singular(held) > 1e-9) ++held;
+  // Columns have length 1. Others than held directions have rounding of 1e-13 to 1e-11.
+  constexpr double least_held = 1e-9;
+  while (held < singular.size() && singular(held) > least_held) ++held;
   const VectorXd inverse = singular.head(held).cwiseInverse();
   const MatrixXd range = svd.u.leftCols(held), fixed = svd.v.leftCols(held);
   result.direction.array() =
@@ -317,6 +319,7 @@ Step Search::step(const Iterate& at) const {
     const linear::Eigenvalues eigen =
         linear::symmetricEigenvalues(open.transpose() * hessian * open);
     const VectorXd& values = eigen.values;
+    // Smaller eigenvalues are rounding. The sign of one is certain only far above that.
     const double least = 1e-12 * values.cwiseAbs().maxCoeff();
     result.convex = values(0) >= -1e-9 * std::max(1.0, values.cwiseAbs().maxCoeff());
     const VectorXd slope = open.transpose() * (model.gradient + hessian * result.direction);
@@ -332,7 +335,8 @@ Step Search::step(const Iterate& at) const {
   // The nearest join of all is no farther from the given poles than this one: no step needs to
   // change the move by more than twice its size; and beta_1 not by more than a factor of ten.
   const double change = (model.along * result.direction).norm();
-  double share = std::min(1.0, 2.3 / std::max(std::abs(result.direction(0)), 1e-300));
+  constexpr double log_of_ten = 2.3;
+  double share = std::min(1.0, log_of_ten / std::max(std::abs(result.direction(0)), 1e-300));
   if (at.lower.cols() == 0 && change > 2 * move) share = std::min(share, 2 * move / change);
   result.direction *= share;
   const double increase = result.direction.dot(model.gradient + hessian * result.direction / 2);
@@ -430,7 +434,7 @@ namespace {
 /// does not become much shorter than that of the other. Then beta is small and the valleys of the
 /// cost are straight.
 Found searchFrom(const Problem& problem, bool is_mirrored) {
-  constexpr double turning_log = 0.7;
+  constexpr double turning_log = 0.7;  // beta_1 = 2
   const bool both = moves(problem.a) && moves(problem.b);
   Problem now = is_mirrored ? mirrored(problem) : problem;
   Found found = Search(now).run(both ? turning_log : now.most_log);

@@ -94,6 +94,7 @@ Candidate candidate(const Unknowns& u, const NearestOptions& options, const Fami
 /// A search with a nearly constant alpha may approach the join of a constant alpha and never reach
 /// it. So a candidate that has not converged must be nearer by more than rounding explains.
 bool better(const Candidate& one, const Candidate& other) {
+  // A search that stops early is off by its stationarity squared, which is far less.
   constexpr double clearly = 1e-3;
   if (one.solution.exact != other.solution.exact) return one.solution.exact;
   if (!one.solution.exact) return one.residual < other.residual;

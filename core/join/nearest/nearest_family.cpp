@@ -47,6 +47,8 @@ struct HeldEnd {
 };
 
 std::optional<HeldEnd> heldEnd(const Unknowns& u, int order, double t) {
+  // Sine. Derivatives of fixed poles have rounding of about 1e-14, and more for poles far from the
+  // origin.
   constexpr double parallel = 1e-10;
   const int j = t == 0 ? 0 : u.count() - 1, neighbour = t == 0 ? 1 : u.count() - 2;
   const auto index = [&](int block, int pole) {
@@ -96,6 +98,7 @@ std::vector<HeldEnd> heldEnds(const Unknowns& u, const Degrees& degrees, int ord
   for (const Function f : {Alpha, E1, P, E2}) {
     const double difference = std::abs(ends[0].value[f] - ends[1].value[f]);
     const bool counts = f <= E1 || (ends[0].second && ends[1].second);
+    // The values are quotients of fixed derivatives, so they differ by their rounding.
     if (counts && degrees[f] == 0 && difference > 1e-10 * (1 + std::abs(ends[0].value[f])))
       return {};
   }
@@ -154,6 +157,8 @@ Eigen::RowVectorXd jumpAt(const SeamRows& rows, double knot, int k) {
 /// The inner knots at which the seam (for order 2 also the row behind it) is no smoother than its
 /// knots make it, so that beta is not free.
 std::vector<double> roughKnots(const Unknowns& u, int order) {
+  // Share of the terms of a jump. It is 1e5 roundings of a term: far more than knots leave that
+  // were inserted.
   constexpr double smooth = 1e-11;
   std::vector<double> rough;
   for (const double knot : innerKnots(u.a)) {
@@ -185,7 +190,8 @@ std::optional<double> costOfSmoothing(const Unknowns& u, const std::vector<doubl
   const Eigen::MatrixXd seam = u.target.topRows(u.count()),
                         jumps_of_moves = jumps * reach.asDiagonal();
   const Eigen::MatrixXd move = linear::LeastSquares(jumps_of_moves).solve(jumps * seam);
-  if ((jumps_of_moves * move - jumps * seam).norm() > 1e-9 * (jumps * seam).norm())
+  constexpr double rounding = 1e-9;  // of least squares; a fixed pole leaves a jump as a whole
+  if ((jumps_of_moves * move - jumps * seam).norm() > rounding * (jumps * seam).norm())
     return std::nullopt;
   return move.squaredNorm();
 }

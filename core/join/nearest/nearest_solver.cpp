@@ -113,6 +113,7 @@ Iterate Search::project(const Eigen::VectorXd& c) {
     at.matrix.col(static_cast<Eigen::Index>(k)) = reach_(movable_[k]) * a.col(movable_[k]);
   if (row_scale_.size() == 0) {
     const Eigen::VectorXd length = at.matrix.rowwise().norm();
+    // Rows beside fixed poles are short. A larger factor would enlarge their rounding.
     const double least = 1e-3 * length.maxCoeff();
     row_scale_ = least > 0 ? Eigen::VectorXd(length.cwiseMax(least).cwiseInverse())
                            : Eigen::VectorXd::Ones(length.size());
@@ -195,7 +196,10 @@ Search::Split Search::split(const Linear& model, const Eigen::MatrixXd& basis) c
       model.conditions * result.basis, Eigen::ComputeThinU | Eigen::ComputeFullV);
   const Eigen::VectorXd& singular = svd.values;
   Eigen::Index rank = 0;
-  while (rank < singular.size() && singular(rank) > 1e-9) ++rank;
+  // Columns have length 1. Directions that the conditions hold have singular values of about that
+  // size, others have rounding of 1e-13 to 1e-11.
+  constexpr double held = 1e-9;
+  while (rank < singular.size() && singular(rank) > held) ++rank;
   result.range = svd.u.leftCols(rank);
   result.inverse = svd.v.leftCols(rank) * singular.head(rank).cwiseInverse().asDiagonal();
   result.open = result.basis * svd.v.rightCols(result.basis.cols() - rank);
@@ -208,6 +212,8 @@ void Search::descend(const Iterate& at, const Linear& model, const Eigen::Matrix
   const Eigen::VectorXd slope = open.transpose() * (model.gradient + curvature * result.direction);
   const Eigen::MatrixXd reach = model.along * open;
   const Eigen::MatrixXd first_order = reach.transpose() * reach;
+  // A curvature below the square root of rounding has no certain sign: it is a sum of squares that
+  // cancel.
   const double least = 1e-10 * first_order.diagonal().maxCoeff();
   const linear::Eigenvalues eigen =
       linear::symmetricEigenvalues(open.transpose() * curvature * open);
@@ -264,6 +270,7 @@ bool Search::advance(Iterate& at, const Step& step) {
   const int alphas = condition_.degrees()[Alpha] + 1;
   const double before = at.cost / 2 + step.penalty * at.infeasibility();
   const double rounding = noise_ * (noise_ + std::sqrt(at.cost) + step.penalty);
+  // A direction of descent helps long before; a step of less is rounding.
   for (double share = 1; share > 1e-6; share /= 2) {
     Eigen::VectorXd c = at.c + share * step.direction;
     c.head(alphas) = c.head(alphas).cwiseMax(smallest_alpha_);
@@ -281,6 +288,7 @@ bool Search::advance(Iterate& at, const Step& step) {
 /// length. Where a has a normal with its seam at the target, the normal must not turn by a right
 /// angle or lose nearly all of its length relative to that one.
 bool Search::isRegular(const Eigen::MatrixXd& x) const {
+  // As docs/nearest_joins.md states them.
   constexpr double collapsed = 1e-3, lost = 1e-6, none = 1e-6;
   const Eigen::MatrixXd target = condition_.normals(unknowns_.target, false);
   const Eigen::VectorXd length = target.rowwise().norm();
@@ -313,6 +321,9 @@ Solution Search::run(int max_iterations) {
   const auto resolved = [&](const Iterate& i, double stationarity) {
     return stationarity * moveSize(i) <= noise_ + 1e-14 * moveSize(i);
   };
+  // Above this Newton's method is still far from quadratic convergence, and a step that makes the
+  // stationarity larger is no stall. Below 1e-10 the square of it is below the rounding of a cost.
+  constexpr double far = 1e-7, stationary = 1e-10;
   int stalls = 0;
   while (free && result.iterations < max_iterations && stalls < 3) {
     if (resolved(at, now.stationarity) && at.exact) break;
@@ -321,8 +332,8 @@ Solution Search::run(int max_iterations) {
     now = step(at, now.multiplier);
     const bool closer = !at.exact || !best.exact ? at.infeasibility() <= best.infeasibility()
                                                  : now.stationarity < 0.5 * best_stationarity;
-    stalls = closer || now.stationarity > 1e-7 ? 0 : stalls + 1;
-    if (closer || now.stationarity < best_stationarity || now.stationarity > 1e-7) {
+    stalls = closer || now.stationarity > far ? 0 : stalls + 1;
+    if (closer || now.stationarity < best_stationarity || now.stationarity > far) {
       best = at;
       best_stationarity = now.stationarity;
       convex = now.convex;
@@ -332,7 +343,8 @@ Solution Search::run(int max_iterations) {
   result.x = best.x;
   result.cost = best.cost;
   result.stationarity = best_stationarity;
-  result.stationary = convex && (best_stationarity <= 1e-10 || resolved(best, best_stationarity));
+  result.stationary =
+      convex && (best_stationarity <= stationary || resolved(best, best_stationarity));
   result.exact = best.exact && hasPositiveWeights(best) && isRegular(best.x);
   return result;
 }

@@ -274,7 +274,12 @@ void Attempt::search(const ConnectionModel& model, const NetworkOptions& options
 /// False if no step decreases the cost or the unreachable part. The search has then converged if
 /// the predicted decrease was small.
 bool Attempt::improve(const ConnectionModel& model) {
+  // The documented decrease of the cost at which the search ends. Derivatives by differences have a
+  // relative error of 1e-10, so a smaller one means nothing. A search that stops before has
+  // converged if what it could still gain is invisible.
   constexpr double resolved = 1e-10, small = 1e-6;
+  // The columns of step() have length 1. The least damping leaves the Gauss-Newton step as it is;
+  // the largest one makes it a ten-thousandth of the gradient.
   constexpr double least_damping = 1e-10, most_damping = 1e4;
   const Eigen::SparseMatrix<double> a = matrix(model, y_), g = derivative(model, y_, at_.x);
   const double cost = at_.cost + unknowns_.joining;
@@ -304,6 +309,9 @@ bool Attempt::improve(const ConnectionModel& model) {
 
 /// Whether each normal of a side keeps a share of its length and turns by less than a right angle.
 bool Attempt::keepsNormals(const Member& member) const {
+  // Shares of lengths. A given normal below the first one is no normal; a component below the
+  // second one stands for an angle of nearly 90 degrees or for a collapsed row. nearestJoin() has
+  // the same limits.
   constexpr double none = 1e-6, lost = 1e-3;
   const Eigen::MatrixXd before = polesOf(unknowns_.target, member.columns);
   const Eigen::MatrixXd after = polesOf(at_.x, member.columns);
@@ -425,6 +433,7 @@ std::vector<Obstacle> worstOfEachGroup(std::vector<Obstacle> obstacles,
 
 NetworkResult nearestNetwork(const std::vector<NetworkSurface>& surfaces,
                              const std::vector<NetworkSeam>& seams, const NetworkOptions& options) {
+  // Linear gamma and alpha raise degrees, so they must be worth it: docs/theory/surfaces.md S6.2.
   constexpr double much = 0.5;
   requireNetwork(surfaces, seams, options);
   if (surfaces.empty()) return unchanged({}, {});

@@ -61,10 +61,15 @@ class IndependentRows {
 
 Projection refined(const Sparse& a, const Eigen::VectorXd& weights, const Eigen::MatrixXd& target,
                    OrderedFactors& factors) {
+  // A pass must remove a tenth of the rest. A system without dependent rows needs two or three; the
+  // shift slows those down whose singular values are near it.
   constexpr int max_passes = 20;
+  // What is left of an unsolvable system is no rounding: its rest stays near the given one. What is
+  // within a few roundings need not be solved again.
   constexpr double nearly = 1e-6, near_rounding = 4;
-  /// In rows. An orthogonal factorisation of more rows takes too long.
+  // In rows. An orthogonal factorisation of more rows takes seconds.
   constexpr Eigen::Index most_independent = 2000;
+  // Of a coordinate in a sum, on the mean of many: half of the largest rounding of one number.
   constexpr double rounding = std::numeric_limits<double>::epsilon() / 4;
   const Eigen::VectorXd reach = reachOf(weights);
   Projection result;
