@@ -10,12 +10,11 @@ namespace seamwright {
 
 /// A real polynomial p(t) = sum_i c_i B_i^n(t) on [0, 1], known up to rounding.
 ///
-/// The class stores n + 1 coefficients and one number, the padding. Each true coefficient lies
-/// within the padding of the stored one, and hence p(t) within the padding of sum_i c_i B_i^n(t),
-/// for all t in [0, 1]. A polynomial made from given doubles has padding 0. The padding of a result
-/// covers those of the operands and the rounding of the operation, in every rounding mode of IEEE
-/// doubles, denormals included, but not under -ffast-math. docs/theory/enclosures.md E1.2 bounds
-/// it.
+/// The class stores n + 1 coefficients and one number, the padding. Each true coefficient, and
+/// hence p(t) for all t, is within the padding of the stored one. Given doubles have padding 0.
+/// That of a result covers those of the operands and the rounding of the operation, in every
+/// rounding mode of IEEE doubles, denormals included, but not under -ffast-math.
+/// docs/theory/enclosures.md E1.2 bounds it.
 ///
 ///     const BernsteinPolynomial p(Eigen::Vector3d(1, -2, 1));  // 1 - 6 t + 6 t^2
 ///     const Interval range = (p * p.derivative()).range(1e-6);

@@ -65,16 +65,14 @@ FrenetFrame frenetFrame(const CurveDerivatives& derivatives, double speed_noise 
 /// \throws std::invalid_argument if the parameter or the curve there is not finite.
 FrenetFrame frenetFrame(const BezierCurve& curve, double t);
 
-/// The parameters of a Bézier curve at which the frame is lost. They are given as intervals [first,
-/// last] that certainly contain all of these parameters.
+/// Intervals [first, last] that certainly contain all parameters at which the frame is lost.
 struct CurveDegeneracies {
   struct Place {
     CurvePoint kind;
     double first, last;
   };
   std::vector<Place> places;  ///< in increasing order of the parameter
-  bool straight =
-      false;  ///< the whole curve lies on a line (or is a point), within rounding of its poles
+  bool straight = false;  ///< the curve lies on a line, or is a point, within rounding of its poles
   /// A positive lower bound of |X'| over [0, 1]; 0 if there are cusps or no bound is proved.
   double speed_lower = 0;
 };

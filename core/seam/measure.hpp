@@ -89,7 +89,7 @@ double relativeDifference(const CurvatureDifference& curvature, double flat_radi
 /// The difference divided by the largest of both changes and k^2, with k the larger of both
 /// curvature norms; 0..2. For a normal section, difference / k^2 is the jump of d(radius)/ds. 0
 /// where both changes are below 100 / R^2 with R the flat radius: within R / 100 they add less than
-/// the flat curvature 1 / R. Scaling the sides and R changes nothing.
+/// the flat curvature 1 / R.
 /// \param flat_radius_mm positive.
 double relativeChange(const CurvatureChange& change, const CurvatureDifference& curvature,
                       double flat_radius_mm);

@@ -26,7 +26,7 @@ struct SpokeFunctions {
   Eigen::VectorXd a, b;
 };
 
-/// Largest number of poles of all members together; the time grows with its cube.
+/// Of all members together; the time grows with the cube.
 constexpr int most_umbrella_poles = 1600;
 
 struct UmbrellaOptions {
@@ -45,7 +45,6 @@ struct UmbrellaOptions {
   VertexOptions vertex = {};
 };
 
-/// Members that join G1 across every spoke, and the changes of what was given.
 struct Umbrella {
   std::vector<UmbrellaMember> members;
   std::vector<BezierCurve> spokes;

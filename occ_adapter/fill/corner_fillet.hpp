@@ -82,8 +82,7 @@ struct CornerFillet {
 std::vector<int> cornerEdges(const Model& model, int vertex);
 
 /// Rounds the edges that meet at a vertex, each with its own radius, and closes the corner with
-/// patches that meet each other exactly with G1 (nSidedFill()). docs/corner_fillet.md describes the
-/// construction.
+/// patches that meet each other exactly with G1 (nSidedFill()). See docs/corner_fillet.md.
 ///
 ///     CornerFilletOptions options;
 ///     for (int edge : cornerEdges(model, 6)) options.radii_mm[edge] = 2;
@@ -100,8 +99,7 @@ std::vector<int> cornerEdges(const Model& model, int vertex);
 ///
 /// Identities (each has a test of its number):
 ///   (1) Between planes, the distance of the cylinders' axes from both is the radius.
-///   (2) A solid that is longer by h along an edge is larger by h times the cross-section with its
-///       fillet.
+///   (2) A solid longer by h along an edge is larger by h times the filleted cross-section.
 ///   (3) Rigid motion and scale move the corner likewise.
 ///
 /// \param vertex from 1, in the order of TopExp::MapShapes.

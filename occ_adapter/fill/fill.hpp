@@ -76,7 +76,7 @@ struct FillHoleReport {
   std::optional<double> largestCurvature_rel() const;
 };
 
-/// Fills a hole and sews the faces to the neighbours. docs/fill.md describes the construction.
+/// Fills a hole and sews the faces to the neighbours. See docs/fill.md.
 ///
 ///     for (const Hole& hole : findHoles(model.shape).holes) {
 ///       const FillHoleReport report = fillHole(model, hole);
@@ -101,8 +101,7 @@ struct FillHoleReport {
 ///
 /// The given model is not changed.
 /// \param hole one of findHoles() of this model.
-/// \throws std::invalid_argument for invalid options and for a hole with an edge that the model
-/// does not have; Cancelled.
+/// \throws std::invalid_argument for invalid options and unknown edges; Cancelled.
 /// Source: docs/theory/fills.md F2.1 to F2.7, F3.2, F5.1; docs/theory/enclosures.md E3.5, E5.3.
 FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOptions& options = {},
                         const Progress& progress = {});
@@ -111,8 +110,7 @@ FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOpti
 /// without a neighbour, is not replaced, with a reason. A face with numbers that are not finite can
 /// be replaced if those of its edges and neighbours are.
 /// \param face from 1, in the order of TopExp::MapShapes.
-/// \throws std::invalid_argument for invalid options and for a face that the model does not have;
-/// Cancelled.
+/// \throws std::invalid_argument for invalid options and an unknown face; Cancelled.
 FillHoleReport replaceFace(const Model& model, int face, const FillHoleOptions& options = {},
                            const Progress& progress = {});
 

@@ -120,8 +120,8 @@ struct RepairReport {
 /// The given model is not changed. Without a limit of time the result does not depend on the number
 /// of jobs.
 ///
-/// \throws std::invalid_argument for invalid options, for edges and faces that the model does not
-/// have, and for edges that are not seams; Cancelled.
+/// \throws std::invalid_argument for invalid options, unknown edges and faces, and edges that are
+/// not seams; Cancelled.
 /// Source: docs/theory/repair.md R1 to R4.
 RepairReport repair(const Model& model, const RepairOptions& options = {},
                     const Progress& progress = {});

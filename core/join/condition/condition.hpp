@@ -62,8 +62,7 @@ struct JoinConditionOptions {
 
 /// Judges the join of two ribbons over the same t. Ribbon a runs out of its patch, ribbon b into
 /// its own. The judgement uses polynomials that vanish iff the join holds, and no samples. Any pair
-/// of tensor-product patches and triangles is allowed, polynomial or rational, of any degrees up
-/// to 30.
+/// of patches and triangles is allowed, polynomial or rational.
 ///
 ///     const JoinCondition join = joinCondition(a, b);
 ///     if (join.verdict == JoinVerdict::G1 && join.g2()) ...

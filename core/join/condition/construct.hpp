@@ -20,8 +20,8 @@ struct JoinRows {
 /// The following holds for all functions below.
 ///
 /// The given ribbon runs out of its patch (Across::OutOf). The result begins at the seam and
-/// satisfies the equations of ConnectionFunctions as polynomials: exactly along the whole seam, up
-/// to rounding of the poles.
+/// satisfies the equations of ConnectionFunctions along the whole seam, up to rounding of the
+/// poles.
 ///
 ///     const BezierPatch next = continuation(ribbon, {.beta = Eigen::Vector2d(0.2, -0.2)}, 2, 5);
 ///

@@ -78,8 +78,7 @@ struct NearestJoin {
 ///       difference that are rounding.
 ///   (2) The move is orthogonal to the joins nearby, and none of these joins has a smaller move.
 ///   (3) Rigid motion and scale of both surfaces act on the result in the same way.
-///   (4) Reversal of the seam's parameter leaves the poles the same and changes the signs of beta
-///       and q.
+///   (4) Reversal of the seam's parameter only changes the signs of beta and q.
 ///   (5) Swapping the sides leaves the poles the same if alpha is constant and beta linear: then
 ///       alpha' = 1 / alpha, beta' = beta / alpha.
 ///   (6) A second call changes nothing.
@@ -87,10 +86,10 @@ struct NearestJoin {
 /// The time of a step grows with the third power of the number of spans.
 ///
 /// \throws std::invalid_argument unless both sides have the same degree and knots along the seam
-/// (scaled to 0..1); for options out of range, weights that are not positive, lists whose length is
-/// not the number of poles, invalid surfaces (see requireValid()), a side without extent across the
-/// seam, a held alpha with a coefficient that is not positive, and a matrix of more than 1.5
-/// million entries (about 220 cubic spans for G2).
+/// (scaled to 0..1); for options out of range, weights that are not positive, lists of a wrong
+/// length, invalid surfaces (see requireValid()), a side without extent across the seam, a held
+/// alpha with a coefficient that is not positive, and more than 1.5 million matrix entries (220
+/// cubic spans for G2).
 /// Source: docs/theory/surfaces.md S5.1 to S5.4, S2.5, S3.3; [GolubPereyra1973].
 NearestJoin nearestJoin(const JoinSide& a, const JoinSide& b, const NearestOptions& options = {});
 
