@@ -48,7 +48,7 @@ enum class SeamStatus {
 struct SeamJoin {
   SeamStatus status = SeamStatus::Left;
   int order = 0;  ///< of the join: the given one, or 1 if a vertex does not allow more
-  /// Of the equations of the join, relative to the largest derivative in them.
+  /// Of the equations, relative to the largest derivative in them.
   double residual = 0;
   ConnectionFunctions connection = {};  ///< of surface 1 to surface 0
   std::string why = {};  ///< why it is excluded or joins with another order; otherwise empty
@@ -61,7 +61,6 @@ enum class NetworkStatus {
   Partly,        ///< some seams are excluded or join with a lower order
 };
 
-/// The smallest move that makes the surfaces of a network join.
 struct NetworkResult {
   NetworkStatus status = NetworkStatus::Partly;
   std::vector<BSplineSurface> surfaces;
@@ -91,10 +90,9 @@ struct NetworkResult {
 ///     it, and those tied to them by opposite edges, may get degree 4 along the seams.
 ///   - boundary, which seams do not surround: no condition.
 ///
-/// What is fixed stays bitwise. Give the seams between two fixed surfaces too, because their
-/// functions determine those at the same vertices, and give smooth seams, so that they stay smooth.
-/// If equations contradict each other or the fixed poles, the seam of the largest residual is
-/// excluded, with a reason, until the rest can be solved.
+/// Give the seams between two fixed surfaces too, because their functions determine those at the
+/// same vertices, and smooth seams, so that they stay smooth. If equations contradict each other or
+/// the fixed poles, the seam of the largest residual is excluded, until the rest can be solved.
 ///
 /// Identities (each has a test of its number):
 ///   (1) encloseSeam() of each seam that joins gives a gap of 0, and an angle and for order 2 a
@@ -102,8 +100,7 @@ struct NetworkResult {
 ///   (2) The move is orthogonal to the solutions of the joins' equations. For two surfaces it is
 ///       that of nearestJoin() if both find the same connection.
 ///   (3) Rigid motion and scale of all surfaces act on the result in the same way.
-///   (4) The order of surfaces and of seams, the sides of a seam and the sense of edges do not
-///       change the result.
+///   (4) The order of surfaces and seams, the sides of a seam and senses of edges do not matter.
 ///   (5) A second call changes nothing.
 ///   (6) Poles that are fixed, and surfaces that do not move, stay bitwise.
 ///
@@ -112,8 +109,8 @@ struct NetworkResult {
 /// \throws std::invalid_argument for surfaces that are invalid or rational, lists whose length is
 /// not the number of poles, weights that are not positive, seams that name no surface, an edge that
 /// is in two seams or joined to itself, sides whose degrees or knots along the seam (scaled to
-/// 0..1) differ, held connections with coefficients that are not finite, with alpha or gamma not
-/// positive, or with e0 other than 1 or e1 or e2 other than 0, and options out of range.
+/// 0..1) differ, held connections that are not finite, or with alpha or gamma not positive, and
+/// options out of range.
 /// Source: docs/theory/surfaces.md S2.6, S5.3, S6.1 to S6.3; docs/theory/fills.md F1.2 to F1.5.
 NetworkResult nearestNetwork(const std::vector<NetworkSurface>& surfaces,
                              const std::vector<NetworkSeam>& seams,
