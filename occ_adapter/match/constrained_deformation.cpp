@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <sstream>
@@ -130,6 +132,49 @@ std::vector<Eigen::Vector2d> gridOverRows(const EdgeRows& rows, int order, int a
   return places;
 }
 
+using Height = std::function<double(const Eigen::Vector2d&)>;
+
+/// The height of the local maximum above a point: steps to higher neighbours, halved where none is.
+double heightAbove(Eigen::Vector2d at, const Eigen::AlignedBox2d& box, const Height& height) {
+  // Steps begin with a sixteenth of the box and end with 2^-12 of it. Maxima are flat: what is
+  // missed is of the order of the square.
+  constexpr int halvings = 8;
+  Eigen::Vector2d step = box.sizes() / 16;
+  double highest = height(at);
+  for (int halved = 0; halved < halvings;) {
+    const double before = highest;
+    for (const Eigen::Vector2d& direction : {Eigen::Vector2d(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
+      const Eigen::Vector2d next =
+          (at + direction.cwiseProduct(step)).cwiseMax(box.min()).cwiseMin(box.max());
+      if (const double value = height(next); value > highest) {
+        highest = value;
+        at = next;
+      }
+    }
+    if (highest > before) continue;
+    step /= 2;
+    ++halved;
+  }
+  return highest;
+}
+
+/// The largest height over the box of a grid. Weights that change make peaks between its points, by
+/// less than a quarter of what the points show; so the points near the largest are climbed from.
+double largestOver(const std::vector<Eigen::Vector2d>& grid, const Height& height) {
+  constexpr double near = 0.8;
+  std::vector<double> heights;
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector2d& at : grid) {
+    heights.push_back(height(at));
+    box.extend(at);
+  }
+  double largest = *std::ranges::max_element(heights);
+  const double least = near * largest;
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    if (heights[i] >= least) largest = std::max(largest, heightAbove(grid[i], box, height));
+  return largest;
+}
+
 }  // namespace
 
 double ratioOf(const PairMeasure& pair, int order, const ContinuityTolerance& tolerance) {
@@ -164,11 +209,10 @@ double largestMove_mm(const EdgeRows& before, const EdgeRows& after, int order) 
     }
   if (same_weights) return largest;
   constexpr int across_points = 17;
-  for (const Eigen::Vector2d& at : gridOverRows(before, order, across_points))
-    largest = std::max(
-        largest,
-        before.surface()->Value(at[0], at[1]).Distance(after.surface()->Value(at[0], at[1])));
-  return largest;
+  const auto distance = [&](const Eigen::Vector2d& at) {
+    return before.surface()->Value(at[0], at[1]).Distance(after.surface()->Value(at[0], at[1]));
+  };
+  return std::max(largest, largestOver(gridOverRows(before, order, across_points), distance));
 }
 
 MovedSurface deformed(const EdgeRows& rows, const Reference& reference,

@@ -71,9 +71,7 @@ TEST(MatchFaces, TrimmedSidesThatWouldMoveAreNotCalledHeld) {
 
 // With weights that change, points move further than poles.
 TEST(MatchFaces, NoPointMovesFurtherThanReported) {
-  // Not testSeed(): of other seeds some points of rational faces move up to 6 % further than
-  // reported (2559315817: round 17, 5.134 mm and not 5.042 mm).
-  std::mt19937 generator(41);
+  std::mt19937 generator(testSeed());
   std::uniform_real_distribution<double> weight(0.3, 3);
   for (int round = 0; round < 20; ++round) {
     TColgp_Array2OfPnt flat(1, 4, 1, 4), tilted(1, 4, 1, 4);
@@ -95,7 +93,7 @@ TEST(MatchFaces, NoPointMovesFurtherThanReported) {
       for (int l = 0; l <= 80; ++l)
         moved = std::max(
             moved, before->Value(k / 80.0, l / 80.0).Distance(after->Value(k / 80.0, l / 80.0)));
-    EXPECT_LE(moved, 1.02 * report.largest_move_mm) << "round " << round;
+    EXPECT_LE(moved, 1.0001 * report.largest_move_mm) << "round " << round;
     FaceMatchOptions options;
     options.max_move_mm = 0.9 * moved;
     const MatchReport limited = matchFaces(pair, 1, 2, options);
