@@ -24,7 +24,7 @@ towards = seamwright.BezierCurve([[55, 18, 0], [72, 45, 0], [62, 85, 0], [20, 95
 picture = Picture("One cubic continued G2 to a given end", width=640)
 picture.curve(given, color="black", label="given", comb=300)
 for beta in ([1, 0], [0.6, 0], [1.8, 0], [1, 4], [1, -4]):
-    curve = seamwright.joined_curve(given, towards, beta)
+    curve = seamwright.curve_joined(given, towards, beta)
     fit = seamwright.fit_beta(given, curve, 3)
     missed = next(k for k in range(4) if fit["lower"][k] > 0 and fit["defects"][k] > 1e-9)
     found = np.round(fit["beta"][:2], 9) + 0

@@ -36,7 +36,7 @@ picture = Picture("The smallest moves that make two curves join")
 picture.curve(a, "#888888", "given, with a kink", comb=250)
 picture.curve(b, "#888888", comb=250)
 for order, color in ((1, "#0072b2"), (2, "#009e73"), (3, "#cc79a7")):
-    join = seamwright.nearest_curve_join(a, b, order=order)
+    join = seamwright.curve_nearest_join(a, b, order=order)
     worst = max(seamwright.fit_beta(join["a"], join["b"], order)["defects"])
     exponent = max(-13, int(np.ceil(np.log10(max(worst, 1e-300)))))
     print(

@@ -18,7 +18,7 @@ points = np.array(
     [[0, 0, 0], [10, 22, 0], [26, 18, 0], [34, 2, 0], [52, 6, 0], [60, 24, 0], [78, 20, 0]],
     dtype=float,
 )
-knots = seamwright.knots_of(points, 1) / np.float64(20)
+knots = seamwright.spline_knots(points, 1) / np.float64(20)
 
 
 def from_polygon(curve):

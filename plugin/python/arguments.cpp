@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <cmath>
 
 #include <seamwright/plugin/python/arguments.hpp>
 
@@ -16,11 +19,64 @@ ContinuityTolerance profileOf(const py::object& value) {
   throw py::value_error("profile " + shown(value) + ": known are " + known);
 }
 
-double numberOf(const char* name, const py::object& value, double otherwise) {
-  return value.is_none() ? otherwise : argument<double>(name, value, "a number");
+/// The kind of numbers in an array or a number of numpy without dimensions; '-' for others.
+char singleKind(const py::handle& value) {
+  if (!py::hasattr(value, "dtype") || !py::hasattr(value, "ndim")) return '-';
+  if (py::cast<int>(value.attr("ndim")) != 0) return '-';
+  return py::cast<std::string>(value.attr("dtype").attr("kind")).front();
 }
 
 }  // namespace
+
+bool isFlag(const py::handle& value) {
+  return PyBool_Check(value.ptr()) || singleKind(value) == 'b';
+}
+
+bool isNumber(const py::handle& value) {
+  if (isFlag(value)) return false;
+  if (PyFloat_Check(value.ptr()) || PyLong_Check(value.ptr())) return true;
+  return std::string("iuf").find(singleKind(value)) != std::string::npos;
+}
+
+double parameter(const char* name, const py::object& value) {
+  const double number = numberOf(name, value);
+  if (!std::isfinite(number))
+    throw py::value_error(std::string(name) + " is " + shown(py::float_(number)) +
+                          ": it must be finite");
+  return number;
+}
+
+std::optional<double> optionalNumber(const char* name, const py::object& value) {
+  if (value.is_none()) return std::nullopt;
+  return numberOf(name, value);
+}
+
+std::optional<int> optionalWhole(const char* name, const py::object& value) {
+  if (value.is_none()) return std::nullopt;
+  return wholeNumber(name, value);
+}
+
+std::vector<double> listOf(const char* name, const py::object& value) {
+  return argument<std::vector<double>>(name, value, "a sequence of numbers");
+}
+
+Eigen::Vector3d vectorOf(const char* name, const py::object& value) {
+  constexpr const char* kind = "a sequence of three numbers";
+  const auto numbers = argument<std::vector<double>>(name, value, kind);
+  if (numbers.size() != 3)
+    throw py::value_error(std::string(name) + " is " + shown(value) + ": " + kind + " is needed");
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+std::filesystem::path pathOf(const char* name, const py::object& value) {
+  try {
+    return value.cast<std::filesystem::path>();
+  } catch (const py::cast_error&) {
+    PyErr_Clear();
+    throw py::type_error(std::string(name) + " is " + shown(value) +
+                         ": the name of a file is needed");
+  }
+}
 
 Eigen::VectorXd numbersOf(const std::string& name, const py::object& value) {
   const auto numbers = argument<std::vector<double>>(name.c_str(), value, "a sequence of numbers");
@@ -29,23 +85,22 @@ Eigen::VectorXd numbersOf(const std::string& name, const py::object& value) {
 }
 
 bool isReal(const py::handle& value) {
-  if (PyBool_Check(value.ptr()) || PyComplex_Check(value.ptr()) || PyUnicode_Check(value.ptr()))
-    return false;
-  if (!py::hasattr(value, "dtype")) return true;
-  const auto kind = py::cast<std::string>(value.attr("dtype").attr("kind"));
-  return std::string("iuf").find(kind) != std::string::npos &&
-         py::cast<int>(value.attr("ndim")) == 0;
+  if (isFlag(value) || PyComplex_Check(value.ptr()) || PyUnicode_Check(value.ptr())) return false;
+  return !py::hasattr(value, "dtype") || isNumber(value);
 }
 
 ContinuityTolerance toleranceOf(const ToleranceArguments& given) {
   const ContinuityTolerance usual = profileOf(given.profile);
-  return {numberOf("gap_mm", given.gap_mm, usual.gap_mm),
+  const auto number = [](const char* name, const py::object& value, double otherwise) {
+    return optionalNumber(name, value).value_or(otherwise);
+  };
+  return {number("gap_mm", given.gap_mm, usual.gap_mm),
           radians_per_degree *
-              numberOf("angle_deg", given.angle_deg, usual.angle_rad / radians_per_degree),
-          numberOf("curvature_rel", given.curvature_rel, usual.curvature_rel),
-          numberOf("flat_radius_mm", given.flat_radius_mm, usual.flat_radius_mm),
+              number("angle_deg", given.angle_deg, usual.angle_rad / radians_per_degree),
+          number("curvature_rel", given.curvature_rel, usual.curvature_rel),
+          number("flat_radius_mm", given.flat_radius_mm, usual.flat_radius_mm),
           radians_per_degree *
-              numberOf("crease_deg", given.crease_deg, usual.crease_rad / radians_per_degree)};
+              number("crease_deg", given.crease_deg, usual.crease_rad / radians_per_degree)};
 }
 
 Level levelOf(const py::object& value) {
@@ -54,7 +109,7 @@ Level levelOf(const py::object& value) {
   throw py::value_error("level " + shown(value) + ": known are G0, G1, G2 and G3");
 }
 
-int orderOf(const py::object& target) {
+int targetOrder(const py::object& target) {
   const auto name = argument<std::string>("target", target, "a name");
   if (name == "G1") return 1;
   if (name == "G2") return 2;
@@ -62,9 +117,9 @@ int orderOf(const py::object& target) {
 }
 
 bool flagOf(const char* name, const py::object& value) {
-  if (!PyBool_Check(value.ptr()))
+  if (!isFlag(value))
     throw py::value_error(std::string(name) + " is " + shown(value) + ": True or False is needed");
-  return value.cast<bool>();
+  return PyObject_IsTrue(value.ptr()) == 1;
 }
 
 std::vector<int> wholeNumbers(const char* name, const py::object& value) {
@@ -82,7 +137,7 @@ std::vector<int> wholeNumbers(const char* name, const py::object& value) {
 
 std::vector<double> each(const char* name, const py::object& value, Eigen::Index count) {
   constexpr const char* kind = "a number or a sequence of numbers";
-  if (py::isinstance<py::float_>(value) || py::isinstance<py::int_>(value))
+  if (isNumber(value))
     return std::vector<double>(static_cast<std::size_t>(count),
                                argument<double>(name, value, kind));
   return argument<std::vector<double>>(name, value, kind);

@@ -4,7 +4,8 @@
 #include <pybind11/pybind11.h>
 
 #include <Eigen/Core>
-#include <cmath>
+#include <filesystem>
+#include <optional>
 #include <seamwright/core/angle.hpp>
 #include <seamwright/core/seam/judge.hpp>
 #include <string>
@@ -19,9 +20,15 @@ inline std::string shown(const py::object& value) {
   return py::cast<std::string>(py::repr(value));
 }
 
-/// Whether the value is a real number: not complex, not a boolean, not text, not an array of one or
-/// more dimensions.
+/// Whether the value may be a real number: not complex, not a boolean, not text, not an array of
+/// one or more dimensions.
 bool isReal(const py::handle& value);
+
+/// Whether the value is True or False, also of numpy.
+bool isFlag(const py::handle& value);
+
+/// Whether the value is a number of Python or numpy, or an array of numbers without dimensions.
+bool isNumber(const py::handle& value);
 
 /// The value of a keyword; ValueError with name and value if it has another type. Other numbers are
 /// not converted to integers. Booleans and complex numbers are not converted to real numbers or
@@ -31,7 +38,7 @@ T argument(const char* name, const py::object& value, const char* kind) {
   const auto refuse = [&] {
     throw py::value_error(std::string(name) + " is " + shown(value) + ": " + kind + " is needed");
   };
-  if (PyBool_Check(value.ptr())) refuse();
+  if (isFlag(value)) refuse();
   if constexpr (std::is_floating_point_v<T>)
     if (!isReal(value)) refuse();
   if constexpr (std::is_same_v<T, std::vector<double>>) {
@@ -55,8 +62,27 @@ T argument(const char* name, const py::object& value, const char* kind) {
   }
 }
 
+inline double numberOf(const char* name, const py::object& value) {
+  return argument<double>(name, value, "a number");
+}
+
+inline int wholeNumber(const char* name, const py::object& value) {
+  return argument<int>(name, value, "a whole number");
+}
+
+/// A finite number.
+double parameter(const char* name, const py::object& value);
+
+/// Nothing for None.
+std::optional<double> optionalNumber(const char* name, const py::object& value);
+std::optional<int> optionalWhole(const char* name, const py::object& value);
+
 /// The numbers of a sequence.
 Eigen::VectorXd numbersOf(const std::string& name, const py::object& value);
+std::vector<double> listOf(const char* name, const py::object& value);
+
+/// Three numbers.
+Eigen::Vector3d vectorOf(const char* name, const py::object& value);
 
 /// A single number repeated \p count times, or the numbers of a sequence of any length.
 std::vector<double> each(const char* name, const py::object& value, Eigen::Index count);
@@ -67,12 +93,17 @@ bool flagOf(const char* name, const py::object& value);
 /// The numbers of a sequence of integers.
 std::vector<int> wholeNumbers(const char* name, const py::object& value);
 
-/// The parameter of an evaluation; ValueError if it is not finite.
-inline double parameter(const char* name, double value) {
-  if (!std::isfinite(value))
-    throw py::value_error(std::string(name) + " is " + shown(py::float_(value)) +
-                          ": it must be finite");
-  return value;
+/// The name of a file; TypeError for anything else.
+std::filesystem::path pathOf(const char* name, const py::object& value);
+
+/// An object of a bound class; TypeError, which names the argument, for anything else.
+/// \param kind "a BezierCurve"
+template <class Type>
+const Type& objectOf(const std::string& name, const py::handle& value, const char* kind) {
+  if (!py::isinstance<Type>(value))
+    throw py::type_error(name + " is " + shown(py::reinterpret_borrow<py::object>(value)) + ": " +
+                         kind + " is needed");
+  return value.cast<const Type&>();
 }
 
 /// Tolerances as keywords: each is a number, or None for the profile's.
@@ -95,6 +126,6 @@ ContinuityTolerance toleranceOf(const ToleranceArguments& arguments);
 Level levelOf(const py::object& value);
 
 /// The order of contact of the keyword target: 1 for "G1", 2 for "G2".
-int orderOf(const py::object& target);
+int targetOrder(const py::object& target);
 
 }  // namespace seamwright::python

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pybind11/stl.h>
-#include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
 #include <map>
@@ -68,13 +67,13 @@ CornerFilletResult cornerFillet(const occ::Model& model, const py::object& verte
   occ::CornerFilletOptions options;
   options.radii_mm = lengths("radii_mm", radii_mm, edges);
   if (!setbacks_mm.is_none()) options.setbacks_mm = lengths("setbacks_mm", setbacks_mm, edges);
-  options.section_mm = argument<double>("section_mm", section_mm, "a number");
+  options.section_mm = numberOf("section_mm", section_mm);
   const py::none profiles_own;
   options.tolerance =
       toleranceOf({profile, gap_mm, angle_deg, profiles_own, profiles_own, profiles_own});
   options.tolerance.crease_rad =
       std::max(options.tolerance.crease_rad, options.tolerance.angle_rad);
-  options.jobs = argument<int>("jobs", jobs, "a whole number");
+  options.jobs = wholeNumber("jobs", jobs);
   const int number = argument<int>("vertex", vertex, "the number of a vertex");
   return valueErrors([&] {
     return longCall(progress, [&](const occ::Progress& report) {
@@ -98,9 +97,9 @@ std::string toTable(const CornerFilletResult& result) {
   return report::toTable(result.fillet, memory, std::nullopt);
 }
 
-py::dict writeRounded(const CornerFilletResult& result, const std::filesystem::path& path,
-                      bool overwrite, bool overwrite_source, const py::object& keep_anyway,
-                      const py::object& progress) {
+py::object writeRounded(const CornerFilletResult& result, const py::object& path,
+                        const py::object& overwrite, const py::object& overwrite_source,
+                        const py::object& keep_anyway, const py::object& progress) {
   if (!result.fillet.met() && !flagOf("keep_anyway", keep_anyway))
     throw py::value_error("the corner falls short and is not written without keep_anyway=True: " +
                           result.fillet.shortfall);
@@ -110,24 +109,27 @@ py::dict writeRounded(const CornerFilletResult& result, const std::filesystem::p
     return judge(result.fillet.model, {});
   }();
   return writeResult({result.fillet.model, false, {judge, memory}},
-                     {path, overwrite, overwrite_source}, progress);
+                     {path, overwrite, overwrite_source, progress});
 }
 
 constexpr const char* corner_fillet_doc =
-    R"(Rounds the edges that meet at a vertex, each with a radius of its own, and closes the corner with G1 patches.
+    R"(Rounds the edges that meet at a vertex, each with a radius of its own, and closes the
+corner with G1 patches.
 
-vertex: its number, from 1; corner_edges(vertex) names the edges, counter-clockwise seen from outside.
+vertex: its number, from 1; corner_edges(vertex) names the edges, counter-clockwise seen from
+outside.
 radii_mm: a number for all edges, or a dict of numbers by edge, all edges of the vertex.
-setbacks_mm: where the fillets end, from the vertex along the edge; a number, or a dict of some edges; 0 and the others are chosen.
+setbacks_mm: where the fillets end, from the vertex along the edge; a number, or a dict of some
+edges; 0 and the others are chosen.
 section_mm: the largest distance of the patches' sides from the cylinders between planes.
 profile, gap_mm, angle_deg: what the new seams must meet, as in analyze().
 
-Returns a CornerFillet; the model is not changed. It has a model also where met is False, which write() writes with keep_anyway alone. Supported are 3 to 6 edges, convex or concave, of a solid, between planes or curved
-faces that are not tangent to each other. ValueError, with numbers, for others, and where there is no room.)";
+Returns a CornerFillet; the model is not changed. It has a model also where met is False, which
+write() writes with keep_anyway alone. Supported are 3 to 6 edges, convex or concave, of a solid,
+between planes or curved faces that are not tangent to each other. ValueError, with numbers, for
+others, and where there is no room.)";
 
-}  // namespace
-
-void bindCornerFillet(py::module_& module) {
+void bindCornerResult(py::module_& module) {
   const std::string write_corner_doc =
       std::string(write_result_doc) +
       " ValueError for a corner that is not met, unless keep_anyway.";
@@ -159,14 +161,20 @@ void bindCornerFillet(py::module_& module) {
       .def(
           "to_table", [](const CornerFilletResult& result) { return readable(toTable(result)); },
           "The report as text for people.")
-      .def("write", &writeRounded, py::arg("path"), py::kw_only(), py::arg("overwrite") = false,
-           py::arg("overwrite_source") = false, py::arg("keep_anyway") = false,
-           py::arg("progress") = py::none(), write_corner_doc.c_str())
+      .def("write", &writeRounded, write_corner_doc.c_str(), py::arg("path"), py::kw_only(),
+           py::arg("overwrite") = false, py::arg("overwrite_source") = false,
+           py::arg("keep_anyway") = false, py::arg("progress") = py::none())
       .def("__repr__", [](const CornerFilletResult& result) {
         return "<CornerFillet of " + std::to_string(result.fillet.edges.size()) +
                " edges: " + (result.fillet.met() ? "met" : "not met, " + result.fillet.shortfall) +
                ">";
       });
+}
+
+}  // namespace
+
+void bindCornerFillet(py::module_& module) {
+  bindCornerResult(module);
   py::class_<occ::Model> model(module.attr("Model"));
   model.def("corner_edges", &cornerEdges, py::arg("vertex"),
             "Numbers of the edges at a vertex, counter-clockwise seen from outside. ValueError as "

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pybind11/stl.h>
-#include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
 #include <numbers>
@@ -9,6 +8,7 @@
 #include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
 #include <seamwright/plugin/python/model_calls.hpp>
+#include <seamwright/plugin/python/results.hpp>
 #include <seamwright/plugin/report/fill_json.hpp>
 #include <seamwright/plugin/report/json.hpp>
 
@@ -29,16 +29,15 @@ std::vector<occ::Hole> holesOf(const occ::Model& model, double corner_rad, doubl
   return occ::findHoles(model.shape, {corner_rad, gap_mm}).holes;
 }
 
-py::object holes(const occ::Model& model, const py::object& corner_deg, const py::object& gap_mm) {
+py::list holes(const occ::Model& model, const py::object& corner_deg, const py::object& gap_mm) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  for (const occ::Hole& hole :
-       holesOf(model, radians_per_degree * argument<double>("corner_deg", corner_deg, "a number"),
-               argument<double>("gap_mm", gap_mm, "a number")))
+  const double corner_rad = radians_per_degree * numberOf("corner_deg", corner_deg);
+  for (const occ::Hole& hole : holesOf(model, corner_rad, numberOf("gap_mm", gap_mm)))
     all.push_back(report::toJson(hole));
-  return plainObject(all);
+  return resultsOf("Hole", plainObject(all));
 }
 
-Level levelOf(const py::object& target) {
+Level targetLevel(const py::object& target) {
   const std::optional<Level> level =
       levelFromName(argument<std::string>("target", target, "a text"));
   if (!level)
@@ -46,15 +45,16 @@ Level levelOf(const py::object& target) {
   return *level;
 }
 
-occ::Hole holeOf(const occ::Model& model, const py::object& number,
+/// A hole by its id, or one of the Holes that holes() returned.
+occ::Hole holeOf(const occ::Model& model, const py::object& given,
                  const occ::FillHoleOptions& options) {
+  const py::object number = itemOrSelf(given, "id");
   const std::vector<occ::Hole> all = holesOf(model, options.corner_rad, options.tolerance.gap_mm);
   if (number.is_none() && all.size() == 1) return all.front();
   if (number.is_none())
     throw py::value_error("hole is None and the model has " + std::to_string(all.size()) +
                           " holes: name one of them, or a face");
-  const auto hole =
-      std::ranges::find(all, argument<int>("hole", number, "a whole number"), &occ::Hole::id);
+  const auto hole = std::ranges::find(all, wholeNumber("hole", number), &occ::Hole::id);
   if (hole == all.end())
     throw py::value_error("hole is " + shown(number) + ": the model has " +
                           std::to_string(all.size()));
@@ -67,18 +67,18 @@ FillReport fillModel(const occ::Model& model, const py::object& hole, const py::
                      const py::object& corner_deg, const py::object& keep_anyway,
                      const py::object& jobs, const py::object& progress) {
   occ::FillHoleOptions options;
-  options.target = levelOf(target);
-  options.tolerance.gap_mm = argument<double>("gap_mm", gap_mm, "a number");
-  options.setAngle(radians_per_degree * argument<double>("angle_deg", angle_deg, "a number"));
-  options.tolerance.curvature_rel = argument<double>("curvature_rel", curvature_rel, "a number");
-  options.corner_rad = radians_per_degree * argument<double>("corner_deg", corner_deg, "a number");
+  options.target = targetLevel(target);
+  options.tolerance.gap_mm = numberOf("gap_mm", gap_mm);
+  options.setAngle(radians_per_degree * numberOf("angle_deg", angle_deg));
+  options.tolerance.curvature_rel = numberOf("curvature_rel", curvature_rel);
+  options.corner_rad = radians_per_degree * numberOf("corner_deg", corner_deg);
   options.keep_anyway = flagOf("keep_anyway", keep_anyway);
-  options.jobs = argument<int>("jobs", jobs, "a whole number");
+  options.jobs = wholeNumber("jobs", jobs);
   options.validate();
   if (!hole.is_none() && !face.is_none())
     throw py::value_error("hole and face are both given: name one of them");
   if (!face.is_none()) {
-    const int number = argument<int>("face", face, "a whole number");
+    const int number = wholeNumber("face", face);
     return longCall(progress, [&](const occ::Progress& report) {
       return FillReport{occ::replaceFace(model, number, options, report), options,
                         occ::factsOf(model)};
@@ -94,8 +94,8 @@ py::object fillReportDict(const FillReport& fill) {
   return plainObject(fill.json());
 }
 
-py::dict writeFilled(const FillReport& fill, const std::filesystem::path& path, bool overwrite,
-                     bool overwrite_source, const py::object& progress) {
+py::object writeFilled(const FillReport& fill, const py::object& path, const py::object& overwrite,
+                       const py::object& overwrite_source, const py::object& progress) {
   const report::Judge judge = report::judgeOf(fill.report, fill.options);
   const report::ModelCounts memory = [&] {
     const py::gil_scoped_release release;
@@ -103,14 +103,18 @@ py::dict writeFilled(const FillReport& fill, const std::filesystem::path& path, 
                               : judge(fill.report.model, {});
   }();
   return writeResult({fill.report.model, !fill.report.filled, {judge, memory}},
-                     {path, overwrite, overwrite_source}, progress);
+                     {path, overwrite, overwrite_source, progress});
 }
 
-}  // namespace
+/// A property that reads a figure of the JSON.
+auto figureNamed(const char* key) {
+  return [=](const FillReport& fill) { return py::object(fillReportDict(fill)[key]); };
+}
 
-void bindHole(py::module_& module) {
-  py::class_<FillReport>(module, "FillReport", py::module_local(), "What came of Model.fill().")
-      .def_property_readonly(
+using FillClass = py::class_<FillReport>;
+
+void bindFillOutcome(FillClass& type) {
+  type.def_property_readonly(
           "model", [](const FillReport& fill) { return fill.report.model; },
           "The model with the fill, or as it was.")
       .def_property_readonly(
@@ -124,33 +128,27 @@ void bindHole(py::module_& module) {
           "Why the target is not reached; empty if it is.")
       .def_property_readonly(
           "reason_code", [](const FillReport& fill) { return codeOf(fill.report.reason.fault); },
-          "The code of the reason, see docs/fill.md; empty if the target is reached.")
-      .def_property_readonly(
-          "largest_angle_deg",
-          [](const FillReport& fill) {
-            return py::object(fillReportDict(fill)["largest_angle_deg"]);
-          },
-          "Bound of the angle over all new seams; None: not known.")
-      .def_property_readonly(
-          "largest_gap_mm",
-          [](const FillReport& fill) { return py::object(fillReportDict(fill)["largest_gap_mm"]); },
-          "Bound of the gap over all new seams; None: not known.")
-      .def_property_readonly(
-          "largest_curvature_rel",
-          [](const FillReport& fill) {
-            return py::object(fillReportDict(fill)["largest_curvature_rel"]);
-          },
-          "Bound of the relative difference of curvature over all new seams; None: not known.")
+          "The code of the reason, see docs/fill.md; empty if the target is reached.");
+}
+
+void bindFillFigures(FillClass& type) {
+  type.def_property_readonly("largest_angle_deg", figureNamed("largest_angle_deg"),
+                             "Bound of the angle over all new seams; None: not known.")
+      .def_property_readonly("largest_gap_mm", figureNamed("largest_gap_mm"),
+                             "Bound of the gap over all new seams; None: not known.")
+      .def_property_readonly("largest_curvature_rel", figureNamed("largest_curvature_rel"),
+                             "Bound of the relative difference of curvature over all new seams; "
+                             "None: not known.")
       .def_property_readonly(
           "curvature_jump_per_mm",
           [](const FillReport& fill) { return fill.report.curvature_jump_per_mm; },
           "The largest jump of normal curvature as the fill was built, against neighbours as they "
-          "were "
-          "fitted, "
-          "at places along the seams; None where it was not made small: with the target G0, with "
-          "G1 in high "
-          "degrees.")
-      .def("to_dict", &fillReportDict,
+          "were fitted, at parameters along the seams; None where it was not made small: with the "
+          "target G0, with G1 in high degrees.");
+}
+
+void bindFillTexts(FillClass& type) {
+  type.def("to_dict", &fillReportDict,
            "All but the model as a plain dict with the keys of the JSON.")
       .def(
           "to_json", [](const FillReport& fill) { return report::toLine(fill.json()); },
@@ -161,40 +159,50 @@ void bindHole(py::module_& module) {
             return readable(report::toTable(fill.report, fill.options));
           },
           "The report as text for people.")
-      .def("write", &writeFilled, py::arg("path"), py::kw_only(), py::arg("overwrite") = false,
-           py::arg("overwrite_source") = false, py::arg("progress") = py::none(), write_result_doc)
+      .def("write", &writeFilled, write_result_doc, py::arg("path"), py::kw_only(),
+           py::arg("overwrite") = false, py::arg("overwrite_source") = false,
+           py::arg("progress") = py::none())
       .def("__repr__", [](const FillReport& fill) {
         return "<FillReport: " + std::string(fill.report.filled ? "filled" : "not filled") + ", " +
                (fill.report.reached ? "reached" : "not reached") + ">";
       });
+}
+
+constexpr const char* holes_doc =
+    R"(The closed loops of free edges: a list of Holes. The boundary of an open shell is one of
+them, mostly the longest.
+
+corner_deg: sides end where the tangent turns by more. gap_mm: ends of edges nearer than this are
+one.)";
+
+constexpr const char* fill_doc =
+    R"(Fills a hole of 3 to 12 sides with as many spline faces, tangent to its surroundings: a
+FillReport.
+
+The faces are sewn in and every new seam is measured. The model is not changed.
+
+hole: a Hole of holes() or its id; None: the only one. face: number of a face, from 1, that is
+taken out and replaced. target: 'G0', 'G1' or 'G2', and tolerances: what every new seam has to
+reach for the fill to be kept. corner_deg: as in holes(). keep_anyway: keep it if it misses that.
+jobs and progress as in analyze(). ValueError for bad arguments, with name and value.)";
+
+}  // namespace
+
+void bindHole(py::module_& module) {
+  FillClass type(module, "FillReport", py::module_local(), "What came of Model.fill().");
+  bindFillOutcome(type);
+  bindFillFigures(type);
+  bindFillTexts(type);
   const occ::FillHoleOptions defaults;
   py::class_<occ::Model> model(module.attr("Model"));
-  model.def("holes", &holes, py::kw_only(), py::arg("corner_deg") = 15.0,
-            py::arg("gap_mm") = defaults.tolerance.gap_mm,
-            "The closed loops of free edges: a list of dicts {id, length_mm, centre_mm, "
-            "has_corners, longest, "
-            "sides}. The rim "
-            "of an open shell is one of them, mostly the longest.\n\n"
-            "corner_deg: sides end where the tangent turns by more. gap_mm: ends of edges nearer "
-            "than this are "
-            "one.");
-  model.def("fill", &fillModel, py::kw_only(), py::arg("hole") = py::none(),
+  model.def("holes", &holes, holes_doc, py::kw_only(), py::arg("corner_deg") = 15.0,
+            py::arg("gap_mm") = defaults.tolerance.gap_mm);
+  model.def("fill", &fillModel, fill_doc, py::kw_only(), py::arg("hole") = py::none(),
             py::arg("face") = py::none(), py::arg("target") = "G1",
             py::arg("gap_mm") = defaults.tolerance.gap_mm, py::arg("angle_deg") = 0.01,
             py::arg("curvature_rel") = defaults.tolerance.curvature_rel,
             py::arg("corner_deg") = 15.0, py::arg("keep_anyway") = false, py::arg("jobs") = 0,
-            py::arg("progress") = py::none(),
-            "Fills a hole of 3 to 12 sides with as many spline faces, tangent to its surroundings, "
-            "sews them "
-            "in and measures "
-            "every new seam. Returns a FillReport; the model is not changed.\n\n"
-            "hole: its id in holes(); None: the only one. face: number of a face, from 1, that is "
-            "taken out "
-            "and replaced. "
-            "target: 'G0', 'G1' or 'G2', and tolerances: what every new seam has to reach for the "
-            "fill to be "
-            "kept. keep_anyway: "
-            "keep it if it misses that. jobs: threads; 0: one for each processor.");
+            py::arg("progress") = py::none());
 }
 
 }  // namespace seamwright::python

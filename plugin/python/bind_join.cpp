@@ -3,6 +3,9 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <array>
+#include <iterator>
 #include <optional>
 #include <seamwright/core/bezier/homogeneous.hpp>
 #include <seamwright/core/join/condition/condition.hpp>
@@ -11,6 +14,7 @@
 #include <seamwright/plugin/python/bindings.hpp>
 #include <seamwright/plugin/python/edges.hpp>
 #include <seamwright/plugin/python/poles.hpp>
+#include <seamwright/plugin/python/results.hpp>
 #include <string>
 #include <vector>
 
@@ -19,7 +23,7 @@ namespace seamwright::python {
 namespace {
 
 using Function = Eigen::VectorXd ConnectionFunctions::*;
-constexpr std::pair<const char*, Function> functions[] = {
+constexpr std::pair<const char*, Function> connection_functions[] = {
     {"alpha", &ConnectionFunctions::alpha}, {"beta", &ConnectionFunctions::beta},
     {"p", &ConnectionFunctions::p},         {"q", &ConnectionFunctions::q},
     {"e0", &ConnectionFunctions::e0},       {"e1", &ConnectionFunctions::e1},
@@ -28,60 +32,61 @@ constexpr std::pair<const char*, Function> functions[] = {
 /// Bernstein coefficients, from one number or a sequence.
 Eigen::VectorXd functionOf(const char* name, const py::object& value) {
   constexpr const char* kind = "a number or a sequence of Bernstein coefficients";
-  if (py::isinstance<py::float_>(value) || py::isinstance<py::int_>(value))
-    return Eigen::VectorXd::Constant(1, argument<double>(name, value, kind));
+  if (isNumber(value)) return Eigen::VectorXd::Constant(1, argument<double>(name, value, kind));
   const auto values = argument<std::vector<double>>(name, value, kind);
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-/// The connection from keywords or a dict; other keys are ignored.
-ConnectionFunctions connectionOf(const py::dict& keywords) {
+/// The functions of a dict.
+ConnectionFunctions connectionOf(const py::dict& items) {
   ConnectionFunctions connection;
-  for (const auto& [name, function] : functions)
-    if (keywords.contains(name))
-      connection.*function = functionOf(name, py::object(keywords[name]));
+  for (const auto& [name, function] : connection_functions)
+    if (items.contains(name)) connection.*function = functionOf(name, py::object(items[name]));
   return connection;
 }
 
-/// \param others further keys that are allowed.
-void requireKnown(const py::dict& keywords, std::initializer_list<const char*> others) {
-  for (const auto& [key, value] : keywords) {
-    const auto name = py::cast<std::string>(key);
-    bool known = false;
-    for (const auto& [function_name, function] : functions) known |= name == function_name;
-    for (const char* other : others) known |= name == other;
-    if (!known) throw py::type_error("unknown argument '" + name + "'");
+void requireFunctions(const py::dict& items) {
+  for (const auto& [key, value] : items) {
+    const auto name = py::cast<std::string>(py::str(key));
+    const auto known = [&](const auto& function) { return name == function.first; };
+    if (std::ranges::none_of(connection_functions, known))
+      throw py::type_error("unknown argument '" + name + "'");
   }
 }
 
-/// The connection from a dict that may contain only functions.
+/// The connection of a dict of functions, or of a result that has one. Results hold other items
+/// too.
 ConnectionFunctions givenConnectionOf(const char* name, const py::object& value) {
-  if (!py::isinstance<py::dict>(value))
+  const py::object given = itemOrSelf(value, "connection");
+  if (!py::isinstance<py::dict>(given))
     throw py::value_error(std::string(name) + " is " + shown(value) +
-                          ": a dict of functions is needed");
-  const py::dict functions_of = value.cast<py::dict>();
-  requireKnown(functions_of, {});
-  return connectionOf(functions_of);
+                          ": a dict of functions, or a result that has them, is needed");
+  const auto items = py::reinterpret_borrow<py::dict>(given);
+  const bool is_result = itemOrSelf(given, "alpha").ptr() != given.ptr();
+  if (!is_result) requireFunctions(items);
+  return connectionOf(items);
 }
 
-py::object keyword(const py::dict& keywords, const char* name) {
-  return keywords.contains(name) ? py::object(keywords[name]) : py::object(py::none());
-}
+/// The arguments that every construction of a join has.
+struct FunctionArguments {
+  std::array<py::object, std::size(connection_functions)>
+      values;  ///< in the order of functions; None: not given
+  py::object connection;
+};
 
-std::optional<int> optionalWhole(const char* name, const py::object& value) {
-  if (value.is_none()) return std::nullopt;
-  return argument<int>(name, value, "a whole number");
+/// The functions of the argument connection, replaced by those that are given one by one.
+ConnectionFunctions connectionFrom(const FunctionArguments& given) {
+  ConnectionFunctions connection;
+  if (!given.connection.is_none()) connection = givenConnectionOf("connection", given.connection);
+  for (std::size_t i = 0; i < std::size(connection_functions); ++i)
+    if (!given.values[i].is_none())
+      connection.*connection_functions[i].second =
+          functionOf(connection_functions[i].first, given.values[i]);
+  return connection;
 }
 
 std::optional<double> optionalTolerance(const py::object& value) {
-  if (value.is_none()) return std::nullopt;
-  return argument<double>("tolerance", value, "a number");
-}
-
-bool isReversed(const py::object& value) {
-  if (!PyBool_Check(value.ptr()))
-    throw py::value_error("reversed is " + shown(value) + ": True or False is needed");
-  return value.cast<bool>();
+  return optionalNumber("tolerance", value);
 }
 
 /// The ribbon of a BezierPatch or a BezierTriangle.
@@ -97,21 +102,27 @@ Ribbon ribbonOf(const char* name, const py::object& surface, const char* edge_na
                         ": a BezierPatch or a BezierTriangle is needed");
 }
 
-Ribbon givenOf(const py::object& surface, const py::object& edge, const py::dict& keywords) {
-  const bool reversed = keywords.contains("reversed") && isReversed(keyword(keywords, "reversed"));
-  return ribbonOf("surface", surface, "edge", edge, reversed, Across::OutOf);
+Ribbon givenOf(const py::object& surface, const py::object& edge, const py::object& reversed) {
+  return ribbonOf("surface", surface, "edge", edge, flagOf("reversed", reversed), Across::OutOf);
 }
 
+/// The rows of a tensor-product patch that joins a ribbon.
 struct TensorArguments {
-  int order = 1, degree_across = 1;
-  std::optional<int> degree;
+  const py::object& order;
+  const py::object& degree_across;
+  const py::object& degree;
 };
 
-TensorArguments tensorArguments(const py::dict& keywords, const Ribbon& given) {
-  const int order = optionalWhole("order", keyword(keywords, "order")).value_or(1);
-  const int across = optionalWhole("degree_across", keyword(keywords, "degree_across"))
-                         .value_or(std::max(order, given.degree_across));
-  return {order, across, optionalWhole("degree", keyword(keywords, "degree"))};
+struct TensorDegrees {
+  int order, across;
+  std::optional<int> along;
+};
+
+TensorDegrees degreesOf(const TensorArguments& given, const Ribbon& ribbon) {
+  const int order = optionalWhole("order", given.order).value_or(1);
+  const int across = optionalWhole("degree_across", given.degree_across)
+                         .value_or(std::max(order, ribbon.degree_across));
+  return {order, across, optionalWhole("degree", given.degree)};
 }
 
 py::tuple arraysOf(const std::vector<HomogeneousPoles>& rows) {
@@ -127,48 +138,71 @@ py::tuple arraysOf(const std::vector<HomogeneousPoles>& rows) {
   return py::make_tuple(poles, weights);
 }
 
-py::tuple ribbonRowsOf(const py::object& surface, const py::object& edge,
-                       const py::kwargs& keywords) {
-  requireKnown(keywords, {"order", "degree_across", "degree", "reversed"});
-  const Ribbon given = givenOf(surface, edge, keywords);
-  const TensorArguments a = tensorArguments(keywords, given);
-  return arraysOf(
-      tensorRows(given, connectionOf(keywords), a.order, a.degree_across, a.degree).rows);
+py::tuple ribbonRowsOf(const py::object& surface, const py::object& edge, const py::object& alpha,
+                       const py::object& beta, const py::object& p, const py::object& q,
+                       const py::object& e0, const py::object& e1, const py::object& e2,
+                       const py::object& connection, const py::object& order,
+                       const py::object& degree_across, const py::object& degree,
+                       const py::object& reversed) {
+  const Ribbon given = givenOf(surface, edge, reversed);
+  const TensorDegrees d = degreesOf({order, degree_across, degree}, given);
+  const ConnectionFunctions functions_of =
+      connectionFrom({{alpha, beta, p, q, e0, e1, e2}, connection});
+  return arraysOf(tensorRows(given, functions_of, d.order, d.across, d.along).rows);
 }
 
 BezierPatch continuationOf(const py::object& surface, const py::object& edge,
-                           const py::kwargs& keywords) {
-  requireKnown(keywords, {"order", "degree_across", "degree", "reversed"});
-  const Ribbon given = givenOf(surface, edge, keywords);
-  const TensorArguments a = tensorArguments(keywords, given);
-  return continuation(given, connectionOf(keywords), a.order, a.degree_across, a.degree);
+                           const py::object& alpha, const py::object& beta, const py::object& p,
+                           const py::object& q, const py::object& e0, const py::object& e1,
+                           const py::object& e2, const py::object& connection,
+                           const py::object& order, const py::object& degree_across,
+                           const py::object& degree, const py::object& reversed) {
+  const Ribbon given = givenOf(surface, edge, reversed);
+  const TensorDegrees d = degreesOf({order, degree_across, degree}, given);
+  const ConnectionFunctions functions_of =
+      connectionFrom({{alpha, beta, p, q, e0, e1, e2}, connection});
+  return continuation(given, functions_of, d.order, d.across, d.along);
 }
 
 BezierTriangle triangleContinuationOf(const py::object& surface, const py::object& edge,
-                                      const py::kwargs& keywords) {
-  requireKnown(keywords, {"degree", "reversed"});
-  return triangleContinuation(givenOf(surface, edge, keywords), connectionOf(keywords),
-                              optionalWhole("degree", keyword(keywords, "degree")));
+                                      const py::object& alpha, const py::object& beta,
+                                      const py::object& p, const py::object& q,
+                                      const py::object& e0, const py::object& e1,
+                                      const py::object& e2, const py::object& connection,
+                                      const py::object& degree, const py::object& reversed) {
+  return triangleContinuation(givenOf(surface, edge, reversed),
+                              connectionFrom({{alpha, beta, p, q, e0, e1, e2}, connection}),
+                              optionalWhole("degree", degree));
 }
 
-py::object joinedOf(const py::object& surface, const py::object& edge, const py::object& given,
-                    const py::object& given_edge, const py::kwargs& keywords) {
-  requireKnown(keywords, {"order", "reversed"});
-  const bool reversed = keywords.contains("reversed") && isReversed(keyword(keywords, "reversed"));
-  const Ribbon from = ribbonOf("given", given, "given_edge", given_edge, false, Across::OutOf);
-  const ConnectionFunctions connection = connectionOf(keywords);
-  const int order = optionalWhole("order", keyword(keywords, "order")).value_or(1);
-  const Ribbon old = ribbonOf("surface", surface, "edge", edge, reversed, Across::Into);
-  if (py::isinstance<BezierPatch>(surface))
-    return py::cast(withRows(surface.cast<const BezierPatch&>(), patchEdgeOf("edge", edge),
-                             reversed, tensorRows(from, connection, order, old.degree_across)));
+BezierTriangle joinedTriangle(const BezierTriangle& triangle, const py::object& edge, bool reversed,
+                              const Ribbon& from, const ConnectionFunctions& connection,
+                              int order) {
   if (order != 1)
     throw py::value_error("order " + std::to_string(order) + ": triangles are joined with order 1");
+  const Ribbon old = ribbon(triangle, triangleEdgeOf("edge", edge), reversed, Across::Into);
   JoinRows rows = triangleRows(from, connection);
   if (rows.degree_across < old.degree_across)
     rows = triangleRows(from, connection, old.degree_across);
-  return py::cast(withRows(surface.cast<const BezierTriangle&>(), triangleEdgeOf("edge", edge),
-                           reversed, rows));
+  return withRows(triangle, triangleEdgeOf("edge", edge), reversed, rows);
+}
+
+py::object joinedOf(const py::object& surface, const py::object& edge, const py::object& given,
+                    const py::object& given_edge, const py::object& alpha, const py::object& beta,
+                    const py::object& p, const py::object& q, const py::object& e0,
+                    const py::object& e1, const py::object& e2, const py::object& connection,
+                    const py::object& order, const py::object& reversed) {
+  const bool backwards = flagOf("reversed", reversed);
+  const Ribbon from = ribbonOf("given", given, "given_edge", given_edge, false, Across::OutOf);
+  const ConnectionFunctions functions_of =
+      connectionFrom({{alpha, beta, p, q, e0, e1, e2}, connection});
+  const int highest = optionalWhole("order", order).value_or(1);
+  const Ribbon old = ribbonOf("surface", surface, "edge", edge, backwards, Across::Into);
+  if (py::isinstance<BezierTriangle>(surface))
+    return py::cast(joinedTriangle(surface.cast<const BezierTriangle&>(), edge, backwards, from,
+                                   functions_of, highest));
+  return py::cast(withRows(surface.cast<const BezierPatch&>(), patchEdgeOf("edge", edge), backwards,
+                           tensorRows(from, functions_of, highest, old.degree_across)));
 }
 
 BezierPatch blendOf(const py::object& a, const py::object& edge_a, const py::object& b,
@@ -176,8 +210,8 @@ BezierPatch blendOf(const py::object& a, const py::object& edge_a, const py::obj
                     const py::object& to_a, const py::object& to_b) {
   return blend(ribbonOf("a", a, "edge_a", edge_a, false, Across::OutOf),
                givenConnectionOf("to_a", to_a),
-               ribbonOf("b", b, "edge_b", edge_b, isReversed(reversed), Across::OutOf),
-               givenConnectionOf("to_b", to_b), argument<int>("order", order, "a whole number"));
+               ribbonOf("b", b, "edge_b", edge_b, flagOf("reversed", reversed), Across::OutOf),
+               givenConnectionOf("to_b", to_b), wholeNumber("order", order));
 }
 
 py::dict residualDict(const JoinResidual& residual) {
@@ -192,7 +226,7 @@ py::dict residualDict(const JoinResidual& residual) {
 
 py::dict connectionDict(const ConnectionFunctions& connection) {
   py::dict dict;
-  for (const auto& [name, function] : functions) dict[name] = connection.*function;
+  for (const auto& [name, function] : connection_functions) dict[name] = connection.*function;
   return dict;
 }
 
@@ -203,12 +237,12 @@ struct RibbonPair {
 RibbonPair pairOf(const py::object& a, const py::object& edge_a, const py::object& b,
                   const py::object& edge_b, const py::object& reversed) {
   return {ribbonOf("a", a, "edge_a", edge_a, false, Across::OutOf),
-          ribbonOf("b", b, "edge_b", edge_b, isReversed(reversed), Across::Into)};
+          ribbonOf("b", b, "edge_b", edge_b, flagOf("reversed", reversed), Across::Into)};
 }
 
-py::dict joinConditionOf(const py::object& a, const py::object& edge_a, const py::object& b,
-                         const py::object& edge_b, const py::object& reversed,
-                         const py::object& tolerance, const py::object& connection) {
+py::object joinConditionOf(const py::object& a, const py::object& edge_a, const py::object& b,
+                           const py::object& edge_b, const py::object& reversed,
+                           const py::object& tolerance, const py::object& connection) {
   const RibbonPair pair = pairOf(a, edge_a, b, edge_b, reversed);
   JoinConditionOptions options;
   options.tolerance = optionalTolerance(tolerance);
@@ -228,17 +262,17 @@ py::dict joinConditionOf(const py::object& a, const py::object& edge_a, const py
   dict["tangent_plane"] = planes ? py::object(residualDict(condition.tangent_plane)) : py::none();
   dict["curvature"] =
       condition.curvature ? py::object(residualDict(*condition.curvature)) : py::none();
-  return dict;
+  return resultOf("JoinCondition", dict);
 }
 
-py::dict fitConnectionOf(const py::object& a, const py::object& edge_a, const py::object& b,
-                         const py::object& edge_b, const py::object& reversed,
-                         const py::object& order, const py::object& alpha_degree,
-                         const py::object& beta_degree, const py::object& p_degree,
-                         const py::object& q_degree, const py::object& tolerance) {
+py::object fitConnectionOf(const py::object& a, const py::object& edge_a, const py::object& b,
+                           const py::object& edge_b, const py::object& reversed,
+                           const py::object& order, const py::object& alpha_degree,
+                           const py::object& beta_degree, const py::object& p_degree,
+                           const py::object& q_degree, const py::object& tolerance) {
   const RibbonPair pair = pairOf(a, edge_a, b, edge_b, reversed);
   ConnectionFitOptions options;
-  options.order = argument<int>("order", order, "a whole number");
+  options.order = wholeNumber("order", order);
   options.alpha_degree = optionalWhole("alpha_degree", alpha_degree);
   options.beta_degree = optionalWhole("beta_degree", beta_degree);
   options.p_degree = optionalWhole("p_degree", p_degree);
@@ -252,53 +286,89 @@ py::dict fitConnectionOf(const py::object& a, const py::object& edge_a, const py
   dict["noise"] = fit.noise;
   dict["condition"] = fit.condition;
   dict["note"] = fit.note;
-  return dict;
+  return resultOf("ConnectionFit", dict);
 }
 
-py::tuple orientOf(const BezierPatch& a, const py::object& edge_a, const BezierPatch& b,
+py::tuple orientOf(const py::object& a, const py::object& edge_a, const py::object& b,
                    const py::object& edge_b) {
   const CanonicalPair pair =
-      orient(a, patchEdgeOf("edge_a", edge_a), b, patchEdgeOf("edge_b", edge_b));
+      orient(objectOf<BezierPatch>("a", a, "a BezierPatch"), patchEdgeOf("edge_a", edge_a),
+             objectOf<BezierPatch>("b", b, "a BezierPatch"), patchEdgeOf("edge_b", edge_b));
   return py::make_tuple(pair.a, pair.b, pair.reversed);
 }
 
-void bindConstructions(py::module_& module) {
-  module.def(
-      "join_rows", &ribbonRowsOf, py::arg("surface"), py::arg("edge"),
-      "The first rows of a patch that joins a BezierPatch or BezierTriangle along an edge: poles "
-      "(order+1, n+1, 3) and weights (order+1, n+1), counted from the seam.\n\n"
-      "Keywords: alpha=1, beta=0 and, for order 2, p=0, q=0, each a number or the Bernstein "
-      "coefficients of a polynomial along the seam: Q_s = alpha P_s + beta P_t, Q_ss = alpha^2 "
-      "P_ss "
-      "+ 2 alpha beta P_st + beta^2 P_tt + p P_s + q P_t; e0=1, e1=0, e2=0 scale homogeneous "
-      "poles; "
-      "order=1 or 2; degree_across of the new patch, None: that of the given one; degree along the "
-      "seam, None: the lowest that always does; reversed=False: True runs the edge backwards. "
-      "ValueError for functions that do not make a join, with their values.");
-  module.def("continuation", &continuationOf, py::arg("surface"), py::arg("edge"),
-             "The BezierPatch beyond an edge of a BezierPatch or BezierTriangle that joins it "
-             "along u = 0, "
-             "with v along the edge, and has no derivatives by u above the order. Keywords as of "
-             "join_rows.");
-  module.def(
-      "triangle_continuation", &triangleContinuationOf, py::arg("surface"), py::arg("edge"),
-      "The BezierTriangle beyond an edge of a BezierPatch or BezierTriangle that joins it G1 along "
-      "its edge 'l0', P1 to P2. Keywords: alpha=1, beta=0, e0=1, e1=0 as of join_rows, degree=None "
-      "and reversed=False.");
-  module.def(
-      "joined", &joinedOf, py::arg("surface"), py::arg("edge"), py::arg("given"),
-      py::arg("given_edge"),
-      "The surface, a BezierPatch or BezierTriangle, with the rows behind its edge replaced by "
-      "those that join the given one; the other poles stay, unless the join needs a higher degree: "
-      "then the surface is raised first. Keywords: those of the functions in join_rows, order=1, "
-      "reversed=False: True runs the surface's edge backwards.");
+constexpr const char* join_rows_doc =
+    R"(The first rows of a patch that joins a BezierPatch or BezierTriangle along an edge.
+
+Returns poles (order+1, n+1, 3) in mm and weights (order+1, n+1), counted from the seam.
+
+alpha, beta, p, q: each a number or the Bernstein coefficients of a polynomial along the seam,
+None: 1, 0, 0, 0. Q_s = alpha P_s + beta P_t, and for order 2 Q_ss = alpha^2 P_ss + 2 alpha beta
+P_st + beta^2 P_tt + p P_s + q P_t. e0, e1, e2, None: 1, 0, 0, scale homogeneous poles.
+connection: a dict of these functions, or a result that has them, as of nearest_join() or
+fit_connection(); single ones replace its own.
+order: 1 or 2. degree_across: of the new patch, None: that of the given one. degree: along the seam,
+None: the lowest that always does. reversed: the edge is run backwards.
+ValueError for bad arguments, and for functions that do not make a join, with their values.)";
+
+constexpr const char* continuation_doc =
+    R"(The BezierPatch beyond an edge of a BezierPatch or BezierTriangle.
+
+It joins along u = 0, with v along the edge, and has no derivatives by u above the order.
+Arguments as of join_rows.)";
+
+constexpr const char* triangle_continuation_doc =
+    R"(The BezierTriangle beyond an edge of a BezierPatch or BezierTriangle.
+
+It joins G1 along its edge 'l0', P1 to P2. Arguments as of join_rows.)";
+
+constexpr const char* joined_doc =
+    R"(A BezierPatch or BezierTriangle with the rows behind its edge replaced by those that join
+another.
+
+The other poles stay, unless the join needs a higher degree: then the surface is raised first.
+Further arguments as of join_rows; reversed: the surface's edge is run backwards.)";
+
+void bindRows(py::module_& module) {
+  module.def("join_rows", &ribbonRowsOf, join_rows_doc, py::arg("surface"), py::arg("edge"),
+             py::kw_only(), py::arg("alpha") = py::none(), py::arg("beta") = py::none(),
+             py::arg("p") = py::none(), py::arg("q") = py::none(), py::arg("e0") = py::none(),
+             py::arg("e1") = py::none(), py::arg("e2") = py::none(),
+             py::arg("connection") = py::none(), py::arg("order") = 1,
+             py::arg("degree_across") = py::none(), py::arg("degree") = py::none(),
+             py::arg("reversed") = false);
+  module.def("continuation", &continuationOf, continuation_doc, py::arg("surface"), py::arg("edge"),
+             py::kw_only(), py::arg("alpha") = py::none(), py::arg("beta") = py::none(),
+             py::arg("p") = py::none(), py::arg("q") = py::none(), py::arg("e0") = py::none(),
+             py::arg("e1") = py::none(), py::arg("e2") = py::none(),
+             py::arg("connection") = py::none(), py::arg("order") = 1,
+             py::arg("degree_across") = py::none(), py::arg("degree") = py::none(),
+             py::arg("reversed") = false);
+  module.def("triangle_continuation", &triangleContinuationOf, triangle_continuation_doc,
+             py::arg("surface"), py::arg("edge"), py::kw_only(), py::arg("alpha") = py::none(),
+             py::arg("beta") = py::none(), py::arg("p") = py::none(), py::arg("q") = py::none(),
+             py::arg("e0") = py::none(), py::arg("e1") = py::none(), py::arg("e2") = py::none(),
+             py::arg("connection") = py::none(), py::arg("degree") = py::none(),
+             py::arg("reversed") = false);
+  module.def("joined", &joinedOf, joined_doc, py::arg("surface"), py::arg("edge"), py::arg("given"),
+             py::arg("given_edge"), py::kw_only(), py::arg("alpha") = py::none(),
+             py::arg("beta") = py::none(), py::arg("p") = py::none(), py::arg("q") = py::none(),
+             py::arg("e0") = py::none(), py::arg("e1") = py::none(), py::arg("e2") = py::none(),
+             py::arg("connection") = py::none(), py::arg("order") = 1, py::arg("reversed") = false);
+}
+
+void bindBlend(py::module_& module) {
   module.def(
       "blend", &blendOf, py::arg("a"), py::arg("edge_a"), py::arg("b"), py::arg("edge_b"),
       py::arg("order") = 1, py::kw_only(), py::arg("reversed") = false,
       py::arg("to_a") = py::dict(), py::arg("to_b") = py::dict(),
       "The BezierPatch of degree 2 order + 1 in u between two surfaces: it joins a at u = 0 and b "
-      "at u = 1. to_a and to_b are dicts of the functions in join_rows; reversed runs the edge of "
-      "b "
+      "at u = 1. to_a and to_b are connections as in join_rows; reversed runs the edge of b "
+      "backwards.");
+  module.def(
+      "orient", &orientOf, py::arg("a"), py::arg("edge_a"), py::arg("b"), py::arg("edge_b"),
+      "Two BezierPatches in common parameters: (a, b, reversed), with the seam at u = 1 of a and "
+      "u = 0 of b, and v along it on both; reversed says whether the edge of b had to be run "
       "backwards.");
 }
 
@@ -307,33 +377,27 @@ void bindConditions(py::module_& module) {
       "join_condition", &joinConditionOf, py::arg("a"), py::arg("edge_a"), py::arg("b"),
       py::arg("edge_b"), py::kw_only(), py::arg("reversed") = false,
       py::arg("tolerance") = py::none(), py::arg("connection") = py::none(),
-      "Whether two surfaces join along an edge of each, from polynomials that vanish iff they do: "
-      "a "
-      "dict of verdict ('G1', 'fold', 'not G1', 'singular'), g2, parametric_order, bounds of gap "
-      "and angle, and the residuals.\n\n"
-      "tolerance is of relative residuals, None: what rounding makes of 0. connection is a dict of "
-      "the functions in join_rows, None: curvature is judged without.");
-  module.def(
-      "fit_connection", &fitConnectionOf, py::arg("a"), py::arg("edge_a"), py::arg("b"),
-      py::arg("edge_b"), py::kw_only(), py::arg("reversed") = false, py::arg("order") = 1,
-      py::arg("alpha_degree") = py::none(), py::arg("beta_degree") = py::none(),
-      py::arg("p_degree") = py::none(), py::arg("q_degree") = py::none(),
-      py::arg("tolerance") = py::none(),
-      "The functions alpha, beta, ... that connect two surfaces, as a dict of found, connection, "
-      "residual, noise, condition and note. Degrees of None ascend until the residual is within "
-      "the "
-      "tolerance, or within noise.");
-  module.def(
-      "orient", &orientOf, py::arg("a"), py::arg("edge_a"), py::arg("b"), py::arg("edge_b"),
-      "Two patches in common parameters: (a, b, reversed), with the seam at u = 1 of a and u = 0 "
-      "of "
-      "b, and v along it on both; reversed says whether the edge of b had to be run backwards.");
+      R"(Whether two surfaces join along an edge of each, from polynomials that vanish iff they
+do: a JoinCondition.
+
+a, b: BezierPatch or BezierTriangle. tolerance: of relative residuals, None: what rounding makes
+of 0.
+connection: as in join_rows, None: curvature is judged without.)");
+  module.def("fit_connection", &fitConnectionOf, py::arg("a"), py::arg("edge_a"), py::arg("b"),
+             py::arg("edge_b"), py::kw_only(), py::arg("reversed") = false, py::arg("order") = 1,
+             py::arg("alpha_degree") = py::none(), py::arg("beta_degree") = py::none(),
+             py::arg("p_degree") = py::none(), py::arg("q_degree") = py::none(),
+             py::arg("tolerance") = py::none(),
+             R"(The functions alpha, beta, ... that connect two surfaces: a ConnectionFit.
+
+Degrees of None ascend until the residual is within the tolerance, or within noise.)");
 }
 
 }  // namespace
 
 void bindJoin(py::module_& module) {
-  bindConstructions(module);
+  bindRows(module);
+  bindBlend(module);
   bindConditions(module);
 }
 

@@ -6,9 +6,7 @@
 #include <seamwright/core/seam/measure.hpp>
 #include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
-#include <vector>
-
-namespace py = pybind11;
+#include <seamwright/plugin/python/parameters.hpp>
 
 namespace seamwright::python {
 
@@ -19,8 +17,12 @@ Eigen::Vector3d normalOf(const SurfaceJet& jet) {
   throw py::value_error("the jet has no tangent plane: " + std::string(name(degeneracy(jet))));
 }
 
-py::dict measure(const SurfaceJet& a, const SurfaceJet& b) {
-  const PairMeasure pair = measurePair({a, {}}, {b, {}});
+const SurfaceJet& jetOf(const char* name, const py::object& value) {
+  return objectOf<SurfaceJet>(name, value, "a SurfaceJet");
+}
+
+py::object measurePairOf(const py::object& a, const py::object& b) {
+  const PairMeasure pair = measurePair({jetOf("a", a), {}}, {jetOf("b", b), {}});
   py::dict result;
   result["gap_mm"] = pair.gap_mm;
   result["angle_rad"] = pair.angle_rad;
@@ -32,7 +34,7 @@ py::dict measure(const SurfaceJet& a, const SurfaceJet& b) {
   result["norm_b_per_mm"] = value(&CurvatureDifference::norm_b_per_mm);
   result["degenerate_a"] = name(pair.degenerate_a);
   result["degenerate_b"] = name(pair.degenerate_b);
-  return result;
+  return resultOf("PairMeasure", result);
 }
 
 SurfaceShape shapeOf(const py::object& patch, double u, double v) {
@@ -46,74 +48,82 @@ SurfaceShape shapeOf(const py::object& patch, double u, double v) {
 
 /// The projection of \p value onto the tangent plane, normalised.
 Eigen::Vector3d tangentDirection(const py::object& value, const Eigen::Vector3d& normal) {
-  constexpr const char* kind = "a sequence of three numbers";
-  const auto numbers = argument<std::vector<double>>("direction", value, kind);
-  if (numbers.size() != 3)
-    throw py::value_error("direction is " + shown(value) + ": " + kind + " is needed");
-  const Eigen::Vector3d given =
-      Eigen::Vector3d(numbers[0], numbers[1], numbers[2]).stableNormalized();
+  const Eigen::Vector3d given = vectorOf("direction", value).stableNormalized();
   const Eigen::Vector3d along = given - normal.dot(given) * normal;
   if (!(along.norm() > 1e-6))
     throw py::value_error("direction is " + shown(value) + ": it must not lie along the normal");
   return along.normalized();
 }
 
-py::dict shapeDict(const py::object& patch, const py::object& u, const py::object& v,
-                   const py::object& direction) {
-  const SurfaceShape shape =
-      shapeOf(patch, argument<double>("u", u, "a number"), argument<double>("v", v, "a number"));
+py::object shapeAt(const py::object& patch, double u, double v, const py::object& direction) {
+  const SurfaceShape shape = shapeOf(patch, u, v);
   py::dict dict;
   dict["degeneracy"] = name(shape.degeneracy);
   for (const char* key : {"normal", "normal_error_rad", "tensor", "tensor_error_per_mm",
                           "principal_curvatures_per_mm", "curvature_change_per_mm2",
                           "curvature_change_error_per_mm2"})
     dict[key] = py::none();
-  if (shape.degeneracy != Degeneracy::None) return dict;
+  if (shape.degeneracy != Degeneracy::None) return resultOf("SurfaceShape", dict);
   dict["normal"] = shape.normal;
   dict["normal_error_rad"] = shape.normal_error_rad;
   dict["tensor"] = shape.tensor;
   dict["tensor_error_per_mm"] = shape.tensor_error_per_mm;
   const PrincipalCurvatures k = principalCurvatures(shape.jet, shape.normal);
   dict["principal_curvatures_per_mm"] = py::make_tuple(k.k1, k.k2);
-  if (direction.is_none()) return dict;
+  if (direction.is_none()) return resultOf("SurfaceShape", dict);
   const BoundedChange change = curvatureChange(shape, tangentDirection(direction, shape.normal));
   dict["curvature_change_per_mm2"] = change.value_per_mm2;
   dict["curvature_change_error_per_mm2"] = change.error_per_mm2;
-  return dict;
+  return resultOf("SurfaceShape", dict);
+}
+
+py::object surfaceShapeOf(const py::object& patch, const py::object& u, const py::object& v,
+                          const py::object& direction) {
+  const ParameterPairs at("u", u, "v", v);
+  return resultsAt("SurfaceShape", at.first, [&](py::ssize_t i) {
+    return shapeAt(patch, at.first[i], at.second[i], direction);
+  });
+}
+
+py::tuple principalOf(const py::object& jet) {
+  const SurfaceJet& given = jetOf("jet", jet);
+  const PrincipalCurvatures k = principalCurvatures(given, normalOf(given));
+  return py::make_tuple(k.k1, k.k2, k.direction1, k.direction2);
 }
 
 }  // namespace
 
 void bindMeasure(py::module_& module) {
-  module.def("measure_pair", &measure, py::arg("a"), py::arg("b"),
-             "Gap, angle of the tangent planes (0..pi/2) and curvature difference of two surface "
-             "jets, as a "
-             "dict; None "
-             "where a side has no tangent plane, which degenerate_a and degenerate_b then name.");
   module.def(
-      "curvature_tensor", [](const SurfaceJet& jet) { return curvatureTensor(jet, normalOf(jet)); },
+      "measure_pair", &measurePairOf, py::arg("a"), py::arg("b"),
+      R"(How two surface jets differ, a PairMeasure: gap, angle of the tangent planes, curvature.
+
+Angle and curvature are None where a side has no tangent plane, which degenerate_a and degenerate_b
+then name. TypeError for anything but a SurfaceJet.)");
+  module.def(
+      "curvature_tensor",
+      [](const py::object& jet) {
+        const SurfaceJet& given = jetOf("jet", jet);
+        return curvatureTensor(given, normalOf(given));
+      },
       py::arg("jet"),
       "The curvature tensor (3, 3) in 1/mm: d.W d is the normal curvature in the unit tangent "
-      "direction d.");
+      "direction d. ValueError for a jet without tangent plane.");
+  module.def("principal_curvatures", &principalOf, py::arg("jet"),
+             "(k1, k2, direction1, direction2) with k1 >= k2 in 1/mm, and unit directions (3,). "
+             "ValueError for a jet without tangent plane.");
   module.def(
-      "principal_curvatures",
-      [](const SurfaceJet& jet) {
-        const PrincipalCurvatures k = principalCurvatures(jet, normalOf(jet));
-        return py::make_tuple(k.k1, k.k2, k.direction1, k.direction2);
-      },
-      py::arg("jet"), "(k1, k2, direction1, direction2) with k1 >= k2, in 1/mm.");
-  module.def("surface_shape", &shapeDict, py::arg("patch"), py::arg("u"), py::arg("v"),
-             py::arg("direction") = py::none(),
-             "Normal and curvature of a BezierPatch, or of a BezierTriangle at l0, l1, with bounds "
-             "of their errors, "
-             "also where weights differ so much that partial derivatives lose their digits. The "
-             "bounds hold for the "
-             "patch in memory, where products of weights and poles have been rounded. A dict of "
-             "degeneracy, normal, "
-             "normal_error_rad, tensor, "
-             "tensor_error_per_mm, principal_curvatures_per_mm and, along the direction, "
-             "curvature_change_per_mm2 "
-             "and curvature_change_error_per_mm2.");
+      "surface_shape", &surfaceShapeOf, py::arg("patch"), py::arg("u"), py::arg("v"),
+      py::arg("direction") = py::none(),
+      R"(Normal and curvature of a BezierPatch, or of a BezierTriangle at l0, l1: a SurfaceShape.
+
+u, v: parameters, or arrays that broadcast; the values are then arrays with nan for None. direction
+(3,): also the change of curvature along its part in the tangent plane.
+
+Errors are bounded, also where weights differ so much that partial derivatives lose their digits.
+The bounds hold for the patch in memory, where products of weights and poles have been rounded.
+TypeError for another class; ValueError for parameters that are not finite and a direction along
+the normal.)");
 }
 
 }  // namespace seamwright::python

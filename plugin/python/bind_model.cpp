@@ -9,6 +9,8 @@
 #include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
 #include <seamwright/plugin/python/model_calls.hpp>
+#include <seamwright/plugin/python/report_state.hpp>
+#include <seamwright/plugin/python/results.hpp>
 #include <seamwright/plugin/report/csv.hpp>
 #include <seamwright/plugin/report/json.hpp>
 #include <seamwright/plugin/report/table.hpp>
@@ -18,17 +20,23 @@ namespace seamwright::python {
 
 namespace {
 
-occ::Model readFile(const std::filesystem::path& path, const py::object& progress) {
+occ::Model readFile(const py::object& path, const py::object& progress) {
+  const std::filesystem::path file = pathOf("path", path);
   return longCall(progress,
-                  [&](const occ::Progress& report) { return occ::readModel(path, report); });
+                  [&](const occ::Progress& report) { return occ::readModel(file, report); });
 }
 
-py::dict writeFile(const occ::Model& model, const std::filesystem::path& path, bool overwrite,
-                   bool overwrite_source, bool afresh, const py::object& progress) {
+py::object writeFile(const occ::Model& model, const py::object& path, const py::object& overwrite,
+                     const py::object& overwrite_source, const py::object& afresh,
+                     const py::object& progress) {
+  const std::filesystem::path file = pathOf("path", path);
+  const occ::WriteOptions how = {.overwrite = flagOf("overwrite", overwrite),
+                                 .overwrite_source = flagOf("overwrite_source", overwrite_source),
+                                 .afresh = flagOf("afresh", afresh)};
   const occ::WriteReport written = longCall(progress, [&](const occ::Progress& report) {
-    return occ::writeModel(model, path, {overwrite, overwrite_source, afresh, false, {}}, report);
+    return occ::writeModel(model, file, how, report);
   });
-  return plainDict(written);
+  return resultOf("WriteResult", writeItems(written));
 }
 
 occ::Report analyzeModel(const occ::Model& model, const py::object& profile,
@@ -41,8 +49,8 @@ occ::Report analyzeModel(const occ::Model& model, const py::object& profile,
   options.tolerance =
       toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg});
   options.level = levelOf(level);
-  if (!match_mm.is_none()) options.match_mm = argument<double>("match_mm", match_mm, "a number");
-  options.jobs = argument<int>("jobs", jobs, "a whole number");
+  options.match_mm = optionalNumber("match_mm", match_mm).value_or(options.match_mm);
+  options.jobs = wholeNumber("jobs", jobs);
   return longCall(
       progress, [&](const occ::Progress& report) { return occ::analyze(model, options, report); });
 }
@@ -72,6 +80,10 @@ py::object reportDict(const occ::Report& report) {
   return plainObject(report::toJson(report));
 }
 
+py::object seamsOf(const occ::Report& report) {
+  return resultsOf("Seam", reportDict(report)["seams"]);
+}
+
 py::list attributes(const occ::Model& model) {
   py::list list;
   for (const occ::ShapeAttribute& attribute : model.attributes) {
@@ -83,7 +95,7 @@ py::list attributes(const occ::Model& model) {
     entry["name"] = attribute.name;
     entry["color"] = attribute.color;
     entry["layers"] = attribute.layers;
-    list.append(std::move(entry));
+    list.append(resultOf("ShapeAttribute", entry));
   }
   return list;
 }
@@ -112,11 +124,19 @@ void bindReport(py::module_& module) {
   py::class_<occ::Report>(module, "Report", py::module_local(),
                           "The seams of a model with figures and verdicts.")
       .def_property_readonly("passed", &occ::Report::passed, "No seam is a defect.")
-      .def_property_readonly(
-          "seams",
-          [](const occ::Report& report) { return py::object(reportDict(report)["seams"]); },
-          "The seams as a list of dicts with the keys of the JSON.")
+      .def_property_readonly("seams", &seamsOf,
+                             "The Seams, in the order of the JSON; a new list each time.")
       .def("__len__", [](const occ::Report& report) { return report.seams.size(); })
+      .def(py::pickle([](const occ::Report& report) { return stateOf(report); }, &reportFrom))
+      .def("__copy__", [](const occ::Report& report) { return report; })
+      .def(
+          "__deepcopy__", [](const occ::Report& report, const py::object&) { return report; },
+          py::arg("memo"))
+      .def("__repr__",
+           [](const occ::Report& report) {
+             return "<Report of " + std::to_string(report.seams.size()) +
+                    " seams: " + (report.passed() ? "passed>" : "failed>");
+           })
       .def("to_dict", &reportDict, "The report as a plain dict with the keys of the JSON.")
       .def("to_json", &report::toJsonLine,
            "The report as one line of JSON, schema seamwright.analysis/1.")
@@ -131,57 +151,88 @@ void bindReport(py::module_& module) {
           "The report as text for people.");
 }
 
-}  // namespace
+/// Everything that a model holds; the shape in the binary format.
+py::tuple modelState(const occ::Model& model) {
+  py::list parts;
+  for (const occ::ShapeAttribute& part : model.attributes)
+    parts.append(py::make_tuple(static_cast<int>(part.kind), part.index, part.name, part.color,
+                                part.layers));
+  return py::make_tuple(py::bytes(written(occ::writeBinaryShape, model)), py::bytes(model.path),
+                        model.format, model.length_unit, parts, model.notes, model.read_s);
+}
 
-void bindModel(py::module_& module) {
-  bindModelError(module);
-  py::register_local_exception<occ::Cancelled>(module, "Cancelled");
-  bindReport(module);
-  module.attr("PROFILES") = profiles();
-  py::class_<occ::Model>(module, "Model", py::module_local(),
-                         "A shape with what its file says about it; lengths in mm.")
-      .def_property_readonly(
+occ::Model modelFrom(const py::tuple& state) {
+  std::istringstream stream(state[0].cast<std::string>());
+  occ::Model model = occ::modelFromShape(occ::readBinaryShape(stream));
+  model.path = state[1].cast<std::string>();
+  model.format = state[2].cast<std::string>();
+  model.length_unit = state[3].cast<std::string>();
+  for (const py::handle item : state[4].cast<py::list>()) {
+    const auto part = item.cast<py::tuple>();
+    model.attributes.push_back(
+        {static_cast<decltype(occ::ShapeAttribute::kind)>(part[0].cast<int>()), part[1].cast<int>(),
+         part[2].cast<std::string>(), part[3].cast<std::optional<std::array<double, 3>>>(),
+         part[4].cast<std::vector<std::string>>()});
+  }
+  model.notes = state[5].cast<std::vector<std::string>>();
+  model.read_s = state[6].cast<double>();
+  return model;
+}
+
+void bindFacts(py::class_<occ::Model>& type) {
+  type.def_property_readonly(
           "path", [](const occ::Model& model) { return fileName(model.path); },
           "The file as it was named; empty for a shape from memory.")
       .def_readonly("format", &occ::Model::format)
       .def_readonly("length_unit", &occ::Model::length_unit,
                     "The unit of the file; the shape is in mm.")
       .def_readonly("notes", &occ::Model::notes)
-      .def_readonly("read_s", &occ::Model::read_s)
+      .def_readonly("read_s", &occ::Model::read_s, "Seconds that reading took.")
       .def_property_readonly("face_count", &occ::Model::faceCount)
       .def_property_readonly("edge_count", &occ::Model::edgeCount)
-      .def_property_readonly(
-          "attributes", &attributes,
-          "Names, colours and layers of the file: a list of {kind, index, name, color, layers}.")
-      .def("analyze", &analyzeModel, py::kw_only(), py::arg("profile") = "default",
+      .def_property_readonly("attributes", &attributes,
+                             "Names, colours and layers of the file: a list of ShapeAttributes.")
+      .def("__copy__", [](const occ::Model& model) { return model; })
+      .def(
+          "__deepcopy__", [](const occ::Model& model, const py::object&) { return model; },
+          py::arg("memo"))
+      .def(py::pickle(&modelState, &modelFrom))
+      .def("__repr__", [](const occ::Model& model) {
+        return "<Model of " + std::to_string(model.faceCount()) + " faces, " + model.format + ">";
+      });
+}
+
+constexpr const char* analyze_doc =
+    R"(Measures and judges every seam: a Report. The model is not changed.
+
+gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg: tolerances; None: that of the
+profile, a key of PROFILES. level: what a seam must reach, 'G0' to 'G3'. match_mm: measure also
+between free edges no further apart than this; 0: between none. jobs: threads; 0: one for each
+processor. progress: a callable that gets the share done, 0..1; the call raises Cancelled where it
+returns what is false, other than None. ValueError for bad arguments, with name and value.)";
+
+constexpr const char* write_doc =
+    R"(Writes a STEP, IGES or BREP file, told by the extension: .step, .stp, .iges, .igs, .brep,
+.brp, .bin (binary BREP).
+
+A model of a STEP or IGES file is written with that file's structure, names, colours, layers and
+length unit; afresh, and from memory: of shape and attributes alone. An existing file needs
+overwrite=True, the file that was read overwrite_source=True. Returns a WriteResult. Raises
+ModelError; the file is then what it was.)";
+
+void bindCalls(py::class_<occ::Model>& type) {
+  type.def("analyze", &analyzeModel, analyze_doc, py::kw_only(), py::arg("profile") = "default",
            py::arg("gap_mm") = py::none(), py::arg("angle_deg") = py::none(),
            py::arg("curvature_rel") = py::none(), py::arg("flat_radius_mm") = py::none(),
            py::arg("crease_deg") = py::none(), py::arg("level") = "G1", py::arg("match_mm") = 0.0,
-           py::arg("jobs") = 0, py::arg("progress") = py::none(),
-           "Measures and judges every seam. Returns a Report.\n\n"
-           "A tolerance that is None is that of the profile, see PROFILES. level: what a seam must "
-           "reach, "
-           "'G0' to 'G3'. match_mm: measure also between free edges no further apart than this; 0: "
-           "between "
-           "none. jobs: threads; 0: one for each processor.")
-      .def(
-          "write", &writeFile, py::arg("path"), py::kw_only(), py::arg("overwrite") = false,
-          py::arg("overwrite_source") = false, py::arg("afresh") = false,
-          py::arg("progress") = py::none(),
-          "Writes a STEP, IGES or BREP file, told by the extension: .step, .stp, .iges, .igs, "
-          ".brep, .brp, "
-          ".bin (binary BREP).\n\n"
-          "A model of a STEP or IGES file is written with that file's structure, names, colours, "
-          "layers and "
-          "length unit; afresh, and from memory: of shape and attributes alone. An existing file "
-          "needs "
-          "overwrite=True, the file that was read overwrite_source=True. Returns a dict of format, "
-          "followed_source, changed_faces, changed_edges, changed_vertices and notes. Raises "
-          "ModelError; "
-          "the file is then what it was.");
-  module.def("read", &readFile, py::arg("path"), py::arg("progress") = py::none(),
-             "Reads a STEP, IGES or BREP file, told by its content, in a process of its own. "
-             "Returns a Model.");
+           py::arg("jobs") = 0, py::arg("progress") = py::none())
+      .def("write", &writeFile, write_doc, py::arg("path"), py::kw_only(),
+           py::arg("overwrite") = false, py::arg("overwrite_source") = false,
+           py::arg("afresh") = false, py::arg("progress") = py::none());
+}
+
+/// Shapes as bytes and text, for the bridge to FreeCAD.
+void bindExchange(py::module_& module) {
   module.def("_model_from_binary", [](const std::string& bytes) {
     std::istringstream stream(bytes);
     return occ::modelFromShape(occ::readBinaryShape(stream));
@@ -195,6 +246,25 @@ void bindModel(py::module_& module) {
   });
   module.def("_text_from_model",
              [](const occ::Model& model) { return written(occ::writeTextShape, model); });
+}
+
+}  // namespace
+
+void bindModel(py::module_& module) {
+  bindModelError(module);
+  py::register_local_exception<occ::Cancelled>(module, "Cancelled");
+  bindReport(module);
+  module.attr("PROFILES") = profiles();
+  py::class_<occ::Model> type(module, "Model", py::module_local(),
+                              "A shape with what its file says about it; lengths in mm.");
+  bindFacts(type);
+  bindCalls(type);
+  module.def(
+      "read", &readFile, py::arg("path"), py::arg("progress") = py::none(),
+      R"(Reads a STEP, IGES or BREP file, told by its content, in a process of its own: a Model.
+
+Raises ModelError for a bad file, TypeError for what is no name of a file.)");
+  bindExchange(module);
 }
 
 }  // namespace seamwright::python

@@ -4,45 +4,37 @@
 #include <pybind11/operators.h>
 #include <pybind11/stl.h>
 
-#include <optional>
+#include <algorithm>
 #include <seamwright/core/join/nearest/nearest.hpp>
-#include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
+#include <seamwright/plugin/python/edges.hpp>
+#include <seamwright/plugin/python/parameters.hpp>
 #include <variant>
 
 namespace seamwright::python {
 
 namespace {
 
-using NumberArray = py::array_t<double, py::array::c_style | py::array::forcecast>;
-using Mask = py::array_t<bool, py::array::c_style | py::array::forcecast>;
 using Surface = std::variant<BSplineSurface, BezierPatch>;
 
-std::string shapeText(const py::array& array) {
-  std::string text = "(";
-  for (py::ssize_t i = 0; i < array.ndim(); ++i)
-    text += (i ? ", " : "") + std::to_string(array.shape(i));
-  return text + ")";
-}
-
-void requireShape(const py::array& array, py::ssize_t nu, py::ssize_t nv, const std::string& name) {
+void requireNet(const std::string& name, const py::array& array, py::ssize_t nu, py::ssize_t nv) {
   if (array.ndim() != 2 || array.shape(0) != nu || array.shape(1) != nv)
     throw py::value_error(name + " have shape " + shapeText(array) + ": one for each pole, (" +
                           std::to_string(nu) + ", " + std::to_string(nv) + "), is needed");
 }
 
-BSplineSurface makeSurface(const NumberArray& poles, std::vector<double> knots_u,
-                           std::vector<double> knots_v, int degree_u, int degree_v,
-                           const std::optional<NumberArray>& weights) {
-  if (poles.ndim() != 3 || poles.shape(2) != 3)
-    throw py::value_error("poles have shape " + shapeText(poles) + ": (nu, nv, 3) is needed");
-  if (weights) requireShape(*weights, poles.shape(0), poles.shape(1), "weights");
-  BSplineSurface surface{degree_u, degree_v, std::move(knots_u), std::move(knots_v), {}};
-  const py::ssize_t count = poles.shape(0) * poles.shape(1);
-  const Eigen::Map<const Poles> rows(poles.data(), count, 3);
-  Eigen::VectorXd w = Eigen::VectorXd::Ones(count);
-  if (weights) w = Eigen::Map<const Eigen::VectorXd>(weights->data(), count);
-  surface.poles.resize(count, 4);
+BSplineSurface makeSurface(const py::object& given, const py::object& knots_u,
+                           const py::object& knots_v, const py::object& degree_u,
+                           const py::object& degree_v, const py::object& weights) {
+  const Array poles = arrayOf("poles", given);
+  const Poles rows = polesOf("poles", poles, 3, "(nu, nv, 3)");
+  BSplineSurface surface{wholeNumber("degree_u", degree_u),
+                         wholeNumber("degree_v", degree_v),
+                         listOf("knots_u", knots_u),
+                         listOf("knots_v", knots_v),
+                         {}};
+  const Eigen::VectorXd w = weightsOf(weights, poles);
+  surface.poles.resize(rows.rows(), 4);
   surface.poles << w.asDiagonal() * rows, w;
   requireValid(surface);
   if (surface.countU() != poles.shape(0) || surface.countV() != poles.shape(1))
@@ -52,29 +44,41 @@ BSplineSurface makeSurface(const NumberArray& poles, std::vector<double> knots_u
   return surface;
 }
 
-NumberArray splineNetPoles(const BSplineSurface& surface) {
-  NumberArray result({surface.countU(), surface.countV(), 3});
+Array splineNetPoles(const BSplineSurface& surface) {
+  Array result({surface.countU(), surface.countV(), 3});
   Eigen::Map<Poles>(result.mutable_data(), surface.poles.rows(), 3) =
       surface.poles.leftCols<3>().array().colwise() / surface.poles.col(3).array();
   return result;
 }
 
-NumberArray splineNetWeights(const BSplineSurface& surface) {
-  NumberArray result({surface.countU(), surface.countV()});
+Array splineNetWeights(const BSplineSurface& surface) {
+  Array result({surface.countU(), surface.countV()});
   Eigen::Map<Eigen::VectorXd>(result.mutable_data(), result.size()) = surface.poles.col(3);
   return result;
 }
 
-PatchEdge edgeOf(const std::string& name) {
-  const std::optional<PatchEdge> edge = patchEdgeFromName(name);
-  if (!edge) throw py::value_error("edge is '" + name + "': one of u0, u1, v0, v1 is needed");
-  return *edge;
+Array splinePoint(const BSplineSurface& surface, const py::object& u, const py::object& v) {
+  const ParameterPairs at("u", u, "v", v);
+  return valuesOf(at.first.shape(), {3},
+                  [&](py::ssize_t i) { return jet(surface, at.first[i], at.second[i]).p; });
 }
 
-SurfaceDirection directionOf(const std::string& name) {
+py::object splineJet(const BSplineSurface& surface, const py::object& u, const py::object& v) {
+  const ParameterPairs at("u", u, "v", v);
+  return objectsAt(at.first,
+                   [&](py::ssize_t i) { return jet(surface, at.first[i], at.second[i]); });
+}
+
+SurfaceDirection directionOf(const py::object& value) {
+  const auto name = argument<std::string>("direction", value, "u or v");
   if (name == "u") return SurfaceDirection::U;
   if (name == "v") return SurfaceDirection::V;
-  throw py::value_error("direction is '" + name + "': u or v is needed");
+  throw py::value_error("direction is " + shown(value) + ": u or v is needed");
+}
+
+Surface joinSurfaceOf(const char* name, const py::object& value) {
+  if (py::isinstance<BezierPatch>(value)) return value.cast<const BezierPatch&>();
+  return objectOf<BSplineSurface>(name, value, "a BezierPatch or a BSplineSurface");
 }
 
 BSplineSurface splineOf(const Surface& surface) {
@@ -86,19 +90,38 @@ int degreeAlong(const JoinSide& side) {
   return along(side.edge) == SurfaceDirection::V ? side.surface.degree_v : side.surface.degree_u;
 }
 
-JoinSide sideOf(const Surface& surface, const std::string& edge,
-                const std::optional<NumberArray>& weights, const std::optional<Mask>& fixed,
-                const std::string& name) {
-  JoinSide side{splineOf(surface), edgeOf(edge)};
+/// One boolean, or 0 or 1, for each pole.
+std::vector<bool> maskOf(const std::string& name, const py::object& value, int nu, int nv) {
+  const auto array = py::array::ensure(value);
+  if (!array || std::string("biu").find(array.dtype().kind()) == std::string::npos) {
+    PyErr_Clear();
+    throw py::value_error(name + " are " + shown(value) + ": an array of booleans is needed");
+  }
+  requireNet(name, array, nu, nv);
+  const auto mask = py::array_t<bool, py::array::c_style | py::array::forcecast>::ensure(array);
+  return std::vector<bool>(mask.data(), mask.data() + mask.size());
+}
+
+/// The arguments of one side of a join.
+struct SideArguments {
+  std::string name;  ///< "a" or "b"
+  const py::object& surface;
+  const py::object& edge;
+  const py::object& weights;
+  const py::object& fixed;
+};
+
+JoinSide sideOf(const SideArguments& given) {
+  JoinSide side{splineOf(joinSurfaceOf(given.name.c_str(), given.surface)),
+                patchEdgeOf(("edge_" + given.name).c_str(), given.edge)};
   const int nu = side.surface.countU(), nv = side.surface.countV();
-  if (weights) {
-    requireShape(*weights, nu, nv, "weights_" + name);
-    side.weights = Eigen::Map<const Eigen::VectorXd>(weights->data(), weights->size());
+  if (!given.weights.is_none()) {
+    const std::string name = "weights_" + given.name;
+    const Array weights = arrayOf(name, given.weights);
+    requireNet(name, weights, nu, nv);
+    side.weights = Eigen::Map<const Eigen::VectorXd>(weights.data(), weights.size());
   }
-  if (fixed) {
-    requireShape(*fixed, nu, nv, "fixed_" + name);
-    side.fixed.assign(fixed->data(), fixed->data() + fixed->size());
-  }
+  if (!given.fixed.is_none()) side.fixed = maskOf("fixed_" + given.name, given.fixed, nu, nv);
   return side;
 }
 
@@ -131,43 +154,16 @@ const char* statusName(NearestStatus status) {
   return "";
 }
 
-struct ConnectionDegrees {
-  int alpha, beta, p, q;
-};
-
-py::dict nearestJoinOf(const Surface& a, const std::string& edge_a, const Surface& b,
-                       const std::string& edge_b, int order, const std::string& moves,
-                       bool reversed, const std::optional<NumberArray>& weights_a,
-                       const std::optional<NumberArray>& weights_b,
-                       const std::optional<Mask>& fixed_a, const std::optional<Mask>& fixed_b,
-                       const ConnectionDegrees& degrees) {
-  JoinSide side_a = sideOf(a, edge_a, weights_a, fixed_a, "a");
-  JoinSide side_b = sideOf(b, edge_b, weights_b, fixed_b, "b");
+void setMoves(const py::object& value, JoinSide& a, JoinSide& b) {
+  const auto moves = argument<std::string>("moves", value, "both, a or b");
   if (moves != "both" && moves != "a" && moves != "b")
-    throw py::value_error("moves is '" + moves + "': both, a or b is needed");
-  side_a.moves = moves != "b";
-  side_b.moves = moves != "a";
-  side_b.reversed = reversed;
-  const int degree = std::max(degreeAlong(side_a), degreeAlong(side_b));
-  elevate(side_a, degree, a);
-  elevate(side_b, degree, b);
-  NearestOptions options;
-  options.order = order;
-  options.degree_alpha = degrees.alpha;
-  options.degree_beta = degrees.beta;
-  options.degree_p = degrees.p;
-  options.degree_q = degrees.q;
-  NearestJoin join;
-  {
-    const py::gil_scoped_release release;
-    join = nearestJoin(side_a, side_b, options);
-  }
+    throw py::value_error("moves is " + shown(value) + ": both, a or b is needed");
+  a.moves = moves != "b";
+  b.moves = moves != "a";
+}
+
+py::object joinResult(const NearestJoin& join, py::dict result) {
   const ConnectionFunctions& c = join.connection;
-  py::dict result;
-  const bool changed =
-      join.status == NearestStatus::Joined || join.status == NearestStatus::NotConverged;
-  result["a"] = changed && side_a.moves ? asGiven(join.a, a) : py::cast(a);
-  result["b"] = changed && side_b.moves ? asGiven(join.b, b) : py::cast(b);
   result["status"] = statusName(join.status);
   result["alpha"] = c.alpha;
   result["beta"] = c.beta;
@@ -181,44 +177,101 @@ py::dict nearestJoinOf(const Surface& a, const std::string& edge_a, const Surfac
   result["residual"] = join.residual;
   result["stationarity"] = join.stationarity;
   result["iterations"] = join.iterations;
-  return result;
+  return resultOf("NearestJoin", result);
+}
+
+py::object nearestJoinOf(const py::object& a, const py::object& edge_a, const py::object& b,
+                         const py::object& edge_b, const py::object& order, const py::object& moves,
+                         const py::object& reversed, const py::object& weights_a,
+                         const py::object& weights_b, const py::object& fixed_a,
+                         const py::object& fixed_b, const py::object& degree_alpha,
+                         const py::object& degree_beta, const py::object& degree_p,
+                         const py::object& degree_q) {
+  JoinSide side_a = sideOf({"a", a, edge_a, weights_a, fixed_a});
+  JoinSide side_b = sideOf({"b", b, edge_b, weights_b, fixed_b});
+  const Surface given_a = joinSurfaceOf("a", a), given_b = joinSurfaceOf("b", b);
+  setMoves(moves, side_a, side_b);
+  side_b.reversed = flagOf("reversed", reversed);
+  const int degree = std::max(degreeAlong(side_a), degreeAlong(side_b));
+  elevate(side_a, degree, given_a);
+  elevate(side_b, degree, given_b);
+  NearestOptions options;
+  options.order = wholeNumber("order", order);
+  options.degree_alpha = wholeNumber("degree_alpha", degree_alpha);
+  options.degree_beta = wholeNumber("degree_beta", degree_beta);
+  options.degree_p = wholeNumber("degree_p", degree_p);
+  options.degree_q = wholeNumber("degree_q", degree_q);
+  NearestJoin join;
+  {
+    const py::gil_scoped_release release;
+    join = nearestJoin(side_a, side_b, options);
+  }
+  py::dict result;
+  const bool changed =
+      join.status == NearestStatus::Joined || join.status == NearestStatus::NotConverged;
+  result["a"] = changed && side_a.moves ? asGiven(join.a, given_a) : a;
+  result["b"] = changed && side_b.moves ? asGiven(join.b, given_b) : b;
+  return joinResult(join, result);
+}
+
+py::tuple stateOf(const BSplineSurface& s) {
+  return py::make_tuple(s.degree_u, s.degree_v, s.knots_u, s.knots_v, homogeneousArray(s.poles));
+}
+
+BSplineSurface surfaceFrom(const py::tuple& state) {
+  BSplineSurface surface{state[0].cast<int>(), state[1].cast<int>(),
+                         state[2].cast<std::vector<double>>(), state[3].cast<std::vector<double>>(),
+                         homogeneousRows(state[4].cast<Array>())};
+  requireValid(surface);
+  return surface;
 }
 
 void bindSurface(py::module_& module) {
   py::class_<BSplineSurface>(
       module, "BSplineSurface", py::module_local(),
-      "A (rational) B-spline surface with clamped ends: poles (nu, nv, 3), flat knots, "
-      "weights (nu, nv) or None.")
+      R"(A (rational) B-spline surface with clamped ends: poles (nu, nv, 3) in mm, flat knots,
+weights (nu, nv) or None.
+
+ValueError, with index and value, for numbers that make no surface.)")
       .def(py::init(&makeSurface), py::arg("poles"), py::arg("knots_u"), py::arg("knots_v"),
            py::arg("degree_u"), py::arg("degree_v"), py::arg("weights") = py::none())
-      .def_static("from_patch", &splineSurface, py::arg("patch"),
-                  "The same patch with knots 0 and 1.")
+      .def_static(
+          "from_patch",
+          [](const py::object& patch) {
+            return splineSurface(objectOf<BezierPatch>("patch", patch, "a BezierPatch"));
+          },
+          py::arg("patch"), "The same patch with knots 0 and 1.")
       .def_property_readonly("degree_u", [](const BSplineSurface& s) { return s.degree_u; })
       .def_property_readonly("degree_v", [](const BSplineSurface& s) { return s.degree_v; })
       .def_property_readonly("knots_u", [](const BSplineSurface& s) { return s.knots_u; })
       .def_property_readonly("knots_v", [](const BSplineSurface& s) { return s.knots_v; })
-      .def_property_readonly("poles", &splineNetPoles)
-      .def_property_readonly("weights", &splineNetWeights)
-      .def(
-          "point", [](const BSplineSurface& s, double u, double v) { return jet(s, u, v).p; },
-          py::arg("u"), py::arg("v"))
-      .def(
-          "jet", [](const BSplineSurface& s, double u, double v) { return jet(s, u, v); },
-          py::arg("u"), py::arg("v"), "Point and partials to third order, a SurfaceJet.")
+      .def_property_readonly("poles", &splineNetPoles, "(nu, nv, 3), in mm.")
+      .def_property_readonly("weights", &splineNetWeights, "(nu, nv).")
+      .def("point", &splinePoint, py::arg("u"), py::arg("v"),
+           "The point (3,) at (u, v); arrays broadcast to a shape s: points s + (3,).")
+      .def("jet", &splineJet, py::arg("u"), py::arg("v"),
+           "Point and partials to third order, a SurfaceJet; for arrays an array of them.")
       .def(
           "with_knot",
-          [](const BSplineSurface& s, const std::string& direction, double knot) {
-            return withKnot(s, directionOf(direction), knot);
+          [](const BSplineSurface& s, const py::object& direction, const py::object& knot) {
+            return withKnot(s, directionOf(direction), numberOf("knot", knot));
           },
           py::arg("direction"), py::arg("knot"), "The same surface with one more knot in u or v.")
       .def(
           "with_raised_knots",
-          [](const BSplineSurface& s, const std::string& direction, int times) {
-            return withRaisedKnots(s, directionOf(direction), times);
+          [](const BSplineSurface& s, const py::object& direction, const py::object& times) {
+            return withRaisedKnots(s, directionOf(direction), wholeNumber("times", times));
           },
           py::arg("direction"), py::arg("times") = 1,
           "The same surface, the multiplicity of each inner knot in u or v raised, to the degree "
           "at most.")
+      .def(py::pickle(&stateOf, &surfaceFrom))
+      .def("__repr__",
+           [](const BSplineSurface& s) {
+             return "<BSplineSurface of degrees " + std::to_string(s.degree_u) + " by " +
+                    std::to_string(s.degree_v) + " with " + std::to_string(s.countU()) + " by " +
+                    std::to_string(s.countV()) + " poles>";
+           })
       .def(py::self == py::self)
       .attr("__hash__") = py::none();
 }
@@ -227,38 +280,19 @@ void bindSurface(py::module_& module) {
 
 void bindNearest(py::module_& module) {
   bindSurface(module);
-  module.def(
-      "nearest_join",
-      [](const Surface& a, const std::string& edge_a, const Surface& b, const std::string& edge_b,
-         int order, const std::string& moves, bool reversed,
-         const std::optional<NumberArray>& weights_a, const std::optional<NumberArray>& weights_b,
-         const std::optional<Mask>& fixed_a, const std::optional<Mask>& fixed_b, int degree_alpha,
-         int degree_beta, int degree_p, int degree_q) {
-        return nearestJoinOf(a, edge_a, b, edge_b, order, moves, reversed, weights_a, weights_b,
-                             fixed_a, fixed_b, {degree_alpha, degree_beta, degree_p, degree_q});
-      },
-      py::arg("a"), py::arg("edge_a"), py::arg("b"), py::arg("edge_b"), py::arg("order") = 1,
-      py::arg("moves") = "both", py::arg("reversed") = false, py::kw_only(),
-      py::arg("weights_a") = py::none(), py::arg("weights_b") = py::none(),
-      py::arg("fixed_a") = py::none(), py::arg("fixed_b") = py::none(), py::arg("degree_alpha") = 0,
-      py::arg("degree_beta") = 1, py::arg("degree_p") = 0, py::arg("degree_q") = 1,
-      "Moves poles of two surfaces (BezierPatch or BSplineSurface) as little as possible, so that "
-      "they join "
-      "with "
-      "G1 (order 1) or G2 (order 2) exactly along the edges 'u0', 'u1', 'v0', 'v1'. moves: 'both', "
-      "'a' or "
-      "'b'; "
-      "reversed: the edge of b runs the other way. weights_a, weights_b: the weight of the squared "
-      "move of each "
-      "pole; "
-      "fixed_a, "
-      "fixed_b: poles that stay, as boolean arrays of the shape of the poles. The result is a dict "
-      "of a, b, "
-      "status "
-      "('joined', 'unchanged', 'infeasible', 'not converged'), the connection functions alpha, "
-      "beta, p, q, "
-      "e0, e1, "
-      "e2, largest_move_mm, cost, residual, stationarity and iterations.");
+  module.def("nearest_join", &nearestJoinOf, py::arg("a"), py::arg("edge_a"), py::arg("b"),
+             py::arg("edge_b"), py::arg("order") = 1, py::arg("moves") = "both",
+             py::arg("reversed") = false, py::kw_only(), py::arg("weights_a") = py::none(),
+             py::arg("weights_b") = py::none(), py::arg("fixed_a") = py::none(),
+             py::arg("fixed_b") = py::none(), py::arg("degree_alpha") = 0,
+             py::arg("degree_beta") = 1, py::arg("degree_p") = 0, py::arg("degree_q") = 1,
+             R"(Moves poles of two surfaces as little as possible so that they join: a NearestJoin.
+
+a, b: BezierPatch or BSplineSurface. They join with G1 (order 1) or G2 (order 2) exactly along the
+edges 'u0', 'u1', 'v0', 'v1'. moves: 'both', 'a' or 'b'. reversed: the edge of b runs the other way.
+weights_a, weights_b: the weight of the squared move of each pole. fixed_a, fixed_b: poles that
+stay, as boolean arrays of the shape of the poles. degree_alpha, ..: degrees of the functions that
+connect the surfaces. TypeError for other surfaces; ValueError for other bad arguments.)");
 }
 
 }  // namespace seamwright::python

@@ -6,17 +6,23 @@
 #include <limits>
 #include <optional>
 #include <seamwright/core/join/curve/nearest_curve.hpp>
-#include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
+#include <seamwright/plugin/python/curves.hpp>
+#include <seamwright/plugin/python/results.hpp>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace seamwright::python {
 
 namespace {
 
-using Curve = std::variant<BSplineCurve, BezierCurve>;
+/// A curve whose poles can move: a BezierSpline becomes a BSplineCurve.
+Curve movableCurve(const char* name, const py::object& value) {
+  Curve curve = curveOf(name, value);
+  if (const auto* spline = std::get_if<BezierSpline>(&curve))
+    curve = bsplineCurve(*spline, continuity(*spline));
+  return curve;
+}
 
 Eigen::Index countOf(const Curve& curve) {
   if (const auto* bezier = std::get_if<BezierCurve>(&curve)) return bezier->degree() + 1;
@@ -89,7 +95,7 @@ const char* statusName(NearestCurveStatus status) {
 }
 
 template <class Type>
-py::dict joinOf(const Type& a, const Type& b, const NearestCurveJoinOptions& options) {
+py::object joinOf(const Type& a, const Type& b, const NearestCurveJoinOptions& options) {
   const auto join = [&] {
     const py::gil_scoped_release release;
     return nearestJoin(a, b, options);
@@ -105,7 +111,7 @@ py::dict joinOf(const Type& a, const Type& b, const NearestCurveJoinOptions& opt
   result["gradient"] = join.gradient;
   result["iterations"] = join.iterations;
   result["reason"] = join.reason;
-  return result;
+  return resultOf("NearestCurveJoin", result);
 }
 
 BSplineCurve splineOf(const Curve& curve) {
@@ -113,18 +119,19 @@ BSplineCurve splineOf(const Curve& curve) {
   return std::get<BSplineCurve>(curve);
 }
 
-py::dict nearestCurveJoinOf(const Curve& a, const Curve& b, const py::object& order,
-                            const py::object& moves, const py::object& costs_a,
-                            const py::object& costs_b, const py::object& fixed_a,
-                            const py::object& fixed_b, const py::object& beta,
-                            const py::object& max_iterations) {
+py::object nearestCurveJoinOf(const py::object& given_a, const py::object& given_b,
+                              const py::object& order, const py::object& moves,
+                              const py::object& costs_a, const py::object& costs_b,
+                              const py::object& fixed_a, const py::object& fixed_b,
+                              const py::object& beta, const py::object& max_iterations) {
+  const Curve a = movableCurve("a", given_a), b = movableCurve("b", given_b);
   NearestCurveJoinOptions options;
-  options.order = argument<int>("order", order, "a whole number");
+  options.order = wholeNumber("order", order);
   options.moves = curveMovesOf(moves);
   options.costs_a = costsOf(a, "a", costs_a, fixed_a);
   options.costs_b = costsOf(b, "b", costs_b, fixed_b);
-  if (!beta.is_none()) options.beta = numbersOf("beta", beta);
-  options.max_iterations = argument<int>("max_iterations", max_iterations, "a whole number");
+  if (!beta.is_none()) options.beta = numbersOf("beta", itemOrSelf(beta, "beta"));
+  options.max_iterations = wholeNumber("max_iterations", max_iterations);
   const auto *bezier_a = std::get_if<BezierCurve>(&a), *bezier_b = std::get_if<BezierCurve>(&b);
   if (bezier_a && bezier_b) return joinOf(*bezier_a, *bezier_b, options);
   return joinOf(splineOf(a), splineOf(b), options);
@@ -134,26 +141,22 @@ py::dict nearestCurveJoinOf(const Curve& a, const Curve& b, const py::object& or
 
 void bindNearestCurve(py::module_& module) {
   module.def(
-      "nearest_curve_join", &nearestCurveJoinOf, py::arg("a"), py::arg("b"), py::arg("order") = 1,
+      "curve_nearest_join", &nearestCurveJoinOf, py::arg("a"), py::arg("b"), py::arg("order") = 1,
       py::kw_only(), py::arg("moves") = "both", py::arg("costs_a") = py::none(),
       py::arg("costs_b") = py::none(), py::arg("fixed_a") = py::none(),
       py::arg("fixed_b") = py::none(), py::arg("beta") = py::none(),
       py::arg("max_iterations") = 100,
-      "Moves the last order + 1 poles of a, the first of b, or both (moves: 'a', 'b', 'both') as "
-      "little as possible, so "
-      "that the curves (BezierCurve or BSplineCurve) join with G^order exactly where a ends and b "
-      "begins. costs_a, "
-      "costs_b: the weight of the squared move of each pole, one number a pole; fixed_a, fixed_b: "
-      "indices of "
-      "poles that stay, "
-      "-1 being the last; beta: beta_1..beta_n to be used instead of those that are found. The "
-      "result "
-      "is a dict of a, b, "
-      "beta, status ('solved', 'infeasible', 'not converged'), cost (half the sum of cost times "
-      "squared move), "
-      "largest_move_mm, residual, gradient, iterations and reason. Of a BezierCurve and a "
-      "BSplineCurve both come back as "
-      "BSplineCurve.");
+      R"(Moves poles of two curves as little as possible so that they join: a NearestCurveJoin.
+
+The last order + 1 poles of a, the first of b, or both (moves: 'a', 'b', 'both') move, so that the
+curves join with G^order exactly where a ends and b begins. a, b: curves of any class; a
+BezierSpline becomes the BSplineCurve of to_bspline(), and of a BezierCurve and a BSplineCurve
+both come back as BSplineCurve.
+
+costs_a, costs_b: the weight of the squared move of each pole, one number a pole. fixed_a,
+fixed_b: indices of poles that stay, -1 being the last, or one boolean a pole. beta:
+beta_1..beta_n to be used instead of those that are found, or a result that has them. TypeError
+for anything but a curve; ValueError for other bad arguments.)");
 }
 
 }  // namespace seamwright::python

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <pybind11/stl/filesystem.h>
+#include <pybind11/stl.h>
 
 #include <limits>
 #include <optional>
@@ -7,6 +7,7 @@
 #include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
 #include <seamwright/plugin/python/model_calls.hpp>
+#include <seamwright/plugin/python/results.hpp>
 #include <seamwright/plugin/report/json.hpp>
 #include <seamwright/plugin/report/repair_json.hpp>
 #include <seamwright/plugin/report/repair_table.hpp>
@@ -51,20 +52,19 @@ RepairReport repairModel(const occ::Model& model, const py::object& target,
                          const py::object& convert_analytic, const py::object& jobs,
                          const py::object& progress) {
   occ::RepairOptions options;
-  options.order = orderOf(target);
+  options.order = targetOrder(target);
   options.tolerance =
       toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg});
   options.max_move_mm = maxMoveOf(max_move_mm);
-  options.fairness = argument<double>("fairness", fairness, "a number");
+  options.fairness = numberOf("fairness", fairness);
   options.keep_curvature = flagOf("keep_curvature", keep_curvature);
-  if (!max_time_s.is_none())
-    options.max_time_s = argument<double>("max_time_s", max_time_s, "a number");
+  options.max_time_s = optionalNumber("max_time_s", max_time_s).value_or(options.max_time_s);
   options.edges = edgesOf(edges);
   options.fixed_faces = wholeNumbers("fixed_faces", fixed_faces);
-  if (!match_mm.is_none()) options.match_mm = argument<double>("match_mm", match_mm, "a number");
+  options.match_mm = optionalNumber("match_mm", match_mm).value_or(options.match_mm);
   options.sew = flagOf("sew", sew);
   options.convert_analytic = flagOf("convert_analytic", convert_analytic);
-  options.jobs = argument<int>("jobs", jobs, "a whole number");
+  options.jobs = wholeNumber("jobs", jobs);
   return longCall(progress, [&](const occ::Progress& report) {
     return RepairReport{model, occ::repair(model, options, report), options};
   });
@@ -74,14 +74,15 @@ py::object repairDict(const RepairReport& repair) {
   return plainObject(report::toJson(repair.report, repair.options));
 }
 
-py::dict writeRepaired(const RepairReport& repair, const std::filesystem::path& path,
-                       bool overwrite, bool overwrite_source, const py::object& progress) {
+py::object writeRepaired(const RepairReport& repair, const py::object& path,
+                         const py::object& overwrite, const py::object& overwrite_source,
+                         const py::object& progress) {
   const ResultToWrite result{
       repair.report.model,
       !repair.report.changed(),
       {report::judgeOf(repair.report, repair.options),
        report::countsOf(repair.report.after, repair.report.model), &repair.given}};
-  return writeResult(result, {path, overwrite, overwrite_source}, progress);
+  return writeResult(result, {path, overwrite, overwrite_source, progress});
 }
 
 std::string shortly(const RepairReport& repair) {
@@ -91,12 +92,15 @@ std::string shortly(const RepairReport& repair) {
          std::to_string(summary.defects_after) + " defects left>";
 }
 
-}  // namespace
+/// A property that reads a list of the JSON.
+auto listed(const char* type, const char* key) {
+  return [=](const RepairReport& repair) { return resultsOf(type, repairDict(repair)[key]); };
+}
 
-void bindRepair(py::module_& module) {
-  py::class_<RepairReport>(module, "RepairReport", py::module_local(),
-                           "What came of Model.repair().")
-      .def_property_readonly(
+using ReportClass = py::class_<RepairReport>;
+
+void bindOutcome(ReportClass& type) {
+  type.def_property_readonly(
           "model", [](const RepairReport& repair) { return repair.report.model; },
           "The repaired model: same faces, edges and solids, in the same order unless edges were "
           "sewn.")
@@ -111,38 +115,29 @@ void bindRepair(py::module_& module) {
           "Some face moved, or edges were sewn.")
       .def_property_readonly(
           "passed", [](const RepairReport& repair) { return repair.report.after.passed(); },
-          "No seam is a defect any more.")
-      .def_property_readonly(
-          "seams",
-          [](const RepairReport& repair) { return py::object(repairDict(repair)["seams"]); },
-          "All seams: a list of dicts {before, after, treated, repaired, reason, wants_conversion, "
-          "sewn, not_sewn}.")
-      .def_property_readonly(
-          "moves",
-          [](const RepairReport& repair) { return py::object(repairDict(repair)["moves"]); },
-          "The faces that moved: a list of dicts {face, largest_move_mm, surface}; surface tells "
-          "what became "
-          "of the "
-          "face's curvature.")
-      .def_property_readonly(
-          "edge_moves",
-          [](const RepairReport& repair) { return py::object(repairDict(repair)["edge_moves"]); },
-          "Edges with new paths on faces that stay: a list of dicts {edge, largest_move_mm}.")
-      .def_property_readonly(
-          "converted",
-          [](const RepairReport& repair) { return py::object(repairDict(repair)["converted"]); },
-          "Faces that became splines: a list of dicts {face, kind, error_mm}.")
+          "No seam is a defect any more.");
+}
+
+void bindDetails(ReportClass& type) {
+  type.def_property_readonly("seams", listed("SeamRepair", "seams"), "All seams: SeamRepairs.")
+      .def_property_readonly("moves", listed("FaceMove", "moves"),
+                             "The faces that moved: FaceMoves; surface tells what became of the "
+                             "face's curvature.")
+      .def_property_readonly("edge_moves", listed("EdgeMove", "edge_moves"),
+                             "Edges with new paths on faces that stay: EdgeMoves.")
+      .def_property_readonly("converted", listed("FaceConversion", "converted"),
+                             "Faces that became splines: FaceConversions.")
       .def_property_readonly(
           "summary",
           [](const RepairReport& repair) {
-            return plainObject(report::toJson(report::summarize(repair.report)));
+            return resultOf("RepairSummary",
+                            plainObject(report::toJson(report::summarize(repair.report))));
           },
-          "A dict {seams, treated, repaired, left, wants_conversion, sewn, lowered, "
-          "defects_before, "
-          "defects_after, "
-          "largest_move_mm, "
-          "worse_faces, changed, passed}.")
-      .def("to_dict", &repairDict, "All but the model as a plain dict with the keys of the JSON.")
+          "The counts: a RepairSummary.");
+}
+
+void bindTexts(ReportClass& type) {
+  type.def("to_dict", &repairDict, "All but the model as a plain dict with the keys of the JSON.")
       .def(
           "to_json",
           [](const RepairReport& repair) {
@@ -153,11 +148,38 @@ void bindRepair(py::module_& module) {
           "to_table",
           [](const RepairReport& repair) { return readable(report::toTable(repair.report)); },
           "The report as text for people.")
-      .def("write", &writeRepaired, py::arg("path"), py::kw_only(), py::arg("overwrite") = false,
-           py::arg("overwrite_source") = false, py::arg("progress") = py::none(), write_result_doc)
+      .def("write", &writeRepaired, write_result_doc, py::arg("path"), py::kw_only(),
+           py::arg("overwrite") = false, py::arg("overwrite_source") = false,
+           py::arg("progress") = py::none())
       .def("__repr__", &shortly);
+}
+
+constexpr const char* repair_doc =
+    R"(Moves spline faces, with the least bending, until the seams chosen are smooth: a
+RepairReport.
+
+Proves it, or leaves them as they were. The model is not changed.
+
+target: 'G1' or 'G2'. Tolerances, jobs and progress as in analyze(). max_move_mm: no point of a
+face moves further; None: any distance; 'auto': a hundredth of the size of the face and twice the
+largest gap of its seams to be repaired. fairness: how many times as much as before the mean
+curvature of a face may vary, at least 1. keep_curvature: seams that are G2 stay so, also where G1
+is the target. max_time_s: no more repairs are tried after this time, what was repaired is kept;
+None: no limit. edges: numbers of the edges, from 1, whose seams are treated; None: all defects.
+fixed_faces: numbers of faces that stay.
+match_mm: also free edges no further apart than this; 0: none. sew: such edges become one where
+they meet within the gap tolerance. convert_analytic: planes, cylinders and the like may become
+splines where they have to move. ValueError for bad arguments, with name and value.)";
+
+}  // namespace
+
+void bindRepair(py::module_& module) {
+  ReportClass type(module, "RepairReport", py::module_local(), "What came of Model.repair().");
+  bindOutcome(type);
+  bindDetails(type);
+  bindTexts(type);
   py::class_<occ::Model> model(module.attr("Model"));
-  model.def("repair", &repairModel, py::kw_only(), py::arg("target") = "G1",
+  model.def("repair", &repairModel, repair_doc, py::kw_only(), py::arg("target") = "G1",
             py::arg("profile") = "default", py::arg("gap_mm") = py::none(),
             py::arg("angle_deg") = py::none(), py::arg("curvature_rel") = py::none(),
             py::arg("flat_radius_mm") = py::none(), py::arg("crease_deg") = py::none(),
@@ -165,28 +187,7 @@ void bindRepair(py::module_& module) {
             py::arg("keep_curvature") = false, py::arg("max_time_s") = py::none(),
             py::arg("edges") = py::none(), py::arg("fixed_faces") = py::tuple(),
             py::arg("match_mm") = 0.0, py::arg("sew") = true, py::arg("convert_analytic") = false,
-            py::arg("jobs") = 0, py::arg("progress") = py::none(),
-            "Moves spline faces, with the least bending, until the seams chosen are smooth; proves "
-            "it, or "
-            "leaves them as they were. Returns a RepairReport; the model is not changed.\n\n"
-            "target: 'G1' or 'G2'. Tolerances as in analyze(). max_move_mm: no point of a face "
-            "moves further; "
-            "None: any distance; 'auto': a hundredth of the size of the face and twice the largest "
-            "gap of its "
-            "seams "
-            "to be repaired. fairness: how many times as much as before the mean curvature of a "
-            "face may vary, at "
-            "least 1. keep_curvature: seams that are G2 stay so, also where G1 is the target. "
-            "max_time_s: no more repairs are tried after this time, what was repaired is kept; "
-            "None: no limit. "
-            "edges: numbers of the edges, from 1, whose seams are treated; None: all defects. "
-            "fixed_faces: numbers of faces that stay. match_mm: also free edges no further apart "
-            "than this; 0: "
-            "none. sew: such edges become one where they meet within the gap tolerance. "
-            "convert_analytic: planes, "
-            "cylinders and the like may become splines where they have to move. jobs: threads; 0: "
-            "one for "
-            "each processor.");
+            py::arg("jobs") = 0, py::arg("progress") = py::none());
 }
 
 }  // namespace seamwright::python

@@ -9,8 +9,10 @@
 #include <seamwright/core/seam/triangle_side.hpp>
 #include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
+#include <seamwright/plugin/python/curves.hpp>
 #include <seamwright/plugin/python/edges.hpp>
 #include <seamwright/plugin/python/joint.hpp>
+#include <seamwright/plugin/python/poles.hpp>
 #include <seamwright/plugin/report/numbers.hpp>
 
 namespace seamwright::python {
@@ -70,8 +72,8 @@ py::dict leftOutDict(const SeamFigures& figures) {
   return dict;
 }
 
-py::dict seamDict(const SeamFigures& figures, const ContinuityTolerance& tolerance,
-                  const Verdict& verdict) {
+py::object enclosedSeam(const SeamFigures& figures, const ContinuityTolerance& tolerance,
+                        const Verdict& verdict) {
   occ::SeamResult result;
   result.figures = figures;
   result.verdict = verdict;
@@ -87,16 +89,17 @@ py::dict seamDict(const SeamFigures& figures, const ContinuityTolerance& toleran
   dict["certified"] = verdict.certain;
   dict["degenerate"] = degenerateList(figures.degenerate);
   dict["note"] = report::noteOf(result, tolerance);
-  return dict;
+  return resultOf("EnclosedSeam", dict);
 }
 
-py::dict encloseSeamOf(const py::object& a, const py::object& edge_a, const py::object& b,
-                       const py::object& edge_b, const py::object& reversed,
-                       const py::object& level, const py::object& profile, const py::object& gap_mm,
-                       const py::object& angle_deg, const py::object& curvature_rel,
-                       const py::object& flat_radius_mm, const py::object& crease_deg) {
+py::object encloseSeamOf(const py::object& a, const py::object& edge_a, const py::object& b,
+                         const py::object& edge_b, const py::object& reversed,
+                         const py::object& level, const py::object& profile,
+                         const py::object& gap_mm, const py::object& angle_deg,
+                         const py::object& curvature_rel, const py::object& flat_radius_mm,
+                         const py::object& crease_deg) {
   const SeamSide side_a = sideOf("patch_a", a, "edge_a", edge_a, false);
-  const SeamSide side_b = sideOf("patch_b", b, "edge_b", edge_b, py::cast<bool>(reversed));
+  const SeamSide side_b = sideOf("patch_b", b, "edge_b", edge_b, flagOf("reversed", reversed));
   const ContinuityTolerance tolerance =
       toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg});
   const Level required = levelOf(level);
@@ -108,16 +111,24 @@ py::dict encloseSeamOf(const py::object& a, const py::object& edge_a, const py::
     const py::gil_scoped_release release;
     figures = encloseSeam(side_a, side_b, tolerance);
   }
-  return seamDict(figures, tolerance, judge(figures, tolerance, required));
+  return enclosedSeam(figures, tolerance, judge(figures, tolerance, required));
 }
 
-py::dict measureJointOf(const BezierCurve& a, const BezierCurve& b, const py::object& order,
-                        const py::object& profile, const py::object& gap_mm,
-                        const py::object& angle_deg, const py::object& curvature_rel,
-                        const py::object& flat_radius_mm) {
+py::object measureJointOf(const py::object& a, const py::object& b, const py::object& order,
+                          const py::object& profile, const py::object& gap_mm,
+                          const py::object& angle_deg, const py::object& curvature_rel,
+                          const py::object& flat_radius_mm) {
   const ContinuityTolerance tolerance =
       toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, noCrease()});
-  return jointDict(measureJoint(a, b, argument<int>("order", order, "a whole number")), tolerance);
+  // Derivatives by arc length do not depend on the parameter, so those of the segments are enough.
+  const BezierCurve last = CurveSegments(curveOf("a", a)).parts().back().curve,
+                    first = CurveSegments(curveOf("b", b)).parts().front().curve;
+  return jointResult(measureJoint(last, first, wholeNumber("order", order)), tolerance);
+}
+
+py::object arcLengthDerivativesOf(const py::object& derivatives, const py::object& speed_noise) {
+  return py::cast(arcLengthDerivatives(rowsOf("derivatives", derivatives, "(n+1, 3)"),
+                                       numberOf("speed_noise", speed_noise)));
 }
 
 }  // namespace
@@ -129,29 +140,25 @@ void bindSeam(py::module_& module) {
              py::arg("gap_mm") = py::none(), py::arg("angle_deg") = py::none(),
              py::arg("curvature_rel") = py::none(), py::arg("flat_radius_mm") = py::none(),
              py::arg("crease_deg") = py::none(),
-             "Encloses and judges the seam of two patches along an edge of each: 'u0', 'u1', 'v0' "
-             "or 'v1' of a "
-             "BezierPatch or a BSplineSurface, 'l0' (from P1 to P2), 'l1' (P2 to P0) or 'l2' (P0 "
-             "to P1) of a "
-             "BezierTriangle.\n\n"
-             "Points correspond by the parameter along the edge; reversed: by 1 minus it on b. "
-             "Returns a dict with "
-             "the keys of a seam in the JSON that apply, and degenerate: points without a tangent "
-             "plane. level is "
-             "at most 'G2'.");
-  module.def("arc_length_derivatives", &arcLengthDerivatives, py::arg("derivatives"),
+             R"(Encloses and judges the seam of two surfaces along an edge of each: an EnclosedSeam.
+
+Edges: 'u0', 'u1', 'v0' or 'v1' of a BezierPatch or a BSplineSurface, 'l0' (from P1 to P2), 'l1' (P2
+to P0) or 'l2' (P0 to P1) of a BezierTriangle. Points correspond by the parameter along the edge;
+reversed: by 1 minus it on b. level, at most 'G2', and the tolerances are those of Model.analyze().
+TypeError for another class of surface; ValueError for other bad arguments.)");
+  module.def("arc_length_derivatives", &arcLengthDerivativesOf, py::arg("derivatives"),
              py::arg("speed_noise") = 0.0,
-             "Derivatives by arc length (n+1, 3) from those by any parameter, row k of order k; "
-             "None where "
-             "the speed is no larger than speed_noise.");
+             "Derivatives by arc length (n+1, 3) from those by any parameter, row k of order k in "
+             "mm; None where the speed is no larger than speed_noise.");
   module.def("measure_joint", &measureJointOf, py::arg("a"), py::arg("b"), py::arg("order") = 3,
              py::kw_only(), py::arg("profile") = "default", py::arg("gap_mm") = py::none(),
              py::arg("angle_deg") = py::none(), py::arg("curvature_rel") = py::none(),
              py::arg("flat_radius_mm") = py::none(),
-             "How the end of curve a meets the beginning of curve b, to that order: a dict of "
-             "gap_mm, angle_rad, "
-             "differences and sizes (of the derivatives by arc length) and order_reached, the n of "
-             "G^n, or -1.");
+             R"(How the end of a meets the beginning of b, curves of any class, to that order: a
+CurveJoint.
+
+The tolerances, as in Model.analyze(), decide about order_reached alone. TypeError for anything
+but a curve; ValueError for a negative order and bad tolerances.)");
 }
 
 }  // namespace seamwright::python

@@ -4,9 +4,10 @@
 
 #include <optional>
 #include <seamwright/core/umbrella/umbrella.hpp>
-#include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
+#include <seamwright/plugin/python/curves.hpp>
 #include <seamwright/plugin/python/poles.hpp>
+#include <seamwright/plugin/python/results.hpp>
 #include <string>
 #include <vector>
 
@@ -26,10 +27,12 @@ const py::object& sequenceOf(const char* name, const py::object& value) {
 std::vector<BezierCurve> curvesOf(const char* name, const py::object& value) {
   std::vector<BezierCurve> curves;
   for (const py::handle item : sequenceOf(name, value)) {
-    if (py::isinstance<BezierCurve>(item))
-      curves.push_back(item.cast<BezierCurve>());
+    const std::string each = std::string(name) + "[" + std::to_string(curves.size()) + "]";
+    if (py::isinstance<BezierCurve>(item) || py::isinstance<BSplineCurve>(item) ||
+        py::isinstance<BezierSpline>(item))
+      curves.push_back(bezierCurveOf(each, py::reinterpret_borrow<py::object>(item)));
     else
-      curves.emplace_back(polesOf(arrayOf(item), 2, "(n+1, 3)"));
+      curves.emplace_back(rowsOf(each, item, "(n+1, 3)"));
   }
   return curves;
 }
@@ -51,7 +54,8 @@ std::vector<MemberKind> kindsOf(const py::object& value) {
 std::vector<UmbrellaMember> membersOf(const py::object& value) {
   if (value.is_none()) return {};
   std::vector<UmbrellaMember> members;
-  for (const py::handle item : sequenceOf("members", value)) {
+  const py::object given = itemOrSelf(value, "members");
+  for (const py::handle item : sequenceOf("members", given)) {
     if (py::isinstance<BezierPatch>(item))
       members.emplace_back(item.cast<BezierPatch>());
     else if (py::isinstance<BezierTriangle>(item))
@@ -69,14 +73,9 @@ std::optional<Eigen::VectorXd> optionalNumbers(const char* name, const py::objec
   return numbersOf(name, value);
 }
 
-std::optional<int> degreeOf(const py::object& value) {
-  if (value.is_none()) return std::nullopt;
-  return argument<int>("degree", value, "a whole number");
-}
-
 std::optional<Eigen::Matrix3d> formOf(const py::object& value) {
   if (value.is_none()) return std::nullopt;
-  const Poles rows = polesOf(arrayOf(value), 2, "(3, 3), of the second fundamental form,");
+  const Poles rows = rowsOf("form", value, "(3, 3), of the second fundamental form,");
   if (rows.rows() != 3)
     throw py::value_error("form has " + std::to_string(rows.rows()) + " rows: 3 are needed");
   return Eigen::Matrix3d(rows);
@@ -91,7 +90,7 @@ py::object connectionOf(const SpokeFunctions& functions) {
   return connection;
 }
 
-py::dict umbrellaDict(const Umbrella& umbrella) {
+py::object umbrellaResult(const Umbrella& umbrella) {
   py::list members, connections;
   for (const UmbrellaMember& member : umbrella.members)
     members.append(std::visit([](const auto& surface) { return py::cast(surface); }, member));
@@ -110,90 +109,80 @@ py::dict umbrellaDict(const Umbrella& umbrella) {
   dict["slope_change"] = umbrella.largest_lambda_change;
   dict["member_move_mm"] = umbrella.largest_member_move_mm;
   dict["free_vectors"] = umbrella.free_vectors;
-  return dict;
+  return resultOf("Umbrella", dict);
 }
 
-py::dict umbrellaOf(const py::object& spokes, const py::object& closed, const py::object& kinds,
-                    const py::object& members, const py::object& degree, const py::object& slopes,
-                    const py::object& cross_slopes, const py::object& form,
-                    const py::object& gap_mm, const py::object& flat_rad) {
+py::object umbrellaOf(const py::object& spokes, const py::object& closed, const py::object& kinds,
+                      const py::object& members, const py::object& degree, const py::object& slopes,
+                      const py::object& cross_slopes, const py::object& form,
+                      const py::object& gap_mm, const py::object& flat_rad) {
   const std::vector<BezierCurve> curves = curvesOf("spokes", spokes);
   UmbrellaOptions options;
-  if (!PyBool_Check(closed.ptr()))
-    throw py::value_error("closed is " + shown(closed) + ": True or False is needed");
-  options.closed = closed.cast<bool>();
+  options.closed = flagOf("closed", closed);
   options.kinds = kindsOf(kinds);
   options.members = membersOf(members);
-  options.degree = degreeOf(degree);
+  options.degree = optionalWhole("degree", degree);
   options.lambda = optionalNumbers("slopes", slopes);
   options.mu = optionalNumbers("cross_slopes", cross_slopes);
   options.form = formOf(form);
-  options.gap_mm = argument<double>("gap_mm", gap_mm, "a number");
-  options.vertex.flat_rad = argument<double>("flat_rad", flat_rad, "a number");
+  options.gap_mm = numberOf("gap_mm", gap_mm);
+  options.vertex.flat_rad = numberOf("flat_rad", flat_rad);
   const auto built = [&] {
     const py::gil_scoped_release unlocked;
     return umbrellaAround(curves, options);
   };
-  return umbrellaDict(built());
+  return umbrellaResult(built());
 }
 
-py::dict umbrellaInsideOf(const py::object& sides, const py::object& spoke_degree,
-                          const py::object& degree, const py::object& gap_mm) {
+py::object umbrellaInsideOf(const py::object& sides, const py::object& spoke_degree,
+                            const py::object& degree, const py::object& gap_mm) {
   const std::vector<BezierCurve> curves = curvesOf("sides", sides);
   UmbrellaInsideOptions options;
-  options.spoke_degree = argument<int>("spoke_degree", spoke_degree, "a whole number");
-  options.degree = degreeOf(degree);
-  options.gap_mm = argument<double>("gap_mm", gap_mm, "a number");
+  options.spoke_degree = wholeNumber("spoke_degree", spoke_degree);
+  options.degree = optionalWhole("degree", degree);
+  options.gap_mm = numberOf("gap_mm", gap_mm);
   const auto built = [&] {
     const py::gil_scoped_release unlocked;
     return umbrellaInside(curves, options);
   };
-  return umbrellaDict(built());
+  return umbrellaResult(built());
 }
+
+constexpr const char* umbrella_doc =
+    R"(Patches and triangles around a point that join G1 across every spoke: an Umbrella.
+
+spokes: polynomial BezierCurves, splines of one segment or arrays (n+1, 3), that begin at the
+point, in their order around it. Member i has spoke i as its edge v0 (l1 of a triangle) and spoke
+i + 1 as its edge u0 (l0, run backwards). closed: as many members as spokes; False: one less, and
+the outer spokes are rims.
+
+kinds: 'patch' or 'triangle' for each member, None: patches. members: those to be changed as
+little as possible, or an Umbrella; None: the fairest are built. degree: of the members, None: the
+lowest that does. slopes, cross_slopes: how beta and -alpha of each connection change at the
+point, None: the best, and 0. form: (3, 3), a second fundamental form that the spokes get the
+curvature of. gap_mm, flat_rad: how far the beginnings may differ and tangents may leave their
+plane.
+
+ValueError says what is wrong with which spoke or sector.)";
+
+constexpr const char* umbrella_inside_doc =
+    R"(The Umbrella inside a closed boundary of 3 to 12 polynomial BezierCurves or arrays (n+1, 3).
+
+One patch for each corner, spokes from the fairest place to the middles of the sides. Member i has
+the corner between side i and side i + 1 at (u, v) = (1, 1).)";
 
 }  // namespace
 
 void bindUmbrella(py::module_& module) {
-  module.def(
-      "umbrella", &umbrellaOf, py::arg("spokes"), py::kw_only(), py::arg("closed") = true,
-      py::arg("kinds") = py::none(), py::arg("members") = py::none(),
-      py::arg("degree") = py::none(), py::arg("slopes") = py::none(),
-      py::arg("cross_slopes") = py::none(), py::arg("form") = py::none(),
-      py::arg("gap_mm") = UmbrellaOptions{}.gap_mm, py::arg("flat_rad") = VertexOptions{}.flat_rad,
-      "Patches and triangles around a point that join G1 across every spoke, as a dict.\n\n"
-      "spokes are polynomial BezierCurves, or arrays (n+1, 3), that begin at the point, in their "
-      "order "
-      "around it. Member i has spoke i as its edge v0 (l1 of a triangle) and spoke i + 1 as its "
-      "edge u0 "
-      "(l0, run backwards). closed: as many members as spokes; False: one less, and the outer "
-      "spokes "
-      "are rims.\n\n"
-      "kinds: 'patch' or 'triangle' for each member, None: patches. members: those to be changed "
-      "as "
-      "little as possible, None: the fairest are built. degree: of the members, None: the lowest "
-      "that "
-      "does. slopes, cross_slopes: how beta and -alpha of each connection change at the point, "
-      "None: "
-      "the best, and 0. form: (3, 3), a second fundamental form that the spokes get the curvature "
-      "of. "
-      "gap_mm, flat_rad: how far the beginnings may differ and tangents may leave their plane.\n\n"
-      "The dict has members, spokes, connections (of each spoke alpha and beta for join_condition, "
-      "None "
-      "for rims), normal, angles_rad and condition of the vertex, crossing, and how much was "
-      "changed: "
-      "spoke_move_mm, second_change_mm, slope_change, member_move_mm; free_vectors is how many "
-      "poles "
-      "might have been chosen otherwise. ValueError says what is wrong with which spoke or "
-      "sector.");
-  module.def(
-      "umbrella_inside", &umbrellaInsideOf, py::arg("sides"), py::kw_only(),
-      py::arg("spoke_degree") = UmbrellaInsideOptions{}.spoke_degree,
-      py::arg("degree") = py::none(), py::arg("gap_mm") = UmbrellaInsideOptions{}.gap_mm,
-      "The umbrella inside a closed boundary of 3 to 12 polynomial BezierCurves or arrays (n+1, "
-      "3): one "
-      "patch for each corner, spokes from the fairest place to the middles of the sides. A dict as "
-      "of "
-      "umbrella(); member i has the corner between side i and side i + 1 at (u, v) = (1, 1).");
+  module.def("umbrella", &umbrellaOf, umbrella_doc, py::arg("spokes"), py::kw_only(),
+             py::arg("closed") = true, py::arg("kinds") = py::none(),
+             py::arg("members") = py::none(), py::arg("degree") = py::none(),
+             py::arg("slopes") = py::none(), py::arg("cross_slopes") = py::none(),
+             py::arg("form") = py::none(), py::arg("gap_mm") = UmbrellaOptions{}.gap_mm,
+             py::arg("flat_rad") = VertexOptions{}.flat_rad);
+  module.def("umbrella_inside", &umbrellaInsideOf, umbrella_inside_doc, py::arg("sides"),
+             py::kw_only(), py::arg("spoke_degree") = UmbrellaInsideOptions{}.spoke_degree,
+             py::arg("degree") = py::none(), py::arg("gap_mm") = UmbrellaInsideOptions{}.gap_mm);
 }
 
 }  // namespace seamwright::python

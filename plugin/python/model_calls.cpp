@@ -2,7 +2,9 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/model_calls.hpp>
+#include <seamwright/plugin/python/results.hpp>
 #include <seamwright/plugin/report/json.hpp>
 
 namespace seamwright::python {
@@ -35,7 +37,7 @@ occ::Progress progressOf(const py::object& callable, std::exception_ptr& raised)
   };
 }
 
-py::dict plainDict(const occ::WriteReport& written) {
+py::dict writeItems(const occ::WriteReport& written) {
   py::dict dict;
   dict["format"] = std::string(occ::name(written.format));
   dict["followed_source"] = written.followed_source;
@@ -46,22 +48,23 @@ py::dict plainDict(const occ::WriteReport& written) {
   return dict;
 }
 
-py::dict writeResult(const ResultToWrite& result, const ResultTarget& target,
-                     const py::object& progress) {
+py::object writeResult(const ResultToWrite& result, const WriteArguments& arguments) {
   constexpr double written_by = 0.5;
-  const report::JudgedFile written = longCall(progress, [&](const occ::Progress& share) {
+  const std::filesystem::path path = pathOf("path", arguments.path);
+  const occ::WriteOptions how = {
+      .overwrite = flagOf("overwrite", arguments.overwrite),
+      .overwrite_source = flagOf("overwrite_source", arguments.overwrite_source),
+      .unchanged = result.unchanged};
+  const report::JudgedFile written = longCall(arguments.progress, [&](const occ::Progress& share) {
     const occ::Progress shown = rising(share);
-    const occ::WriteOptions how = {.overwrite = target.overwrite,
-                                   .overwrite_source = target.overwrite_source,
-                                   .unchanged = result.unchanged};
     return report::writeJudged(
-        result.model, target.path, how, result.judge,
+        result.model, path, how, result.judge,
         {occ::partOf(shown, 0, written_by), occ::partOf(shown, written_by, 1)});
   });
-  py::dict dict = plainDict(written.report);
-  dict["output"] = plainObject(report::toJson(written.model));
-  dict["differences"] = written.model.differences(result.judge.memory);
-  return dict;
+  py::dict items = writeItems(written.report);
+  items["output"] = plainObject(report::toJson(written.model));
+  items["differences"] = written.model.differences(result.judge.memory);
+  return resultOf("CheckedWriteResult", items);
 }
 
 py::object plainObject(const nlohmann::ordered_json& json) {

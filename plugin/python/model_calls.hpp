@@ -40,8 +40,8 @@ auto longCall(const py::object& callable, const Work& work) {
   }
 }
 
-/// {format, followed_source, changed_faces, changed_edges, changed_vertices, notes}.
-py::dict plainDict(const occ::WriteReport& written);
+/// The items of a WriteResult of seamwright/results.py.
+py::dict writeItems(const occ::WriteReport& written);
 
 /// A changed model, and the criteria for its file.
 struct ResultToWrite {
@@ -50,28 +50,25 @@ struct ResultToWrite {
   report::FileJudge judge;
 };
 
-struct ResultTarget {
-  const std::filesystem::path& path;
-  bool overwrite = false;
-  bool overwrite_source = false;
+/// The arguments of every write().
+struct WriteArguments {
+  const py::object& path;
+  const py::object& overwrite;
+  const py::object& overwrite_source;
+  const py::object& progress;
 };
 
 constexpr const char* write_result_doc =
-    "Writes the model as Model.write() does, but reads the file back and analyses it as the result "
-    "was "
-    "judged, before it takes its "
-    "place.\n\n"
-    "Returns the dict of Model.write() and output {path, format, edges, faces, open_edges, "
-    "defects} as found "
-    "in the file, and "
-    "differences: a line of what is otherwise there than in the model, mostly empty. Raises "
-    "ModelError also "
-    "where the file can't be "
-    "read back; nothing is written then.";
+    R"(Writes the model as Model.write() does, but reads the file back and analyses it before it
+takes its place.
+
+The analysis is the one by which the result was judged. Returns a CheckedWriteResult: what
+Model.write() returns, output, what was found in the file, and differences: a line of what is
+otherwise there than in the model, mostly empty. Raises ModelError also where the file can't be
+read back; nothing is written then.)";
 
 /// Does what write_result_doc describes.
-py::dict writeResult(const ResultToWrite& result, const ResultTarget& target,
-                     const py::object& progress);
+py::object writeResult(const ResultToWrite& result, const WriteArguments& arguments);
 
 /// The JSON as Python dicts, lists, numbers, strings and None.
 py::object plainObject(const nlohmann::ordered_json& json);

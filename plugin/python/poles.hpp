@@ -3,43 +3,42 @@
 
 #include <pybind11/numpy.h>
 
-#include <seamwright/core/bezier/curve.hpp>
+#include <seamwright/core/bezier/homogeneous.hpp>
+#include <string>
+#include <utility>
 
+/// Arguments that are arrays of real numbers. Integers are converted; complex numbers, booleans and
+/// text are refused. Every error is a ValueError that names the argument.
 namespace seamwright::python {
 
-/// An array of real numbers. An argument may hold integers and real numbers; complex numbers,
-/// booleans and text are refused with a ValueError.
-class Array
-    : public pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast> {
- public:
-  using array_t::array_t;
-};
+using Array = pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast>;
 
-Array arrayOf(const pybind11::handle& value);
+Array arrayOf(const std::string& name, const pybind11::handle& value);
+
+/// "(2, 3)".
+std::string shapeText(const pybind11::array& array);
 
 /// The rows of an array of shape (..., 3). \param wanted the required shape as text.
-/// \throws ValueError that names the shape, if the array has another number of dimensions or
-/// columns.
-Poles polesOf(const Array& array, pybind11::ssize_t dimensions, const char* wanted);
+Poles polesOf(const std::string& name, const Array& array, pybind11::ssize_t dimensions,
+              const char* wanted);
 
-/// \throws ValueError that names the shapes, unless there is one weight for each pole.
-Eigen::VectorXd weightsOf(const Array& weights, const Array& poles);
+/// The rows of an argument of shape (n, 3).
+Poles rowsOf(const std::string& name, const pybind11::handle& value, const char* wanted = "(n, 3)");
+
+/// One weight for each pole, or ones for None.
+Eigen::VectorXd weightsOf(const pybind11::object& weights, const Array& poles);
+
+/// Homogeneous poles as an array, and back: the state of a pickled curve or surface.
+Array homogeneousArray(const HomogeneousPoles& poles);
+HomogeneousPoles homogeneousRows(const Array& state);
+
+/// A surface of the same degrees with other homogeneous poles, bitwise. The constructors of
+/// surfaces take poles and weights, whose products would be rounded.
+template <class Surface>
+Surface withHomogeneousPoles(Surface surface, HomogeneousPoles poles) {
+  requireValid(poles);
+  const_cast<HomogeneousPoles&>(surface.homogeneousPoles()) = std::move(poles);
+  return surface;
+}
 
 }  // namespace seamwright::python
-
-namespace pybind11::detail {
-
-template <>
-struct type_caster<seamwright::python::Array> {
-  PYBIND11_TYPE_CASTER(seamwright::python::Array, const_name("numpy.ndarray[numpy.float64]"));
-
-  bool load(handle source, bool) {
-    value = seamwright::python::arrayOf(source);
-    return true;
-  }
-  static handle cast(const seamwright::python::Array& array, return_value_policy, handle) {
-    return array.inc_ref();
-  }
-};
-
-}  // namespace pybind11::detail

@@ -5,12 +5,19 @@
 >>> report = seamwright.read("part.step").analyze(profile="class-a", angle_deg=0.05)
 >>> print(report.to_table())
 
+The modules ``models``, ``seams``, ``curves``, ``surfaces``, ``joins``, ``splines`` and ``fills``
+hold the same names by topic, ``results`` the classes of results.
+
 Lengths are in mm. Angles are in degrees if a name ends in ``_deg``, in radians if it ends in
 ``_rad``. Bad arguments raise ``ValueError``, bad models ``ModelError``; both state the offending
 number. Long calls release the GIL and take ``progress``, a callable that gets the share done
 (0..1). The call raises ``Cancelled`` if the callable returns a value that is false in Python
 (``False``, ``0``, ``numpy.False_``), other than ``None``.
 """
+
+from __future__ import annotations
+
+from typing import Any, Union
 
 try:
     from . import _core
@@ -21,13 +28,13 @@ except ImportError as error:
     raise ImportError(
         "the compiled part of seamwright does not load in this Python "
         f"({sys.version.split()[0]}, {sysconfig.get_config_var('SOABI')}): {error}. "
-        "Build Seamwright for this Python and its OpenCASCADE, or use the command 'seamwright' through files."
+        "Build Seamwright for this Python and its OpenCASCADE, or use the command 'seamwright' "
+        "through files."
     ) from error
 
 from . import bridge
 from ._core import (
     OCCT_VERSION,
-    PROFILES,
     BSplineCurve,
     BSplineSurface,
     BernsteinPolynomial,
@@ -44,13 +51,13 @@ from ._core import (
     ModelError,
     RepairReport,
     Report,
+    SurfaceJet,
     alpha_basis,
     alpha_curve,
     alpha_join_poles,
     alpha_join_rows,
     alpha_nearest_join,
     alpha_seam_condition,
-    alpha_seam_fit,
     alpha_sliding_rows,
     alpha_spline,
     alpha_surface,
@@ -59,14 +66,18 @@ from ._core import (
     beta_matrix,
     beta_spline,
     blend,
-    bridge_curve,
     composed_beta,
     continuation,
     curvature_tensor,
+    curve_blend,
+    curve_join_poles,
+    curve_joined,
+    curve_nearest_join,
     direct_g2_spline,
     enclose_seam,
     energy_optimal_alpha,
     find_degeneracies,
+    fit_alpha_seam,
     fit_beta,
     fit_connection,
     frenet_frame,
@@ -75,14 +86,10 @@ from ._core import (
     join_condition,
     join_rows,
     joined,
-    joined_curve,
-    knots_of,
     measure_joint,
     measure_pair,
     n_sided_fill,
-    nearest_curve_join,
     nearest_join,
-    next_poles,
     nu_spline,
     orient,
     parameter_at_length,
@@ -91,6 +98,7 @@ from ._core import (
     reversed_beta,
     ring_fill,
     rotation_minimizing_frames,
+    spline_knots,
     surface_shape,
     three_sided_fill,
     triangle_continuation,
@@ -98,9 +106,21 @@ from ._core import (
     umbrella_inside,
 )
 from ._core import __version__
+from .results import Tolerances
+
+#: The tolerances of each profile, by name.
+PROFILES = {name: Tolerances(values) for name, values in _core.PROFILES.items()}
+
+# Names of earlier versions.
+alpha_seam_fit = fit_alpha_seam
+bridge_curve = curve_blend
+joined_curve = curve_joined
+knots_of = spline_knots
+nearest_curve_join = curve_nearest_join
+next_poles = curve_join_poles
 
 
-def _from_freecad(shape):
+def _from_freecad(shape: Any) -> Model:
     """The model of a FreeCAD ``Part.Shape``.
 
     The shape is shared if the bridge allows it, and never changed.
@@ -111,12 +131,12 @@ def _from_freecad(shape):
     return bridge.model_from_freecad(shape)
 
 
-def _to_freecad(self):
+def _to_freecad(self: Model) -> Any:
     """This model as a FreeCAD ``Part.Shape``; shared, not copied, if the bridge allows it."""
     return bridge.model_to_freecad(self)
 
 
-def curve_to_freecad(curve):
+def curve_to_freecad(curve: _core.Curve) -> Any:
     """A curve as a FreeCAD curve.
 
     A BezierCurve becomes a ``Part.BezierCurve``, a BSplineCurve a ``Part.BSplineCurve``, and a
@@ -129,7 +149,7 @@ def curve_to_freecad(curve):
     return bridge.curve_to_freecad(curve)
 
 
-def curve_from_freecad(curve):
+def curve_from_freecad(curve: Any) -> Union[BezierCurve, BSplineCurve]:
     """A ``Part.BezierCurve`` or ``Part.BSplineCurve`` as BezierCurve or BSplineCurve.
 
     The numbers are the same. If the curve is periodic or not clamped, knots are inserted at its
@@ -140,7 +160,7 @@ def curve_from_freecad(curve):
     return bridge.curve_from_freecad(curve)
 
 
-def surface_to_freecad(patch):
+def surface_to_freecad(patch: BezierPatch) -> Any:
     """A BezierPatch as ``Part.BezierSurface``: the same poles and weights.
 
     Raises ``ValueError`` for degrees above 25, ``TypeError`` for other arguments, ``RuntimeError``
@@ -149,7 +169,7 @@ def surface_to_freecad(patch):
     return bridge.surface_to_freecad(patch)
 
 
-def surface_from_freecad(surface):
+def surface_from_freecad(surface: Any) -> BezierPatch:
     """A ``Part.BezierSurface`` as BezierPatch: the same poles and weights.
 
     Raises ``TypeError`` for other arguments, ``RuntimeError`` outside FreeCAD.
@@ -157,12 +177,13 @@ def surface_from_freecad(surface):
     return bridge.surface_from_freecad(surface)
 
 
-Model.from_freecad = staticmethod(_from_freecad)
-Model.to_freecad = _to_freecad
+# The stub of _core says that they are methods, so they are set by name.
+setattr(Model, "from_freecad", staticmethod(_from_freecad))
+setattr(Model, "to_freecad", _to_freecad)
+
+from . import curves, fills, joins, models, results, seams, splines, surfaces  # noqa: E402
 
 __all__ = [
-    "OCCT_VERSION",
-    "PROFILES",
     "BSplineCurve",
     "BSplineSurface",
     "BernsteinPolynomial",
@@ -177,8 +198,11 @@ __all__ = [
     "MatchResult",
     "Model",
     "ModelError",
+    "OCCT_VERSION",
+    "PROFILES",
     "RepairReport",
     "Report",
+    "SurfaceJet",
     "__version__",
     "alpha_basis",
     "alpha_curve",
@@ -200,12 +224,19 @@ __all__ = [
     "composed_beta",
     "continuation",
     "curvature_tensor",
+    "curve_blend",
     "curve_from_freecad",
+    "curve_join_poles",
+    "curve_joined",
+    "curve_nearest_join",
     "curve_to_freecad",
+    "curves",
     "direct_g2_spline",
     "enclose_seam",
     "energy_optimal_alpha",
+    "fills",
     "find_degeneracies",
+    "fit_alpha_seam",
     "fit_beta",
     "fit_connection",
     "frenet_frame",
@@ -215,9 +246,11 @@ __all__ = [
     "join_rows",
     "joined",
     "joined_curve",
+    "joins",
     "knots_of",
     "measure_joint",
     "measure_pair",
+    "models",
     "n_sided_fill",
     "nearest_curve_join",
     "nearest_join",
@@ -227,12 +260,17 @@ __all__ = [
     "parameter_at_length",
     "principal_curvatures",
     "read",
+    "results",
     "reversed_beta",
     "ring_fill",
     "rotation_minimizing_frames",
+    "seams",
+    "spline_knots",
+    "splines",
     "surface_from_freecad",
     "surface_shape",
     "surface_to_freecad",
+    "surfaces",
     "three_sided_fill",
     "triangle_continuation",
     "umbrella",

@@ -132,7 +132,7 @@ def test_nearest(order, parametric):
             "joint 0: second",
         ),
         (lambda: seamwright.alpha_spline(POLYGON, [0.9], closed=1), "closed is 1"),
-        (lambda: seamwright.alpha_seam_condition(net()[:3], 1, 1), r"poles have shape \(3, 4, 3\)"),
+        (lambda: seamwright.alpha_seam_condition(net()[:3], 1, 1), r"net has shape \(3, 4, 3\)"),
         (lambda: seamwright.alpha_seam_condition(net(), 1, 1, 0), "next_a_v is 0"),
         (lambda: seamwright.alpha_seam_fit(net(), 1, 1, net(), 2, 1), "a_u is 2"),
         (lambda: seamwright.alpha_nearest_join(net(), 1, 1, net(), 1, 1, order=3), "order 3"),

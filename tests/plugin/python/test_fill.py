@@ -97,7 +97,7 @@ def test_incompatible_corner_is_bounded():
         (lambda s: [s[0][0], *s[1:]], "side 0 is .*: a BezierCurve, "),
         (lambda s: [(s[0][0], "w0"), *s[1:]], "side 0: edge 'w0': known of a patch are u0"),
         (lambda s: [(s[0][0], "u0", 1), *s[1:]], "side 0: reversed is 1: True or False"),
-        (lambda s: [*s[:3], (BezierCurve(s[3][0].poles[0]), [[1, 2]])], "poles have shape"),
+        (lambda s: [*s[:3], (BezierCurve(s[3][0].poles[0]), [[1, 2]])], "side 3: cross has shape"),
     ],
 )
 def test_bad_sides(sides, message):

@@ -139,7 +139,7 @@ def test_what_cannot_join_is_said():
 @pytest.mark.parametrize(
     "change, text",
     [
-        ({"edge_a": "w0"}, "edge is 'w0'"),
+        ({"edge_a": "w0"}, "edge_a 'w0': known of a patch are u0, u1, v0 and v1"),
         ({"order": 3}, "order is 3"),
         ({"moves": "c"}, "moves is 'c'"),
         ({"weights_a": np.ones((3, 4))}, r"weights_a have shape \(3, 4\)"),

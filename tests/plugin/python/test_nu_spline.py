@@ -98,7 +98,7 @@ def test_stationary_points_are_named():
     "arguments, text",
     [
         ({"points": POINTS[:1]}, "points 1: at least 2"),
-        ({"points": POINTS[:, :2]}, r"poles have shape \(6, 2\)"),
+        ({"points": POINTS[:, :2]}, r"points have shape \(6, 2\)"),
         ({"points": np.where(POINTS == 9, np.nan, POINTS)}, r"point 4 is \(nan, 5, -1\)"),
         ({"points": POINTS[[0, 1, 1, 2]]}, "points 1 and 2"),
         ({"knots": [0, 1, 2, 2, 3, 4]}, "knot 3 is 2 after 2"),

@@ -137,8 +137,8 @@ def test_moving_frames():
 @pytest.mark.parametrize(
     "call, text",
     [
-        (lambda: seamwright.frenet_frame(S, "x"), "t is 'x': a number is needed"),
-        (lambda: seamwright.frenet_frame(S, math.nan), "parameter is nan"),
+        (lambda: seamwright.frenet_frame(S, "x"), "t is 'x': a number or an array of numbers is needed"),
+        (lambda: seamwright.frenet_frame(S, math.nan), "t is nan: it must be finite"),
         (lambda: seamwright.find_degeneracies(S, 0), "resolution is 0"),
         (lambda: seamwright.arc_length(S, 0), "tolerance is 0"),
         (lambda: seamwright.arc_length(S, None), "tolerance_mm is None"),
@@ -147,7 +147,7 @@ def test_moving_frames():
             lambda: seamwright.parameter_at_length(S, 100, 1e-6),
             "length is 100: the curve has 0 .. ",
         ),
-        (lambda: seamwright.parameter_at_length(S, math.inf, 1e-6), "length is inf"),
+        (lambda: seamwright.parameter_at_length(S, math.inf, 1e-6), "length_mm is inf"),
         (lambda: seamwright.rotation_minimizing_frames(S, [0, 0]), "parameter 1 is 0"),
         (lambda: seamwright.rotation_minimizing_frames(S, 0.5), "parameters is 0.5"),
         (lambda: seamwright.rotation_minimizing_frames(S, [0, 1], [1, 2]), r"normal is \[1, 2\]"),

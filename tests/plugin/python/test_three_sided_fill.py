@@ -95,7 +95,7 @@ def test_twists_need_not_agree():
         (lambda s: [*s, s[0]], "4 sides: a fill by triangles has 3"),
         (lambda s: [s[0], s[2], s[1]], "side 0 begins .* mm from where side 2 ends"),
         (lambda s: [5, *s[1:]], "side 0 is 5: a BezierCurve, "),
-        (lambda s: [*s[:2], (s[2][0], [[1, 2]])], "poles have shape"),
+        (lambda s: [*s[:2], (s[2][0], [[1, 2]])], "side 2: cross has shape"),
         (
             lambda s: [s[0], (s[1][0], [[1, 2, float("nan")]]), s[2]],
             "side 1: coefficient 0 of the cross-boundary derivative is nan",

@@ -4,6 +4,7 @@
 import os
 import pathlib
 import random
+import re
 import signal
 import subprocess
 import sys
@@ -46,6 +47,13 @@ def verdicts(model):
         (seam["faces"], seam["level"], seam["class"], round(seam["length_mm"], 6))
         for seam in model.analyze().seams
     ]
+
+
+def test_the_accuracy_of_the_source_is_stated(box, tmp_path):
+    box.write(tmp_path / "a.step")
+    text = (tmp_path / "a.step").read_text().replace("\n", "")
+    stated = re.search(r"UNCERTAINTY_MEASURE_WITH_UNIT\(LENGTH_MEASURE\(([^)]*)\)", text)
+    assert float(stated[1]) == pytest.approx(1e-7)
 
 
 def test_every_format(box, tmp_path):
