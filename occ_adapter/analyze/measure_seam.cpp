@@ -17,6 +17,7 @@
 #include <seamwright/occ_adapter/convert/points.hpp>
 #include <seamwright/occ_adapter/convert/seam_side.hpp>
 #include <seamwright/occ_adapter/convert/seam_strips.hpp>
+#include <seamwright/occ_adapter/geometry_error.hpp>
 
 namespace seamwright::occ {
 
@@ -263,8 +264,12 @@ SeamResult measureSeam(const Seam& seam, const AnalyzeOptions& options) {
     measure(seam, options, result);
   } catch (const Standard_Failure& failure) {
     fail(std::string(failure.DynamicType()->Name()) + " " + failure.GetMessageString());
-  } catch (const std::exception& error) {
+  } catch (const GeometryError& error) {
     fail(error.what());
+  } catch (const std::logic_error& fault) {
+    // A fault of the program. The figures of all other seams are worth more than a stop, but the
+    // note must not blame the model.
+    fail(std::string("internal error, please report it: ") + fault.what());
   }
   return result;
 }

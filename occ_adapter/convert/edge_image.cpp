@@ -15,11 +15,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
 #include <seamwright/occ_adapter/convert/edge_image.hpp>
 #include <seamwright/occ_adapter/convert/pcurve.hpp>
 #include <seamwright/occ_adapter/convert/points.hpp>
+#include <seamwright/occ_adapter/geometry_error.hpp>
 
 namespace seamwright::occ {
 
@@ -155,8 +155,7 @@ handle<Geom_Curve> approximated(const std::vector<EdgeSide>& sides, double first
   const handle<TColStd_HArray1OfReal> none, near = new TColStd_HArray1OfReal(1, 1, near_mm);
   AdvApprox_ApproxAFunction fit(0, 0, 1, none, none, near, first, last, GeomAbs_C1, highest_degree,
                                 most_segments, image, cuts);
-  if (!fit.HasResult())
-    throw std::runtime_error("no curve in space can be built for a trimmed edge");
+  if (!fit.HasResult()) throw GeometryError("no curve in space can be built for a trimmed edge");
   TColgp_Array1OfPnt poles(1, fit.NbPoles());
   fit.Poles(1, poles);
   return new Geom_BSplineCurve(poles, fit.Knots()->Array1(), fit.Multiplicities()->Array1(),
@@ -169,6 +168,13 @@ PlacedSurface surfaceOf(const TopoDS_Face& face) {
   PlacedSurface placed;
   placed.surface = BRep_Tool::Surface(face, placed.location);
   return placed;
+}
+
+bool hasStoredPath(const TopoDS_Edge& edge, const TopoDS_Face& face) {
+  double first = 0, last = 0;
+  bool is_stored = false;
+  const handle<Geom2d_Curve> path = BRep_Tool::CurveOnSurface(edge, face, first, last, &is_stored);
+  return !path.IsNull() && is_stored;
 }
 
 PlanarPath pathOf(const TopoDS_Edge& edge, const TopoDS_Face& face) {

@@ -45,9 +45,12 @@ struct EdgeSide {
 
 PlacedSurface surfaceOf(const TopoDS_Face& face);
 
+/// Whether the edge stores its pcurve on the face. On a plane it may be implied by the curve in
+/// space and its range.
+bool hasStoredPath(const TopoDS_Edge& edge, const TopoDS_Face& face);
 /// The pcurve of an edge on a face; without a curve if the edge has none there.
 PlanarPath pathOf(const TopoDS_Edge& edge, const TopoDS_Face& face);
-/// The same, rebuilt where pcurveOf() rebuilds it. \throws std::runtime_error as pcurveOf().
+/// The same, rebuilt where pcurveOf() rebuilds it. \throws GeometryError as pcurveOf().
 PlanarPath pathOrBuilt(const TopoDS_Edge& edge, const TopoDS_Face& face, double gap_mm);
 
 /// Largest distance between the images of a path on two surfaces, at points_of_an_edge points.
@@ -57,13 +60,13 @@ double largestDistance_mm(const std::vector<EdgeSide>& sides, const Geom_Curve& 
                           double last);
 /// Largest distance of an edge's curve from its image on the face, at equal parameters and
 /// regardless of its tolerance; 0 without a curve.
-/// \throws std::runtime_error as pcurveOf().
+/// \throws GeometryError as pcurveOf().
 double distanceFromImage_mm(const TopoDS_Edge& edge, const TopoDS_Face& face, double gap_mm);
 
 /// The mean of the images of the paths as a curve over [first, last]. It is exact if the paths run
 /// at constant speed along parameter lines of polynomial splines, or if there is one path, along
 /// one of a rational spline; otherwise it is approximated.
-/// \param near_mm accuracy of an approximation. \throws std::runtime_error if there is none.
+/// \param near_mm accuracy of an approximation. \throws GeometryError if there is none.
 opencascade::handle<Geom_Curve> meanImage(const std::vector<EdgeSide>& sides, double first,
                                           double last, double near_mm);
 

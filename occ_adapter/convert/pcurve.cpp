@@ -13,9 +13,9 @@
 #include <iomanip>
 #include <limits>
 #include <sstream>
-#include <stdexcept>
 
 #include <seamwright/occ_adapter/convert/pcurve.hpp>
+#include <seamwright/occ_adapter/geometry_error.hpp>
 
 namespace seamwright::occ {
 
@@ -123,8 +123,7 @@ Pcurve keptOrRebuilt(const Pcurve& stored, const SpaceCurve& space, const TopoDS
 
 Pcurve built(const SpaceCurve& space, const TopoDS_Face& face) {
   Pcurve pcurve = projected(space, face);
-  if (pcurve.curve.IsNull())
-    throw std::runtime_error("the edge has no pcurve and none could be built");
+  if (pcurve.curve.IsNull()) throw GeometryError("the edge has no pcurve and none could be built");
   const double stray = worstStray(pcurve, space, BRepAdaptor_Surface(face, false)).distance;
   pcurve.note = "its pcurve was missing and was built (" + text(stray) + " mm)";
   return pcurve;
@@ -135,13 +134,13 @@ Pcurve built(const SpaceCurve& space, const TopoDS_Face& face) {
 Pcurve pcurveOf(const TopoDS_Edge& edge, const TopoDS_Face& face, double gap_mm) {
   TopLoc_Location location;  // asked for so that a surface that is placed elsewhere is not copied
   if (BRep_Tool::Surface(face, location).IsNull())
-    throw std::runtime_error("a face has no surface, only a mesh or nothing");
+    throw GeometryError("a face has no surface, only a mesh or nothing");
   Pcurve stored;
   stored.curve = BRep_Tool::CurveOnSurface(edge, face, stored.first, stored.last);
   SpaceCurve space;
   space.curve = BRep_Tool::Curve(edge, space.first, space.last);
   if (stored.curve.IsNull() && space.curve.IsNull())
-    throw std::runtime_error("the edge has neither a curve in space nor a pcurve");
+    throw GeometryError("the edge has neither a curve in space nor a pcurve");
   if (space.curve.IsNull()) return stored;
   return stored.curve.IsNull() ? built(space, face)
                                : keptOrRebuilt(stored, space, edge, face, gap_mm);

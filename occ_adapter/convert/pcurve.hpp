@@ -26,7 +26,7 @@ struct Pcurve {
 /// pcurve only if it at least halves the distance: otherwise the surface itself is away from the
 /// edge, which is a gap of the model and not a fault of the pcurve. Edge and face are not changed.
 ///
-/// \throws std::runtime_error if the face has no surface, or if there is no pcurve and none can be
+/// \throws GeometryError if the face has no surface, or if there is no pcurve and none can be
 /// built.
 Pcurve pcurveOf(const TopoDS_Edge& edge, const TopoDS_Face& face, double gap_mm);
 

@@ -12,11 +12,11 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
-#include <stdexcept>
 #include <vector>
 
 #include <seamwright/occ_adapter/convert/closed_spline.hpp>
 #include <seamwright/occ_adapter/convert/polynomial_surface.hpp>
+#include <seamwright/occ_adapter/geometry_error.hpp>
 
 namespace seamwright::occ {
 
@@ -100,7 +100,7 @@ PolynomialSurface approximated(const handle<Geom_Surface>& trimmed, const Range&
   const GeomConvert_ApproxSurface approximation(trimmed, near_mm, GeomAbs_C2, GeomAbs_C2,
                                                 largest_degree, largest_degree, most_spans, 0);
   if (!approximation.HasResult())
-    throw std::runtime_error("it can't be approximated by a polynomial spline");
+    throw GeometryError("it can't be approximated by a polynomial spline");
   const Spline spline = approximation.Surface();
   Range of_spline{};
   spline->Bounds(of_spline[0], of_spline[1], of_spline[2], of_spline[3]);
@@ -161,7 +161,7 @@ void collapse(const Geom_Surface& surface, const Range& range, Geom_BSplineSurfa
 PolynomialSurface polynomialSurface(const TopoDS_Face& face, double near_mm) {
   TopLoc_Location location;
   const handle<Geom_Surface> surface = BRep_Tool::Surface(face, location);
-  if (surface.IsNull()) throw std::runtime_error("it has no surface");
+  if (surface.IsNull()) throw GeometryError("it has no surface");
   const Range range = rangeOf(face, *surface);
   const handle<Geom_Surface> trimmed =
       new Geom_RectangularTrimmedSurface(surface, range[0], range[1], range[2], range[3]);
@@ -179,7 +179,7 @@ PolynomialSurface polynomialSurface(const TopoDS_Face& face, double near_mm) {
   std::ostringstream text;
   text << "a polynomial spline keeps only as near as " << polynomial.error_mm << " mm, not "
        << near_mm << " mm";
-  throw std::runtime_error(text.str());
+  throw GeometryError(text.str());
 }
 
 }  // namespace seamwright::occ

@@ -18,7 +18,7 @@ struct PolynomialSurface {
 /// rational spline would have the shape of a cylinder, but other parameters.) Sides that are one
 /// point, such as the poles of a sphere, stay one point.
 /// \param near_mm accuracy of an approximation; its error is OpenCASCADE's bound.
-/// \throws std::runtime_error if the surface can't be approximated to that accuracy;
+/// \throws GeometryError if the surface can't be approximated to that accuracy;
 /// Standard_Failure.
 PolynomialSurface polynomialSurface(const TopoDS_Face& face, double near_mm);
 

@@ -38,7 +38,7 @@ struct PathChange {
 /// \param jobs threads; 0: one for each processor.
 /// \throws std::invalid_argument if a face number is not in the shape or is given twice, or if a
 /// face, edge or vertex still occurs in the shape more than once (in a part with several
-/// instances); std::runtime_error if a curve can't be built; Standard_Failure.
+/// instances); GeometryError if a curve can't be built; Standard_Failure.
 TopoDS_Shape withChanges(const TopoDS_Shape& shape, const std::vector<FaceChange>& changes,
                          double gap_mm, const std::vector<PathChange>& paths = {}, int jobs = 1);
 

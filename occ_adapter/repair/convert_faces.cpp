@@ -11,6 +11,7 @@
 
 #include <seamwright/occ_adapter/convert/polynomial_surface.hpp>
 #include <seamwright/occ_adapter/convert/surface_kind.hpp>
+#include <seamwright/occ_adapter/geometry_error.hpp>
 #include <seamwright/occ_adapter/repair/change.hpp>
 #include <seamwright/occ_adapter/repair/convert_faces.hpp>
 #include <seamwright/occ_adapter/repair/prove.hpp>
@@ -97,6 +98,7 @@ class Converting {
     const double from = done_;
     done_ += (1 - done_) / 2;
     RepairOptions options = options_;
+    // A limit must be above zero. With a millisecond the run only analyses.
     if (std::isfinite(options.max_time_s)) options.max_time_s = std::max(time_.left_s(), 1e-3);
     return repair_(model, options, partOf(progress_, from, done_));
   }
@@ -191,7 +193,7 @@ class Converting {
         continue;
       } catch (const Standard_Failure& failure) {
         failures_[face] = std::string("OpenCASCADE failed: ") + failure.DynamicType()->Name();
-      } catch (const std::runtime_error& error) {
+      } catch (const GeometryError& error) {
         failures_[face] = error.what();
       }
       chosen.erase(face);

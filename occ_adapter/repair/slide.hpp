@@ -44,7 +44,7 @@ class StayingSurface {
 /// \param moved new surface, in the frame of the shape.
 /// \returns nothing if the old pcurve is within a fiftieth of the gap tolerance, or if no new
 /// pcurve can be interpolated to this accuracy.
-/// \throws std::runtime_error as pcurveOf(); Standard_Failure.
+/// \throws GeometryError as pcurveOf(); Standard_Failure.
 std::optional<PathChange> slidPath(int edge, const Coedge& stays, const Coedge& moves,
                                    const opencascade::handle<Geom_Surface>& moved, double gap_mm);
 

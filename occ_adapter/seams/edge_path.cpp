@@ -3,9 +3,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include <seamwright/occ_adapter/convert/nearest.hpp>
+#include <seamwright/occ_adapter/geometry_error.hpp>
 #include <seamwright/occ_adapter/seams/edge_path.hpp>
 
 namespace seamwright::occ {
@@ -54,7 +54,7 @@ EdgePath::EdgePath(const Coedge& use, int edge, double gap_mm)
   lengths_mm_ = {0};
   for (const PathPiece& piece : pieces_)
     lengths_mm_.push_back(lengths_mm_.back() + lengthBetween_mm(piece.from, piece.to));
-  if (!std::isfinite(length_mm())) throw std::runtime_error("its path is not finite");
+  if (!std::isfinite(length_mm())) throw GeometryError("its path is not finite");
   closed_ = (pieces_.front().start - pieces_.back().end).norm() <= 1e-6 * length_mm();
 }
 
@@ -62,7 +62,7 @@ void EdgePath::addPieces(double from, double to, const PathPoint& start, const P
                          int depth) {
   PathPiece piece{from, to, start.p, end.p, 0};
   const double chord = (end.p - start.p).norm();
-  if (!std::isfinite(chord)) throw std::runtime_error("its path is not finite");
+  if (!std::isfinite(chord)) throw GeometryError("its path is not finite");
   for (const double share : {0.23, 0.5, 0.77})
     piece.sagitta_mm =
         std::max(piece.sagitta_mm, 2 * piece.distance(strip_.trace(piece.place(share)).p));

@@ -29,7 +29,7 @@ struct PathPiece {
 /// Places are parameters, 0..1 over the range of the edge's curve. Not thread-safe.
 class EdgePath {
  public:
-  /// \throws std::runtime_error if the edge has no pcurve, or one that is not finite;
+  /// \throws GeometryError if the edge has no pcurve, or one that is not finite;
   /// Standard_Failure.
   EdgePath(const Coedge& use, int edge, double gap_mm);
 

@@ -5,8 +5,8 @@
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Vertex.hxx>
-#include <stdexcept>
 
+#include <seamwright/occ_adapter/geometry_error.hpp>
 #include <seamwright/occ_adapter/model/usable.hpp>
 #include <seamwright/occ_adapter/seams/find.hpp>
 
@@ -76,7 +76,7 @@ NonSeamEdge nonSeamEdge(int edge, const UsesOfEdge& uses) {
 }  // namespace
 
 void requireUsable(const Coedge& use) {
-  if (!use.fault.empty()) throw std::runtime_error(use.fault);
+  if (!use.fault.empty()) throw GeometryError(use.fault);
 }
 
 SeamGraph findSeams(const TopoDS_Shape& shape) {

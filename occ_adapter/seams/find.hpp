@@ -28,7 +28,7 @@ struct Coedge {
       {};  ///< why face or edge can't be computed with (UnusableParts); empty if they can
 };
 
-/// \throws std::runtime_error with the fault of the side, if it has one.
+/// \throws GeometryError with the fault of the side, if it has one.
 void requireUsable(const Coedge& use);
 
 /// Corresponding points of the two sides of a matched seam: parameters a[i] of the first edge and

@@ -9,6 +9,7 @@
 #include <optional>
 #include <sstream>
 
+#include <seamwright/occ_adapter/geometry_error.hpp>
 #include <seamwright/occ_adapter/seams/close_pieces.hpp>
 #include <seamwright/occ_adapter/seams/pair_free_edges.hpp>
 #include <seamwright/occ_adapter/seams/rivals.hpp>
@@ -24,7 +25,7 @@ void noteFailure(std::vector<std::string>& notes, const std::string& what,
     step();
   } catch (const Standard_Failure& failure) {
     notes.push_back(what + ": " + failure.DynamicType()->Name() + " " + failure.GetMessageString());
-  } catch (const std::runtime_error& error) {
+  } catch (const GeometryError& error) {
     notes.push_back(what + ": " + error.what());
   }
 }
