@@ -351,7 +351,8 @@ class Repairing {
                           std::vector<int>(before.size(), 0)};
     const std::vector<Seam> seams = seamsAfter(task, shape, {});
     SewSolution solution =
-        sewFreeEdges({shape, seams, before, options_}, partOf(progress_, share_before_sewing, 1));
+        sewFreeEdges({.shape = shape, .seams = seams, .before = before, .options = options_},
+                     partOf(progress_, share_before_sewing, 1));
     not_sewn_ = std::move(solution.reasons);
     if (solution.sewn.shape.IsNull()) return;
     takeSewn(model_, shape, std::move(solution), result_);
@@ -390,7 +391,7 @@ class Repairing {
   std::vector<bool> sharp_, wants_conversion_;  ///< by seam, see Choice
   NeededVariation needed_;                      ///< by face
   MoveLimits limits_mm_;
-  std::map<std::size_t, std::string> not_sewn_;
+  SewReasons not_sewn_;
   RepairReport result_;
 };
 

@@ -9,6 +9,7 @@
 #include <seamwright/core/surface/judge.hpp>
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
 #include <seamwright/occ_adapter/repair/repair_reason.hpp>
+#include <seamwright/occ_adapter/topology/sew_reason.hpp>
 
 namespace seamwright::occ {
 
@@ -54,8 +55,8 @@ struct SeamRepair {
   RepairReason reason;
   /// None of its faces can move, but one could with convert_analytic.
   bool wants_conversion = false;
-  bool sewn = false;     ///< two edges before, one after
-  std::string not_sewn;  ///< why a matched seam that was to be sewn was not
+  bool sewn = false;   ///< two edges before, one after
+  SewReason not_sewn;  ///< why a matched seam that was to be sewn was not
 };
 
 struct FaceMove {

@@ -5,10 +5,12 @@
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include <seamwright/occ_adapter/analyze/measure_seam.hpp>
 #include <seamwright/occ_adapter/analyze/workers.hpp>
+#include <seamwright/occ_adapter/geometry_error.hpp>
 #include <seamwright/occ_adapter/repair/prove.hpp>
 #include <seamwright/occ_adapter/repair/sew.hpp>
 #include <seamwright/occ_adapter/seams/pair_free_edges.hpp>
@@ -16,8 +18,6 @@
 namespace seamwright::occ {
 
 namespace {
-
-using SewReasons = std::map<std::size_t, std::string>;
 
 int closedShells(const TopoDS_Shape& shape) {
   int count = 0;
@@ -30,149 +30,176 @@ bool contains(const std::vector<int>& numbers, int number) {
   return std::ranges::count(numbers, number) > 0;
 }
 
-class Sewing {
- public:
-  Sewing(const SewTask& task, const Progress& progress) : task_(task), progress_(progress) {}
+using SeamNumbers = std::vector<std::size_t>;
 
-  SewSolution run() {
-    choose();
-    double done = 0;
-    while (!chosen_.empty()) {
-      const double next = done + (1 - done) / 3;
-      const SewReasons refused = attempt(partOf(progress_, done, next));
-      done = next;
-      if (refused.empty()) return std::move(solution_);
-      exclude(refused);
-    }
-    solution_.sewn = {};
-    return std::move(solution_);
+SewReasons allBecause(const SeamNumbers& seams, const SewReason& reason) {
+  SewReasons all;
+  for (const std::size_t i : seams) all[i] = reason;
+  return all;
+}
+
+struct SewChoice {
+  SeamNumbers chosen;
+  SewReasons reasons;  ///< of the seams that were to be sewn and are not chosen
+};
+
+/// Matched seams, of the picked edges or all, that certainly meet within the gap tolerance.
+SewChoice seamsToSew(const SewTask& task) {
+  SewChoice choice;
+  const std::vector<int>& picked = task.options.edges;
+  for (std::size_t i = 0; i < task.seams.size(); ++i) {
+    const SeamResult& seam = task.before[i];
+    if (seam.kind != SeamKind::Matched) continue;
+    const bool is_picked = picked.empty() || std::ranges::any_of(seam.edges, [&picked](int edge) {
+                             return contains(picked, edge);
+                           });
+    if (!is_picked) continue;
+    if (surelyReaches(seam.figures, task.options.tolerance, Level::G0))
+      choice.chosen.push_back(i);
+    else
+      choice.reasons[i] = why_not_sewn::gapTooLarge(figuresText(seam));
+  }
+  return choice;
+}
+
+/// Sews these seams. What geometry can cause becomes the reason of all of them: a failure of
+/// OpenCASCADE, and a curve that can't be evaluated. Other exceptions are faults of the program,
+/// and pass.
+SewnShape sewnOrRefused(const SewTask& task, const SeamNumbers& chosen) {
+  SewnShape sewn;
+  try {
+    return sewnShape(task.shape, task.seams, chosen, task.options.tolerance.gap_mm);
+  } catch (const Standard_Failure& failure) {
+    sewn.refused = allBecause(chosen, why_not_sewn::openCascadeFailed(failure));
+  } catch (const GeometryError& error) {
+    sewn.refused = allBecause(chosen, why_not_sewn::noCurve(error.what()));
+  }
+  return sewn;
+}
+
+/// Which faces of a shape pass OpenCASCADE's checks, computed when it is first asked for: mostly
+/// the sewn shape is valid, and then the given one need not be checked.
+class GivenValidity {
+ public:
+  explicit GivenValidity(const SewTask& task) : task_(task) {}
+  const Validity& get() {
+    if (!validity_) validity_ = validityOf(task_.shape, task_.options.jobs);
+    return *validity_;
   }
 
  private:
-  void choose() {
-    const std::vector<int>& picked = task_.options.edges;
-    for (std::size_t i = 0; i < task_.seams.size(); ++i) {
-      const SeamResult& seam = task_.before[i];
-      if (seam.kind != SeamKind::Matched) continue;
-      const bool is_picked = picked.empty() || std::ranges::any_of(seam.edges, [&](int edge) {
-                               return contains(picked, edge);
-                             });
-      if (!is_picked) continue;
-      if (surelyReaches(seam.figures, task_.options.tolerance, Level::G0))
-        chosen_.push_back(i);
-      else
-        solution_.reasons[i] = "its gap is not surely within the tolerance: " + figuresText(seam);
-    }
-  }
-
-  void exclude(const SewReasons& seams) {
-    for (const auto& [i, why] : seams) solution_.reasons[i] = why;
-    std::erase_if(chosen_, [&seams](std::size_t i) { return seams.count(i) > 0; });
-  }
-
-  SewReasons everything(const std::string& why) const {
-    SewReasons all;
-    for (const std::size_t i : chosen_) all[i] = why;
-    return all;
-  }
-
-  /// Tries to sew the chosen seams. \returns the seams to exclude; none if sewing is proven.
-  SewReasons attempt(const Progress& progress) {
-    try {
-      solution_.sewn = sewnShape(task_.shape, task_.seams, chosen_, task_.options.tolerance.gap_mm);
-    } catch (const Standard_Failure& failure) {
-      return everything(std::string("OpenCASCADE failed: ") + failure.DynamicType()->Name() + " " +
-                        failure.GetMessageString());
-    } catch (const std::exception& error) {
-      return everything(error.what());
-    }
-    if (!solution_.sewn.refused.empty()) return solution_.sewn.refused;
-    SewReasons refused = invalid();
-    if (refused.empty()) refused = measure(progress);
-    return refused;
-  }
-
-  SewReasons invalid() {
-    const SewnShape& sewn = solution_.sewn;
-    const Validity is = validityOf(sewn.shape, task_.options.jobs);
-    if (!is.whole && !was_) was_ = validityOf(task_.shape, task_.options.jobs);
-    SewReasons refused;
-    for (const std::size_t i : chosen_)
-      for (const Coedge& side : task_.seams[i].sides)
-        if (!is.whole && was_->faces[side.face] && !is.faces[sewn.faces[side.face]])
-          refused[i] = "OpenCASCADE's checks would not pass for face " + std::to_string(side.face);
-    if (!refused.empty()) return refused;
-    if (!is.whole && was_->whole)
-      return everything("OpenCASCADE's checks would not pass for the sewn shape");
-    if (closedShells(sewn.shape) < closedShells(task_.shape))
-      return everything("a closed shell would open");
-    return {};
-  }
-
-  /// Updates all seams. Sewn seams are measured as one edge.
-  SewReasons measure(const Progress& progress) {
-    const SewnShape& sewn = solution_.sewn;
-    SeamGraph graph = findSeams(sewn.shape);
-    matchFreeEdges({.match_mm = task_.options.match_mm, .gap_mm = task_.options.tolerance.gap_mm},
-                   graph, partOf(progress, 0, 0.2));
-    solution_.after = task_.before;
-    for (std::size_t i = 0; i < task_.seams.size(); ++i) renumber(graph, i, solution_.after[i]);
-    const AnalyzeOptions options = analyzeOptions(task_.options);
-    const auto measureAgain = [&](std::size_t k) {
-      const std::size_t i = chosen_[k];
-      SeamResult& after = solution_.after[i];
-      const auto seam = std::ranges::find_if(graph.seams, [&](const Seam& found) {
-        return found.kind != SeamKind::Matched && found.edges.front() == sewn.seam_edges.at(i);
-      });
-      if (seam == graph.seams.end()) return;
-      after = measureSeam(*seam, options);
-      after.id = task_.before[i].id;
-    };
-    runParallel(chosen_.size(), task_.options.jobs, measureAgain, partOf(progress, 0.2, 1));
-    solution_.open = std::move(graph.open);
-    solution_.non_manifold = std::move(graph.non_manifold);
-    return worse();
-  }
-
-  void renumber(const SeamGraph& graph, std::size_t i, SeamResult& after) const {
-    const SewnShape& sewn = solution_.sewn;
-    for (int& face : after.faces) face = sewn.faces[face];
-    const std::vector<int> edges = after.edges;
-    for (int& edge : after.edges) edge = sewn.edges[edge].front();
-    if (after.kind != SeamKind::Matched || std::ranges::count(chosen_, i) > 0) return;
-    for (const Seam& found : graph.seams) {
-      if (found.kind != SeamKind::Matched) continue;
-      for (const int first : {0, 1})
-        if (contains(sewn.edges[edges[0]], found.edges[first]) &&
-            contains(sewn.edges[edges[1]], found.edges[1 - first]))
-          after.edges = {found.edges[first], found.edges[1 - first]};
-    }
-  }
-
-  SewReasons worse() const {
-    SewReasons refused;
-    for (const std::size_t i : chosen_) {
-      const SeamResult &before = task_.before[i], &after = solution_.after[i];
-      const bool is_lower = before.verdict.certain && after.verdict.level < before.verdict.level;
-      const auto keeps = [&](Level level) {
-        return !surelyReaches(before.figures, task_.options.tolerance, level) ||
-               surelyReaches(after.figures, task_.options.tolerance, level);
-      };
-      const bool is_kept = after.kind != SeamKind::Matched && !is_lower && keeps(Level::G0) &&
-                           keeps(task_.options.level());
-      if (!is_kept)
-        refused[i] =
-            "as one edge it would have " + figuresText(after) + "; before " + figuresText(before);
-    }
-    return refused;
-  }
-
   const SewTask& task_;
-  const Progress& progress_;
-  std::vector<std::size_t> chosen_;
-  std::optional<Validity> was_;  ///< validity of the task's shape, computed when needed
-  SewSolution solution_;
+  std::optional<Validity> validity_;
 };
+
+/// The seams to exclude because OpenCASCADE's checks find something new. If the faces at fault are
+/// not beside sewn seams, no seam can be blamed, and all are excluded.
+SewReasons invalidSeams(const SewTask& task, const SeamNumbers& chosen, const SewnShape& sewn,
+                        GivenValidity& given) {
+  const Validity now = validityOf(sewn.shape, task.options.jobs);
+  SewReasons refused;
+  if (!now.whole) {
+    const Validity& was = given.get();
+    for (const std::size_t i : chosen)
+      for (const Coedge& side : task.seams[i].sides)
+        if (was.faces[side.face] && !now.faces[sewn.faces[side.face]])
+          refused[i] = why_not_sewn::checksFailForFace(side.face);
+    if (!refused.empty()) return refused;
+    if (was.whole) return allBecause(chosen, why_not_sewn::checksFailForShape());
+  }
+  if (closedShells(sewn.shape) < closedShells(task.shape))
+    return allBecause(chosen, why_not_sewn::shellOpens());
+  return {};
+}
+
+/// The figures of a seam that is not sewn, with its numbers in the sewn shape. Of an edge that was
+/// cut, the pieces count that are matched now.
+SeamResult renumbered(SeamResult seam, const SewnShape& sewn, const SeamGraph& graph,
+                      bool is_sewn) {
+  for (int& face : seam.faces) face = sewn.faces[face];
+  const std::vector<int> edges = seam.edges;
+  for (int& edge : seam.edges) edge = sewn.edges[edge].front();
+  if (seam.kind != SeamKind::Matched || is_sewn) return seam;
+  for (const Seam& found : graph.seams) {
+    if (found.kind != SeamKind::Matched) continue;
+    for (const int first : {0, 1})
+      if (contains(sewn.edges[edges[0]], found.edges[first]) &&
+          contains(sewn.edges[edges[1]], found.edges[1 - first]))
+        seam.edges = {found.edges[first], found.edges[1 - first]};
+  }
+  return seam;
+}
+
+struct SewnSeams {
+  std::vector<SeamResult> after;  ///< see SewSolution
+  std::vector<NonSeamEdge> open, non_manifold;
+};
+
+/// Updates the numbers of all seams. Sewn seams are measured as one edge.
+SewnSeams measuredSeams(const SewTask& task, const SeamNumbers& chosen, const SewnShape& sewn,
+                        const Progress& progress) {
+  constexpr double share_of_matching = 0.2;
+  SeamGraph graph = findSeams(sewn.shape);
+  matchFreeEdges({.match_mm = task.options.match_mm, .gap_mm = task.options.tolerance.gap_mm},
+                 graph, partOf(progress, 0, share_of_matching));
+  SewnSeams seams;
+  for (std::size_t i = 0; i < task.before.size(); ++i) {
+    const bool is_sewn = std::ranges::count(chosen, i) > 0;
+    seams.after.push_back(renumbered(task.before[i], sewn, graph, is_sewn));
+  }
+  const AnalyzeOptions options = analyzeOptions(task.options);
+  const auto measure_again = [&](std::size_t k) {
+    const std::size_t i = chosen[k];
+    const auto seam = std::ranges::find_if(graph.seams, [&](const Seam& found) {
+      return found.kind != SeamKind::Matched && found.edges.front() == sewn.seam_edges.at(i);
+    });
+    if (seam == graph.seams.end()) return;
+    seams.after[i] = measureSeam(*seam, options);
+    seams.after[i].id = task.before[i].id;
+  };
+  runParallel(chosen.size(), task.options.jobs, measure_again,
+              partOf(progress, share_of_matching, 1));
+  seams.open = std::move(graph.open);
+  seams.non_manifold = std::move(graph.non_manifold);
+  return seams;
+}
+
+/// The sewn seams that lost a level or a tolerance that they certainly had.
+SewReasons seamsThatLose(const SewTask& task, const SeamNumbers& chosen,
+                         const std::vector<SeamResult>& all_after) {
+  SewReasons refused;
+  for (const std::size_t i : chosen) {
+    const SeamResult &before = task.before[i], &after = all_after[i];
+    const bool is_lower = before.verdict.certain && after.verdict.level < before.verdict.level;
+    const auto keeps = [&](Level level) {
+      return !surelyReaches(before.figures, task.options.tolerance, level) ||
+             surelyReaches(after.figures, task.options.tolerance, level);
+    };
+    const bool is_kept = after.kind != SeamKind::Matched && !is_lower && keeps(Level::G0) &&
+                         keeps(task.options.level());
+    if (!is_kept) refused[i] = why_not_sewn::losesLevel(figuresText(after), figuresText(before));
+  }
+  return refused;
+}
+
+/// A shape with these seams sewn, and the seams that spoil it.
+struct SewAttempt {
+  SewnShape sewn;
+  SewnSeams seams;
+  SewReasons refused;  ///< none if sewing is proven
+};
+
+SewAttempt attempt(const SewTask& task, const SeamNumbers& chosen, GivenValidity& given,
+                   const Progress& progress) {
+  SewAttempt result;
+  result.sewn = sewnOrRefused(task, chosen);
+  result.refused = result.sewn.refused;
+  if (result.refused.empty()) result.refused = invalidSeams(task, chosen, result.sewn, given);
+  if (!result.refused.empty()) return result;
+  result.seams = measuredSeams(task, chosen, result.sewn, progress);
+  result.refused = seamsThatLose(task, chosen, result.seams.after);
+  return result;
+}
 
 /// The attributes of a sewn shape. A part that stays or is replaced keeps its attributes. A part
 /// that no longer exists passes them to its faces.
@@ -239,7 +266,25 @@ class Attributes {
 }  // namespace
 
 SewSolution sewFreeEdges(const SewTask& task, const Progress& progress) {
-  return Sewing(task, progress).run();
+  auto [chosen, reasons] = seamsToSew(task);
+  GivenValidity given(task);
+  double done = 0;
+  // Each attempt excludes at least one seam, so the loop ends.
+  while (!chosen.empty()) {
+    // The number of attempts is not known: each takes a third of the progress that is left.
+    const double next = done + (1 - done) / 3;
+    SewAttempt tried = attempt(task, chosen, given, partOf(progress, done, next));
+    done = next;
+    if (tried.refused.empty())
+      return {.sewn = std::move(tried.sewn),
+              .after = std::move(tried.seams.after),
+              .open = std::move(tried.seams.open),
+              .non_manifold = std::move(tried.seams.non_manifold),
+              .reasons = std::move(reasons)};
+    for (const auto& [i, why] : tried.refused) reasons[i] = why;
+    std::erase_if(chosen, [&tried](std::size_t i) { return tried.refused.count(i) > 0; });
+  }
+  return {.reasons = std::move(reasons)};
 }
 
 std::vector<ShapeAttribute> attributesAfter(const std::vector<ShapeAttribute>& attributes,

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <map>
-#include <string>
 #include <vector>
 
 #include <seamwright/occ_adapter/repair/repair.hpp>
@@ -20,11 +18,12 @@ struct SewTask {
 };
 
 struct SewSolution {
-  SewnShape sewn;                 ///< has no shape if nothing is sewn
-  std::vector<SeamResult> after;  ///< in the order of before, with the numbers of the sewn shape
-  std::vector<NonSeamEdge> open, non_manifold;  ///< of the sewn shape
+  SewnShape sewn = {};  ///< has no shape if nothing is sewn
+  /// In the order of before, with the numbers of the sewn shape.
+  std::vector<SeamResult> after = {};
+  std::vector<NonSeamEdge> open = {}, non_manifold = {};  ///< of the sewn shape
   /// By seam that was to be sewn and is not: the reason.
-  std::map<std::size_t, std::string> reasons;
+  SewReasons reasons = {};
 };
 
 /// Sews the seams for which sewing can be proven. \throws Cancelled.

@@ -17,11 +17,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <stdexcept>
 
 #include <seamwright/occ_adapter/convert/nearest.hpp>
 #include <seamwright/occ_adapter/convert/seam_strips.hpp>
 #include <seamwright/occ_adapter/topology/common_edge.hpp>
+#include <seamwright/occ_adapter/topology/sew_reasons.hpp>
 
 namespace seamwright::occ {
 
@@ -144,14 +144,14 @@ handle<Geom2d_Curve> interpolated(const PlacedSurface& surface, const PlanarPath
     for (int k = 0; k <= count; ++k) {
       const double s = static_cast<double>(k) / count, now = place(s);
       if (k > 0 && !((now - before) * (place(1) - place(0)) > 0))
-        throw std::runtime_error("the points of the two edges do not follow one another");
+        throw NoCommonEdge(why_not_sewn::pointsOutOfOrder());
       before = now;
       points->SetValue(k + 1, on_path(s));
       parameters->SetValue(k + 1, first + s * (last - first));
     }
     Geom2dAPI_Interpolate interpolation(points, parameters, false, Precision::PConfusion() / 1000);
     interpolation.Perform();
-    if (!interpolation.IsDone()) throw std::runtime_error("no path runs along both edges");
+    if (!interpolation.IsDone()) throw GeometryError("no path runs along both edges");
     const handle<Geom2d_BSplineCurve> curve = interpolation.Curve();
     double off = 0;
     for (int k = 0; k < 2 * count; ++k) {

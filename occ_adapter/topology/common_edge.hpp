@@ -2,15 +2,29 @@
 #pragma once
 
 #include <array>
+#include <utility>
 
 #include <seamwright/occ_adapter/convert/edge_image.hpp>
+#include <seamwright/occ_adapter/geometry_error.hpp>
 #include <seamwright/occ_adapter/seams/find.hpp>
+#include <seamwright/occ_adapter/topology/sew_reason.hpp>
 
 /// Replaces two edges that lie along each other by one. Not a public header.
 namespace seamwright::occ {
 
 /// Begin and end of an interval of an edge, as parameters in 0..1 over the range of its curve.
 using Places = std::array<double, 2>;
+
+/// Two edges have no common edge.
+class NoCommonEdge : public GeometryError {
+ public:
+  explicit NoCommonEdge(SewReason reason)
+      : GeometryError(reason.text), reason_(std::move(reason)) {}
+  const SewReason& reason() const { return reason_; }
+
+ private:
+  SewReason reason_;
+};
 
 /// An edge without vertices, in the frame of the shape. It runs in the direction of the first edge
 /// of a matched seam and has a pcurve on both sides.
@@ -29,8 +43,8 @@ struct CommonEdge {
 /// (to a thousandth of \p gap_mm), and otherwise interpolated to the same accuracy.
 /// \param places ends of the interval on both sides. Those of the second side correspond to those
 /// of the first and may decrease.
-/// \throws std::runtime_error where corresponding points of the two sides do not run in the same
-/// order or a curve can't be built; Standard_Failure.
+/// \throws NoCommonEdge where corresponding points of the two sides do not run in the same order;
+/// GeometryError where a curve can't be built; Standard_Failure.
 CommonEdge commonEdge(const Seam& seam, const std::array<Places, 2>& places, double gap_mm);
 
 }  // namespace seamwright::occ

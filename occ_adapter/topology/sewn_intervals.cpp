@@ -69,26 +69,22 @@ class Cutter {
   }
 
   void settle(SewnInterval& interval) {
-    std::string why;
+    SewReason why;
     for (const int side : {0, 1}) {
       const std::vector<double>& cuts = result_.cuts.at(interval.edges[side]);
       Places& places = interval.places[side];
       const int from = nearest(cuts, places[0]), to = nearest(cuts, places[1]);
       if (std::abs(to - from) > 1)
-        why = "along it another interval of " + edgeOf(interval, side) + " begins or ends";
+        why = why_not_sewn::intervalDivided(interval.edges[side]);
       else if (to == from)
-        why = "its interval of " + edgeOf(interval, side) + " is no longer than the gap tolerance";
+        why = why_not_sewn::intervalShort(interval.edges[side]);
       interval.pieces[side] = std::min(from, to);
       places = {cuts[from], cuts[to]};
     }
     for (const int side : {0, 1})
       if (why.empty() && !taken_.insert({interval.edges[side], interval.pieces[side]}).second)
-        why = edgeOf(interval, side) + " lies along another edge there too";
+        why = why_not_sewn::intervalTaken(interval.edges[side]);
     if (!why.empty()) result_.refused[interval.seam] = why;
-  }
-
-  static std::string edgeOf(const SewnInterval& interval, int side) {
-    return "edge " + std::to_string(interval.edges[side]);
   }
 
   const std::vector<Seam>& seams_;

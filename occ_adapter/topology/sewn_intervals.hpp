@@ -2,10 +2,10 @@
 #pragma once
 
 #include <map>
-#include <string>
 #include <vector>
 
 #include <seamwright/occ_adapter/topology/common_edge.hpp>
+#include <seamwright/occ_adapter/topology/sew_reasons.hpp>
 
 /// Finds where edges must be cut so that pieces of two edges can become one. Not a public header.
 namespace seamwright::occ {
@@ -24,7 +24,7 @@ struct SewnIntervals {
   std::vector<SewnInterval> intervals;
   /// By edge: parameters of the cuts, from 0 to 1, both included.
   std::map<int, std::vector<double>> cuts;
-  std::map<std::size_t, std::string> refused;  ///< by seam: the reason
+  SewReasons refused;
 };
 
 /// Cuts nearer than \p gap_mm to each other, or to an end of the edge, become one.

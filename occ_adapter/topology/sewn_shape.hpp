@@ -2,27 +2,19 @@
 #pragma once
 
 #include <TopTools_DataMapOfShapeShape.hxx>
-#include <functional>
 #include <map>
-#include <string>
 #include <vector>
 
-#include <seamwright/occ_adapter/seams/find.hpp>
+#include <seamwright/occ_adapter/topology/sewable.hpp>
 
 /// Joins separate faces to one shell. Not a public header.
 namespace seamwright::occ {
-
-/// The name of a face in reasons, by its number.
-using FaceNames = std::function<std::string(int)>;
-
-/// "face 3".
-std::string numberedFace(int number);
 
 /// A shape with some of its matched seams sewn, and the new parts by the given ones.
 struct SewnShape {
   TopoDS_Shape shape;  ///< null where seams were refused
   /// By seam that prevents sewing: the reason; the caller tries again without these seams.
-  std::map<std::size_t, std::string> refused;
+  SewReasons refused;
   std::vector<int> faces;  ///< by number in the given shape, from 1: the number in this one
   std::vector<std::vector<int>> edges;    ///< the same for edges; several where an edge was cut
   std::map<std::size_t, int> seam_edges;  ///< by sewn seam: number of its edge in this shape
@@ -40,15 +32,21 @@ struct SewnShape {
 /// face. Surfaces and the curves of other edges stay. Unaffected parts are shared with the given
 /// shape. Tolerances are the distances as measured.
 ///
+/// A pipeline of values: notSewable() refuses seams that can't be sewn in any case, sewnEdges()
+/// makes edges and vertices, facesWithEdges() makes faces of them, sewnGroups() and orientFaces()
+/// say which faces become one shell and how they are oriented, and sewnAssembly() makes shells and
+/// solids. A stage that refuses seams ends it.
+///
 /// A seam is refused in these cases:
 /// - A face of it occurs in the shape several times, is in a solid of several shells, or shares its
 ///   surface with the other face.
 /// - Another interval interrupts its interval or has taken it.
-/// - The tolerance of one of its vertices would exceed both twice \p gap_mm and its old value.
+/// - The tolerance of one of its vertices would exceed both twice \p gap_mm and twice its old
+/// value.
 /// - It would close a band that has only one side, such as a Moebius band.
 ///
 /// \param seams of kind Matched.
-/// \throws Standard_Failure.
+/// \throws GeometryError where a pcurve can't be built; Standard_Failure.
 SewnShape sewnShape(const TopoDS_Shape& shape, const std::vector<Seam>& seams,
                     const std::vector<std::size_t>& chosen, double gap_mm,
                     const FaceNames& names = numberedFace);

@@ -133,7 +133,8 @@ ordered_json toJson(const occ::SeamRepair& seam, const ContinuityTolerance& tole
           {"reason_code", codeOf(seam.reason.fault)},
           {"wants_conversion", seam.wants_conversion},
           {"sewn", seam.sewn},
-          {"not_sewn", seam.not_sewn}};
+          {"not_sewn", seam.not_sewn.text},
+          {"not_sewn_code", codeOf(seam.not_sewn.fault)}};
 }
 
 namespace {

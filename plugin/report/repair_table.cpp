@@ -21,7 +21,8 @@ std::string verdictOf(const occ::SeamRepair& seam) {
 
 std::string reasonOf(const occ::SeamRepair& seam) {
   if (seam.not_sewn.empty()) return seam.reason.text;
-  return (seam.reason.empty() ? "not sewn: " : seam.reason.text + "; not sewn: ") + seam.not_sewn;
+  return (seam.reason.empty() ? "not sewn: " : seam.reason.text + "; not sewn: ") +
+         seam.not_sewn.text;
 }
 
 /// The seams that were to be repaired: treated or sewn, or with a reason why not. Unrepaired seams

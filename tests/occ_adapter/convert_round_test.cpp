@@ -106,7 +106,7 @@ TEST(ConvertRound, OpenAndClosedFacesAreConvertedAndJoined) {
         expectTolerancesHold(report.model.shape);
         for (const occ::SeamRepair& seam : report.seams) {
           EXPECT_GE(seam.after.verdict.level, seam.before.verdict.level) << describe(seam.after);
-          EXPECT_EQ(seam.sewn, seam.before.kind == occ::SeamKind::Matched) << seam.not_sewn;
+          EXPECT_EQ(seam.sewn, seam.before.kind == occ::SeamKind::Matched) << seam.not_sewn.text;
           const auto sides = denseSides(report.model.shape, seam.after.edges[0], seam.after.faces);
           if (!sides) continue;
           EXPECT_LE(denseMaxima(*sides, 301, options.tolerance).angle_rad->sure(),

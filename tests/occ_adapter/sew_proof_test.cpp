@@ -50,7 +50,7 @@ using testing::IsEmpty;
 std::vector<std::string> reasonsOf(const RepairReport& report) {
   std::vector<std::string> reasons;
   for (const occ::SeamRepair& seam : report.seams)
-    if (!seam.not_sewn.empty()) reasons.push_back(seam.not_sewn);
+    if (!seam.not_sewn.empty()) reasons.push_back(seam.not_sewn.text);
   return reasons;
 }
 
@@ -65,7 +65,10 @@ class LoosePair {
   }
 
   occ::SeamResult& before() { return before_.at(0); }
-  SewSolution sewn() const { return occ::sewFreeEdges({shape_, seams_, before_, options_}, {}); }
+  SewSolution sewn() const {
+    return occ::sewFreeEdges(
+        {.shape = shape_, .seams = seams_, .before = before_, .options = options_}, {});
+  }
 
  private:
   static TopoDS_Shape pairOf(double step_mm, double turn_rad) {
@@ -99,27 +102,29 @@ TEST(SewProof, NoLevelIsLost) {
   pair.before().verdict.certain = true;
   const SewSolution solution = pair.sewn();
   EXPECT_TRUE(solution.sewn.shape.IsNull());
-  EXPECT_THAT(solution.reasons.at(0),
+  EXPECT_THAT(solution.reasons.at(0).text,
               HasSubstr("as one edge it would have level G0, gap 0.005 mm"));
+  EXPECT_EQ(solution.reasons.at(0).fault, occ::SewFault::LosesLevel);
 }
 
 TEST(SewProof, NoFigureThatWasWithinItsToleranceLeavesIt) {
   LoosePair apart(0.015);
   apart.before().verdict.certain = false;
-  EXPECT_THAT(apart.sewn().reasons.at(0), HasSubstr("its gap is not surely within the tolerance"));
+  EXPECT_THAT(apart.sewn().reasons.at(0).text,
+              HasSubstr("its gap is not surely within the tolerance"));
   apart.before().figures.gap_mm = Figure{0, 0.001, 0};
-  EXPECT_THAT(apart.sewn().reasons.at(0),
+  EXPECT_THAT(apart.sewn().reasons.at(0).text,
               HasSubstr("as one edge it would have level none, gap 0.015 mm"));
   LoosePair both(0.015, 0.3 * degree);
   both.before().verdict.certain = false;
   both.before().figures.gap_mm = Figure{0, 0.001, 0};
-  EXPECT_THAT(both.sewn().reasons.at(0),
+  EXPECT_THAT(both.sewn().reasons.at(0).text,
               HasSubstr("as one edge it would have level none, gap 0.015 mm"));
   LoosePair kinked(0, 0.3 * degree);
   kinked.before().verdict.certain = false;
   EXPECT_THAT(kinked.sewn().reasons, IsEmpty());
   kinked.before().figures.angle_rad = Figure{0, 0.0001, 0};
-  EXPECT_THAT(kinked.sewn().reasons.at(0), HasSubstr("as one edge it would have level G0"));
+  EXPECT_THAT(kinked.sewn().reasons.at(0).text, HasSubstr("as one edge it would have level G0"));
 }
 
 /// Sectors of a disc, each a little higher than the one before.
@@ -150,6 +155,13 @@ TEST(SewProof, NoVertexReachesFurtherThanTwiceTheGapOrWhatItDid) {
       reasonsOf(apart),
       Each(HasSubstr("a common vertex would be 0.0315315 mm from the ends of its edges, more than "
                      "0.02 mm")));
+  const occ::SewReason& reason = apart.seams[0].not_sewn;
+  EXPECT_EQ(reason.fault, occ::SewFault::VertexTooWide);
+  ASSERT_EQ(reason.numbers.size(), 2);
+  EXPECT_EQ(reason.numbers[0].first, "distance_mm");
+  EXPECT_NEAR(reason.numbers[0].second, 0.0315315, 1e-7);
+  EXPECT_EQ(reason.numbers[1].first, "allowed_mm");
+  EXPECT_DOUBLE_EQ(reason.numbers[1].second, 0.02);
   EXPECT_EQ(sewnSeams(repair(modelFromShape(staircase(8, 0.004, 1e-7)), matching(0.02))), 7);
   EXPECT_EQ(sewnSeams(repair(modelFromShape(staircase(8, 0.009, 0.016)), matching(0.03))), 7);
   EXPECT_EQ(sewnSeams(repair(modelFromShape(staircase(8, 0.009, 0.0155)), matching(0.03))), 0);
@@ -214,6 +226,10 @@ TEST(SewProof, SolidsOfSeveralShellsStay) {
     EXPECT_EQ(sewnSeams(report), hollow ? 0 : 4);
     EXPECT_EQ(reasonsOf(report).size(), hollow ? 4 : 0);
     EXPECT_THAT(reasonsOf(report), Each(HasSubstr("is part of a solid of several shells")));
+    for (const occ::SeamRepair& seam : report.seams) {
+      if (seam.not_sewn.empty()) continue;
+      EXPECT_EQ(codeOf(seam.not_sewn.fault), "hollow_solid");
+    }
   }
 }
 

@@ -61,10 +61,18 @@ double volume_mm3(const TopoDS_Shape& shape) {
   return properties.Mass();
 }
 
+/// The kinds of the reasons of seams that were to be sewn and are not.
+std::set<occ::SewFault> faultsOf(const RepairReport& report) {
+  std::set<occ::SewFault> faults;
+  for (const occ::SeamRepair& seam : report.seams)
+    if (!seam.not_sewn.empty()) faults.insert(seam.not_sewn.fault);
+  return faults;
+}
+
 std::string whyNot(const RepairReport& report) {
   std::string text;
   for (const occ::SeamRepair& seam : report.seams)
-    if (!seam.not_sewn.empty()) text += describe(seam.before) + ": " + seam.not_sewn + "\n";
+    if (!seam.not_sewn.empty()) text += describe(seam.before) + ": " + seam.not_sewn.text + "\n";
   return text;
 }
 
@@ -239,6 +247,7 @@ TEST(Sew, WhatIsTooFarStaysLoose) {
   EXPECT_EQ(count(report.model.shape, TopAbs_EDGE), 16);
   EXPECT_EQ(count(report.model.shape, TopAbs_SOLID), 0);
   EXPECT_NE(whyNot(report).find("gap is not surely within the tolerance"), std::string::npos);
+  EXPECT_EQ(faultsOf(report), std::set{occ::SewFault::GapTooLarge});
 }
 
 TEST(Sew, RoundSolidsTakenApart) {
@@ -318,6 +327,7 @@ TEST(Sew, ABandWithOneSideStaysOpen) {
     EXPECT_EQ(sewnSeams(report), one_sided ? 7 : 8) << half_turns << whyNot(report);
     EXPECT_EQ(whyNot(report).find("one side only") != std::string::npos, one_sided)
         << whyNot(report);
+    EXPECT_EQ(faultsOf(report).count(occ::SewFault::OneSided), one_sided ? 1 : 0);
   }
 }
 
@@ -434,6 +444,7 @@ TEST(Sew, InstancesStayLoose) {
   EXPECT_FALSE(report.changed());
   EXPECT_NE(whyNot(report).find("stands in the model 2 times"), std::string::npos)
       << whyNot(report);
+  EXPECT_EQ(faultsOf(report), std::set{occ::SewFault::FaceInstances});
 }
 
 TEST(Sew, NamesAndColoursStayWithTheirParts) {
@@ -474,6 +485,8 @@ TEST(Sew, FacesOfOneSurfaceStayLoose) {
   EXPECT_FALSE(report.changed());
   EXPECT_NE(whyNot(report).find("face 1 and face 2 have one surface in common"), std::string::npos)
       << whyNot(report);
+  ASSERT_EQ(faultsOf(report), std::set{occ::SewFault::CommonSurface});
+  EXPECT_EQ(report.seams[0].not_sewn.faces, (std::vector<int>{1, 2}));
 }
 
 TEST(Sew, ATubeMeetsItself) {

@@ -104,7 +104,8 @@ TEST(Intervals, OneThatVanishesInTheGapIsRefused) {
   const std::vector<Seam> seams = seamsOf({{0, 10, -10, 30}, {10, 20, -10, 5}, {10, 20, 5, 29}});
   const SewnIntervals cut = cutUp(seams, 18);
   ASSERT_EQ(cut.refused.size(), 1);
-  EXPECT_THAT(cut.refused.begin()->second, HasSubstr("is no longer than the gap tolerance"));
+  EXPECT_THAT(cut.refused.begin()->second.text, HasSubstr("is no longer than the gap tolerance"));
+  EXPECT_EQ(cut.refused.begin()->second.fault, occ::SewFault::IntervalShort);
   // It is in the way of no other.
   EXPECT_EQ(cut.intervals.size(), 2);
 }
@@ -118,16 +119,19 @@ TEST(Intervals, WhatOverlapsIsRefused) {
   middle.edges[1] = 99;
   for (double& place : middle.correspondence.a) place = 0.3 + 0.3 * place;
   const SewnIntervals crossing = cutUp({seams[0], middle});
-  EXPECT_EQ(crossing.refused.at(0),
+  EXPECT_EQ(crossing.refused.at(0).text,
             "along it another interval of edge " + std::to_string(edge) + " begins or ends");
+  EXPECT_EQ(crossing.refused.at(0).fault, occ::SewFault::IntervalDivided);
+  EXPECT_EQ(crossing.refused.at(0).edges, std::vector<int>{edge});
   EXPECT_EQ(crossing.refused.count(1), 0);
   // And over all of it.
   Seam twice = seams[0];
   twice.edges[1] = 99;
   const SewnIntervals same = cutUp({seams[0], twice});
   EXPECT_EQ(same.refused.count(0), 0);
-  EXPECT_EQ(same.refused.at(1),
+  EXPECT_EQ(same.refused.at(1).text,
             "edge " + std::to_string(edge) + " lies along another edge there too");
+  EXPECT_EQ(same.refused.at(1).fault, occ::SewFault::IntervalTaken);
 }
 
 }  // namespace

@@ -277,7 +277,8 @@ class SeamRepair(Result):
     repaired          it meets the target now
     reason            why it is left, or ""; reason_code: the code of the reason, see docs/repair.md
     wants_conversion  it can be treated if analytic faces may become splines
-    sewn, not_sewn    its two edges became one; why they did not, or ""
+    sewn, not_sewn    its two edges became one; why they did not, or ""; not_sewn_code: the code of
+                      that reason
     """
 
     _kinds = {"before": Seam, "after": Seam}
@@ -291,6 +292,7 @@ class SeamRepair(Result):
     wants_conversion: bool
     sewn: bool
     not_sewn: str
+    not_sewn_code: str
 
 
 class Bounds(Result):

@@ -88,6 +88,7 @@ def check_seam(seam, report):
     assert seam["sewn"] == (before["kind"] == "matched" != after["kind"]) and not (
         seam["sewn"] and seam["not_sewn"]
     )
+    assert (seam["not_sewn"] == "") == (seam["not_sewn_code"] == "")
     if seam["treated"]:
         assert seam["repaired"] == (seam["reason"] == "")
         assert (seam["reason"] == "") == (seam["reason_code"] == "")
