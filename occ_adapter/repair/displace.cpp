@@ -80,18 +80,18 @@ class TaskFaces {
 MovingFace moverOf(int number, const TopoDS_Face& face, const TopoDS_Face& given,
                    const RepairTask& task) {
   // Spans of the first displacement; refinement adds more where samples miss. A side within a
-  // hundredth of the gap tolerance of one point becomes that point.
+  // hundredth of the gap tolerance of one point becomes that point. Half of the variation is what
+  // the default fairness of 1.5 allows.
   constexpr int first_spans = 4;
   constexpr double share_of_gap = 0.01, share_of_variation = 0.5;
   const handle<Geom_BSplineSurface> surface = splineOfFace(face);
   std::array<double, 4> range{};
   BRepTools::UVBounds(face, range[0], range[1], range[2], range[3]);
   const handle<Geom_BSplineSurface> first = splineOfFace(given);
-  MovingFace mover{
-      Displacement(surface, range, first_spans, share_of_gap * task.options.tolerance.gap_mm,
-                   isTreatedWhereItCloses(number, task),
-                   std::array{first->UDegree(), first->VDegree()}),
-      0, 0, 0};
+  MovingFace mover{.displacement = Displacement(surface, range, first_spans,
+                                                share_of_gap * task.options.tolerance.gap_mm,
+                                                isTreatedWhereItCloses(number, task),
+                                                std::array{first->UDegree(), first->VDegree()})};
   mover.budget_per_mm = share_of_variation * variationOf_per_mm(face, surface, {.lines = 16}) +
                         allowedVariation(number, face, task.options.tolerance, task.needed, 1);
   mover.area_mm2 = area_mm2(face, surface, range);

@@ -129,14 +129,17 @@ double snapped(double at, const std::vector<double>& knots, double within) {
 /// Equally spaced knots over the range. A knot of the surface is taken if it is near, so that fewer
 /// knots are inserted into X at the end.
 std::vector<double> coarseKnots(const KnotLine& own, double from, double to, int spans) {
+  // A knot moves by at most 0.35 of the spacing, so neighbours stay 1 - 2 * 0.35 = 0.3 of it apart.
+  constexpr double moved_share = 0.35, least_share = 0.3;
   const double first = own.knots.front(), last = own.knots.back();
   from = std::clamp(from, first, last);
   to = std::clamp(to, first, last);
   const double spacing = (to - from) / spans;
   std::vector<double> knots = {first};
   for (int k = 0; k <= spans; ++k) {
-    const double at = snapped(from + k * spacing, own.knots, 0.35 * spacing);
-    if (at > knots.back() + 0.3 * spacing && at < last - 0.3 * spacing) knots.push_back(at);
+    const double at = snapped(from + k * spacing, own.knots, moved_share * spacing);
+    if (at > knots.back() + least_share * spacing && at < last - least_share * spacing)
+      knots.push_back(at);
   }
   knots.push_back(last);
   return knots;
@@ -353,6 +356,7 @@ bool Displacement::halve(const std::array<std::set<int>, 2>& spans) {
     std::map<double, int> inserted;  // by knot: its multiplicity
     for (const int span : spans[direction]) {
       const double length = axis.length(span);
+      // A knot of the surface in the middle half of the span is taken, as in coarseKnots().
       inserted.emplace(snapped(axis.middle(span), own, 0.25 * length), 1);
       for (const double knot : {axis.knots[span], axis.knots[span + 1]})
         if (knot > axis.first && knot < axis.last && bendsAt(*given_, direction, knot))

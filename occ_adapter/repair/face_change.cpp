@@ -59,6 +59,7 @@ class Outline {
   }
 
  private:
+  /// Chords of a pcurve. The polygon of a full circle strays by 0.0012 of its radius.
   static constexpr int chords = 64;
   std::vector<std::array<std::array<double, 2>, 2>> chords_;
 };

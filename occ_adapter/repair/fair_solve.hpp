@@ -23,8 +23,10 @@ struct FairStart {
 };
 
 struct FairResult {
-  std::vector<double> missed;  ///< by joint: the miss of its worst sample over its tolerance
-  std::map<std::size_t, SampleWeights> weights;
+  std::vector<double> missed = {};  ///< by joint: the miss of its worst sample over its tolerance
+  std::map<std::size_t, SampleWeights> weights = {};
+  int refinements = 0;  ///< how often knots were inserted
+  int passes = 0;       ///< least-squares solutions, over all refinements
 };
 
 /// Minimises the fairness objective over the displacements of all movers at once: the sum over

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include <seamwright/occ_adapter/analyze/workers.hpp>
+#include <seamwright/occ_adapter/geometry_error.hpp>
 #include <seamwright/occ_adapter/repair/displace.hpp>
 #include <seamwright/occ_adapter/repair/face_change.hpp>
 #include <seamwright/occ_adapter/repair/improve.hpp>
@@ -135,6 +136,7 @@ class NextTry {
 
   /// Makes a face stiffer in the next solution.
   bool stiffens(int face) {
+    // Two attempts, see docs/theory/repair.md, "Rounds".
     constexpr double factor = 2, most = 4;
     double& stiffness = restraints_[face].stiffness;
     if (stiffness >= most) return false;
@@ -161,6 +163,8 @@ class NextTry {
 
   /// Makes a face move less in the next solution, at the cost of more bending.
   bool restrains(int face) {
+    // The first time the allowed move costs the budget, then half of it, down to a sixteenth
+    // (docs/theory/repair.md, "Rounds").
     constexpr double factor = 0.5, least = 0.1;
     const double limit_mm = task_.limits_mm.at(face);
     double& move_mm = restraints_[face].move_mm;
@@ -443,20 +447,18 @@ class Moving {
 };
 
 /// Runs the work. What geometry can cause becomes the reason of all seams: a failure of
-/// OpenCASCADE, and a curve or a surface that can't be evaluated (std::runtime_error,
+/// OpenCASCADE, and a curve or a surface that can't be evaluated (GeometryError,
 /// std::domain_error). Other exceptions are faults of the program, and pass. \throws Cancelled.
 template <class Work>
 Improvement orNothing(const RepairTask& task, const Work& work) {
   Rounds none(task);
   try {
     return work();
-  } catch (const Cancelled&) {
-    throw;
   } catch (const Standard_Failure& failure) {
     none.excludeAll(why::failed(failure));
   } catch (const std::domain_error& error) {
     none.excludeAll(why::failed(std::string(error.what())));
-  } catch (const std::runtime_error& error) {
+  } catch (const GeometryError& error) {
     none.excludeAll(why::failed(std::string(error.what())));
   }
   return none.nothing();

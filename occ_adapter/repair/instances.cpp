@@ -176,6 +176,7 @@ class RepairingOnce {
   }
 
  private:
+  /// Of the progress; the rest is the analysis of all instances.
   static constexpr double share_of_repair = 0.9;
 
   /// The model in which the first instance of each part is an independent copy. All numbers stay.

@@ -69,6 +69,8 @@ std::vector<double> sampleParameters(const Joint& joint, const MovingFaces& move
           best = std::move(places);
   best.push_back(0);
   best.push_back(1);
+  // A quarter of the distance of samples, so that the five samples around a point stay between two
+  // of the others.
   const double near = 0.25 / static_cast<double>(best.size());
   for (const double s : joint.also)
     for (const double beside : {-near, -near / 3, 0.0, near / 3, near})
@@ -183,6 +185,9 @@ bool isEnd(const JointSample& sample) {
 /// more weight when they are missed.
 JointLimits limitsOf(const Joint& joint, const JointSample& sample,
                      const ContinuityTolerance& tolerance) {
+  // The fifths are those above (docs/theory/repair.md R3). A limit is at least a thousandth of the
+  // gap tolerance, since no verdict notices less. The outline of a face keeps its position to
+  // 0.0001 of the size of the face.
   constexpr double share_of_gap = 0.2, share_of_angle = 0.2, share_of_size = 1e-4,
                    least_slide = 1e-3;
   JointLimits limits{.gap_mm = tolerance.gap_mm,
@@ -377,6 +382,7 @@ double turned_rad(const JointSample& sample) {
 /// along the whole joint: to close it would copy its shape into the faces.
 void setGiven(const Joint& joint, const ContinuityTolerance& tolerance,
               std::vector<JointSample>& samples) {
+  // Of the gap tolerance. The other half is left for what the moves add.
   constexpr double small = 0.5;
   double largest_mm = 0;
   for (JointSample& sample : samples) {
@@ -423,8 +429,8 @@ std::vector<JointSample> sampled(const Joint& joint, const MovingFaces& movers,
     samples[k - 1].part += chord / 2;
     length += chord;
   }
-  // Ends get a least share, although other samples may lie close to them, because other seams end
-  // there too.
+  // Ends get a least share, a third of a sample's usual sixteenth (see weightOf()), although other
+  // samples may lie close to them, because other seams end there too.
   constexpr double least_share = 0.125, least_at_end = 1.0 / 48;
   const double even = 1.0 / static_cast<double>(samples.size());
   for (JointSample& sample : samples)
@@ -476,6 +482,8 @@ namespace {
 /// from there on by a tenth of the tolerance. A figure within the tolerance may use only half of
 /// the distance to the tolerance, so that it stays within.
 double grownShare(double is, double was, double limit) {
+  // A tenth is what the proof accepts too (isLarger() in prove.cpp). The least share avoids a
+  // division by zero where a figure is at the limit.
   constexpr double growth_share = 0.1, least_share = 1e-3;
   const double start = std::max(was, free_share * limit);
   const double room = was < limit ? 0.5 * (limit - start) : limit;

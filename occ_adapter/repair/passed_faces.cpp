@@ -36,6 +36,7 @@ struct Way {
 /// Straight paths, from old to new positions, of points inside a face, as far as they are long
 /// enough.
 std::vector<Way> waysOf(const TopoDS_Face& before, const TopoDS_Face& after, double least_mm) {
+  // In each direction: as many as the iso-lines on which a face is judged.
   constexpr int points = 32;
   std::array<double, 4> range{};
   BRepTools::UVBounds(before, range[0], range[1], range[2], range[3]);

@@ -36,6 +36,7 @@ SpanMeasure::SpanMeasure(const Pcurve& path, const SurfaceBasis& basis,
                          const opencascade::handle<Geom_BSplineSurface>& surface,
                          const Eigen::Vector2d& weights)
     : s_(breaksOf(path, surface)), crossed_{0} {
+  // Chords of a pcurve in one span: a smooth curve turns little there.
   constexpr int steps = 4;
   for (std::size_t i = 1; i < s_.size(); ++i) {
     const Eigen::Vector2d middle = pointAt(path, (s_[i - 1] + s_[i]) / 2);

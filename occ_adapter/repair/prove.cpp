@@ -344,21 +344,22 @@ Validity validityOf(const TopoDS_Shape& shape, int jobs) {
   return {{sound.begin(), sound.end()}, whole};
 }
 
-std::vector<Seam> seamsAfter(const RepairTask& task, const TopoDS_Shape& changed,
+std::vector<Seam> seamsAfter(const TopoDS_Shape& changed, std::vector<Seam> seams,
+                             const std::vector<SeamResult>& before, const RepairOptions& options,
                              const Progress& progress) {
-  std::vector<Seam> seams = seamsIn(changed, task.seams);
+  seams = seamsIn(changed, std::move(seams));
   const bool any_matched =
       std::ranges::any_of(seams, [](const Seam& seam) { return seam.kind == SeamKind::Matched; });
   if (!any_matched) return seams;
   SeamGraph graph = findSeams(changed);
-  matchFreeEdges({.match_mm = task.options.match_mm, .gap_mm = task.options.tolerance.gap_mm},
-                 graph, progress);
+  matchFreeEdges({.match_mm = options.match_mm, .gap_mm = options.tolerance.gap_mm}, graph,
+                 progress);
   // The distance from the end of an edge within which the whole edge counts as matched.
-  const double wandered_mm = 4 * task.options.match_mm;
+  const double wandered_mm = 4 * options.match_mm;
   for (std::size_t i = 0; i < seams.size(); ++i) {
     Seam& seam = seams[i];
     if (seam.kind != SeamKind::Matched) continue;
-    const double share = wandered_mm / task.before[i].length_mm;
+    const double share = wandered_mm / before[i].length_mm;
     const auto found = std::ranges::find_if(
         graph.seams, [&](const Seam& other) { return isThatOf(other, seam, share, seams); });
     if (found == graph.seams.end()) continue;
@@ -373,7 +374,9 @@ Proof prove(const RepairTask& task, const std::vector<FaceChange>& changes,
             const TopoDS_Shape& changed, MeasuredSeams& known, const Progress& progress) {
   Proof proof;
   proof.after = task.before;
-  Remeasuring again(task, changes, seamsAfter(task, changed, partOf(progress, 0, 0.2)), known);
+  Remeasuring again(
+      task, changes,
+      seamsAfter(changed, task.seams, task.before, task.options, partOf(progress, 0, 0.2)), known);
   again.measure(true, proof.after, partOf(progress, 0.2, 0.4));
   judgeTreated(task, proof);
   judgeFaces(task, changes, changed, proof, partOf(progress, 0.4, 0.5));

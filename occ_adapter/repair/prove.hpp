@@ -40,12 +40,14 @@ struct Proof {
   }
 };
 
-/// The seams of the task in \p changed, which withChanges() made of the task's shape or which is
-/// that shape. A matched seam gets the interval that is found now if that contains the interval
+/// The seams of a shape in \p changed, which withChanges() made of that shape or which is that
+/// shape. A matched seam gets the interval that is found now if that contains the interval
 /// before. Otherwise it keeps the interval before, so that no part is lost where the seam opened
 /// beyond the matching distance.
+/// \param before figures in the shape, in the order of \p seams.
 /// \throws Cancelled.
-std::vector<Seam> seamsAfter(const RepairTask& task, const TopoDS_Shape& changed,
+std::vector<Seam> seamsAfter(const TopoDS_Shape& changed, std::vector<Seam> seams,
+                             const std::vector<SeamResult>& before, const RepairOptions& options,
                              const Progress& progress);
 
 /// Measures seams beside new faces and edges again; the other seams keep their figures. Costly

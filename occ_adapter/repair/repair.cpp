@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
 #include <Standard_Failure.hxx>
+
 #include <algorithm>
-#include <cmath>
-#include <functional>
-#include <optional>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include <seamwright/occ_adapter/repair/convert_faces.hpp>
 #include <seamwright/occ_adapter/repair/face_change.hpp>
-#include <seamwright/occ_adapter/repair/improve.hpp>
 #include <seamwright/occ_adapter/repair/instances.hpp>
+#include <seamwright/occ_adapter/repair/prove.hpp>
 #include <seamwright/occ_adapter/repair/reasons.hpp>
+#include <seamwright/occ_adapter/repair/repair_stages.hpp>
 #include <seamwright/occ_adapter/repair/sew.hpp>
-#include <seamwright/occ_adapter/repair/time_limit.hpp>
 #include <seamwright/occ_adapter/seams/pair_free_edges.hpp>
 
 namespace seamwright::occ {
@@ -31,109 +29,6 @@ std::vector<Seam> seamsOf(const TopoDS_Shape& shape, const RepairOptions& option
   return std::move(graph.seams);
 }
 
-/// Why a seam does not reach its target.
-struct LeftReason {
-  RepairReason target;   ///< why not the target
-  RepairReason g1 = {};  ///< why not even G1, where that was tried after G2
-  bool has_g1 = false;   ///< it got G1 instead of G2
-
-  /// Both in one, with the fault of the target.
-  RepairReason whole() const {
-    RepairReason reason = target;
-    if (has_g1)
-      reason.text = "G1 reached; G2: " + target.text;
-    else if (!g1.empty())
-      reason.text = target.text + "; G1: " + g1.text;
-    return reason;
-  }
-};
-
-/// The model between stages.
-struct RepairState {
-  TopoDS_Shape shape;
-  Report after;
-  std::vector<Seam> seams;
-  std::vector<SeamResult> to_keep;   ///< what no seam may be worse than: as given, or as repaired
-  std::vector<LeftReason> reasons;   ///< by seam
-  std::map<int, double> moves;       ///< by face
-  std::map<int, FaceMove> judged;    ///< by face that moved
-  std::map<int, double> edge_moves;  ///< by edge
-
-  /// Keeps the result of a stage.
-  /// \param asked order that the stage tried, by seam. \param sharp see Choice.
-  void keep(const std::vector<int>& asked, const RepairOptions& options,
-            const std::vector<bool>& sharp, Improvement done);
-
- private:
-  void addEdgeMoves(const std::vector<PathChange>& paths);
-};
-
-void RepairState::keep(const std::vector<int>& asked, const RepairOptions& options,
-                       const std::vector<bool>& sharp, Improvement done) {
-  for (const auto& [i, why] : done.reasons)
-    (asked[i] < options.order && !reasons[i].target.empty() ? reasons[i].g1 : reasons[i].target) =
-        why;
-  for (const auto& [i, why] : done.g1_reasons) reasons[i].g1 = why;
-  if (done.changes.empty() && done.paths.empty()) return;
-  shape = done.shape;
-  after.seams = std::move(done.after);
-  seams = seamsIn(done.shape, seams);
-  for (const FaceChange& change : done.changes) moves[change.face] += change.largest_move_mm;
-  for (auto& [face, move] : done.judged) judged[face] = std::move(move);
-  addEdgeMoves(done.paths);
-  for (std::size_t i = 0; i < done.orders.size(); ++i) {
-    // The accepted turn of a fold depends on the seams beside it and has been judged, so the new
-    // angle is the one to keep.
-    if (SeamResult& kept = to_keep[i]; isFold(kept, options.tolerance))
-      kept.figures.angle_rad = after.seams[i].figures.angle_rad;
-    if (done.orders[i] == 0) continue;
-    to_keep[i] = after.seams[i];
-    if (done.orders[i] == options.order || sharp[i])
-      reasons[i] = {};
-    else
-      reasons[i].has_g1 = true;
-  }
-}
-
-/// Adds moves of edges. For an edge with new pcurves on both faces the larger move counts.
-void RepairState::addEdgeMoves(const std::vector<PathChange>& paths) {
-  std::map<int, double> by_edge;
-  for (const PathChange& change : paths)
-    by_edge[change.edge] = std::max(by_edge[change.edge], change.largest_move_mm);
-  for (const auto& [edge, move_mm] : by_edge) edge_moves[edge] += move_mm;
-}
-
-/// Chooses seams whose moving faces are distinct and do not meet.
-std::vector<std::size_t> apart(const RepairState& now, const std::set<std::size_t>& seams,
-                               bool neighbours_help) {
-  std::vector<std::size_t> order(seams.begin(), seams.end());
-  const auto angle = [&now](std::size_t i) {
-    const auto& figure = now.after.seams[i].figures.angle_rad;
-    return figure ? figure->lower : 0;
-  };
-  std::ranges::stable_sort(order, {}, angle);
-  const FacesAtVertices around(now.shape);
-  std::map<int, std::set<int>> beside;
-  for (const Seam& seam : now.seams) {
-    beside[seam.sides[0].face].insert(seam.sides[1].face);
-    beside[seam.sides[1].face].insert(seam.sides[0].face);
-  }
-  std::set<int> taken;
-  std::vector<std::size_t> chosen;
-  for (const std::size_t i : order) {
-    const auto& sides = now.seams[i].sides;
-    const std::set<int> moving =
-        neighbours_help ? around.of(now.seams[i]) : std::set<int>{sides[0].face, sides[1].face};
-    if (std::ranges::any_of(moving, [&taken](int face) { return taken.count(face) > 0; })) continue;
-    chosen.push_back(i);
-    for (const int face : moving) {
-      taken.insert(face);
-      taken.insert(beside[face].begin(), beside[face].end());
-    }
-  }
-  return chosen;
-}
-
 /// The faces around the ends of wanted seams, as far as they can be computed with.
 std::set<int> facesAround(const TopoDS_Shape& shape, const std::vector<Seam>& seams,
                           const std::vector<bool>& wanted, const UnusableParts& unusable) {
@@ -146,17 +41,23 @@ std::set<int> facesAround(const TopoDS_Shape& shape, const std::vector<Seam>& se
 }
 
 /// Leaves seams at kinks of a surface unrepaired.
-void leaveKinks(const std::vector<bool>& sharp, const ContinuityTolerance& tolerance,
-                RepairState& now, std::vector<bool>& wanted) {
+/// \returns the wanted seams without them.
+std::vector<bool> withoutKinks(std::vector<bool> wanted, const std::vector<bool>& sharp,
+                               const ContinuityTolerance& tolerance, RepairState& state) {
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     if (!wanted[i] || sharp[i]) continue;
     try {
-      now.reasons[i].target = whyKinked(now.seams[i], tolerance);
+      state.reasons[i].target = whyKinked(state.seams[i], tolerance);
     } catch (const Standard_Failure& failure) {
-      now.reasons[i].target = why::failed(failure);
+      state.reasons[i].target = why::failed(failure);
     }
-    wanted[i] = now.reasons[i].target.empty();
+    wanted[i] = state.reasons[i].target.empty();
   }
+  return wanted;
+}
+
+bool anyOf(const std::vector<bool>& wanted) {
+  return std::ranges::count(wanted, true) > 0;
 }
 
 /// Seams that are to lose their angle.
@@ -165,9 +66,17 @@ std::vector<bool> turned(std::vector<bool> wanted, const std::vector<bool>& shar
   return wanted;
 }
 
-/// \param shape that was sewn
-void takeSewn(const Model& given, const TopoDS_Shape& shape, SewSolution solution,
-              RepairReport& report) {
+/// Sews matched seams of the report's model. The report gets the sewn model.
+/// \returns why seams that were to be sewn are not.
+SewReasons sewInto(const Model& given, std::vector<Seam> seams, const RepairOptions& options,
+                   const Progress& progress, RepairReport& report) {
+  if (seams.empty()) seams = seamsOf(given.shape, options, {});
+  const TopoDS_Shape shape = report.model.shape;
+  const std::vector<SeamResult> before = report.after.seams;
+  const std::vector<Seam> seams_now = seamsAfter(shape, seams, before, options, {});
+  SewSolution solution = sewFreeEdges(
+      {.shape = shape, .seams = seams_now, .before = before, .options = options}, progress);
+  if (solution.sewn.shape.IsNull()) return std::move(solution.reasons);
   report.model.shape = solution.sewn.shape;
   report.model.attributes = attributesAfter(given.attributes, shape, solution.sewn);
   report.after.seams = std::move(solution.after);
@@ -176,224 +85,101 @@ void takeSewn(const Model& given, const TopoDS_Shape& shape, SewSolution solutio
   report.after.model.edges = report.model.edgeCount();
   report.faces_now = std::move(solution.sewn.faces);
   report.edges_now = std::move(solution.sewn.edges);
+  return std::move(solution.reasons);
 }
 
 /// Puts the moves into the report.
-void tellMoves(const RepairState& now, RepairReport& report) {
-  for (const auto& [face, move_mm] : now.moves) {
+void tellMoves(const RepairState& state, RepairReport& report) {
+  for (const auto& [face, move_mm] : state.moves) {
     if (!(move_mm > 0)) continue;
-    FaceMove move = now.judged.at(face);
+    FaceMove move = state.judged.at(face);
     move.largest_move_mm = move_mm;
     if (move.surface) move.surface->move_mm.upper = std::max(move.surface->move_mm.lower, move_mm);
     report.moves.push_back(std::move(move));
   }
-  for (const auto& [edge, move_mm] : now.edge_moves) report.edge_moves.push_back({edge, move_mm});
+  for (const auto& [edge, move_mm] : state.edge_moves) report.edge_moves.push_back({edge, move_mm});
 }
 
-/// One call of repair(). First edges get new pcurves, then faces move, then seams that meet are
-/// sewn.
-class Repairing {
- public:
-  Repairing(const Model& model, const RepairOptions& options, const Progress& progress)
-      : model_(model),
-        options_(options),
-        progress_(progress),
-        unusable_(model.shape),
-        time_(options.max_time_s) {}
-
-  RepairReport run() {
-    result_.model = model_;
-    result_.before =
-        analyze(model_, analyzeOptions(options_), partOf(progress_, 0, share_of_analysis));
-    Choice choice = choose(model_, result_.before, options_);
-    now_ = {model_.shape, result_.before, {}, result_.before.seams, {}, {}, {}, {}};
-    for (RepairReason& reason : choice.reasons) now_.reasons.push_back({std::move(reason)});
-    sharp_ = std::move(choice.sharp);
-    wants_conversion_ = std::move(choice.wants_conversion);
-    std::vector<bool> wanted = std::move(choice.treated);
-    if (std::ranges::count(wanted, true) > 0) {
-      now_.seams = seamsOf(model_.shape, options_, {});
-      leaveKinks(sharp_, options_.tolerance, now_, wanted);
-    }
-    if (std::ranges::count(wanted, true) > 0) {
-      needed_ = neededVariation(model_.shape, result_.before.seams, turned(wanted, sharp_));
-      limits_mm_ =
-          moveLimits(model_.shape, result_.before.seams,
-                     facesAround(model_.shape, now_.seams, wanted, unusable_), wanted, options_);
-      const double all = options_.match_mm > 0 && options_.sew ? share_before_sewing : 1;
-      repair(wanted, choice.faces, partOf(progress_, share_of_analysis, all));
-    }
-    result_.model.shape = now_.shape;
-    result_.after = now_.after;
-    if (options_.match_mm > 0 && options_.sew) sew();
-    tell(wanted);
-    result_.repair_s = time_.spent_s();
-    if (progress_) progress_(1);
-    return std::move(result_);
-  }
-
- private:
-  /// Progress at the ends of the stages.
-  static constexpr double share_of_analysis = 0.2, share_of_paths = 0.1, share_of_moves = 0.6,
-                          share_of_g1 = 0.7, share_before_sewing = 0.9;
-  /// Shares of the time limit after which a stage is stopped. They leave time for the stages that
-  /// repair single seams, each of which is quick.
-  static constexpr double time_of_paths = 0.5, time_of_g2 = 0.6, time_of_moves = 0.9;
-
-  void repair(const std::vector<bool>& wanted, const std::vector<FaceChoice>& faces,
-              const Progress& progress) {
-    const int order = anyCurvatureDoes(options_.tolerance) ? 1 : options_.order;
-    std::vector<int> orders(wanted.size());
-    std::ranges::transform(wanted, orders.begin(),
-                           [order](bool is_wanted) { return is_wanted ? order : 0; });
-    keepInTime(orders, time_of_paths, partOf(progress, 0, share_of_paths),
-               [&](const Progress& part) { return improveByPaths(taskOf(faces, orders), part); });
-    for (std::size_t i = 0; i < orders.size(); ++i) {
-      if (isRepaired(now_.after.seams[i], sharp_[i], options_.tolerance, levelOf(order)))
-        orders[i] = 0;
-      if (orders[i] == 0) continue;
-      if (const RepairReason obstacle = whyNoneMoves(now_.after.seams[i].faces, faces);
-          !obstacle.empty()) {
-        RepairReason& reason = now_.reasons[i].target;
-        reason = why::joined(obstacle, reason.empty() && out_of_time_ ? why::timeLimit() : reason);
-        orders[i] = 0;
-      } else {
-        now_.reasons[i] = {};
-      }
-    }
-    const auto move = [&](const Progress& part) {
-      return improveByMoves(taskOf(faces, orders), part);
-    };
-    keepInTime(orders, order > 1 ? time_of_g2 : time_of_moves,
-               partOf(progress, share_of_paths, share_of_moves), move);
-    const std::vector<int> asked = orders;
-    for (int& left : orders) left = std::min(left, 1);
-    for (std::size_t i = 0; i < orders.size(); ++i)
-      if (isRepaired(now_.after.seams[i], sharp_[i], options_.tolerance, Level::G1)) orders[i] = 0;
-    if (order > 1)
-      keepInTime(orders, time_of_moves, partOf(progress, share_of_moves, share_of_g1), move);
-    const double alone = order > 1 ? (share_of_g1 + 1) / 2 : 1;
-    repairAlone(orders, Level::G1, faces, partOf(progress, share_of_g1, alone));
-    if (order > 1) repairAlone(asked, Level::G2, faces, partOf(progress, alone, 1));
-  }
-
-  /// Repairs seams that are still below the level one by one, from the smallest angle on. They may
-  /// have failed only because of seams that were solved together with them. Seams that fail again
-  /// are tried once more, with the faces around their ends moving too.
-  void repairAlone(const std::vector<int>& orders, Level level,
-                   const std::vector<FaceChoice>& faces, const Progress& progress) {
-    for (const bool neighbours_help : {false, true})
-      repairAlone(orders, level, faces, neighbours_help,
-                  partOf(progress, neighbours_help ? 0.5 : 0, neighbours_help ? 1 : 0.5));
-  }
-
-  /// Repairs several seams at a time, as long as no face of one is next to a face of another.
-  void repairAlone(const std::vector<int>& orders, Level level,
-                   const std::vector<FaceChoice>& faces, bool neighbours_help,
-                   const Progress& progress) {
-    constexpr int most_batches = 8;
-    std::set<std::size_t> left;
-    for (std::size_t i = 0; i < orders.size(); ++i)
-      if (orders[i] > 0 && !isRepaired(now_.after.seams[i], sharp_[i], options_.tolerance, level))
-        left.insert(i);
-    for (int batch = 0; batch < most_batches && !left.empty(); ++batch) {
-      std::vector<int> of_batch(orders.size(), 0);
-      for (const std::size_t i : apart(now_, left, neighbours_help)) {
-        of_batch[i] = orders[i];
-        left.erase(i);
-      }
-      keepInTime(
-          of_batch, 1,
-          partOf(progress, static_cast<double>(batch) / most_batches, (batch + 1.0) / most_batches),
-          [&](const Progress& part) {
-            return improveByMoves(taskOf(faces, of_batch, neighbours_help), part);
-          });
-    }
-  }
-
-  RepairTask taskOf(const std::vector<FaceChoice>& faces, std::vector<int> orders,
-                    bool neighbours_help = false) const {
-    return {now_.shape,   now_.seams, now_.to_keep,      now_.after.seams, faces,
-            sharp_,       options_,   unusable_,         needed_,          limits_mm_,
-            model_.shape, now_.moves, std::move(orders), neighbours_help};
-  }
-
-  /// Runs a stage and keeps its result.
-  /// \param asked order that the stage tries, by seam. \param share share of the time limit after
-  /// which the stage is stopped, without effect.
-  template <class Stage>
-  void keepInTime(const std::vector<int>& asked, double share, const Progress& progress,
-                  const Stage& stage) {
-    std::optional<Improvement> done = time_.within(share, progress, stage);
-    if (done)
-      now_.keep(asked, options_, sharp_, std::move(*done));
-    else
-      out_of_time_ = true;
-  }
-
-  void sew() {
-    if (now_.seams.empty()) now_.seams = seamsOf(model_.shape, options_, {});
-    const TopoDS_Shape shape = result_.model.shape;
-    const std::vector<SeamResult> before = result_.after.seams;
-    const std::vector<FaceChoice> no_faces;
-    const RepairTask task{shape,
-                          now_.seams,
-                          result_.before.seams,
-                          before,
-                          no_faces,
-                          sharp_,
-                          options_,
-                          unusable_,
-                          needed_,
-                          limits_mm_,
-                          model_.shape,
-                          now_.moves,
-                          std::vector<int>(before.size(), 0)};
-    const std::vector<Seam> seams = seamsAfter(task, shape, {});
-    SewSolution solution =
-        sewFreeEdges({.shape = shape, .seams = seams, .before = before, .options = options_},
-                     partOf(progress_, share_before_sewing, 1));
-    not_sewn_ = std::move(solution.reasons);
-    if (solution.sewn.shape.IsNull()) return;
-    takeSewn(model_, shape, std::move(solution), result_);
-  }
-
-  void tell(const std::vector<bool>& wanted) {
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-      SeamRepair seam;
-      seam.before = result_.before.seams[i];
-      seam.after = result_.after.seams[i];
-      seam.treated = wanted[i];
-      if (wanted[i] && out_of_time_ && now_.reasons[i].target.empty())
-        now_.reasons[i].target = why::timeLimit();
-      seam.reason = now_.reasons[i].whole();
-      seam.sewn = seam.before.kind == SeamKind::Matched && seam.after.kind != SeamKind::Matched;
-      if (const auto why = not_sewn_.find(i); why != not_sewn_.end()) seam.not_sewn = why->second;
-      seam.repaired =
-          wanted[i] && isRepaired(seam.after, sharp_[i], options_.tolerance, options_.level());
-      seam.wants_conversion = wants_conversion_[i] && !seam.repaired;
-      if (seam.repaired)
-        seam.reason = {};
-      else if (wanted[i] && seam.before.kind == SeamKind::Matched && !seam.before.note.empty())
-        seam.reason = why::afterNote(seam.before.note, std::move(seam.reason));
-      result_.seams.push_back(std::move(seam));
-    }
-    tellMoves(now_, result_);
-  }
-
-  const Model& model_;
-  const RepairOptions& options_;
-  const Progress& progress_;
-  const UnusableParts unusable_;
-  const TimeLimit time_;
-  bool out_of_time_ = false;  ///< a stage was stopped, or not begun
-  RepairState now_;
-  std::vector<bool> sharp_, wants_conversion_;  ///< by seam, see Choice
-  NeededVariation needed_;                      ///< by face
-  MoveLimits limits_mm_;
-  SewReasons not_sewn_;
-  RepairReport result_;
+/// What became of a seam, except that it was not sewn.
+struct SeamOutcome {
+  bool treated = false, sharp = false, wants_conversion = false;
+  RepairReason reason = {};  ///< why it was not repaired, if it was not
 };
+
+SeamRepair seamRepair(const SeamResult& before, const SeamResult& after, SeamOutcome outcome,
+                      const RepairOptions& options) {
+  SeamRepair seam;
+  seam.before = before;
+  seam.after = after;
+  seam.treated = outcome.treated;
+  seam.sewn = before.kind == SeamKind::Matched && after.kind != SeamKind::Matched;
+  seam.repaired =
+      seam.treated && isRepaired(after, outcome.sharp, options.tolerance, options.level());
+  seam.wants_conversion = outcome.wants_conversion && !seam.repaired;
+  if (seam.repaired) return seam;
+  seam.reason = std::move(outcome.reason);
+  if (seam.treated && before.kind == SeamKind::Matched && !before.note.empty())
+    seam.reason = why::afterNote(before.note, std::move(seam.reason));
+  return seam;
+}
+
+/// Repairs the model without conversion of faces, and each instance of a part for itself. First
+/// edges get new pcurves and faces move (repairInStages()), then seams that meet are sewn.
+RepairReport repairOnce(const Model& model, const RepairOptions& options,
+                        const Progress& progress) {
+  // Progress at the ends of the analysis and of the repair.
+  constexpr double share_of_analysis = 0.2, share_before_sewing = 0.9;
+  const UnusableParts unusable(model.shape);
+  const TimeLimit time(options.max_time_s);
+  const bool sews = options.match_mm > 0 && options.sew;
+  RepairReport report;
+  report.model = model;
+  report.before = analyze(model, analyzeOptions(options), partOf(progress, 0, share_of_analysis));
+  const Choice choice = choose(model, report.before, options);
+  RepairState state(model, report.before, choice.reasons);
+  std::vector<bool> wanted = choice.treated;
+  if (anyOf(wanted)) {
+    state.seams = seamsOf(model.shape, options, {});
+    wanted = withoutKinks(wanted, choice.sharp, options.tolerance, state);
+  }
+  if (anyOf(wanted)) {
+    const RepairContext context{
+        .model = model,
+        .options = options,
+        .unusable = unusable,
+        .time = time,
+        .faces = choice.faces,
+        .sharp = choice.sharp,
+        .needed = neededVariation(model.shape, report.before.seams, turned(wanted, choice.sharp)),
+        .limits_mm =
+            moveLimits(model.shape, report.before.seams,
+                       facesAround(model.shape, state.seams, wanted, unusable), wanted, options)};
+    state = repairInStages(context, std::move(state), wanted,
+                           partOf(progress, share_of_analysis, sews ? share_before_sewing : 1));
+  }
+  report.model.shape = state.shape;
+  report.after = state.after;
+  SewReasons not_sewn;
+  if (sews)
+    not_sewn =
+        sewInto(model, state.seams, options, partOf(progress, share_before_sewing, 1), report);
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (wanted[i] && state.out_of_time && state.reasons[i].target.empty())
+      state.reasons[i].target = why::timeLimit();
+    report.seams.push_back(seamRepair(report.before.seams[i], report.after.seams[i],
+                                      {.treated = wanted[i],
+                                       .sharp = choice.sharp[i],
+                                       .wants_conversion = choice.wants_conversion[i],
+                                       .reason = state.reasons[i].whole()},
+                                      options));
+    if (const auto why = not_sewn.find(i); why != not_sewn.end())
+      report.seams.back().not_sewn = why->second;
+  }
+  tellMoves(state, report);
+  report.repair_s = time.spent_s();
+  if (progress) progress(1);
+  return report;
+}
 
 }  // namespace
 
@@ -409,13 +195,12 @@ AnalyzeOptions analyzeOptions(const RepairOptions& options) {
 void RepairOptions::validate() const {
   analyzeOptions(*this).validate();
   if (order != 1 && order != 2)
-    throw std::invalid_argument("order is " + std::to_string(order) + ": it must be 1 or 2");
+    throw std::invalid_argument(fmt::format("order is {}: it must be 1 or 2", order));
   SurfaceTolerance{fairness, 0}.validate();
   const auto requirePositive = [](const char* name, double value, const char* unit) {
     if (value > 0) return;
-    std::ostringstream text;
-    text << name << " is " << value << " " << unit << ": it must be larger than zero";
-    throw std::invalid_argument(text.str());
+    throw std::invalid_argument(
+        fmt::format("{} is {:.6g} {}: it must be larger than zero", name, value, unit));
   };
   if (max_move_mm) requirePositive("largest move", *max_move_mm, "mm");
   requirePositive("time limit", max_time_s, "s");
@@ -423,12 +208,9 @@ void RepairOptions::validate() const {
 
 RepairReport repair(const Model& model, const RepairOptions& options, const Progress& progress) {
   options.validate();
-  const auto plain = [](const Model& of, const RepairOptions& how, const Progress& part) {
-    return Repairing(of, how, part).run();
-  };
-  const auto converting = [&plain](const Model& of, const RepairOptions& how,
-                                   const Progress& part) {
-    return how.convert_analytic ? repairConverting(of, how, plain, part) : plain(of, how, part);
+  const auto converting = [](const Model& of, const RepairOptions& how, const Progress& part) {
+    return how.convert_analytic ? repairConverting(of, how, repairOnce, part)
+                                : repairOnce(of, how, part);
   };
   return repairInstances(model, options, converting, progress);
 }

@@ -106,6 +106,8 @@ PointRows StepSystem::solve() {
     largest = std::max(largest, block.head<3>().maxCoeff());
   double raised = 0;
   while (!cholesky_.factor(blocks_, raised)) {
+    // Rounding may make a singular matrix indefinite. The least addition that helps changes the
+    // solution least, so it starts at rounding and grows by tens.
     raised = std::max(10 * raised, std::numeric_limits<double>::epsilon() * largest);
     if (!(raised > 0) || !(raised <= largest)) return PointRows::Zero(right_.rows(), 3);
   }

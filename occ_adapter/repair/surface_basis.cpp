@@ -20,6 +20,7 @@ double SplineAxis::wrapped(double t) const {
 }
 
 int SplineAxis::span(double& t, double toward) const {
+  // A parameter that rounding moved off a knot counts as that knot.
   const double near = 1e-10 * (last - first);
   t = wrapped(t);
   const auto begin = knots.begin() + degree;

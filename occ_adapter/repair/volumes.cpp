@@ -155,6 +155,7 @@ double explainedByMoves_mm3(std::vector<FaceCone> cones, double least_mm3) {
   std::ranges::sort(cones, std::greater{}, &FaceCone::move_mm);
   double explained_mm3 = 0;
   for (const FaceCone& cone : cones) {
+    // A hundredth more, as the area is that of the old face and the new one may be a little larger.
     explained_mm3 += 1.01 * area_mm2(cone.was.whole) * cone.move_mm;
     if (explained_mm3 >= least_mm3) break;
   }

@@ -126,6 +126,7 @@ Roof solvedRoof(const TopoDS_Shape& shape, const std::vector<int>& faces,
   const occ::FairResult result =
       fairSolve(jointsOf(shape, Ask::Join, 1), tolerance, {}, movers, {});
   EXPECT_LE(result.missed.front(), 1);
+  EXPECT_GT(result.passes, result.refinements);
   const auto now = [&](int number) {
     const auto mover = movers.find(number);
     return mover == movers.end() ? Spline::DownCast(BRep_Tool::Surface(face(shape, number)))

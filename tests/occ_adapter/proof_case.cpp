@@ -81,9 +81,19 @@ ProofCase::ProofCase(const TopoDS_Shape& shape, const occ::RepairOptions& option
 occ::RepairTask ProofCase::task() const {
   std::vector<int> orders;
   for (const bool is_treated : choice_.treated) orders.push_back(is_treated ? options_.order : 0);
-  return {shape_,        seams_,   report_.seams,    report_.seams, choice_.faces,
-          choice_.sharp, options_, unusable_,        needed_,       limits_mm_,
-          shape_,        moved_,   std::move(orders)};
+  return {.shape = shape_,
+          .seams = seams_,
+          .to_keep = report_.seams,
+          .before = report_.seams,
+          .faces = choice_.faces,
+          .sharp = choice_.sharp,
+          .options = options_,
+          .unusable = unusable_,
+          .needed = needed_,
+          .limits_mm = limits_mm_,
+          .given = shape_,
+          .moved_mm = moved_,
+          .orders = std::move(orders)};
 }
 
 occ::FaceChange ProofCase::changed(int number, const Strip& strip) const {
