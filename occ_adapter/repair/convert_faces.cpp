@@ -38,6 +38,24 @@ std::set<int> coverOf(std::vector<std::set<int>> seams) {
   return chosen;
 }
 
+/// Whether the seam was meant but not repaired.
+bool isOpen(const SeamRepair& seam) {
+  return !seam.repaired && !seam.reason.empty();
+}
+
+std::set<int> united(std::set<int> a, std::set<int> b) {
+  a.merge(b);
+  return a;
+}
+
+/// The chosen faces that moved.
+std::set<int> movedOf(const std::set<int>& chosen, const RepairReport& report) {
+  std::set<int> moved;
+  for (const FaceMove& move : report.moves)
+    if (chosen.count(move.face) > 0) moved.insert(move.face);
+  return moved;
+}
+
 class Converting {
  public:
   Converting(const Model& model, const RepairOptions& options, const PlainRepair& repair,
@@ -60,7 +78,7 @@ class Converting {
       report = repaired(converted(chosen));
       noteTried(chosen, report);
       const std::set<int> moved = movedOf(chosen, report), spoilt = besideWorse(chosen, report);
-      std::set<int> now = first ? with(chosen, besideUnrepaired(report)) : moved;
+      std::set<int> now = first ? united(chosen, besideUnrepaired(report)) : moved;
       for (const int face : spoilt) now.erase(face);
       if (now == chosen && moved != chosen) now = moved;
       if (now == chosen) return told(std::move(report));
@@ -114,8 +132,6 @@ class Converting {
     return choice_.faces[face].convertible && failures_.count(face) == 0;
   }
 
-  static bool isOpen(const SeamRepair& seam) { return !seam.repaired && !seam.reason.empty(); }
-
   /// Chooses a small set of convertible faces that covers all seams without a movable face:
   /// repeatedly the face with most of the seams that are left.
   std::set<int> fewest(const RepairReport& plain) const {
@@ -145,18 +161,6 @@ class Converting {
     for (const SeamRepair& seam : report.seams)
       if (isOpen(seam) && !hasLevel(seam)) found.merge(convertibleOf(seam.before.faces));
     return found;
-  }
-
-  static std::set<int> with(std::set<int> a, std::set<int> b) {
-    a.merge(b);
-    return a;
-  }
-
-  static std::set<int> movedOf(const std::set<int>& chosen, const RepairReport& report) {
-    std::set<int> moved;
-    for (const FaceMove& move : report.moves)
-      if (chosen.count(move.face) > 0) moved.insert(move.face);
-    return moved;
   }
 
   /// The chosen faces beside seams that got worse. They are never chosen again.
