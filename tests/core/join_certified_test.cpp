@@ -49,6 +49,7 @@ class Certifier {
 
 TEST(JoinCertified, Identity2ContinuationsOfTensorPatches) {
   std::mt19937_64 random(testSeed());
+  int joined = 0;
   Certifier certifier;
   for (int run = 0; run < 1500; ++run) {
     const bool rational = run % 8 >= 6;
@@ -62,11 +63,13 @@ TEST(JoinCertified, Identity2ContinuationsOfTensorPatches) {
     const auto next = built(
         [&] { return continuation(ribbon(patch, edge, reversed, Across::OutOf), c, order, l); });
     if (!next) continue;
+    ++joined;
     certifier.expectJoined(seamSide(patch, edge, reversed), seamSide(*next, PatchEdge::U0), order,
                            Message() << "run " << run << " m " << m << " n " << n << " to "
                                      << next->degreeU() << " " << next->degreeV()
                                      << (rational ? " rational: " : ": "));
   }
+  EXPECT_GT(joined, 750);
 }
 
 TEST(JoinCertified, Identity2TrianglesAndPatches) {
@@ -99,6 +102,7 @@ TEST(JoinCertified, Identity2TrianglesAndPatches) {
 
 TEST(JoinCertified, BlendsMeetBoth) {
   std::mt19937_64 random(testSeed());
+  int blends = 0;
   Certifier certifier;
   for (int run = 0; run < 300; ++run) {
     const int order = run % 2 + 1, n = whole(1, 3, random);
@@ -113,12 +117,14 @@ TEST(JoinCertified, BlendsMeetBoth) {
                    ribbon(second, PatchEdge::U0, false, Across::OutOf), to_second, order);
     });
     if (!between) continue;
+    ++blends;
     EXPECT_EQ(between->degreeU(), 2 * order + 1);
     certifier.expectJoined(seamSide(first, PatchEdge::U1), seamSide(*between, PatchEdge::U0), order,
                            Message() << run << " first ");
     certifier.expectJoined(seamSide(*between, PatchEdge::U1), seamSide(second, PatchEdge::U0),
                            order, Message() << run << " second ");
   }
+  EXPECT_GT(blends, 150);
 }
 
 TEST(JoinCertified, OneMovedPoleIsSeen) {

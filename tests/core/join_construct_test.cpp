@@ -307,6 +307,7 @@ TEST(JoinConstruct, DegreesAreThoseOfTheTable) {
 
 TEST(JoinConstruct, ReplacedRowsLeaveTheOthers) {
   std::mt19937_64 random(testSeed());
+  int replaced = 0;
   for (int run = 0; run < 64; ++run) {
     const PatchEdge edge = test::patch_edges[run % 4];
     const bool reversed = run % 8 < 4, rational = run % 3 == 0;
@@ -317,6 +318,7 @@ TEST(JoinConstruct, ReplacedRowsLeaveTheOthers) {
     const ConnectionFunctions c = test::randomConnection(0, 1, random);
     const auto rows = built([&] { return tensorRows(given, c, order, 4); });
     if (!rows) continue;
+    ++replaced;
     const BezierPatch after = withRows(before, edge, reversed, *rows);
     EXPECT_LE(equationDefect(given, ribbon(after, edge, reversed, Across::Into), c, order, 0.4),
               1e-13);
@@ -325,6 +327,7 @@ TEST(JoinConstruct, ReplacedRowsLeaveTheOthers) {
     for (int i = order + 1; i <= 4; ++i)
       for (int j = 0; j <= 4; ++j) EXPECT_LE((old.pole(i, j) - now.pole(i, j)).norm(), 1e-14);
   }
+  EXPECT_GT(replaced, 32);
 }
 
 TEST(JoinConstruct, ReplacedRowsOfATriangleLeaveTheOthers) {

@@ -134,12 +134,14 @@ TEST(NearestCurve, Identity1MovedCurvesJoin) {
 
 TEST(NearestCurve, Identity2NoJoinNearbyIsNearer) {
   std::mt19937_64 random(testSeed());
+  int solved = 0;
   for (const double noise : {1e-4, 1e-2, 0.1})
     for (int i = 0; i < 288; ++i) {
       const Pair pair = pairOf(i, noise, random);
       const int n = pair.options.order;
       const Join join = nearestJoin(pair.a, pair.b, pair.options);
       if (join.status != NearestCurveStatus::Solved) continue;
+      ++solved;
       EXPECT_LT(join.gradient, 1e-8) << i;
       const double cost = costOf(pair, join.beta);
       EXPECT_NEAR(join.cost / cost, 1, 1e-6) << noise << ' ' << i;
@@ -156,10 +158,12 @@ TEST(NearestCurve, Identity2NoJoinNearbyIsNearer) {
               << noise << ' ' << i << ' ' << q;
       }
     }
+  EXPECT_GT(solved, 432);
 }
 
 TEST(NearestCurve, Identity3WhatJoinsStays) {
   std::mt19937_64 random(testSeed());
+  int solved = 0;
   for (int i = 0; i < 720; ++i) {
     const Pair pair = pairOf(i, 0, random);
     const Join join = nearestJoin(pair.a, pair.b, pair.options);
@@ -168,10 +172,12 @@ TEST(NearestCurve, Identity3WhatJoinsStays) {
     const Pair near = pairOf(i, 1e-2, random);
     const Join first = nearestJoin(near.a, near.b, near.options);
     if (first.status != NearestCurveStatus::Solved) continue;
+    ++solved;
     const Join again = nearestJoin(first.a, first.b, near.options);
     EXPECT_LT(again.largest_move_mm, 1e-12) << i;
     EXPECT_EQ(again.status, NearestCurveStatus::Solved) << again.reason;
   }
+  EXPECT_GT(solved, 360);
 }
 
 TEST(NearestCurve, Identity3WhatJoinsInAllBitsKeepsThem) {
@@ -196,10 +202,12 @@ BezierCurve mapped(const BezierCurve& curve, const Eigen::Matrix3d& map, const V
 
 TEST(NearestCurve, Identity4MotionScaleAndExchange) {
   std::mt19937_64 random(testSeed());
+  int solved = 0;
   for (int i = 0; i < 720; ++i) {
     Pair pair = pairOf(i, 0.02, random);
     const Join join = nearestJoin(pair.a, pair.b, pair.options);
     if (join.status != NearestCurveStatus::Solved) continue;
+    ++solved;
     const Eigen::Matrix3d turn = test::randomRotation(random);
     const Vec by = test::randomVector(random);
     for (const double scale : {1.0, 1e-6, 1e7}) {
@@ -222,6 +230,7 @@ TEST(NearestCurve, Identity4MotionScaleAndExchange) {
     EXPECT_LT(difference(mirror.b.reversed(), join.a), 1e-10) << i;
     EXPECT_LT((reversedBeta(mirror.beta) - join.beta).norm(), 1e-8 * (1 + join.beta.norm())) << i;
   }
+  EXPECT_GT(solved, 360);
 }
 
 TEST(NearestCurve, Identity5PolesThatStay) {

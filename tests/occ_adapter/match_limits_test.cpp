@@ -72,6 +72,7 @@ TEST(MatchFaces, TrimmedSidesThatWouldMoveAreNotCalledHeld) {
 // With weights that change, points move further than poles.
 TEST(MatchFaces, NoPointMovesFurtherThanReported) {
   std::mt19937 generator(testSeed());
+  int matched = 0;
   std::uniform_real_distribution<double> weight(0.3, 3);
   for (int round = 0; round < 20; ++round) {
     TColgp_Array2OfPnt flat(1, 4, 1, 4), tilted(1, 4, 1, 4);
@@ -87,6 +88,7 @@ TEST(MatchFaces, NoPointMovesFurtherThanReported) {
     const TopoDS_Shape pair = loose(wholeFace(splineOf(flat, 3, 3)), wholeFace(before));
     const MatchReport report = matchFaces(pair, 1, 2);
     if (!report.matched) continue;
+    ++matched;
     const Spline after = Spline::DownCast(BRep_Tool::Surface(face(report.shape, 2)));
     double moved = 0;
     for (int k = 0; k <= 80; ++k)
@@ -99,6 +101,7 @@ TEST(MatchFaces, NoPointMovesFurtherThanReported) {
     const MatchReport limited = matchFaces(pair, 1, 2, options);
     EXPECT_TRUE(!limited.matched || limited.largest_move_mm <= options.max_move_mm);
   }
+  EXPECT_GT(matched, 9);
 }
 
 TEST(MatchFaces, WhatJoinsAlreadyIsLeftAlone) {
