@@ -46,6 +46,7 @@ WORDS = {
     ),
     r"\b[Aa]new\b|Anew[A-Z_(]?": ("again", ["done anew", "LedAnew("], ["a new one"]),
     r"\b[Ii]s no matter\b": ("is negligible, does not matter", ["is no matter to"], ["no matter"]),
+    r"\bSeamLaws?\b": ("connection functions", ["SeamLaw law"], ["the seam's law"]),
     r"seams? that flow": ("smooth seams", ["seams that flow"], ["seams that fall"]),
     r"did not come to an end": ("exceeded the limit", ["did not come to an end"], []),
 }

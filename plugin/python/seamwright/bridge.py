@@ -225,7 +225,8 @@ def _require_apart(knots):
     for i, (before, knot) in enumerate(zip(knots, knots[1:]), 1):
         if knot - before <= math.ulp(before):
             raise ValueError(
-                f"distinct knots {i - 1} and {i} are {before!r} and {knot!r}: OpenCASCADE tells knots apart "
+                f"distinct knots {i - 1} and {i} are {before!r} and {knot!r}: OpenCASCADE tells "
+                "knots apart "
                 "by one part in 10^16"
             )
 

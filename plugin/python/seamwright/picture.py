@@ -256,11 +256,13 @@ class Picture:
             )
             parts.append(f'<path d="{teeth}" stroke="{color}" stroke-width="0.5" opacity="0.5"/>')
             parts.append(
-                f'<polyline points="{path(tips)}" fill="none" stroke="{color}" stroke-width="0.8" opacity="0.8"/>'
+                f'<polyline points="{path(tips)}" fill="none" stroke="{color}" stroke-width="0.8" '
+                'opacity="0.8"/>'
             )
         for points, attributes in self._lines:
             parts.append(
-                f'<polyline points="{path(points)}" fill="none" {attributes} stroke-linejoin="round"/>'
+                f'<polyline points="{path(points)}" fill="none" {attributes} '
+                'stroke-linejoin="round"/>'
             )
         for points, color, radius in self._dots:
             parts += [
@@ -279,7 +281,8 @@ class Picture:
         for label, color, dashed in self._legend:
             dashes = ' stroke-dasharray="5 3"' if dashed else ""
             words.append(
-                f'<line x1="{MARGIN}" y1="{y - 4}" x2="{MARGIN + 22}" y2="{y - 4}" stroke="{color}" stroke-width="2"{dashes}/>'
+                f'<line x1="{MARGIN}" y1="{y - 4}" x2="{MARGIN + 22}" y2="{y - 4}" '
+                f'stroke="{color}" stroke-width="2"{dashes}/>'
             )
             words.append(f'<text x="{MARGIN + 30}" y="{y}">{_words_of(label)}</text>')
             y += LEGEND_LINE

@@ -137,7 +137,10 @@ def test_moving_frames():
 @pytest.mark.parametrize(
     "call, text",
     [
-        (lambda: seamwright.frenet_frame(S, "x"), "t is 'x': a number or an array of numbers is needed"),
+        (
+            lambda: seamwright.frenet_frame(S, "x"),
+            "t is 'x': a number or an array of numbers is needed",
+        ),
         (lambda: seamwright.frenet_frame(S, math.nan), "t is nan: it must be finite"),
         (lambda: seamwright.find_degeneracies(S, 0), "resolution is 0"),
         (lambda: seamwright.arc_length(S, 0), "tolerance is 0"),

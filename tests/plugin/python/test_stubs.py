@@ -65,7 +65,11 @@ def test_the_type_checker_refuses_wrong_use(folder):
     done = subprocess.run(
         ["mypy", str(use)],
         cwd=folder,
-        env={**os.environ, "MYPYPATH": str(PACKAGE.parent), "MYPY_CACHE_DIR": str(folder / "cache")},
+        env={
+            **os.environ,
+            "MYPYPATH": str(PACKAGE.parent),
+            "MYPY_CACHE_DIR": str(folder / "cache"),
+        },
         capture_output=True,
         text=True,
     )
