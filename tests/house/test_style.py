@@ -65,3 +65,23 @@ def test_functions_and_classes_are_short():
         if (name, block.name) not in TO_BE_DIVIDED
     ]
     assert not long, "\n".join(long)
+
+
+#: Tests of what other systems than Linux, or other Pythons than FreeCAD's, have not.
+MAY_SKIP = {
+    "tests/occ_adapter/errors_test.cpp",
+    "tests/occ_adapter/prove_test.cpp",
+    "tests/plugin/cli/test_repair.py",
+    "tests/plugin/python/test_models.py",
+    "tests/plugin/python/test_repair.py",
+}
+
+
+def test_no_test_is_skipped_where_the_packages_are_installed():
+    pattern = r"GTEST_SKIP|importorskip|pytest\.skip|mark\.skip|skipTest|SKIP_RETURN_CODE"
+    files = [
+        name
+        for name, text in texts(("tests",), (*CODE, ".txt"))
+        if name != "tests/house/test_style.py" and re.search(pattern, text)
+    ]
+    assert set(files) == MAY_SKIP
