@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <BRep_Curve3D.hxx>
 #include <BRep_CurveOn2Surfaces.hxx>
 #include <BRep_CurveOnClosedSurface.hxx>
@@ -23,8 +26,11 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <sstream>
+#include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -184,14 +190,14 @@ class Recorder {
   }
 
  private:
-  void place(BinTools_OStream& out, const TopLoc_Location& frame,
-             const TopLoc_Location& location) const {
+  void addLocation(BinTools_OStream& out, const TopLoc_Location& frame,
+                   const TopLoc_Location& location) const {
     record(out, frame * steps_.translated(location));
   }
 
   void face(BinTools_OStream& out, const BRep_TFace& face, const TopLoc_Location& frame) const {
     if (!face.Surface().IsNull()) BinTools_SurfaceSet::WriteSurface(face.Surface(), out);
-    place(out, frame, face.Location());
+    addLocation(out, frame, face.Location());
   }
 
   /// The order of its representations says nothing.
@@ -212,7 +218,7 @@ class Recorder {
     out << static_cast<int>(representation.IsCurve3D() + 2 * representation.IsCurveOnSurface() +
                             4 * representation.IsCurveOnClosedSurface() +
                             8 * representation.IsRegularity());
-    place(out, frame, representation.Location());
+    addLocation(out, frame, representation.Location());
     if (const auto* curve = dynamic_cast<const BRep_GCurve*>(&representation))
       out << curve->First() << curve->Last();
     if (representation.IsCurve3D() && !representation.Curve3D().IsNull())
@@ -226,7 +232,7 @@ class Recorder {
     if (representation.IsRegularity()) {
       numbers_.record(out, representation.Surface());
       numbers_.record(out, representation.Surface2());
-      place(out, frame, representation.Location2());
+      addLocation(out, frame, representation.Location2());
       out << static_cast<int>(representation.Continuity());
     }
     return std::move(bytes).str();
@@ -266,36 +272,31 @@ struct Part {
       elsewhere;  ///< what it came back as in further places, where those are not shared
 };
 
-class Carrier {
+/// The faces, edges and vertices of three graphs that are the same, side by side.
+struct PairedParts {
+  Steps steps;
+  std::vector<Part> faces, edges, vertices;
+};
+
+/// Walks the shape that is changed in place, what it would have come back as, and what it came back
+/// as.
+class GraphWalk {
  public:
-  Carrier(const TopoDS_Shape& changed, const TopoDS_Shape& into) : root_(changed) {
-    const TopoDS_Shape unchanged = throughBinary(throughBinary(into));
+  /// \returns nothing if the graphs differ.
+  std::optional<PairedParts> paired(const TopoDS_Shape& into, const TopoDS_Shape& unchanged,
+                                    const TopoDS_Shape& changed) {
     noteSteps(into, unchanged);
-    same_graph_ = sameExtents(changed, into) && pair(into, unchanged, changed);
-  }
-
-  bool sameGraph() const { return same_graph_; }
-
-  Carried carry() {
-    for (int i = 0; i < static_cast<int>(faces_.size()); ++i) number(faces_[i], i);
-    requireLikeInstances();
-    chooseSurfaces();
-    Carried count;
-    for (const Part& face : faces_) count.faces += carryFace(face);
-    count.largest_tolerance_mm = std::max(largestNewTolerance<BRep_TEdge>(edges_),
-                                          largestNewTolerance<BRep_TVertex>(vertices_));
-    for (const Part& edge : edges_) count.edges += carryEdge(edge);
-    for (const Part& vertex : vertices_) count.vertices += carryVertex(vertex);
-    return count;
+    if (!sameExtents(changed, into) || !pair(into, unchanged, changed)) return std::nullopt;
+    return std::move(parts_);
   }
 
  private:
   void noteSteps(const TopoDS_Shape& into, const TopoDS_Shape& unchanged) {
-    steps_.note(into.Location(), unchanged.Location());
+    parts_.steps.note(into.Location(), unchanged.Location());
     if (!noted_.insert(into.TShape().get()).second) return;
     if (into.ShapeType() == TopAbs_FACE)
-      steps_.note(contentOf<BRep_TFace>(into)->Location(),
-                  contentOf<BRep_TFace>(unchanged)->Location());
+      parts_.steps.note(contentOf<BRep_TFace>(into)->Location(),
+                        contentOf<BRep_TFace>(unchanged)->Location());
     TopoDS_Iterator a(into, false, false), b(unchanged, false, false);
     for (; a.More() && b.More(); a.Next(), b.Next()) noteSteps(a.Value(), b.Value());
   }
@@ -304,8 +305,8 @@ class Carrier {
   bool pair(const TopoDS_Shape& into, const TopoDS_Shape& unchanged, const TopoDS_Shape& changed) {
     if (into.ShapeType() != changed.ShapeType() || into.Orientation() != changed.Orientation())
       return false;
-    const Placed placed{
-        changed, steps_.own(into.Location()).Inverted() * steps_.translated(changed.Location())};
+    const Placed placed{changed, parts_.steps.own(into.Location()).Inverted() *
+                                     parts_.steps.translated(changed.Location())};
     // Two parts that became one are another graph: the shape was sewn.
     const auto origin =
         origins_.emplace(changed.TShape().get(), Origin{into.TShape().get(), placed.frame});
@@ -319,71 +320,98 @@ class Carrier {
   }
 
   void takeDown(const TopoDS_Shape& into, const TopoDS_Shape& unchanged, const Placed& changed) {
-    std::vector<Part>* const parts = into.ShapeType() == TopAbs_FACE     ? &faces_
-                                     : into.ShapeType() == TopAbs_EDGE   ? &edges_
-                                     : into.ShapeType() == TopAbs_VERTEX ? &vertices_
+    std::vector<Part>* const parts = into.ShapeType() == TopAbs_FACE     ? &parts_.faces
+                                     : into.ShapeType() == TopAbs_EDGE   ? &parts_.edges
+                                     : into.ShapeType() == TopAbs_VERTEX ? &parts_.vertices
                                                                          : nullptr;
     if (parts == nullptr) return;
-    const auto place = places_.emplace(into.TShape().get(), parts->size());
-    if (place.second)
+    const auto [index, is_new] = indices_.emplace(into.TShape().get(), parts->size());
+    if (is_new)
       parts->push_back({into, {unchanged, {}}, changed, {}});
     else
-      (*parts)[place.first->second].elsewhere.push_back(changed);
+      (*parts)[index->second].elsewhere.push_back(changed);
   }
 
-  void number(const Part& face, int i) {
-    unchanged_numbers_.add(contentOf<BRep_TFace>(face.unchanged.shape)->Surface(), i);
-    changed_numbers_.add(contentOf<BRep_TFace>(face.changed.shape)->Surface(), i);
+  /// What a part that came back was, and where it stood when it was met first.
+  struct Origin {
+    const void* shape;
+    TopLoc_Location frame;
+  };
+
+  PairedParts parts_;
+  std::set<const void*> noted_;
+  std::map<const void*, Origin> origins_;
+  std::map<const void*, std::size_t> indices_;  ///< of each part that was, in its list
+};
+
+/// How faces number their surfaces, as they were and as they came back.
+struct Numbering {
+  SurfaceNumbers unchanged, changed;
+};
+
+Numbering numbered(const std::vector<Part>& faces) {
+  Numbering numbers;
+  for (int i = 0; i < static_cast<int>(faces.size()); ++i) {
+    const Part& face = faces[i];
+    numbers.unchanged.add(contentOf<BRep_TFace>(face.unchanged.shape)->Surface(), i);
+    numbers.changed.add(contentOf<BRep_TFace>(face.changed.shape)->Surface(), i);
     for (const Placed& other : face.elsewhere)
-      changed_numbers_.add(contentOf<BRep_TFace>(other.shape)->Surface(), i);
+      numbers.changed.add(contentOf<BRep_TFace>(other.shape)->Surface(), i);
   }
+  return numbers;
+}
 
-  void requireLikeInstances() const {
-    std::string unlike;
-    for (const auto& [parts, kind, name] :
-         {std::tuple(&faces_, TopAbs_FACE, "faces "), std::tuple(&edges_, TopAbs_EDGE, "edges "),
-          std::tuple(&vertices_, TopAbs_VERTEX, "vertices ")}) {
-      const std::string numbers = unlikeNumbers(*parts, kind);
-      if (!numbers.empty()) unlike += (unlike.empty() ? "" : "; ") + (name + numbers);
+/// "3 and 9, 4 and 10": numbers of parts of a kind that were one and are unlike now.
+std::string unlikeNumbers(const std::vector<Part>& parts, TopAbs_ShapeEnum kind,
+                          const TopoDS_Shape& changed, const Recorder& record) {
+  if (std::ranges::all_of(parts, [](const Part& part) { return part.elsewhere.empty(); }))
+    return {};
+  TopTools_IndexedMapOfShape map;
+  TopExp::MapShapes(changed, kind, map);
+  // A number is that of the first part with the content, whatever its placement.
+  std::map<const void*, int> first;
+  for (int i = 1; i <= map.Extent(); ++i) first.emplace(map(i).TShape().get(), i);
+  const auto numberOf = [&](const Placed& part) { return first.at(part.shape.TShape().get()); };
+  std::vector<std::string> pairs;
+  for (const Part& part : parts)
+    for (const Placed& other : part.elsewhere) {
+      const bool is_like = kind == TopAbs_VERTEX ? sameVertex(part.changed, other)
+                                                 : record(part.changed) == record(other);
+      if (!is_like)
+        pairs.push_back(fmt::format("{} and {}", numberOf(part.changed), numberOf(other)));
     }
-    if (unlike.empty()) return;
-    throw ModelError(
-        ModelErrc::UnlikeInstances, {},
-        "has one part in several places, changed unlike in each, which its structure can't hold: " +
-            unlike + "; change all places alike or write it afresh");
-  }
+  return fmt::format("{}", fmt::join(pairs, ", "));
+}
 
-  /// "3 and 9, 4 and 10": numbers of parts that were one and are unlike now.
-  std::string unlikeNumbers(const std::vector<Part>& parts, TopAbs_ShapeEnum kind) const {
-    TopTools_IndexedMapOfShape map;
-    std::map<const void*, int> first;
-    std::string text;
-    for (const Part& part : parts) {
-      if (part.elsewhere.empty()) continue;
-      for (const Placed& other : part.elsewhere) {
-        if (kind == TopAbs_VERTEX ? sameVertex(part.changed, other)
-                                  : changed_record_(part.changed) == changed_record_(other))
-          continue;
-        if (first.empty()) {
-          TopExp::MapShapes(root_, kind, map);
-          for (int i = 1; i <= map.Extent(); ++i) first.emplace(map(i).TShape().get(), i);
-        }
-        text += (text.empty() ? "" : ", ") +
-                std::to_string(first.at(part.changed.shape.TShape().get())) + " and " +
-                std::to_string(first.at(other.shape.TShape().get()));
-      }
-    }
-    return text;
+void requireLikeInstances(const PairedParts& parts, const TopoDS_Shape& changed,
+                          const Recorder& record) {
+  std::vector<std::string> unlike;
+  for (const auto& [of_kind, kind, name] :
+       {std::tuple(&parts.faces, TopAbs_FACE, "faces"),
+        std::tuple(&parts.edges, TopAbs_EDGE, "edges"),
+        std::tuple(&parts.vertices, TopAbs_VERTEX, "vertices")}) {
+    const std::string numbers = unlikeNumbers(*of_kind, kind, changed, record);
+    if (!numbers.empty()) unlike.push_back(fmt::format("{} {}", name, numbers));
   }
+  if (unlike.empty()) return;
+  throw ModelError(
+      ModelErrc::UnlikeInstances, {},
+      fmt::format("has one part in several places, changed unlike in each, which its structure "
+                  "can't hold: {}; change all places alike or write it afresh",
+                  fmt::join(unlike, "; ")));
+}
 
-  /// Decides for each surface that came back whether it is new or the one that was there.
-  void chooseSurfaces() {
+/// Which surfaces that came back are new, and which are those that were there.
+class ChosenSurfaces {
+ public:
+  ChosenSurfaces(const std::vector<Part>& faces, const Recorder& unchanged_record,
+                 const Recorder& changed_record) {
     std::map<const Geom_Surface*, const Geom_Surface*> taken;
-    for (const Part& face : faces_) {
+    for (const Part& face : faces) {
       const Surface changed = contentOf<BRep_TFace>(face.changed.shape)->Surface();
       const Surface into = contentOf<BRep_TFace>(face.into)->Surface();
       // A surface that several faces had in common and have no longer is new to each but the first.
-      if (unchanged_record_(face.unchanged) == changed_record_(face.changed) &&
+      if (unchanged_record(face.unchanged) == changed_record(face.changed) &&
           taken.emplace(into.get(), changed.get()).first->second == changed.get())
         kept_.emplace(changed.get(), into);
       else
@@ -393,112 +421,124 @@ class Carrier {
 
   bool isNew(const Surface& surface) const { return new_.count(surface.get()) > 0; }
 
+  /// The surface that was there, or a new one itself.
   Surface chosen(const Surface& surface) const {
     const auto kept = kept_.find(surface.get());
     return isNew(surface) || kept == kept_.end() ? surface : kept->second;
   }
 
-  bool namesNewSurface(const BRep_CurveRepresentation& representation) const {
+  bool hasNewSurface(const BRep_CurveRepresentation& representation) const {
     return (representation.IsCurveOnSurface() && isNew(representation.Surface())) ||
            (representation.IsRegularity() &&
             (isNew(representation.Surface()) || isNew(representation.Surface2())));
   }
 
-  template <class Content>
-  static double largestNewTolerance(const std::vector<Part>& parts) {
-    double largest = 0;
-    for (const Part& part : parts) {
-      const double now = contentOf<Content>(part.changed.shape)->Tolerance();
-      if (now > contentOf<Content>(part.into)->Tolerance()) largest = std::max(largest, now);
-    }
-    return largest;
-  }
-
-  bool carryFace(const Part& part) const {
-    const opencascade::handle<BRep_TFace> into = contentOf<BRep_TFace>(part.into),
-                                          changed = contentOf<BRep_TFace>(part.changed.shape);
-    into->Tolerance(changed->Tolerance());
-    into->NaturalRestriction(changed->NaturalRestriction());
-    if (!isNew(changed->Surface())) return false;
-    into->Surface(changed->Surface());
-    into->Location(part.changed.frame * steps_.translated(changed->Location()));
-    into->Triangulation(opencascade::handle<Poly_Triangulation>());
-    return true;
-  }
-
-  bool carryEdge(const Part& part) const {
-    const opencascade::handle<BRep_TEdge> into = contentOf<BRep_TEdge>(part.into),
-                                          changed = contentOf<BRep_TEdge>(part.changed.shape);
-    const bool differs = unchanged_record_(part.unchanged) != changed_record_(part.changed);
-    bool moved = differs;
-    for (const Representation& representation : changed->Curves())
-      moved = moved || namesNewSurface(*representation);
-    if (!moved) return false;
-    into->Tolerance(changed->Tolerance());
-    into->SameParameter(changed->SameParameter());
-    into->SameRange(changed->SameRange());
-    into->Degenerated(changed->Degenerated());
-    into->ChangeCurves().Clear();
-    for (const Representation& representation : changed->Curves())
-      if (isGeometry(*representation))
-        into->ChangeCurves().Append(repointed(representation, part.changed.frame));
-    return differs;
-  }
-
-  bool carryVertex(const Part& part) const {
-    const opencascade::handle<BRep_TVertex> into = contentOf<BRep_TVertex>(part.into),
-                                            changed = contentOf<BRep_TVertex>(part.changed.shape);
-    if (sameVertex(part.unchanged, part.changed)) return false;
-    if (!samePoint(part.unchanged, part.changed)) into->Pnt(pointOf(part.changed));
-    into->Tolerance(changed->Tolerance());
-    return true;
-  }
-
-  /// A copy that names the surfaces and placements of the shape that is changed in place.
-  Representation repointed(const Representation& old, const TopLoc_Location& frame) const {
-    const TopLoc_Location location = frame * steps_.translated(old->Location());
-    opencascade::handle<BRep_GCurve> curve;
-    if (old->IsCurve3D())
-      curve = new BRep_Curve3D(old->Curve3D(), location);
-    else if (old->IsCurveOnClosedSurface())
-      curve = new BRep_CurveOnClosedSurface(old->PCurve(), old->PCurve2(), chosen(old->Surface()),
-                                            location, old->Continuity());
-    else if (old->IsCurveOnSurface())
-      curve = new BRep_CurveOnSurface(old->PCurve(), chosen(old->Surface()), location);
-    else
-      return new BRep_CurveOn2Surfaces(chosen(old->Surface()), chosen(old->Surface2()), location,
-                                       frame * steps_.translated(old->Location2()),
-                                       old->Continuity());
-    const auto range = opencascade::handle<BRep_GCurve>::DownCast(old);
-    curve->SetRange(range->First(), range->Last());
-    return curve;
-  }
-
-  /// What a part that came back was, and where it stood when it was met first.
-  struct Origin {
-    const void* shape;
-    TopLoc_Location frame;
-  };
-
-  TopoDS_Shape root_;
-  bool same_graph_ = false;
-  Steps steps_;
-  std::set<const void*> noted_;
-  std::map<const void*, Origin> origins_;
-  std::vector<Part> faces_, edges_, vertices_;
-  std::map<const void*, std::size_t> places_;  ///< where each part that was stands in its list
-  SurfaceNumbers unchanged_numbers_, changed_numbers_;
-  Recorder unchanged_record_{steps_, unchanged_numbers_}, changed_record_{steps_, changed_numbers_};
+ private:
   std::set<const Geom_Surface*> new_;
   std::map<const Geom_Surface*, Surface> kept_;  ///< surfaces that came back as they went
 };
 
+/// Of the parts that have a larger one now.
+template <class Content>
+double largestNewTolerance(const std::vector<Part>& parts) {
+  double largest = 0;
+  for (const Part& part : parts) {
+    const double now = contentOf<Content>(part.changed.shape)->Tolerance();
+    if (now > contentOf<Content>(part.into)->Tolerance()) largest = std::max(largest, now);
+  }
+  return largest;
+}
+
+/// A copy that names the surfaces and placements of the shape that is changed in place.
+Representation repointed(const Representation& old, const TopLoc_Location& frame,
+                         const Steps& steps, const ChosenSurfaces& surfaces) {
+  const TopLoc_Location location = frame * steps.translated(old->Location());
+  opencascade::handle<BRep_GCurve> curve;
+  if (old->IsCurve3D())
+    curve = new BRep_Curve3D(old->Curve3D(), location);
+  else if (old->IsCurveOnClosedSurface())
+    curve =
+        new BRep_CurveOnClosedSurface(old->PCurve(), old->PCurve2(),
+                                      surfaces.chosen(old->Surface()), location, old->Continuity());
+  else if (old->IsCurveOnSurface())
+    curve = new BRep_CurveOnSurface(old->PCurve(), surfaces.chosen(old->Surface()), location);
+  else
+    return new BRep_CurveOn2Surfaces(surfaces.chosen(old->Surface()),
+                                     surfaces.chosen(old->Surface2()), location,
+                                     frame * steps.translated(old->Location2()), old->Continuity());
+  const auto range = opencascade::handle<BRep_GCurve>::DownCast(old);
+  curve->SetRange(range->First(), range->Last());
+  return curve;
+}
+
+/// \returns whether the face got another surface.
+bool carryFace(const Part& part, const Steps& steps, const ChosenSurfaces& surfaces) {
+  const opencascade::handle<BRep_TFace> into = contentOf<BRep_TFace>(part.into),
+                                        changed = contentOf<BRep_TFace>(part.changed.shape);
+  into->Tolerance(changed->Tolerance());
+  into->NaturalRestriction(changed->NaturalRestriction());
+  if (!surfaces.isNew(changed->Surface())) return false;
+  into->Surface(changed->Surface());
+  into->Location(part.changed.frame * steps.translated(changed->Location()));
+  into->Triangulation(opencascade::handle<Poly_Triangulation>());
+  return true;
+}
+
+/// Gives an edge its curves anew, also where only a surface that it names is another one.
+void carryEdge(const Part& part, const Steps& steps, const ChosenSurfaces& surfaces) {
+  const opencascade::handle<BRep_TEdge> into = contentOf<BRep_TEdge>(part.into),
+                                        changed = contentOf<BRep_TEdge>(part.changed.shape);
+  into->Tolerance(changed->Tolerance());
+  into->SameParameter(changed->SameParameter());
+  into->SameRange(changed->SameRange());
+  into->Degenerated(changed->Degenerated());
+  into->ChangeCurves().Clear();
+  for (const Representation& representation : changed->Curves())
+    if (isGeometry(*representation))
+      into->ChangeCurves().Append(repointed(representation, part.changed.frame, steps, surfaces));
+}
+
+bool hasNewSurface(const Part& edge, const ChosenSurfaces& surfaces) {
+  const BRep_ListOfCurveRepresentation& curves =
+      contentOf<BRep_TEdge>(edge.changed.shape)->Curves();
+  return std::any_of(curves.begin(), curves.end(), [&](const Representation& representation) {
+    return surfaces.hasNewSurface(*representation);
+  });
+}
+
+/// \returns whether the vertex got another point or tolerance.
+bool carryVertex(const Part& part) {
+  const opencascade::handle<BRep_TVertex> into = contentOf<BRep_TVertex>(part.into),
+                                          changed = contentOf<BRep_TVertex>(part.changed.shape);
+  if (sameVertex(part.unchanged, part.changed)) return false;
+  if (!samePoint(part.unchanged, part.changed)) into->Pnt(pointOf(part.changed));
+  into->Tolerance(changed->Tolerance());
+  return true;
+}
+
 }  // namespace
 
 std::optional<Carried> carryGeometry(const TopoDS_Shape& changed, const TopoDS_Shape& into) {
-  Carrier carrier(changed, into);
-  if (!carrier.sameGraph()) return std::nullopt;
-  return carrier.carry();
+  // The shape as it comes back if nothing is changed: a journey rounds the axes of placements.
+  const TopoDS_Shape unchanged = throughBinary(throughBinary(into));
+  const std::optional<PairedParts> parts = GraphWalk().paired(into, unchanged, changed);
+  if (!parts) return std::nullopt;
+  const Numbering numbers = numbered(parts->faces);
+  const Recorder unchanged_record(parts->steps, numbers.unchanged),
+      changed_record(parts->steps, numbers.changed);
+  requireLikeInstances(*parts, changed, changed_record);
+  const ChosenSurfaces surfaces(parts->faces, unchanged_record, changed_record);
+  Carried count;
+  for (const Part& face : parts->faces) count.faces += carryFace(face, parts->steps, surfaces);
+  count.largest_tolerance_mm = std::max(largestNewTolerance<BRep_TEdge>(parts->edges),
+                                        largestNewTolerance<BRep_TVertex>(parts->vertices));
+  for (const Part& edge : parts->edges) {
+    const bool differs = unchanged_record(edge.unchanged) != changed_record(edge.changed);
+    if (differs || hasNewSurface(edge, surfaces)) carryEdge(edge, parts->steps, surfaces);
+    count.edges += differs;
+  }
+  for (const Part& vertex : parts->vertices) count.vertices += carryVertex(vertex);
+  return count;
 }
 
 }  // namespace seamwright::occ
