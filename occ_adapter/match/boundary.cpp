@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
 #include <BRep_Builder.hxx>
@@ -11,11 +14,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 
 #include <seamwright/occ_adapter/convert/surface_kind.hpp>
 #include <seamwright/occ_adapter/match/boundary.hpp>
+#include <seamwright/occ_adapter/match/match_reasons.hpp>
 #include <seamwright/occ_adapter/model/edge_curves.hpp>
 #include <seamwright/occ_adapter/seams/pair_free_edges.hpp>
 
@@ -29,25 +32,18 @@ using opencascade::handle;
 double lengthOf_mm(const Seam& seam) {
   const BRepAdaptor_Curve curve(seam.sides[0].edge);
   const double length = GCPnts_AbscissaPoint::Length(curve);
-  const std::vector<double>& places = seam.correspondence.a;
-  return places.empty() ? length : (places.back() - places.front()) * length;
+  const std::vector<double>& shares = seam.correspondence.a;
+  return shares.empty() ? length : (shares.back() - shares.front()) * length;
 }
 
-std::string listOf(const std::vector<int>& numbers) {
-  std::string text;
-  for (const int number : numbers) text += (text.empty() ? "" : ", ") + std::to_string(number);
-  return text;
-}
-
-std::string apartText(const std::array<TopoDS_Face, 2>& faces, double match_mm) {
-  std::ostringstream text;
-  text << "the faces have no common boundary: no edge is shared, and no free edges run side by "
-          "side within "
-       << match_mm << " mm";
-  if (!allEdgesHaveCurves(faces[0]) || !allEdgesHaveCurves(faces[1])) return text.str();
+/// BRepExtrema does not survive edges without a curve in space, so the distance is given only if
+/// all have one.
+MatchReason whyNoBoundary(const std::array<TopoDS_Face, 2>& faces, double match_mm) {
+  if (!allEdgesHaveCurves(faces[0]) || !allEdgesHaveCurves(faces[1]))
+    return match_why::noCommonBoundary(match_mm);
   const BRepExtrema_DistShapeShape distance(faces[0], faces[1]);
-  if (distance.IsDone()) text << "; the faces are " << distance.Value() << " mm apart";
-  return text.str();
+  return distance.IsDone() ? match_why::noCommonBoundary(match_mm, distance.Value())
+                           : match_why::noCommonBoundary(match_mm);
 }
 
 /// Seams between the two faces; edges by their numbers in the model.
@@ -76,8 +72,8 @@ std::vector<Seam>::iterator chosen(std::vector<Seam>& seams, int edge) {
   if (found != seams.end()) return found;
   std::vector<int> common;
   for (const Seam& seam : seams) common.insert(common.end(), seam.edges.begin(), seam.edges.end());
-  throw std::invalid_argument("edge " + std::to_string(edge) +
-                              " is no common boundary of the faces; these are: " + listOf(common));
+  throw std::invalid_argument(fmt::format(
+      "edge {} is no common boundary of the faces; these are: {}", edge, fmt::join(common, ", ")));
 }
 
 /// Smallest box of the parameter plane that holds points.
@@ -150,24 +146,24 @@ class NaturalSide {
     side.spline->Bounds(range_.low[0], range_.high[0], range_.low[1], range_.high[1]);
   }
 
-  /// Sets the side's edge and cuts its spline. \returns why that cannot be, or nothing.
-  std::string set() {
+  /// Sets the side's edge and cuts its spline.
+  /// \returns why that cannot be; empty if it was done.
+  MatchReason set() {
     const Box path = boxOfPath(points_), face = boxOfFace(side_.face);
     const Eigen::Array2d width = path.high - path.low;
     int across = 0;
     if (width[1] <= noise_[1] && (width[0] > noise_[0] || width[1] < width[0])) across = 1;
-    if (width[across] > noise_[across])
-      return "is trimmed along the boundary, which is no parameter line of its surface";
+    if (width[across] > noise_[across]) return match_why::isTrimmed();
     const int along = 1 - across;
     const bool at_low = path.low[across] <= face.low[across] + noise_[across];
     if (!at_low && path.high[across] < face.high[across] - noise_[across])
-      return "goes on beyond the boundary";
+      return match_why::goesOn();
     if (face.low[along] < path.low[along] - noise_[along] ||
         face.high[along] > path.high[along] + noise_[along])
-      return "has a side of which the boundary is a part only";
+      return match_why::sideIsLonger();
     if (((face.low < range_.low - noise_) || (face.high > range_.high + noise_)).any())
-      return "reaches beyond its surface, or across the origin of a periodic one";
-    if (!isMonotonous(points_, along)) return "has a boundary that turns back on itself";
+      return match_why::reachesBeyond();
+    if (!isMonotonous(points_, along)) return match_why::boundaryTurnsBack();
     cut(across, at_low, face);
     setEdge(across, at_low);
     return {};
@@ -236,7 +232,7 @@ CommonBoundary commonBoundary(const TopoDS_Shape& model, const std::array<TopoDS
   CommonBoundary boundary;
   std::vector<Seam> seams = seamsBetween(model, pairOf(faces), options, progress);
   if (seams.empty()) {
-    boundary.note = apartText(faces, options.match_mm);
+    boundary.failure = whyNoBoundary(faces, options.match_mm);
     return boundary;
   }
   Seam& seam = *chosen(seams, options.edge);
@@ -244,30 +240,25 @@ CommonBoundary commonBoundary(const TopoDS_Shape& model, const std::array<TopoDS
     std::vector<int> common;
     for (const Seam& each : seams)
       if (std::ranges::count(common, each.edges.front()) == 0) common.push_back(each.edges.front());
-    boundary.note = "of the common edges " + listOf(common) + " number " +
-                    std::to_string(seam.edges.front()) +
-                    (options.edge == 0 ? ", the longest," : "") + " was taken";
+    boundary.remark = match_why::oneOfSeveralEdges(common, seam.edges.front(), options.edge == 0);
   }
   boundary.seam = std::move(seam);
   return boundary;
 }
 
-std::string whyApart(const Seam& seam, const FaceMatchOptions& options) {
+MatchReason whyApart(const Seam& seam, const FaceMatchOptions& options) {
   const double near_mm = std::max(options.match_mm, options.tolerance.gap_mm);
   for (const int which : {0, 1}) {
-    const std::vector<double>& places = which == 0 ? seam.correspondence.a : seam.correspondence.b;
-    if (places.empty()) continue;
+    const std::vector<double>& shares = which == 0 ? seam.correspondence.a : seam.correspondence.b;
+    if (shares.empty()) continue;
     const BRepAdaptor_Curve curve(seam.sides[which].edge);
-    const auto [low, high] = std::minmax(places.front(), places.back());
+    const auto [low, high] = std::minmax(shares.front(), shares.back());
     const auto length_mm = [&](double from, double to) {
       const double first = curve.FirstParameter(), range = curve.LastParameter() - first;
       return GCPnts_AbscissaPoint::Length(curve, first + from * range, first + to * range);
     };
     if (std::max(length_mm(0, low), length_mm(high, 1)) <= 4 * near_mm) continue;
-    std::ostringstream text;
-    text << "the boundaries are within " << near_mm << " mm of one another over "
-         << length_mm(low, high) << " of " << length_mm(0, 1) << " mm only";
-    return text.str();
+    return match_why::boundariesApart(near_mm, length_mm(low, high), length_mm(0, 1));
   }
   return {};
 }
@@ -280,7 +271,7 @@ MatchSide matchSide(const TopoDS_Face& face, const Coedge& use, const FaceMatchO
   const handle<Geom_Surface> surface = BRep_Tool::Surface(face, location);
   side.spline = clampedSpline(surface, location);
   if (side.spline.IsNull()) {
-    side.cannot_move = "is " + kindOf(face) + ", which has no poles to move";
+    side.cannot_move = match_why::hasNoPoles(kindOf(face));
     return side;
   }
   side.cannot_move = NaturalSide(side, options.tolerance.gap_mm / 100).set();

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include <seamwright/occ_adapter/convert/pcurve.hpp>
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
 #include <seamwright/occ_adapter/match/match.hpp>
+#include <seamwright/occ_adapter/match/match_reason.hpp>
 #include <seamwright/occ_adapter/seams/find.hpp>
 
 /// The common boundary of two faces, and the sides of both there. Not a public header.
@@ -14,7 +14,8 @@ namespace seamwright::occ {
 
 struct CommonBoundary {
   std::optional<Seam> seam;  ///< faces are 1 and 2, edges have their numbers in the model
-  std::string note;          ///< why there is no seam, or which of several it is
+  MatchReason failure;       ///< why there is no seam
+  MatchReason remark;        ///< which of several it is
 };
 
 /// The two faces as a compound.
@@ -25,10 +26,9 @@ TopoDS_Shape pairOf(const std::array<TopoDS_Face, 2>& faces);
 CommonBoundary commonBoundary(const TopoDS_Shape& model, const std::array<TopoDS_Face, 2>& faces,
                               const FaceMatchOptions& options, const Progress& progress);
 
-/// Why an edge of a matched seam is not near the other one over its whole length, with numbers;
-/// empty if it is. At each end, four times the larger of the matching distance and the gap
-/// tolerance may be missing.
-std::string whyApart(const Seam& seam, const FaceMatchOptions& options);
+/// Why an edge of a matched seam is not near the other one over its whole length; empty if it is. At
+/// each end, four times the larger of the matching distance and the gap tolerance may be missing.
+MatchReason whyApart(const Seam& seam, const FaceMatchOptions& options);
 
 /// A face beside the common boundary.
 struct MatchSide {
@@ -40,7 +40,7 @@ struct MatchSide {
   opencascade::handle<Geom_BSplineSurface> spline;
   PatchEdge edge = PatchEdge::U0;  ///< the boundary, of the spline
   bool with_edge = true;           ///< the pcurve runs in the edge's own sense
-  std::string cannot_move;         ///< why the surface can't move; empty if it can
+  MatchReason cannot_move;         ///< why the surface can't move; empty if it can
 
   bool isNatural() const { return !spline.IsNull(); }
 };

@@ -5,11 +5,11 @@
 #include <TColgp_Array1OfPnt2d.hxx>
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
 #include <seamwright/core/join/nearest/nearest.hpp>
 #include <seamwright/occ_adapter/match/candidate.hpp>
+#include <seamwright/occ_adapter/match/match_reasons.hpp>
 
 namespace seamwright::occ {
 
@@ -100,11 +100,11 @@ Candidate joinWithKnots(const PairToMatch& pair, int extra_multiplicity) {
     join = nearestJoin(joinSide(rows[0], pair.moves[0], pair.options),
                        joinSide(rows[1], pair.moves[1], pair.options), options);
   } catch (const std::invalid_argument& refused) {
-    candidate.failure = refused.what();
+    candidate.failure = match_why::joinRefused(refused.what());
     return candidate;
   }
   if (join.status == NearestStatus::Infeasible) {
-    candidate.failure = "the poles that stay, or the knots, allow no exact join";
+    candidate.failure = match_why::noExactJoin();
     return candidate;
   }
   candidate.exact = true;
@@ -123,10 +123,7 @@ Candidate joinWithKnots(const PairToMatch& pair, int extra_multiplicity) {
   }
   const EdgeRows driver(candidate.moved[pair.driver].after, rows[pair.driver].edge());
   candidate.plan.curve = driver.boundary(0, 1);
-  constexpr std::array repeated = {"", ", inner knots along the seam repeated once more",
-                                   ", inner knots along the seam repeated twice more"};
-  candidate.how =
-      std::string("joined in poles") + repeated.at(static_cast<std::size_t>(extra_multiplicity));
+  candidate.how = match_why::joinedInPoles(extra_multiplicity);
   return candidate;
 }
 
@@ -210,19 +207,11 @@ Candidate joinToTolerance(const PairToMatch& pair, double limit) {
     candidate.largest_move_mm = moved.largest_move_mm;
     candidate.plan = planAlongPath(pair, after);
     candidate.moved[pair.driver] = std::move(moved);
-    candidate.how = "joined to the tolerance";
-    if (refinements > 0)
-      candidate.how += ", knot spans halved " + std::to_string(refinements) +
-                       (refinements == 1 ? " time" : " times");
+    candidate.how = match_why::joinedToTolerance(refinements);
     return candidate;
   }
-  std::ostringstream text;
-  if (std::isinf(worst))
-    text << "the faces leave the boundary to the same side and would fold back on one another";
-  else
-    text << "with knot spans halved up to " << most_refinements << " times the worst figure is "
-         << worst << " times its tolerance";
-  candidate.failure = text.str();
+  candidate.failure = std::isinf(worst) ? match_why::facesFold()
+                                        : match_why::missesTolerance(most_refinements, worst);
   return candidate;
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <string>
 
 #include <seamwright/occ_adapter/match/constrained_deformation.hpp>
 #include <seamwright/occ_adapter/match/rebuild.hpp>
@@ -22,8 +21,8 @@ struct PairToMatch {
 
 /// A join before it is proven.
 struct Candidate {
-  std::string failure;  ///< why there is none
-  std::string how;
+  MatchReason failure;  ///< why there is none
+  MatchReason how;      ///< a remark for the user
   bool exact = false;
   std::array<MovedSurface, 2> moved;  ///< null surfaces where a side stays
   double largest_move_mm = 0;

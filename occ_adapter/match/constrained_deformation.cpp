@@ -5,11 +5,11 @@
 #include <functional>
 #include <limits>
 #include <numeric>
-#include <sstream>
 
 #include <seamwright/core/angle.hpp>
 #include <seamwright/occ_adapter/match/constrained_deformation.hpp>
 #include <seamwright/occ_adapter/match/least_moves.hpp>
+#include <seamwright/occ_adapter/match/match_reasons.hpp>
 #include <seamwright/occ_adapter/match/side_basis.hpp>
 
 namespace seamwright::occ {
@@ -45,9 +45,9 @@ std::vector<int> columnsOf(const Target& target) {
 }
 
 /// Moves the rows one after the other.
-class Follower {
+class RowDeformation {
  public:
-  Follower(EdgeRows& rows, const Reference& reference, const DeformationOptions& options)
+  RowDeformation(EdgeRows& rows, const Reference& reference, const DeformationOptions& options)
       : rows_(rows), options_(options), basis_(rows), targets_(targetsOf(rows, basis_, reference)) {
     for (const int column : {0, rows.columns() - 1})
       collapsed_.push_back(isCollapsed(rows, column));
@@ -219,7 +219,7 @@ MovedSurface deformed(const EdgeRows& rows, const Reference& reference,
                       const DeformationOptions& options) {
   MovedSurface moved{rows.surface(), copyOf(*rows.surface()), 0};
   EdgeRows changed(moved.after, rows.edge(), rows.reversed());
-  Follower(changed, reference, options).run();
+  RowDeformation(changed, reference, options).run();
   moved.largest_move_mm = largestMove_mm(rows, changed, options.order);
   return moved;
 }
@@ -239,39 +239,29 @@ std::vector<double> sampledRatios(const EdgeRows& rows, const Reference& referen
   return ratios;
 }
 
-std::string whySidesMove(const EdgeRows& rows, const Reference& reference,
+MatchReason whySidesMove(const EdgeRows& rows, const Reference& reference,
                          const DeformationOptions& options) {
   const SideBasis basis(rows);
-  std::ostringstream text;
   for (const double t : {0.0, 1.0}) {
     const SidePoint there = reference.at(t);
     const Blend blend = basis.at(t);
     const double gap_mm = (there.jet.p - derivative(rows, blend, 0)).norm();
-    if (gap_mm > options.tolerance.gap_mm) {
-      text << "a side ends " << gap_mm << " mm away from the other face";
-      return text.str();
-    }
+    if (gap_mm > options.tolerance.gap_mm) return match_why::sideEndsAway(gap_mm);
     const std::optional<Eigen::Vector3d> normal = unitNormal(there.jet, there.noise);
     const Eigen::Vector3d across = derivative(rows, blend, 1);
     if (!normal || across.norm() == 0) continue;
     const double angle_rad =
         std::asin(std::min(1.0, std::abs(normal->dot(across)) / across.norm()));
-    if (angle_rad > options.tolerance.angle_rad) {
-      text << "a side ends at " << angle_rad * degrees_per_radian
-           << " degrees to the tangent plane of the other face";
-      return text.str();
-    }
+    if (angle_rad > options.tolerance.angle_rad)
+      return match_why::sideEndsTilted(angle_rad * degrees_per_radian);
     if (options.order < 2) continue;
     const Eigen::Matrix3d tensor = curvatureTensor(there.jet, *normal);
     const double own = normal->dot(derivative(rows, blend, 2)) / across.squaredNorm();
     const double wanted = across.dot(tensor * across) / across.squaredNorm();
     const double largest =
         std::max({tensor.norm(), std::abs(own), 1 / options.tolerance.flat_radius_mm});
-    if (std::abs(own - wanted) > options.tolerance.curvature_rel * largest) {
-      text << "a side ends with a normal curvature of " << own
-           << " per mm where the other face has " << wanted;
-      return text.str();
-    }
+    if (std::abs(own - wanted) > options.tolerance.curvature_rel * largest)
+      return match_why::sideEndsCurved(own, wanted);
   }
   return {};
 }

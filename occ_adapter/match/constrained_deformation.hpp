@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <functional>
-#include <string>
-
 #include <seamwright/occ_adapter/match/reference.hpp>
 
 /// Deforms a spline surface so that one of its sides meets another face. Not a public header.
@@ -46,8 +43,8 @@ MovedSurface deformed(const EdgeRows& rows, const Reference& reference,
 std::vector<double> sampledRatios(const EdgeRows& rows, const Reference& reference,
                                   const DeformationOptions& options);
 
-/// Why the first and the last column can't stay, with numbers; empty if they can.
-std::string whySidesMove(const EdgeRows& rows, const Reference& reference,
+/// Why the first and the last column can't stay; empty if they can.
+MatchReason whySidesMove(const EdgeRows& rows, const Reference& reference,
                          const DeformationOptions& options);
 
 /// Whether the normal turned by 90 degrees or more at a sample where rows 0..order moved.

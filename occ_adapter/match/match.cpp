@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
 #include <BRepCheck_Analyzer.hxx>
 #include <BRep_Builder.hxx>
 #include <ShapeAnalysis_ShapeTolerance.hxx>
@@ -6,38 +8,34 @@
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <optional>
 #include <stdexcept>
 
 #include <seamwright/occ_adapter/analyze/measure_seam.hpp>
 #include <seamwright/occ_adapter/match/candidate.hpp>
+#include <seamwright/occ_adapter/match/match_reasons.hpp>
 #include <seamwright/occ_adapter/model/usable.hpp>
 
 namespace seamwright::occ {
 
 namespace {
 
-void addReason(std::string& reasons, const std::string& reason) {
-  if (reason.empty() || reasons.find(reason) != std::string::npos) return;
-  if (!reasons.empty()) reasons += "; ";
-  reasons += reason;
-}
-
 std::array<TopoDS_Face, 2> facesOf(const TopoDS_Shape& model, int face_a, int face_b) {
   TopTools_IndexedMapOfShape faces;
   if (!model.IsNull()) TopExp::MapShapes(model, TopAbs_FACE, faces);
   for (const int face : {face_a, face_b})
     if (face < 1 || face > faces.Extent())
-      throw std::invalid_argument("face " + std::to_string(face) + ": the model has faces 1 to " +
-                                  std::to_string(faces.Extent()));
+      throw std::invalid_argument(
+          fmt::format("face {}: the model has faces 1 to {}", face, faces.Extent()));
   if (face_a == face_b)
-    throw std::invalid_argument("face " + std::to_string(face_a) +
-                                " is given twice: two faces are needed");
+    throw std::invalid_argument(
+        fmt::format("face {} is given twice: two faces are needed", face_a));
   return {TopoDS::Face(faces(face_a)), TopoDS::Face(faces(face_b))};
 }
 
-void report(const Progress& progress, double share) {
+void announce(const Progress& progress, double share) {
   if (progress && !progress(share)) throw Cancelled();
 }
 
@@ -83,248 +81,262 @@ bool isClosedLoop(const MatchSide& side, double gap_mm) {
   return (strip.trace(0).p - strip.trace(1).p).norm() <= gap_mm;
 }
 
-/// One call of matchFaces().
-class Matching {
- public:
-  Matching(const std::array<TopoDS_Face, 2>& faces, const std::array<int, 2>& numbers,
-           const FaceMatchOptions& options, const Progress& progress)
-      : faces_(faces), numbers_(numbers), options_(options), progress_(progress) {}
-
-  MatchReport run(const TopoDS_Shape& model) {
-    result_.shape = pairOf(faces_);
-    try {
-      if (const std::string why = attempt(model); !result_.matched) addReason(result_.reason, why);
-    } catch (const Cancelled&) {
-      throw;
-    } catch (const Standard_Failure& failure) {
-      addReason(result_.reason, std::string("OpenCASCADE failed: ") +
-                                    failure.DynamicType()->Name() + " " +
-                                    failure.GetMessageString());
-    } catch (const std::runtime_error& error) {
-      addReason(result_.reason, error.what());
-    }
-    report(progress_, 1);
-    return std::move(result_);
-  }
-
- private:
-  /// \returns why the faces were not matched.
-  std::string attempt(const TopoDS_Shape& model) {
-    CommonBoundary boundary = commonBoundary(model, faces_, options_, partOf(progress_, 0, 0.1));
-    result_.reason = boundary.note;
-    if (!boundary.seam) return {};
-    Seam seam = *boundary.seam;
-    for (const int which : {0, 1}) seam.sides[which].face = numbers_[which];
-    result_.before = result_.after = measureSeam(seam, analyzeOptions(options_));
-    report(progress_, 0.2);
-    if (seam.kind == SeamKind::Shared && reaches(result_.before.figures, options_))
-      return leave(seam);
-    for (const int which : {0, 1})
-      pair_.sides[which] = matchSide(faces_[which], seam.sides[which], options_);
-    pair_.options = options_;
-    if (const std::string why = chooseMoves(); !why.empty()) return why;
-    return prepareAndJoin(seam);
-  }
-
-  std::string leave(const Seam& seam) {
-    result_.matched = true;
-    const TopoDS_Shell shell = shellOf(faces_);
-    result_.shape = shell;
-    result_.after = measured(shell, seam.sides[0].edge, options_);
-    addReason(result_.reason, "the faces have the level already; nothing had to move");
-    return {};
-  }
-
-  std::string cannotMove(int which) const {
-    return "face " + std::to_string(numbers_[which]) + " " + pair_.sides[which].cannot_move;
-  }
-
-  std::string chooseMoves() {
-    for (const MatchSide& side : pair_.sides)
-      if (isClosedLoop(side, options_.tolerance.gap_mm))
-        return "the common boundary is a closed loop, or no longer than the gap tolerance, which "
-               "is not "
-               "handled";
-    const std::array<bool, 2> wanted = {options_.moves != MatchMoves::Second,
-                                        options_.moves != MatchMoves::First};
-    for (const int which : {0, 1})
-      pair_.moves[which] = wanted[which] && pair_.sides[which].isNatural();
-    if (pair_.moves[0] || pair_.moves[1]) {
-      pair_.driver = pair_.moves[1] ? 1 : 0;
-      for (const int which : {0, 1})
-        if (wanted[which] && !pair_.moves[which])
-          addReason(result_.reason, cannotMove(which) + ", so it stays");
-      return {};
-    }
-    std::string why;
-    for (const int which : {0, 1})
-      if (wanted[which])
-        addReason(why, cannotMove(which));
-      else if (pair_.sides[which].isNatural())
-        addReason(why, "face " + std::to_string(numbers_[which]) + " could move");
-    return why;
-  }
-
-  std::string prepareAndJoin(const Seam& seam) {
-    const EdgeRows driver(pair_.sides[pair_.driver].spline, pair_.sides[pair_.driver].edge);
-    pair_.path = referencePath(driver, pair_.other(), options_);
-    report(progress_, 0.3);
-    if (pair_.path.ends_apart_mm > 2 * std::max(options_.match_mm, options_.tolerance.gap_mm)) {
-      std::ostringstream text;
-      text << "the ends of the boundaries are " << pair_.path.ends_apart_mm
-           << " mm apart: only boundaries that run side by side over their whole length can be "
-              "joined";
-      return text.str();
-    }
-    if (const std::string why = whyApart(seam, options_); !why.empty()) return why;
-    return join();
-  }
-
-  /// Both ways where both are open, the better one proven first.
-  std::string join() {
-    std::string why;
-    Candidate exact, follower;
-    exact.failure = follower.failure = "-";
-    if (pair_.other().isNatural()) exact = joinInPoles(pair_);
-    report(progress_, 0.5);
-    const bool can_follow = !(pair_.moves[0] && pair_.moves[1]) && pair_.path.failure.empty();
-    constexpr double first_limit = 0.8;
-    if (can_follow) follower = joinToTolerance(pair_, first_limit);
-    report(progress_, 0.7);
-    const bool exact_first =
-        exact.failure.empty() &&
-        !(follower.failure.empty() && 2 * follower.largest_move_mm < exact.largest_move_mm);
-    if (exact_first && prove(exact, why)) return {};
-    if (can_follow && proveFollower(follower, first_limit, why)) return {};
-    if (!exact_first && exact.failure.empty() && prove(exact, why)) return {};
-    for (const std::string& failure : {exact.failure, follower.failure, pair_.path.failure})
-      if (failure != "-") addReason(why, failure);
-    return why;
-  }
-
-  /// Samples can miss what enclosures see; then once more, nearer.
-  bool proveFollower(Candidate& follower, double limit, std::string& why) {
-    constexpr int attempts = 3;
-    for (int attempt = 0; attempt < attempts && follower.failure.empty(); ++attempt) {
-      std::string attempt_failed;
-      if (prove(follower, attempt_failed)) return true;
-      if (attempt + 1 == attempts || attempt_failed.starts_with(needs_a_move)) {
-        addReason(why, attempt_failed);
-        return false;
-      }
-      limit /= 2;
-      follower = joinToTolerance(pair_, limit);
-    }
-    return false;
-  }
-
-  bool prove(const Candidate& candidate, std::string& why) {
-    std::ostringstream text;
-    if (candidate.largest_move_mm > options_.max_move_mm) {
-      text << needs_a_move << candidate.largest_move_mm << " mm, more than " << options_.max_move_mm
-           << " mm";
-      addReason(why, text.str());
-      return false;
-    }
-    if (const std::string moved = movedSides(candidate.plan); !moved.empty()) {
-      addReason(why, moved);
-      return false;
-    }
-    for (const int which : {0, 1}) {
-      const MovedSurface& moved = candidate.moved[which];
-      const PatchEdge edge = pair_.sides[which].edge;
-      if (!moved.after.IsNull() &&
-          isTurnedOver(EdgeRows(moved.before, edge), EdgeRows(moved.after, edge), options_.order)) {
-        addReason(why,
-                  candidate.how + ": face " + std::to_string(numbers_[which]) + " would fold over");
-        return false;
-      }
-    }
-    const RebuiltPair rebuilt = rebuild(candidate.plan);
-    const SeamResult after = measured(rebuilt.shell, rebuilt.seam, options_);
-    report(progress_, 0.9);
-    if (!reaches(after.figures, options_)) {
-      addReason(why, candidate.how + ", but then " + figuresText(after));
-      return false;
-    }
-    const double tolerance_mm = largestTolerance_mm(rebuilt.shell);
-    if (tolerance_mm >
-        2 * std::max(largestTolerance_mm(pairOf(faces_)), options_.tolerance.gap_mm)) {
-      text << candidate.how << ", but then edges are " << tolerance_mm
-           << " mm away from their faces";
-      addReason(why, text.str());
-      return false;
-    }
-    if (!BRepCheck_Analyzer(rebuilt.shell).IsValid()) {
-      addReason(why, candidate.how + ", but OpenCASCADE's checks do not pass");
-      return false;
-    }
-    accept(candidate, rebuilt.shell, after);
-    return true;
-  }
-
-  /// Sides that should be held are held as lines of the surface; trimmed ones run through poles
-  /// that move.
-  std::string movedSides(const SeamPlan& plan) const {
-    if (!options_.hold_sides) return {};
-    for (const int which : {0, 1}) {
-      const double move_mm = largestSideMove_mm(plan.faces[which], options_.tolerance.gap_mm);
-      if (move_mm <= options_.tolerance.gap_mm / 100) continue;
-      std::ostringstream text;
-      text << "a boundary of face " << numbers_[which] << " that ends at the seam would move by "
-           << move_mm << " mm: it is trimmed, and only whole sides of a surface can be held";
-      return text.str();
-    }
-    return {};
-  }
-
-  void accept(const Candidate& candidate, const TopoDS_Shell& shell, const SeamResult& after) {
-    result_.matched = true;
-    result_.exact = candidate.exact;
-    result_.shape = shell;
-    result_.after = after;
-    result_.largest_move_mm = candidate.largest_move_mm;
-    addReason(result_.reason, candidate.how);
-    for (const int which : {0, 1})
-      addReason(result_.reason, pointText(which, candidate.moved[which]));
-    for (const Seam& seam : findSeams(shell).seams)
-      if (seam.kind == SeamKind::Shared && seam.edges != after.edges)
-        addReason(result_.reason, gapeText(seam));
-  }
-
-  std::string pointText(int which, const MovedSurface& moved) const {
-    if (moved.after.IsNull()) return {};
-    const EdgeRows rows(moved.after, pair_.sides[which].edge);
-    if (!isCollapsed(rows, 0) && !isCollapsed(rows, rows.columns() - 1)) return {};
-    return "face " + std::to_string(numbers_[which]) +
-           " ends in a point at the seam, where its curvature may have become very large";
-  }
-
-  /// Of another edge that the faces have in common.
-  std::string gapeText(const Seam& seam) const {
-    const SeamFigures figures = measureSeam(seam, analyzeOptions(options_)).figures;
-    if (!figures.gap_mm || figures.gap_mm->lower <= options_.tolerance.gap_mm) return {};
-    std::ostringstream text;
-    text << "at another edge that the faces share they are " << figures.gap_mm->lower
-         << " mm apart now";
-    return text.str();
-  }
-
-  static constexpr const char* needs_a_move = "the join needs a move of ";
-
-  const std::array<TopoDS_Face, 2>& faces_;
-  std::array<int, 2> numbers_;
-  const FaceMatchOptions& options_;
-  const Progress& progress_;
-  PairToMatch pair_;
-  MatchReport result_;
+/// What one call of matchFaces() has to do.
+struct MatchTask {
+  std::array<TopoDS_Face, 2> faces;
+  std::array<int, 2> numbers;  ///< of the faces in the model
+  FaceMatchOptions options;
+  Progress progress;
 };
+
+/// Which of the faces move.
+struct ChosenMoves {
+  std::array<bool, 2> moves{};
+  int driver = 0;
+  std::vector<MatchReason> remarks;   ///< of faces that should move and can't
+  std::vector<MatchReason> failures;  ///< why none of them moves
+};
+
+ChosenMoves chooseMoves(const MatchTask& task, const std::array<MatchSide, 2>& sides) {
+  ChosenMoves chosen;
+  for (const MatchSide& side : sides)
+    if (isClosedLoop(side, task.options.tolerance.gap_mm)) {
+      chosen.failures = {match_why::closedBoundary()};
+      return chosen;
+    }
+  const std::array<bool, 2> wanted = {task.options.moves != MatchMoves::Second,
+                                      task.options.moves != MatchMoves::First};
+  for (const int which : {0, 1}) chosen.moves[which] = wanted[which] && sides[which].isNatural();
+  const bool any_moves = chosen.moves[0] || chosen.moves[1];
+  // If both move, the second face gives the parameter of the seam.
+  chosen.driver = chosen.moves[1] ? 1 : 0;
+  for (const int which : {0, 1}) {
+    if (wanted[which] && !chosen.moves[which]) {
+      const MatchReason obstacle = match_why::onFace(task.numbers[which], sides[which].cannot_move);
+      if (any_moves)
+        match_why::add(chosen.remarks, match_why::faceStays(obstacle));
+      else
+        match_why::add(chosen.failures, obstacle);
+    } else if (!any_moves && sides[which].isNatural()) {
+      match_why::add(chosen.failures, match_why::faceCouldMove(task.numbers[which]));
+    }
+  }
+  return chosen;
+}
+
+/// Why boundaries are not side by side over their whole length; empty if they are. Ends of matched
+/// edges may each be as far from the other boundary as edges that match, so they may be twice as
+/// far apart.
+MatchReason whyNotSideBySide(const MatchTask& task, const Seam& seam, const ReferencePath& path) {
+  const double near_mm = std::max(task.options.match_mm, task.options.tolerance.gap_mm);
+  if (path.ends_apart_mm > 2 * near_mm) return match_why::endsApart(path.ends_apart_mm);
+  return whyApart(seam, task.options);
+}
+
+/// Why a side that has to stay would move; empty if none does. Sides that are held are lines of the
+/// surface; the edges of trimmed ones run through poles that move.
+MatchReason whySideIsNotHeld(const MatchTask& task, const SeamPlan& plan) {
+  if (!task.options.hold_sides) return {};
+  const double gap_mm = task.options.tolerance.gap_mm;
+  for (const int which : {0, 1}) {
+    const double move_mm = largestSideMove_mm(plan.faces[which], gap_mm);
+    // The same hundredth within which a boundary counts as a side: see matchSide().
+    if (move_mm > gap_mm / 100) return match_why::sideMoves(task.numbers[which], move_mm);
+  }
+  return {};
+}
+
+/// Why a candidate need not be built; empty if there is no such reason.
+MatchReason whyNotBuilt(const MatchTask& task, const PairToMatch& pair,
+                        const Candidate& candidate) {
+  if (candidate.largest_move_mm > task.options.max_move_mm)
+    return match_why::movesTooFar(candidate.largest_move_mm, task.options.max_move_mm);
+  if (MatchReason moved = whySideIsNotHeld(task, candidate.plan); !moved.empty()) return moved;
+  for (const int which : {0, 1}) {
+    const MovedSurface& moved = candidate.moved[which];
+    const PatchEdge edge = pair.sides[which].edge;
+    if (!moved.after.IsNull() &&
+        isTurnedOver(EdgeRows(moved.before, edge), EdgeRows(moved.after, edge), task.options.order))
+      return match_why::foldsOver(candidate.how, task.numbers[which]);
+  }
+  return {};
+}
+
+/// The faces that a candidate makes, and what is wrong with them.
+struct Proof {
+  MatchReason failure;  ///< empty: the faces are as they should be
+  TopoDS_Shell shell;
+  SeamResult after;  ///< with numbers of the shell
+};
+
+Proof prove(const MatchTask& task, const PairToMatch& pair, const Candidate& candidate) {
+  Proof proof;
+  proof.failure = whyNotBuilt(task, pair, candidate);
+  if (!proof.failure.empty()) return proof;
+  const RebuiltPair rebuilt = rebuild(candidate.plan);
+  proof.shell = rebuilt.shell;
+  proof.after = measured(rebuilt.shell, rebuilt.seam, task.options);
+  announce(task.progress, 0.9);
+  const double tolerance_mm = largestTolerance_mm(rebuilt.shell);
+  const double given_mm =
+      std::max(largestTolerance_mm(pairOf(task.faces)), task.options.tolerance.gap_mm);
+  // Twice: curves on a moved surface are fitted anew and need a little more than they had.
+  if (!reaches(proof.after.figures, task.options))
+    proof.failure = match_why::stillMisses(candidate.how, figuresText(proof.after));
+  else if (tolerance_mm > 2 * given_mm)
+    proof.failure = match_why::edgesStray(candidate.how, tolerance_mm);
+  else if (!BRepCheck_Analyzer(rebuilt.shell).IsValid())
+    proof.failure = match_why::checksFail(candidate.how);
+  return proof;
+}
+
+/// A candidate and what came of its proof.
+struct Attempt {
+  Candidate candidate;
+  std::optional<Proof> proof;  ///< nothing if there was no candidate
+
+  bool isProven() const { return proof && proof->failure.empty(); }
+};
+
+/// Samples of a fitted join have to meet this share of the tolerance, so that what lies between
+/// them meets the whole.
+constexpr double first_share = 0.8;
+
+/// Proves a fitted join. Enclosures see what lies between samples, so a join that fails is fitted
+/// again to half the share, twice at most. A join that moves too far is not: a nearer one does not
+/// move less.
+Attempt proveFitted(const MatchTask& task, const PairToMatch& pair, Candidate candidate) {
+  constexpr int attempts = 3;
+  double share = first_share;
+  for (int attempt = 1;; ++attempt) {
+    if (!candidate.failure.empty()) return {std::move(candidate), std::nullopt};
+    Proof proof = prove(task, pair, candidate);
+    if (proof.failure.empty() || proof.failure.fault == MatchFault::MovesTooFar ||
+        attempt == attempts)
+      return {std::move(candidate), std::move(proof)};
+    share /= 2;
+    candidate = joinToTolerance(pair, share);
+  }
+}
+
+/// A proven join, or why there is none.
+struct Join {
+  std::optional<Attempt> proven;
+  std::vector<MatchReason> failures;
+};
+
+bool isMade(const std::optional<Candidate>& candidate) {
+  return candidate && candidate->failure.empty();
+}
+
+/// Joins in poles and to the tolerance, if both can be. The exact join is proven first, unless it
+/// moves more than twice as far: then both boundaries are run through at different speeds, and
+/// poles would have to slide along them.
+Join join(const MatchTask& task, const PairToMatch& pair) {
+  std::optional<Candidate> exact, fitted;
+  if (pair.other().isNatural()) exact = joinInPoles(pair);
+  announce(task.progress, 0.5);
+  const bool both_move = pair.moves[0] && pair.moves[1];
+  if (!both_move && pair.path.failure.empty()) fitted = joinToTolerance(pair, first_share);
+  announce(task.progress, 0.7);
+  const bool exact_first =
+      isMade(exact) && !(isMade(fitted) && 2 * fitted->largest_move_mm < exact->largest_move_mm);
+  Join result;
+  for (const bool is_exact : {exact_first, !exact_first}) {
+    std::optional<Candidate>& candidate = is_exact ? exact : fitted;
+    if (!isMade(candidate)) continue;
+    Attempt attempt = is_exact ? Attempt{*candidate, prove(task, pair, *candidate)}
+                               : proveFitted(task, pair, *candidate);
+    if (attempt.isProven()) return {std::move(attempt), {}};
+    if (attempt.proof) match_why::add(result.failures, attempt.proof->failure);
+    candidate = std::move(attempt.candidate);
+  }
+  for (const std::optional<Candidate>& candidate : {exact, fitted})
+    if (candidate) match_why::add(result.failures, candidate->failure);
+  match_why::add(result.failures, pair.path.failure);
+  return result;
+}
+
+bool endsInPoint(const MovedSurface& moved, PatchEdge edge) {
+  if (moved.after.IsNull()) return false;
+  const EdgeRows rows(moved.after, edge);
+  return isCollapsed(rows, 0) || isCollapsed(rows, rows.columns() - 1);
+}
+
+/// How the faces were joined, and what the user should know about them.
+std::vector<MatchReason> remarksOn(const Attempt& proven, const MatchTask& task,
+                                   const PairToMatch& pair) {
+  std::vector<MatchReason> remarks = {proven.candidate.how};
+  for (const int which : {0, 1})
+    if (endsInPoint(proven.candidate.moved[which], pair.sides[which].edge))
+      match_why::add(remarks, match_why::endsInPoint(task.numbers[which]));
+  for (const Seam& seam : findSeams(proven.proof->shell).seams) {
+    if (seam.kind != SeamKind::Shared || seam.edges == proven.proof->after.edges) continue;
+    const SeamFigures figures = measureSeam(seam, analyzeOptions(task.options)).figures;
+    if (figures.gap_mm && figures.gap_mm->lower > task.options.tolerance.gap_mm)
+      match_why::add(remarks, match_why::otherEdgeApart(figures.gap_mm->lower));
+  }
+  return remarks;
+}
+
+void addAll(std::vector<MatchReason>& reasons, const std::vector<MatchReason>& added) {
+  for (const MatchReason& reason : added) match_why::add(reasons, reason);
+}
+
+void reportLeft(const MatchTask& task, const Seam& seam, MatchReport& report) {
+  const TopoDS_Shell shell = shellOf(task.faces);
+  report.matched = true;
+  report.shape = shell;
+  report.after = measured(shell, seam.sides[0].edge, task.options);
+  match_why::add(report.remarks, match_why::hasLevel());
+}
+
+void reportJoined(const MatchTask& task, const PairToMatch& pair, const Attempt& proven,
+                  MatchReport& report) {
+  report.matched = true;
+  report.exact = proven.candidate.exact;
+  report.shape = proven.proof->shell;
+  report.after = proven.proof->after;
+  report.largest_move_mm = proven.candidate.largest_move_mm;
+  addAll(report.remarks, remarksOn(proven, task, pair));
+}
+
+/// Fills in the report as far as it gets, so that what is known before OpenCASCADE fails stays.
+void match(const TopoDS_Shape& model, const MatchTask& task, MatchReport& report) {
+  const CommonBoundary boundary =
+      commonBoundary(model, task.faces, task.options, partOf(task.progress, 0, 0.1));
+  match_why::add(report.remarks, boundary.remark);
+  match_why::add(report.failures, boundary.failure);
+  if (!boundary.seam) return;
+  Seam seam = *boundary.seam;
+  for (const int which : {0, 1}) seam.sides[which].face = task.numbers[which];
+  report.before = report.after = measureSeam(seam, analyzeOptions(task.options));
+  announce(task.progress, 0.2);
+  if (seam.kind == SeamKind::Shared && reaches(report.before.figures, task.options))
+    return reportLeft(task, seam, report);
+  PairToMatch pair;
+  pair.options = task.options;
+  for (const int which : {0, 1})
+    pair.sides[which] = matchSide(task.faces[which], seam.sides[which], task.options);
+  const ChosenMoves chosen = chooseMoves(task, pair.sides);
+  addAll(report.remarks, chosen.remarks);
+  addAll(report.failures, chosen.failures);
+  if (!chosen.failures.empty()) return;
+  pair.moves = chosen.moves;
+  pair.driver = chosen.driver;
+  const MatchSide& driver = pair.sides[pair.driver];
+  pair.path = referencePath(EdgeRows(driver.spline, driver.edge), pair.other(), task.options);
+  announce(task.progress, 0.3);
+  match_why::add(report.failures, whyNotSideBySide(task, seam, pair.path));
+  if (!report.failures.empty()) return;
+  const Join joined = join(task, pair);
+  addAll(report.failures, joined.failures);
+  if (joined.proven) reportJoined(task, pair, *joined.proven, report);
+}
 
 void requireNotNegative(const char* what, double mm, bool may_be_infinite) {
   if (mm >= 0 && (may_be_infinite || std::isfinite(mm))) return;
-  std::ostringstream text;
-  text << what << " is " << mm << " mm: it must be zero or larger";
-  throw std::invalid_argument(text.str());
+  throw std::invalid_argument(fmt::format("{} is {:.6g} mm: it must be zero or larger", what, mm));
 }
 
 }  // namespace
@@ -332,26 +344,51 @@ void requireNotNegative(const char* what, double mm, bool may_be_infinite) {
 void FaceMatchOptions::validate() const {
   tolerance.validate();
   if (order != 1 && order != 2)
-    throw std::invalid_argument("order is " + std::to_string(order) + ": it must be 1 or 2");
+    throw std::invalid_argument(fmt::format("order is {}: it must be 1 or 2", order));
   requireNotNegative("largest move", max_move_mm, true);
   requireNotNegative("distance to match", match_mm, false);
-  if (edge < 0)
-    throw std::invalid_argument("edge is " + std::to_string(edge) + ": edges count from 1");
+  if (edge < 0) throw std::invalid_argument(fmt::format("edge is {}: edges count from 1", edge));
+}
+
+std::string MatchReport::code() const {
+  if (failures.empty()) return {};
+  const auto decides = [](const MatchReason& failure) {
+    return failure.fault != MatchFault::NoExactJoin && failure.fault != MatchFault::JoinRefused;
+  };
+  const auto found = std::ranges::find_if(failures, decides);
+  return codeOf((found == failures.end() ? failures.begin() : found)->fault);
+}
+
+std::string MatchReport::text() const {
+  std::string all;
+  for (const std::vector<MatchReason>& reasons : {remarks, failures})
+    for (const MatchReason& reason : reasons) all += (all.empty() ? "" : "; ") + reason.text;
+  return all;
 }
 
 MatchReport matchFaces(const TopoDS_Shape& model, int face_a, int face_b,
                        const FaceMatchOptions& options, const Progress& progress) {
   options.validate();
-  const std::array<TopoDS_Face, 2> faces = facesOf(model, face_a, face_b);
+  const MatchTask task{facesOf(model, face_a, face_b), {face_a, face_b}, options, progress};
+  MatchReport report;
+  report.shape = pairOf(task.faces);
   const UnusableParts unusable(model);
   for (const int face : {face_a, face_b})
-    if (const std::string why = unusable.whyLeftOut(face); !why.empty()) {
-      MatchReport report;
-      report.shape = pairOf(faces);
-      report.reason = "face " + std::to_string(face) + " " + why;
+    if (const std::string fault = unusable.whyLeftOut(face); !fault.empty()) {
+      report.failures = {match_why::faceUnusable(face, fault)};
       return report;
     }
-  return Matching(faces, {face_a, face_b}, options, progress).run(model);
+  try {
+    match(model, task, report);
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Standard_Failure& failure) {
+    match_why::add(report.failures, match_why::openCascadeFailed(failure));
+  } catch (const std::runtime_error& error) {
+    match_why::add(report.failures, match_why::failed(error.what()));
+  }
+  announce(progress, 1);
+  return report;
 }
 
 }  // namespace seamwright::occ

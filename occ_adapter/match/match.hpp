@@ -4,8 +4,10 @@
 #include <TopoDS_Shape.hxx>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include <seamwright/occ_adapter/analyze/report.hpp>
+#include <seamwright/occ_adapter/match/match_reason.hpp>
 #include <seamwright/occ_adapter/progress.hpp>
 
 namespace seamwright::occ {
@@ -28,7 +30,8 @@ struct FaceMatchOptions {
 
 struct MatchReport {
   bool matched = false;
-  std::string reason;  ///< why not, or how; one line with numbers
+  std::vector<MatchReason> remarks;   ///< how, and what the user should know
+  std::vector<MatchReason> failures;  ///< why not, in the order of the attempts
   TopoDS_Shape
       shape;  ///< the two faces as a shell that shares the seam edge; as given where not matched
   SeamResult before;  ///< faces and edges by their numbers in the model
@@ -36,6 +39,12 @@ struct MatchReport {
   double largest_move_mm =
       0;  ///< of a pole, which no point exceeds; if weights change, also of points on a grid
   bool exact = false;  ///< joined in poles, to rounding; false: to the tolerance
+
+  /// Of the first failure; empty if there is none. That there is no exact join counts only if
+  /// nothing else was tried.
+  std::string code() const;
+  /// The remarks and failures in one line.
+  std::string text() const;
 };
 
 /// Moves one or both of two faces so that they join G1 or G2 along their common boundary: an edge

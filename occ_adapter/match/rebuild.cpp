@@ -22,38 +22,57 @@ namespace {
 
 using opencascade::handle;
 
-class Rebuilder {
- public:
-  explicit Rebuilder(const SeamPlan& plan) : plan_(plan) {}
+/// The new edge. Its vertices stand for the old ones at its ends.
+struct NewSeam {
+  TopoDS_Edge edge;
+  TopTools_DataMapOfShapeShape vertices;  ///< by the old ones of both faces
 
-  RebuiltPair run() {
-    makeSeam();
-    TopoDS_Shell shell;
-    builder_.MakeShell(shell);
-    for (const FacePlan& face : plan_.faces) builder_.Add(shell, copy(face));
-    setTolerances(shell);
-    return {shell, seam_};
+  bool endsAt(const TopoDS_Vertex& vertex) const {
+    return vertex.IsSame(TopExp::FirstVertex(edge)) || vertex.IsSame(TopExp::LastVertex(edge));
+  }
+};
+
+NewSeam newSeam(const SeamPlan& plan) {
+  const BRep_Builder builder;
+  NewSeam seam;
+  builder.MakeEdge(seam.edge, plan.curve, Precision::Confusion());
+  builder.Range(seam.edge, plan.first, plan.last);
+  std::array<TopoDS_Vertex, 2> ends;
+  for (const int end : {0, 1})
+    builder.MakeVertex(ends[end], plan.curve->Value(end == 0 ? plan.first : plan.last),
+                       Precision::Confusion());
+  builder.Add(seam.edge, ends[0].Oriented(TopAbs_FORWARD));
+  builder.Add(seam.edge, ends[1].Oriented(TopAbs_REVERSED));
+  for (const FacePlan& face : plan.faces) {
+    const TopoDS_Edge old = TopoDS::Edge(face.use.edge.Oriented(TopAbs_FORWARD));
+    const TopoDS_Vertex first = TopExp::FirstVertex(old), last = TopExp::LastVertex(old);
+    seam.vertices.Bind(face.with_old_edge ? first : last, ends[0]);
+    seam.vertices.Bind(face.with_old_edge ? last : first, ends[1]);
+  }
+  return seam;
+}
+
+/// Copies of faces, and those of their edges that have a new curve in space.
+struct CopiedFaces {
+  TopoDS_Shell shell;
+  TopTools_IndexedMapOfShape moved_edges;
+};
+
+/// Copies faces with their new surfaces. An edge or a vertex of several faces is copied once.
+class FaceCopier {
+ public:
+  FaceCopier(const SeamPlan& plan, const NewSeam& seam)
+      : plan_(plan), seam_(seam.edge), vertices_(seam.vertices) {}
+
+  CopiedFaces copied() {
+    CopiedFaces copies;
+    builder_.MakeShell(copies.shell);
+    for (const FacePlan& face : plan_.faces) builder_.Add(copies.shell, copy(face));
+    copies.moved_edges = moved_;
+    return copies;
   }
 
  private:
-  /// The seam's vertices stand for the old ones at its ends.
-  void makeSeam() {
-    builder_.MakeEdge(seam_, plan_.curve, Precision::Confusion());
-    builder_.Range(seam_, plan_.first, plan_.last);
-    std::array<TopoDS_Vertex, 2> ends;
-    for (const int end : {0, 1})
-      builder_.MakeVertex(ends[end], plan_.curve->Value(end == 0 ? plan_.first : plan_.last),
-                          Precision::Confusion());
-    builder_.Add(seam_, ends[0].Oriented(TopAbs_FORWARD));
-    builder_.Add(seam_, ends[1].Oriented(TopAbs_REVERSED));
-    for (const FacePlan& face : plan_.faces) {
-      const TopoDS_Edge old = TopoDS::Edge(face.use.edge.Oriented(TopAbs_FORWARD));
-      const TopoDS_Vertex first = TopExp::FirstVertex(old), last = TopExp::LastVertex(old);
-      vertices_.Bind(face.with_old_edge ? first : last, ends[0]);
-      vertices_.Bind(face.with_old_edge ? last : first, ends[1]);
-    }
-  }
-
   TopoDS_Face copy(const FacePlan& plan) {
     const TopoDS_Face old = TopoDS::Face(plan.face.Oriented(TopAbs_FORWARD));
     PlacedSurface placed = surfaceOf(old);
@@ -139,6 +158,8 @@ class Rebuilder {
   void addCurve(const TopoDS_Edge& old, const TopoDS_Face& old_face, const FacePlan& plan,
                 const TopoDS_Face& face, TopoDS_Edge& edge) {
     const PlanarPath path = pathOf(edge, face);
+    // A surface whose rows were refined differs by rounding from what it was. The edge's tolerance
+    // covers that, and its curve can stay.
     const double noise_mm = BRep_Tool::Tolerance(old) / 100;
     const bool moved = !plan.surface.IsNull() &&
                        largestDistance_mm(surfaceOf(old_face), surfaceOf(face), path) > noise_mm;
@@ -159,94 +180,107 @@ class Rebuilder {
     builder_.UpdateEdge(edge, image, TopLoc_Location(), Precision::Confusion());
   }
 
-  void setTolerances(const TopoDS_Shell& shell) {
-    TopTools_IndexedMapOfShape edges;
-    TopExp::MapShapes(shell, TopAbs_EDGE, edges);
-    std::vector<TopoDS_Edge> all;
-    for (int e = 1; e <= edges.Extent(); ++e)
-      all.push_back(TopoDS::Edge(edges(e).Oriented(TopAbs_FORWARD)));
-    for (const TopoDS_Edge& edge : all) setTolerance(edge, shell);
-    for (const TopoDS_Edge& edge : all) placeVertices(edge);
-    for (const TopoDS_Edge& edge : all) fitVertices(edge, shell);
-  }
-
-  /// The path on a face, and the other one where the face meets itself.
-  static std::vector<EdgeSide> sidesOf(const TopoDS_Edge& edge, const TopoDS_Shell& shell) {
-    std::vector<EdgeSide> sides;
-    for (TopoDS_Iterator faces(shell); faces.More(); faces.Next()) {
-      const TopoDS_Face face = TopoDS::Face(faces.Value().Oriented(TopAbs_FORWARD));
-      const PlanarPath path = pathOf(edge, face);
-      if (path.curve.IsNull()) continue;
-      TopTools_IndexedMapOfShape own;
-      TopExp::MapShapes(face, TopAbs_EDGE, own);
-      if (!own.Contains(edge)) continue;
-      sides.push_back({surfaceOf(face), path});
-      if (BRep_Tool::IsClosed(edge, face))
-        sides.push_back({surfaceOf(face), pathOf(TopoDS::Edge(edge.Reversed()), face)});
-    }
-    return sides;
-  }
-
-  void setTolerance(const TopoDS_Edge& edge, const TopoDS_Shell& shell) {
-    builder_.SameRange(edge, true);
-    builder_.SameParameter(edge, true);
-    if (BRep_Tool::Degenerated(edge)) return;
-    double first = 0, last = 0;
-    const handle<Geom_Curve> curve = BRep_Tool::Curve(edge, first, last);
-    const double largest = largestDistance_mm(sidesOf(edge, shell), *curve, first, last);
-    builder_.UpdateEdge(edge, std::max(Precision::Confusion(), between_points * largest));
-  }
-
-  static std::array<TopoDS_Vertex, 2> endsOf(const TopoDS_Edge& edge) {
-    return {TopExp::FirstVertex(edge), TopExp::LastVertex(edge)};
-  }
-
-  /// A vertex where a moved edge ends moves there.
-  void placeVertices(const TopoDS_Edge& edge) {
-    if (!moved_.Contains(edge)) return;
-    double first = 0, last = 0;
-    const handle<Geom_Curve> curve = BRep_Tool::Curve(edge, first, last);
-    for (const int end : {0, 1}) {
-      const TopoDS_Vertex vertex = endsOf(edge)[end];
-      if (vertex.IsNull() || placed_.Contains(vertex) || isSeamEnd(vertex)) continue;
-      builder_.UpdateVertex(vertex, curve->Value(end == 0 ? first : last),
-                            BRep_Tool::Tolerance(edge));
-      placed_.Add(vertex);
-    }
-  }
-
-  void fitVertices(const TopoDS_Edge& edge, const TopoDS_Shell& shell) {
-    for (const int end : {0, 1}) {
-      const TopoDS_Vertex vertex = endsOf(edge)[end];
-      if (vertex.IsNull()) continue;
-      std::vector<gp_Pnt> points;
-      double first = 0, last = 0;
-      const handle<Geom_Curve> curve = BRep_Tool::Curve(edge, first, last);
-      if (!curve.IsNull()) points.push_back(curve->Value(end == 0 ? first : last));
-      for (const EdgeSide& side : sidesOf(edge, shell))
-        points.push_back(side.at(end == 0 ? 0 : points_of_an_edge - 1));
-      double reach = BRep_Tool::Tolerance(edge);
-      for (const gp_Pnt& point : points)
-        reach = std::max(reach, 1.001 * point.Distance(BRep_Tool::Pnt(vertex)));
-      builder_.UpdateVertex(vertex, reach);
-    }
-  }
-
-  bool isSeamEnd(const TopoDS_Vertex& vertex) const {
-    return vertex.IsSame(TopExp::FirstVertex(seam_)) || vertex.IsSame(TopExp::LastVertex(seam_));
-  }
-
   const SeamPlan& plan_;
   BRep_Builder builder_;
   TopoDS_Edge seam_;
-  TopTools_DataMapOfShapeShape vertices_, edges_;
-  TopTools_IndexedMapOfShape moved_, placed_;
+  TopTools_DataMapOfShapeShape vertices_, edges_;  ///< copies by the old ones
+  TopTools_IndexedMapOfShape moved_;
 };
+
+/// The path on each face of an edge; two where a face meets itself.
+std::vector<EdgeSide> sidesOf(const TopoDS_Edge& edge, const TopoDS_Shell& shell) {
+  std::vector<EdgeSide> sides;
+  for (TopoDS_Iterator faces(shell); faces.More(); faces.Next()) {
+    const TopoDS_Face face = TopoDS::Face(faces.Value().Oriented(TopAbs_FORWARD));
+    const PlanarPath path = pathOf(edge, face);
+    if (path.curve.IsNull()) continue;
+    // Faces on one surface find each other's paths.
+    TopTools_IndexedMapOfShape own;
+    TopExp::MapShapes(face, TopAbs_EDGE, own);
+    if (!own.Contains(edge)) continue;
+    sides.push_back({surfaceOf(face), path});
+    if (BRep_Tool::IsClosed(edge, face))
+      sides.push_back({surfaceOf(face), pathOf(TopoDS::Edge(edge.Reversed()), face)});
+  }
+  return sides;
+}
+
+void fitEdge(const TopoDS_Edge& edge, const TopoDS_Shell& shell) {
+  const BRep_Builder builder;
+  builder.SameRange(edge, true);
+  builder.SameParameter(edge, true);
+  if (BRep_Tool::Degenerated(edge)) return;
+  double first = 0, last = 0;
+  const handle<Geom_Curve> curve = BRep_Tool::Curve(edge, first, last);
+  const double largest = largestDistance_mm(sidesOf(edge, shell), *curve, first, last);
+  builder.UpdateEdge(edge, std::max(Precision::Confusion(), between_points * largest));
+}
+
+std::array<TopoDS_Vertex, 2> endsOf(const TopoDS_Edge& edge) {
+  return {TopExp::FirstVertex(edge), TopExp::LastVertex(edge)};
+}
+
+/// Moves vertices to the ends of moved edges. The first edge decides; those of the seam are where
+/// they should be.
+void moveVertices(const TopTools_IndexedMapOfShape& moved_edges, const NewSeam& seam,
+                  const std::vector<TopoDS_Edge>& edges) {
+  const BRep_Builder builder;
+  TopTools_IndexedMapOfShape placed;
+  for (const TopoDS_Edge& edge : edges) {
+    if (!moved_edges.Contains(edge)) continue;
+    double first = 0, last = 0;
+    const handle<Geom_Curve> curve = BRep_Tool::Curve(edge, first, last);
+    for (const int end : {0, 1}) {
+      const TopoDS_Vertex vertex = endsOf(edge)[end];
+      if (vertex.IsNull() || placed.Contains(vertex) || seam.endsAt(vertex)) continue;
+      builder.UpdateVertex(vertex, curve->Value(end == 0 ? first : last),
+                           BRep_Tool::Tolerance(edge));
+      placed.Add(vertex);
+    }
+  }
+}
+
+/// Raises the tolerances of an edge's vertices to what the ends of its curves need.
+void fitVertices(const TopoDS_Edge& edge, const TopoDS_Shell& shell) {
+  // OpenCASCADE's checks compare without slack, and the distance is rounded.
+  constexpr double slack = 1.001;
+  const BRep_Builder builder;
+  for (const int end : {0, 1}) {
+    const TopoDS_Vertex vertex = endsOf(edge)[end];
+    if (vertex.IsNull()) continue;
+    std::vector<gp_Pnt> points;
+    double first = 0, last = 0;
+    const handle<Geom_Curve> curve = BRep_Tool::Curve(edge, first, last);
+    if (!curve.IsNull()) points.push_back(curve->Value(end == 0 ? first : last));
+    for (const EdgeSide& side : sidesOf(edge, shell))
+      points.push_back(side.at(end == 0 ? 0 : points_of_an_edge - 1));
+    double reach = BRep_Tool::Tolerance(edge);
+    for (const gp_Pnt& point : points)
+      reach = std::max(reach, slack * point.Distance(BRep_Tool::Pnt(vertex)));
+    builder.UpdateVertex(vertex, reach);
+  }
+}
+
+/// Moves vertices and sets tolerances. Each step is done for all edges before the next one, since a
+/// vertex needs the tolerances of all its edges.
+void fitTolerances(const CopiedFaces& copies, const NewSeam& seam) {
+  TopTools_IndexedMapOfShape parts;
+  TopExp::MapShapes(copies.shell, TopAbs_EDGE, parts);
+  std::vector<TopoDS_Edge> edges;
+  for (int e = 1; e <= parts.Extent(); ++e)
+    edges.push_back(TopoDS::Edge(parts(e).Oriented(TopAbs_FORWARD)));
+  for (const TopoDS_Edge& edge : edges) fitEdge(edge, copies.shell);
+  moveVertices(copies.moved_edges, seam, edges);
+  for (const TopoDS_Edge& edge : edges) fitVertices(edge, copies.shell);
+}
 
 }  // namespace
 
 RebuiltPair rebuild(const SeamPlan& plan) {
-  return Rebuilder(plan).run();
+  const NewSeam seam = newSeam(plan);
+  const CopiedFaces copies = FaceCopier(plan, seam).copied();
+  fitTolerances(copies, seam);
+  return {copies.shell, seam.edge};
 }
 
 double largestSideMove_mm(const FacePlan& plan, double gap_mm) {

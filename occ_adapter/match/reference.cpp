@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include <seamwright/occ_adapter/convert/nearest.hpp>
 #include <seamwright/occ_adapter/convert/points.hpp>
+#include <seamwright/occ_adapter/match/match_reasons.hpp>
 #include <seamwright/occ_adapter/match/reference.hpp>
 
 namespace seamwright::occ {
@@ -91,7 +91,7 @@ void fit(const FaceStrip& strip, const Feet& feet, const MatchSide& other, doubl
   for (int count = fewest; count <= most; count *= 2) {
     const std::vector<double> places = feet.places(count);
     if (!isStrictlyMonotonous(places)) {
-      path.failure = "the boundaries turn back on one another";
+      path.failure = match_why::boundaryFolds();
       return;
     }
     const handle<Geom2d_Curve> curve = through(strip, places);
@@ -103,12 +103,7 @@ void fit(const FaceStrip& strip, const Feet& feet, const MatchSide& other, doubl
       return;
     }
   }
-  std::ostringstream text;
-  text << "the boundary's path on face " << other.use.face
-       << " can't be brought to the parameter of the other"
-       << " face: " << most << " pieces keep within " << straying << " mm of it, not " << near_mm
-       << " mm";
-  path.failure = text.str();
+  path.failure = match_why::pathNotFitted(other.use.face, most, straying, near_mm);
 }
 
 /// What a step to the left of the tangent has to do with the face.

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <memory>
-#include <string>
-
 #include <seamwright/occ_adapter/convert/face_strip.hpp>
 #include <seamwright/occ_adapter/match/boundary.hpp>
 
@@ -21,7 +18,7 @@ struct ReferencePath {
   double mismatch_mm =
       0;  ///< largest distance of points of equal t, with t linear along the given path
   double ends_apart_mm = 0;  ///< largest distance of corresponding ends
-  std::string failure;       ///< why there is no such path; empty if there is one
+  MatchReason failure;       ///< why there is no such path; empty if there is one
 };
 
 /// A linear correspondence is kept if it is within a tenth of the gap tolerance, or within the

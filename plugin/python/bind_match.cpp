@@ -78,7 +78,8 @@ py::object plainOrNone(const py::object& seam) {
 py::dict matchDict(const MatchResult& result) {
   py::dict dict;
   dict["matched"] = result.report.matched;
-  dict["reason"] = result.report.reason;
+  dict["reason"] = result.report.text();
+  dict["reason_code"] = result.report.code();
   dict["exact"] = result.report.exact;
   dict["largest_move_mm"] = result.report.largest_move_mm;
   dict["before"] = plainOrNone(seamBefore(result));
@@ -98,8 +99,12 @@ void bindMatchResult(py::module_& module) {
                           "What came of Model.match_faces().")
       .def_property_readonly("matched", reported<&Report::matched>(),
                              "The faces join at the level asked for, proven.")
-      .def_property_readonly("reason", reported<&Report::reason>(),
-                             "How, or why not; one line with numbers.")
+      .def_property_readonly(
+          "reason", [](const MatchResult& result) { return result.report.text(); },
+          "How, or why not; one line with numbers.")
+      .def_property_readonly(
+          "reason_code", [](const MatchResult& result) { return result.report.code(); },
+          "Code of the reason why not: see docs/match.md. Empty if matched.")
       .def_property_readonly("exact", reported<&Report::exact>(),
                              "Joined in poles, to rounding; False: to the tolerance.")
       .def_readonly("model", &MatchResult::model,
@@ -117,7 +122,7 @@ void bindMatchResult(py::module_& module) {
       .def("to_dict", &matchDict, "All but the model as a plain dict.")
       .def("__repr__", [](const MatchResult& result) {
         return std::string("<MatchResult ") + (result.report.matched ? "matched" : "not matched") +
-               ": " + result.report.reason + ">";
+               ": " + result.report.text() + ">";
       });
 }
 

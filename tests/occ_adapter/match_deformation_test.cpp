@@ -52,8 +52,8 @@ TEST(MatchFaces, SidesOfAFollowerAreHeld) {
   const MatchReport refused = matchFaces(
       loose(trimmedFace(cylinder, line, gp_Vec2d(0, -10)), wholeFace(strip)), 1, 2, options);
   EXPECT_FALSE(refused.matched);
-  EXPECT_NE(refused.reason.find("a side ends with a normal curvature of"), std::string::npos)
-      << refused.reason;
+  EXPECT_NE(refused.text().find("a side ends with a normal curvature of"), std::string::npos)
+      << refused.text();
 }
 
 TEST(MatchFaces, RationalSurfacesJoinAndFollow) {
@@ -95,11 +95,11 @@ TEST(MatchFaces, ACylinderStaysAndIsNotMoved) {
     options.moves = MatchMoves::First;
     const MatchReport refused = matchFaces(pair, 1, 2, options);
     EXPECT_FALSE(refused.matched);
-    EXPECT_EQ(refused.reason,
+    EXPECT_EQ(refused.text(),
               "face 1 is a cylinder, which has no poles to move; face 2 could move");
     options.moves = MatchMoves::Both;
     const MatchReport one = matchedPair(pair, options, "both, of which one stays");
-    EXPECT_NE(one.reason.find("so it stays"), std::string::npos) << one.reason;
+    EXPECT_NE(one.text().find("so it stays"), std::string::npos) << one.text();
   }
 }
 
@@ -123,7 +123,7 @@ TEST(MatchFaces, AnotherSpeedAlongTheBoundaryIsFollowed) {
       if (turns & 2) turned_b->VReverse();
       const MatchReport report = matchedPair(loose(wholeFace(turned_a), wholeFace(turned_b)),
                                              ofOrder(order), "speed " + std::to_string(turns));
-      EXPECT_LT(report.largest_move_mm, 4) << report.reason;
+      EXPECT_LT(report.largest_move_mm, 4) << report.text();
     }
 }
 
@@ -134,9 +134,9 @@ TEST(MatchFaces, ATriangularFaceKeepsItsCorner) {
   const gp_Pnt corner = parts[1]->Pole(1, 1);
   for (int i = 1; i <= parts[1]->NbUPoles(); ++i) parts[1]->SetPole(i, 1, corner);
   const MatchReport report = matchFaces(joinedSheets(parts), 1, 2);
-  ASSERT_TRUE(report.matched) << report.reason;
-  EXPECT_NE(report.reason.find("face 2 ends in a point at the seam"), std::string::npos)
-      << report.reason;
+  ASSERT_TRUE(report.matched) << report.text();
+  EXPECT_NE(report.text().find("face 2 ends in a point at the seam"), std::string::npos)
+      << report.text();
   const Spline after = Spline::DownCast(BRep_Tool::Surface(face(report.shape, 2)));
   for (double u = 0.4; u <= 1; u += 0.1)
     EXPECT_LT(after->Value(u, 0).Distance(after->Value(0.4, 0)), 1e-9);

@@ -38,7 +38,7 @@ TEST(MatchFaces, SheetsThatWereOneAreJoinedInPolesOnAllSides) {
           std::to_string(side_a) + "-" + std::to_string(side_b) + " G" + std::to_string(order);
       const MatchReport report =
           matchedPair(joinedSheets(parts, side_a, side_b), strict(order), what);
-      EXPECT_TRUE(report.exact) << what << report.reason;
+      EXPECT_TRUE(report.exact) << what << report.text();
     }
 }
 
@@ -160,7 +160,7 @@ TEST(MatchFaces, SidesThatAreHeldStay) {
   const MatchReport refused =
       matchFaces(joinedSheets(disturbedSheets(generator, 0.09)), 1, 2, options);
   EXPECT_FALSE(refused.matched);
-  EXPECT_NE(refused.reason.find("a side ends"), std::string::npos) << refused.reason;
+  EXPECT_NE(refused.text().find("a side ends"), std::string::npos) << refused.text();
 }
 
 TEST(MatchFaces, ASideInsideItsSurfaceIsCutOffThere) {
@@ -175,7 +175,7 @@ TEST(MatchFaces, ASideInsideItsSurfaceIsCutOffThere) {
                     0.3);
   for (const int order : {1, 2}) {
     const MatchReport report = matchedPair(pair, ofOrder(order), "inside");
-    EXPECT_TRUE(report.exact) << report.reason;
+    EXPECT_TRUE(report.exact) << report.text();
   }
 }
 
@@ -205,7 +205,7 @@ TEST(MatchFaces, OfSeveralCommonEdgesOneIsTaken) {
   std::mt19937 generator(testSeed());
   const TopoDS_Shape tube = halfTubes(generator, 0.1);
   const MatchReport longest = matchedPair(tube, ofOrder(1), "longest");
-  EXPECT_NE(longest.reason.find("of the common edges"), std::string::npos) << longest.reason;
+  EXPECT_NE(longest.text().find("of the common edges"), std::string::npos) << longest.text();
   const int taken = longest.before.edges.at(0);
   int other = 0;
   for (const occ::SeamResult& seam : analyzed(tube).seams)

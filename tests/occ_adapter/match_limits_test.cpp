@@ -31,7 +31,8 @@ TEST(MatchFaces, ALargerMoveThanAllowedIsRefused) {
   options.max_move_mm = needed / 2;
   const MatchReport refused = matchFaces(pair, 1, 2, options);
   EXPECT_FALSE(refused.matched);
-  EXPECT_NE(refused.reason.find("needs a move of"), std::string::npos) << refused.reason;
+  EXPECT_NE(refused.text().find("needs a move of"), std::string::npos) << refused.text();
+  EXPECT_EQ(refused.code(), "moves_too_far");
   EXPECT_EQ(refused.largest_move_mm, 0);
   EXPECT_TRUE(face(refused.shape, 2).IsPartner(face(pair, 2)));
   EXPECT_EQ(refused.after.verdict.level, refused.before.verdict.level);
@@ -65,8 +66,8 @@ TEST(MatchFaces, TrimmedSidesThatWouldMoveAreNotCalledHeld) {
   matchedPair(loose(still, wholeFace(surface)), options, "whole sides held");
   const MatchReport report = matchFaces(loose(still, trapezoid), 1, 2, options);
   EXPECT_FALSE(report.matched);
-  EXPECT_NE(report.reason.find("that ends at the seam would move by 0."), std::string::npos)
-      << report.reason;
+  EXPECT_NE(report.text().find("that ends at the seam would move by 0."), std::string::npos)
+      << report.text();
 }
 
 // With weights that change, points move further than poles.
@@ -112,7 +113,7 @@ TEST(MatchFaces, WhatJoinsAlreadyIsLeftAlone) {
     const MatchReport report = matchFaces(pair, 1, 2, ofOrder(order));
     EXPECT_TRUE(report.matched);
     EXPECT_EQ(report.largest_move_mm, 0);
-    EXPECT_NE(report.reason.find("nothing had to move"), std::string::npos);
+    EXPECT_NE(report.text().find("nothing had to move"), std::string::npos);
     for (const int number : {1, 2})
       EXPECT_TRUE(face(report.shape, number).IsPartner(face(pair, number)));
     EXPECT_EQ(report.after.faces, (std::array<int, 2>{1, 2}));
@@ -139,10 +140,10 @@ TEST(MatchFaces, ClosedAndMissingBoundariesAreRefusedWithReasons) {
   };
   const MatchReport closed = matchFaces(loose(ring(0), spline_ring(5)), 1, 2);
   EXPECT_FALSE(closed.matched);
-  EXPECT_NE(closed.reason.find("closed loop"), std::string::npos) << closed.reason;
+  EXPECT_NE(closed.text().find("closed loop"), std::string::npos) << closed.text();
   const MatchReport apart = matchFaces(loose(ring(0), spline_ring(8)), 1, 2);
   EXPECT_FALSE(apart.matched);
-  EXPECT_NE(apart.reason.find("3 mm apart"), std::string::npos) << apart.reason;
+  EXPECT_NE(apart.text().find("3 mm apart"), std::string::npos) << apart.text();
   EXPECT_EQ(apart.before.id, 0);
 }
 
@@ -154,8 +155,8 @@ TEST(MatchFaces, OnlyAWholeSideCanBeJoined) {
       loose(BRepBuilderAPI_MakeFace(a, 0, 0.4, 0, 0.5, 1e-7).Face(), wholeFace(parts[1]));
   const MatchReport report = matchFaces(half, 1, 2);
   EXPECT_FALSE(report.matched);
-  EXPECT_NE(report.reason.find("the ends of the boundaries are"), std::string::npos)
-      << report.reason;
+  EXPECT_NE(report.text().find("the ends of the boundaries are"), std::string::npos)
+      << report.text();
 }
 
 // The boundaries have their ends in common and bulge apart between them.
@@ -171,10 +172,10 @@ TEST(MatchFaces, BoundariesThatLeaveOneAnotherAreRefused) {
     const TopoDS_Shape pair =
         loose(wholeFace(splineOf(flat, 3, 3)), wholeFace(splineOf(bulging, 3, 3)));
     const MatchReport report = matchFaces(pair, 1, 2);
-    EXPECT_EQ(report.matched, bulge < 0.1) << report.reason;
+    EXPECT_EQ(report.matched, bulge < 0.1) << report.text();
     if (bulge > 0.1) {
-      EXPECT_NE(report.reason.find("within 0.1 mm of one another over"), std::string::npos)
-          << report.reason;
+      EXPECT_NE(report.text().find("within 0.1 mm of one another over"), std::string::npos)
+          << report.text();
     }
     FaceMatchOptions wide;
     wide.match_mm = 1.1 * bulge;
@@ -202,7 +203,7 @@ TEST(MatchFaces, AFaceThatReachesBeyondItsSurfaceIsRefused) {
   options.match_mm = 1;
   const MatchReport report = matchFaces(loose(wholeFace(parts[0]), face), 1, 2, options);
   EXPECT_FALSE(report.matched);
-  EXPECT_NE(report.reason.find("reaches beyond its surface"), std::string::npos) << report.reason;
+  EXPECT_NE(report.text().find("reaches beyond its surface"), std::string::npos) << report.text();
 }
 
 TEST(MatchFaces, AKnifeEdgeIsRefused) {
@@ -218,7 +219,7 @@ TEST(MatchFaces, AKnifeEdgeIsRefused) {
   for (const int order : {1, 2}) {
     const MatchReport report = matchFaces(pair, 1, 2, ofOrder(order));
     EXPECT_FALSE(report.matched);
-    EXPECT_NE(report.reason.find("fold"), std::string::npos) << report.reason;
+    EXPECT_NE(report.text().find("fold"), std::string::npos) << report.text();
   }
 }
 
@@ -287,7 +288,7 @@ Tally tallyOf(const std::filesystem::path& path, int order, double max_move_mm) 
     options.max_move_mm = max_move_mm;
     const MatchReport report = matchFaces(model.shape, seam.faces[0], seam.faces[1], options);
     ++tally.tried;
-    EXPECT_FALSE(report.reason.empty());
+    EXPECT_FALSE(report.text().empty());
     if (!report.matched) continue;
     ++tally.matched;
     tally.exact += report.exact ? 1 : 0;

@@ -186,7 +186,7 @@ void expectTolerancesHold(const TopoDS_Shape& shape) {
 
 void expectMatched(const MatchReport& report, const FaceMatchOptions& options,
                    const std::string& what) {
-  SCOPED_TRACE(what + ": " + report.reason);
+  SCOPED_TRACE(what + ": " + report.text());
   ASSERT_TRUE(report.matched);
   EXPECT_TRUE(BRepCheck_Analyzer(report.shape).IsValid());
   EXPECT_EQ(report.shape.ShapeType(), TopAbs_SHELL);

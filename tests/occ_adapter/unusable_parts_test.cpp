@@ -145,11 +145,11 @@ TEST(UnusableParts, OtherFacesAreMatched) {
   third->SetPole(2, 2, gp_Pnt(no_number, 0, 0));
   const TopoDS_Shape all = loose(pair, wholeFace(third));
   const occ::MatchReport report = occ::matchFaces(all, 1, 2, ofOrder(1));
-  EXPECT_TRUE(report.matched) << report.reason;
+  EXPECT_TRUE(report.matched) << report.text();
   for (const auto& [a, b] : {std::pair{1, 3}, std::pair{3, 1}}) {
     const occ::MatchReport refused = occ::matchFaces(all, a, b, ofOrder(1));
     EXPECT_FALSE(refused.matched);
-    EXPECT_EQ(refused.reason, "face 3 has a surface with the number nan");
+    EXPECT_EQ(refused.text(), "face 3 has a surface with the number nan");
     EXPECT_TRUE(face(refused.shape, 1).IsSame(face(all, a)));
   }
 }

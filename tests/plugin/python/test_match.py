@@ -127,7 +127,15 @@ def test_before_and_after_have_the_keys_of_a_seam(bent):
         ).validate(found)
     as_dict = result.to_dict()
     assert as_dict["before"] == result.before and as_dict["after"] == result.after
-    assert set(as_dict) == {"matched", "reason", "exact", "largest_move_mm", "before", "after"}
+    assert set(as_dict) == {
+        "matched",
+        "reason",
+        "reason_code",
+        "exact",
+        "largest_move_mm",
+        "before",
+        "after",
+    }
     assert repr(result).startswith("<MatchResult matched: ")
     with pytest.raises(AttributeError):
         result.matched = False
@@ -136,6 +144,7 @@ def test_before_and_after_have_the_keys_of_a_seam(bent):
 def test_what_cannot_be_matched_comes_back_with_a_reason(bent, roof):
     planes = roof.match_faces(1, 2)
     assert not planes.matched and planes.reason == "face 2 is a plane, which has no poles to move"
+    assert planes.reason_code == "face_without_poles"
     assert (
         planes.before == planes.after
         and planes.model.face_count == 2
@@ -144,12 +153,14 @@ def test_what_cannot_be_matched_comes_back_with_a_reason(bent, roof):
     free = bent.match_faces(1, 2)
     tight = bent.match_faces(1, 2, max_move_mm=free.largest_move_mm / 2)
     assert not tight.matched and "more than" in tight.reason
+    assert (free.reason_code, tight.reason_code) == ("", "moves_too_far")
     assert bent.match_faces(1, 2, max_move_mm=1.001 * free.largest_move_mm).matched
 
 
 def test_sides_are_held(bent):
     held = bent.match_faces(1, 2, hold_sides=True)
     assert not held.matched and "a side ends at" in held.reason
+    assert held.reason_code == "side_ends_tilted"
 
 
 def test_tolerances_are_those_of_the_profile_or_given(bent):

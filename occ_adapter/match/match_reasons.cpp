@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+#include <seamwright/occ_adapter/match/match_reasons.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+/// In the order of MatchFault.
+constexpr std::array match_codes = {"",
+                                    "one_of_several_edges",
+                                    "face_stays",
+                                    "has_level",
+                                    "joined_in_poles",
+                                    "joined_to_tolerance",
+                                    "ends_in_point",
+                                    "other_edge_apart",
+                                    "face_could_move",
+                                    "face_unusable",
+                                    "no_common_boundary",
+                                    "closed_boundary",
+                                    "ends_apart",
+                                    "boundaries_apart",
+                                    "boundary_folds",
+                                    "path_not_fitted",
+                                    "face_without_poles",
+                                    "face_trimmed",
+                                    "face_goes_on",
+                                    "face_side_longer",
+                                    "face_beyond_surface",
+                                    "face_boundary_turns_back",
+                                    "join_refused",
+                                    "no_exact_join",
+                                    "faces_fold",
+                                    "misses_tolerance",
+                                    "side_ends_away",
+                                    "side_ends_tilted",
+                                    "side_ends_curved",
+                                    "moves_too_far",
+                                    "side_moves",
+                                    "folds_over",
+                                    "still_misses",
+                                    "edges_stray",
+                                    "checks_fail",
+                                    "opencascade_failed",
+                                    "failed"};
+
+}  // namespace
+
+std::string codeOf(MatchFault fault) {
+  static_assert(match_codes.size() == static_cast<std::size_t>(MatchFault::Failed) + 1);
+  return match_codes[static_cast<std::size_t>(fault)];
+}
+
+namespace match_why {
+
+void add(std::vector<MatchReason>& reasons, MatchReason reason) {
+  if (reason.empty() || std::ranges::count(reasons, reason.text, &MatchReason::text) > 0) return;
+  reasons.push_back(std::move(reason));
+}
+
+MatchReason oneOfSeveralEdges(const std::vector<int>& common, int taken, bool is_longest) {
+  return {.fault = MatchFault::OneOfSeveralEdges,
+          .text = fmt::format("of the common edges {} number {}{} was taken",
+                              fmt::join(common, ", "), taken, is_longest ? ", the longest," : ""),
+          .edges = {taken}};
+}
+
+MatchReason faceStays(MatchReason obstacle) {
+  obstacle.fault = MatchFault::FaceStays;
+  obstacle.text += ", so it stays";
+  return obstacle;
+}
+
+MatchReason hasLevel() {
+  return {.fault = MatchFault::HasLevel,
+          .text = "the faces have the level already; nothing had to move"};
+}
+
+MatchReason joinedInPoles(int repeated) {
+  constexpr std::array knots = {"", ", inner knots along the seam repeated once more",
+                                ", inner knots along the seam repeated twice more"};
+  return {.fault = MatchFault::JoinedInPoles,
+          .text = fmt::format("joined in poles{}", knots.at(static_cast<std::size_t>(repeated))),
+          .numbers = {{"repeated", repeated}}};
+}
+
+MatchReason joinedToTolerance(int halvings) {
+  MatchReason reason{.fault = MatchFault::JoinedToTolerance,
+                     .text = "joined to the tolerance",
+                     .numbers = {{"halvings", halvings}}};
+  if (halvings > 0)
+    reason.text +=
+        fmt::format(", knot spans halved {} {}", halvings, halvings == 1 ? "time" : "times");
+  return reason;
+}
+
+MatchReason endsInPoint(int face) {
+  return {.fault = MatchFault::EndsInPoint,
+          .text = fmt::format("face {} ends in a point at the seam, where its curvature may have "
+                              "become very large",
+                              face),
+          .faces = {face}};
+}
+
+MatchReason otherEdgeApart(double gap_mm) {
+  return {.fault = MatchFault::OtherEdgeApart,
+          .text = fmt::format("at another edge that the faces share they are {:.6g} mm apart now",
+                              gap_mm),
+          .numbers = {{"gap_mm", gap_mm}}};
+}
+
+MatchReason faceCouldMove(int face) {
+  return {.fault = MatchFault::FaceCouldMove,
+          .text = fmt::format("face {} could move", face),
+          .faces = {face}};
+}
+
+MatchReason faceUnusable(int face, const std::string& fault) {
+  return onFace(face, {.fault = MatchFault::FaceUnusable, .text = fault});
+}
+
+MatchReason noCommonBoundary(double match_mm) {
+  return {.fault = MatchFault::NoCommonBoundary,
+          .text = fmt::format("the faces have no common boundary: no edge is shared, and no free "
+                              "edges run side by side within {:.6g} mm",
+                              match_mm),
+          .numbers = {{"match_mm", match_mm}}};
+}
+
+MatchReason noCommonBoundary(double match_mm, double apart_mm) {
+  MatchReason reason = noCommonBoundary(match_mm);
+  reason.text += fmt::format("; the faces are {:.6g} mm apart", apart_mm);
+  reason.numbers.emplace_back("apart_mm", apart_mm);
+  return reason;
+}
+
+MatchReason closedBoundary() {
+  return {.fault = MatchFault::ClosedBoundary,
+          .text =
+              "the common boundary is a closed loop, or no longer than the gap tolerance, "
+              "which is not handled"};
+}
+
+MatchReason endsApart(double apart_mm) {
+  return {.fault = MatchFault::EndsApart,
+          .text = fmt::format("the ends of the boundaries are {:.6g} mm apart: only boundaries "
+                              "that run side by side over their whole length can be joined",
+                              apart_mm),
+          .numbers = {{"apart_mm", apart_mm}}};
+}
+
+MatchReason boundariesApart(double near_mm, double side_by_side_mm, double length_mm) {
+  return {
+      .fault = MatchFault::BoundariesApart,
+      .text = fmt::format(
+          "the boundaries are within {:.6g} mm of one another over {:.6g} of {:.6g} mm only",
+          near_mm, side_by_side_mm, length_mm),
+      .numbers = {
+          {"near_mm", near_mm}, {"side_by_side_mm", side_by_side_mm}, {"length_mm", length_mm}}};
+}
+
+MatchReason boundaryFolds() {
+  return {.fault = MatchFault::BoundaryFolds, .text = "the boundaries turn back on one another"};
+}
+
+MatchReason pathNotFitted(int face, int pieces, double stray_mm, double limit_mm) {
+  return {.fault = MatchFault::PathNotFitted,
+          .text = fmt::format(
+              "the boundary's path on face {} can't be brought to the parameter of the other face: "
+              "{} pieces keep within {:.6g} mm of it, not {:.6g} mm",
+              face, pieces, stray_mm, limit_mm),
+          .numbers = {{"pieces", pieces}, {"stray_mm", stray_mm}, {"limit_mm", limit_mm}},
+          .faces = {face}};
+}
+
+MatchReason hasNoPoles(const std::string& kind) {
+  return {.fault = MatchFault::FaceWithoutPoles,
+          .text = fmt::format("is {}, which has no poles to move", kind)};
+}
+
+MatchReason isTrimmed() {
+  return {.fault = MatchFault::FaceTrimmed,
+          .text = "is trimmed along the boundary, which is no parameter line of its surface"};
+}
+
+MatchReason goesOn() {
+  return {.fault = MatchFault::FaceGoesOn, .text = "goes on beyond the boundary"};
+}
+
+MatchReason sideIsLonger() {
+  return {.fault = MatchFault::FaceSideLonger,
+          .text = "has a side of which the boundary is a part only"};
+}
+
+MatchReason reachesBeyond() {
+  return {.fault = MatchFault::FaceBeyondSurface,
+          .text = "reaches beyond its surface, or across the origin of a periodic one"};
+}
+
+MatchReason boundaryTurnsBack() {
+  return {.fault = MatchFault::FaceBoundaryTurnsBack,
+          .text = "has a boundary that turns back on itself"};
+}
+
+MatchReason onFace(int face, MatchReason obstacle) {
+  obstacle.text = fmt::format("face {} {}", face, obstacle.text);
+  obstacle.faces.insert(obstacle.faces.begin(), face);
+  return obstacle;
+}
+
+MatchReason joinRefused(const std::string& why) {
+  return {.fault = MatchFault::JoinRefused, .text = why};
+}
+
+MatchReason noExactJoin() {
+  return {.fault = MatchFault::NoExactJoin,
+          .text = "the poles that stay, or the knots, allow no exact join"};
+}
+
+MatchReason facesFold() {
+  return {
+      .fault = MatchFault::FacesFold,
+      .text = "the faces leave the boundary to the same side and would fold back on one another"};
+}
+
+MatchReason missesTolerance(int halvings, double missed) {
+  return {.fault = MatchFault::MissesTolerance,
+          .text = fmt::format("with knot spans halved up to {} times the worst figure is {:.6g} "
+                              "times its tolerance",
+                              halvings, missed),
+          .numbers = {{"halvings", halvings}, {"times_tolerance", missed}}};
+}
+
+MatchReason sideEndsAway(double gap_mm) {
+  return {.fault = MatchFault::SideEndsAway,
+          .text = fmt::format("a side ends {:.6g} mm away from the other face", gap_mm),
+          .numbers = {{"gap_mm", gap_mm}}};
+}
+
+MatchReason sideEndsTilted(double angle_deg) {
+  return {.fault = MatchFault::SideEndsTilted,
+          .text = fmt::format(
+              "a side ends at {:.6g} degrees to the tangent plane of the other face", angle_deg),
+          .numbers = {{"angle_deg", angle_deg}}};
+}
+
+MatchReason sideEndsCurved(double own_per_mm, double other_per_mm) {
+  return {
+      .fault = MatchFault::SideEndsCurved,
+      .text = fmt::format("a side ends with a normal curvature of {:.6g} per mm where the other "
+                          "face has {:.6g}",
+                          own_per_mm, other_per_mm),
+      .numbers = {{"own_per_mm", own_per_mm}, {"other_per_mm", other_per_mm}}};
+}
+
+MatchReason movesTooFar(double move_mm, double limit_mm) {
+  return {.fault = MatchFault::MovesTooFar,
+          .text = fmt::format("the join needs a move of {:.6g} mm, more than {:.6g} mm", move_mm,
+                              limit_mm),
+          .numbers = {{"move_mm", move_mm}, {"limit_mm", limit_mm}}};
+}
+
+MatchReason sideMoves(int face, double move_mm) {
+  return {
+      .fault = MatchFault::SideMoves,
+      .text = fmt::format("a boundary of face {} that ends at the seam would move by {:.6g} mm: "
+                          "it is trimmed, and only whole sides of a surface can be held",
+                          face, move_mm),
+      .numbers = {{"move_mm", move_mm}},
+      .faces = {face}};
+}
+
+MatchReason foldsOver(const MatchReason& how, int face) {
+  return {.fault = MatchFault::FoldsOver,
+          .text = fmt::format("{}: face {} would fold over", how.text, face),
+          .faces = {face}};
+}
+
+MatchReason stillMisses(const MatchReason& how, const std::string& figures) {
+  return {.fault = MatchFault::StillMisses,
+          .text = fmt::format("{}, but then {}", how.text, figures)};
+}
+
+MatchReason edgesStray(const MatchReason& how, double stray_mm) {
+  return {.fault = MatchFault::EdgesStray,
+          .text = fmt::format("{}, but then edges are {:.6g} mm away from their faces", how.text,
+                              stray_mm),
+          .numbers = {{"stray_mm", stray_mm}}};
+}
+
+MatchReason checksFail(const MatchReason& how) {
+  return {.fault = MatchFault::ChecksFail,
+          .text = how.text + ", but OpenCASCADE's checks do not pass"};
+}
+
+MatchReason openCascadeFailed(const Standard_Failure& failure) {
+  return {.fault = MatchFault::OpenCascadeFailed,
+          .text = fmt::format("OpenCASCADE failed: {} {}", failure.DynamicType()->Name(),
+                              failure.GetMessageString())};
+}
+
+MatchReason failed(const std::string& message) {
+  return {.fault = MatchFault::Failed, .text = message};
+}
+
+}  // namespace match_why
+
+}  // namespace seamwright::occ
