@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 
 #include <seamwright/occ_adapter/fill/band_sections.hpp>
+#include <seamwright/occ_adapter/fill/corner_reasons.hpp>
 
 namespace seamwright::occ {
 
@@ -41,20 +41,20 @@ std::optional<double> crossingOf(const Function& f) {
 }
 
 /// A point of the edge with the tangent there, pointing away from the corner.
-struct EdgePlace {
+struct EdgePoint {
   Vector3d point, tangent;
 };
 
-EdgePlace placeAt(const CornerEdge& edge, double setback_mm) {
+EdgePoint edgePointAt(const CornerEdge& edge, double setback_mm) {
   const BRepAdaptor_Curve curve(TopoDS::Edge(edge.edge.Oriented(TopAbs_FORWARD)));
   const bool leaves =
       TopExp::LastVertex(TopoDS::Edge(edge.edge.Oriented(TopAbs_FORWARD))).IsSame(edge.far);
   const double sense = leaves ? 1 : -1;
   const double from = leaves ? curve.FirstParameter() : curve.LastParameter();
-  const GCPnts_AbscissaPoint place(curve, sense * setback_mm, from);
+  const GCPnts_AbscissaPoint foot(curve, sense * setback_mm, from);
   gp_Pnt point;
   gp_Vec run;
-  curve.D1(place.Parameter(), point, run);
+  curve.D1(foot.Parameter(), point, run);
   return {vector(point), sense * vector(run).normalized()};
 }
 
@@ -80,12 +80,12 @@ double BandSections::shortestSide_mm() const {
 }
 
 double BandSections::contact_mm(std::size_t i) const {
-  const Vector3d foot = placeAt(corner_.edges[i], strips_[i].setback_mm).point;
+  const Vector3d foot = edgePointAt(corner_.edges[i], strips_[i].setback_mm).point;
   return ((point(i, 0) - foot).norm() + (point(i, 1) - foot).norm()) / 2;
 }
 
-std::string BandSections::name(std::size_t i) const {
-  return "edge " + std::to_string(corner_.edges[i].number);
+int BandSections::number(std::size_t i) const {
+  return corner_.edges[i].number;
 }
 
 TopoDS_Vertex BandSections::nearVertex(std::size_t i, bool after) const {
@@ -93,7 +93,7 @@ TopoDS_Vertex BandSections::nearVertex(std::size_t i, bool after) const {
   for (const TopoDS_Edge& arc : rounded_.arcs[after ? i : corner_.before(i)])
     for (const TopoDS_Edge& end : rounded_.band_ends[i])
       if (TopExp::CommonVertex(end, arc, vertex)) return vertex;
-  throw std::domain_error(name(i) + ": its fillet and the face beside it come to the ball apart");
+  throw CornerRefused(corner_why::filletApart(number(i)));
 }
 
 Contact BandSections::contactOf(std::size_t i, bool after) const {
@@ -108,24 +108,23 @@ Contact BandSections::contactOf(std::size_t i, bool after) const {
     if (a.IsSame(rounded_.bands[i])) return {TopoDS::Edge(edge), a, b, near};
     if (b.IsSame(rounded_.bands[i])) return {TopoDS::Edge(edge), b, a, near};
   }
-  throw std::domain_error(name(i) + ": its fillet has no edge that leaves the ball");
+  throw CornerRefused(corner_why::filletHasNoEdge(number(i)));
 }
 
 Section BandSections::sectionOf(std::size_t i) const {
-  const EdgePlace place = placeAt(corner_.edges[i], strips_[i].setback_mm);
+  const EdgePoint foot = edgePointAt(corner_.edges[i], strips_[i].setback_mm);
   Section section;
   double along = 0;
   for (const std::size_t side : {0, 1}) {
     const Contact& contact = contacts_[2 * i + side];
     const auto beyond = [&](double share) {
-      return (contact.point(share) - place.point).dot(place.tangent);
+      return (contact.point(share) - foot.point).dot(foot.tangent);
     };
     const std::optional<double> share = beyond(0) < 0 ? crossingOf(beyond) : std::nullopt;
     if (!share)
-      throw std::domain_error(name(i) + ": a setback of " + lengthText(strips_[i].setback_mm) +
-                              " is not within its fillet, from " +
-                              lengthText(strips_[i].setback_mm + beyond(0)) + " to " +
-                              lengthText(strips_[i].setback_mm + beyond(1)));
+      throw CornerRefused(corner_why::setbackOutside(number(i), strips_[i].setback_mm,
+                                                     strips_[i].setback_mm + beyond(0),
+                                                     strips_[i].setback_mm + beyond(1)));
     along += coordinate(contact.onBand(*share), runsInU(i)) / 2;
   }
   for (const std::size_t side : {0, 1}) {
@@ -135,8 +134,7 @@ Section BandSections::sectionOf(std::size_t i) const {
     const double sense = end > begin ? 1 : -1;
     const std::optional<double> share = crossingOf(
         [&](double at) { return sense * (coordinate(contact.onBand(at), runsInU(i)) - along); });
-    if (!share)
-      throw std::domain_error(name(i) + ": no section of its fillet runs from face to face");
+    if (!share) throw CornerRefused(corner_why::noSection(number(i)));
     section.shares[side] = *share;
     section.vertices[side] = vertexOn(contact, i, *share);
   }

@@ -4,7 +4,6 @@
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <array>
-#include <string>
 #include <vector>
 
 #include <seamwright/occ_adapter/fill/corner_ball.hpp>
@@ -27,7 +26,7 @@ inline double coordinate(const gp_Pnt2d& at, bool u) {
 /// The contact lines of the bands and their sections at the setbacks. All is kept by reference.
 class BandSections {
  public:
-  /// \throws std::domain_error if a band has no section at its setback.
+  /// \throws CornerRefused if a band has no section at its setback.
   BandSections(const Corner& corner, const std::vector<CornerStrip>& strips,
                const RoundedOutside& rounded);
 
@@ -47,7 +46,8 @@ class BandSections {
   double shortestSide_mm() const;
   /// Distance of the section's ends from the edge, as the mean of both sides.
   double contact_mm(std::size_t i) const;
-  std::string name(std::size_t i) const;
+  /// Of edge i in the given model.
+  int number(std::size_t i) const;
 
  private:
   Contact contactOf(std::size_t i, bool after) const;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepClass3d_SolidClassifier.hxx>
@@ -15,15 +17,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 #include <stdexcept>
-#include <string>
 #include <tuple>
 #include <utility>
 
 #include <seamwright/core/angle.hpp>
 #include <seamwright/occ_adapter/convert/points.hpp>
 #include <seamwright/occ_adapter/fill/corner.hpp>
+#include <seamwright/occ_adapter/fill/corner_reasons.hpp>
 
 namespace seamwright::occ {
 
@@ -34,11 +35,8 @@ using Eigen::Vector3d;
 /// If the sine of an angle is below this, two planes count as tangent, or a corner of a face as
 /// degenerate.
 constexpr double flat_sine = 1e-6;
-constexpr std::size_t least_edges = 3, most_edges = 6;
-
-double degrees(double rad) {
-  return rad * degrees_per_radian;
-}
+/// Between two edges there is no corner; fills of 2 m sides are defined for m up to 6.
+constexpr int least_edges = 3, most_edges = 6;
 
 /// The edges and faces around the vertices and edges of one shell.
 class Surroundings {
@@ -50,11 +48,8 @@ class Surroundings {
     TopExp::MapShapesAndUniqueAncestors(shell, TopAbs_EDGE, TopAbs_FACE, faces_at_);
   }
 
-  std::string name(const TopoDS_Edge& edge) const { return "edge " + std::to_string(number(edge)); }
-  std::string name(const TopoDS_Face& face) const {
-    return "face " + std::to_string(faces_.FindIndex(face));
-  }
   int number(const TopoDS_Edge& edge) const { return edges_.FindIndex(edge); }
+  int number(const TopoDS_Face& face) const { return faces_.FindIndex(face); }
 
   std::vector<TopoDS_Edge> edgesAt(const TopoDS_Vertex& vertex) const {
     std::vector<TopoDS_Edge> edges;
@@ -66,8 +61,7 @@ class Surroundings {
   std::array<TopoDS_Face, 2> facesAt(const TopoDS_Edge& edge) const {
     const TopTools_ListOfShape& faces = faces_at_.FindFromKey(edge);
     if (faces.Extent() != 2)
-      throw std::domain_error(name(edge) + " bounds " + std::to_string(faces.Extent()) +
-                              " faces: two are needed");
+      throw CornerRefused(corner_why::edgeFaces(number(edge), faces.Extent()));
     return {TopoDS::Face(faces.First()), TopoDS::Face(faces.Last())};
   }
 
@@ -81,7 +75,7 @@ class Surroundings {
     const Vector3d normal = vector(u).cross(vector(v));
     if (!(normal.norm() > flat_sine * u.Magnitude() * v.Magnitude()) || u.Magnitude() == 0 ||
         v.Magnitude() == 0)
-      throw std::domain_error(name(face) + " has no normal at the vertex");
+      throw CornerRefused(corner_why::noNormal(number(face)));
     return (face.Orientation() == TopAbs_REVERSED ? -1 : 1) * normal.normalized();
   }
 
@@ -95,8 +89,8 @@ TopoDS_Vertex vertexOf(const TopoDS_Shape& shape, int number) {
   TopTools_IndexedMapOfShape vertices;
   TopExp::MapShapes(shape, TopAbs_VERTEX, vertices);
   if (number < 1 || number > vertices.Extent())
-    throw std::invalid_argument("vertex " + std::to_string(number) + ": the model has " +
-                                std::to_string(vertices.Extent()));
+    throw std::invalid_argument(
+        fmt::format("vertex {}: the model has {}", number, vertices.Extent()));
   return TopoDS::Vertex(vertices(number));
 }
 
@@ -115,8 +109,7 @@ std::pair<TopoDS_Solid, TopoDS_Shell> homeOf(const TopoDS_Shape& shape, const To
       if (holds(shell.Current(), vertex))
         homes.emplace_back(TopoDS::Solid(solid.Current()), TopoDS::Shell(shell.Current()));
   if (homes.size() != 1)
-    throw std::domain_error("vertex " + std::to_string(number) + " is in " +
-                            std::to_string(homes.size()) + " shells of solids: one is needed");
+    throw CornerRefused(corner_why::notInOneShell(number, static_cast<int>(homes.size())));
   return homes.front();
 }
 
@@ -138,8 +131,7 @@ Turn turnAt(const Surroundings& around, const TopoDS_Face& face, const TopoDS_Ve
     if (TopExp::FirstVertex(edge, true).IsSame(vertex)) turn.leaving = edge;
   }
   if (visits != 1 || turn.leaving.IsNull())
-    throw std::domain_error(around.name(face) + " comes " + std::to_string(visits) +
-                            " times to the vertex: once is needed");
+    throw CornerRefused(corner_why::faceTwice(around.number(face), visits));
   return turn;
 }
 
@@ -169,10 +161,9 @@ class CornerReader {
   /// Walks from edge to edge around the vertex. A face lies to the left of the edge by which its
   /// boundary leaves the vertex.
   void walk() {
-    const std::size_t expected = around_.edgesAt(corner_.vertex).size();
+    const int expected = static_cast<int>(around_.edgesAt(corner_.vertex).size());
     if (expected < least_edges || expected > most_edges)
-      throw std::domain_error(std::to_string(expected) +
-                              " edges meet at the vertex: 3 to 6 are needed");
+      throw CornerRefused(corner_why::edgeCount(expected, least_edges, most_edges));
     const TopoDS_Edge first = around_.edgesAt(corner_.vertex).front();
     TopoDS_Edge edge = first;
     do {
@@ -180,18 +171,15 @@ class CornerReader {
       addEdge(edge);
       corner_.faces.push_back({face, around_.normalAt(face, corner_.vertex)});
       edge = turnAt(around_, face, corner_.vertex).arriving;
-    } while (!edge.IsSame(first) && corner_.count() <= expected);
-    if (corner_.count() != expected)
-      throw std::domain_error("the faces at the vertex are " + std::to_string(corner_.count()) +
-                              " around " + std::to_string(expected) +
-                              " edges: one fan of faces is needed");
+    } while (!edge.IsSame(first) && static_cast<int>(corner_.count()) <= expected);
+    const int found = static_cast<int>(corner_.count());
+    if (found != expected) throw CornerRefused(corner_why::notOneFan(found, expected));
   }
 
   TopoDS_Face faceLeaving(const TopoDS_Edge& edge) const {
     for (const TopoDS_Face& face : around_.facesAt(edge))
       if (turnAt(around_, face, corner_.vertex).leaving.IsSame(edge)) return face;
-    throw std::domain_error(around_.name(edge) +
-                            ": the faces beside it are turned against each other");
+    throw CornerRefused(corner_why::facesTurned(around_.number(edge)));
   }
 
   void addEdge(const TopoDS_Edge& edge) {
@@ -199,14 +187,12 @@ class CornerReader {
     added.number = around_.number(edge);
     added.edge = edge;
     added.far = otherEnd(edge, corner_.vertex);
-    if (added.far.IsSame(corner_.vertex))
-      throw std::domain_error(around_.name(edge) + " begins and ends at the vertex");
+    if (added.far.IsSame(corner_.vertex)) throw CornerRefused(corner_why::edgeIsLoop(added.number));
     const BRepAdaptor_Curve curve(edge);
     gp_Pnt point;
     gp_Vec run;
     curve.D1(BRep_Tool::Parameter(corner_.vertex, edge), point, run);
-    if (!(run.Magnitude() > 0))
-      throw std::domain_error(around_.name(edge) + " has no tangent at the vertex");
+    if (!(run.Magnitude() > 0)) throw CornerRefused(corner_why::noTangent(added.number));
     const bool leaves =
         TopExp::FirstVertex(TopoDS::Edge(edge.Oriented(TopAbs_FORWARD))).IsSame(corner_.vertex);
     added.axis = (leaves ? 1 : -1) * vector(run).normalized();
@@ -219,10 +205,7 @@ class CornerReader {
     const Vector3d &before = corner_.faces[corner_.before(i)].normal,
                    &after = corner_.faces[i].normal;
     if (before.cross(after).norm() < flat_sine)
-      throw std::domain_error(
-          around_.name(edge.edge) +
-          " is smooth: the faces beside it are in one plane at the vertex, and sharp "
-          "edges alone are rounded");
+      throw CornerRefused(corner_why::smoothEdge(edge.number));
     edge.into = {Vector3d(edge.axis.cross(before).normalized()),
                  Vector3d(after.cross(edge.axis).normalized())};
     edge.convex = edge.into[1].dot(before) < 0;
@@ -237,8 +220,8 @@ class CornerReader {
     face.angle_rad = std::atan2(sine, from.dot(to));
     if (face.angle_rad < 0) face.angle_rad += 2 * std::numbers::pi;
     if (std::abs(sine) < flat_sine)
-      throw std::domain_error(around_.name(face.face) + " has an angle of " +
-                              std::to_string(degrees(face.angle_rad)) + " degrees at the vertex");
+      throw CornerRefused(
+          corner_why::flatAngle(around_.number(face.face), face.angle_rad * degrees_per_radian));
   }
 
   bool isOfPlanesAndLines() const {
@@ -319,13 +302,6 @@ Corner turnedInsideOut(Corner corner) {
 }
 
 }  // namespace
-
-std::string lengthText(double length_mm) {
-  std::ostringstream text;
-  text.precision(4);
-  text << length_mm << " mm";
-  return text.str();
-}
 
 std::pair<Corner, bool> ofShellAlone(const Corner& corner) {
   TopExp_Explorer shells(corner.solid, TopAbs_SHELL);

@@ -9,7 +9,6 @@
 #include <TopoDS_Solid.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <array>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -65,17 +64,14 @@ struct Corner {
   std::size_t after(std::size_t i) const { return (i + 1) % count(); }
 };
 
-/// "2.5 mm".
-std::string lengthText(double length_mm);
-
 /// The same corner in a solid made of its shell alone. If the shell is the wall of a void, the
 /// solid is the filling of the void, seen from its outside.
 /// \returns the corner, and whether the shell is the wall of a void.
 std::pair<Corner, bool> ofShellAlone(const Corner& corner);
 
 /// \param vertex from 1, in the order of TopExp::MapShapes.
-/// \throws std::invalid_argument for a number that the shape does not have; std::domain_error, with
-/// numbers, for a corner that cornerFillet() does not support.
+/// \throws std::invalid_argument for a number that the shape does not have; CornerRefused for a
+/// corner that cornerFillet() does not support.
 Corner cornerOf(const TopoDS_Shape& shape, int vertex);
 
 }  // namespace seamwright::occ

@@ -16,11 +16,10 @@
 #include <cmath>
 #include <numbers>
 #include <random>
-#include <stdexcept>
-#include <string>
 
 #include <seamwright/occ_adapter/convert/points.hpp>
 #include <seamwright/occ_adapter/fill/corner_ball.hpp>
+#include <seamwright/occ_adapter/fill/corner_reasons.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
 
 namespace seamwright::occ {
@@ -81,17 +80,17 @@ class OutsideRounder {
 
   RoundedOutside run() {
     TopExp_Explorer solid(cut_.Shape(), TopAbs_SOLID);
-    if (!cut_.IsDone() || !solid.More()) fail("OpenCASCADE can't take it away");
+    if (!cut_.IsDone() || !solid.More()) throw CornerRefused(corner_why::ballStays(ball_mm_));
     BRepFilletAPI_MakeFillet fillets(solid.Current());
     // A tenth of the default tolerances, because the patches of the corner must meet the bands.
     fillets.SetParams(1e-3, 1e-5, 1e-6, 1e-5, 1e-6, 1e-4);
     solid.Next();
-    if (solid.More()) fail("the solid falls apart without it");
+    if (solid.More()) throw CornerRefused(corner_why::ballDividesSolid(ball_mm_));
     for (std::size_t i = 0; i < corner_.count(); ++i) add(i, fillets);
     fillets.Build();
-    if (!fillets.IsDone()) fail("OpenCASCADE rounds no edges outside of it");
+    if (!fillets.IsDone()) throw CornerRefused(corner_why::notRounded(ball_mm_));
     TopExp_Explorer rounded(fillets.Shape(), TopAbs_SOLID);
-    if (!rounded.More()) fail("OpenCASCADE's fillets leave no solid");
+    if (!rounded.More()) throw CornerRefused(corner_why::noSolid(ball_mm_));
     result_.solid = rounded.Current();
     follow(fillets);
     readBall(fillets);
@@ -102,19 +101,17 @@ class OutsideRounder {
   /// Edges of the ball, each with the face on its other side.
   using Rim = std::vector<std::pair<TopoDS_Edge, TopoDS_Face>>;
 
-  [[noreturn]] void fail(const std::string& why) const {
-    throw std::domain_error("a ball of " + lengthText(ball_mm_) + " about the vertex: " + why);
-  }
-  [[noreturn]] void failAtEdge(std::size_t i, const std::string& why) const {
-    const std::size_t cause = static_cast<std::size_t>(
+  /// The edge, and the one whose contact lines ask for so large a ball: the edge itself if none is
+  /// wider but for rounding.
+  corner_why::EdgeOutside outside(std::size_t i) const {
+    const std::size_t widest = static_cast<std::size_t>(
         std::ranges::max_element(strips_, {}, &CornerStrip::contact_mm) - strips_.begin());
-    const std::string edge = "edge " + std::to_string(corner_.edges[i].number);
-    const bool own = strips_[cause].contact_mm <= (1 + 1e-9) * strips_[i].contact_mm;
-    throw std::domain_error(
-        (own ? edge + ", radius " + lengthText(strips_[i].radius_mm)
-             : "edge " + std::to_string(corner_.edges[cause].number) + ", radius " +
-                   lengthText(strips_[cause].radius_mm) + ": " + edge) +
-        ", outside a ball of " + lengthText(ball_mm_) + " about the vertex: " + why);
+    const bool own = strips_[widest].contact_mm <= (1 + 1e-9) * strips_[i].contact_mm;
+    const std::size_t cause = own ? i : widest;
+    return {.edge = corner_.edges[i].number,
+            .cause = corner_.edges[cause].number,
+            .cause_radius_mm = strips_[cause].radius_mm,
+            .ball_mm = ball_mm_};
   }
 
   TopoDS_Shape directEdge(const TopoDS_Edge& edge) const {
@@ -124,14 +121,11 @@ class OutsideRounder {
   void add(std::size_t i, BRepFilletAPI_MakeFillet& fillets) {
     const TopTools_ListOfShape& parts = cut_.Modified(directEdge(corner_.edges[i].edge));
     if (parts.Extent() != 1)
-      failAtEdge(i, std::to_string(parts.Extent()) + " parts of it are left, not one");
+      throw CornerRefused(corner_why::edgeInParts(outside(i), parts.Extent()));
     const TopoDS_Edge edge = TopoDS::Edge(parts.First());
-    if (fillets.Contour(edge) > 0)
-      failAtEdge(
-          i,
-          "it continues another edge of the corner smoothly, they can't have fillets of their own");
+    if (fillets.Contour(edge) > 0) throw CornerRefused(corner_why::edgeContinues(outside(i)));
     fillets.Add(strips_[i].radius_mm, edge);
-    if (fillets.Contour(edge) == 0) failAtEdge(i, "OpenCASCADE has no fillet for it");
+    if (fillets.Contour(edge) == 0) throw CornerRefused(corner_why::edgeHasNoFillet(outside(i)));
     edges_.push_back(edge);
   }
 
@@ -167,7 +161,7 @@ class OutsideRounder {
             result_.caps.push_back(TopoDS::Face(faces_(faces_.FindIndex(cap))));
       }
     }
-    if (result_.caps.empty()) fail("nothing of it is left in the fillets of OpenCASCADE");
+    if (result_.caps.empty()) throw CornerRefused(corner_why::ballIsGone(ball_mm_));
   }
 
   void readBall(BRepFilletAPI_MakeFillet& fillets) {
@@ -199,13 +193,12 @@ class OutsideRounder {
         return now != result_.became.end() && face.IsSame(now->second);
       }));
       if (result_.band_ends[i].empty() || result_.arcs[i].empty())
-        failAtEdge(i, "its fillet, or the face after it, does not come to the ball");
+        throw CornerRefused(corner_why::filletMissesBall(outside(i)));
       told += result_.band_ends[i].size() + result_.arcs[i].size();
       result_.bands.push_back(faceBeyond(rim, result_.band_ends[i]));
     }
     if (told != rim.size())
-      fail("its rim has " + std::to_string(rim.size()) + " edges, only " + std::to_string(told) +
-           " of them on fillets and faces of the corner");
+      throw CornerRefused(corner_why::ballNotSurrounded(ball_mm_, rim.size(), told));
   }
 
   /// The only face on the other side of these edges of the ball.
@@ -215,7 +208,8 @@ class OutsideRounder {
       const TopoDS_Edge& here = edge;
       if (std::ranges::none_of(edges, [&here](const TopoDS_Edge& own) { return own.IsSame(here); }))
         continue;
-      if (!found.IsNull() && !found.IsSame(face)) fail("a fillet comes to it in several faces");
+      if (!found.IsNull() && !found.IsSame(face))
+        throw CornerRefused(corner_why::filletInSeveralFaces(ball_mm_));
       found = face;
     }
     return found;
@@ -245,15 +239,13 @@ RoundedOutside roundedOutside(const Corner& corner, const std::vector<CornerStri
     // converted ones. So the given solid is tried first, then the converted one.
     try {
       return OutsideRounder(corner, strips, ball_mm, corner.solid).run();
-    } catch (const std::domain_error&) {
+    } catch (const CornerRefused&) {
       const TopoDS_Shape turned = ShapeCustom::DirectFaces(corner.solid);
       if (turned.IsSame(corner.solid)) throw;
       return OutsideRounder(corner, strips, ball_mm, turned).run();
     }
   } catch (const Standard_Failure& failure) {
-    throw std::domain_error("a ball of " + lengthText(ball_mm) +
-                            " about the vertex: OpenCASCADE stops at " +
-                            failure.DynamicType()->Name() + " " + failure.GetMessageString());
+    throw CornerRefused(corner_why::ballFailed(ball_mm, failure));
   }
 }
 

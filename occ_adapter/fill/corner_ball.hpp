@@ -27,7 +27,7 @@ struct RoundedOutside {
 
 /// Removes the ball and rounds what is left of the corner's edges, which do not obstruct each other
 /// there.
-/// \throws std::domain_error if OpenCASCADE fails, or does not make a band from face to face along
+/// \throws CornerRefused if OpenCASCADE fails, or does not make a band from face to face along
 /// each edge.
 RoundedOutside roundedOutside(const Corner& corner, const std::vector<CornerStrip>& strips,
                               double ball_mm);

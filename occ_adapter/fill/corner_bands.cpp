@@ -16,7 +16,6 @@
 #include <cmath>
 #include <optional>
 #include <set>
-#include <stdexcept>
 #include <string>
 
 #include <seamwright/core/linear/dense.hpp>
@@ -24,6 +23,7 @@
 #include <seamwright/occ_adapter/fill/band_sections.hpp>
 #include <seamwright/occ_adapter/fill/corner_ball.hpp>
 #include <seamwright/occ_adapter/fill/corner_bands.hpp>
+#include <seamwright/occ_adapter/fill/corner_reasons.hpp>
 #include <seamwright/occ_adapter/fill/fill_names.hpp>
 #include <seamwright/occ_adapter/fill/path_on_face.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
@@ -131,10 +131,9 @@ class BandTrimmer {
     const Vector3d leaving = from.inward(leave), arriving = -to.inward(arrive);
     const std::array<double, 2> legs = legsOf(a, leaving, b, arriving);
     if (!(legs[0] > 0 && legs[1] > 0))
-      throw std::domain_error(sections_.name(i) + " and " + sections_.name(next) +
-                              ": their fillets cross before their sections, set back by " +
-                              lengthText(strips_[i].setback_mm) + " and " +
-                              lengthText(strips_[next].setback_mm));
+      throw CornerRefused(
+          corner_why::filletsCross({sections_.number(i), sections_.number(next)},
+                                   {strips_[i].setback_mm, strips_[next].setback_mm}));
     const BezierCurve curve(springCurve(a, leaving, b, arriving, legs));
     TopoDS_Edge made;
     builder_.MakeEdge(made);
@@ -144,8 +143,7 @@ class BandTrimmer {
     builder_.Add(made, sections_.section(next).vertices[0].Oriented(TopAbs_REVERSED));
     builder_.Range(made, 0, 1);
     if (!BRepLib::BuildCurve3d(made, Precision::Confusion()))
-      throw std::domain_error(sections_.name(i) +
-                              ": OpenCASCADE makes no curve on the face after it");
+      throw CornerRefused(corner_why::noSpringCurve(sections_.number(i)));
     replace(rounded_.arcs[i], sections_.nearVertex(i, true), made, true);
   }
 
@@ -193,13 +191,11 @@ Hole holeBesideBands(const Model& holed, std::size_t edges, const TopoDS_Face& f
         hole.sides, [first](const HoleSide& side) { return side.edges.front().use.face == first; });
     if (begin == hole.sides.end()) continue;
     if (hole.sides.size() != 2 * edges)
-      throw std::domain_error("the hole between the fillets has " +
-                              std::to_string(hole.sides.size()) +
-                              " sides: " + std::to_string(2 * edges) + " are needed");
+      throw CornerRefused(corner_why::holeSides(hole.sides.size(), 2 * edges));
     std::rotate(hole.sides.begin(), begin, hole.sides.end());
     return hole;
   }
-  throw std::domain_error("no hole is left between the fillets");
+  throw CornerRefused(corner_why::noHole());
 }
 
 /// The fill, with patches if no spline was needed.
@@ -263,8 +259,8 @@ void requireRoom(const Corner& corner, const std::vector<CornerStrip>& strips,
     if (const double length_mm =
             GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(corner.edges[i].edge));
         !(strips[i].setback_mm < length_mm))
-      throw std::domain_error(setBackText(corner, strips, options, i, length_mm) +
-                              " would begin beyond its end");
+      throw CornerRefused(
+          corner_why::setBackBeyondEnd(setBackFillet(corner, strips, options, i, length_mm)));
 }
 
 /// Names of the faces of the holed model in reasons.
@@ -341,8 +337,7 @@ Made tried(const Corner& corner, std::vector<CornerStrip> strips,
   const FillHoleReport report =
       fillHole(holed, holeBesideBands(holed, corner.count(), first_band, how), how,
                namesOf(corner, rounded, trimmer, holed), progress);
-  if (!report.filled)
-    throw std::domain_error("the corner between the fillets: " + textOf(report.reason));
+  if (!report.filled) throw CornerRefused(corner_why::notFilled(textOf(report.reason)));
 
   Made made{{shellOf(report, corner), {}, fillOf(report), 0}, report.reached};
   for (const FilledSide& side : report.sides)
@@ -366,7 +361,7 @@ BandedCorner bandedCorner(const Corner& given, const CornerFilletOptions& option
   // obstruct each other.
   constexpr std::array<Attempt, 5> attempts = {{{1.1, 9}, {1.1, 5}, {1.3, 9}, {1.3, 5}, {1.6, 5}}};
   std::optional<Made> best;
-  std::string reason;
+  CornerReason first_reason;
   for (std::size_t k = 0; k < attempts.size(); ++k) {
     const double share = 1.0 / static_cast<double>(attempts.size());
     const Progress part =
@@ -375,11 +370,11 @@ BandedCorner bandedCorner(const Corner& given, const CornerFilletOptions& option
       Made made = tried(corner, strips, options, attempts[k], part);
       if (!best || made.rank() > best->rank()) best = std::move(made);
       if (best->corner.fill.regular && best->reached) break;
-    } catch (const std::domain_error& error) {
-      if (reason.empty()) reason = error.what();
+    } catch (const CornerRefused& refused) {
+      if (first_reason.empty()) first_reason = refused.reason();
     }
   }
-  if (!best) throw std::domain_error(reason);
+  if (!best) throw CornerRefused(first_reason);
   return alone.second ? turnedBack(std::move(best->corner)) : std::move(best->corner);
 }
 

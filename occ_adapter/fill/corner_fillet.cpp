@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
 #include <BRepCheck_Analyzer.hxx>
 #include <TopExp.hxx>
 #include <TopTools_DataMapOfShapeInteger.hxx>
@@ -14,6 +16,7 @@
 #include <seamwright/occ_adapter/fill/clearance.hpp>
 #include <seamwright/occ_adapter/fill/corner_bands.hpp>
 #include <seamwright/occ_adapter/fill/corner_fillet.hpp>
+#include <seamwright/occ_adapter/fill/corner_reasons.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
 #include <seamwright/occ_adapter/model/usable.hpp>
 #include <seamwright/occ_adapter/topology/sewn_shape.hpp>
@@ -27,16 +30,16 @@ constexpr double least_section_mm = 1e-9, most_section_mm = 0.1;
 void requirePositive(const std::map<int, double>& lengths, const char* what) {
   for (const auto& [edge, length] : lengths)
     if (!(length > 0) || !std::isfinite(length))
-      throw std::invalid_argument(std::string(what) + " of edge " + std::to_string(edge) + " is " +
-                                  lengthText(length) + ": a finite one above 0 is needed");
+      throw std::invalid_argument(fmt::format("{} of edge {} is {}: a finite one above 0 is needed",
+                                              what, edge, corner_why::lengthText(length)));
 }
 
 void requireNotNegative(const std::map<int, double>& lengths, const char* what) {
   for (const auto& [edge, length] : lengths)
     if (!(length >= 0) || !std::isfinite(length))
-      throw std::invalid_argument(std::string(what) + " of edge " + std::to_string(edge) + " is " +
-                                  lengthText(length) +
-                                  ": a finite one above 0 is needed, or 0: chosen");
+      throw std::invalid_argument(
+          fmt::format("{} of edge {} is {}: a finite one above 0 is needed, or 0: chosen", what,
+                      edge, corner_why::lengthText(length)));
 }
 
 /// The fill with the linear spoke law if that is regular without scaled spokes, because it is
@@ -45,6 +48,15 @@ NSidedFill fairestFill(const std::vector<FillSide>& sides) {
   NSidedFill linear = nSidedFill(sides, {SpokeLaw::Linear});
   if (linear.regular && !linear.spoke_scale) return linear;
   return nSidedFill(sides, {SpokeLaw::Quadratic});
+}
+
+/// \throws CornerRefused if the construction refuses the sides.
+NSidedFill requiredFill(const std::vector<FillSide>& sides) {
+  try {
+    return fairestFill(sides);
+  } catch (const std::domain_error& refused) {
+    throw CornerRefused(corner_why::constructionRefused(refused.what()));
+  }
 }
 
 AnalyzeOptions analyzeOptions(const CornerFilletOptions& options) {
@@ -108,7 +120,7 @@ std::vector<CornerFilletEdge> described(const Corner& corner, const CornerHole& 
 /// sections.
 BandedCorner polyhedralCorner(const Corner& corner, const CornerFilletOptions& options) {
   const CornerHole hole = cornerHole(corner, options);
-  NSidedFill fill = fairestFill(hole.sides);
+  NSidedFill fill = requiredFill(hole.sides);
   CornerShell shell = cornerShell(corner, hole, fill);
   return {std::move(shell), described(corner, hole), std::move(fill), hole.section_error_mm};
 }
@@ -134,41 +146,32 @@ std::set<int> freshFaces(const TopoDS_Shape& shape, const Corner& corner, const 
   return fresh;
 }
 
-/// The name of a face of the new shape for the user: "face 3", with the number in the given shape.
-std::string nameOf(int face, const TopoDS_Shape& shape, const Corner& corner,
-                   const CornerShell& made) {
+/// The number that a face of the new shape has in the given one; 0 for a new face.
+int givenNumber(int face, const TopoDS_Shape& shape, const Corner& corner,
+                const CornerShell& made) {
   const TopoDS_Shape is = partsOf(shape, TopAbs_FACE)(face);
   for (int f = 1; f <= corner.given_faces.Extent(); ++f) {
     const TopoDS_Shape& was = corner.given_faces(f);
-    if ((made.became.IsBound(was) ? made.became.Find(was) : was).IsSame(is)) return numberedFace(f);
+    if ((made.became.IsBound(was) ? made.became.Find(was) : was).IsSame(is)) return f;
   }
-  return "a new face";
-}
-
-/// The kinds of faces that meet at a new seam. Faces outside of the corner are named by their
-/// numbers in the given shape.
-std::string betweenText(const CornerSeam& seam, const CornerFillet& result, const Corner& corner,
-                        const CornerShell& made) {
-  if (seam.kind == CornerSeamKind::Spoke) return "two patches";
-  if (seam.kind == CornerSeamKind::Section) return "a patch and a fillet";
-  std::string face = nameOf(seam.result.faces[0], result.model.shape, corner, made);
-  if (face == "a new face") face = nameOf(seam.result.faces[1], result.model.shape, corner, made);
-  return (seam.kind == CornerSeamKind::Spring ? "a patch and " : "a fillet and ") + face;
+  return 0;
 }
 
 /// Why the result is not a valid rounded corner; empty if it is one.
-std::string shortfallOf(const CornerFillet& result, const Corner& corner, const CornerShell& made) {
-  if (!result.valid)
-    return "the new shell fails OpenCASCADE's checks: the fillets may overlap something";
-  if (!result.fill.regular) return "the patches are not proved regular: other setbacks may help";
-  const std::set<int> fresh = freshFaces(result.model.shape, corner, made);
-  if (const auto touching = touchingFaces(result.model.shape, fresh))
-    return "a new face runs into " + nameOf(touching->second, result.model.shape, corner, made) +
-           ": smaller radii may help";
-  for (const CornerSeam& seam : result.seams)
-    if (seam.result.verdict.level < Level::G1)
-      return "a seam between " + betweenText(seam, result, corner, made) + ": " +
-             figuresText(seam.result);
+CornerReason shortfallOf(const CornerFillet& result, const Corner& corner,
+                         const CornerShell& made) {
+  const TopoDS_Shape& shape = result.model.shape;
+  if (!result.valid) return corner_why::checksFail();
+  if (!result.fill.regular) return corner_why::mayFold();
+  if (const auto touching = touchingFaces(shape, freshFaces(shape, corner, made)))
+    return corner_why::runsIntoFace(givenNumber(touching->second, shape, corner, made));
+  for (const CornerSeam& seam : result.seams) {
+    if (seam.result.verdict.level >= Level::G1) continue;
+    int face = 0;
+    for (const int side : seam.result.faces)
+      if (face == 0) face = givenNumber(side, shape, corner, made);
+    return corner_why::missesTarget(seam.kind, face, figuresText(seam.result));
+  }
   return {};
 }
 
@@ -184,11 +187,10 @@ void CornerFilletOptions::validate() const {
   requirePositive(radii_mm, "radius");
   requireNotNegative(setbacks_mm, "setback");
   if (!(section_mm >= least_section_mm && section_mm <= most_section_mm))
-    throw std::invalid_argument("section_mm is " + lengthText(section_mm) +
-                                ": 1e-9 to 0.1 is needed");
+    throw std::invalid_argument(
+        fmt::format("section_mm is {}: 1e-9 to 0.1 is needed", corner_why::lengthText(section_mm)));
   tolerance.validate();
-  if (jobs < 0)
-    throw std::invalid_argument("jobs is " + std::to_string(jobs) + ": 0 or more is needed");
+  if (jobs < 0) throw std::invalid_argument(fmt::format("jobs is {}: 0 or more is needed", jobs));
 }
 
 double CornerFillet::largestGap_mm() const {

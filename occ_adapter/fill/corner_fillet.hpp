@@ -3,11 +3,11 @@
 
 #include <map>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include <seamwright/core/fill/n_sided_fill.hpp>
 #include <seamwright/occ_adapter/analyze/report.hpp>
+#include <seamwright/occ_adapter/fill/corner_reason.hpp>
 #include <seamwright/occ_adapter/model/model.hpp>
 #include <seamwright/occ_adapter/progress.hpp>
 
@@ -67,9 +67,9 @@ struct CornerFillet {
   double section_error_mm = 0;
   std::vector<CornerSeam> seams;  ///< new seams, by edge number
   bool valid = false;             ///< OpenCASCADE's checks of the new shell pass
-  /// What fails, with numbers; empty if the shell is valid, the patches are proved regular, and the
-  /// new seams meet the tolerance with G1.
-  std::string shortfall;
+  /// What fails; empty if the shell is valid, the patches are proved regular, and the new seams
+  /// meet the tolerance with G1.
+  CornerReason shortfall;
 
   bool met() const { return shortfall.empty(); }
   /// The largest upper bounds of the new seams; infinite if a seam has none.
@@ -105,7 +105,7 @@ std::vector<int> cornerEdges(const Model& model, int vertex);
 /// \param vertex from 1, in the order of TopExp::MapShapes.
 /// \throws std::invalid_argument for invalid options, for a vertex that the model does not have,
 /// for an edge at the vertex without a radius, and for radii and setbacks of other edges;
-/// std::domain_error, with numbers, for corners that are not supported, setbacks that leave no room
+/// CornerRefused for corners that are not supported, setbacks that leave no room
 /// for spring curves, fillets that reach beyond their faces or that OpenCASCADE does not make, and
 /// openings too sharp for section_mm; ModelError (Malformed) for a model with numbers that are not
 /// finite, or 1e100 and more; Cancelled.

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
@@ -9,6 +11,7 @@
 
 #include <seamwright/core/angle.hpp>
 #include <seamwright/occ_adapter/fill/corner_hole.hpp>
+#include <seamwright/occ_adapter/fill/corner_reasons.hpp>
 
 namespace seamwright::occ {
 
@@ -41,11 +44,9 @@ UnitArc sectionArc(const CornerEdge& edge, const CornerStrip& strip, double sect
     arc = unitArc(strip.sweep_rad, degree);
     if (arc.error * strip.radius_mm <= section_mm) return arc;
   }
-  throw std::domain_error("edge " + std::to_string(edge.number) + ": a section of radius " +
-                          lengthText(strip.radius_mm) + " over " +
-                          std::to_string(strip.sweep_rad * degrees_per_radian) +
-                          " degrees is met to " + lengthText(arc.error * strip.radius_mm) +
-                          ", not to " + lengthText(section_mm));
+  throw CornerRefused(corner_why::sectionMisses(edge.number, strip.radius_mm,
+                                                strip.sweep_rad * degrees_per_radian,
+                                                arc.error * strip.radius_mm, section_mm));
 }
 
 /// Distances along two edges of a face, from the corner to the feet of the intersection of the
@@ -82,8 +83,8 @@ class Roller {
     for (const CornerEdge& edge : corner_.edges) {
       const auto radius = options_.radii_mm.find(edge.number);
       if (radius == options_.radii_mm.end())
-        throw std::invalid_argument("edge " + std::to_string(edge.number) +
-                                    " is at the vertex and has no radius");
+        throw std::invalid_argument(
+            fmt::format("edge {} is at the vertex and has no radius", edge.number));
       CornerStrip& strip = strips_.emplace_back();
       strip.radius_mm = radius->second;
       strip.contact_mm = strip.radius_mm / std::tan(edge.opening_rad / 2);
@@ -98,8 +99,8 @@ class Roller {
       const int asked = number;
       if (std::none_of(corner_.edges.begin(), corner_.edges.end(),
                        [asked](const CornerEdge& edge) { return edge.number == asked; }))
-        throw std::invalid_argument("edge " + std::to_string(number) + " has " + what + " of " +
-                                    lengthText(value) + " and is not at the vertex");
+        throw std::invalid_argument(fmt::format("edge {} has {} of {} and is not at the vertex",
+                                                number, what, corner_why::lengthText(value)));
     }
   }
 
@@ -119,10 +120,8 @@ class Roller {
       strips_[i].setback_mm =
           options_.setback_mm(corner_.edges[i].number).value_or(least + mean / 2);
       if (!(strips_[i].setback_mm > least * (1 + 1e-6)))
-        throw std::domain_error("edge " + std::to_string(corner_.edges[i].number) +
-                                ": a setback of " + lengthText(strips_[i].setback_mm) +
-                                " leaves no room for spring curves: more than " +
-                                lengthText(least) + " is needed");
+        throw CornerRefused(
+            corner_why::setbackTooSmall(corner_.edges[i].number, strips_[i].setback_mm, least));
     }
   }
 
@@ -160,8 +159,8 @@ class HoleBuilder {
       const double length =
           edge.end_normal.dot(far - strip.contacts[side]) / edge.end_normal.dot(edge.axis);
       if (!(length > 1e-3 * edge.length_mm))
-        throw std::domain_error(setBackText(corner_, hole_.strips, options_, i, edge.length_mm) +
-                                " would be " + lengthText(length) + " long on one side");
+        throw CornerRefused(corner_why::setBackTooFar(
+            setBackFillet(corner_, hole_.strips, options_, i, edge.length_mm), length));
       strip.far_contacts[side] = strip.contacts[side] + length * edge.axis;
     }
   }
@@ -252,18 +251,17 @@ Poles springCurve(const Vector3d& from, const Vector3d& leaving, const Vector3d&
   return poles;
 }
 
-std::string setBackText(const Corner& corner, const std::vector<CornerStrip>& strips,
-                        const CornerFilletOptions& options, std::size_t i, double length_mm) {
-  const CornerEdge& edge = corner.edges[i];
-  const std::string name = "edge " + std::to_string(edge.number),
-                    size = ", " + lengthText(length_mm) + " long",
-                    place = " set back by " + lengthText(strips[i].setback_mm);
-  const std::size_t cause = options.setback_mm(edge.number) ? i : widest(corner, strips, i);
-  if (cause == i)
-    return name + size + ": a fillet of radius " + lengthText(strips[i].radius_mm) + place;
-  return "edge " + std::to_string(corner.edges[cause].number) + ": with a radius of " +
-         lengthText(strips[cause].radius_mm) + " there, the fillet of " + name + size + "," +
-         place + ",";
+corner_why::SetBackFillet setBackFillet(const Corner& corner,
+                                        const std::vector<CornerStrip>& strips,
+                                        const CornerFilletOptions& options, std::size_t i,
+                                        double length_mm) {
+  const int edge = corner.edges[i].number;
+  const std::size_t cause = options.setback_mm(edge) ? i : widest(corner, strips, i);
+  return {.edge = edge,
+          .edge_mm = length_mm,
+          .setback_mm = strips[i].setback_mm,
+          .cause = corner.edges[cause].number,
+          .cause_radius_mm = strips[cause].radius_mm};
 }
 
 CornerHole cornerHole(const Corner& corner, const CornerFilletOptions& options) {

@@ -8,6 +8,7 @@
 #include <seamwright/core/fill/n_sided_fill.hpp>
 #include <seamwright/occ_adapter/fill/corner.hpp>
 #include <seamwright/occ_adapter/fill/corner_fillet.hpp>
+#include <seamwright/occ_adapter/fill/corner_reasons.hpp>
 
 /// Makes the boundary curves of a set-back corner. Not a public header.
 namespace seamwright::occ {
@@ -40,11 +41,13 @@ std::vector<CornerStrip> cornerStrips(const Corner& corner, const CornerFilletOp
 std::array<double, 2> crossingIn(const Corner& corner, const std::vector<CornerStrip>& strips,
                                  std::size_t i);
 
-/// The begin of a sentence that explains why a fillet has no room. It names first the edge whose
-/// radius or setback is the cause; the caller completes the sentence with the consequence.
+/// The fillet of edge i for reasons why it has no room. Its cause is the edge itself if its setback
+/// is given, else the edge, of it and its neighbours, whose contact lines are furthest away.
 /// \param length_mm of edge i.
-std::string setBackText(const Corner& corner, const std::vector<CornerStrip>& strips,
-                        const CornerFilletOptions& options, std::size_t i, double length_mm);
+corner_why::SetBackFillet setBackFillet(const Corner& corner,
+                                        const std::vector<CornerStrip>& strips,
+                                        const CornerFilletOptions& options, std::size_t i,
+                                        double length_mm);
 
 /// A cubic from one point to another with these unit tangents. It is close to a circular arc if the
 /// tangents are symmetric. Its inner poles lie before the intersection of the tangents.

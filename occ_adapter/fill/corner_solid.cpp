@@ -16,10 +16,9 @@
 #include <map>
 #include <numbers>
 #include <optional>
-#include <stdexcept>
-#include <string>
 
 #include <seamwright/occ_adapter/convert/bezier_surface.hpp>
+#include <seamwright/occ_adapter/fill/corner_reasons.hpp>
 #include <seamwright/occ_adapter/fill/corner_solid.hpp>
 #include <seamwright/occ_adapter/fill/corner_tubes.hpp>
 
@@ -159,10 +158,8 @@ class FaceRenewal {
       const double spare = run.normalized().dot(pointAt(from) - pointAt(ends[0]));
       if (!(left > 1e-3 * run.norm()) || spare < -maker_.tolerance_mm() ||
           spare + left > run.norm() + maker_.tolerance_mm())
-        throw std::domain_error(
-            "edge " + std::to_string(corner_.given_edges.FindIndex(old)) + ", " +
-            lengthText(run.norm()) + " long, at a far end would be cut from " + lengthText(spare) +
-            " to " + lengthText(spare + left) + " by the fillets: smaller radii may help");
+        throw CornerRefused(corner_why::farEdgeCut(corner_.given_edges.FindIndex(old), run.norm(),
+                                                   spare, spare + left));
       made = trimmed_.emplace(number, maker_.line(from, to)).first;
     }
     return TopoDS::Edge(made->second.Oriented(old.Orientation()));

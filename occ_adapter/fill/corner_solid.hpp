@@ -16,7 +16,7 @@ struct CornerShell {
   std::vector<std::pair<TopoDS_Edge, CornerSeamKind>> seams;
 };
 
-/// \throws std::domain_error, with numbers, for fillets that reach beyond an edge at a far end or
+/// \throws CornerRefused for fillets that reach beyond an edge at a far end or
 /// into their own sections.
 CornerShell cornerShell(const Corner& corner, const CornerHole& hole, const NSidedFill& fill);
 

@@ -12,10 +12,9 @@
 #include <cmath>
 #include <gp_Ax3.hxx>
 #include <numbers>
-#include <stdexcept>
-#include <string>
 
 #include <seamwright/occ_adapter/convert/points.hpp>
+#include <seamwright/occ_adapter/fill/corner_reasons.hpp>
 #include <seamwright/occ_adapter/fill/corner_tubes.hpp>
 
 namespace seamwright::occ {
@@ -66,10 +65,7 @@ void requireBeyondSection(const CornerEdge& edge, const CornerStrip& strip, cons
   const double lowest_u = cut.highest_u + pi;  // in [0, 2 pi], like the arc
   const double lowest = cut.height - cut.swing;
   if (lowest_u > first && lowest_u < last && !(lowest > 0))
-    throw std::domain_error("edge " + std::to_string(edge.number) +
-                            ": the plane at its far end cuts the cylinder of radius " +
-                            lengthText(strip.radius_mm) + " from " + lengthText(lowest) +
-                            " beyond the section on: more than 0 is needed");
+    throw CornerRefused(corner_why::farEndCut(edge.number, strip.radius_mm, lowest));
 }
 
 /// The polynomial pcurve of v = height + swing cos(t) over u = t + highest_u, with an error of at

@@ -24,7 +24,7 @@ struct CornerTube {
 };
 
 /// The cylinder of one edge. Its face has no wire yet.
-/// \throws std::domain_error if the plane at its far end cuts it before the section.
+/// \throws CornerRefused if the plane at its far end cuts it before the section.
 CornerTube cornerTube(const CornerEdge& edge, const CornerStrip& strip, const EdgeMaker& maker);
 
 }  // namespace seamwright::occ

@@ -9,10 +9,10 @@
 #include <TColStd_HArray1OfReal.hxx>
 #include <TColgp_HArray1OfPnt2d.hxx>
 #include <cmath>
-#include <stdexcept>
 
 #include <seamwright/core/linear/dense.hpp>
 #include <seamwright/occ_adapter/convert/points.hpp>
+#include <seamwright/occ_adapter/fill/corner_reasons.hpp>
 #include <seamwright/occ_adapter/fill/path_on_face.hpp>
 
 namespace seamwright::occ {
@@ -46,11 +46,11 @@ handle<Geom2d_Curve> pathOnFace(const TopoDS_Face& face, const BezierCurve& curv
   const BRepAdaptor_Surface surface(face, false);
   ShapeAnalysis_Surface nearest(BRep_Tool::Surface(face));
   const handle<TColgp_HArray1OfPnt2d> path = new TColgp_HArray1OfPnt2d(1, count);
-  const handle<TColStd_HArray1OfReal> places = new TColStd_HArray1OfReal(1, count);
+  const handle<TColStd_HArray1OfReal> parameters = new TColStd_HArray1OfReal(1, count);
   path->SetValue(1, from);
-  for (int k = 0; k < count; ++k) places->SetValue(k + 1, static_cast<double>(k) / (count - 1));
+  for (int k = 0; k < count; ++k) parameters->SetValue(k + 1, static_cast<double>(k) / (count - 1));
   for (int k = 1; k + 1 < count; ++k) {
-    const Vector3d p = curve.point(places->Value(k + 1));
+    const Vector3d p = curve.point(parameters->Value(k + 1));
     const gp_Pnt2d before = path->Value(k);
     const gp_Pnt2d at = nearest.NextValueOfUV(before, gp_Pnt(p.x(), p.y(), p.z()), 1e-9);
     path->SetValue(k + 1,
@@ -58,12 +58,11 @@ handle<Geom2d_Curve> pathOnFace(const TopoDS_Face& face, const BezierCurve& curv
                     beside(at.Y(), before.Y(), surface.IsVPeriodic() ? surface.VPeriod() : 0)});
   }
   path->SetValue(count, to);
-  Geom2dAPI_Interpolate fit(path, places, false, Precision::PConfusion());
+  Geom2dAPI_Interpolate fit(path, parameters, false, Precision::PConfusion());
   fit.Load(tangentIn(surface, from, curve.jet(0).d1), tangentIn(surface, to, curve.jet(1).d1),
            false);
   fit.Perform();
-  if (!fit.IsDone())
-    throw std::domain_error("OpenCASCADE finds no path on a face between two fillets");
+  if (!fit.IsDone()) throw CornerRefused(corner_why::noPath());
   return handle<Geom2d_Curve>(fit.Curve());
 }
 

@@ -12,7 +12,7 @@ namespace seamwright::occ {
 
 /// The pcurve of the curve projected onto the face, from one point of the parameter plane to
 /// another, with the curve's tangents at its ends.
-/// \throws std::domain_error if OpenCASCADE finds none.
+/// \throws CornerRefused if OpenCASCADE finds none.
 opencascade::handle<Geom2d_Curve> pathOnFace(const TopoDS_Face& face, const BezierCurve& curve,
                                              const gp_Pnt2d& from, const gp_Pnt2d& to);
 

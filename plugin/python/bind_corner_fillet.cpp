@@ -43,13 +43,16 @@ std::map<int, double> lengths(const char* name, const py::object& value,
 }
 
 /// Reports corners that are not supported, and radii and setbacks without room, as bad arguments in
-/// Python.
+/// Python. The ValueError has the attribute reason_code.
 template <class Work>
 auto valueErrors(const Work& work) {
   try {
     return work();
-  } catch (const std::domain_error& error) {
-    throw py::value_error(error.what());
+  } catch (const occ::CornerRefused& refused) {
+    const py::object error = py::handle(PyExc_ValueError)(refused.what());
+    error.attr("reason_code") = occ::codeOf(refused.reason().fault);
+    PyErr_SetObject(PyExc_ValueError, error.ptr());
+    throw py::error_already_set();
   }
 }
 
@@ -102,7 +105,7 @@ py::object writeRounded(const CornerFilletResult& result, const py::object& path
                         const py::object& keep_anyway, const py::object& progress) {
   if (!result.fillet.met() && !flagOf("keep_anyway", keep_anyway))
     throw py::value_error("the corner falls short and is not written without keep_anyway=True: " +
-                          result.fillet.shortfall);
+                          result.fillet.shortfall.text);
   const report::Judge judge = report::judgeOf(result.fillet, result.options);
   const report::ModelCounts memory = [&] {
     const py::gil_scoped_release release;
@@ -126,8 +129,8 @@ profile, gap_mm, angle_deg: what the new seams must meet, as in analyze().
 
 Returns a CornerFillet; the model is not changed. It has a model also where met is False, which
 write() writes with keep_anyway alone. Supported are 3 to 6 edges, convex or concave, of a solid,
-between planes or curved faces that are not tangent to each other. ValueError, with numbers, for
-others, and where there is no room.)";
+between planes or curved faces that are not tangent to each other. ValueError, with numbers and a
+reason_code, for others, and where there is no room.)";
 
 void bindCornerResult(py::module_& module) {
   const std::string write_corner_doc =
@@ -142,8 +145,15 @@ void bindCornerResult(py::module_& module) {
           "met", [](const CornerFilletResult& result) { return result.fillet.met(); },
           "The solid is valid, the patches are regular, the new seams meet the tolerance, proven.")
       .def_property_readonly(
-          "shortfall", [](const CornerFilletResult& result) { return result.fillet.shortfall; },
+          "shortfall",
+          [](const CornerFilletResult& result) { return result.fillet.shortfall.text; },
           "What is not, with numbers; empty where met.")
+      .def_property_readonly(
+          "shortfall_code",
+          [](const CornerFilletResult& result) {
+            return occ::codeOf(result.fillet.shortfall.fault);
+          },
+          "Code of the shortfall: see docs/corner_fillet.md. Empty where met.")
       .def_property_readonly(
           "patches", [](const CornerFilletResult& result) { return result.fillet.fill.patches; },
           "BezierPatches of the corner, as n_sided_fill() orders them.")
@@ -165,9 +175,8 @@ void bindCornerResult(py::module_& module) {
            py::arg("overwrite") = false, py::arg("overwrite_source") = false,
            py::arg("keep_anyway") = false, py::arg("progress") = py::none())
       .def("__repr__", [](const CornerFilletResult& result) {
-        return "<CornerFillet of " + std::to_string(result.fillet.edges.size()) +
-               " edges: " + (result.fillet.met() ? "met" : "not met, " + result.fillet.shortfall) +
-               ">";
+        return "<CornerFillet of " + std::to_string(result.fillet.edges.size()) + " edges: " +
+               (result.fillet.met() ? "met" : "not met, " + result.fillet.shortfall.text) + ">";
       });
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
 #include <cmath>
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
 #include <seamwright/plugin/report/corner_json.hpp>
@@ -43,7 +45,7 @@ ordered_json bound(double value) {
 }
 
 std::string boundText(double value, const char* unit) {
-  return std::isfinite(value) ? number(value, "%.3g") + ' ' + unit : "unknown";
+  return std::isfinite(value) ? fmt::format("{:.3g} {}", value, unit) : "unknown";
 }
 
 }  // namespace
@@ -74,7 +76,8 @@ ordered_json toJson(const occ::CornerFillet& fillet, const ContinuityTolerance& 
   json["gap_mm"] = tolerance.gap_mm;
   json["angle_deg"] = degrees_per_radian * tolerance.angle_rad;
   json["met"] = fillet.met();
-  json["shortfall"] = fillet.shortfall;
+  json["shortfall"] = fillet.shortfall.text;
+  json["shortfall_code"] = codeOf(fillet.shortfall.fault);
   json["valid"] = fillet.valid;
   json["regular"] = fillet.fill.regular;
   json["largest_gap_mm"] = bound(fillet.largestGap_mm());
@@ -96,9 +99,9 @@ std::string toTable(const occ::CornerFillet& fillet, const ModelCounts& memory,
   std::vector<Row> rows = {{"edge", "kind", "angle deg", "radius mm", "contact mm", "setback mm"}};
   for (const occ::CornerFilletEdge& edge : fillet.edges)
     rows.push_back({"Edge" + std::to_string(edge.edge), edge.convex ? "convex" : "concave",
-                    number(degrees_per_radian * edge.angle_rad, "%.4g"),
-                    number(edge.radius_mm, "%.4g"), number(edge.contact_mm, "%.4g"),
-                    number(edge.setback_mm, "%.4g")});
+                    fmt::format("{:.4g}", degrees_per_radian * edge.angle_rad),
+                    fmt::format("{:.4g}", edge.radius_mm), fmt::format("{:.4g}", edge.contact_mm),
+                    fmt::format("{:.4g}", edge.setback_mm)});
   std::ostringstream out;
   constexpr std::size_t first_number = 2;
   writeRows(out, rows, first_number);
@@ -109,7 +112,7 @@ std::string toTable(const occ::CornerFillet& fillet, const ModelCounts& memory,
   if (!differences.empty()) out << output->path.string() << ' ' << differences << '\n';
   const bool reached = fillet.met() && (!output || output->isAsGoodAs(memory));
   out << (reached ? "REACHED G1" : "NOT REACHED G1")
-      << (fillet.shortfall.empty() ? "" : ": " + fillet.shortfall) << '\n';
+      << (fillet.met() ? "" : ": " + fillet.shortfall.text) << '\n';
   return out.str();
 }
 

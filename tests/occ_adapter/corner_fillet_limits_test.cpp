@@ -151,9 +151,9 @@ TEST(CornerFilletLimits, FilletsThatRunIntoAVoidAreNoCorners) {
   const int vertex = vertexAt(hollow, {0, 0, 20});
   CornerFilletOptions options;
   for (const int edge : occ::cornerEdges(model, vertex)) options.radii_mm[edge] = 2;
-  EXPECT_THAT(cornerFillet(model, vertex, options).shortfall, HasSubstr("runs into face"));
+  EXPECT_THAT(cornerFillet(model, vertex, options).shortfall.text, HasSubstr("runs into face"));
   for (auto& [edge, radius_mm] : options.radii_mm) radius_mm = 0.2;
-  EXPECT_EQ(cornerFillet(model, vertex, options).shortfall, "");
+  EXPECT_EQ(cornerFillet(model, vertex, options).shortfall.text, "");
 }
 
 TEST(CornerFilletLimits, FilletsThatReachBeyondAFarEdgeAreRefused) {
@@ -205,13 +205,36 @@ TEST(CornerFilletLimits, SectionsThatAPolynomialCanNotFollowAreRefused) {
               HasSubstr("is met to "));
 }
 
+TEST(CornerFilletLimits, ARefusalHasACodeNumbersAndALocation) {
+  CubeCorner cube;
+  const int edge = cube.options.radii_mm.begin()->first;
+  cube.options.setbacks_mm[edge] = 0.5;
+  try {
+    cornerFillet(cube.model, cube.vertex, cube.options);
+    FAIL() << "nothing thrown";
+  } catch (const occ::CornerRefused& refused) {
+    const occ::CornerReason& reason = refused.reason();
+    EXPECT_EQ(occ::codeOf(reason.fault), "setback_too_small");
+    EXPECT_EQ(reason.text, refused.what());
+    EXPECT_EQ(reason.edges, std::vector<int>{edge});
+    const std::vector<std::pair<std::string, double>> numbers = {{"setback_mm", 0.5},
+                                                                 {"least_mm", 1}};
+    ASSERT_EQ(reason.numbers.size(), numbers.size());
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      EXPECT_EQ(reason.numbers[k].first, numbers[k].first);
+      EXPECT_NEAR(reason.numbers[k].second, numbers[k].second, 1e-12);
+    }
+  }
+}
+
 TEST(CornerFilletLimits, WhatFallsShortIsSaid) {
   CubeCorner cube;
   cube.options.tolerance.angle_rad = 1e-12;
   const occ::CornerFillet strict = cornerFillet(cube.model, cube.vertex, cube.options);
   EXPECT_FALSE(strict.met());
   EXPECT_TRUE(strict.valid);
-  EXPECT_THAT(strict.shortfall, HasSubstr("a seam between a patch and a fillet: level G0, "));
+  EXPECT_EQ(strict.shortfall.fault, occ::CornerFault::MissesTarget);
+  EXPECT_THAT(strict.shortfall.text, HasSubstr("a seam between a patch and a fillet: level G0, "));
 }
 
 /// A bore beside the edge: its rim and the line in which the fillet touches the face cross.
@@ -225,7 +248,7 @@ TEST(CornerFilletLimits, FilletsAcrossABoreFailTheChecks) {
   for (const int edge : occ::cornerEdges(model, vertex)) options.radii_mm[edge] = 1.5;
   const occ::CornerFillet crossed = cornerFillet(model, vertex, options);
   EXPECT_FALSE(crossed.valid || crossed.met());
-  EXPECT_THAT(crossed.shortfall, HasSubstr("OpenCASCADE's checks"));
+  EXPECT_THAT(crossed.shortfall.text, HasSubstr("OpenCASCADE's checks"));
   for (auto& [edge, radius_mm] : options.radii_mm) radius_mm = 0.5;
   EXPECT_TRUE(cornerFillet(model, vertex, options).met());
 }
@@ -239,7 +262,7 @@ TEST(CornerFilletLimits, PatchesThatAreNotProvedRegularAreNotMet) {
   const occ::CornerFillet result = cornerFillet(cube.model, cube.vertex, cube.options);
   EXPECT_FALSE(result.fill.regular || result.met());
   EXPECT_TRUE(result.valid);
-  EXPECT_THAT(result.shortfall, HasSubstr("not proved regular"));
+  EXPECT_THAT(result.shortfall.text, HasSubstr("not proved regular"));
 }
 
 TEST(CornerFilletLimits, WorkCanBeStopped) {

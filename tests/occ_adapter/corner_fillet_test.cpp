@@ -138,7 +138,7 @@ class CornersOfBoth : public testing::TestWithParam<Case> {};
 TEST_P(Corners, BecomeValidSolidsOfSmoothSeams) {
   const auto& [name, shape, corner, radii_mm, native] = GetParam();
   const CornerFillet result = rounded(shape, corner, radii_mm);
-  EXPECT_TRUE(result.met()) << result.shortfall;
+  EXPECT_TRUE(result.met()) << result.shortfall.text;
   EXPECT_TRUE(BRepCheck_Analyzer(result.model.shape).IsValid());
   EXPECT_TRUE(result.fill.regular);
   const std::size_t edges = result.edges.size();
@@ -217,7 +217,7 @@ TEST(CornerFillet, OfACubeIsNearTheOctantOfABall) {
       for (const auto& [edge, radius_mm] : options.radii_mm)
         options.setbacks_mm[edge] = setback * r;
       const CornerFillet result = cornerFillet(model, vertex, options);
-      EXPECT_TRUE(result.met()) << result.shortfall;
+      EXPECT_TRUE(result.met()) << result.shortfall.text;
       double furthest = 0;
       for (const BezierPatch& patch : result.fill.patches)
         for (int i = 0; i <= 10; ++i)
@@ -308,7 +308,7 @@ TEST(CornerFillet, MovesWithTheSolid) {
       for (const occ::CornerFilletEdge& edge : here.edges)
         options.radii_mm[edge.edge] = scale * edge.radius_mm;
       const CornerFillet there = cornerFillet(model, vertexAt(of.shape, of.corner), options);
-      EXPECT_TRUE(there.met()) << of.name << ' ' << scale << ": " << there.shortfall;
+      EXPECT_TRUE(there.met()) << of.name << ' ' << scale << ": " << there.shortfall.text;
       EXPECT_NEAR(volume_mm3(there.model.shape), std::pow(scale, 3) * volume_mm3(here.model.shape),
                   1e-6 * std::pow(scale, 3));
     }
@@ -329,7 +329,7 @@ TEST(CornerFillet, LeavesTheRestOfAnAssemblyAlone) {
 
   const int vertex = vertexAt(both, {30, 0, 0});
   const CornerFillet result = cornerFillet(model, vertex, withRadii(model, vertex, {1, 2, 3}));
-  EXPECT_TRUE(result.met()) << result.shortfall;
+  EXPECT_TRUE(result.met()) << result.shortfall.text;
   EXPECT_TRUE(BRepCheck_Analyzer(result.model.shape).IsValid());
   EXPECT_TRUE(parts(result.model.shape, TopAbs_SOLID)(1).IsSame(cube));
   EXPECT_NEAR(volume_mm3(result.model.shape) - 1000,
@@ -346,7 +346,7 @@ TEST(CornerFillet, RoundsOneCornerAfterAnother) {
   const int opposite = vertexAt(first.model.shape, {20, 20, 20});
   const CornerFillet second =
       cornerFillet(first.model, opposite, withRadii(first.model, opposite, {2, 1, 1.5}));
-  EXPECT_TRUE(second.met()) << second.shortfall;
+  EXPECT_TRUE(second.met()) << second.shortfall.text;
   EXPECT_TRUE(BRepCheck_Analyzer(second.model.shape).IsValid());
   EXPECT_LT(volume_mm3(second.model.shape), volume_mm3(first.model.shape));
 }

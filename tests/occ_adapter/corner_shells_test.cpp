@@ -63,7 +63,7 @@ TEST(CornerOfShells, IsThatOfTheOuterOneAlone) {
   const TopoDS_Shape solid = wedge(20, 30), hollow = BRepAlgoAPI_Cut(solid, bubble()).Shape();
   ASSERT_EQ(parts(hollow, TopAbs_SHELL).Extent(), 2);
   const CornerFillet with = roundedByDirection(hollow), without = roundedByDirection(solid);
-  EXPECT_TRUE(with.met()) << with.shortfall;
+  EXPECT_TRUE(with.met()) << with.shortfall.text;
   EXPECT_TRUE(BRepCheck_Analyzer(with.model.shape).IsValid());
   EXPECT_EQ(parts(with.model.shape, TopAbs_SHELL).Extent(), 2);
   EXPECT_NEAR(volume_mm3(with.model.shape),
@@ -74,7 +74,7 @@ TEST(CornerOfShells, IsThatOfTheOuterOneAlone) {
 TEST(CornerOfShells, InTheWallOfAVoidIsTheOneOfWhatFillsIt) {
   const CornerFillet wall = roundedByDirection(mould()),
                      wedge_alone = roundedByDirection(wedge(20, 30));
-  EXPECT_TRUE(wall.met()) << wall.shortfall;
+  EXPECT_TRUE(wall.met()) << wall.shortfall.text;
   EXPECT_TRUE(BRepCheck_Analyzer(wall.model.shape).IsValid());
   EXPECT_EQ(parts(wall.model.shape, TopAbs_SHELL).Extent(), 2);
   EXPECT_NEAR(volume_mm3(wall.model.shape), 50 * 50 * 50 - volume_mm3(wedge_alone.model.shape),
@@ -120,7 +120,7 @@ TEST(CornerOfShells, ThatRunsIntoAVoidIsNone) {
           .Shape();
   const Model model = modelFromShape(close);
   const int vertex = vertexAt(close, corner);
-  EXPECT_THAT(cornerFillet(model, vertex, withRadii(model, vertex, {4})).shortfall,
+  EXPECT_THAT(cornerFillet(model, vertex, withRadii(model, vertex, {4})).shortfall.text,
               HasSubstr("runs into face "));
 }
 
@@ -128,7 +128,7 @@ TEST(CornerOfShells, ThatRunsIntoAVoidIsNone) {
 TEST(SmallCorner, IsRoundedAsALargeOne) {
   for (const double size : {0.03, 0.003, 1e-4}) {
     const CornerFillet result = rounded(wedge(20, 30), corner, {size, 2 * size, 3 * size});
-    EXPECT_TRUE(result.met()) << size << ": " << result.shortfall;
+    EXPECT_TRUE(result.met()) << size << ": " << result.shortfall.text;
     EXPECT_LT(result.largestGap_mm(), 0.03 * size) << size;
   }
 }
@@ -140,7 +140,7 @@ TEST(SmallCorner, OfASmallSolidIsThatOfALargeOne) {
     size.SetScaleFactor(scale);
     const CornerFillet result =
         rounded(transformed(wedge(20, 30), size), scale * corner, {scale, 2 * scale, 3 * scale});
-    EXPECT_TRUE(result.met()) << scale << ": " << result.shortfall;
+    EXPECT_TRUE(result.met()) << scale << ": " << result.shortfall.text;
     EXPECT_NEAR(volume_mm3(result.model.shape) / std::pow(scale, 3), large_mm3, 0.05) << scale;
   }
 }

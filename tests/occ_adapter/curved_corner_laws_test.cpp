@@ -123,7 +123,7 @@ TEST(CurvedCorner, MovesWithTheSolid) {
         options.radii_mm[edge.edge] = scale * edge.radius_mm;
       const CornerFillet there =
           cornerFillet(modelFromShape(moved), vertexAt(of.shape, of.corner), options);
-      EXPECT_TRUE(there.met()) << scale << ": " << there.shortfall;
+      EXPECT_TRUE(there.met()) << scale << ": " << there.shortfall.text;
       EXPECT_NEAR(volume_mm3(there.model.shape) / std::pow(scale, 3), volume_mm3(here.model.shape),
                   1e-6 * volume_mm3(here.model.shape));
     }

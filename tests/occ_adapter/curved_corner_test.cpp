@@ -91,7 +91,7 @@ class CurvedCorners : public testing::TestWithParam<Case> {};
 TEST_P(CurvedCorners, BecomeValidSolidsOfSmoothSeams) {
   const auto& [name, shape, corner, radii_mm, native_deg] = GetParam();
   const CornerFillet result = rounded(shape, corner, radii_mm);
-  EXPECT_TRUE(result.met()) << result.shortfall;
+  EXPECT_TRUE(result.met()) << result.shortfall.text;
   EXPECT_TRUE(result.fill.regular);
   EXPECT_EQ(result.model.shape.ShapeType(), shape.ShapeType());
   EXPECT_TRUE(BRepCheck_Analyzer(result.model.shape).IsValid());

@@ -162,6 +162,7 @@ def test_a_corner_that_is_not_regular_is_written_and_said_so(box, tmp_path):
     report = result.to_dict()
     assert (result.met, report["met"], report["regular"]) == (False, False, False)
     assert "regular" in result.shortfall == report["shortfall"]
+    assert result.shortfall_code == report["shortfall_code"] == "may_fold"
     schema = json.loads((HERE.parents[2] / "docs" / "corner-1.schema.json").read_text())
     jsonschema.validate(report, schema)
     result.write(tmp_path / "rounded.brep", keep_anyway=True)
@@ -200,6 +201,12 @@ def test_setbacks_of_zero_are_chosen(box):
 def test_bad_arguments(box, vertex, radii, keywords, words):
     with pytest.raises(ValueError, match=words):
         box.corner_fillet(vertex, radii, **keywords)
+
+
+def test_a_refused_corner_has_a_code(box):
+    with pytest.raises(ValueError, match="more than 1 mm is needed") as refused:
+        box.corner_fillet(1, 1, setbacks_mm=0.5)
+    assert refused.value.reason_code == "setback_too_small"
 
 
 def test_it_can_be_stopped(box):
