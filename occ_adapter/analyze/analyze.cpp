@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
 #include <BRep_Tool.hxx>
 #include <Precision.hxx>
 #include <TopExp_Explorer.hxx>
@@ -8,7 +10,6 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
@@ -31,22 +32,22 @@ double coordinateNoise(const TopoDS_Shape& shape) {
       if (std::isfinite(point.Coord(i)) && !Precision::IsInfinite(point.Coord(i)))
         size = std::max(size, std::abs(point.Coord(i)));
   }
+  // A point of each of two sides comes from some operations on coordinates of this size.
   return 16 * std::numeric_limits<double>::epsilon() * size;
 }
 
 void requireAboveNoise(const char* what, double mm, double noise_mm) {
   if (mm >= noise_mm) return;
-  std::ostringstream text;
-  text << what << " is " << mm << " mm: below " << noise_mm
-       << " mm the coordinates of this model are rounding";
-  throw std::invalid_argument(text.str());
+  throw std::invalid_argument(
+      fmt::format("{} is {:.6g} mm: below {:.6g} mm the coordinates of this model are rounding",
+                  what, mm, noise_mm));
 }
 
 void requireFaces(const Model& model, const std::vector<int>& faces) {
   for (const int face : faces)
     if (face < 1 || face > model.faceCount())
-      throw std::invalid_argument("face " + std::to_string(face) + ": the model has faces 1 to " +
-                                  std::to_string(model.faceCount()));
+      throw std::invalid_argument(
+          fmt::format("face {}: the model has faces 1 to {}", face, model.faceCount()));
 }
 
 /// Leaves seams of these faces.
@@ -91,6 +92,7 @@ Report analyze(const Model& model, const AnalyzeOptions& options, const Progress
   requireFaces(model, options.faces);
   const auto start = std::chrono::steady_clock::now();
   SeamGraph graph = findSeams(model.shape);
+  // Of the progress bar: for sheets without shared edges, matching takes about as long as this.
   constexpr double share_of_matching = 0.3;
   if (match)
     matchFreeEdges({.match_mm = options.match_mm, .gap_mm = options.tolerance.gap_mm}, graph,

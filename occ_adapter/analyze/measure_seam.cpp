@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRep_Tool.hxx>
@@ -8,9 +10,7 @@
 #include <TopLoc_Location.hxx>
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <map>
-#include <sstream>
 #include <stdexcept>
 
 #include <seamwright/occ_adapter/analyze/measure_seam.hpp>
@@ -34,31 +34,29 @@ double lengthOf(const Seam& seam) {
   const TopoDS_Edge& edge = seam.sides[0].edge;
   if (BRep_Tool::Degenerated(edge)) return 0;
   const BRepAdaptor_Curve curve(edge);
-  const std::vector<double>& places = seam.correspondence.a;
-  if (places.empty()) return GCPnts_AbscissaPoint::Length(curve);
+  const std::vector<double>& shares = seam.correspondence.a;
+  if (shares.empty()) return GCPnts_AbscissaPoint::Length(curve);
   const double first = curve.FirstParameter(), range = curve.LastParameter() - first;
-  return GCPnts_AbscissaPoint::Length(curve, first + places.front() * range,
-                                      first + places.back() * range);
+  return GCPnts_AbscissaPoint::Length(curve, first + shares.front() * range,
+                                      first + shares.back() * range);
 }
 
-std::string placeText(double place) {
-  std::ostringstream text;
-  text << std::setprecision(3) << place;
-  return text.str();
-}
-
-/// "at 0" or, for places that lie close together, "from 0 to 0.012".
-std::string intervals(std::vector<double> places) {
+/// "at 0" or, for parameters that lie close together, "from 0 to 0.012".
+std::string intervals(std::vector<double> parameters) {
+  // A choice: samples nearer than 2 % of the seam are told as one interval, so that a note has a
+  // few of them and not each sample.
   constexpr double close_together = 0.02;
+  // Three digits do not tell a shorter interval from a point.
   constexpr double shortest_told = 1e-4;
-  std::ranges::sort(places);
+  std::ranges::sort(parameters);
   std::string text;
-  for (std::size_t first = 0, last = 0; first < places.size(); first = last + 1) {
+  for (std::size_t first = 0, last = 0; first < parameters.size(); first = last + 1) {
     for (last = first;
-         last + 1 < places.size() && places[last + 1] - places[last] < close_together;)
+         last + 1 < parameters.size() && parameters[last + 1] - parameters[last] < close_together;)
       ++last;
-    const std::string from = placeText(places[first]), to = placeText(places[last]);
-    const bool is_point = from == to || places[last] - places[first] <= shortest_told;
+    const std::string from = fmt::format("{:.3g}", parameters[first]),
+                      to = fmt::format("{:.3g}", parameters[last]);
+    const bool is_point = from == to || parameters[last] - parameters[first] <= shortest_told;
     text += (first == 0 ? "" : ", ") + (is_point ? "at " + from : "from " + from + " to " + to);
   }
   return text;
@@ -66,13 +64,13 @@ std::string intervals(std::vector<double> places) {
 
 /// Where each face has no tangent plane, or is not finite.
 std::string degeneracyNote(const SeamFigures& figures, const std::array<int, 2>& faces) {
-  std::map<std::pair<int, Degeneracy>, std::vector<double>> places;
+  std::map<std::pair<int, Degeneracy>, std::vector<double>> parameters;
   for (const DegeneratePoint& point : figures.degenerate) {
-    if (point.side_a != Degeneracy::None) places[{faces[0], point.side_a}].push_back(point.at);
-    if (point.side_b != Degeneracy::None) places[{faces[1], point.side_b}].push_back(point.at);
+    if (point.side_a != Degeneracy::None) parameters[{faces[0], point.side_a}].push_back(point.at);
+    if (point.side_b != Degeneracy::None) parameters[{faces[1], point.side_b}].push_back(point.at);
   }
   std::string notes;
-  for (const auto& [what, where] : places)
+  for (const auto& [what, where] : parameters)
     addNote(notes, std::string(name(what.second)) + " on face " + std::to_string(what.first) + " " +
                        intervals(where));
   return notes;
@@ -82,6 +80,8 @@ std::string degeneracyNote(const SeamFigures& figures, const std::array<int, 2>&
 std::string matchNote(const SeamResult& result, const AnalyzeOptions& options) {
   const std::optional<Figure>& gap = result.figures.gap_mm;
   if (result.kind != SeamKind::Matched || !gap) return {};
+  // A matched interval ends where the distance is reached, to the accuracy of its feet: a gap
+  // nearer than 1 % below it is such an end, and one above it by more than 0.1 % lies between feet.
   if (gap->lower > 1.001 * options.match_mm)
     return "in places the edges are further apart than the distance to match";
   if (gap->lower > 0.99 * options.match_mm)
@@ -97,14 +97,14 @@ std::string noteOfFace(int face, const std::string& note) {
 }
 
 /// The path's parameter over the seam: the pcurve's own range, or that of a matched interval.
-void runAlong(const std::vector<double>& s, const std::vector<double>& places, SeamSide& side) {
+void runAlong(const std::vector<double>& s, const std::vector<double>& parameters, SeamSide& side) {
   if (s.empty()) return;
   const double first = side.t.front();
   const double range = side.t.back() - first;
   side.s = s;
   side.t.clear();
-  for (const double place : places) side.t.push_back(first + place * range);
-  if (places.back() < places.front()) side.face_on_left = !side.face_on_left;
+  for (const double parameter : parameters) side.t.push_back(first + parameter * range);
+  if (parameters.back() < parameters.front()) side.face_on_left = !side.face_on_left;
 }
 
 bool isSphere(const TopoDS_Face& face) {
@@ -214,8 +214,8 @@ SeamFigures figuresOf(const Seam& seam, const std::array<Pcurve, 2>& pcurves,
 }
 
 Eigen::Vector3d pointOnFirstSide(const Seam& seam, const Pcurve& pcurve, double s) {
-  const double place = placeOnFirst(seam.correspondence, s);
-  const gp_Pnt2d uv = pcurve.curve->Value(pcurve.first + place * (pcurve.last - pcurve.first));
+  const double parameter = parameterOnFirst(seam.correspondence, s);
+  const gp_Pnt2d uv = pcurve.curve->Value(pcurve.first + parameter * (pcurve.last - pcurve.first));
   TopLoc_Location location;
   const opencascade::handle<Geom_Surface> surface =
       BRep_Tool::Surface(seam.sides[0].shape, location);

@@ -53,6 +53,7 @@ void runParallel(std::size_t count, int jobs, const std::function<void(std::size
     } stop_at_exit{stop};
     for (std::size_t i = 0; i < threads; ++i) pool.emplace_back(loop);
     std::unique_lock lock(mutex);
+    // Twenty times a second: a progress bar looks smooth, and a stop is felt at once.
     while (!ended.wait_for(lock, std::chrono::milliseconds(50), [&] { return running == 0; })) {
       lock.unlock();
       if (progress && !stop && !progress(static_cast<double>(done) / static_cast<double>(count)))

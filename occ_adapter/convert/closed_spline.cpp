@@ -15,6 +15,7 @@ bool endsAtItself(const Geom_BSplineSurface& surface, Direction direction, doubl
     return in_u ? surface.Pole(at_end ? surface.NbUPoles() : 1, k)
                 : surface.Pole(k, at_end ? surface.NbVPoles() : 1);
   };
+  // A side of one point meets any other such side: an extent is needed.
   double extent = 0;
   for (int k = 1; k <= across; ++k) {
     if (!(pole(false, k).Distance(pole(true, k)) <= near_mm)) return false;
@@ -34,10 +35,12 @@ void makePeriodic(Geom_BSplineSurface& surface, Direction direction, double near
     return times > 1 && (in_u ? surface.RemoveUKnot(1, times - 1, near_mm)
                               : surface.RemoveVKnot(1, times - 1, near_mm));
   };
+  // Each knot that is removed makes the surface smoother there by one order, within the tolerance.
   while (isRepeatedLess()) {
   }
 }
 
+/// Without a period the ends may be unclamped: Segment() clamps them at the given range.
 void makeClamped(Geom_BSplineSurface& surface) {
   std::array<double, 4> range{};
   surface.Bounds(range[0], range[1], range[2], range[3]);

@@ -36,6 +36,8 @@ handle<Geom_BSplineCurve> parameterLine(const EdgeSide& side, double first, doub
   if (from.IsEqual(to, 0)) return {};
   std::array<double, 4> range{};
   spline->Bounds(range[0], range[1], range[2], range[3]);
+  // Of the range. What is less is rounding of a file: it moves the edge by less than the image is
+  // wrong by where the path is approximated instead.
   constexpr double near = 1e-8;
   const double near_u = near * (range[1] - range[0]), near_v = near * (range[3] - range[2]);
   const bool along_v = std::abs(from.X() - to.X()) <= near_u;
@@ -74,6 +76,7 @@ handle<Geom_BSplineCurve> mean(const std::vector<handle<Geom_BSplineCurve>>& lin
     degree = std::max(degree, line->Degree());
   }
   const handle<Geom_BSplineCurve>& sum = lines.front();
+  // Knots of lines that were scaled differ by rounding.
   const double same_knot = 1e-9 * (sum->LastParameter() - sum->FirstParameter());
   for (const handle<Geom_BSplineCurve>& line : lines) line->IncreaseDegree(degree);
   const std::vector<handle<Geom_BSplineCurve>> others(lines.begin() + 1, lines.end());
@@ -115,6 +118,7 @@ class MeanOfImages : public AdvApprox_EvaluatorFunction {
         all.push_back(first_ + (at(i) - image.FirstParameter()) / speed(image));
     }
     std::ranges::sort(all);
+    // Breaks of two images that rounding tells apart are one.
     const double least = 1e-9 * (last_ - first_);
     std::vector<double> distinct = {first_};
     for (const double at : all)
@@ -149,6 +153,8 @@ class MeanOfImages : public AdvApprox_EvaluatorFunction {
 
 handle<Geom_Curve> approximated(const std::vector<EdgeSide>& sides, double first, double last,
                                 double near_mm) {
+  // These bound the size of the curve. A path that needs more comes back as near as it came; the
+  // caller measures that and sets the tolerance of the edge.
   constexpr int most_segments = 200, highest_degree = 14;
   MeanOfImages image(sides, first, last);
   const AdvApprox_PrefAndRec cuts(reals(image.breaks(GeomAbs_C1)), reals(image.breaks(GeomAbs_C2)));

@@ -68,6 +68,9 @@ double typicalStep(const std::vector<double>& knots) {
 
 /// A small step off a knot to the side that \p toward points to; 0 away from knots.
 double nudge(const std::vector<double>& knots, double value, double step, double toward) {
+  // Files round paths and knots to ten digits or more, so a path this near runs along the knot
+  // line. The nudge leaves that strip. It moves derivatives by a billionth of how they change over
+  // a span, and the point, which is kept to first order, by less than rounding.
   const double near = 1e-10 * step;
   const auto knot = std::lower_bound(knots.begin(), knots.end(), value - near);
   if (toward == 0 || knot == knots.end() || *knot > value + near) return 0;
@@ -89,6 +92,7 @@ void addCrossings(const Coordinate& coordinate, double t0, double t1, double fro
   const auto end = std::lower_bound(begin, knots.end(), std::max(from, to));
   for (auto knot = begin; knot != end; ++knot) {
     double low = t0, high = t1;
+    // More halvings than a double has bits: to the last bit of the parameter.
     for (int i = 0; i < 60 && low < high; ++i) {
       const double middle = 0.5 * (low + high);
       ((coordinate(middle) < *knot) == (from < *knot) ? low : high) = middle;
@@ -108,7 +112,7 @@ bool areOnePoint(int count, const std::function<gp_Pnt(int i)>& pole) {
   return true;
 }
 
-/// Whether a place of the parameter plane is on a boundary of a spline all of whose poles coincide
+/// Whether a point of the parameter plane is on a boundary of a spline all of whose poles coincide
 /// exactly.
 bool endsAtOnePoint(const BRepAdaptor_Surface& surface, const gp_Pnt2d& uv) {
   constexpr double rounding = 1e-9;  // of the range, of paths
@@ -245,6 +249,8 @@ double FaceStrip::poleReach(int end) const {
   if (!is_degenerate(0)) return 0;
   double low = 0, high = 0.5;
   if (is_degenerate(high)) return high;
+  // Three digits are enough: the caller leaves out a little more. The reach may be many orders of
+  // magnitude below the seam, so it is first searched by tenths; below 1e-12 it is rounding of s.
   while (high - low > 1e-3 * high && high > 1e-12) {
     const double middle = low > 0 ? 0.5 * (low + high) : 0.1 * high;
     (is_degenerate(middle) ? low : high) = middle;
@@ -256,6 +262,8 @@ double FaceStrip::poleReach(int end) const {
 double FaceStrip::roundingOf(const SurfaceJet& jet) const {
   const double size =
       jet.p.lpNorm<Eigen::Infinity>() + step_u_ * jet.u.norm() + step_v_ * jet.v.norm();
+  // Evaluation of a spline, with its placement, takes some ten operations on a coordinate and in
+  // unfavourable order several times as many.
   return 64 * std::numeric_limits<double>::epsilon() * size;
 }
 

@@ -8,7 +8,7 @@ namespace seamwright::occ {
 
 namespace {
 
-/// Goes downhill from a place along a path.
+/// Goes downhill from a parameter along a path.
 class Descent {
  public:
   Descent(const FaceStrip& path, const Eigen::Vector3d& p, double start, double low, double high)
@@ -19,7 +19,7 @@ class Descent {
         s_(std::clamp(start, low, high)),
         at_(path.trace(s_)) {}
 
-  double place() const { return s_; }
+  double parameter() const { return s_; }
 
   /// One Gauss-Newton step, halved until it leads downhill. \returns whether to go on.
   bool step() {
@@ -32,6 +32,7 @@ class Descent {
   }
 
  private:
+  /// Of the path's range. A hundred times the rounding of s: shorter steps change no distance.
   static constexpr double least_step = 1e-13;
 
   bool moveTo(double s) {
@@ -45,6 +46,8 @@ class Descent {
 
   /// Where the path stands still its derivative shows no way down.
   bool leaveStationary() {
+    // Near beside any bend of an edge, and far enough that a derivative that grows linearly from 0
+    // is well above rounding.
     constexpr double aside = 1e-4;
     return at_.p.allFinite() && (moveTo(s_ + aside) || moveTo(s_ - aside));
   }
@@ -59,12 +62,14 @@ class Descent {
 
 }  // namespace
 
-double nearestPlace(const FaceStrip& path, const Eigen::Vector3d& p, double start, double low,
-                    double high) {
+double nearestParameter(const FaceStrip& path, const Eigen::Vector3d& p, double start, double low,
+                        double high) {
   Descent descent(path, p, start, low, high);
+  // Near the path steps converge quadratically and a few are enough. Far from it they converge
+  // linearly, and the last digits do not matter: this bounds the time.
   constexpr int most_steps = 60;
   for (int i = 0; i < most_steps && descent.step(); ++i) continue;
-  return descent.place();
+  return descent.parameter();
 }
 
 }  // namespace seamwright::occ

@@ -12,7 +12,7 @@ namespace seamwright::occ {
 /// small compared with the path's radius of curvature. The descent ends when no step longer than
 /// 1e-13 of the path's range leads downhill, or after 60 steps.
 /// \throws Standard_Failure where OpenCASCADE can't evaluate.
-double nearestPlace(const FaceStrip& path, const Eigen::Vector3d& p, double start, double low = 0,
-                    double high = 1);
+double nearestParameter(const FaceStrip& path, const Eigen::Vector3d& p, double start,
+                        double low = 0, double high = 1);
 
 }  // namespace seamwright::occ

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
 #include <BRepAdaptor_Surface.hxx>
 #include <BRep_Tool.hxx>
 #include <Extrema_GenLocateExtPS.hxx>
@@ -10,9 +12,7 @@
 #include <TopLoc_Location.hxx>
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <limits>
-#include <sstream>
 
 #include <seamwright/occ_adapter/convert/pcurve.hpp>
 #include <seamwright/occ_adapter/geometry_error.hpp>
@@ -92,12 +92,6 @@ Pcurve projected(const SpaceCurve& space, const TopoDS_Face& face) {
   return pcurve;
 }
 
-std::string text(double distance_mm) {
-  std::ostringstream text;
-  text << std::setprecision(3) << distance_mm;
-  return text.str();
-}
-
 /// The stored pcurve if it is good or nothing better is to be had, else a new one.
 Pcurve keptOrRebuilt(const Pcurve& stored, const SpaceCurve& space, const TopoDS_Edge& edge,
                      const TopoDS_Face& face, double gap_mm) {
@@ -116,8 +110,8 @@ Pcurve keptOrRebuilt(const Pcurve& stored, const SpaceCurve& space, const TopoDS
   if (rebuilt.curve.IsNull()) return stored;
   const double after = worstStray(rebuilt, space, surface).distance;
   if (!std::isfinite(after) || after > stray.distance / 2) return stored;
-  rebuilt.note = "its pcurve was " + text(stray.distance) + " mm off the edge and was rebuilt (" +
-                 text(after) + " mm)";
+  rebuilt.note = fmt::format("its pcurve was {:.3g} mm off the edge and was rebuilt ({:.3g} mm)",
+                             stray.distance, after);
   return rebuilt;
 }
 
@@ -125,7 +119,7 @@ Pcurve built(const SpaceCurve& space, const TopoDS_Face& face) {
   Pcurve pcurve = projected(space, face);
   if (pcurve.curve.IsNull()) throw GeometryError("the edge has no pcurve and none could be built");
   const double stray = worstStray(pcurve, space, BRepAdaptor_Surface(face, false)).distance;
-  pcurve.note = "its pcurve was missing and was built (" + text(stray) + " mm)";
+  pcurve.note = fmt::format("its pcurve was missing and was built ({:.3g} mm)", stray);
   return pcurve;
 }
 

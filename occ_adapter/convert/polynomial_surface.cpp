@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <GeomConvert.hxx>
@@ -11,7 +13,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <vector>
 
 #include <seamwright/occ_adapter/convert/closed_spline.hpp>
@@ -27,6 +28,8 @@ using Spline = handle<Geom_BSplineSurface>;
 /// u from, to, v from, to.
 using Range = std::array<double, 4>;
 
+/// Points in each direction of a face at which two surfaces are compared: the faces that become
+/// splines are analytic ones or have few spans, and the error varies with these.
 constexpr int points_across = 33;
 
 /// Within the surface's own range, and not longer than a period.
@@ -69,6 +72,8 @@ Distance distanceOf(const Geom_Surface& a, const Geom_Surface& b, const Range& r
     size = std::max(size, p.XYZ().Modulus());
     distance.largest_mm = std::max(distance.largest_mm, p.Distance(b.Value(u, v)));
   });
+  // A conversion composes a segmentation, knot insertions and an evaluation: some hundred
+  // operations on a coordinate, each off by up to half of epsilon.
   distance.rounding_mm = 1024 * std::numeric_limits<double>::epsilon() * size;
   return distance;
 }
@@ -96,6 +101,8 @@ void moveKnots(Geom_BSplineSurface& spline, Direction direction, double by) {
 /// first period on.
 PolynomialSurface approximated(const handle<Geom_Surface>& trimmed, const Range& range,
                                double near_mm) {
+  // These bound the time and the size of the surface. If they do not suffice, the error that is
+  // returned is above the tolerance and the caller refuses the surface.
   constexpr int largest_degree = 8, most_spans = 200;
   const GeomConvert_ApproxSurface approximation(trimmed, near_mm, GeomAbs_C2, GeomAbs_C2,
                                                 largest_degree, largest_degree, most_spans, 0);
@@ -167,6 +174,8 @@ PolynomialSurface polynomialSurface(const TopoDS_Face& face, double near_mm) {
       new Geom_RectangularTrimmedSurface(surface, range[0], range[1], range[2], range[3]);
   PolynomialSurface polynomial = exact(trimmed, range);
   if (polynomial.surface.IsNull()) {
+    // Half of the tolerance is for the approximation. Closing may use an eighth of that for each
+    // knot that it removes, and the rest is for what OpenCASCADE's error misses.
     polynomial = approximated(trimmed, range, near_mm / 2);
     polynomial.error_mm += close(*surface, range, near_mm / 16, *polynomial.surface);
     collapse(*surface, range, *polynomial.surface);
@@ -176,10 +185,9 @@ PolynomialSurface polynomialSurface(const TopoDS_Face& face, double near_mm) {
   polynomial.surface->Transform(location.Transformation());
   polynomial.error_mm *= std::abs(location.Transformation().ScaleFactor());
   if (polynomial.error_mm <= near_mm) return polynomial;
-  std::ostringstream text;
-  text << "a polynomial spline keeps only as near as " << polynomial.error_mm << " mm, not "
-       << near_mm << " mm";
-  throw GeometryError(text.str());
+  throw GeometryError(
+      fmt::format("a polynomial spline keeps only as near as {:.6g} mm, not {:.6g} mm",
+                  polynomial.error_mm, near_mm));
 }
 
 }  // namespace seamwright::occ

@@ -71,7 +71,7 @@ SplineDirection direction(int degree, const TColStd_Array1OfReal& knots, double 
   return {degree, {knots.begin(), knots.end()}, period};
 }
 
-/// Of a curve, which has one row of poles.
+/// Of a curve: core's evaluator is one of surfaces, and a curve is a surface with one row of poles.
 SplineDirection constantDirection() {
   return {0, {0, 1}, 0};
 }
@@ -97,6 +97,7 @@ std::vector<double> bezierKnots(int degree) {
   return knots;
 }
 
+/// The period is kept as a number, since core's evaluator needs clamped knots.
 template <class BSpline>
 CurveEvaluator bsplineCurve(handle<BSpline> curve) {
   double period = 0;
@@ -142,6 +143,8 @@ Evaluator withRadii(const Conic& conic, double major, double minor) {
           minor * vector(position.YDirection())};
 }
 
+/// A trimmed curve has the parameters of its basis, and the seam has its own range: trimming says
+/// nothing more.
 template <class Where>
 CurveEvaluator curveEvaluator(const handle<typename Where::Curve>& curve) {
   if (const auto trimmed = handle<typename Where::Trimmed>::DownCast(curve); !trimmed.IsNull())

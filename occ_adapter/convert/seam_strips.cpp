@@ -20,24 +20,24 @@ double interpolate(const std::vector<double>& xs, const std::vector<double>& ys,
   return ys[i - 1] + share * (ys[i] - ys[i - 1]);
 }
 
-bool isWithin(const std::vector<double>& places, double place) {
-  return place > std::min(places.front(), places.back()) &&
-         place < std::max(places.front(), places.back());
+bool isWithin(const std::vector<double>& parameters, double parameter) {
+  return parameter > std::min(parameters.front(), parameters.back()) &&
+         parameter < std::max(parameters.front(), parameters.back());
 }
 
-/// The places of an edge as values of s, as far as they are on the seam.
+/// The parameters of an edge as values of s, as far as they are on the seam.
 void addMapped(const std::vector<double>& breaks, const Correspondence& map,
-               const std::vector<double>& places, std::vector<double>& to) {
-  for (const double place : breaks)
-    if (places.empty())
-      to.push_back(place);
-    else if (isWithin(places, place))
-      to.push_back(interpolate(places, map.s, place));
+               const std::vector<double>& parameters, std::vector<double>& to) {
+  for (const double parameter : breaks)
+    if (parameters.empty())
+      to.push_back(parameter);
+    else if (isWithin(parameters, parameter))
+      to.push_back(interpolate(parameters, map.s, parameter));
 }
 
 }  // namespace
 
-double placeOnFirst(const Correspondence& correspondence, double s) {
+double parameterOnFirst(const Correspondence& correspondence, double s) {
   return correspondence.s.empty() ? s : interpolate(correspondence.s, correspondence.a, s);
 }
 
@@ -46,15 +46,15 @@ SeamStrips::SeamStrips(const Seam& seam, const std::array<Pcurve, 2>& pcurves, J
       a_(seam.sides[0], pcurves[0], order),
       b_(seam.sides[1], pcurves[1], order) {}
 
-double SeamStrips::placeOnB(double s, const Eigen::Vector3d& on_a) const {
+double SeamStrips::parameterOnB(double s, const Eigen::Vector3d& on_a) const {
   const auto [low, high] = std::minmax(map_.b.front(), map_.b.back());
-  return nearestPlace(b_, on_a, interpolate(map_.s, map_.b, s), low, high);
+  return nearestParameter(b_, on_a, interpolate(map_.s, map_.b, s), low, high);
 }
 
 PairMeasure SeamStrips::measureAt(double s) const {
   if (map_.s.empty()) return measurePair(a_.at(s), b_.at(s));
   const SidePoint a = a_.at(interpolate(map_.s, map_.a, s));
-  SidePoint b = b_.at(placeOnB(s, a.jet.p));
+  SidePoint b = b_.at(parameterOnB(s, a.jet.p));
   if (map_.b.back() < map_.b.front()) {
     b.tangent = -b.tangent;
     b.face_on_left = !b.face_on_left;
@@ -67,6 +67,7 @@ std::vector<double> SeamStrips::breaks() const {
   addMapped(a_.breaks(), map_, map_.a, breaks);
   addMapped(b_.breaks(), map_, map_.b, breaks);
   std::ranges::sort(breaks);
+  // A knot of each side at the same point of a shared edge differs by the rounding of both paths.
   constexpr double apart = 1e-9;
   std::vector<double> merged = {0};
   for (const double s : breaks)

@@ -9,7 +9,7 @@
 namespace seamwright::occ {
 
 /// The parameter of the first edge, 0..1 over the range of its curve, at s of a seam.
-double placeOnFirst(const Correspondence& correspondence, double s);
+double parameterOnFirst(const Correspondence& correspondence, double s);
 
 /// Both sides of a seam over its parameter s in [0, 1]. Not thread-safe. The seam must outlive it.
 class SeamStrips {
@@ -30,7 +30,7 @@ class SeamStrips {
   std::vector<double> breaks() const;
 
  private:
-  double placeOnB(double s, const Eigen::Vector3d& on_a) const;
+  double parameterOnB(double s, const Eigen::Vector3d& on_a) const;
 
   const Correspondence& map_;
   FaceStrip a_;

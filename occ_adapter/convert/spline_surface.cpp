@@ -47,7 +47,8 @@ handle<Geom_BSplineSurface> splineCopy(const handle<Geom_Surface>& surface) {
   return {};
 }
 
-/// Share of the range below which two knots are one.
+/// Share of the range below which two knots are one: what files round, with a margin. Larger than
+/// what OpenCASCADE tells knots apart by, so that it accepts the knots that stay.
 constexpr double nearest_knots = 1e-9;
 
 /// Distinct values of flat knots and how often each is repeated.
@@ -212,8 +213,8 @@ void EdgeRows::raiseDegreeAcross(int degree) {
 
 void EdgeRows::insertAlong(double t, int multiplicity) {
   const Eigen::Vector2d range = rangeAlong();
-  const double place = reversed_ ? 1 - t : t;
-  const TColStd_Array1OfReal knot = reals({range[0] + place * (range[1] - range[0])});
+  const double share = reversed_ ? 1 - t : t;
+  const TColStd_Array1OfReal knot = reals({range[0] + share * (range[1] - range[0])});
   const TColStd_Array1OfInteger times = integers({std::min(multiplicity, degreeAlong())});
   const double near = nearest_knots * (range[1] - range[0]);
   if (alongV())
@@ -227,8 +228,8 @@ void EdgeRows::setKnotsAlong(const std::vector<double>& t) {
   std::vector<double> values = distinct(t).values;
   if (reversed_) std::ranges::reverse(values);
   for (double& value : values) {
-    const double place = reversed_ ? 1 - value : value;
-    value = place == 1 ? range[1] : range[0] + place * (range[1] - range[0]);
+    const double share = reversed_ ? 1 - value : value;
+    value = share == 1 ? range[1] : range[0] + share * (range[1] - range[0]);
   }
   if (alongV())
     surface_->SetVKnots(reals(values));

@@ -23,18 +23,18 @@ std::vector<int> fillReducing(const BlockPattern& pattern) {
 }
 
 std::vector<int> inverse(const std::vector<int>& order) {
-  std::vector<int> place(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) place[order[k]] = static_cast<int>(k);
-  return place;
+  std::vector<int> position(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) position[order[k]] = static_cast<int>(k);
+  return position;
 }
 
-/// By place: the places before it that stand in a block with it.
+/// By position: the positions before it that stand in a block with it.
 std::vector<std::vector<int>> earlierNeighbours(const BlockPattern& pattern,
-                                                const std::vector<int>& place) {
-  std::vector<std::vector<int>> earlier(place.size());
+                                                const std::vector<int>& position) {
+  std::vector<std::vector<int>> earlier(position.size());
   for (int j = 0; j < pattern.size(); ++j)
     for (int k = pattern.begins[j]; k < pattern.begins[j + 1]; ++k) {
-      const auto [low, high] = std::minmax(place[pattern.rows[k]], place[j]);
+      const auto [low, high] = std::minmax(position[pattern.rows[k]], position[j]);
       if (low < high) earlier[high].push_back(low);
     }
   return earlier;
@@ -102,12 +102,12 @@ int BlockCholesky::Front::row(int point) const {
 
 BlockCholesky::BlockCholesky(const BlockPattern& pattern) {
   const std::vector<int> order = fillReducing(pattern);
-  place_ = inverse(order);
+  position_ = inverse(order);
   const std::vector<int> later =
-      inverse(postorder(eliminationTree(earlierNeighbours(pattern, place_))));
-  for (int& place : place_) place = later[place];
-  fronts_ = amalgamated(structures(earlierNeighbours(pattern, place_)));
-  std::vector<int> front_of(place_.size());
+      inverse(postorder(eliminationTree(earlierNeighbours(pattern, position_))));
+  for (int& position : position_) position = later[position];
+  fronts_ = amalgamated(structures(earlierNeighbours(pattern, position_)));
+  std::vector<int> front_of(position_.size());
   for (int f = 0; f < static_cast<int>(fronts_.size()); ++f)
     std::fill(front_of.begin() + fronts_[f].first, front_of.begin() + fronts_[f].last, f);
   for (int f = 0; f < static_cast<int>(fronts_.size()); ++f) {
@@ -119,7 +119,7 @@ BlockCholesky::BlockCholesky(const BlockPattern& pattern) {
   }
   for (int j = 0; j < pattern.size(); ++j)
     for (int k = pattern.begins[j]; k < pattern.begins[j + 1]; ++k) {
-      const auto [low, high] = std::minmax(place_[pattern.rows[k]], place_[j]);
+      const auto [low, high] = std::minmax(position_[pattern.rows[k]], position_[j]);
       Front& front = fronts_[front_of[low]];
       front.entries.push_back({k, front.row(high), low - front.first});
     }
@@ -191,7 +191,7 @@ bool BlockCholesky::factor(const std::vector<SymmetricBlock>& blocks, double dia
 PointRows BlockCholesky::solve(const PointRows& right) const {
   Eigen::VectorXd x(3 * right.rows());
   for (Eigen::Index k = 0; k < right.rows(); ++k)
-    x.segment<3>(3 * place_[k]) = right.row(k).transpose();
+    x.segment<3>(3 * position_[k]) = right.row(k).transpose();
   const auto gathered = [&x](const Front& front) {
     Eigen::VectorXd part(3 * static_cast<int>(front.below.size()));
     for (std::size_t k = 0; k < front.below.size(); ++k)
@@ -214,7 +214,7 @@ PointRows BlockCholesky::solve(const PointRows& right) const {
   }
   PointRows solution(right.rows(), 3);
   for (Eigen::Index k = 0; k < right.rows(); ++k)
-    solution.row(k) = x.segment<3>(3 * place_[k]).transpose();
+    solution.row(k) = x.segment<3>(3 * position_[k]).transpose();
   return solution;
 }
 

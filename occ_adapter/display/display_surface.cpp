@@ -19,7 +19,8 @@ constexpr double pole_step = 1e-5;
 /// A step across the whole range shorter than this share of the other one, or so nearly along it,
 /// tells no direction.
 constexpr double collapsed_share = 1e-10;
-/// Curvatures that grow so much within one step towards a pole have no limit there.
+/// Curvatures that grow by this share within one step towards a pole have no limit there: those of
+/// a smooth pole differ by about the step, 1e-5, and those of a tip double.
 constexpr double bounded_growth = 1e-2;
 
 }  // namespace
@@ -39,11 +40,11 @@ void DisplaySurface::setRange(const Eigen::Vector2d& low, const Eigen::Vector2d&
     if (!(range > 0)) range = 1;
 }
 
-DisplaySurface::Place DisplaySurface::at(const Eigen::Vector2d& uv) const {
+DisplaySurface::Sample DisplaySurface::at(const Eigen::Vector2d& uv) const {
   gp_Pnt p;
   gp_Vec du, dv;
   surface_.D1(uv.x(), uv.y(), p, du, dv);
-  Place place{vector(p.Transformed(location_)), Eigen::Vector3d::Zero()};
+  Sample sample{vector(p.Transformed(location_)), Eigen::Vector3d::Zero()};
   std::optional<Eigen::Vector3d> normal = normalOf(vector(du), vector(dv));
   if (!normal) {
     if (const std::optional<Eigen::Vector2d> step = stepOffPole(uv)) {
@@ -52,8 +53,8 @@ DisplaySurface::Place DisplaySurface::at(const Eigen::Vector2d& uv) const {
       if (near && far) normal = (2 * *near - *far).normalized();
     }
   }
-  if (normal) place.normal = inSpace(*normal);
-  return place;
+  if (normal) sample.normal = inSpace(*normal);
+  return sample;
 }
 
 Eigen::Vector3d DisplaySurface::pointAt(const Eigen::Vector2d& uv) const {

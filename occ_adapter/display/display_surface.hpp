@@ -24,12 +24,12 @@ class DisplaySurface {
   /// the size of a small step.
   void setRange(const Eigen::Vector2d& low, const Eigen::Vector2d& high);
 
-  struct Place {
+  struct Sample {
     Eigen::Vector3d point;
     Eigen::Vector3d normal;  ///< unit; zero where the surface has none
   };
   /// \throws Standard_Failure where OpenCASCADE can't evaluate.
-  Place at(const Eigen::Vector2d& uv) const;
+  Sample at(const Eigen::Vector2d& uv) const;
   Eigen::Vector3d pointAt(const Eigen::Vector2d& uv) const;
   /// \throws Standard_Failure where OpenCASCADE can't evaluate.
   NodeCurvature curvatureAt(const Eigen::Vector2d& uv) const;

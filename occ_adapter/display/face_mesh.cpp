@@ -19,7 +19,7 @@ namespace {
 /// A boundary of three times the size then loses or adds less than 0.4 % of the area, and triangles
 /// across a narrow bent strip do not fold.
 constexpr double sag_by_width = 2e-3;
-/// Each pass halves what is too coarse.
+/// Each pass halves what is too coarse: an edge has at most 256 parts after these.
 constexpr int inner_passes = 8;
 
 /// The two directions of an edge differ.
@@ -73,10 +73,10 @@ FaceMesh::FaceMesh(const TopoDS_Face& face, const TopTools_IndexedMapOfShape& ed
 }
 
 int FaceMesh::addNode(const Eigen::Vector2d& uv) {
-  const DisplaySurface::Place place = surface_.at(uv);
+  const DisplaySurface::Sample sample = surface_.at(uv);
   uv_.push_back(uv);
-  points_.push_back(place.point);
-  normals_.push_back(place.normal);
+  points_.push_back(sample.point);
+  normals_.push_back(sample.normal);
   if (before_) moves_mm_.push_back(moveAt(uv));
   return static_cast<int>(uv_.size()) - 1;
 }
@@ -135,10 +135,10 @@ void FaceMesh::splitPieces(const std::vector<EdgePiece>& pieces) {
   std::vector<Side> halves;
   for (Side& side : sides_) {
     if (!std::ranges::binary_search(pieces, side.piece)) continue;
-    const auto [place, is_new] = middles.try_emplace(edgeKey(side.a, side.b), 0);
-    if (is_new) place->second = addNode(middleOf(side));
+    const auto [node, is_new] = middles.try_emplace(edgeKey(side.a, side.b), 0);
+    if (is_new) node->second = addNode(middleOf(side));
     Side half = side;
-    half.a = side.b = place->second;
+    half.a = side.b = node->second;
     half.at_a = side.at_b = 0.5 * (side.at_a + side.at_b);
     half.piece.from = side.piece.to = 0.5 * (side.piece.from + side.piece.to);
     halves.push_back(half);
@@ -185,13 +185,13 @@ bool FaceMesh::isCoarse(int a, int b, const Eigen::Vector2d& middle) const {
   const Eigen::Vector3d chord = points_[b] - points_[a];
   const double length = chord.norm();
   if (!(length > 0)) return false;
-  const DisplaySurface::Place place = surface_.at(middle);
-  const double height = (place.point - points_[a]).cross(chord).norm() / length;
+  const DisplaySurface::Sample sample = surface_.at(middle);
+  const double height = (sample.point - points_[a]).cross(chord).norm() / length;
   if (height > sag_mm_) return true;
   if (before_ && movesRoughly(a, b, middle)) return true;
   if (length < options_.shortest_rel * size_mm_) return false;
   const double turn = turnBetween(normals_[a], normals_[b]);
-  const double bend = turnBetween(place.normal, normals_[a] + normals_[b]);
+  const double bend = turnBetween(sample.normal, normals_[a] + normals_[b]);
   return turn > options_.turn_rad || bend > std::max(options_.bend_rad, options_.bend_rel * turn);
 }
 
@@ -255,10 +255,10 @@ void FaceMesh::turnBack() {
   }
 }
 
-bool FaceMesh::turnBack(int place, const std::unordered_map<std::uint64_t, int>& owner,
+bool FaceMesh::turnBack(int triangle, const std::unordered_map<std::uint64_t, int>& owner,
                         std::vector<bool>& touched) {
-  const std::array<int, 3> t = triangles_[place];
-  if (touched[place] || signedArea(t[0], t[1], t[2]) > 0) return false;
+  const std::array<int, 3> t = triangles_[triangle];
+  if (touched[triangle] || signedArea(t[0], t[1], t[2]) > 0) return false;
   for (int k = 0; k < 3; ++k) {
     const int a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
     const auto found = owner.find(directedKey(b, a));
@@ -266,8 +266,8 @@ bool FaceMesh::turnBack(int place, const std::unordered_map<std::uint64_t, int>&
     const std::array<int, 3>& other = triangles_[found->second];
     const int d = other[0] + other[1] + other[2] - a - b;
     if (!(signedArea(a, d, c) > 0 && signedArea(d, b, c) > 0)) continue;
-    touched[place] = touched[found->second] = true;
-    triangles_[place] = {a, d, c};
+    touched[triangle] = touched[found->second] = true;
+    triangles_[triangle] = {a, d, c};
     triangles_[found->second] = {d, b, c};
     return true;
   }

@@ -85,7 +85,7 @@ class FaceMesh {
                        std::unordered_set<std::uint64_t>& fine);
   void split(const Middles& middles);
   void turnBack();
-  bool turnBack(int place, const std::unordered_map<std::uint64_t, int>& owner,
+  bool turnBack(int triangle, const std::unordered_map<std::uint64_t, int>& owner,
                 std::vector<bool>& touched);
   double signedArea(int a, int b, int c) const;
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepGProp.hxx>
@@ -16,7 +18,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <seamwright/occ_adapter/analyze/workers.hpp>
@@ -38,15 +39,19 @@ struct Fineness {
   double edge_rad;
   double inside_rad;
 };
+/// Coarse, since triangles are split here until they meet the options: OpenCASCADE only has to find
+/// the topology of each face.
 constexpr Fineness first_fineness = {5e-3, 2e-2, 0.2, 0.4};
 /// For a face that came out wrong, alone.
 constexpr Fineness second_fineness = {5e-4, 1e-3, 0.1, 0.1};
-/// What the area of the triangles may differ by from that of the face.
+/// What the area of the triangles may differ by from that of the face: triangles that meet the
+/// options are off by less than half of it (see sag_by_width), a missing triangle mostly by more.
 constexpr double area_share = 0.01;
-/// A piece of an edge is halved at most so often.
+/// A piece of an edge is halved at most so often: into 1024 parts.
 constexpr int edge_passes = 10;
 
-constexpr double meshed_by = 0.4;  ///< progress
+/// Shares of the progress bar: OpenCASCADE's triangles, then edges, then the inside of faces.
+constexpr double meshed_by = 0.4;
 constexpr double edges_by = 0.6;
 
 /// Passes on that the work is to stop; asked by OpenCASCADE from any thread.
@@ -156,9 +161,7 @@ std::string areaFault(const TopoDS_Face& face, const FaceMesh& mesh) {
     const double allowed = area_share * exact + BRep_Tool::Tolerance(face) * mesh.sizeMm();
     if (std::abs(found - exact) <= allowed) return {};
   }
-  char text[120];
-  std::snprintf(text, sizeof text, "triangles of %.4g mm^2 on a face of %.4g mm^2", found, exact);
-  return text;
+  return fmt::format("triangles of {:.4g} mm^2 on a face of {:.4g} mm^2", found, exact);
 }
 
 class DisplayMeshBuilder {
@@ -171,12 +174,12 @@ class DisplayMeshBuilder {
     if (moved.before.IsNull()) return;
     before_ = partsOf(moved.before, TopAbs_FACE);
     if (before_.Extent() != faces_.Extent())
-      throw std::invalid_argument("the shape before has " + std::to_string(before_.Extent()) +
-                                  " faces, the model " + std::to_string(faces_.Extent()));
+      throw std::invalid_argument(fmt::format("the shape before has {} faces, the model {}",
+                                              before_.Extent(), faces_.Extent()));
     for (const int face : moved.faces)
       if (face < 1 || face > faces_.Extent())
-        throw std::invalid_argument("face " + std::to_string(face) + ": the model has faces 1 to " +
-                                    std::to_string(faces_.Extent()));
+        throw std::invalid_argument(
+            fmt::format("face {}: the model has faces 1 to {}", face, faces_.Extent()));
   }
 
   DisplayMesh run(const TopoDS_Shape& shape, const Progress& progress) {
@@ -187,14 +190,14 @@ class DisplayMeshBuilder {
   }
 
  private:
-  /// Calls step(place) for all faces in parallel.
+  /// Calls step(index) for all faces in parallel.
   template <class Step>
   void each(const Progress& progress, const Step& step) {
     runParallel(
         work_.size(), options_.jobs, [&](std::size_t i) { step(static_cast<int>(i)); }, progress);
   }
 
-  /// Sets aside the faces that can't be triangulated, and returns the others; their places go to
+  /// Sets aside the faces that can't be triangulated, and returns the others; their indices go to
   /// usable_.
   TopoDS_Shape usableFaces(const TopoDS_Shape& shape) {
     const std::vector<std::string> wrong = unusableNumbers(shape, faces_);
@@ -239,10 +242,10 @@ class DisplayMeshBuilder {
       });
   }
 
-  void start(int place, const TopoDS_Face& face, const TopTools_IndexedMapOfShape& edges) {
-    work_[place].mesh = std::make_unique<FaceMesh>(face, edges, options_);
-    if (std::ranges::find(moved_.faces, place + 1) != moved_.faces.end() && !before_.IsEmpty())
-      work_[place].mesh->setMoves(TopoDS::Face(before_(place + 1)), moved_.rough_mm,
+  void start(int index, const TopoDS_Face& face, const TopTools_IndexedMapOfShape& edges) {
+    work_[index].mesh = std::make_unique<FaceMesh>(face, edges, options_);
+    if (std::ranges::find(moved_.faces, index + 1) != moved_.faces.end() && !before_.IsEmpty())
+      work_[index].mesh->setMoves(TopoDS::Face(before_(index + 1)), moved_.rough_mm,
                                   moved_.longest_rel);
   }
 
@@ -261,42 +264,42 @@ class DisplayMeshBuilder {
     }
   }
 
-  void findCoarse(int place) {
-    FaceWork& face = work_[place];
+  void findCoarse(int index) {
+    FaceWork& face = work_[index];
     face.coarse.clear();
     if (face.mesh) attemptFace(face, [&] { face.coarse = face.mesh->coarsePieces(); });
   }
 
-  void splitPieces(int place, const std::vector<EdgePiece>& pieces) {
-    FaceWork& face = work_[place];
+  void splitPieces(int index, const std::vector<EdgePiece>& pieces) {
+    FaceWork& face = work_[index];
     if (face.mesh) attemptFace(face, [&] { face.mesh->splitPieces(pieces); });
   }
 
-  void finish(int place) {
-    FaceWork& face = work_[place];
+  void finish(int index) {
+    FaceWork& face = work_[index];
     if (!face.fault.empty()) return;
     if (face.mesh) attemptFace(face, [&] { face.mesh->refineInside(); });
-    const std::string wrong = faultOf(place);
-    if (!wrong.empty()) tryAlone(place, wrong);
+    const std::string wrong = faultOf(index);
+    if (!wrong.empty()) tryAlone(index, wrong);
     if (!face.mesh) return;
     face.mesh->completeNormals();
     if (options_.curvatures) attemptFace(face, [&] { face.curvatures = face.mesh->curvatures(); });
   }
 
-  std::string faultOf(int place) const {
-    const FaceWork& face = work_[place];
+  std::string faultOf(int index) const {
+    const FaceWork& face = work_[index];
     if (!face.mesh) return "no triangles: " + face.reason;
-    return areaFault(TopoDS::Face(faces_(place + 1)), *face.mesh);
+    return areaFault(TopoDS::Face(faces_(index + 1)), *face.mesh);
   }
 
   /// Triangulates a face by itself and finer, and keeps that if it is right.
-  void tryAlone(int place, const std::string& wrong) {
-    FaceWork& face = work_[place];
+  void tryAlone(int index, const std::string& wrong) {
+    FaceWork& face = work_[index];
     FaceWork given = std::move(face);
     face = {};
     attemptFace(face, [&] {
-      const TopoDS_Shape copy = triangulated(faces_(place + 1), second_fineness, {});
-      start(place, TopoDS::Face(copy), partsOf(copy, TopAbs_EDGE));
+      const TopoDS_Shape copy = triangulated(faces_(index + 1), second_fineness, {});
+      start(index, TopoDS::Face(copy), partsOf(copy, TopAbs_EDGE));
       for (int pass = 0; pass < edge_passes; ++pass) {
         std::vector<EdgePiece> pieces = face.mesh->coarsePieces();
         if (pieces.empty()) break;
@@ -305,7 +308,7 @@ class DisplayMeshBuilder {
       }
       face.mesh->refineInside();
     });
-    if (face.mesh && faultOf(place).empty()) return;
+    if (face.mesh && faultOf(index).empty()) return;
     if (given.mesh) face = std::move(given);
     face.fault = wrong;
   }
@@ -346,7 +349,7 @@ class DisplayMeshBuilder {
   const DisplayMeshOptions& options_;
   const MovedFaces& moved_;
   std::vector<FaceWork> work_;
-  std::vector<int> usable_;  ///< places of the faces that OpenCASCADE triangulates
+  std::vector<int> usable_;  ///< indices of the faces that OpenCASCADE triangulates
 };
 
 }  // namespace
@@ -354,16 +357,15 @@ class DisplayMeshBuilder {
 void DisplayMeshOptions::validate() const {
   const auto positive = [](const char* name, double value) {
     if (!(value > 0))
-      throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
-                                  ": a positive number is needed");
+      throw std::invalid_argument(
+          fmt::format("{} is {:f}: a positive number is needed", name, value));
   };
   positive("turn_rad", turn_rad);
   positive("bend_rad", bend_rad);
   positive("sag_rel", sag_rel);
   positive("shortest_rel", shortest_rel);
   if (jobs < 0)
-    throw std::invalid_argument("jobs is " + std::to_string(jobs) +
-                                ": 0 or a positive number is needed");
+    throw std::invalid_argument(fmt::format("jobs is {}: 0 or a positive number is needed", jobs));
 }
 
 DisplayMesh displayMesh(const Model& model, const DisplayMeshOptions& options,

@@ -64,14 +64,14 @@ class Clearance {
         near_mm_(std::sqrt(box_.SquareExtent()) / 100) {}
 
   bool isOn(const TopoDS_Shape& edges) const {
-    constexpr int places = 8;
+    constexpr int steps = 8;
     for (TopExp_Explorer edge(edges, TopAbs_EDGE); edge.More(); edge.Next()) {
       const TopoDS_Edge& one = TopoDS::Edge(edge.Current());
       if (BRep_Tool::Degenerated(one)) continue;
       const BRepAdaptor_Curve curve(one);
       const double first = curve.FirstParameter(), last = curve.LastParameter();
-      for (int k = 0; k <= places; ++k)
-        if (isAt(curve.Value(first + k * (last - first) / places))) return true;
+      for (int k = 0; k <= steps; ++k)
+        if (isAt(curve.Value(first + k * (last - first) / steps))) return true;
     }
     return false;
   }

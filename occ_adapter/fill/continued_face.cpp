@@ -57,7 +57,7 @@ std::vector<EdgeInterval> intervalsOf(const Hole& hole, double gap_mm) {
       const SidePath path({{edge}, edge.length_mm}, gap_mm);
       EdgeInterval& interval = intervals.emplace_back(EdgeInterval{edge, {}});
       for (int k = 0; k <= count; ++k)
-        interval.samples.push_back(path.atPlace(static_cast<double>(k) / count));
+        interval.samples.push_back(path.atParameter(static_cast<double>(k) / count));
     }
   return intervals;
 }
@@ -190,8 +190,8 @@ class FaceMaker {
   /// The parameters at a share of edge k, in the direction of the hole.
   gp_Pnt2d at(std::size_t k, double share) const {
     const Path& path = paths_[k];
-    const double place = intervals_[k].edge.reversed ? 1 - share : share;
-    return path.on_surface->Value(path.first + place * (path.last - path.first));
+    const double parameter = intervals_[k].edge.reversed ? 1 - share : share;
+    return path.on_surface->Value(path.first + parameter * (path.last - path.first));
   }
 
   /// Moves pcurves by whole periods until each begins where the one before it ends. Returns false

@@ -63,7 +63,8 @@ std::string seamText(const FillReason& reason) {
   const std::string &one = reason.faces.at(0), &other = reason.faces.at(1);
   const std::string seam = one == other ? fmt::format("a seam inside {}", one)
                                         : fmt::format("a seam between {} and {}", one, other);
-  const char* verb = reason.fault == FillFault::MissesTarget ? "is not" : "does not surely reach";
+  const char* verb =
+      reason.fault == FillFault::MissesTarget ? "is not" : "does not certainly reach";
   return fmt::format("{} {} G{:.0f}: {}", seam, verb, reason.number("target"), reason.detail);
 }
 

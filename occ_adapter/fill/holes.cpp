@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
 #include <BRepGProp.hxx>
 #include <BRep_Tool.hxx>
 #include <Eigen/Geometry>
@@ -15,7 +17,6 @@
 #include <map>
 #include <memory>
 #include <numbers>
-#include <sstream>
 #include <stdexcept>
 
 #include <seamwright/core/angle.hpp>
@@ -43,7 +44,7 @@ Eigen::Vector3d centreOf(const TopoDS_Edge& edge) {
 }
 
 struct Corner {
-  gp_Pnt place;
+  gp_Pnt point;
   double reach_mm;
 };
 
@@ -119,14 +120,14 @@ class Loops {
     nodes_ = DisjointSets(static_cast<int>(corners_.size()));
     std::vector<int> order(corners_.size());
     std::iota(order.begin(), order.end(), 0);
-    std::ranges::sort(order, {}, [this](int k) { return corners_[k].place.X(); });
+    std::ranges::sort(order, {}, [this](int k) { return corners_[k].point.X(); });
     double largest_mm = options_.gap_mm;
     for (const Corner& corner : corners_) largest_mm = std::max(largest_mm, corner.reach_mm);
     for (std::size_t i = 0; i < order.size(); ++i)
       for (std::size_t j = i + 1; j < order.size(); ++j) {
         const Corner &a = corners_[order[i]], &b = corners_[order[j]];
-        if (b.place.X() - a.place.X() > 2 * largest_mm) break;
-        if (a.place.Distance(b.place) <= std::max(options_.gap_mm, a.reach_mm + b.reach_mm))
+        if (b.point.X() - a.point.X() > 2 * largest_mm) break;
+        if (a.point.Distance(b.point) <= std::max(options_.gap_mm, a.reach_mm + b.reach_mm))
           nodes_.unite(order[i], order[j]);
       }
     for (Link& link : links_)
@@ -247,13 +248,12 @@ class Loops {
 }  // namespace
 
 void HoleOptions::validate() const {
-  std::ostringstream text;
   if (!(corner_rad > 0 && corner_rad < std::numbers::pi))
-    text << "corner angle is " << corner_rad * degrees_per_radian
-         << " degrees: it must be within 0 and 180";
-  else if (!(gap_mm > 0 && std::isfinite(gap_mm)))
-    text << "gap is " << gap_mm << " mm: it must be positive";
-  if (!text.str().empty()) throw std::invalid_argument(text.str());
+    throw std::invalid_argument(
+        fmt::format("corner angle is {:.6g} degrees: it must be within 0 and 180",
+                    corner_rad * degrees_per_radian));
+  if (!(gap_mm > 0 && std::isfinite(gap_mm)))
+    throw std::invalid_argument(fmt::format("gap is {:.6g} mm: it must be positive", gap_mm));
 }
 
 Holes findHoles(const TopoDS_Shape& shape, const HoleOptions& options) {

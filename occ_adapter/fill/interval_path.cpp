@@ -73,10 +73,10 @@ SideSample placed(SideSample sample, double t, double range) {
 
 SideSample IntervalPath::at(double t, Parametrisation parametrisation) const {
   if (parametrisation == Parametrisation::Own) {
-    const double first = path_->placeOf(interval_.begin),
-                 range = placeAround(interval_.end) - first;
-    const double place = first + t * range;
-    return placed(path_->atPlace(place > 1 ? place - 1 : place), t, range);
+    const double first = path_->parameterOf(interval_.begin),
+                 range = parameterAround(interval_.end) - first;
+    const double parameter = first + t * range;
+    return placed(path_->atParameter(parameter > 1 ? parameter - 1 : parameter), t, range);
   }
   if (parametrisation == Parametrisation::AffineArcLength) {
     const auto [share, rate] = affineShare().at(t);
@@ -92,8 +92,8 @@ SideSample IntervalPath::atShare(double part) const {
   return share > 1 ? path_->atShare(share - 1, part < 1) : path_->atShare(share, part < 1);
 }
 
-double IntervalPath::placeAround(double share) const {
-  return share > 1 ? 1 + path_->placeOf(share - 1) : path_->placeOf(share);
+double IntervalPath::parameterAround(double share) const {
+  return share > 1 ? 1 + path_->parameterOf(share - 1) : path_->parameterOf(share);
 }
 
 const AffineArcLengthShare& IntervalPath::affineShare() const {

@@ -35,7 +35,7 @@ class IntervalPath {
   double range() const { return interval_.end - interval_.begin; }
   /// The sample at a share of the interval.
   SideSample atShare(double part) const;
-  double placeAround(double share) const;
+  double parameterAround(double share) const;
   const AffineArcLengthShare& affineShare() const;
   /// The slope at 0 of the parabola from (0, 0) to (1, 1) that best fits the centripetal parameters
   /// of the joints.

@@ -15,19 +15,19 @@ ArcLength::ArcLength(std::shared_ptr<const FaceStrip> strip) : strip_(std::move(
   for (int k = 0; k < pieces; ++k) lengths_[k + 1] = lengths_[k] + between(at(k), at(k + 1));
 }
 
-double ArcLength::placeAt(double length_mm) const {
+double ArcLength::parameterAt(double length_mm) const {
   const auto after = std::upper_bound(lengths_.begin() + 1, lengths_.end() - 1, length_mm);
   const int k = static_cast<int>(after - lengths_.begin()) - 1;
   const double rest = length_mm - lengths_[k];
-  double place = at(k) + rest / (lengths_[k + 1] - lengths_[k]) / pieces;
+  double parameter = at(k) + rest / (lengths_[k + 1] - lengths_[k]) / pieces;
   // Newton's method ends at this share of the length, near rounding.
   constexpr double rounding = 1e-14;
   for (int step = 0; step < 4; ++step) {
-    const double beyond_mm = between(at(k), place) - rest;
+    const double beyond_mm = between(at(k), parameter) - rest;
     if (std::abs(beyond_mm) <= rounding * this->length_mm()) break;
-    place -= beyond_mm / strip_->trace(std::clamp(place, 0.0, 1.0)).d.norm();
+    parameter -= beyond_mm / strip_->trace(std::clamp(parameter, 0.0, 1.0)).d.norm();
   }
-  return std::clamp(place, 0.0, 1.0);
+  return std::clamp(parameter, 0.0, 1.0);
 }
 
 double ArcLength::between(double from, double to) const {
@@ -77,23 +77,23 @@ SideSample SidePath::atShare(double share, bool after) const {
   const std::size_t k = edgeIndex(share, after);
   const double rest = std::clamp(share * length_mm_ - begins_mm_[k], 0.0, lengths_[k].length_mm());
   SideSample result =
-      sample(k, lengths_[k].placeAt(reversed_[k] ? lengths_[k].length_mm() - rest : rest));
+      sample(k, lengths_[k].parameterAt(reversed_[k] ? lengths_[k].length_mm() - rest : rest));
   result.derivative = length_mm_ * result.derivative.normalized();
   return result;
 }
 
-SideSample SidePath::atPlace(double place) const {
-  return sample(0, reversed_[0] ? 1 - place : place);
+SideSample SidePath::atParameter(double parameter) const {
+  return sample(0, reversed_[0] ? 1 - parameter : parameter);
 }
 
-double SidePath::placeOf(double share) const {
+double SidePath::parameterOf(double share) const {
   if (share <= 0 || share >= 1) return share <= 0 ? 0 : 1;
-  return reversed_[0] ? 1 - lengths_[0].placeAt((1 - share) * length_mm_)
-                      : lengths_[0].placeAt(share * length_mm_);
+  return reversed_[0] ? 1 - lengths_[0].parameterAt((1 - share) * length_mm_)
+                      : lengths_[0].parameterAt(share * length_mm_);
 }
 
-SideSample SidePath::sample(std::size_t k, double place) const {
-  const SidePoint side = strips_[k]->at(place);
+SideSample SidePath::sample(std::size_t k, double parameter) const {
+  const SidePoint side = strips_[k]->at(parameter);
   const Vector3d normal = side.jet.u.cross(side.jet.v).normalized();
   const Vector3d beyond = (side.face_on_left ? 1 : -1) * normal.cross(side.tangent).normalized();
   return {0, side.jet.p, (reversed_[k] ? -1 : 1) * side.tangent, normal, beyond, side.jet};

@@ -25,7 +25,7 @@ class ArcLength {
  public:
   explicit ArcLength(std::shared_ptr<const FaceStrip> strip);
   double length_mm() const { return lengths_[pieces]; }
-  double placeAt(double length_mm) const;
+  double parameterAt(double length_mm) const;
 
  private:
   static constexpr int pieces = 32;
@@ -52,12 +52,12 @@ class SidePath {
   /// \param after at a joint, take the edge that begins there.
   SideSample atShare(double share, bool after) const;
   /// The sample of a path of one edge at a share of the edge's own parameter.
-  SideSample atPlace(double place) const;
-  double placeOf(double share) const;
+  SideSample atParameter(double parameter) const;
+  double parameterOf(double share) const;
 
  private:
   std::size_t edgeIndex(double share, bool after) const;
-  SideSample sample(std::size_t k, double place) const;
+  SideSample sample(std::size_t k, double parameter) const;
 
   std::vector<std::shared_ptr<const FaceStrip>> strips_;
   std::vector<ArcLength> lengths_;

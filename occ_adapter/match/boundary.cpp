@@ -86,6 +86,8 @@ struct Box {
   }
 };
 
+/// Points at which a path is compared with a parameter line and with its edge: sides that are
+/// natural are lines with few bends, if any.
 constexpr int points_of_a_path = 65;
 
 std::vector<Eigen::Array2d> pointsOf(const Geom2d_Curve& path, double first, double last) {
@@ -248,6 +250,8 @@ CommonBoundary commonBoundary(const TopoDS_Shape& model, const std::array<TopoDS
 
 MatchReason whyApart(const Seam& seam, const FaceMatchOptions& options) {
   const double near_mm = std::max(options.match_mm, options.tolerance.gap_mm);
+  // What is shorter is no seam by itself, and may be left out: see shortestSeam_mm().
+  constexpr double left_out = 4;
   for (const int which : {0, 1}) {
     const std::vector<double>& shares = which == 0 ? seam.correspondence.a : seam.correspondence.b;
     if (shares.empty()) continue;
@@ -257,7 +261,7 @@ MatchReason whyApart(const Seam& seam, const FaceMatchOptions& options) {
       const double first = curve.FirstParameter(), range = curve.LastParameter() - first;
       return GCPnts_AbscissaPoint::Length(curve, first + from * range, first + to * range);
     };
-    if (std::max(length_mm(0, low), length_mm(high, 1)) <= 4 * near_mm) continue;
+    if (std::max(length_mm(0, low), length_mm(high, 1)) <= left_out * near_mm) continue;
     return match_why::boundariesApart(near_mm, length_mm(low, high), length_mm(0, 1));
   }
   return {};

@@ -26,8 +26,9 @@ TopoDS_Shape pairOf(const std::array<TopoDS_Face, 2>& faces);
 CommonBoundary commonBoundary(const TopoDS_Shape& model, const std::array<TopoDS_Face, 2>& faces,
                               const FaceMatchOptions& options, const Progress& progress);
 
-/// Why an edge of a matched seam is not near the other one over its whole length; empty if it is. At
-/// each end, four times the larger of the matching distance and the gap tolerance may be missing.
+/// Why an edge of a matched seam is not near the other one over its whole length; empty if it is.
+/// At each end, four times the larger of the matching distance and the gap tolerance may be
+/// missing.
 MatchReason whyApart(const Seam& seam, const FaceMatchOptions& options);
 
 /// A face beside the common boundary.

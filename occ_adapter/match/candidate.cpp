@@ -93,6 +93,8 @@ Candidate joinWithKnots(const PairToMatch& pair, int extra_multiplicity) {
   Candidate candidate;
   NearestOptions options;
   options.order = pair.options.order;
+  // Steps converge quadratically once they are near: the first ten bring most of the way, and each
+  // takes seconds with thousands of poles.
   constexpr int steps_with_many_poles = 10;
   if (!hasFewPoles(pair, rows[0])) options.max_iterations = steps_with_many_poles;
   NearestJoin join;
@@ -165,6 +167,7 @@ SeamPlan planAlongPath(const PairToMatch& pair, const EdgeRows& moved) {
 EdgeRows rowsToMove(const MatchSide& side, int order) {
   EdgeRows rows(copyOf(side.spline), side.edge);
   const bool is_one_span = rows.rows() == rows.degreeAcross() + 1;
+  // order + 1 rows move; as many behind the opposite side keep that side with its derivatives.
   rows.raiseDegreeAcross(is_one_span ? 2 * order + 1 : order);
   rows.refineAcross(2 * order + 2);
   return rows;
@@ -184,6 +187,8 @@ Candidate joinInPoles(const PairToMatch& pair) {
 }
 
 Candidate joinToTolerance(const PairToMatch& pair, double limit) {
+  // Figures of a fit fall by a power of the length of a span: where 64 parts of a span do not meet
+  // the tolerance, the faces contradict each other there. The columns bound the time.
   constexpr int most_refinements = 6;
   constexpr int most_columns = 600;
   const DeformationOptions options{pair.options.order, pair.options.hold_sides,
@@ -195,6 +200,8 @@ Candidate joinToTolerance(const PairToMatch& pair, double limit) {
     candidate.failure = whySidesMove(rows, reference, options);
     if (!candidate.failure.empty()) return candidate;
   }
+  // The error of a fit falls with the power degree + 1 of a span: rows of lower degree would need
+  // many more spans.
   rows.raiseDegreeAlong(options.order + 2);
   double worst = 0;
   for (int refinements = 0; refinements <= most_refinements; ++refinements) {

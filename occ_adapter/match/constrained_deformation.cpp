@@ -16,7 +16,7 @@ namespace seamwright::occ {
 
 namespace {
 
-/// What the reference shows at a place of the side.
+/// What the reference shows at a parameter of the side.
 struct Target {
   double t = 0;
   Blend blend;
@@ -28,7 +28,9 @@ struct Target {
 std::vector<Target> targetsOf(const EdgeRows& rows, const SideBasis& basis,
                               const Reference& reference) {
   std::vector<Target> targets;
-  for (const double t : placesInSpans(rows.knotsAlong(), std::max(4, rows.degreeAlong() + 1))) {
+  // More points in a span than a polynomial of its degree has coefficients: no row can meet them
+  // all and swing between them.
+  for (const double t : parametersInSpans(rows.knotsAlong(), std::max(4, rows.degreeAlong() + 1))) {
     const SidePoint point = reference.at(t);
     Target target{t, basis.at(t), point.jet.p, unitNormal(point.jet, point.noise), {}};
     target.curvature.setZero();
@@ -62,6 +64,8 @@ class RowDeformation {
   int end(int which) const { return which == 0 ? 0 : rows_.columns() - 1; }
 
   void apply(int row, const LeastMoves& system) {
+    // Rows that meet the points alike differ by the null space of the conditions; the damping takes
+    // the one that moves least. It is squared, so conditions are met to 1e-10 of a move.
     constexpr double damping = 1e-5;
     const PointRows moves = system.solve(damping);
     for (int j = 0; j < rows_.columns(); ++j)
@@ -125,11 +129,11 @@ std::vector<Eigen::Vector2d> gridOverRows(const EdgeRows& rows, int order, int a
   constexpr int per_span = 9;
   const std::vector<double> knots = knotsFromSide(rows);
   const double reach = std::min(1.0, knots[order + rows.degreeAcross() + 1] / knots.back());
-  std::vector<Eigen::Vector2d> places;
-  for (const double t : placesInSpans(rows.knotsAlong(), per_span))
+  std::vector<Eigen::Vector2d> parameters;
+  for (const double t : parametersInSpans(rows.knotsAlong(), per_span))
     for (int k = 0; k < across_points; ++k)
-      places.push_back(rows.parameters(t, reach * k / (across_points - 1)));
-  return places;
+      parameters.push_back(rows.parameters(t, reach * k / (across_points - 1)));
+  return parameters;
 }
 
 using Height = std::function<double(const Eigen::Vector2d&)>;
@@ -196,6 +200,7 @@ bool isCollapsed(const EdgeRows& rows, int column) {
     size = std::max(size, rows.pole(row, column).cwiseAbs().maxCoeff());
     spread = std::max(spread, (rows.pole(row, column) - rows.pole(0, column)).norm());
   }
+  // Poles that a file or a knot insertion rounds: some tens of operations on a coordinate.
   return spread <= 64 * std::numeric_limits<double>::epsilon() * size;
 }
 
@@ -227,7 +232,7 @@ MovedSurface deformed(const EdgeRows& rows, const Reference& reference,
 std::vector<double> sampledRatios(const EdgeRows& rows, const Reference& reference,
                                   const DeformationOptions& options) {
   constexpr int per_span = 9;
-  const std::vector<double> t = placesInSpans(rows.knotsAlong(), per_span);
+  const std::vector<double> t = parametersInSpans(rows.knotsAlong(), per_span);
   std::vector<double> ratios;
   for (std::size_t first = 0; first + 1 < t.size(); first += per_span) {
     double worst = 0;

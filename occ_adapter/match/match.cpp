@@ -180,7 +180,7 @@ Proof prove(const MatchTask& task, const PairToMatch& pair, const Candidate& can
   const double tolerance_mm = largestTolerance_mm(rebuilt.shell);
   const double given_mm =
       std::max(largestTolerance_mm(pairOf(task.faces)), task.options.tolerance.gap_mm);
-  // Twice: curves on a moved surface are fitted anew and need a little more than they had.
+  // Twice: curves on a moved surface are fitted again and need a little more than they had.
   if (!reaches(proof.after.figures, task.options))
     proof.failure = match_why::stillMisses(candidate.how, figuresText(proof.after));
   else if (tolerance_mm > 2 * given_mm)

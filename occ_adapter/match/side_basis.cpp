@@ -83,7 +83,7 @@ std::vector<double> knotsFromSide(const EdgeRows& rows) {
   return knots;
 }
 
-std::vector<double> placesInSpans(const std::vector<double>& knots, int per_span) {
+std::vector<double> parametersInSpans(const std::vector<double>& knots, int per_span) {
   std::vector<double> t = {0};
   for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
     if (knots[i + 1] <= knots[i]) continue;

@@ -40,6 +40,6 @@ std::vector<double> knotsFromSide(const EdgeRows& rows);
 
 /// Chebyshev-Lobatto points of each span of flat knots from 0 to 1: \p per_span + 1 in each span,
 /// with the ends shared.
-std::vector<double> placesInSpans(const std::vector<double>& knots, int per_span);
+std::vector<double> parametersInSpans(const std::vector<double>& knots, int per_span);
 
 }  // namespace seamwright::occ

@@ -255,6 +255,7 @@ bool samePoint(const Placed& a, const Placed& b) {
   double reach = p.XYZ().Modulus();
   for (const Placed& vertex : {a, b})
     reach += 2 * vertex.frame.Transformation().TranslationPart().Modulus();
+  // Each placement is some multiplications and additions for a coordinate, there and back.
   return p.Distance(q) <= 16 * std::numeric_limits<double>::epsilon() * reach;
 }
 
@@ -484,7 +485,7 @@ bool carryFace(const Part& part, const Steps& steps, const ChosenSurfaces& surfa
   return true;
 }
 
-/// Gives an edge its curves anew, also where only a surface that it names is another one.
+/// Gives an edge its curves again, also where only a surface that it names is another one.
 void carryEdge(const Part& part, const Steps& steps, const ChosenSurfaces& surfaces) {
   const opencascade::handle<BRep_TEdge> into = contentOf<BRep_TEdge>(part.into),
                                         changed = contentOf<BRep_TEdge>(part.changed.shape);

@@ -12,6 +12,8 @@ namespace seamwright::occ {
 
 namespace {
 
+/// What is read of a file to tell its format. Comments may stand before the first keyword; the flag
+/// of an IGES file is in column 73 of its first lines, and its last line is a full record.
 constexpr std::size_t window = 4096;
 
 struct Ends {

@@ -49,7 +49,7 @@ class AttributeCollector {
         layers_(XCAFDoc_DocumentTool::LayerTool(document->Main())) {
     for (const TopAbs_ShapeEnum kind :
          {TopAbs_COMPOUND, TopAbs_SOLID, TopAbs_SHELL, TopAbs_FACE, TopAbs_EDGE})
-      addPlaces(shape, kind);
+      addParts(shape, kind);
   }
 
   std::vector<ShapeAttribute> collect() {
@@ -62,17 +62,18 @@ class AttributeCollector {
       for (const TDF_Label& part : parts) take(part);
     }
     std::vector<ShapeAttribute> result;
-    for (auto& [place, attribute] : found_) result.push_back(std::move(attribute));
+    for (auto& [number, attribute] : found_) result.push_back(std::move(attribute));
     return result;
   }
 
  private:
-  using Place = std::pair<TopAbs_ShapeEnum, int>;
+  using PartNumber = std::pair<TopAbs_ShapeEnum, int>;
 
-  void addPlaces(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
+  void addParts(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
     TopTools_IndexedMapOfShape map;
     TopExp::MapShapes(shape, kind, map);
-    for (int i = 1; i <= map.Extent(); ++i) places_.emplace(map(i).TShape().get(), Place(kind, i));
+    for (int i = 1; i <= map.Extent(); ++i)
+      parts_.emplace(map(i).TShape().get(), PartNumber(kind, i));
   }
 
   void take(const TDF_Label& label) {
@@ -82,12 +83,12 @@ class AttributeCollector {
     const std::optional<std::array<double, 3>> color = colorOf(label);
     const std::vector<std::string> layers = layersOf(label);
     if (name.empty() && !color && layers.empty()) return;
-    const auto [begin, end] = places_.equal_range(shape.TShape().get());
+    const auto [begin, end] = parts_.equal_range(shape.TShape().get());
     for (auto it = begin; it != end; ++it) {
-      const Place& place = it->second;
-      ShapeAttribute& attribute = found_[place];
-      attribute.kind = place.first;
-      attribute.index = place.second;
+      const PartNumber& number = it->second;
+      ShapeAttribute& attribute = found_[number];
+      attribute.kind = number.first;
+      attribute.index = number.second;
       if (!name.empty()) attribute.name = name;
       if (color) attribute.color = color;
       if (!layers.empty()) attribute.layers = layers;
@@ -121,8 +122,8 @@ class AttributeCollector {
   opencascade::handle<XCAFDoc_ShapeTool> shapes_;
   opencascade::handle<XCAFDoc_ColorTool> colors_;
   opencascade::handle<XCAFDoc_LayerTool> layers_;
-  std::multimap<const void*, Place> places_;
-  std::map<Place, ShapeAttribute> found_;
+  std::multimap<const void*, PartNumber> parts_;
+  std::map<PartNumber, ShapeAttribute> found_;
 };
 
 void requireFaces(const TopoDS_Shape& shape, const std::filesystem::path& path) {

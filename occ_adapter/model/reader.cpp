@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
 #include <dlfcn.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -84,10 +86,10 @@ struct Incoming {
 };
 
 ModelError notInTime(const Question& question, const ReaderBounds& bounds) {
-  std::ostringstream text;
-  text << "can't be " << question.deed << ": OpenCASCADE exceeded the time limit of "
-       << bounds.seconds << " s; SEAMWRIGHT_READER_SECONDS sets another limit";
-  return {ModelErrc::ReaderDied, question.model, text.str()};
+  return {ModelErrc::ReaderDied, question.model,
+          fmt::format("can't be {}: OpenCASCADE exceeded the time limit of {:.6g} s; "
+                      "SEAMWRIGHT_READER_SECONDS sets another limit",
+                      question.deed, bounds.seconds)};
 }
 
 /// Hands everything that the child says to \p take until it ends. Time counts only while the child
@@ -125,9 +127,8 @@ void requireSuccess(const Incoming& incoming, int status, const Question& questi
                      cant + "OpenCASCADE crashed on it (" + strsignal(WTERMSIG(status)) + ")");
   if (!incoming.answer.shape && !incoming.answer.file)
     throw ModelError(ModelErrc::ReaderDied, question.model,
-                     cant + "the reading process ended with status " +
-                         std::to_string(WEXITSTATUS(status)) + " and no " +
-                         (question.deed == "read" ? "shape" : "file"));
+                     fmt::format("{}the reading process ended with status {} and no {}", cant,
+                                 WEXITSTATUS(status), question.deed == "read" ? "shape" : "file"));
 }
 
 }  // namespace

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
 // The reading program answers on file descriptor 3 (see wire.hpp). What a bad file does to
 // OpenCASCADE it does here, and not to the program that asked.
 //
@@ -56,7 +58,7 @@ void endWithParent() {
 std::uintmax_t memoryInUse() {
   std::ifstream file("/proc/self/statm");
   std::uintmax_t pages = 0;
-  constexpr int data_field = 6;
+  constexpr int data_field = 6;  // of /proc/self/statm: data and stack
   for (int field = 0; field < data_field; ++field) file >> pages;
   return file ? pages * static_cast<std::uintmax_t>(sysconf(_SC_PAGESIZE)) : 0;
 }
@@ -71,11 +73,10 @@ void sendOutOfMemory() {
   // The answer needs some memory too.
   const rlimit unbounded{RLIM_INFINITY, RLIM_INFINITY};
   setrlimit(RLIMIT_DATA, &unbounded);
-  std::ostringstream text;
-  text << "can't be " << deed << ": OpenCASCADE asks for more than "
-       << static_cast<double>(memory_bound) / 1e6
-       << " MB of memory with it; SEAMWRIGHT_READER_MEMORY_MB allows more";
-  sendError(ModelErrc::ReaderDied, text.str());
+  sendError(ModelErrc::ReaderDied,
+            fmt::format("can't be {}: OpenCASCADE asks for more than {:.6g} MB of memory with it; "
+                        "SEAMWRIGHT_READER_MEMORY_MB allows more",
+                        deed, static_cast<double>(memory_bound) / 1e6));
 }
 
 /// Memory is bounded from here on. The parent bounds the time; it also is bounded here as processor

@@ -13,6 +13,7 @@ namespace seamwright::occ::wire {
 
 namespace {
 
+/// The kind of a frame and the length of its payload.
 constexpr std::size_t header_size = 1 + sizeof(std::uint64_t);
 
 void writeAll(int descriptor, std::string_view bytes) {

@@ -52,6 +52,7 @@ class Lines {
   }
 
   void mayBreak() {
+    // OpenCASCADE's own width. Readers accept any; lines stay within 80 columns for most numbers.
     constexpr std::size_t width = 72;
     if (column_ < width) return;
     text_ += "\n  ";

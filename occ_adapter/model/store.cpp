@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
 #include <APIHeaderSection_MakeHeader.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
@@ -89,14 +91,14 @@ struct Manner {
 
 void chooseUnit(Manner& manner, double mm) {
   for (const LengthUnit& unit : length_units)
+    // Files give a unit with seven digits or so, and no two units are so near.
     if (std::abs(unit.mm - mm) <= 1e-6 * mm) {
       manner.unit = unit.name;
       return;
     }
-  std::ostringstream note;
-  note << "the length unit of the source is " << mm
-       << " mm, which OpenCASCADE can't write: written in mm";
-  manner.notes.push_back(note.str());
+  manner.notes.push_back(fmt::format(
+      "the length unit of the source is {:.6g} mm, which OpenCASCADE can't write: written in mm",
+      mm));
 }
 
 std::string lowerCase(std::string text) {
@@ -491,7 +493,7 @@ Prepared prepare(const Model& model, const WriteOptions& options, const Progress
 
 Stored storeModel(const Model& model, Format target, const WriteOptions& options,
                   const Progress& progress) {
-  constexpr double read = 0.5;
+  constexpr double read = 0.5;  // of the progress bar: reading takes about as long as writing
   Prepared prepared = prepare(model, options, partOf(progress, 0, read));
   const Progress rest = partOf(progress, read, 1);
   const opencascade::handle<Reporter> reporter = new Reporter(rest);

@@ -20,6 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Bytes written at a time, between two looks at whether to stop.
 constexpr std::size_t portion = 1 << 20;
 
 [[noreturn]] void fail(const fs::path& target, int error) {
@@ -148,7 +149,7 @@ class Beside {
 }  // namespace
 
 fs::path withoutLinks(const fs::path& target) {
-  constexpr int most_links = 40;
+  constexpr int most_links = 40;  // as the kernel of Linux follows
   std::error_code error;
   fs::path real = target;
   // Where a link leads to nothing it is not followed by canonical names.

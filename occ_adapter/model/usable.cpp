@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
 #include <BRep_CurveRepresentation.hxx>
 #include <BRep_GCurve.hxx>
 #include <BRep_ListOfCurveRepresentation.hxx>
@@ -35,10 +37,8 @@ namespace seamwright::occ {
 
 namespace {
 
-std::string numberInWords(const std::string& what, double number) {
-  std::ostringstream text;
-  text << what << " with the number " << number;
-  return text.str();
+std::string faultyNumber(const std::string& what, double number) {
+  return fmt::format("{} with the number {:.6g}", what, number);
 }
 
 /// The first fault of several, or nothing.
@@ -56,7 +56,7 @@ class FaultFinder {
   /// What is wrong with numbers, or nothing.
   std::string faultOf(const std::string& what, std::initializer_list<double> numbers) const {
     for (const double number : numbers)
-      if (!isUsableNumber(number)) return numberInWords(what, number);
+      if (!isUsableNumber(number)) return faultyNumber(what, number);
     return {};
   }
 
@@ -70,7 +70,7 @@ class FaultFinder {
     for (int row = 1; row <= 3; ++row)
       for (int column = 1; column <= 4; ++column)
         if (const double number = motion.Value(row, column); !isUsableNumber(number))
-          return numberInWords("a location", number);
+          return faultyNumber("a location", number);
     return {};
   }
 
@@ -90,7 +90,7 @@ class FaultFinder {
       end = std::min(text.find_first_of(between, begin), text.size());
       double number = 0;
       const auto [stop, error] = std::from_chars(text.data() + begin, text.data() + end, number);
-      if (error == std::errc() && !isUsableNumber(number)) return numberInWords(what, number);
+      if (error == std::errc() && !isUsableNumber(number)) return faultyNumber(what, number);
     }
     return {};
   }
@@ -100,12 +100,12 @@ class FaultFinder {
     const std::string what = "a surface";
     for (const TColStd_Array1OfReal* knots : {&spline.UKnots(), &spline.VKnots()})
       for (const double knot : *knots)
-        if (!isUsableNumber(knot)) return numberInWords(what, knot);
+        if (!isUsableNumber(knot)) return faultyNumber(what, knot);
     for (int i = 1; i <= spline.NbUPoles(); ++i)
       for (int j = 1; j <= spline.NbVPoles(); ++j) {
         const gp_XYZ& pole = spline.Poles().Value(i, j).XYZ();
         for (const double number : {pole.X(), pole.Y(), pole.Z(), spline.Weight(i, j)})
-          if (!isUsableNumber(number)) return numberInWords(what, number);
+          if (!isUsableNumber(number)) return faultyNumber(what, number);
       }
     return {};
   }
@@ -162,7 +162,7 @@ class FaultFinder {
     for (BRep_ListIteratorOfListOfPointRepresentation it(body->Points());
          fault.empty() && it.More(); it.Next())
       fault = firstFaultOf({faultOf(it.Value()->Location()),
-                            faultOf("a place of a vertex", {it.Value()->Parameter()})});
+                            faultOf("a parameter of a vertex", {it.Value()->Parameter()})});
     return fault;
   }
 
@@ -221,7 +221,7 @@ const TopoDS_Edge& asEdge(const TopoDS_Shape& shape) {
 }
 
 std::string countedParts(std::size_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
 }  // namespace
@@ -240,18 +240,18 @@ UnusableParts::UnusableParts(const TopoDS_Shape& shape)
 }
 
 std::string UnusableParts::describeFace(int face) const {
-  return "face " + std::to_string(face) + " has " + faces_.at(face);
+  return fmt::format("face {} has {}", face, faces_.at(face));
 }
 
 std::string UnusableParts::describeEdge(int edge) const {
-  return "edge " + std::to_string(edge) + " has " + edges_.at(edge);
+  return fmt::format("edge {} has {}", edge, edges_.at(edge));
 }
 
 std::string UnusableParts::whyLeftOut(int face) const {
   if (hasFace(face)) return "has " + faces_.at(face);
   const auto edge = edge_of_face_.find(face);
   if (edge == edge_of_face_.end()) return {};
-  return "has edge " + std::to_string(edge->second) + ", which has " + edges_.at(edge->second);
+  return fmt::format("has edge {}, which has {}", edge->second, edges_.at(edge->second));
 }
 
 std::string UnusableParts::note() const {
@@ -279,11 +279,10 @@ std::string whyNotFinite(const TopoDS_Shape& shape) {
   const FaultFinder search(std::numeric_limits<double>::infinity());
   const std::map<int, std::string> faces = faultsOf(shape, TopAbs_FACE, asFace, search);
   if (!faces.empty())
-    return "face " + std::to_string(faces.begin()->first) + " has " + faces.begin()->second;
+    return fmt::format("face {} has {}", faces.begin()->first, faces.begin()->second);
   const std::map<int, std::string> edges = faultsOf(shape, TopAbs_EDGE, asEdge, search);
-  return edges.empty()
-             ? std::string()
-             : "edge " + std::to_string(edges.begin()->first) + " has " + edges.begin()->second;
+  if (edges.empty()) return {};
+  return fmt::format("edge {} has {}", edges.begin()->first, edges.begin()->second);
 }
 
 void noteUnusableParts(Model& model) {

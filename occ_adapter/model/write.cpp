@@ -173,7 +173,7 @@ WriteReport writeModel(const Model& model, const std::filesystem::path& path,
   if (model.shape.IsNull())
     throw ModelError(ModelErrc::NoShapes, path, "can't be written: the model has no shape");
   requireTarget(model.path, path, options);
-  constexpr double made = 0.9;
+  constexpr double made = 0.9;  // of the progress bar: the rest is for the disk and the check
   Written written;
   try {
     written = writtenModel(model, path, format, options, partOf(progress, 0, made));

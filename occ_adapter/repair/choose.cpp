@@ -240,7 +240,7 @@ Eigen::Vector3d turnAt(const FaceStrip& strip, double s) {
 RepairReason whyKinked(const Seam& seam, const ContinuityTolerance& tolerance) {
   // One side of the kink misses by at least half of its angle: more than twice the tolerance can't
   // be met. The margin of 0.1 is for the turn of the normals beside the kink.
-  constexpr double surely = 2.1;
+  constexpr double certain = 2.1;
   if (seam.kind != SeamKind::Shared) return {};
   std::vector<FaceStrip> strips;
   for (const Coedge& side : seam.sides)
@@ -255,7 +255,7 @@ RepairReason whyKinked(const Seam& seam, const ContinuityTolerance& tolerance) {
       if (!a || !b) continue;
       const double sense = a->dot(*b) < 0 ? -1 : 1;
       const double turn_rad = (turnAt(strips[0], s) - sense * turnAt(strips[1], s)).norm();
-      if (turn_rad <= surely * tolerance.angle_rad) continue;
+      if (turn_rad <= certain * tolerance.angle_rad) continue;
       return why::surfaceKink(seam.sides[k].face, turn_rad * degrees_per_radian, s);
     }
   return {};

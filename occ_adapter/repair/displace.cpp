@@ -126,7 +126,7 @@ bool maySlide(const RepairTask& task, std::size_t i, int side, const Pcurve& pat
          !BRep_Tool::IsClosed(own.edge, own.shape) && StayingSurface(own.shape).surrounds(path);
 }
 
-Joint jointOf(const RepairTask& task, std::size_t i, const MissedPlaces& missed,
+Joint jointOf(const RepairTask& task, std::size_t i, const MissedParameters& missed,
               const TurnsAtEnds& turns, const std::set<int>& moving, const Restraints& restraints) {
   Joint joint;
   joint.seam = i;
@@ -142,7 +142,8 @@ Joint jointOf(const RepairTask& task, std::size_t i, const MissedPlaces& missed,
     joint.slides[k] = maySlide(task, i, k, joint.paths[k], moving, restraints);
   joint.turn_rad = task.options.tolerance.angle_rad + turns.at_rad(task.seams[i]);
   joint.map = task.seams[i].correspondence;
-  if (const auto places = missed.find(i); places != missed.end()) joint.also = places->second;
+  if (const auto parameters = missed.find(i); parameters != missed.end())
+    joint.also = parameters->second;
   return joint;
 }
 
@@ -170,7 +171,7 @@ std::set<int> facesToMove(const RepairTask& task) {
 }
 
 std::vector<Joint> jointsOf(const RepairTask& task, const std::vector<Coedge>& open,
-                            const std::set<int>& moving, const MissedPlaces& missed,
+                            const std::set<int>& moving, const MissedParameters& missed,
                             const Restraints& restraints) {
   const TurnsAtEnds turns(task);
   std::vector<Joint> joints;
@@ -366,7 +367,8 @@ FairComponent failed(const Part& part, std::string key, const RepairReason& why)
 }  // namespace
 
 std::vector<FairComponent> displaceFaces(const RepairTask& task, const std::vector<Coedge>& open,
-                                         const MissedPlaces& missed, const Restraints& restraints,
+                                         const MissedParameters& missed,
+                                         const Restraints& restraints,
                                          const std::vector<FairComponent>& before,
                                          const Progress& progress) {
   const TaskFaces faces(task);

@@ -14,7 +14,7 @@
 namespace seamwright::occ {
 
 /// By seam: parameters in 0..1 at which samples missed their tolerance.
-using MissedPlaces = std::map<std::size_t, std::set<double>>;
+using MissedParameters = std::map<std::size_t, std::set<double>>;
 
 /// What is asked of a face after it became less fair, moved too far, or was trimmed badly; see
 /// MovingFace.
@@ -48,7 +48,8 @@ struct FairComponent {
 /// \param before components of a task that asked for more; the solution starts from them.
 /// \throws Cancelled; Standard_Failure.
 std::vector<FairComponent> displaceFaces(const RepairTask& task, const std::vector<Coedge>& open,
-                                         const MissedPlaces& missed, const Restraints& restraints,
+                                         const MissedParameters& missed,
+                                         const Restraints& restraints,
                                          const std::vector<FairComponent>& before,
                                          const Progress& progress);
 

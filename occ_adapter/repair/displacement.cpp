@@ -436,11 +436,11 @@ std::vector<EnergyBlock> Displacement::bending() const {
 namespace {
 
 /// Values of the polynomial basis functions of an axis, one row for each parameter.
-Eigen::MatrixXd collocation(const SplineAxis& axis, const std::vector<double>& places) {
+Eigen::MatrixXd collocation(const SplineAxis& axis, const std::vector<double>& parameters) {
   Eigen::MatrixXd values =
-      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(places.size()), axis.poles);
-  for (std::size_t row = 0; row < places.size(); ++row) {
-    double t = places[row];
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(parameters.size()), axis.poles);
+  for (std::size_t row = 0; row < parameters.size(); ++row) {
+    double t = parameters[row];
     const int span = axis.span(t, 0);
     const Eigen::MatrixXd functions =
         bspline::basisDerivatives(axis.degree, axis.knots, span, t, 0);
@@ -452,19 +452,19 @@ Eigen::MatrixXd collocation(const SplineAxis& axis, const std::vector<double>& p
 
 /// Parameters for a fit: degree + 2 Chebyshev nodes in each span, one more than determine a
 /// polynomial.
-std::vector<double> fitPlaces(const SplineAxis& axis) {
-  std::vector<double> places;
+std::vector<double> fitParameters(const SplineAxis& axis) {
+  std::vector<double> parameters;
   const int inside = axis.degree + 2;
   for (const int span : axis.spans())
     for (int k = 0; k < inside; ++k)
-      places.push_back(axis.knots[span] +
-                       (0.5 - 0.5 * std::cos((k + 0.5) * std::numbers::pi / inside)) *
-                           axis.length(span));
+      parameters.push_back(axis.knots[span] +
+                           (0.5 - 0.5 * std::cos((k + 0.5) * std::numbers::pi / inside)) *
+                               axis.length(span));
   if (!axis.periodic) {
-    places.front() = axis.first;
-    places.back() = axis.last;
+    parameters.front() = axis.first;
+    parameters.back() = axis.last;
   }
-  return places;
+  return parameters;
 }
 
 /// Replaces the moves of a side that is one point by their mean.
@@ -494,11 +494,12 @@ std::pair<SplineSurface, PointRows> Displacement::refined() const {
   for (const int direction : {0, 1})
     insertKnots(*x, direction, lacking(knotLine(*d, direction), knotLine(*x, direction)));
   const SurfaceBasis basis(*x);
-  const std::vector<double> places_u = fitPlaces(basis.u()), places_v = fitPlaces(basis.v());
-  const Eigen::MatrixXd x_u = collocation(basis.u(), places_u),
-                        x_v = collocation(basis.v(), places_v);
-  const Eigen::MatrixXd d_u = collocation(basis_.u(), places_u),
-                        d_v = collocation(basis_.v(), places_v);
+  const std::vector<double> parameters_u = fitParameters(basis.u()),
+                            parameters_v = fitParameters(basis.v());
+  const Eigen::MatrixXd x_u = collocation(basis.u(), parameters_u),
+                        x_v = collocation(basis.v(), parameters_v);
+  const Eigen::MatrixXd d_u = collocation(basis_.u(), parameters_u),
+                        d_v = collocation(basis_.v(), parameters_v);
   const Eigen::HouseholderQR<Eigen::MatrixXd> fit_u(x_u), fit_v(x_v);
   const int rows = basis.u().poles, columns = basis.v().poles;
   Eigen::MatrixXd weights = Eigen::MatrixXd::Ones(rows, columns);

@@ -74,9 +74,9 @@ class SpanScale {
   }
   int spans() const { return static_cast<int>(ends_.size()) - 1; }
   double at(double share) const {
-    const double place = share * spans();
-    const int span = std::clamp(static_cast<int>(place), 0, spans() - 1);
-    return ends_[span] + (place - span) * (ends_[span + 1] - ends_[span]);
+    const double position = share * spans();
+    const int span = std::clamp(static_cast<int>(position), 0, spans() - 1);
+    return ends_[span] + (position - span) * (ends_[span + 1] - ends_[span]);
   }
 
  private:
@@ -146,20 +146,20 @@ class LineWalk {
  private:
   void walk(const Outline& outline, int fixed, const SpanScale& across, const SpanScale& along,
             SurfaceChange& change) {
-    const int places = std::clamp(grid_.places * along.spans(), grid_.least, grid_.most);
+    const int points = std::clamp(grid_.places * along.spans(), grid_.least, grid_.most);
     for (int line = 0; line < grid_.lines; ++line) {
       const double at = across.at((line + 0.5) / grid_.lines);
       const auto parts = outline.inside(fixed, at);
       auto part = parts.begin();
       start();
-      for (int k = 0; k < places && part != parts.end(); ++k) {
-        const double place = along.at((k + 0.5) / places);
-        while (part != parts.end() && place > part->second) {
+      for (int k = 0; k < points && part != parts.end(); ++k) {
+        const double parameter = along.at((k + 0.5) / points);
+        while (part != parts.end() && parameter > part->second) {
           ++part;
           finish();
         }
-        if (part == parts.end() || place < part->first) continue;
-        look(fixed == 0 ? at : place, fixed == 0 ? place : at, fixed == 1, change);
+        if (part == parts.end() || parameter < part->first) continue;
+        look(fixed == 0 ? at : parameter, fixed == 0 ? parameter : at, fixed == 1, change);
       }
       finish();
     }
@@ -189,17 +189,17 @@ class LineWalk {
   /// an equally spaced grid, because lines crowd where knots do, for example beside a degenerate
   /// side.
   JetNoise noiseOn(const std::array<double, 4>& range) const {
-    constexpr int places = 8;
+    constexpr int points = 8;
     constexpr double share = 1e-6;
     double longest_u = 0, longest_v = 0;
-    for (int i = 0; i < places; ++i)
-      for (int j = 0; j < places; ++j)
+    for (int i = 0; i < points; ++i)
+      for (int j = 0; j < points; ++j)
         for (const Adaptor3d_Surface* surface : {&before_, after_}) {
           if (surface == nullptr) continue;
           gp_Pnt p;
           gp_Vec along_u, along_v;
-          surface->D1(range[0] + (i + 0.5) / places * (range[1] - range[0]),
-                      range[2] + (j + 0.5) / places * (range[3] - range[2]), p, along_u, along_v);
+          surface->D1(range[0] + (i + 0.5) / points * (range[1] - range[0]),
+                      range[2] + (j + 0.5) / points * (range[3] - range[2]), p, along_u, along_v);
           longest_u = std::max(longest_u, along_u.Magnitude());
           longest_v = std::max(longest_v, along_v.Magnitude());
         }

@@ -117,7 +117,7 @@ class NextTry {
   /// \param task is kept by reference.
   explicit NextTry(const RepairTask& task) : task_(task) {}
 
-  const MissedPlaces& missed() const { return missed_; }
+  const MissedParameters& missed() const { return missed_; }
   const Restraints& restraints() const { return restraints_; }
 
   /// Adds samples to the next solution where a figure is largest, as long as such samples help.
@@ -188,7 +188,7 @@ class NextTry {
   }
 
   const RepairTask& task_;
-  MissedPlaces missed_;
+  MissedParameters missed_;
   Restraints restraints_;
   /// How often a seam got more samples, and its miss the last time.
   struct Look {

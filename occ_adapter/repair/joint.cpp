@@ -10,7 +10,7 @@
 #include <seamwright/occ_adapter/convert/nearest.hpp>
 #include <seamwright/occ_adapter/convert/points.hpp>
 #include <seamwright/occ_adapter/repair/joint.hpp>
-#include <seamwright/occ_adapter/repair/path_place.hpp>
+#include <seamwright/occ_adapter/repair/span_measure.hpp>
 
 namespace seamwright::occ {
 
@@ -28,20 +28,20 @@ double linearIn(const std::vector<double>& x, const std::vector<double>& y, doub
 }
 
 /// The parameter of the seam at a parameter of a side.
-double seamParameter(const Joint& joint, std::size_t side, double place) {
-  if (joint.map.s.empty()) return place;
-  std::vector<double> places = side == 0 ? joint.map.a : joint.map.b, s = joint.map.s;
-  if (places.front() > places.back()) {
-    std::ranges::reverse(places);
+double seamParameter(const Joint& joint, std::size_t side, double parameter) {
+  if (joint.map.s.empty()) return parameter;
+  std::vector<double> parameters = side == 0 ? joint.map.a : joint.map.b, s = joint.map.s;
+  if (parameters.front() > parameters.back()) {
+    std::ranges::reverse(parameters);
     std::ranges::reverse(s);
   }
-  return std::clamp(linearIn(places, s, place), 0.0, 1.0);
+  return std::clamp(linearIn(parameters, s, parameter), 0.0, 1.0);
 }
 
 /// Parameters equally spaced in the spans of a surface that the joint's pcurve crosses: two for
 /// each pole, at least 24 and at most 400 (docs/theory/repair.md, R3).
-std::vector<double> evenPlaces(const Joint& joint, std::size_t side,
-                               const Displacement& displacement, const SurfaceBasis& basis) {
+std::vector<double> evenParameters(const Joint& joint, std::size_t side,
+                                   const Displacement& displacement, const SurfaceBasis& basis) {
   constexpr double per_pole = 2;
   constexpr int least = 24, most = 400;
   const Pcurve& path = joint.paths[side];
@@ -50,10 +50,10 @@ std::vector<double> evenPlaces(const Joint& joint, std::size_t side,
   const SpanMeasure measure(path, basis, displacement.givenSurface(), poles);
   const int count =
       std::clamp(static_cast<int>(std::ceil(per_pole * measure.crossed())), least, most);
-  std::vector<double> places;
+  std::vector<double> parameters;
   for (int k = 0; k <= count; ++k)
-    places.push_back(seamParameter(joint, side, measure.at(static_cast<double>(k) / count)));
-  return places;
+    parameters.push_back(seamParameter(joint, side, measure.at(static_cast<double>(k) / count)));
+  return parameters;
 }
 
 std::vector<double> sampleParameters(const Joint& joint, const MovingFaces& movers) {
@@ -64,9 +64,9 @@ std::vector<double> sampleParameters(const Joint& joint, const MovingFaces& move
     if (const auto mover = movers.find(joint.sides[side].face); mover != movers.end())
       for (const Displacement& d = mover->second.displacement;
            const SurfaceBasis* basis : {&d.givenBasis(), &d.basis()})
-        if (std::vector<double> places = evenPlaces(joint, side, d, *basis);
-            places.size() > best.size())
-          best = std::move(places);
+        if (std::vector<double> parameters = evenParameters(joint, side, d, *basis);
+            parameters.size() > best.size())
+          best = std::move(parameters);
   best.push_back(0);
   best.push_back(1);
   // A quarter of the distance of samples, so that the five samples around a point stay between two
@@ -81,23 +81,23 @@ std::vector<double> sampleParameters(const Joint& joint, const MovingFaces& move
   return best;
 }
 
-JointSide sideAt(const Joint& joint, std::size_t side, double place, const FaceStrip& strip,
+JointSide sideAt(const Joint& joint, std::size_t side, double parameter, const FaceStrip& strip,
                  const MovingFaces& movers) {
   JointSide made;
-  made.shown = strip.at(place);
+  made.shown = strip.at(parameter);
   const auto mover = movers.find(joint.sides[side].face);
   const Pcurve& path = joint.paths[side];
   if (mover == movers.end()) {
-    if (!joint.slides[side] || place <= 0 || place >= 1) return made;
+    if (!joint.slides[side] || parameter <= 0 || parameter >= 1) return made;
     made.slides_on = std::make_shared<StayingSurface>(joint.sides[side].shape);
-    const gp_Pnt2d uv = path.curve->Value(path.first + place * (path.last - path.first));
+    const gp_Pnt2d uv = path.curve->Value(path.first + parameter * (path.last - path.first));
     made.uv = {uv.X(), uv.Y()};
     return made;
   }
   made.mover = &mover->second;
   gp_Pnt2d p;
   gp_Vec2d d;
-  path.curve->D1(path.first + place * (path.last - path.first), p, d);
+  path.curve->D1(path.first + parameter * (path.last - path.first), p, d);
   made.uv = {p.X(), p.Y()};
   made.into = {-d.Y(), d.X()};
   if (joint.sides[side].edge.Orientation() != TopAbs_FORWARD) made.into = -made.into;
@@ -107,12 +107,12 @@ JointSide sideAt(const Joint& joint, std::size_t side, double place, const FaceS
 }
 
 /// The parameter of the second side of a matched seam nearest to a point of the first side.
-double placeBeside(const Joint& joint, const std::vector<std::unique_ptr<FaceStrip>>& strips,
-                   double s) {
+double parameterBeside(const Joint& joint, const std::vector<std::unique_ptr<FaceStrip>>& strips,
+                       double s) {
   const Eigen::Vector3d beside = strips[0]->trace(linearIn(joint.map.s, joint.map.a, s)).p;
-  const double place = linearIn(joint.map.s, joint.map.b, s);
+  const double parameter = linearIn(joint.map.s, joint.map.b, s);
   const auto [low, high] = std::minmax(joint.map.b.front(), joint.map.b.back());
-  return nearestPlace(*strips[1], beside, place, low, high);
+  return nearestParameter(*strips[1], beside, parameter, low, high);
 }
 
 JointSample sampleAt(const Joint& joint, const std::vector<std::unique_ptr<FaceStrip>>& strips,
@@ -120,10 +120,10 @@ JointSample sampleAt(const Joint& joint, const std::vector<std::unique_ptr<FaceS
   JointSample made;
   made.s = s;
   for (std::size_t side = 0; side < joint.sides.size(); ++side) {
-    const double place = joint.map.s.empty() ? s
-                         : side == 0         ? linearIn(joint.map.s, joint.map.a, s)
-                                             : placeBeside(joint, strips, s);
-    made.sides.push_back(sideAt(joint, side, place, *strips[side], movers));
+    const double parameter = joint.map.s.empty() ? s
+                             : side == 0         ? linearIn(joint.map.s, joint.map.a, s)
+                                                 : parameterBeside(joint, strips, s);
+    made.sides.push_back(sideAt(joint, side, parameter, *strips[side], movers));
   }
   return made;
 }
@@ -547,17 +547,17 @@ double costOf(const Joint& joint, const JointSample& sample) {
 namespace {
 
 /// Adds conditions against shifts of the sides along each other.
-void addSlides(const JointSample& sample, const Row& place, const Missing& missing, double weight,
-               StepSystem& system) {
+void addSlides(const JointSample& sample, const Row& position, const Missing& missing,
+               double weight, StepSystem& system) {
   const double slide_weight = weight / sample.limits.slide_mm;
   if (isEnd(sample))
-    system.addPoint(sample.cell, place.times(slide_weight), -slide_weight * missing.slide);
+    system.addPoint(sample.cell, position.times(slide_weight), -slide_weight * missing.slide);
   else
-    system.add(sample.cell, place.times(slide_weight), along(sample),
+    system.add(sample.cell, position.times(slide_weight), along(sample),
                -slide_weight * missing.slide.dot(along(sample)));
   const double overlap_weight = weight / sample.limits.overlap_mm;
   if (sample.limits.overlap_mm < sample.limits.gap_mm)
-    system.add(sample.cell, place.times(overlap_weight), sample.across,
+    system.add(sample.cell, position.times(overlap_weight), sample.across,
                -overlap_weight * missing.overlap.dot(sample.across));
 }
 
@@ -567,19 +567,19 @@ void addConditions(const Joint& joint, const JointSample& sample, StepSystem& sy
   const double weight = weightOf(sample);
   const Differences now = differencesAt(joint, sample);
   const Missing missing = missingOf(joint, sample, now);
-  Row place(sample, system);
+  Row position(sample, system);
   for (std::size_t k = 0; k < sample.sides.size(); ++k)
     if (sample.sides[k].mover != nullptr)
-      place.add(sample.sides[k], sample.sides[k].shares.share.row(0), k == 0 ? 1 : -1);
+      position.add(sample.sides[k], sample.sides[k].shares.share.row(0), k == 0 ? 1 : -1);
   const double gap_weight = weight / sample.limits.gap_mm;
   const auto slide_normal = slideNormal(sample);
   if (slide_normal)
-    system.add(sample.cell, place.times(gap_weight), *slide_normal,
+    system.add(sample.cell, position.times(gap_weight), *slide_normal,
                -gap_weight * missing.gap.dot(*slide_normal));
   else
-    system.addPoint(sample.cell, place.times(gap_weight), -gap_weight * missing.gap);
+    system.addPoint(sample.cell, position.times(gap_weight), -gap_weight * missing.gap);
   if (sample.sides.size() < 2) return;
-  if (!slide_normal) addSlides(sample, place, missing, weight, system);
+  if (!slide_normal) addSlides(sample, position, missing, weight, system);
   if (joint.order < 1)
     return keepNormals(sample, share_of_crease * weight / joint.turn_rad, system);
   if (!now.normal) return;

@@ -26,17 +26,17 @@ BlockPattern patternOf(int points, const std::vector<std::vector<int>>& cells) {
   return pattern;
 }
 
-std::vector<int> placesOf(const std::vector<int>& cell, const BlockPattern& pattern) {
-  std::vector<int> places;
-  places.reserve(cell.size() * (cell.size() + 1) / 2);
+std::vector<int> positionsOf(const std::vector<int>& cell, const BlockPattern& pattern) {
+  std::vector<int> positions;
+  positions.reserve(cell.size() * (cell.size() + 1) / 2);
   for (std::size_t j = 0; j < cell.size(); ++j) {
     const auto first = pattern.rows.begin() + pattern.begins[cell[j]];
     const auto last = pattern.rows.begin() + pattern.begins[cell[j] + 1];
     for (std::size_t i = 0; i <= j; ++i)
-      places.push_back(
+      positions.push_back(
           static_cast<int>(std::lower_bound(first, last, cell[i]) - pattern.rows.begin()));
   }
-  return places;
+  return positions;
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ std::vector<int> placesOf(const std::vector<int>& cell, const BlockPattern& patt
 StepSystem::StepSystem(int points, std::vector<std::vector<int>> cells)
     : cells_(std::move(cells)), cholesky_(BlockPattern{}) {
   const BlockPattern pattern = patternOf(points, cells_);
-  for (const std::vector<int>& cell : cells_) places_.push_back(placesOf(cell, pattern));
+  for (const std::vector<int>& cell : cells_) positions_.push_back(positionsOf(cell, pattern));
   for (int j = 0; j < points; ++j) diagonal_.push_back(pattern.begins[j + 1] - 1);
   cholesky_ = BlockCholesky(pattern);
   blocks_.assign(pattern.rows.size(), SymmetricBlock::Zero());
@@ -58,11 +58,11 @@ void StepSystem::clear() {
 
 template <class Take>
 void StepSystem::forPairs(int cell, const Eigen::VectorXd& factors, const Take& take) {
-  const int* place = places_[cell].data();
-  for (Eigen::Index j = 0; j < factors.size(); ++j, place += j)
+  const int* position = positions_[cell].data();
+  for (Eigen::Index j = 0; j < factors.size(); ++j, position += j)
     if (const double own = factors[j]; own != 0)
       for (Eigen::Index i = 0; i <= j; ++i)
-        if (factors[i] != 0) take(blocks_[place[i]], own * factors[i]);
+        if (factors[i] != 0) take(blocks_[position[i]], own * factors[i]);
 }
 
 void StepSystem::add(int cell, const Eigen::VectorXd& factors, const Eigen::Vector3d& direction,
@@ -84,9 +84,9 @@ void StepSystem::addPoint(int cell, const Eigen::VectorXd& factors, const Eigen:
 }
 
 void StepSystem::addEnergy(int cell, const Eigen::MatrixXd& matrix, const PointRows& gradient) {
-  const int* place = places_[cell].data();
-  for (Eigen::Index j = 0; j < matrix.cols(); ++j, place += j)
-    for (Eigen::Index i = 0; i <= j; ++i) blocks_[place[i]].head<3>().array() += matrix(i, j);
+  const int* position = positions_[cell].data();
+  for (Eigen::Index j = 0; j < matrix.cols(); ++j, position += j)
+    for (Eigen::Index i = 0; i <= j; ++i) blocks_[position[i]].head<3>().array() += matrix(i, j);
   for (std::size_t k = 0; k < cells_[cell].size(); ++k)
     right_.row(cells_[cell][k]) -= gradient.row(static_cast<Eigen::Index>(k));
 }
@@ -97,7 +97,7 @@ void StepSystem::addDamping(int point, double factor, const Eigen::Vector3d& at)
 }
 
 void StepSystem::damp(double share) {
-  for (const int place : diagonal_) blocks_[place].head<3>() *= 1 + share;
+  for (const int position : diagonal_) blocks_[position].head<3>() *= 1 + share;
 }
 
 PointRows StepSystem::solve() {

@@ -47,7 +47,7 @@ class StepSystem {
 
   std::vector<std::vector<int>> cells_;
   /// By cell and pair of its points, row by row of the lower triangle: index of the block.
-  std::vector<std::vector<int>> places_;
+  std::vector<std::vector<int>> positions_;
   BlockCholesky cholesky_;
   std::vector<int> diagonal_;  ///< by point: index of its block
   std::vector<SymmetricBlock> blocks_;

@@ -18,12 +18,12 @@ std::vector<std::vector<double>> gridOf(const TColStd_Array1OfReal& knots, doubl
   for (const double knot : knots)
     if (knot > first && knot < last) ends.push_back(knot);
   ends.push_back(last);
-  std::vector<std::vector<double>> places(ends.size() - 1);
-  for (std::size_t i = 0; i < places.size(); ++i)
+  std::vector<std::vector<double>> parameters(ends.size() - 1);
+  for (std::size_t i = 0; i < parameters.size(); ++i)
     for (int k = 0; k < per_span; ++k)
-      places[i].push_back(ends[i] + (ends[i + 1] - ends[i]) * k / per_span);
-  places.back().push_back(last);
-  return places;
+      parameters[i].push_back(ends[i] + (ends[i + 1] - ends[i]) * k / per_span);
+  parameters.back().push_back(last);
+  return parameters;
 }
 
 struct PointNormal {

@@ -60,7 +60,9 @@ bool mayRunTogether(const PathPiece& p, const PathPiece& q) {
   // Up to this bend no tangent is more than 15 degrees off its chord.
   constexpr double little = 0.05;
   if (p.sagitta_mm > little * u.norm() || q.sagitta_mm > little * v.norm()) return true;
-  return std::abs(u.dot(v)) >= 0.25 * u.norm() * v.norm();  // 75.5 degrees
+  // 45 degrees between tangents and 15 on either side make 75 between chords; 0.25 is the cosine of
+  // 75.5.
+  return std::abs(u.dot(v)) >= 0.25 * u.norm() * v.norm();
 }
 
 /// Collects the pieces of later paths that are close to one piece.
@@ -100,6 +102,7 @@ std::map<std::pair<std::size_t, std::size_t>, ClosePieces> findClosePieces(
   filler.Fill();
   std::map<std::pair<std::size_t, std::size_t>, ClosePieces> close;
   for (std::size_t i = 0; i < all.size(); ++i) {
+    // Seldom enough that asking costs nothing, often enough that a stop is felt at once.
     if (progress && i % 1024 == 0 &&
         !progress(static_cast<double>(i) / static_cast<double>(all.size())))
       throw Cancelled();

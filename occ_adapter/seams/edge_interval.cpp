@@ -10,7 +10,8 @@ namespace seamwright::occ {
 
 namespace {
 
-/// By so much two places that should be one may differ.
+/// Two feet that should be one may differ by this: the descent to the nearest point ends with steps
+/// of 1e-13 of the range, and its foot is stationary only to the root of rounding.
 double roundingLength(const EdgePath& path) {
   return 1e-9 * path.length_mm();
 }
@@ -67,6 +68,7 @@ std::vector<double> PairWalk::events() const {
       events.push_back(a_.nearest(p, a_.nearestOnChords(close, p)));
     }
   std::ranges::sort(events);
+  // Ends of pieces that follow each other are computed twice.
   const auto same = [](double s, double t) { return t - s < 1e-12; };
   events.erase(std::unique(events.begin(), events.end(), same), events.end());
   return events;
@@ -103,13 +105,16 @@ bool PairWalk::continues(const Foot& from, const Foot& to) const {
   const double along_b =
       (b_.lengthTo_mm(to.b) - b_.lengthTo_mm(from.b)) * (from.against == onward ? -1 : 1);
   const double rounding = roundingLength(a_) + roundingLength(b_);
+  // Paths within 45 degrees of one another differ in length by a factor of up to the root of 2 on
+  // straight pieces, more on bent ones. Three times as much is a jump to another branch of b.
   return along_b >= -rounding && along_b <= 3 * along_a + rounding;
 }
 
-/// The foot furthest from a good one toward a place that is none any more.
+/// The foot furthest from a good one toward a parameter that has none any more.
 std::optional<Foot> PairWalk::lastBefore(const Foot& good, double bad) const {
   std::optional<Foot> last;
   double low = good.a, high = bad;
+  // To 2^-40, 1e-12 of the path: as near as feet are told apart.
   for (int i = 0; i < 40; ++i) {
     const double middle = 0.5 * (low + high);
     if (middle == low || middle == high) break;

@@ -109,9 +109,9 @@ double EdgePath::nearestOnChords(const std::vector<std::size_t>& pieces,
 }
 
 double EdgePath::nearest(const Eigen::Vector3d& p, double start) const {
-  const double place = nearestPlace(strip_, p, start);
+  const double place = nearestParameter(strip_, p, start);
   if (!closed_ || (place > 0 && place < 1)) return place;
-  const double beyond = nearestPlace(strip_, p, 1 - place);
+  const double beyond = nearestParameter(strip_, p, 1 - place);
   const auto distance = [&](double s) { return (strip_.trace(s).p - p).squaredNorm(); };
   return distance(beyond) < distance(place) ? beyond : place;
 }

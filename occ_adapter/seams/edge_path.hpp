@@ -46,7 +46,7 @@ class EdgePath {
   double lengthBetween_mm(double from, double to) const;
   /// The place nearest to p on the chords of these pieces (at least one): where a search starts.
   double nearestOnChords(const std::vector<std::size_t>& pieces, const Eigen::Vector3d& p) const;
-  /// As nearestPlace(), on a closed path also across its start.
+  /// As nearestParameter(), on a closed path also across its start.
   double nearest(const Eigen::Vector3d& p, double start) const;
   /// Unit tangent; where the path is stationary, the direction of a short chord.
   Eigen::Vector3d direction(double place) const;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
 #include <BRepAdaptor_Surface.hxx>
 #include <BRep_Tool.hxx>
 #include <Standard_Failure.hxx>
@@ -7,7 +9,6 @@
 #include <functional>
 #include <numeric>
 #include <optional>
-#include <sstream>
 
 #include <seamwright/occ_adapter/geometry_error.hpp>
 #include <seamwright/occ_adapter/seams/close_pieces.hpp>
@@ -262,12 +263,10 @@ void Matcher::addSeam(EdgeInterval& interval) {
   seam.edges = {a.edge(), b.edge()};
   seam.sides = {a.use(), b.use()};
   seam.correspondence = correspondenceOf(interval.feet, a);
-  if (left_mm > 0) {
-    std::ostringstream text;
-    text << "after " << interval.feet.size() - 1
-         << " pieces the points of the two edges still correspond only to " << left_mm << " mm";
-    seam.note = text.str();
-  }
+  if (left_mm > 0)
+    seam.note = fmt::format(
+        "after {} pieces the points of the two edges still correspond only to {:.6g} mm",
+        interval.feet.size() - 1, left_mm);
   graph_.seams.push_back(std::move(seam));
 }
 

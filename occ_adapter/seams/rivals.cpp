@@ -71,6 +71,7 @@ class Referee {
 
 double Referee::largestDistance(const EdgeInterval& interval, std::size_t path, Range on) const {
   double largest = 0;
+  // Distances are interpolated between feet, of which an interval has few.
   constexpr int steps = 8;
   for (int i = 0; i <= steps; ++i) {
     const double place = on.low + i * (on.high - on.low) / steps;
@@ -100,6 +101,7 @@ std::vector<std::size_t> Referee::equals(std::size_t path, const Contest& contes
       tolerance =
           std::min(tolerance,
                    BRep_Tool::Tolerance(paths_[otherPath(intervals_[interval], path)]->use().edge));
+    // Rule (4) of matchFreeEdges(): twice as far is clearly further away.
     if (rival.distance_mm <= std::max(2 * winner.distance_mm, tolerance))
       equals.push_back(rival.interval);
   }
@@ -171,6 +173,7 @@ void Referee::decideBetweenFaces(std::size_t path, const std::vector<Contest>& c
 bool Referee::isLongEnough(const EdgeInterval& interval) const {
   const EdgePath &a = *paths_[interval.path_a], &b = *paths_[interval.path_b];
   double least = std::min(shortestSeam_mm(a, match_mm_), shortestSeam_mm(b, match_mm_));
+  // Rule (1) of matchFreeEdges().
   for (const Foot& foot : interval.feet) least = std::max(least, 4 * foot.distance_mm);
   return length_mm(interval.path_a, {interval.front().a, interval.back().a}) >= least &&
          length_mm(interval.path_b, {interval.front().b, interval.back().b}) >= least;

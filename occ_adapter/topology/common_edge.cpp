@@ -99,7 +99,7 @@ class Along {
  private:
   double nearest(double s) const {
     const auto [low, high] = std::minmax(places_[1][0], places_[1][1]);
-    return nearestPlace(b_, a_.trace(between(places_[0], s)).p, guess(s), low, high);
+    return nearestParameter(b_, a_.trace(between(places_[0], s)).p, guess(s), low, high);
   }
 
   /// A start value from the correspondence, whose ends may differ a little from those of the

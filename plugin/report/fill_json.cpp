@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <seamwright/core/angle.hpp>
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
@@ -62,7 +64,7 @@ void setDefects(std::vector<occ::SeamResult> seams, ModelCounts& counts) {
 }
 
 std::string textOf(const std::optional<double>& value, const char* unit, double factor = 1) {
-  return value ? number(factor * *value, "%.3g") + ' ' + unit : "unknown";
+  return value ? fmt::format("{:.3g} {}", factor * *value, unit) : "unknown";
 }
 
 /// "face 3, the fill"; between new faces "the fill".
@@ -175,11 +177,11 @@ ordered_json toJson(const occ::FillHoleReport& report, const occ::FillHoleOption
 std::string shortly(const occ::Hole& hole) {
   std::string centre;
   for (const double coordinate : hole.centre)
-    centre +=
-        (centre.empty() ? "" : ", ") + number(std::abs(coordinate) < 1e-9 ? 0 : coordinate, "%.4g");
+    centre += (centre.empty() ? "" : ", ") +
+              fmt::format("{:.4g}", std::abs(coordinate) < 1e-9 ? 0 : coordinate);
   return "Hole" + std::to_string(hole.id) + ": " +
          (hole.has_corners ? counted(hole.sides.size(), "side") : std::string("no corner")) + ", " +
-         number(hole.length_mm, "%.4g") + " mm around (" + centre + ")";
+         fmt::format("{:.4g}", hole.length_mm) + " mm around (" + centre + ")";
 }
 
 std::string toTable(const occ::FillHoleReport& report, const occ::FillHoleOptions& options,

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <seamwright/plugin/report/numbers.hpp>
 #include <seamwright/plugin/report/repair_json.hpp>
@@ -73,7 +75,7 @@ void writeHead(std::ostream& out, const occ::RepairReport& report, const RepairS
       << " after\n  ";
   if (!report.moves.empty())
     out << counted(report.moves.size(), "face") << " moved, by at most "
-        << number(summary.largest_move_mm, "%.3g") << " mm";
+        << fmt::format("{:.3g}", summary.largest_move_mm) << " mm";
   else
     out << (report.changed() ? "no face moved" : "nothing moved");
   if (summary.worse_faces > 0) out << ", " << summary.worse_faces << " less fair than before";
@@ -82,12 +84,12 @@ void writeHead(std::ostream& out, const occ::RepairReport& report, const RepairS
         std::ranges::max_element(report.edge_moves, {}, &occ::EdgeMove::largest_move_mm)
             ->largest_move_mm;
     out << ", " << counted(report.edge_moves.size(), "edge") << " on new paths, by at most "
-        << number(furthest_mm, "%.3g") << " mm";
+        << fmt::format("{:.3g}", furthest_mm) << " mm";
   }
   if (!report.converted.empty())
     out << ", " << counted(report.converted.size(), "face") << " made a spline";
-  out << ";  read in " << number(report.before.read_s, "%.2f") << " s, repaired in "
-      << number(report.repair_s, "%.2f") << " s\n";
+  out << ";  read in " << fmt::format("{:.2f}", report.before.read_s) << " s, repaired in "
+      << fmt::format("{:.2f}", report.repair_s) << " s\n";
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <ostream>
 #include <seamwright/plugin/report/enclosure.hpp>
 #include <seamwright/plugin/report/numbers.hpp>
@@ -29,17 +29,11 @@ std::string edgesText(const occ::SeamResult& seam) {
 }
 
 std::string facesText(const occ::SeamResult& seam) {
-  return std::to_string(seam.faces[0]) + '-' + std::to_string(seam.faces[1]);
+  return fmt::format("{}-{}", seam.faces[0], seam.faces[1]);
 }
 
 std::string counted(std::size_t count, const std::string& noun) {
-  return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
-}
-
-std::string number(double value, const char* format) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
 void writeModel(std::ostream& out, const occ::Report& report) {

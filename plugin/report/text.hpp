@@ -32,9 +32,6 @@ std::string facesText(const occ::SeamResult& seam);
 /// "1 seam", "2 seams".
 std::string counted(std::size_t count, const std::string& noun);
 
-/// Formats like printf().
-std::string number(double value, const char* format);
-
 /// The model, its notes, and the level and tolerances asked for.
 void writeModel(std::ostream& out, const occ::Report& report);
 

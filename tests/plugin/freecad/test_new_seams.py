@@ -185,14 +185,14 @@ def test_a_kept_fill_has_the_numbers_of_the_result_and_names_of_the_source():
 
 def test_a_fill_that_was_not_kept_says_why_in_names_of_the_source():
     reason = (
-        "a seam between face 3 and the fill does not surely reach G1: level G0, angle 1 degrees"
+        "a seam between face 3 and the fill does not certainly reach G1: level G0, angle 1 degrees"
     )
     entry = fill_text.entry(found(filled=False, reason=reason), hole=2)
     assert entry["faces"] == [] and all(each["edges"] == [] for each in entry["seams"])
     report = {"target": "G1", "tolerance": LIMITS, "fills": [entry]}
     assert fill_text.summary_text(report) == (
-        "Not filled: Hole 2: a seam between Face3 and the fill does not surely reach G1: level G0, "
-        "angle 1 degrees."
+        "Not filled: Hole 2: a seam between Face3 and the fill does not certainly reach G1: "
+        "level G0, angle 1 degrees."
     )
 
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include <seamwright/occ_adapter/convert/face_strip.hpp>
-#include <seamwright/occ_adapter/repair/path_place.hpp>
+#include <seamwright/occ_adapter/repair/span_measure.hpp>
 
 namespace seamwright::occ {
 
