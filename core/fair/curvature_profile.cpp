@@ -2,12 +2,12 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
-#include <array>
 #include <cmath>
 #include <stdexcept>
 
 #include <seamwright/core/bernstein/sign_changes.hpp>
 #include <seamwright/core/fair/curvature_profile.hpp>
+#include <seamwright/core/fair/curve_polynomials.hpp>
 #include <seamwright/core/numeric.hpp>
 
 namespace seamwright {
@@ -15,59 +15,13 @@ namespace seamwright {
 namespace {
 
 using Polynomial = BernsteinPolynomial;
-using PolynomialVector = std::array<Polynomial, 3>;
 
-/// A curve without its units: r' = velocity / weight^2.
-struct Motion {
-  Polynomial weight;
-  PolynomialVector velocity;
-};
-
-/// The sizes of a curve's coordinates differ by powers of two from numbers near 1, so that products
-/// of many of them do not overflow.
-double unitOf(const BezierCurve& curve) {
+/// The curve from its first pole, in a unit of its size, so that products of many coordinates do
+/// not overflow.
+CurvePolynomials polynomialsOf(const BezierCurve& curve) {
   const Poles poles = curve.poles();
   const double extent = (poles.rowwise() - poles.row(0)).cwiseAbs().maxCoeff();
-  return extent > 0 ? std::exp2(std::ilogb(extent)) : 1;
-}
-
-/// The coordinate of the homogeneous curve, from the first pole, in the unit.
-Polynomial coordinate(const BezierCurve& curve, int axis, double unit) {
-  const HomogeneousPoles& poles = curve.homogeneousPoles();
-  const double origin = poles(0, axis) / poles(0, 3);
-  const Eigen::VectorXd shifted = (poles.col(axis) - origin * poles.col(3)) / unit;
-  if (!curve.isRational()) {
-    // One rounding of each difference.
-    return Polynomial(shifted, machine_epsilon / 2 * shifted.cwiseAbs().maxCoeff());
-  }
-  // A rounding of the product and one of the difference, each by half of machine_epsilon at most.
-  const double sizes = (poles.col(axis).cwiseAbs().maxCoeff() +
-                        std::abs(origin) * poles.col(3).cwiseAbs().maxCoeff()) /
-                       unit;
-  return Polynomial(shifted, 2 * machine_epsilon * sizes);
-}
-
-/// The first (by = 0) or last (by = 1) n coefficients of a polynomial of degree n.
-Polynomial shortened(const Polynomial& p, int by) {
-  return Polynomial(p.coefficients().segment(by, p.degree()), p.padding());
-}
-
-Motion motionOf(const BezierCurve& curve) {
-  const double unit = unitOf(curve);
-  const PolynomialVector points = {coordinate(curve, 0, unit), coordinate(curve, 1, unit),
-                                   coordinate(curve, 2, unit)};
-  if (!curve.isRational()) {
-    return {.weight = Polynomial(Eigen::VectorXd::Ones(1)),
-            .velocity = {points[0].derivative(), points[1].derivative(), points[2].derivative()}};
-  }
-  // With A = (1 - t) A0 + t A1, A0 and A1 of degree n - 1, A' W - A W' = n (A1 W0 - A0 W1).
-  const Polynomial weight(curve.weights());
-  const Polynomial w0 = shortened(weight, 0), w1 = shortened(weight, 1);
-  const auto velocity = [&](const Polynomial& a) {
-    return curve.degree() * (shortened(a, 1) * w0 - shortened(a, 0) * w1);
-  };
-  return {.weight = weight,
-          .velocity = {velocity(points[0]), velocity(points[1]), velocity(points[2])}};
+  return curvePolynomials(curve, poles.row(0), extent > 0 ? std::exp2(std::ilogb(extent)) : 1);
 }
 
 Polynomial dot(const PolynomialVector& a, const PolynomialVector& b) {
@@ -137,7 +91,7 @@ CurvatureProfile planarCurvatureProfile(const BezierCurve& curve) {
       refuse(fmt::format("pole {} of the curve is outside of the plane z = 0, at z = {} mm", i,
                          poles(i, 2) / poles(i, 3)));
   }
-  const Motion motion = motionOf(curve);
+  const CurvePolynomials motion = polynomialsOf(curve);
   const Polynomial &w = motion.weight, w1 = w.derivative();
   const Polynomial s = dot(motion.velocity, motion.velocity);
   requireMotion(s);
@@ -149,7 +103,7 @@ CurvatureProfile planarCurvatureProfile(const BezierCurve& curve) {
 
 CurvatureProfile spaceCurvatureProfile(const BezierCurve& curve) {
   requireDegree(curve);
-  const Motion motion = motionOf(curve);
+  const CurvePolynomials motion = polynomialsOf(curve);
   const Polynomial &w = motion.weight, w1 = w.derivative();
   const Polynomial s = dot(motion.velocity, motion.velocity);
   requireMotion(s);

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <vector>
+
+#include <seamwright/core/planar/arc.hpp>
+#include <seamwright/core/spline/bezier_spline.hpp>
+
+namespace seamwright {
+
+struct ArcFitOptions {
+  double tolerance_mm = 0.01;
+  /// A joint at which the tangent turns by more is a corner, and stays one.
+  double corner_rad = 1e-3;
+};
+
+/// Arcs and lines near a curve.
+struct ArcFit {
+  std::vector<PlanarArc> arcs;
+  std::vector<int> corners;  ///< arcs that begin at a corner of the curve; ends do not count
+  bool closed = false;
+  /// Upper bound of the distance in both directions: no point of the curve is further from the
+  /// arcs, no point of the arcs is further from the curve.
+  double distance_mm = 0;
+};
+
+/// A curve in the plane z = 0 as a G1 chain of arcs and lines within a tolerance. The ends of
+/// pairs of arcs are on the curve; at its ends and corners they have its tangent. Identities (each
+/// has a test of its number):
+///   (1) distance_mm <= tolerance_mm, and points of a dense sample are not further, in both
+///       directions.
+///   (2) A chain of arcs and lines comes back with as many arcs, if neighbours differ in curvature.
+///   (3) Corners are kept; a closed curve gives a closed chain.
+///   (4) The chain is G1 between corners.
+///   (5) For a curvature that is linear in the arc length the number of arcs is at most 1.7 times
+///       that of an ideal G1 chain, plus 4.
+/// The chain is the greedy one: each pair of arcs reaches as far along the curve as the tolerance
+/// allows. Where the curve is nearly straight, a chain can change the side to which it turns more
+/// often than the curve does.
+/// \throws std::invalid_argument if the curve is not valid, a pole is outside of the plane, the
+/// tolerance is not positive and finite, or the corner angle is not in (0, pi). Throws
+/// std::domain_error if the curve stops or turns back (with the parameter), or if the tolerance is
+/// too small for the rounding of the curve.
+/// Source: docs/theory/planar.md P9.1, P9.2.
+ArcFit fitArcs(const BezierSpline& curve, const ArcFitOptions& options = {});
+
+/// The chain at a distance to its left (below 0: to its right). The arc at a corner on the outside
+/// is an arc around the corner.
+///   (6) The points are at the given distance from those of the chain, exactly up to rounding.
+/// \throws std::domain_error if an arc vanishes (its centre is reached), and at a corner whose
+/// inside is offset: the pieces would cross there (with the arc's index).
+std::vector<PlanarArc> offset(const ArcFit& fit, double distance_mm);
+
+}  // namespace seamwright

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seamwright/core/numeric.hpp>
+#include <seamwright/core/planar/arc_fit.hpp>
+#include <seamwright/core/planar/clothoid.hpp>
+
+#include "planar.hpp"
+
+namespace seamwright {
+namespace {
+
+using Eigen::Vector2d;
+using std::numbers::pi;
+using test::uniform;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+/// Distance of a point from an arc, by its angle around the centre.
+double distanceTo(const PlanarArc& arc, const Vector2d& point) {
+  const double ends = std::min((point - arc.start).norm(), (point - arc.end()).norm());
+  const Vector2d tangent = unitVector(arc.direction_rad), normal(-tangent.y(), tangent.x());
+  if (std::abs(arc.curvature_per_mm) < 1e-12) {
+    const double along = (point - arc.start).dot(tangent);
+    if (along < 0 || along > arc.length_mm) return ends;
+    return std::abs((point - arc.start).dot(normal));
+  }
+  const double radius = 1 / arc.curvature_per_mm;
+  const Vector2d centre = arc.start + radius * normal;
+  const Vector2d spoke = (point - centre) / (radius > 0 ? 1 : -1);
+  const double angle = std::atan2(spoke.dot(tangent), -spoke.dot(normal));
+  double along = angle * radius;
+  const double around = 2 * pi * std::abs(radius);
+  if (along < 0) along += around;
+  return along <= arc.length_mm ? std::abs(spoke.norm() - std::abs(radius)) : ends;
+}
+
+/// The largest distances of samples of both curves from the other one.
+std::pair<double, double> sampledDistances(const BezierSpline& curve,
+                                           const std::vector<PlanarArc>& arcs) {
+  double from_curve = 0, from_arcs = 0;
+  std::vector<Vector2d> points;
+  const double begin = curve.knots.front(), end = curve.knots.back();
+  const int count = 3000;
+  for (int i = 0; i <= count; ++i) {
+    const CurveDerivatives d = derivatives(curve, std::lerp(begin, end, double(i) / count), 0);
+    points.emplace_back(d.row(0).head<2>());
+    double nearest = infinite;
+    for (const PlanarArc& arc : arcs) nearest = std::min(nearest, distanceTo(arc, points.back()));
+    from_curve = std::max(from_curve, nearest);
+  }
+  for (const PlanarArc& arc : arcs) {
+    for (int j = 0; j <= 20; ++j) {
+      const Vector2d point = arc.point(arc.length_mm * j / 20);
+      double nearest = infinite;
+      for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        const Vector2d edge = points[i + 1] - points[i];
+        const double t = std::clamp((point - points[i]).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
+        nearest = std::min(nearest, (point - points[i] - t * edge).norm());
+      }
+      from_arcs = std::max(from_arcs, nearest);
+    }
+  }
+  return {from_curve, from_arcs};
+}
+
+BezierSpline planarSpline(const std::vector<BezierCurve>& segments, bool closed = false) {
+  std::vector<double> knots;
+  for (std::size_t i = 0; i <= segments.size(); ++i) knots.push_back(static_cast<double>(i));
+  return bezierSpline(segments, knots, closed, 1e-9);
+}
+
+/// A C2 cubic spline along the first axis, with random heights. \param rational random weights.
+BezierSpline randomCurve(std::mt19937_64& random, int segments, bool rational) {
+  const int degree = 3;
+  HomogeneousPoles poles = test::randomPoles(segments + degree, rational, random);
+  poles.col(2).setZero();
+  for (Eigen::Index i = 0; i < poles.rows(); ++i)
+    poles(i, 0) = poles(i, 3) * (static_cast<double>(i) + uniform(random, -0.2, 0.2));
+  std::vector<double> breaks;
+  for (int i = 0; i <= segments; ++i) breaks.push_back(i);
+  return bezierSpline(BSplineCurve(degree, test::flatKnots(degree, breaks, 1), poles));
+}
+
+void expectChain(const ArcFit& fit, double tolerance) {
+  ASSERT_THAT(fit.arcs, ::testing::Not(IsEmpty()));
+  for (std::size_t i = 0; i < fit.arcs.size(); ++i) {
+    const PlanarArc& arc = fit.arcs[i];
+    EXPECT_GT(arc.length_mm, 0);
+    if (i + 1 == fit.arcs.size() && !fit.closed) break;
+    const std::size_t next = (i + 1) % fit.arcs.size();
+    EXPECT_LT((arc.end() - fit.arcs[next].start).norm(), tolerance * 1e-5);
+    if (std::ranges::find(fit.corners, static_cast<int>(next)) != fit.corners.end()) continue;
+    EXPECT_LT(test::angleBetween(arc.endDirection_rad(), fit.arcs[next].direction_rad), 1e-9);
+  }
+}
+
+// Identities (1) and (4).
+TEST(ArcFit, StaysWithinTheToleranceInBothDirections) {
+  std::mt19937_64 random(testSeed());
+  for (int i = 0; i < 12; ++i) {
+    const BezierSpline curve = randomCurve(random, 1 + i % 5, i % 2 == 1);
+    const double tolerance = std::pow(10, uniform(random, -5, -1));
+    const ArcFit fit = fitArcs(curve, {.tolerance_mm = tolerance});
+    SCOPED_TRACE(tolerance);
+    expectChain(fit, tolerance);
+    EXPECT_LE(fit.distance_mm, tolerance);
+    const auto [from_curve, from_arcs] = sampledDistances(curve, fit.arcs);
+    EXPECT_LE(from_curve, fit.distance_mm * (1 + 1e-6) + 1e-12);
+    // The polygon of the samples is off by the square of their distance.
+    EXPECT_LE(from_arcs, fit.distance_mm + 2e-5);
+    EXPECT_GE(fit.distance_mm, from_curve);
+    EXPECT_LE(fit.distance_mm, 1.5 * from_curve + 1e-9);
+    EXPECT_THAT(fit.corners, IsEmpty());
+  }
+}
+
+/// A closed chain of a stadium and its bumps: lines and arcs of several radii.
+std::vector<PlanarArc> arcChain(bool line_first) {
+  std::vector<PlanarArc> arcs;
+  PlanarArc arc = {.start = {1, 2}, .direction_rad = 0.4};
+  const std::vector<std::pair<double, double>> shapes = {{0, 3}, {0.5, 2},   {-0.25, 4},
+                                                         {0, 1}, {1.5, 2.5}, {0.2, 3}};
+  for (const auto& [curvature, length] : shapes) {
+    if (!line_first && arcs.empty() && curvature == 0) {
+      arc.curvature_per_mm = 0.1;
+    } else {
+      arc.curvature_per_mm = curvature;
+    }
+    arc.length_mm = length;
+    arcs.push_back(arc);
+    arc.start = arc.end();
+    arc.direction_rad = arc.endDirection_rad();
+  }
+  return arcs;
+}
+
+// Identity (2).
+TEST(ArcFit, OfArcsAndLinesAreThese) {
+  for (const bool line_first : {true, false}) {
+    const std::vector<PlanarArc> arcs = arcChain(line_first);
+    const ArcFit fit = fitArcs(bezierSpline(arcs, false, 1e-9), {.tolerance_mm = 0.01});
+    ASSERT_EQ(fit.arcs.size(), arcs.size());
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
+      EXPECT_NEAR(fit.arcs[i].curvature_per_mm, arcs[i].curvature_per_mm, 1e-12);
+      EXPECT_NEAR(fit.arcs[i].length_mm, arcs[i].length_mm, 1e-11);
+      EXPECT_LT((fit.arcs[i].start - arcs[i].start).norm(), 1e-12);
+    }
+    EXPECT_LT(fit.distance_mm, 1e-6);
+  }
+}
+
+TEST(ArcFit, OfACircleIsOneArc) {
+  const PlanarArc circle = {
+      .start = {3, 0}, .direction_rad = pi / 2, .curvature_per_mm = 1.0 / 3, .length_mm = 6 * pi};
+  const ArcFit fit = fitArcs(bezierSpline({circle}, true, 1e-9));
+  ASSERT_THAT(fit.arcs, SizeIs(1));
+  EXPECT_NEAR(fit.arcs[0].length_mm, 6 * pi, 1e-12);
+  EXPECT_TRUE(fit.closed);
+}
+
+/// A closed curve with one corner: a cubic loop.
+BezierSpline dropWithCorner() {
+  Poles poles = Poles::Zero(4, 3);
+  poles << 0, 0, 0, 6, 3, 0, 6, -3, 0, 0, 0, 0;
+  return planarSpline({BezierCurve(poles)}, true);
+}
+
+// Identity (3).
+TEST(ArcFit, CornersAreKept) {
+  Poles left = Poles::Zero(3, 3), right = Poles::Zero(3, 3);
+  left << 0, 0, 0, 2, 2, 0, 4, 2, 0;
+  right << 4, 2, 0, 4, 0, 0, 6, -1, 0;
+  const ArcFit fit = fitArcs(planarSpline({BezierCurve(left), BezierCurve(right)}));
+  ASSERT_THAT(fit.corners, SizeIs(1));
+  const PlanarArc& after = fit.arcs[fit.corners[0]];
+  EXPECT_LT((after.start - Vector2d(4, 2)).norm(), 1e-12);
+  EXPECT_NEAR(after.direction_rad, -pi / 2, 1e-12);
+  EXPECT_LT(test::angleBetween(fit.arcs[fit.corners[0] - 1].endDirection_rad(), 0), 1e-9);
+  expectChain(fit, 0.01);
+
+  const ArcFit drop = fitArcs(dropWithCorner());
+  EXPECT_THAT(drop.corners, ElementsAre(0));
+  EXPECT_TRUE(drop.closed);
+  expectChain(drop, 0.01);
+}
+
+TEST(ArcFit, ASmoothClosedCurveStaysSmooth) {
+  std::mt19937_64 random(testSeed());
+  PlanarPoints points(7, 2);
+  for (int i = 0; i < 7; ++i)
+    points.row(i) = (uniform(random, 4, 6) * unitVector(2 * pi * i / 7)).transpose();
+  const BiarcSpline biarcs = biarcSpline(points, {.closed = true});
+  const BezierSpline curve = bezierSpline(biarcs.arcs, true, 1e-9);
+  const ArcFit same = fitArcs(curve);
+  EXPECT_LE(same.arcs.size(), biarcs.arcs.size());
+  expectChain(same, 0.01);
+  EXPECT_THAT(same.corners, IsEmpty());
+}
+
+// Identity (5), for a clothoid, whose slope of curvature is constant.
+TEST(ArcFit, NeedsFewMoreArcsThanTheIdealChain) {
+  for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5}) {
+    const Clothoid clothoid = {
+        .curvature_per_mm = 0.02, .curvature_slope_per_mm2 = 0.01, .length_mm = 30};
+    const BezierSpline curve = bezierSpline({clothoid}, tolerance * 1e-4, false, 1e-9).curve;
+    const ArcFit fit = fitArcs(curve, {.tolerance_mm = tolerance});
+    const double ideal = 30 * std::cbrt(0.01 / (72 * std::sqrt(3.0) * tolerance));
+    EXPECT_GE(static_cast<double>(fit.arcs.size()), 0.99 * ideal);
+    EXPECT_LE(static_cast<double>(fit.arcs.size()), 1.7 * ideal + 4) << ideal;
+  }
+}
+
+// Identity (6).
+TEST(ArcFit, OffsetsAreAtTheDistance) {
+  std::mt19937_64 random(testSeed());
+  const ArcFit fit = fitArcs(randomCurve(random, 4, false), {.tolerance_mm = 1e-3});
+  double least_radius = infinite;
+  for (const PlanarArc& arc : fit.arcs)
+    least_radius = std::min(least_radius, 1 / std::abs(arc.curvature_per_mm));
+  for (const double distance : {0.5 * least_radius, -0.5 * least_radius}) {
+    const std::vector<PlanarArc> moved = offset(fit, distance);
+    ASSERT_EQ(moved.size(), fit.arcs.size());
+    for (std::size_t i = 0; i + 1 < moved.size(); ++i)
+      EXPECT_LT((moved[i].end() - moved[i + 1].start).norm(), 1e-9);
+  }
+  // One side has the centre of the tightest arc.
+  const double beyond = 1.01 * least_radius;
+  EXPECT_ANY_THROW({
+    offset(fit, beyond);
+    offset(fit, -beyond);
+  });
+}
+
+TEST(ArcFit, OffsetGoesAroundACorner) {
+  const ArcFit fit = fitArcs(dropWithCorner());
+  // The drop runs clockwise, so its outside is to the left.
+  const std::vector<PlanarArc> moved = offset(fit, 0.5);
+  ASSERT_EQ(moved.size(), fit.arcs.size() + 1);
+  EXPECT_NEAR(std::abs(moved.front().curvature_per_mm), 2, 1e-12);
+  for (std::size_t i = 0; i < moved.size(); ++i)
+    EXPECT_LT((moved[i].end() - moved[(i + 1) % moved.size()].start).norm(), 1e-6);
+  EXPECT_THROW(offset(fit, -0.1), std::domain_error);
+}
+
+TEST(ArcFit, MovesAlongWithTheCurve) {
+  std::mt19937_64 random(testSeed());
+  const BezierSpline curve = randomCurve(random, 3, false);
+  BezierSpline moved = curve;
+  const double angle = 0.7;
+  moved.poles.col(0) =
+      4 * (std::cos(angle) * curve.poles.col(0) - std::sin(angle) * curve.poles.col(1)) +
+      100 * curve.poles.col(3);
+  moved.poles.col(1) =
+      4 * (std::sin(angle) * curve.poles.col(0) + std::cos(angle) * curve.poles.col(1));
+  const ArcFit one = fitArcs(curve, {.tolerance_mm = 1e-3});
+  const ArcFit other = fitArcs(moved, {.tolerance_mm = 4e-3});
+  // Rounding decides how far a step reaches, so the arcs differ within the resolution of steps.
+  EXPECT_NEAR(static_cast<double>(one.arcs.size()), static_cast<double>(other.arcs.size()), 2);
+  EXPECT_LE(other.distance_mm, 4e-3);
+}
+
+TEST(ArcFit, InvalidInputIsNamed) {
+  std::mt19937_64 random(testSeed());
+  const BezierSpline good = randomCurve(random, 2, false);
+  const auto message = [](const BezierSpline& curve, ArcFitOptions options = {}) -> std::string {
+    try {
+      fitArcs(curve, options);
+      return "nothing";
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+  };
+  EXPECT_THAT(message(good, {.tolerance_mm = 0}), HasSubstr("tolerance is 0 mm"));
+  EXPECT_THAT(message(good, {.tolerance_mm = std::nan("")}), HasSubstr("tolerance is nan"));
+  EXPECT_THAT(message(good, {.corner_rad = 4}), HasSubstr("corner angle is 4 rad"));
+  EXPECT_THAT(message(good, {.tolerance_mm = 1e-17}), HasSubstr("no arc keeps the tolerance"));
+  BezierSpline outside = good;
+  outside.poles(1, 2) = 0.5;
+  EXPECT_THAT(message(outside), HasSubstr("outside of the plane"));
+  Poles cusp = Poles::Zero(4, 3);
+  cusp << 0, 0, 0, 1, 1, 0, 0, 1, 0, 1, 0, 0;
+  EXPECT_THAT(message(planarSpline({BezierCurve(cusp)})), HasSubstr("the curve stops"));
+  Poles stops = Poles::Zero(3, 3);
+  stops(2, 0) = 1;
+  EXPECT_THAT(message(planarSpline({BezierCurve(stops)})), HasSubstr("the curve stops"));
+}
+
+}  // namespace
+}  // namespace seamwright
