@@ -114,7 +114,7 @@ struct TensorArguments {
 };
 
 struct TensorDegrees {
-  int order, across;
+  int order = 1, across = 1;
   std::optional<int> along;
 };
 
@@ -122,7 +122,7 @@ TensorDegrees degreesOf(const TensorArguments& given, const Ribbon& ribbon) {
   const int order = optionalWhole("order", given.order).value_or(1);
   const int across = optionalWhole("degree_across", given.degree_across)
                          .value_or(std::max(order, ribbon.degree_across));
-  return {order, across, optionalWhole("degree", given.degree)};
+  return {.order = order, .across = across, .along = optionalWhole("degree", given.degree)};
 }
 
 py::tuple arraysOf(const std::vector<HomogeneousPoles>& rows) {

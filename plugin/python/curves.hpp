@@ -26,8 +26,8 @@ class CurveSegments {
   /// A segment with the parameter 0..1.
   struct Part {
     BezierCurve curve;
-    double start;   ///< parameter of the whole curve at 0
-    double length;  ///< of the interval
+    double start = 0;   ///< parameter of the whole curve at 0
+    double length = 0;  ///< of the interval
 
     double local(double t) const { return (t - start) / length; }
     double whole(double s) const { return start + length * s; }
