@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 import seamwright
 from seamwright import results
+from seamwright._result import _Value
 from seamwright.results import Figure, Result, Seam
 
 LINE = seamwright.BezierCurve([[-1, 0, 0], [0, 0, 0]])
@@ -83,7 +84,7 @@ def parts(result):
 
 
 def names(kind):
-    return [name for name in dir(kind) if isinstance(getattr(kind, name), results._Value)]
+    return [name for name in dir(kind) if isinstance(getattr(kind, name), _Value)]
 
 
 def test_attributes_are_the_items(every):
