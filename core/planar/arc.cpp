@@ -39,6 +39,14 @@ double directionOf(const Eigen::Vector2d& vector) {
   return std::atan2(vector.y(), vector.x());
 }
 
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+double angleFromTo(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return std::atan2(cross(a, b), a.dot(b));
+}
+
 Eigen::Vector2d unitVector(double angle_rad) {
   return {std::cos(angle_rad), std::sin(angle_rad)};
 }

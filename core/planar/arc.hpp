@@ -36,6 +36,10 @@ double sincSlope(double x);
 double wrapped(double angle_rad);
 /// The angle of the vector against the first axis, in [-pi, pi].
 double directionOf(const Eigen::Vector2d& vector);
+/// The component of the cross product across the plane; above 0 if b is to the left of a.
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
+/// The angle from a to b, in [-pi, pi]; above 0 to the left.
+double angleFromTo(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
 /// (cos a, sin a).
 Eigen::Vector2d unitVector(double angle_rad);
 

@@ -114,7 +114,7 @@ std::optional<AlongCircle> alongCircle(const CurvePiece& piece, const PlanarArc&
     }
     result.distance_mm = std::max(result.distance_mm, bound_mm);
     const Eigen::Vector2d a = fromCentre(from), b = fromCentre(to);
-    const double angle_rad = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+    const double angle_rad = angleFromTo(a, b);
     // The projection of a short way on a flat circle: by its tangent, since the angle loses digits.
     constexpr double flat_rad = 1e-6;
     const Eigen::Vector2d tangent = Eigen::Vector2d(-a.y() - b.y(), a.x() + b.x()).normalized();

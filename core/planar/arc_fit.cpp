@@ -38,9 +38,6 @@ CurveFrame frameAt(const BezierCurve& segment, double t, int index) {
     throw std::domain_error(fmt::format(
         "the curve stops in segment {} at the parameter {}: it has no tangent there", index, t));
   }
-  const auto cross = [](const Vector2d& a, const Vector2d& b) {
-    return a.x() * b.y() - a.y() * b.x();
-  };
   // docs/theory/planar.md P8.1.
   const double slope =
       cross(first, third) * speed * speed - 3 * first.dot(second) * cross(first, second);

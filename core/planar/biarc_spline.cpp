@@ -87,8 +87,7 @@ SegmentForm formOf(const TangentOptions& options, double chord_mm) {
 
 /// The angle at the start against the chord p to q, of the circle through p, q and r.
 double circleAngle(const Eigen::Vector2d& p, const Eigen::Vector2d& q, const Eigen::Vector2d& r) {
-  const Eigen::Vector2d a = p - r, b = q - r;
-  return std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+  return angleFromTo(p - r, q - r);
 }
 
 /// The alpha of an end that is given, or that the rule takes from a circle.

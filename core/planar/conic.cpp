@@ -14,14 +14,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-double crossOf(const Vector2d& a, const Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
-double angleFrom(const Vector2d& a, const Vector2d& b) {
-  return std::atan2(crossOf(a, b), a.dot(b));
-}
-
 Eigen::RowVector3d inPlane(const Vector2d& point) {
   return {point.x(), point.y(), 0};
 }
@@ -30,14 +22,14 @@ Eigen::RowVector3d inPlane(const Vector2d& point) {
 double endpointCurvature(const Vector2d& at, const Vector2d& corner, const Vector2d& far,
                          double weight) {
   const Vector2d edge = corner - at;
-  const double area = crossOf(edge, far - corner) / 2;
+  const double area = cross(edge, far - corner) / 2;
   return area / (weight * weight * std::pow(edge.norm(), 3));
 }
 
 }  // namespace
 
 double PlanarConic::turn_rad() const {
-  return angleFrom(corner - start, end - corner);
+  return angleFromTo(corner - start, end - corner);
 }
 
 double PlanarConic::startCurvature_per_mm() const {
@@ -104,7 +96,7 @@ std::vector<PlanarConic> conicsOf(const std::vector<PlanarArc>& arcs) {
 }
 
 std::array<PlanarConic, 2> twoConics(const TwoConicsEnds& ends) {
-  const double turn_rad = angleFrom(ends.apex - ends.start, ends.end - ends.apex);
+  const double turn_rad = angleFromTo(ends.apex - ends.start, ends.end - ends.apex);
   const double k0 = ends.start_curvature_per_mm, k1 = ends.end_curvature_per_mm;
   if (!std::isfinite(turn_rad) || !std::isfinite(k0) || !std::isfinite(k1))
     refuse("two conics: a point or a curvature is not finite");

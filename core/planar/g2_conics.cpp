@@ -32,14 +32,14 @@ struct ConvexRun {
 /// The sign of the turn; 0 if rounding hides it.
 int turnSign(const PlanarConic& conic) {
   const Vector2d in = conic.corner - conic.start, out = conic.end - conic.corner;
-  const double cross = in.x() * out.y() - in.y() * out.x();
+  const double turn = cross(in, out);
   // Each coordinate of an edge has the rounding of one difference of coordinates of this size.
   const double size =
       std::max({conic.start.cwiseAbs().maxCoeff(), conic.corner.cwiseAbs().maxCoeff(),
                 conic.end.cwiseAbs().maxCoeff()});
   const double noise = 4 * machine_epsilon * size * (in.norm() + out.norm());
-  if (std::abs(cross) <= noise) return 0;
-  return cross > 0 ? 1 : -1;
+  if (std::abs(turn) <= noise) return 0;
+  return turn > 0 ? 1 : -1;
 }
 
 void requireSegment(const PlanarConic& conic, std::size_t i) {
