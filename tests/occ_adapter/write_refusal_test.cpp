@@ -5,6 +5,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cstdlib>
@@ -193,8 +194,8 @@ TEST_F(Refusal, CancelledAtEveryMoment) {
   }
 }
 
-/// Kills a writing process at random moments, thirty times over two contents: the file is always
-/// one of the two, whole.
+/// Kills a process that writes two contents in turn, sixty times, at a random moment after its
+/// first file: the file is always one of the two, whole.
 TEST_F(Refusal, KilledAtAnyMoment) {
   const Model one = occ::modelFromShape(box()), other = occ::modelFromShape(roundedBox());
   const fs::path target = folder_ / "target.brep";
@@ -204,17 +205,25 @@ TEST_F(Refusal, KilledAtAnyMoment) {
     writeModel(i == 0 ? one : other, target, {.overwrite = true});
     contents[i] = contentOf(target);
   }
-  // Twice as long as both are written, however busy the machine is.
-  const auto longest = 2 * (std::chrono::steady_clock::now() - begin);
+  const auto both = std::chrono::steady_clock::now() - begin;
   std::mt19937 random(testSeed());
   std::uniform_int_distribution<long> microseconds(
-      0, std::chrono::duration_cast<std::chrono::microseconds>(longest).count());
+      0, std::chrono::duration_cast<std::chrono::microseconds>(both).count());
   int seen[2] = {0, 0};
   for (int round = 0; round < 60; ++round) {
+    int written[2];
+    ASSERT_EQ(pipe(written), 0);
     const pid_t writer = fork();
     if (writer == 0) {
-      for (int i = round;; ++i) writeModel(i % 2 == 0 ? one : other, target, {.overwrite = true});
+      for (int i = round;; ++i) {
+        writeModel(i % 2 == 0 ? one : other, target, {.overwrite = true});
+        if (i == round && write(written[1], "1", 1) != 1) _exit(1);
+      }
     }
+    close(written[1]);
+    char first = 0;
+    ASSERT_EQ(read(written[0], &first, 1), 1);  // however busy the machine is
+    close(written[0]);
     std::this_thread::sleep_for(std::chrono::microseconds(microseconds(random)));
     kill(writer, SIGKILL);
     waitpid(writer, nullptr, 0);
