@@ -42,7 +42,8 @@ struct LogSpiral {
 /// <= pi (see ChordAngles). It exists for all these ends and is unique.
 ///   (2) The spiral meets both ends with their directions.
 ///   (3) alpha = beta gives the arc of a circle.
-///   (4) The angle between the tangent and the direction to the pole is constant.
+///   (4) The angle from the tangent to the direction to the pole is constant; its cotangent is
+///       -growth if the spiral turns to the left.
 /// \throws std::invalid_argument as chordAngles() does. Throws std::domain_error for ends of
 /// another shape (a clothoid or a biarc joins these), for turns above pi (a point has to be
 /// inserted), and if the radii at the ends differ by more than the factor 1e12. Source:

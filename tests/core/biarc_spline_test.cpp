@@ -124,9 +124,7 @@ TEST(BiarcSpline, AgreesWithHighPrecision) {
   for (const nlohmann::json& entry : test::splineCases("biarc_splines.json")) {
     SCOPED_TRACE(entry["name"].get<std::string>());
     const nlohmann::json &in = entry["in"], &out = entry["out"];
-    PlanarPoints points(static_cast<Eigen::Index>(in["P"].size()), 2);
-    for (Eigen::Index i = 0; i < points.rows(); ++i)
-      points.row(i) = test::planarVector(in["P"][i]).transpose();
+    const PlanarPoints points = test::planarPoints(in["P"]);
     TangentOptions options{.closed = in["closed"].get<bool>()};
     if (in["algorithm"] == "tridiag")
       options.rule = TangentRule::NearCircles;

@@ -23,6 +23,13 @@ inline Eigen::Vector2d planarVector(const nlohmann::json& value) {
   return {number(value[0]), number(value[1])};
 }
 
+inline PlanarPoints planarPoints(const nlohmann::json& values) {
+  PlanarPoints points(static_cast<Eigen::Index>(values.size()), 2);
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+    points.row(i) = planarVector(values[static_cast<std::size_t>(i)]).transpose();
+  return points;
+}
+
 /// Difference of two angles without multiples of 2 pi.
 inline double angleBetween(double a, double b) {
   return std::abs(std::remainder(a - b, 2 * std::numbers::pi));

@@ -150,6 +150,9 @@ TEST(LogSpiral, AngleBetweenTangentAndPoleIsConstant) {
     };
     for (const double share : {0.3, 0.7, 1.0})
       EXPECT_LT(angleBetween(angle(share * found.turn_rad), angle(0)), 1e-10);
+    // Its cotangent is -growth for a spiral that turns to the left.
+    const double size = std::hypot(1, found.growth);
+    EXPECT_LT(std::abs(std::cos(angle(0)) + side * found.growth * std::sin(angle(0))), 1e-9 * size);
   }
 }
 
