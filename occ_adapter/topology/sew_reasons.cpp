@@ -39,7 +39,7 @@ namespace why_not_sewn {
 
 SewReason gapTooLarge(const std::string& figures) {
   return {.fault = SewFault::GapTooLarge,
-          .text = "its gap is not surely within the tolerance: " + figures};
+          .text = "its gap is not certainly within the tolerance: " + figures};
 }
 
 SewReason faceInstances(int face, const std::string& name, int count) {

@@ -122,7 +122,7 @@ void bindFillOutcome(FillClass& type) {
           "The fill is in the model.")
       .def_property_readonly(
           "reached", [](const FillReport& fill) { return fill.report.reached; },
-          "Every new seam surely reaches the target.")
+          "Every new seam certainly reaches the target.")
       .def_property_readonly(
           "reason", [](const FillReport& fill) { return textOf(fill.report.reason); },
           "Why the target is not reached; empty if it is.")

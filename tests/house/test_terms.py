@@ -49,6 +49,7 @@ WORDS = {
     r"\bSeamLaws?\b": ("connection functions", ["SeamLaw law"], ["the seam's law"]),
     r"seams? that flow": ("smooth seams", ["seams that flow"], ["seams that fall"]),
     r"did not come to an end": ("exceeded the limit", ["did not come to an end"], []),
+    r"\b[Ss]urely\b": ("certainly", ["is surely within", "Surely G1"], ["surelyReaches"]),
 }
 #: They name these words.
 NAMERS = {"docs/glossary.md", "tests/house/test_terms.py"}

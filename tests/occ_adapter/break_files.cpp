@@ -2,7 +2,7 @@
 // Breaks the smooth seams of models that are files and has them repaired.
 //   break_files [--noise MM]... [--seed NUMBER] FILE...
 // The poles of spline faces near seams are moved by less than the noise each. Counted are the seams
-// that surely were G1 within 0.001 mm and 0.01 degrees, and are broken by less than 5 degrees;
+// that certainly were G1 within 0.001 mm and 0.01 degrees, and are broken by less than 5 degrees;
 // those of them that are G1 again; the faces whose mean curvature then varies more than the judge
 // allows over that of the broken face; and over that of the face before the noise. Reasons of seams
 // that are left go to the error stream.

@@ -26,7 +26,7 @@ using Eigen::Vector3d;
 using occ::CornerFillet;
 using occ::modelFromShape;
 
-/// The largest angle that is surely there between faces that meet at less than 5 degrees.
+/// The largest angle that is certainly there between faces that meet at less than 5 degrees.
 double largestAngle_deg(const TopoDS_Shape& shape) {
   double largest = 0;
   for (const occ::SeamResult& seam : occ::analyze(modelFromShape(shape)).seams)

@@ -131,7 +131,7 @@ TEST(Prove, WhatTheUserAskedForIsHeldWhereLessIsTried) {
   for (auto& [key, seam] : unsure) makeUnsure(seam);
   EXPECT_THAT(onlyText(strips.proofOf(task, flat, &unsure).worse), HasSubstr("less certain"));
   EXPECT_THAT(onlyText(strips.proofOf(task, bent).worse), HasSubstr("a lower level"));
-  // What may have had the level may not surely lack it after.
+  // What may have had the level may not certainly lack it after.
   makeUnsure(strips.before()[1]);
   EXPECT_TRUE(strips.proofOf(task, flat, &unsure).holds());
   EXPECT_THAT(onlyText(strips.proofOf(task, bent).worse), HasSubstr("a lower level"));

@@ -111,7 +111,7 @@ TEST(SewProof, NoFigureThatWasWithinItsToleranceLeavesIt) {
   LoosePair apart(0.015);
   apart.before().verdict.certain = false;
   EXPECT_THAT(apart.sewn().reasons.at(0).text,
-              HasSubstr("its gap is not surely within the tolerance"));
+              HasSubstr("its gap is not certainly within the tolerance"));
   apart.before().figures.gap_mm = Figure{0, 0.001, 0};
   EXPECT_THAT(apart.sewn().reasons.at(0).text,
               HasSubstr("as one edge it would have level none, gap 0.015 mm"));

@@ -246,7 +246,7 @@ TEST(Sew, WhatIsTooFarStaysLoose) {
   EXPECT_EQ(sewnSeams(report), 8);
   EXPECT_EQ(count(report.model.shape, TopAbs_EDGE), 16);
   EXPECT_EQ(count(report.model.shape, TopAbs_SOLID), 0);
-  EXPECT_NE(whyNot(report).find("gap is not surely within the tolerance"), std::string::npos);
+  EXPECT_NE(whyNot(report).find("gap is not certainly within the tolerance"), std::string::npos);
   EXPECT_EQ(faultsOf(report), std::set{occ::SewFault::GapTooLarge});
 }
 
