@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -24,12 +23,8 @@ namespace seamwright::bernstein {
 /// then stay below 2^1000.
 inline constexpr int kMaxDegree = 800;
 
-inline std::string text(double value) {
-  std::ostringstream out;
-  out.precision(17);
-  out << value;
-  return out.str();
-}
+/// The number with 17 digits, which tell it from every other double.
+std::string text(double value);
 
 template <class Values>
 double largest(const Values& values) {
@@ -44,9 +39,9 @@ std::string offender(const Values& values) {
     for (Eigen::Index i = 0; i < values.rows(); ++i) {
       if (std::abs(values(i, j)) < rounding::kLimit) continue;
       const std::string row = std::to_string(i);
-      const std::string place =
+      const std::string index =
           Values::ColsAtCompileTime == 1 ? row : "(" + row + ", " + std::to_string(j) + ")";
-      return "coefficient " + place + " is " + text(values(i, j));
+      return "coefficient " + index + " is " + text(values(i, j));
     }
   return {};
 }

@@ -3,6 +3,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <seamwright/core/bezier/casteljau.hpp>
 #include <seamwright/core/bezier/homogeneous.hpp>
@@ -48,6 +49,12 @@ BezierPatch::BezierPatch(int degree_u, int degree_v, const Eigen::Ref<const Pole
     : degree_u_(degree_u), degree_v_(degree_v) {
   requireNetSize(degree_u, degree_v, poles.rows());
   homogeneous_ = seamwright::homogeneousPoles(poles, weights);
+}
+
+BezierPatch BezierPatch::fromHomogeneous(int degree_u, int degree_v, HomogeneousPoles poles) {
+  requireNetSize(degree_u, degree_v, poles.rows());
+  requireValid(poles);
+  return {Homogeneous{}, degree_u, degree_v, std::move(poles)};
 }
 
 bool BezierPatch::isRational() const {

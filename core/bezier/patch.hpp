@@ -21,6 +21,8 @@ class BezierPatch {
   /// Rational patch. \param weights (m+1)(n+1) positive finite numbers in the order of the poles.
   BezierPatch(int degree_u, int degree_v, const Eigen::Ref<const Poles>& poles,
               const Eigen::Ref<const Eigen::VectorXd>& weights);
+  /// The patch with these homogeneous poles, copied bitwise. \throws as the constructors do.
+  static BezierPatch fromHomogeneous(int degree_u, int degree_v, HomogeneousPoles poles);
 
   int degreeU() const { return degree_u_; }
   int degreeV() const { return degree_v_; }

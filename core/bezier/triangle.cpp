@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <seamwright/core/bezier/homogeneous.hpp>
@@ -75,6 +76,12 @@ BezierTriangle::BezierTriangle(const Eigen::Ref<const Poles>& poles)
 BezierTriangle::BezierTriangle(const Eigen::Ref<const Poles>& poles,
                                const Eigen::Ref<const Eigen::VectorXd>& weights)
     : homogeneous_(seamwright::homogeneousPoles(poles, weights)), degree_(degreeOf(poles.rows())) {}
+
+BezierTriangle BezierTriangle::fromHomogeneous(HomogeneousPoles poles) {
+  requireValid(poles);
+  const int degree = degreeOf(poles.rows());
+  return {Homogeneous{}, degree, std::move(poles)};
+}
 
 bool BezierTriangle::isRational() const {
   return seamwright::isRational(homogeneous_);

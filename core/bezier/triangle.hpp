@@ -41,6 +41,8 @@ class BezierTriangle {
   /// Rational triangle. \param weights positive finite numbers in the order of the poles.
   BezierTriangle(const Eigen::Ref<const Poles>& poles,
                  const Eigen::Ref<const Eigen::VectorXd>& weights);
+  /// The triangle with these homogeneous poles, copied bitwise. \throws as the constructors do.
+  static BezierTriangle fromHomogeneous(HomogeneousPoles poles);
 
   int degree() const { return degree_; }
   /// The row of the pole (i, j) in a net of the given degree.

@@ -124,7 +124,8 @@ Verdict judge(const SeamFigures& figures, const ContinuityTolerance& tolerance, 
   return verdict;
 }
 
-bool surelyReaches(const SeamFigures& figures, const ContinuityTolerance& tolerance, Level level) {
+bool certainlyReaches(const SeamFigures& figures, const ContinuityTolerance& tolerance,
+                      Level level) {
   return figures.shares_known && reachedLevel(figures, tolerance, End::Upper) >= level;
 }
 

@@ -54,7 +54,8 @@ Verdict judge(const SeamFigures& figures, const ContinuityTolerance& tolerance, 
 
 /// Whether every value within the enclosures reaches the level, including what the figures leave
 /// out. False if a figure that matters has no upper end.
-bool surelyReaches(const SeamFigures& figures, const ContinuityTolerance& tolerance, Level level);
+bool certainlyReaches(const SeamFigures& figures, const ContinuityTolerance& tolerance,
+                      Level level);
 
 /// Remarks on what the angle and the verdict do not show, joined by "; ". Empty if there is none of
 /// the following:

@@ -34,7 +34,7 @@ const SeamResult* worstOf(const FillSeams& seams, const FillHoleOptions& options
   };
   for (const auto* group : {&seams.outer, &seams.inner})
     for (const SeamResult& seam : *group)
-      if (!surelyReaches(seam.figures, options.tolerance, options.target) &&
+      if (!certainlyReaches(seam.figures, options.tolerance, options.target) &&
           (worst == nullptr || angle(seam) > angle(*worst)))
         worst = &seam;
   return worst;

@@ -40,7 +40,7 @@ void announce(const Progress& progress, double share) {
 }
 
 bool reaches(const SeamFigures& figures, const FaceMatchOptions& options) {
-  return surelyReaches(figures, options.tolerance, options.order == 1 ? Level::G1 : Level::G2);
+  return certainlyReaches(figures, options.tolerance, options.order == 1 ? Level::G1 : Level::G2);
 }
 
 AnalyzeOptions analyzeOptions(const FaceMatchOptions& options) {

@@ -167,7 +167,7 @@ bool mayMoveAsSplines(const std::array<int, 2>& faces, const std::vector<FaceCho
 RepairReason whyNot(const SeamResult& seam, const std::vector<FaceChoice>& faces, bool sharp,
                     const RepairOptions& options) {
   if (!seam.figures.gap_mm) return why::notMeasured(seam.note);
-  if (surelyReaches(seam.figures, options.tolerance, options.level())) return why::hasLevel();
+  if (certainlyReaches(seam.figures, options.tolerance, options.level())) return why::hasLevel();
   if (const RepairReason reason = whyNoneMoves(seam.faces, faces); !reason.empty()) {
     const bool may_be_trimmed =
         std::ranges::any_of(seam.faces, [&faces](int face) { return faces[face].may_be_trimmed; });
@@ -213,7 +213,7 @@ Choice choose(const Model& model, const Report& before, const RepairOptions& opt
     choice.reasons.push_back(reason);
     choice.wants_conversion.push_back(
         wanted && seam.figures.gap_mm &&
-        !surelyReaches(seam.figures, options.tolerance, options.level()) &&
+        !certainlyReaches(seam.figures, options.tolerance, options.level()) &&
         mayMoveAsSplines(seam.faces, choice.faces));
   }
   return choice;
@@ -263,7 +263,7 @@ RepairReason whyKinked(const Seam& seam, const ContinuityTolerance& tolerance) {
 
 bool isRepaired(const SeamResult& after, bool sharp, const ContinuityTolerance& tolerance,
                 Level level) {
-  if (!sharp) return surelyReaches(after.figures, tolerance, level);
+  if (!sharp) return certainlyReaches(after.figures, tolerance, level);
   const auto& gap = after.figures.gap_mm;
   return after.verdict.seam_class == SeamClass::Crease && gap && gap->upper &&
          *gap->upper <= tolerance.gap_mm;

@@ -146,7 +146,7 @@ class Converting {
   }
 
   bool hasLevel(const SeamRepair& seam) const {
-    return surelyReaches(seam.before.figures, options_.tolerance, options_.level());
+    return certainlyReaches(seam.before.figures, options_.tolerance, options_.level());
   }
 
   std::set<int> convertibleOf(const std::array<int, 2>& faces) const {
@@ -169,7 +169,7 @@ class Converting {
     for (std::size_t i = 0; i < report.seams.size(); ++i) {
       const SeamResult &was = original_.seams[i], &is = report.seams[i].after;
       const bool is_worse = is.verdict.level < was.verdict.level &&
-                            surelyReaches(was.figures, options_.tolerance, was.verdict.level);
+                            certainlyReaches(was.figures, options_.tolerance, was.verdict.level);
       if (!is_worse) continue;
       for (const int face : was.faces)
         if (chosen.count(face) > 0) {

@@ -109,14 +109,14 @@ bool isLower(const SeamResult& after, const SeamResult& before, const RepairOpti
   const Level level = before.verdict.level;
   if (after.verdict.level >= level) return false;
   if (after.verdict.level < options.level()) return true;
-  return options.keep_curvature && surelyReaches(before.figures, options.tolerance, level);
+  return options.keep_curvature && certainlyReaches(before.figures, options.tolerance, level);
 }
 
 bool isLessCertain(const SeamResult& after, const SeamResult& before,
                    const ContinuityTolerance& tolerance, Level asked) {
-  const bool had_it = surelyReaches(before.figures, tolerance, asked);
+  const bool had_it = certainlyReaches(before.figures, tolerance, asked);
   return (before.verdict.certain && !after.verdict.certain) ||
-         (had_it && !surelyReaches(after.figures, tolerance, asked));
+         (had_it && !certainlyReaches(after.figures, tolerance, asked));
 }
 
 /// Whether the largest angle of a crease certainly changed by more than allowed.

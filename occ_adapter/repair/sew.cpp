@@ -54,7 +54,7 @@ SewChoice seamsToSew(const SewTask& task) {
                              return contains(picked, edge);
                            });
     if (!is_picked) continue;
-    if (surelyReaches(seam.figures, task.options.tolerance, Level::G0))
+    if (certainlyReaches(seam.figures, task.options.tolerance, Level::G0))
       choice.chosen.push_back(i);
     else
       choice.reasons[i] = why_not_sewn::gapTooLarge(figuresText(seam));
@@ -172,8 +172,8 @@ SewReasons seamsThatLose(const SewTask& task, const SeamNumbers& chosen,
     const SeamResult &before = task.before[i], &after = all_after[i];
     const bool is_lower = before.verdict.certain && after.verdict.level < before.verdict.level;
     const auto keeps = [&](Level level) {
-      return !surelyReaches(before.figures, task.options.tolerance, level) ||
-             surelyReaches(after.figures, task.options.tolerance, level);
+      return !certainlyReaches(before.figures, task.options.tolerance, level) ||
+             certainlyReaches(after.figures, task.options.tolerance, level);
     };
     const bool is_kept = after.kind != SeamKind::Matched && !is_lower && keeps(Level::G0) &&
                          keeps(task.options.level());

@@ -195,10 +195,8 @@ positive.)")
                                   homogeneousArray(patch.homogeneousPoles()));
           },
           [](const py::tuple& state) {
-            const HomogeneousPoles poles = homogeneousRows(state[2].cast<Array>());
-            const BezierPatch net(state[0].cast<int>(), state[1].cast<int>(),
-                                  Poles(poles.leftCols<3>()));
-            return withHomogeneousPoles(net, poles);
+            return BezierPatch::fromHomogeneous(state[0].cast<int>(), state[1].cast<int>(),
+                                                homogeneousRows(state[2].cast<Array>()));
           }))
       .def("__repr__",
            [](const BezierPatch& patch) {

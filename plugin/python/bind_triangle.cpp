@@ -111,8 +111,7 @@ void bindMembers(py::class_<BezierTriangle>& type) {
             return homogeneousArray(triangle.homogeneousPoles());
           },
           [](const Array& state) {
-            const HomogeneousPoles poles = homogeneousRows(state);
-            return withHomogeneousPoles(BezierTriangle(Poles(poles.leftCols<3>())), poles);
+            return BezierTriangle::fromHomogeneous(homogeneousRows(state));
           }))
       .def("__repr__",
            [](const BezierTriangle& triangle) {

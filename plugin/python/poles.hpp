@@ -5,7 +5,6 @@
 
 #include <seamwright/core/bezier/homogeneous.hpp>
 #include <string>
-#include <utility>
 
 /// Arguments that are arrays of real numbers. Integers are converted; complex numbers, booleans and
 /// text are refused. Every error is a ValueError that names the argument.
@@ -31,14 +30,5 @@ Eigen::VectorXd weightsOf(const pybind11::object& weights, const Array& poles);
 /// Homogeneous poles as an array, and back: the state of a pickled curve or surface.
 Array homogeneousArray(const HomogeneousPoles& poles);
 HomogeneousPoles homogeneousRows(const Array& state);
-
-/// A surface of the same degrees with other homogeneous poles, bitwise. The constructors of
-/// surfaces take poles and weights, whose products would be rounded.
-template <class Surface>
-Surface withHomogeneousPoles(Surface surface, HomogeneousPoles poles) {
-  requireValid(poles);
-  const_cast<HomogeneousPoles&>(surface.homogeneousPoles()) = std::move(poles);
-  return surface;
-}
 
 }  // namespace seamwright::python

@@ -53,7 +53,7 @@ ordered_json seamsJson(const std::vector<occ::SeamResult>& seams,
 std::vector<occ::SeamResult> missed(std::vector<occ::SeamResult> seams,
                                     const occ::FillHoleOptions& options) {
   std::erase_if(seams, [&options](const occ::SeamResult& seam) {
-    return surelyReaches(seam.figures, options.tolerance, options.target);
+    return certainlyReaches(seam.figures, options.tolerance, options.target);
   });
   return seams;
 }
@@ -83,7 +83,7 @@ std::vector<Row> rowsOf(const occ::FillHoleReport& report, const occ::FillHoleOp
   rows.front().emplace_back("note");
   for (const auto* seams : {&report.outer, &report.inner})
     for (const occ::SeamResult& seam : *seams) {
-      const bool reaches = surelyReaches(seam.figures, options.tolerance, options.target);
+      const bool reaches = certainlyReaches(seam.figures, options.tolerance, options.target);
       Row row = {reaches ? "met" : "missed", report.filled ? edgesText(seam) : "-",
                  betweenText(seam, report)};
       for (const Column& column : columns) row.push_back(cellOf(seam, column));

@@ -206,6 +206,19 @@ BezierPatch quarterTorus(double R, double r) {
   return {2, 2, poles, weights};
 }
 
+TEST(BezierPatch, HomogeneousPolesAreTakenOverBitByBit) {
+  HomogeneousPoles poles(6, 4);
+  for (int i = 0; i < 6; ++i) poles.row(i) << 0.1, 0.2, i / 7.0, 1 + i / 3.0;
+  const BezierPatch patch = BezierPatch::fromHomogeneous(1, 2, poles);
+  EXPECT_EQ(patch.homogeneousPoles(), poles);
+  EXPECT_EQ(patch.degreeU(), 1);
+  EXPECT_EQ(patch.degreeV(), 2);
+  EXPECT_THROW(BezierPatch::fromHomogeneous(2, 2, poles), std::invalid_argument);
+  poles(1, 3) = -2;
+  EXPECT_THAT([&] { BezierPatch::fromHomogeneous(1, 2, poles); },
+              testing::ThrowsMessage<std::invalid_argument>(HasSubstr("weight 1 is -2")));
+}
+
 TEST(BezierPatch, RationalTorusStaysOnTheTorusToThirdOrder) {
   // F = (|p|^2 + R^2 - r^2)^2 - 4 R^2 (x^2 + y^2) vanishes along every line in the parameter plane,
   // with all derivatives.

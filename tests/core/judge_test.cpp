@@ -62,20 +62,20 @@ TEST(Judge, WhatIsLeftOutCountsForCertaintyAlone) {
   f.shares_known = true;
   f.curvature_left_out = {{{0, 1e-6}}, 0.015};
   EXPECT_TRUE(judge(f, tolerance, Level::G1).certain);
-  EXPECT_TRUE(surelyReaches(f, tolerance, Level::G2));
+  EXPECT_TRUE(certainlyReaches(f, tolerance, Level::G2));
   for (const std::optional<double> upper : {std::optional(0.03), std::optional<double>()}) {
     f.curvature_left_out.upper = upper;
     EXPECT_EQ(judge(f, tolerance, Level::G1).level, Level::G2);
     EXPECT_FALSE(judge(f, tolerance, Level::G1).certain);
-    EXPECT_FALSE(surelyReaches(f, tolerance, Level::G2));
-    EXPECT_TRUE(surelyReaches(f, tolerance, Level::G1));
+    EXPECT_FALSE(certainlyReaches(f, tolerance, Level::G2));
+    EXPECT_TRUE(certainlyReaches(f, tolerance, Level::G1));
   }
   f.curvature_rel = Figure{0.5, 0.5, 0};
   EXPECT_TRUE(judge(f, tolerance, Level::G1).certain) << "G1 whatever is left out of the curvature";
   f.angle_left_out = {{{0.999, 1}}, std::nullopt};
   EXPECT_EQ(judge(f, tolerance, Level::G1).level, Level::G1);
   EXPECT_FALSE(judge(f, tolerance, Level::G1).certain);
-  EXPECT_FALSE(surelyReaches(f, tolerance, Level::G1));
+  EXPECT_FALSE(certainlyReaches(f, tolerance, Level::G1));
   f.angle_rad = Figure{degree, degree, 0};
   f.below_crease_share = 1;
   EXPECT_TRUE(judge(f, tolerance, Level::G1).certain) << "a defect whatever is left out";

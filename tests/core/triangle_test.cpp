@@ -67,6 +67,18 @@ Vec partial(const SurfaceJet& x, int a, int b) {
   return table[a][b];
 }
 
+TEST(BezierTriangle, HomogeneousPolesAreTakenOverBitByBit) {
+  HomogeneousPoles poles(6, 4);
+  for (int i = 0; i < 6; ++i) poles.row(i) << 0.1, 0.2, i / 7.0, 1 + i / 3.0;
+  const BezierTriangle triangle = BezierTriangle::fromHomogeneous(poles);
+  EXPECT_EQ(triangle.homogeneousPoles(), poles);
+  EXPECT_EQ(triangle.degree(), 2);
+  EXPECT_THROW(BezierTriangle::fromHomogeneous(poles.topRows(5)), std::invalid_argument);
+  poles(1, 3) = -2;
+  EXPECT_THAT([&] { BezierTriangle::fromHomogeneous(poles); },
+              testing::ThrowsMessage<std::invalid_argument>(HasSubstr("weight 1 is -2")));
+}
+
 TEST(BezierTriangle, JetsEqualTheDefinitionToThirdOrder) {
   // A = (wx, wy, wz) and w from the definition, Leibniz' rule: A_ab = sum C(a,i) C(b,j) w_ij
   // X_(a-i)(b-j).

@@ -95,12 +95,12 @@ Counts countsOf(const occ::Model& smooth, double noise_mm, unsigned seed) {
   for (std::size_t i = 0; i < report.seams.size(); ++i) {
     const occ::SeamRepair& seam = report.seams[i];
     const auto& angle = seam.before.figures.angle_rad;
-    if (!surelyReaches(was.seams[i].figures, options.tolerance, Level::G1) || !angle ||
+    if (!certainlyReaches(was.seams[i].figures, options.tolerance, Level::G1) || !angle ||
         !angle->upper)
       continue;
     if (seam.before.verdict.level >= Level::G1 || *angle->upper >= 5 * degree) continue;
     ++counts.broken;
-    const bool is_repaired = surelyReaches(seam.after.figures, options.tolerance, Level::G1);
+    const bool is_repaired = certainlyReaches(seam.after.figures, options.tolerance, Level::G1);
     counts.repaired += is_repaired ? 1 : 0;
     if (!is_repaired)
       std::cerr << "  Edge" << seam.before.edges.front() << ": " << seam.reason.text << "\n";
