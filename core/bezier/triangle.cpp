@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -195,8 +197,8 @@ BezierTriangle BezierTriangle::subtriangle(const std::array<Barycentric, 3>& cor
       const Eigen::Index to = row(degree_, i, j);
       result.row(to) = blossom(arguments).transpose();
       if (!(result(to, 3) > 0))
-        throw std::invalid_argument("weight " + std::to_string(to) + " of the part is " +
-                                    std::to_string(result(to, 3)) + ": weights must be positive");
+        throw std::invalid_argument(fmt::format(
+            "weight {} of the part is {}: weights must be positive", to, result(to, 3)));
     }
   return {Homogeneous{}, degree_, std::move(result)};
 }

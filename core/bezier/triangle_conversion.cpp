@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
@@ -213,8 +215,8 @@ std::array<BezierPatch, 3> regularPatches(const BezierTriangle& triangle) {
 TriangleRecognition recogniseTriangle(const BezierPatch& patch,
                                       std::optional<double> tolerance_mm) {
   if (tolerance_mm && !(*tolerance_mm >= 0))
-    throw std::invalid_argument("tolerance_mm is " + std::to_string(*tolerance_mm) +
-                                ": it must not be negative");
+    throw std::invalid_argument(
+        fmt::format("tolerance_mm is {}: it must not be negative", *tolerance_mm));
   const double noise = 8 * (patch.degreeU() + patch.degreeV() + 4) *
                        std::numeric_limits<double>::epsilon() *
                        poleSize(patch.poles(), patch.weights());

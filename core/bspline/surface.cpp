@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -87,8 +89,7 @@ void requireValid(const BSplineSurface& surface) {
   for (Eigen::Index i = 0; i < count; ++i) {
     if (!surface.poles.row(i).allFinite()) refuse("pole " + std::to_string(i) + " is not finite");
     if (!(surface.poles(i, 3) > 0))
-      refuse("weight " + std::to_string(i) + " is " + std::to_string(surface.poles(i, 3)) +
-             ": weights must be positive");
+      refuse(fmt::format("weight {} is {}: weights must be positive", i, surface.poles(i, 3)));
   }
 }
 
@@ -112,8 +113,8 @@ BezierPatch bezierPatch(const BSplineSurface& surface) {
 
 SurfaceJet jet(const BSplineSurface& surface, double u, double v) {
   requireValid(surface);
-  if (!std::isfinite(u)) refuse("parameter u is " + std::to_string(u) + ": it must be finite");
-  if (!std::isfinite(v)) refuse("parameter v is " + std::to_string(v) + ": it must be finite");
+  if (!std::isfinite(u)) refuse(fmt::format("parameter u is {}: it must be finite", u));
+  if (!std::isfinite(v)) refuse(fmt::format("parameter v is {}: it must be finite", v));
   using bspline::basisDerivatives, bspline::spanOf;
   const int span_u = spanOf(surface.degree_u, surface.knots_u, u);
   const int span_v = spanOf(surface.degree_v, surface.knots_v, v);
@@ -138,11 +139,10 @@ BSplineSurface withKnot(const BSplineSurface& surface, SurfaceDirection directio
   requireValid(surface);
   const auto [degree, knots] = directionOf(surface, direction);
   if (!(knot > knots.front() && knot < knots.back()))
-    refuse("knot " + std::to_string(knot) + ": it must lie strictly between " +
-           std::to_string(knots.front()) + " and " + std::to_string(knots.back()));
+    refuse(fmt::format("knot {}: it must lie strictly between {} and {}", knot, knots.front(),
+                       knots.back()));
   if (std::ranges::count(knots, knot) >= degree)
-    refuse("knot " + std::to_string(knot) + " is repeated as often as the degree, " +
-           std::to_string(degree) + ", already");
+    refuse(fmt::format("knot {} is repeated as often as the degree, {}, already", knot, degree));
   const int span = bspline::spanOf(degree, knots, knot);
   const Net net = netAlong(surface, direction);
   Net finer(net.rows() + 1, net.cols());

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -119,8 +121,7 @@ void requireFit(const SplineDirection& direction, std::size_t poles, const char*
   for (std::size_t i = 0; i < direction.knots.size(); ++i)
     if (!std::isfinite(direction.knots[i]) ||
         (i > 0 && direction.knots[i] < direction.knots[i - 1]))
-      throw std::invalid_argument(std::string("knot ") + std::to_string(i) + " in " + name +
-                                  " is " + std::to_string(direction.knots[i]));
+      throw std::invalid_argument(fmt::format("knot {} in {} is {}", i, name, direction.knots[i]));
 }
 
 }  // namespace
@@ -143,7 +144,7 @@ SplineEvaluator::SplineEvaluator(SplineDirection u, SplineDirection v,
     if (!pole.allFinite()) throw std::invalid_argument("a pole of the spline is not finite");
   for (const double weight : weights_)
     if (!(weight > 0) || !std::isfinite(weight))
-      throw std::invalid_argument("a weight of the spline is " + std::to_string(weight));
+      throw std::invalid_argument(fmt::format("a weight of the spline is {}", weight));
   for (const int d : {0, 1}) {
     const auto& [degree, knots, period] = directions_[d];
     for (int s = degree; s + degree + 1 < static_cast<int>(knots.size()); ++s)

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -228,9 +230,8 @@ void validate(std::span<const double> breaks, const SurveyOptions& options) {
                                 ": at least 2 are needed");
   for (std::size_t i = 1; i < breaks.size(); ++i)
     if (!(breaks[i] > breaks[i - 1]))
-      throw std::invalid_argument("break " + std::to_string(i) + " is " +
-                                  std::to_string(breaks[i]) + " after " +
-                                  std::to_string(breaks[i - 1]) + ": breaks must increase");
+      throw std::invalid_argument(fmt::format("break {} is {} after {}: breaks must increase", i,
+                                              breaks[i], breaks[i - 1]));
   if (options.points_per_span < 3)
     throw std::invalid_argument("points per span " + std::to_string(options.points_per_span) +
                                 ": at least 3 are needed");

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -32,7 +34,7 @@ void requireOptions(const NearestOptions& options) {
   requireDegree(options.degree_e1, "e1");
   requireDegree(options.degree_e2, "e2");
   if (!(options.smallest_alpha > 0 && options.smallest_alpha <= 1))
-    refuse("smallest_alpha is " + std::to_string(options.smallest_alpha) + ": 0 to 1 is needed");
+    refuse(fmt::format("smallest_alpha is {}: 0 to 1 is needed", options.smallest_alpha));
   if (options.max_iterations < 0)
     refuse("max_iterations is " + std::to_string(options.max_iterations) +
            ": it must not be negative");

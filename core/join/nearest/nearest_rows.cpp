@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -36,9 +38,9 @@ void requireSide(const JoinSide& side, const std::string& name) {
                                 std::to_string(count) + " poles is needed");
   for (Eigen::Index i = 0; i < side.weights.size(); ++i)
     if (!(side.weights(i) > 0) || !std::isfinite(side.weights(i)))
-      throw std::invalid_argument("weight " + std::to_string(i) + " of a move of surface " + name +
-                                  " is " + std::to_string(side.weights(i)) +
-                                  ": weights must be positive and finite");
+      throw std::invalid_argument(fmt::format(
+          "weight {} of a move of surface {} is {}: weights must be positive and finite", i, name,
+          side.weights(i)));
 }
 
 void requireSameSeam(const SeamRows& a, const SeamRows& b) {
@@ -51,10 +53,9 @@ void requireSameSeam(const SeamRows& a, const SeamRows& b) {
   constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
   for (std::size_t i = 0; i < a.knots.size(); ++i)
     if (std::abs(a.knots[i] - b.knots[i]) > rounding)
-      throw std::invalid_argument("knot " + std::to_string(i) +
-                                  " along the seam, scaled to 0..1, is " +
-                                  std::to_string(a.knots[i]) + " and " +
-                                  std::to_string(b.knots[i]) + ": they must be equal");
+      throw std::invalid_argument(
+          fmt::format("knot {} along the seam, scaled to 0..1, is {} and {}: they must be equal", i,
+                      a.knots[i], b.knots[i]));
 }
 
 bool isFree(const JoinSide& side, int pole) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -89,8 +91,8 @@ void requireSurface(const NetworkSurface& side, std::size_t index) {
            ": none, or one for each of " + std::to_string(count) + " poles is needed");
   for (Eigen::Index i = 0; i < side.weights.size(); ++i)
     if (!(side.weights(i) > 0) || !std::isfinite(side.weights(i)))
-      refuse("weight " + std::to_string(i) + " of a move of " + name + " is " +
-             std::to_string(side.weights(i)) + ": weights must be positive and finite");
+      refuse(fmt::format("weight {} of a move of {} is {}: weights must be positive and finite", i,
+                         name, side.weights(i)));
 }
 
 void requireConnection(const ConnectionFunctions& connection, const std::string& name) {
@@ -103,9 +105,8 @@ void requireConnection(const ConnectionFunctions& connection, const std::string&
     for (Eigen::Index k = 0; k < all[f]->size(); ++k) {
       const double value = (*all[f])(k);
       if (!std::isfinite(value) || (f <= Alpha && !(value > 0)))
-        refuse("coefficient " + std::to_string(k) + " of " + names[f] + " of the connection of " +
-               name + " is " + std::to_string(value) +
-               (f <= Alpha ? ": it must be positive" : ": it must be finite"));
+        refuse(fmt::format("coefficient {} of {} of the connection of {} is {}: it must be {}", k,
+                           names[f], name, value, f <= Alpha ? "positive" : "finite"));
     }
   }
   if (!isConstant(connection.e0, 1) || !isZero(connection.e1) || !isZero(connection.e2))
@@ -121,9 +122,8 @@ void requireSameSeam(const nearest::SeamRows& a, const nearest::SeamRows& b,
   constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
   for (std::size_t i = 0; i < a.knots.size(); ++i)
     if (!(std::abs(a.knots[i] - b.knots[i]) <= rounding))
-      refuse("knot " + std::to_string(i) + " along " + name + ", scaled to 0..1, is " +
-             std::to_string(a.knots[i]) + " and " + std::to_string(b.knots[i]) +
-             ": they must be equal");
+      refuse(fmt::format("knot {} along {}, scaled to 0..1, is {} and {}: they must be equal", i,
+                         name, a.knots[i], b.knots[i]));
 }
 
 /// The unknown of each pole, per surface, and the number of unknowns.
@@ -246,7 +246,7 @@ Distances distancesOf(const std::vector<Wish>& wishes, const Targets& targets) {
 void requireNetwork(const std::vector<NetworkSurface>& surfaces,
                     const std::vector<NetworkSeam>& seams, const NetworkOptions& options) {
   if (!(options.regular_rad >= 0 && options.regular_rad <= 1))
-    refuse("regular_rad is " + std::to_string(options.regular_rad) + ": 0 to 1 is needed");
+    refuse(fmt::format("regular_rad is {}: 0 to 1 is needed", options.regular_rad));
   if (options.max_iterations < 0)
     refuse("max_iterations is " + std::to_string(options.max_iterations) +
            ": it must not be negative");
