@@ -111,37 +111,38 @@ VectorForm along(const VectorForm& form, const Eigen::Vector3d& direction) {
 }
 
 /// On a line everything except the cusps is without curvature.
-std::vector<CurveDegeneracies::Place> placesOnLine(const std::vector<Interval>& cusps) {
-  std::vector<CurveDegeneracies::Place> places;
+std::vector<CurveDegeneracies::Interval> intervalsOnLine(const std::vector<Interval>& cusps) {
+  std::vector<CurveDegeneracies::Interval> intervals;
   double last = 0;
   for (const Interval& cusp : cusps) {
-    if (last < cusp.lower) places.push_back({CurvePoint::Inflection, last, cusp.lower});
-    places.push_back({CurvePoint::Cusp, cusp.lower, cusp.upper});
+    if (last < cusp.lower) intervals.push_back({CurvePoint::Inflection, last, cusp.lower});
+    intervals.push_back({CurvePoint::Cusp, cusp.lower, cusp.upper});
     last = cusp.upper;
   }
-  if (last < 1) places.push_back({CurvePoint::Inflection, last, 1});
-  return places;
+  if (last < 1) intervals.push_back({CurvePoint::Inflection, last, 1});
+  return intervals;
 }
 
 /// X' = 0 makes X' x X'' = 0, so each cusp is part of an interval without curvature.
 /// \pre Both lists are in increasing order.
-std::vector<CurveDegeneracies::Place> placesOf(const std::vector<Interval>& without_curvature,
-                                               const std::vector<Interval>& cusps) {
+std::vector<CurveDegeneracies::Interval> intervalsOf(const std::vector<Interval>& without_curvature,
+                                                     const std::vector<Interval>& cusps) {
   std::vector<Interval> all = without_curvature;
   all.insert(all.end(), cusps.begin(), cusps.end());
   std::sort(all.begin(), all.end(),
             [](const Interval& a, const Interval& b) { return a.lower < b.lower; });
-  std::vector<CurveDegeneracies::Place> places;
+  std::vector<CurveDegeneracies::Interval> intervals;
   for (const Interval& piece : all) {
-    if (!places.empty() && piece.lower <= places.back().last)
-      places.back().last = std::max(places.back().last, piece.upper);
+    if (!intervals.empty() && piece.lower <= intervals.back().last)
+      intervals.back().last = std::max(intervals.back().last, piece.upper);
     else
-      places.push_back({CurvePoint::Inflection, piece.lower, piece.upper});
+      intervals.push_back({CurvePoint::Inflection, piece.lower, piece.upper});
   }
-  for (CurveDegeneracies::Place& place : places)
+  for (CurveDegeneracies::Interval& interval : intervals)
     for (const Interval& cusp : cusps)
-      if (cusp.lower <= place.last && cusp.upper >= place.first) place.kind = CurvePoint::Cusp;
-  return places;
+      if (cusp.lower <= interval.last && cusp.upper >= interval.first)
+        interval.kind = CurvePoint::Cusp;
+  return intervals;
 }
 
 }  // namespace
@@ -154,14 +155,15 @@ CurveDegeneracies findDegeneracies(const BezierCurve& curve, double resolution) 
   CurveDegeneracies result;
   result.straight = line.exists;
   if (line.exists && line.direction.isZero(0)) {
-    result.places = {{CurvePoint::Point, 0, 1}};
+    result.intervals = {{CurvePoint::Point, 0, 1}};
     return result;
   }
   VelocityForm form = velocityForm(curve);
   if (line.exists) form.velocity = along(form.velocity, line.direction);
   ZeroSearch zeros(resolution);
   const std::vector<Interval> cusps = zeros(form.velocity);
-  result.places = line.exists ? placesOnLine(cusps) : placesOf(zeros(curvatureForm(curve)), cusps);
+  result.intervals =
+      line.exists ? intervalsOnLine(cusps) : intervalsOf(zeros(curvatureForm(curve)), cusps);
   if (cusps.empty()) result.speed_lower = SpeedBound(resolution)(form);
   return result;
 }

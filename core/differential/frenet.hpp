@@ -67,11 +67,11 @@ FrenetFrame frenetFrame(const BezierCurve& curve, double t);
 
 /// Intervals [first, last] that certainly contain all parameters at which the frame is lost.
 struct CurveDegeneracies {
-  struct Place {
+  struct Interval {
     CurvePoint kind;
     double first, last;
   };
-  std::vector<Place> places;  ///< in increasing order of the parameter
+  std::vector<Interval> intervals;  ///< in increasing order of the parameter
   bool straight = false;  ///< the curve lies on a line, or is a point, within rounding of its poles
   /// A positive lower bound of |X'| over [0, 1]; 0 if there are cusps or no bound is proved.
   double speed_lower = 0;

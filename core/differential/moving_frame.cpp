@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-struct Place {
+struct CurveSample {
   double t;
   Vector3d point, tangent;
 };
@@ -23,7 +23,7 @@ struct Place {
                               ": no frame can be carried through it");
 }
 
-Place placeAt(const BezierCurve& curve, double t) {
+CurveSample sampleAt(const BezierCurve& curve, double t) {
   const FrenetFrame frame = frenetFrame(curve, t);
   if (frame.kind == CurvePoint::Cusp || frame.kind == CurvePoint::Point) refuseCusp(t);
   return {t, curve.point(t), *frame.tangent};
@@ -36,8 +36,8 @@ Vector3d reflected(const Vector3d& vector, const Vector3d& across) {
 /// The normal at \p a, carried to \p b by two reflections. The first plane swaps the points, the
 /// second takes the reflected tangent to the tangent at \p b. A step that turns too far for that is
 /// halved.
-Vector3d carried(const BezierCurve& curve, const Place& a, const Place& b, const Vector3d& normal,
-                 int depth) {
+Vector3d carried(const BezierCurve& curve, const CurveSample& a, const CurveSample& b,
+                 const Vector3d& normal, int depth) {
   const Vector3d chord = b.point - a.point;
   // Where the points coincide (a closed curve, a tiny step), the first reflection is the one that
   // reverses the tangent.
@@ -48,7 +48,7 @@ Vector3d carried(const BezierCurve& curve, const Place& a, const Place& b, const
   const double middle = 0.5 * (a.t + b.t);
   constexpr int deepest = 60;
   if (depth == deepest || middle <= a.t || middle >= b.t) refuseCusp(middle);
-  const Place half = placeAt(curve, middle);
+  const CurveSample half = sampleAt(curve, middle);
   return carried(curve, half, b, carried(curve, a, half, normal, depth + 1), depth + 1);
 }
 
@@ -82,9 +82,9 @@ void requireIncreasing(const std::vector<double>& parameters) {
 
 /// Checks for cusps separately, because a long step may pass a cusp without showing it.
 void requireNoCusp(const BezierCurve& curve, double first, double last) {
-  for (const CurveDegeneracies::Place& place : findDegeneracies(curve).places) {
-    const double t = 0.5 * (place.first + place.last);
-    if (place.kind == CurvePoint::Cusp && first < t && t < last) refuseCusp(t);
+  for (const CurveDegeneracies::Interval& interval : findDegeneracies(curve).intervals) {
+    const double t = 0.5 * (interval.first + interval.last);
+    if (interval.kind == CurvePoint::Cusp && first < t && t < last) refuseCusp(t);
   }
 }
 
@@ -98,16 +98,17 @@ std::vector<MovingFrame> rotationMinimizingFrames(const BezierCurve& curve,
   std::vector<MovingFrame> frames;
   frames.reserve(parameters.size());
   for (const double t : parameters) {
-    const Place place = placeAt(curve, t);
+    const CurveSample sample = sampleAt(curve, t);
     Vector3d turned;
     if (frames.empty()) {
-      turned = firstNormal(normal, place.tangent);
+      turned = firstNormal(normal, sample.tangent);
     } else {
       const MovingFrame& last = frames.back();
-      turned = orthogonal(carried(curve, {last.t, last.point, last.tangent}, place, last.normal, 0),
-                          place.tangent);
+      turned =
+          orthogonal(carried(curve, {last.t, last.point, last.tangent}, sample, last.normal, 0),
+                     sample.tangent);
     }
-    frames.push_back({t, place.point, place.tangent, turned, place.tangent.cross(turned)});
+    frames.push_back({t, sample.point, sample.tangent, turned, sample.tangent.cross(turned)});
   }
   return frames;
 }

@@ -6,7 +6,7 @@ namespace seamwright {
 namespace {
 
 /// Row and column of each stored entry.
-constexpr std::array<std::array<int, 2>, 6> places = {
+constexpr std::array<std::array<int, 2>, 6> positions = {
     {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {2, 0}}};
 /// Index of the entry that stores row i, column j.
 constexpr std::array<std::array<int, 3>, 3> entry = {{{0, 3, 5}, {3, 1, 4}, {5, 4, 2}}};
@@ -94,7 +94,7 @@ VectorModel operator*(const SymmetricModel& matrix, const VectorModel& vector) {
 
 SymmetricModel symmetricProduct(const VectorModel& a, const VectorModel& b) {
   return each<6>([&](std::size_t k) {
-    const auto [i, j] = places[k];
+    const auto [i, j] = positions[k];
     return ProductSum().add(a[i], b[j], 0.5).add(a[j], b[i], 0.5).model();
   });
 }

@@ -8,7 +8,7 @@
 
 namespace seamwright {
 
-/// A place where the curvature has an extremum.
+/// An interval in which the curvature has an extremum.
 struct CurvatureExtremum {
   Interval parameters;  ///< hold exactly one zero of the derivative of the curvature
   bool maximum = false;

@@ -22,7 +22,7 @@ using Form = Eigen::RowVectorXd;
 
 /// Jumps are measured at this number of parameters per parameter at which they are minimised.
 constexpr int finer = 3;
-constexpr Index last_place = 3 * 12;  ///< index of the last parameter along each edge
+constexpr Index last_sample = 3 * 12;  ///< index of the last parameter along each edge
 /// Weights of the mean squared third derivative (from differences), used in turn. The decreasing
 /// weights lower the jumps in steps.
 constexpr std::array<double, 5> fairness_weights = {100, 10, 1, 1e-1, 1e-2};
@@ -36,10 +36,10 @@ double derivativeScale(int degree, int order) {
 }
 
 /// The sampled parameters of an edge from one parameter to another.
-Eigen::VectorXd placesOf(double from, double to) {
-  Eigen::VectorXd all(last_place + 1);
-  for (Index k = 0; k <= last_place; ++k)
-    all(k) = from + static_cast<double>(k) / static_cast<double>(last_place) * (to - from);
+Eigen::VectorXd sampledParameters(double from, double to) {
+  Eigen::VectorXd all(last_sample + 1);
+  for (Index k = 0; k <= last_sample; ++k)
+    all(k) = from + static_cast<double>(k) / static_cast<double>(last_sample) * (to - from);
   return all;
 }
 
@@ -62,8 +62,8 @@ Poles valuesAt(const Eigen::VectorXd& t, const Poles& polynomial, int order) {
   return basisAt(t, polynomial.rows() - 1, order) * polynomial;
 }
 
-Vector3d at(const Poles& vectors, Index place) {
-  return vectors.row(place);
+Vector3d at(const Poles& vectors, Index sample) {
+  return vectors.row(sample);
 }
 
 /// The derivatives of a patch along one edge that curvature needs, at all sampled parameters: x
@@ -81,7 +81,7 @@ struct Beyond {
 /// patch after the edge) minus alpha^2 xx + 2 alpha beta xs + beta^2 ss of the patch before it,
 /// minus the wanted value. The scale converts it into a normal curvature.
 struct Jump {
-  Index place = 0;
+  Index sample = 0;
   Vector3d normal = Vector3d::Zero();
   double alpha = 0, beta = 0, wanted = 0, scale = 0;
   double value_per_mm = 0;
@@ -92,28 +92,28 @@ double curvatureScale(const Vector3d& x, const Vector3d& s) {
   return 1 / (across * across);
 }
 
-Jump outerJump(const Strip& strip, const Beyond& beyond, Index place) {
-  const Vector3d x = at(strip.x, place), s = at(strip.s, place);
-  Jump jump{place, x.cross(s).normalized()};
-  const Vector2d c = combination(at(beyond.cross, place), at(beyond.edge1, place), x);
-  jump.wanted = jump.normal.dot(c(0) * c(0) * at(beyond.bend, place) +
-                                2 * c(0) * c(1) * at(beyond.cross1, place) +
-                                c(1) * c(1) * at(beyond.edge2, place));
+Jump outerJump(const Strip& strip, const Beyond& beyond, Index sample) {
+  const Vector3d x = at(strip.x, sample), s = at(strip.s, sample);
+  Jump jump{sample, x.cross(s).normalized()};
+  const Vector2d c = combination(at(beyond.cross, sample), at(beyond.edge1, sample), x);
+  jump.wanted = jump.normal.dot(c(0) * c(0) * at(beyond.bend, sample) +
+                                2 * c(0) * c(1) * at(beyond.cross1, sample) +
+                                c(1) * c(1) * at(beyond.edge2, sample));
   jump.scale = curvatureScale(x, s);
-  jump.value_per_mm = jump.scale * (jump.normal.dot(at(strip.xx, place)) - jump.wanted);
+  jump.value_per_mm = jump.scale * (jump.normal.dot(at(strip.xx, sample)) - jump.wanted);
   return jump;
 }
 
-Jump innerJump(const Strip& before, const Strip& after, Index place) {
-  const Vector3d x = at(after.x, place), s = at(after.s, place);
-  Jump jump{place, s.cross(x).normalized()};
-  const Vector2d c = combination(at(before.x, place), s, x);
+Jump innerJump(const Strip& before, const Strip& after, Index sample) {
+  const Vector3d x = at(after.x, sample), s = at(after.s, sample);
+  Jump jump{sample, s.cross(x).normalized()};
+  const Vector2d c = combination(at(before.x, sample), s, x);
   jump.alpha = c(0), jump.beta = c(1);
   jump.scale = curvatureScale(x, s);
   jump.value_per_mm =
-      jump.scale *
-      jump.normal.dot(at(after.xx, place) - c(0) * c(0) * at(before.xx, place) -
-                      2 * c(0) * c(1) * at(before.xs, place) - c(1) * c(1) * at(before.ss, place));
+      jump.scale * jump.normal.dot(at(after.xx, sample) - c(0) * c(0) * at(before.xx, sample) -
+                                   2 * c(0) * c(1) * at(before.xs, sample) -
+                                   c(1) * c(1) * at(before.ss, sample));
   return jump;
 }
 
@@ -130,16 +130,17 @@ struct Jumps {
 };
 
 /// The sampled parameters at which jumps are measured.
-class Places {
+class EdgeSamples {
  public:
-  Places(int degree, const FillEdges& edges, const std::vector<FillSide>& sides) : edges_(edges) {
-    const Eigen::VectorXd even = placesOf(0, 1);
+  EdgeSamples(int degree, const FillEdges& edges, const std::vector<FillSide>& sides)
+      : edges_(edges) {
+    const Eigen::VectorXd even = sampledParameters(0, 1);
     for (int order = 0; order < 3; ++order) basis_[order] = basisAt(even, degree, order);
     for (const OuterEdge& edge : edges.outer) {
       const FillSide& side = sides[edge.side];
       beyond_.emplace_back();
       if (!isKnown(side)) continue;
-      const Eigen::VectorXd t = placesOf(edge.from, edge.to);
+      const Eigen::VectorXd t = sampledParameters(edge.from, edge.to);
       const Poles poles = side.edge.poles();
       beyond_.back() = {valuesAt(t, poles, 1), valuesAt(t, poles, 2), valuesAt(t, *side.cross, 0),
                         valuesAt(t, *side.cross, 1), valuesAt(t, *side.bend, 0)};
@@ -153,7 +154,7 @@ class Places {
   Jumps jumps(const std::vector<BezierPatch>& patches) const {
     Jumps jumps;
     const auto add = [&](std::vector<std::vector<Jump>>& edges, const auto& jumpAt) {
-      for (Index k = 0; k <= last_place; ++k) {
+      for (Index k = 0; k <= last_sample; ++k) {
         edges.back().push_back(jumpAt(k));
         const double jump = std::abs(edges.back().back().value_per_mm);
         jumps.largest_per_mm = std::max(jumps.largest_per_mm, jump);
@@ -192,8 +193,8 @@ class Places {
 /// The least-squares problem of all three coordinates together.
 class Problem {
  public:
-  Problem(const FillSpace& space, const Places& places, int order)
-      : space_(space), places_(places), count_(space.coefficients.cols()) {
+  Problem(const FillSpace& space, const EdgeSamples& samples, int order)
+      : space_(space), samples_(samples), count_(space.coefficients.cols()) {
     forms_.resize(space.coefficients.rows(), count_ + 3);
     forms_ << space.coefficients, space.constants;
     const Eigen::MatrixXd rows =
@@ -213,7 +214,7 @@ class Problem {
 
   /// Adds the squared jumps, linearised at the patches where they were measured.
   void add(const Jumps& jumps, double weight) {
-    const FillEdges& edges = places_.edges();
+    const FillEdges& edges = samples_.edges();
     for (std::size_t e = 0; e < edges.outer.size(); ++e)
       for (std::size_t k = 0; k < jumps.outer[e].size(); k += finer)
         add(outerForm(edges.outer[e], jumps.outer[e][k]), jumps.outer[e][k], weight);
@@ -248,20 +249,20 @@ class Problem {
   }
 
   Form outerForm(const OuterEdge& edge, const Jump& jump) const {
-    return form(edge.patch, edge.edge, false, jump.place, 2, 0);
+    return form(edge.patch, edge.edge, false, jump.sample, 2, 0);
   }
 
   Form innerForm(const InnerEdge& edge, const Jump& jump) const {
     const auto before = [&](int across, int along) {
-      return form(edge.before, edge.before_edge, edge.reversed, jump.place, across, along);
+      return form(edge.before, edge.before_edge, edge.reversed, jump.sample, across, along);
     };
-    return form(edge.after, edge.after_edge, false, jump.place, 2, 0) -
+    return form(edge.after, edge.after_edge, false, jump.sample, 2, 0) -
            jump.alpha * jump.alpha * before(2, 0) - 2 * jump.alpha * jump.beta * before(1, 1) -
            jump.beta * jump.beta * before(0, 2);
   }
 
   /// Derivatives of a patch along an edge: of order 0 to 2 into it, and along.
-  Form form(int patch, PatchEdge edge, bool reversed, Index place, int across, int along) const {
+  Form form(int patch, PatchEdge edge, bool reversed, Index sample, int across, int along) const {
     const int n = space_.degree;
     const std::array<std::array<double, 3>, 3> stencils = {
         {{1, 0, 0},
@@ -270,7 +271,7 @@ class Problem {
     Form result = Form::Zero(forms_.cols());
     for (int k = 0; k <= n; ++k)
       for (int r = 0; r <= across; ++r)
-        result += places_.basis(along)(place, k) * stencils.at(across)[r] *
+        result += samples_.basis(along)(sample, k) * stencils.at(across)[r] *
                   forms_.row(poleOf(patch, edge, reversed, r, k));
     return result;
   }
@@ -290,7 +291,7 @@ class Problem {
   }
 
   const FillSpace& space_;
-  const Places& places_;
+  const EdgeSamples& samples_;
   Index count_;
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> forms_;
   Eigen::MatrixXd fair_, matrix_;
@@ -344,16 +345,16 @@ CurvedPatches leastCurvatureJump(
   // a little.
   constexpr double most_growth = 1.02;
   const double size_mm = sizeOf(sides);
-  const Places places(space.degree, edges, sides);
-  Problem problem(space, places, order);
+  const EdgeSamples samples(space.degree, edges, sides);
+  Problem problem(space, samples, order);
   std::vector<Candidate> candidates;
-  Jumps now = places.jumps(given);
+  Jumps now = samples.jumps(given);
   const Jumps first = now;
   for (const double fairness : fairness_weights) {
     problem.begin(fairness);
     problem.add(now, size_mm * size_mm);
     std::vector<BezierPatch> at = patchesOf(problem.solve());
-    now = places.jumps(at);
+    now = samples.jumps(at);
     if (now.squares < first.squares && now.largest_per_mm <= most_growth * first.largest_per_mm)
       candidates.push_back({std::move(at), now.squares, now.largest_per_mm});
   }

@@ -76,7 +76,7 @@ struct G2ConicOptions {
   double angle_rad = 1e-9;
 };
 
-/// A chain of conics and the places where it is not G2.
+/// A chain of conics and the joints at which it is not G2.
 struct G2Conics {
   std::vector<PlanarConic> conics;
   /// Joints that stay G1: the turn changes its sign there, or one of the segments is a line. Joint

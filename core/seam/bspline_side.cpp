@@ -24,9 +24,9 @@ SeamSide seamSide(const BSplineSurface& surface, PatchEdge edge, bool reversed) 
   const bool along_v = along(edge) == SurfaceDirection::V;
   const std::vector<double>& run = along_v ? surface.knots_v : surface.knots_u;
   const std::vector<double>& fixed = along_v ? surface.knots_u : surface.knots_v;
-  const double place = at_end ? fixed.back() : fixed.front();
+  const double across = at_end ? fixed.back() : fixed.front();
   const Eigen::Vector3d origin =
-      along_v ? Eigen::Vector3d(place, 0, 0) : Eigen::Vector3d(0, place, 0);
+      along_v ? Eigen::Vector3d(across, 0, 0) : Eigen::Vector3d(0, across, 0);
   const Eigen::Vector3d sense = along_v ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitX();
   SeamSide side{LineEvaluator{origin, sense}, splineEvaluator(spline)};
   side.t = {run.front(), run.back()};

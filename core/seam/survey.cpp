@@ -40,7 +40,7 @@ class Survey {
   double allowedError(Quantity quantity) const;
   bool mayHideMaximum(const Sample& before, const Sample& middle, const Sample& after) const;
   bool halveWhereNeeded(Span& span, double shortest);
-  double place(double t) const { return (t - first_) / (last_ - first_); }
+  double fraction(double t) const { return (t - first_) / (last_ - first_); }
   /// Share of the length over which the predicate holds.
   template <class Predicate>
   double share(const Predicate& predicate) const;
@@ -84,7 +84,7 @@ Sample Survey::sampleAt(double t) {
 }
 
 void Survey::note(const Sample& sample) {
-  const double at = place(sample.t);
+  const double at = fraction(sample.t);
   for (int q = 0; q < QuantityCount; ++q)
     if (const auto& value = sample.values[q]; value && (!maxima_[q] || *value > maxima_[q]->lower))
       maxima_[q] = Figure{*value, std::nullopt, at};
@@ -184,8 +184,8 @@ LeftOut Survey::leftOut(Quantity quantity) const {
   for (const Span& span : spans_)
     for (std::size_t i = 0; i < span.size(); ++i) {
       if (span[i].values[quantity]) continue;
-      const double from = place(span[i > 0 ? i - 1 : i].t);
-      const double to = place(span[i + 1 < span.size() ? i + 1 : i].t);
+      const double from = fraction(span[i > 0 ? i - 1 : i].t);
+      const double to = fraction(span[i + 1 < span.size() ? i + 1 : i].t);
       if (!left_out.intervals.empty() && from <= left_out.intervals.back().upper)
         left_out.intervals.back().upper = to;
       else

@@ -17,7 +17,7 @@ namespace {
 using Eigen::Index;
 
 /// Position of an unknown of a closed matrix in the order 0, n-1, 1, n-2, ..
-Index placeInRing(Index i, Index count) {
+Index positionInRing(Index i, Index count) {
   return i < (count + 1) / 2 ? 2 * i : 2 * (count - 1 - i) + 1;
 }
 
@@ -70,9 +70,9 @@ class BandFactor {
       return right;
     }
     Poles y = Poles::Zero(count_ + Upper, 3);
-    for (Index i = 0; i < count_; ++i) y.row(place(i)) = right.row(i);
+    for (Index i = 0; i < count_; ++i) y.row(position(i)) = right.row(i);
     solve(y);
-    for (Index i = 0; i < count_; ++i) right.row(i) = y.row(place(i));
+    for (Index i = 0; i < count_; ++i) right.row(i) = y.row(position(i));
     return right;
   }
 
@@ -103,7 +103,7 @@ class BandFactor {
  private:
   static constexpr int Upper = Pivoting ? 2 * Width : Width;
 
-  Index place(Index i) const { return closed_ ? placeInRing(i, count_) : i; }
+  Index position(Index i) const { return closed_ ? positionInRing(i, count_) : i; }
   double& at(Index row, Index column) {
     return rows_[static_cast<std::size_t>(row)][static_cast<std::size_t>(column - row + Width)];
   }
@@ -120,10 +120,10 @@ class BandFactor {
   void fill(const BandMatrix& matrix) {
     rows_.resize(static_cast<std::size_t>(count_ + Upper), {});
     for (Index i = 0; i < count_; ++i) {
-      const Index row = place(i);
+      const Index row = position(i);
       at(row, row) += matrix.diagonal(i);
-      if (closed_ || i > 0) at(row, place((i + count_ - 1) % count_)) += matrix.lower(i);
-      if (closed_ || i + 1 < count_) at(row, place((i + 1) % count_)) += matrix.upper(i);
+      if (closed_ || i > 0) at(row, position((i + count_ - 1) % count_)) += matrix.lower(i);
+      if (closed_ || i + 1 < count_) at(row, position((i + 1) % count_)) += matrix.upper(i);
     }
   }
 

@@ -84,10 +84,11 @@ bool endsAreStraight(const CurveSegments& curve) {
 }
 
 /// Joins intervals that touch at a knot; the whole is a cusp if one of them may hold a cusp.
-void append(std::vector<CurveDegeneracies::Place>& places, const CurveDegeneracies::Place& next) {
-  if (places.empty() || places.back().last < next.first) return places.push_back(next);
-  places.back().last = next.last;
-  if (next.kind == CurvePoint::Cusp) places.back().kind = next.kind;
+void append(std::vector<CurveDegeneracies::Interval>& intervals,
+            const CurveDegeneracies::Interval& next) {
+  if (intervals.empty() || intervals.back().last < next.first) return intervals.push_back(next);
+  intervals.back().last = next.last;
+  if (next.kind == CurvePoint::Cusp) intervals.back().kind = next.kind;
 }
 
 CurveDegeneracies degeneraciesOf(const CurveSegments& curve, double resolution) {
@@ -98,8 +99,8 @@ CurveDegeneracies degeneraciesOf(const CurveSegments& curve, double resolution) 
   all.speed_lower = std::numeric_limits<double>::infinity();
   for (const CurveSegments::Part& part : curve.parts()) {
     const CurveDegeneracies found = findDegeneracies(part.curve, resolution);
-    for (const CurveDegeneracies::Place& place : found.places)
-      append(all.places, {place.kind, part.whole(place.first), part.whole(place.last)});
+    for (const CurveDegeneracies::Interval& interval : found.intervals)
+      append(all.intervals, {interval.kind, part.whole(interval.first), part.whole(interval.last)});
     all.straight = all.straight && found.straight;
     const double bound = found.speed_lower / part.length;
     all.speed_lower = std::min(all.speed_lower, bound > 0 ? std::nextafter(bound, 0.0) : 0);
@@ -111,16 +112,16 @@ CurveDegeneracies degeneraciesOf(const CurveSegments& curve, double resolution) 
 py::object degeneraciesResult(const py::object& curve, const py::object& resolution) {
   const CurveDegeneracies found =
       degeneraciesOf(CurveSegments(curveOf("curve", curve)), numberOf("resolution", resolution));
-  py::list places;
-  for (const CurveDegeneracies::Place& place : found.places) {
+  py::list intervals;
+  for (const CurveDegeneracies::Interval& interval : found.intervals) {
     py::dict entry;
-    entry["kind"] = nameOf(place.kind);
-    entry["first"] = place.first;
-    entry["last"] = place.last;
-    places.append(entry);
+    entry["kind"] = nameOf(interval.kind);
+    entry["first"] = interval.first;
+    entry["last"] = interval.last;
+    intervals.append(entry);
   }
   py::dict dict;
-  dict["places"] = places;
+  dict["places"] = intervals;
   dict["straight"] = found.straight;
   dict["speed_lower"] = found.speed_lower;
   return resultOf("CurveDegeneracies", dict);

@@ -87,12 +87,12 @@ std::vector<double> randomRoots(int count, std::mt19937_64& random) {
   return roots;
 }
 
-void expectPlaces(const CurveDegeneracies& found, const std::vector<double>& roots, CurvePoint kind,
-                  double width) {
-  ASSERT_EQ(found.places.size(), roots.size());
+void expectIntervals(const CurveDegeneracies& found, const std::vector<double>& roots,
+                     CurvePoint kind, double width) {
+  ASSERT_EQ(found.intervals.size(), roots.size());
   for (std::size_t i = 0; i < roots.size(); ++i) {
-    const auto& [place_kind, first, last] = found.places[i];
-    EXPECT_EQ(place_kind, kind);
+    const auto& [found_kind, first, last] = found.intervals[i];
+    EXPECT_EQ(found_kind, kind);
     EXPECT_LE(first, roots[i] + 1e-12);
     EXPECT_GE(last, roots[i] - 1e-12);
     EXPECT_LE(last - first, width);
@@ -110,7 +110,7 @@ TEST(Degeneracies, InflectionsAreWhereTheyWerePut) {
     const BezierCurve curve = i % 2 ? projected(graph, random) : moved(graph, random);
     const CurveDegeneracies found = findDegeneracies(curve);
     SCOPED_TRACE(i);
-    expectPlaces(found, roots, CurvePoint::Inflection, 1e-8);
+    expectIntervals(found, roots, CurvePoint::Inflection, 1e-8);
     EXPECT_FALSE(found.straight);
     EXPECT_GT(found.speed_lower, 0);
   }
@@ -133,8 +133,9 @@ TEST(Degeneracies, CuspsAreWhereTheyWerePut) {
     SCOPED_TRACE(i);
     // X' x X'' has a double zero at a cusp: rounding hides it in a wider interval.
     std::vector<double> cusps;
-    for (const auto& place : found.places)
-      if (place.kind == CurvePoint::Cusp) cusps.push_back(0.5 * (place.first + place.last));
+    for (const auto& interval : found.intervals)
+      if (interval.kind == CurvePoint::Cusp)
+        cusps.push_back(0.5 * (interval.first + interval.last));
     ASSERT_EQ(cusps.size(), roots.size());
     for (std::size_t k = 0; k < roots.size(); ++k) EXPECT_NEAR(cusps[k], roots[k], 1e-5);
     EXPECT_EQ(found.speed_lower, 0);
@@ -145,18 +146,18 @@ TEST(Degeneracies, ASmallMoveEndsACusp) {
   Poles poles(4, 3);
   poles << 0, 0, 0, 1, 1, 0, 0, 1, 0, 1, 0, 0;
   const CurveDegeneracies cusp = findDegeneracies(BezierCurve(poles));
-  expectPlaces(cusp, {0.5}, CurvePoint::Cusp, 1e-6);
+  expectIntervals(cusp, {0.5}, CurvePoint::Cusp, 1e-6);
   poles(1, 2) = 1e-6;
   const CurveDegeneracies none = findDegeneracies(BezierCurve(poles));
-  EXPECT_TRUE(none.places.empty());
+  EXPECT_TRUE(none.intervals.empty());
   // X'(1/2) is 3/4 1e-6 e_z; the smallest speed lies nearby.
   EXPECT_LE(none.speed_lower, 0.75e-6);
   EXPECT_GE(none.speed_lower, 0.2e-6);
   poles(1, 2) = 0;
   poles(1, 0) = 1 + 1e-6;  // in the plane a loop or two inflections come of it
   const CurveDegeneracies opened = findDegeneracies(BezierCurve(poles));
-  EXPECT_TRUE(std::none_of(opened.places.begin(), opened.places.end(),
-                           [](const auto& place) { return place.kind == CurvePoint::Cusp; }));
+  EXPECT_TRUE(std::none_of(opened.intervals.begin(), opened.intervals.end(),
+                           [](const auto& interval) { return interval.kind == CurvePoint::Cusp; }));
 }
 
 /// The smallest speed on a grid that is made finer about its smallest three times.
@@ -198,16 +199,17 @@ TEST(Degeneracies, GridSeesNothingElse) {
       const double turn = x(1, 0) * x(2, 1) - x(1, 1) * x(2, 0);
       if (turn * turn_before <
           0) {  // a planar curve changes the side it turns to: there is an inflection
-        const bool seen = std::any_of(
-            found.places.begin(), found.places.end(),
-            [&](const auto& place) { return place.last >= t - 1.0 / steps && place.first <= t; });
+        const bool seen =
+            std::any_of(found.intervals.begin(), found.intervals.end(), [&](const auto& interval) {
+              return interval.last >= t - 1.0 / steps && interval.first <= t;
+            });
         EXPECT_TRUE(seen) << i << " " << t;
       }
       turn_before = turn;
     }
     EXPECT_LE(found.speed_lower, slowest * (1 + 1e-12)) << i;
     EXPECT_GE(found.speed_lower, 0.45 * slowest) << i;
-    EXPECT_TRUE(planar || degree < 3 || found.places.empty()) << i;
+    EXPECT_TRUE(planar || degree < 3 || found.intervals.empty()) << i;
   }
 }
 
@@ -220,10 +222,10 @@ TEST(Degeneracies, RunBackwardsTheyAreMirrored) {
                   random);
     const CurveDegeneracies there = findDegeneracies(curve),
                             back = findDegeneracies(curve.reversed());
-    ASSERT_EQ(there.places.size(), back.places.size());
-    for (std::size_t k = 0; k < there.places.size(); ++k) {
-      EXPECT_NEAR(there.places[k].first, 1 - back.places[2 - k].last, 1e-8);
-      EXPECT_NEAR(there.places[k].last, 1 - back.places[2 - k].first, 1e-8);
+    ASSERT_EQ(there.intervals.size(), back.intervals.size());
+    for (std::size_t k = 0; k < there.intervals.size(); ++k) {
+      EXPECT_NEAR(there.intervals[k].first, 1 - back.intervals[2 - k].last, 1e-8);
+      EXPECT_NEAR(there.intervals[k].last, 1 - back.intervals[2 - k].first, 1e-8);
     }
     EXPECT_NEAR(there.speed_lower / back.speed_lower, 1, 0.6);
   }
@@ -239,15 +241,15 @@ TEST(Degeneracies, AStraightCurveThatTurnsBackHasACusp) {
     for (int k = 0; k < 3; ++k) poles.row(k) = (p + x(k) * q).transpose();
     const CurveDegeneracies turning = findDegeneracies(BezierCurve(poles));
     EXPECT_TRUE(turning.straight);
-    ASSERT_EQ(turning.places.size(), 3u);
-    EXPECT_EQ(turning.places[0].kind, CurvePoint::Inflection);
-    EXPECT_EQ(turning.places[1].kind, CurvePoint::Cusp);
-    EXPECT_EQ(turning.places[2].kind, CurvePoint::Inflection);
-    EXPECT_EQ(turning.places[0].first, 0);
-    EXPECT_EQ(turning.places[0].last, turning.places[1].first);
-    EXPECT_NEAR(turning.places[1].first, 0.25, 1e-10 * (1 + p.norm() / q.norm()));
-    EXPECT_LT(turning.places[1].last - turning.places[1].first, 1e-8);
-    EXPECT_EQ(turning.places[2].last, 1);
+    ASSERT_EQ(turning.intervals.size(), 3u);
+    EXPECT_EQ(turning.intervals[0].kind, CurvePoint::Inflection);
+    EXPECT_EQ(turning.intervals[1].kind, CurvePoint::Cusp);
+    EXPECT_EQ(turning.intervals[2].kind, CurvePoint::Inflection);
+    EXPECT_EQ(turning.intervals[0].first, 0);
+    EXPECT_EQ(turning.intervals[0].last, turning.intervals[1].first);
+    EXPECT_NEAR(turning.intervals[1].first, 0.25, 1e-10 * (1 + p.norm() / q.norm()));
+    EXPECT_LT(turning.intervals[1].last - turning.intervals[1].first, 1e-8);
+    EXPECT_EQ(turning.intervals[2].last, 1);
     poles.row(1) += 1e-6 * q.norm() * q.unitOrthogonal().transpose();
     EXPECT_FALSE(findDegeneracies(BezierCurve(poles)).straight);
   }
@@ -255,8 +257,8 @@ TEST(Degeneracies, AStraightCurveThatTurnsBackHasACusp) {
   line << 0, 0, 0, 3, 4, 0;
   const CurveDegeneracies found = findDegeneracies(BezierCurve(line));
   EXPECT_TRUE(found.straight);
-  ASSERT_EQ(found.places.size(), 1u);
-  EXPECT_EQ(found.places[0].kind, CurvePoint::Inflection);
+  ASSERT_EQ(found.intervals.size(), 1u);
+  EXPECT_EQ(found.intervals[0].kind, CurvePoint::Inflection);
   EXPECT_NEAR(found.speed_lower, 5, 1e-13);
   EXPECT_LE(found.speed_lower, 5);
 }
@@ -280,11 +282,11 @@ TEST(Degeneracies, StraightToRoundingAndNoFurther) {
     const CurveDegeneracies found = findDegeneracies(BezierCurve(poles));
     ASSERT_TRUE(found.straight) << i;
     if (i < 4000 && i % 40 < 2) {
-      ASSERT_EQ(found.places.size(), 5u) << i;
+      ASSERT_EQ(found.intervals.size(), 5u) << i;
       for (const int k : {1, 3}) {
-        EXPECT_EQ(found.places[k].kind, CurvePoint::Cusp);
-        EXPECT_NEAR(found.places[k].first, k == 1 ? 0.25 : 0.75, 1e-8);
-        EXPECT_LT(found.places[k].last - found.places[k].first, 1e-8);
+        EXPECT_EQ(found.intervals[k].kind, CurvePoint::Cusp);
+        EXPECT_NEAR(found.intervals[k].first, k == 1 ? 0.25 : 0.75, 1e-8);
+        EXPECT_LT(found.intervals[k].last - found.intervals[k].first, 1e-8);
       }
     }
     if (i >= 4000) continue;
@@ -305,34 +307,37 @@ TEST(Degeneracies, RoundingDoesNotHideACusp) {
     for (int k = 0; k < 3; ++k)
       poles.row(k + 1) = poles.row(k) + Eigen::RowVector3d(K * x[k], std::exp2(46) * y[k], 0);
     const CurveDegeneracies found = findDegeneracies(BezierCurve(poles));
-    EXPECT_TRUE(std::any_of(found.places.begin(), found.places.end(), [](const auto& place) {
-      return place.kind == CurvePoint::Cusp && place.first <= 0.375 && 0.375 <= place.last;
-    })) << i;
+    EXPECT_TRUE(std::any_of(found.intervals.begin(), found.intervals.end(),
+                            [](const auto& interval) {
+                              return interval.kind == CurvePoint::Cusp && interval.first <= 0.375 &&
+                                     0.375 <= interval.last;
+                            }))
+        << i;
     EXPECT_EQ(found.speed_lower, 0) << i;
   }
 }
 
 TEST(Degeneracies, PointsAndEnds) {
   const CurveDegeneracies point = findDegeneracies(BezierCurve(Poles::Constant(4, 3, 0.1)));
-  ASSERT_EQ(point.places.size(), 1u);
-  EXPECT_EQ(point.places[0].kind, CurvePoint::Point);
-  EXPECT_EQ(point.places[0].last, 1);
-  EXPECT_EQ(findDegeneracies(BezierCurve(Poles::Constant(1, 3, 2))).places.size(), 1u);
+  ASSERT_EQ(point.intervals.size(), 1u);
+  EXPECT_EQ(point.intervals[0].kind, CurvePoint::Point);
+  EXPECT_EQ(point.intervals[0].last, 1);
+  EXPECT_EQ(findDegeneracies(BezierCurve(Poles::Constant(1, 3, 2))).intervals.size(), 1u);
   Poles ends(5, 3);
   ends << 0, 0, 0, 0, 0, 0, 1, 2, 3, 4, 4, 4, 4, 4, 4;
   const CurveDegeneracies found = findDegeneracies(BezierCurve(ends));
-  ASSERT_GE(found.places.size(), 2u);
-  EXPECT_EQ(found.places.front().kind, CurvePoint::Cusp);
-  EXPECT_EQ(found.places.front().first, 0);
-  EXPECT_EQ(found.places.back().kind, CurvePoint::Cusp);
-  EXPECT_EQ(found.places.back().last, 1);
+  ASSERT_GE(found.intervals.size(), 2u);
+  EXPECT_EQ(found.intervals.front().kind, CurvePoint::Cusp);
+  EXPECT_EQ(found.intervals.front().first, 0);
+  EXPECT_EQ(found.intervals.back().kind, CurvePoint::Cusp);
+  EXPECT_EQ(found.intervals.back().last, 1);
   // A triple pole: the speed vanishes twice, the curvature form five times. Still few places.
   Poles flat(6, 3);
   flat << 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 3, 4, 4, 1, 4, 5, 7;
   const CurveDegeneracies wide = findDegeneracies(BezierCurve(flat), 1e-12);
-  ASSERT_GE(wide.places.size(), 1u);
-  EXPECT_EQ(wide.places.front().kind, CurvePoint::Cusp);
-  EXPECT_LT(wide.places.front().last, 1e-2);
+  ASSERT_GE(wide.intervals.size(), 1u);
+  EXPECT_EQ(wide.intervals.front().kind, CurvePoint::Cusp);
+  EXPECT_LT(wide.intervals.front().last, 1e-2);
 }
 
 TEST(Degeneracies, ConicsHaveNone) {
@@ -341,7 +346,7 @@ TEST(Degeneracies, ConicsHaveNone) {
   for (const double weight : {1e-3, std::sqrt(0.5), 1.0, 1e3}) {
     const CurveDegeneracies found =
         findDegeneracies(BezierCurve(poles, Eigen::Vector3d(1, weight, 1)));
-    EXPECT_TRUE(found.places.empty()) << weight;
+    EXPECT_TRUE(found.intervals.empty()) << weight;
     EXPECT_GT(found.speed_lower, 0);
   }
 }
@@ -352,7 +357,7 @@ TEST(Degeneracies, SizeDoesNotMatter) {
     poles << 0, 0, 0, 1, 2, 0, 2, -2, 0, 3, 0, 0;
     poles *= size;
     const CurveDegeneracies found = findDegeneracies(BezierCurve(poles));
-    expectPlaces(found, {0.5}, CurvePoint::Inflection, 1e-8);
+    expectIntervals(found, {0.5}, CurvePoint::Inflection, 1e-8);
     EXPECT_GT(found.speed_lower / size, 0.1) << size;
   }
 }

@@ -55,11 +55,11 @@ void requireRule(const BezierCurve& a, int degree, const CurveJoinRule& rule) {
 
 void requireResult(const HomogeneousPoles& poles) {
   for (Index k = 0; k < poles.rows(); ++k) {
-    const std::string place = std::to_string(k);
+    const std::string index = std::to_string(k);
     if (!poles.row(k).allFinite())
-      throw std::invalid_argument("pole " + place + " comes out beyond the range of a double");
+      throw std::invalid_argument("pole " + index + " comes out beyond the range of a double");
     if (poles(k, 3) <= 0)
-      throw std::invalid_argument("weight " + place + " comes out as " + text(poles(k, 3)) +
+      throw std::invalid_argument("weight " + index + " comes out as " + text(poles(k, 3)) +
                                   ": make next_length or the scale e_1, e_2, .. smaller");
   }
 }

@@ -30,8 +30,8 @@ int conditionDegree(int order, int n, const Degrees& d) {
 
 /// Adds the parameters that determine a spline of that degree on a part of the seam inside which it
 /// is continuous. The knots include repetitions and are clamped.
-void addPlaces(int degree, const std::vector<double>& knots, const std::vector<double>& own,
-               int own_degree, std::vector<Place>& places) {
+void addParameters(int degree, const std::vector<double>& knots, const std::vector<double>& own,
+                   int own_degree, std::vector<SeamParameter>& parameters) {
   const int count = static_cast<int>(knots.size()) - degree - 1;
   const double begin = knots.front(), end = knots.back();
   for (int i = 0; i < count; ++i) {
@@ -44,7 +44,7 @@ void addPlaces(int degree, const std::vector<double>& knots, const std::vector<d
       t = std::clamp(t, begin, end);
     }
     const double inside = std::min(t, std::nextafter(end, begin));
-    places.push_back({t, bspline::spanOf(own_degree, own, inside)});
+    parameters.push_back({t, bspline::spanOf(own_degree, own, inside)});
   }
 }
 
@@ -66,9 +66,9 @@ Eigen::VectorXd bernsteinValues(int degree, double t) {
   return values;
 }
 
-std::vector<Place> places(int n, const std::vector<double>& knots, int order, int degree,
-                          const std::vector<double>& vanishing) {
-  std::vector<Place> result;
+std::vector<SeamParameter> determiningParameters(int n, const std::vector<double>& knots, int order,
+                                                 int degree, const std::vector<double>& vanishing) {
+  std::vector<SeamParameter> result;
   std::vector<double> part(degree + 1, 0.0);
   for (std::size_t i = n + 1; i < knots.size();) {
     const double knot = knots[i];
@@ -78,7 +78,7 @@ std::vector<Place> places(int n, const std::vector<double>& knots, int order, in
     const int repeats = last || smoothness < 0 ? degree + 1 : degree - smoothness;
     part.insert(part.end(), repeats, knot);
     if (last || smoothness < 0) {
-      addPlaces(degree, part, knots, n, result);
+      addParameters(degree, part, knots, n, result);
       part.assign(degree + 1, knot);
     }
     i += multiplicity;
@@ -98,8 +98,9 @@ Condition::Condition(const Unknowns& unknowns, int order, const Degrees& degrees
 
 void Condition::addPoints(int order, const std::vector<double>& vanishing) {
   const int n = unknowns_.a.degree, degree = conditionDegree(order, n, degrees_);
-  for (const Place& place : places(n, unknowns_.a.knots, order, degree, vanishing))
-    points_.push_back(pointAt(order, place.t, place.span));
+  for (const SeamParameter& parameter :
+       determiningParameters(n, unknowns_.a.knots, order, degree, vanishing))
+    points_.push_back(pointAt(order, parameter.t, parameter.span));
 }
 
 Condition::Point Condition::pointAt(int order, double t, int span) const {

@@ -24,7 +24,7 @@ std::array<int, function_count + 1> offsets(const Degrees& degrees);
 Eigen::VectorXd bernsteinValues(int degree, double t);
 
 /// A parameter of the seam, and the span of the rows that it belongs to.
-struct Place {
+struct SeamParameter {
   double t;
   int span;
 };
@@ -32,8 +32,8 @@ struct Place {
 /// Parameters that determine the left side of the condition of order \p order as a spline of degree
 /// \p degree. The rows have degree \p n and the knots \p knots, with repetitions. At the inner
 /// knots in \p vanishing the condition is as smooth as the rows.
-std::vector<Place> places(int n, const std::vector<double>& knots, int order, int degree,
-                          const std::vector<double>& vanishing);
+std::vector<SeamParameter> determiningParameters(int n, const std::vector<double>& knots, int order,
+                                                 int degree, const std::vector<double>& vanishing);
 
 /// The condition of order 1, and below it that of order 2, at points of the seam. The left side is
 /// a spline, and the points are as many as determine it:

@@ -28,12 +28,12 @@ Degrees degreesOf(const NearestOptions& options, bool rational) {
 }
 
 /// Columns that span the polynomials of that degree that vanish at the given parameters.
-Eigen::MatrixXd vanishingAt(const std::vector<double>& places, int degree) {
-  if (places.empty()) return Eigen::MatrixXd::Identity(degree + 1, degree + 1);
-  if (std::ssize(places) > degree) return {degree + 1, 0};
-  Eigen::MatrixXd values(std::ssize(places), degree + 1);
+Eigen::MatrixXd vanishingAt(const std::vector<double>& parameters, int degree) {
+  if (parameters.empty()) return Eigen::MatrixXd::Identity(degree + 1, degree + 1);
+  if (std::ssize(parameters) > degree) return {degree + 1, 0};
+  Eigen::MatrixXd values(std::ssize(parameters), degree + 1);
   for (Eigen::Index i = 0; i < values.rows(); ++i)
-    values.row(i) = bernsteinValues(degree, places[i]).transpose();
+    values.row(i) = bernsteinValues(degree, parameters[i]).transpose();
   return linear::kernel(values);
 }
 

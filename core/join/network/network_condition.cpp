@@ -57,9 +57,9 @@ Condition::Condition(nearest::SeamRows a, nearest::SeamRows b, int order,
   const bool smooth = isZero(shape.beta) && isZero(shape.q);
   for (int k = 1; k <= order; ++k) {
     const int degree = conditionDegree(k, a_.degree, shape);
-    for (const nearest::Place& place :
-         nearest::places(a_.degree, a_.knots, k, degree, smooth ? inner : std::vector<double>{}))
-      points_.push_back(pointAt(k, place.t, place.span));
+    for (const nearest::SeamParameter& parameter : nearest::determiningParameters(
+             a_.degree, a_.knots, k, degree, smooth ? inner : std::vector<double>{}))
+      points_.push_back(pointAt(k, parameter.t, parameter.span));
   }
 }
 

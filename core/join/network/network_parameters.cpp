@@ -76,7 +76,7 @@ Eigen::VectorXd withoutExcessAt(const Plan& plan, const Parameters& parameters, 
 /// Hands out indices of y.
 class Numbers {
  public:
-  int next(int places = 1) { return std::exchange(count_, count_ + places); }
+  int next(int size = 1) { return std::exchange(count_, count_ + size); }
   int count() const { return count_; }
 
  private:
