@@ -16,10 +16,10 @@ const std::array<ToleranceProfile, 3>& toleranceProfiles() {
         "mechanical parts",
         {.gap_mm = 0.01, .angle_rad = 0.1 * degree, .curvature_rel = 0.02}},
        {"class-a",
-        "surfaces whose reflections are looked at",
+        "visible surfaces, judged by their reflections",
         {.gap_mm = 0.001, .angle_rad = 0.01 * degree, .curvature_rel = 0.02}},
        {"vda",
-        "exchange of surfaces between systems",
+        "exchange of surfaces between CAD systems",
         {.gap_mm = 0.02, .angle_rad = 0.1 * degree, .curvature_rel = 0.1}}}};
   return profiles;
 }

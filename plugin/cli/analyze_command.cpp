@@ -46,11 +46,13 @@ void addAnalyzeOptions(CLI::App& command, AnalyzeArguments& arguments) {
       ->check(CLI::IsMember({"G0", "G1", "G2", "G3"}))
       ->capture_default_str();
   addMeasureOptions(command, arguments.measure);
-  command.add_option("--format", arguments.format, "table, json (one line for each model) or csv")
+  command
+      .add_option("--format", arguments.format,
+                  "Output format: table, json (one line per model) or csv")
       ->check(CLI::IsMember({"table", "json", "csv"}))
       ->capture_default_str();
   command.add_option("-o", arguments.output, "Write to this file instead of standard output");
-  exitStatus(command, "all seams meet the level (creases are no defects)", "some fall short");
+  exitStatus(command, "all seams meet the level (a crease is not a defect)", "some fall short");
 }
 
 int runAnalyze(const AnalyzeArguments& arguments) {

@@ -69,25 +69,27 @@ void addLengths(CLI::App& command, const std::string& name, std::vector<double>&
 }  // namespace
 
 void addCornerOptions(CLI::App& command, CornerArguments& arguments) {
-  command.add_option("MODEL", arguments.model, "STEP, IGES or BREP file, told by its content")
+  command
+      .add_option("MODEL", arguments.model, "STEP, IGES or BREP file, recognised by its content")
       ->required();
   command.add_option("--vertex", arguments.vertex, "Number of the vertex, as 6 or Vertex6")
       ->type_name("N")
       ->required()
       ->transform(numberOf("Vertex"));
   addLengths(command, "--radius", arguments.radii_mm,
-             "Radius of all edges at the vertex, or of each: counter-clockwise seen from outside, "
-             "from the "
-             "smallest number on",
+             "One radius for all edges at the vertex, or one for each: counter-clockwise seen from "
+             "outside, starting at the edge with the smallest number",
              true);
   addLengths(command, "--setback", arguments.setbacks_mm,
-             "Where the fillets end, from the vertex along the edges; 0, or none: chosen", false);
+             "Distance from the vertex, along the edges, at which the fillets end; 0 or not given: "
+             "chosen by the program",
+             false);
   command.add_flag("--keep-anyway", arguments.keep_anyway,
-                   "Write a model whose new seams fall short");
+                   "Write OUT even if the new seams fall short");
   addG1Options(command, arguments.measure);
   addOutputOptions(command, "rounded", arguments.output);
-  exitStatus(command, "the new seams meet the tolerances, in OUT too",
-             "some fall short (OUT is written with --keep-anyway alone)");
+  exitStatus(command, "the new seams meet the tolerances, also in OUT",
+             "some fall short (OUT is written only with --keep-anyway)");
 }
 
 int runCorner(const CornerArguments& arguments) {

@@ -65,25 +65,29 @@ occ::FillHoleReport filled(const occ::Model& model, const FillArguments& argumen
 }  // namespace
 
 void addFillOptions(CLI::App& command, FillArguments& arguments) {
-  command.add_option("MODEL", arguments.model, "STEP, IGES or BREP file, told by its content")
+  command
+      .add_option("MODEL", arguments.model, "STEP, IGES or BREP file, recognised by its content")
       ->required();
-  command.add_option("--target", arguments.target, "What every new seam must reach: G0, G1 or G2")
+  command
+      .add_option("--target", arguments.target,
+                  "Level that every new seam must reach: G0, G1 or G2")
       ->check(CLI::IsMember({"G0", "G1", "G2"}))
       ->capture_default_str();
-  CLI::Option* hole =
-      command.add_option("--hole", arguments.hole, "Number of the hole; else the only one")
-          ->type_name("N")
-          ->transform(numberOf("Hole"));
-  command
-      .add_option("--face", arguments.face, "Take this face out and fill the hole that it leaves")
+  CLI::Option* hole = command
+                          .add_option("--hole", arguments.hole,
+                                      "Number of the hole; may be left out if there is only one")
+                          ->type_name("N")
+                          ->transform(numberOf("Hole"));
+  command.add_option("--face", arguments.face, "Remove this face and fill the hole that it leaves")
       ->type_name("N")
       ->transform(numberOf("Face"))
       ->excludes(hole);
-  command.add_option("--gap", arguments.gap_mm, "Largest gap, mm")
+  command.add_option("--gap", arguments.gap_mm, "G0: largest gap along a new seam, mm")
       ->type_name("MM")
       ->capture_default_str();
   command
-      .add_option("--angle", arguments.angle_deg, "Largest angle of the tangent planes, degrees")
+      .add_option("--angle", arguments.angle_deg,
+                  "G1: largest angle between the tangent planes, degrees")
       ->type_name("DEG")
       ->capture_default_str();
   command
@@ -91,16 +95,19 @@ void addFillOptions(CLI::App& command, FillArguments& arguments) {
                   "G2: largest relative difference of normal curvature")
       ->type_name("REL")
       ->capture_default_str();
-  command.add_option("--corner", arguments.corner_deg, "A corner turns by more than this, degrees")
+  command
+      .add_option("--corner", arguments.corner_deg,
+                  "A point where the boundary turns by more than this is a corner, degrees")
       ->type_name("DEG")
       ->capture_default_str();
-  command.add_flag("--keep-anyway", arguments.keep_anyway, "Keep a fill that misses the target");
-  command.add_option("--jobs", arguments.jobs, "Threads; 0: one for each processor")
+  command.add_flag("--keep-anyway", arguments.keep_anyway,
+                   "Write OUT even if the fill misses the target");
+  command.add_option("--jobs", arguments.jobs, "Number of threads; 0: one per processor")
       ->type_name("N");
   addOutputOptions(command, "filled", arguments.output);
   command.footer("");
-  exitStatus(command, "the new seams meet the target, in OUT too",
-             "some fall short (OUT is written with --keep-anyway alone)");
+  exitStatus(command, "the new seams meet the target, also in OUT",
+             "some fall short (OUT is written only with --keep-anyway)");
 }
 
 int runFill(const FillArguments& arguments) {

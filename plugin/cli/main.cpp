@@ -38,7 +38,7 @@ void keepLinesOfFooters(auto& formatter) {
 
 int run(int argc, char** argv) {
   CLI::App app(
-      "Finds, measures and repairs the seams of CAD models: where faces meet, and how well.",
+      "Finds, measures and repairs the seams of CAD models, the edges along which faces meet.",
       "seamwright");
   keepLinesOfFooters(*app.get_formatter());  // the commands inherit it
   app.set_version_flag("--version",
@@ -46,8 +46,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(
       "Exit status: 0 every seam reaches its target, 1 some seams fall short, 2 bad usage or "
-      "input, "
-      "130 stopped by Ctrl-C; see 'seamwright COMMAND --help'.");
+      "input, 130 stopped by Ctrl-C; see 'seamwright COMMAND --help'.");
   CLI::App* analyze =
       app.add_subcommand("analyze", "Measure and judge every seam of STEP, IGES or BREP models");
   AnalyzeArguments to_analyze;
@@ -56,12 +55,12 @@ int run(int argc, char** argv) {
       "repair", "Move poles of spline faces until the seams of a model are smooth");
   RepairArguments to_repair;
   addRepairOptions(*repair, to_repair);
-  CLI::App* fill =
-      app.add_subcommand("fill", "Fill a hole of a model with faces tangent to its surroundings");
+  CLI::App* fill = app.add_subcommand(
+      "fill", "Fill a hole in a model with faces that are tangent to their surroundings");
   FillArguments to_fill;
   addFillOptions(*fill, to_fill);
   CLI::App* corner =
-      app.add_subcommand("corner", "Round the edges at a vertex, each with its own radius");
+      app.add_subcommand("corner", "Fillet the edges at a vertex, each with its own radius");
   CornerArguments to_corner;
   addCornerOptions(*corner, to_corner);
   try {
@@ -71,7 +70,7 @@ int run(int argc, char** argv) {
     if (argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty())
       return complain(
           "unknown command '" + std::string(argv[1]) +
-          "': there are 'analyze', 'repair', 'fill' and 'corner' (see 'seamwright --help')");
+          "': the commands are 'analyze', 'repair', 'fill' and 'corner' (see 'seamwright --help')");
     const std::string command =
         app.get_subcommands().empty() ? "" : ' ' + app.get_subcommands().front()->get_name();
     return complain(std::string(error.what()) + " (see 'seamwright" + command + " --help')");

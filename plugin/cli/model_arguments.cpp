@@ -27,7 +27,7 @@ std::vector<std::string> profileNames() {
 
 std::string profilesHelp() {
   std::ostringstream text;
-  text << "Profiles (an option for one of the figures overrides it):\n";
+  text << "Profiles (an option such as --gap overrides the value of the profile):\n";
   for (const ToleranceProfile& profile : toleranceProfiles()) {
     const ContinuityTolerance& t = profile.tolerance;
     text << "  " << std::left << std::setw(9) << profile.name << "gap " << t.gap_mm << " mm, angle "
@@ -41,11 +41,11 @@ std::string profilesHelp() {
 constexpr const char* blanks = " \t";
 
 /// The file that a name refers to, whether it exists or not.
-std::filesystem::path placeOf(const std::string& file) {
+std::filesystem::path absolutePathOf(const std::string& file) {
   std::error_code unknown;
   const std::filesystem::path link = occ::withoutLinks(file);
-  const std::filesystem::path place = std::filesystem::absolute(link, unknown);
-  return unknown ? link : place.lexically_normal();
+  const std::filesystem::path path = std::filesystem::absolute(link, unknown);
+  return unknown ? link : path.lexically_normal();
 }
 
 bool hasNameOfModel(const std::string& file) {
@@ -60,7 +60,7 @@ bool hasNameOfModel(const std::string& file) {
 }  // namespace
 
 void addG1Options(CLI::App& command, MeasureArguments& arguments) {
-  command.add_option("--profile", arguments.profile, "Set of tolerances, by name (see below)")
+  command.add_option("--profile", arguments.profile, "Named set of tolerances (see below)")
       ->check(CLI::IsMember(profileNames()))
       ->capture_default_str();
   command.add_option("--gap", arguments.gap_mm, "G0: largest distance between the two sides, mm")
@@ -69,7 +69,7 @@ void addG1Options(CLI::App& command, MeasureArguments& arguments) {
       .add_option("--angle", arguments.angle_deg,
                   "G1: largest angle between the tangent planes, degrees")
       ->type_name("DEG");
-  command.add_option("--jobs", arguments.jobs, "Threads; 0: one for each processor")
+  command.add_option("--jobs", arguments.jobs, "Number of threads; 0: one per processor")
       ->capture_default_str();
   command.footer(profilesHelp());
 }
@@ -93,7 +93,7 @@ void addToleranceOptions(CLI::App& command, MeasureArguments& arguments) {
 void addMeasureOptions(CLI::App& command, MeasureArguments& arguments) {
   command
       .add_option("--match", arguments.match_mm,
-                  "Also pair free edges up to this distance apart, mm; 0: none")
+                  "Also pair free edges up to this distance apart, mm; 0: pair none")
       ->type_name("MM")
       ->capture_default_str();
   addToleranceOptions(command, arguments);
@@ -131,10 +131,11 @@ void addOutputOptions(CLI::App& command, const std::string& done, OutputArgument
           "The " + done + " model: .step, .stp, .iges, .igs, .brep, .brp or .bin (binary BREP)")
       ->type_name("OUT")
       ->required();
-  command.add_option("--json", arguments.report, "Write a report to this file")->type_name("FILE");
+  command.add_option("--json", arguments.report, "Write a JSON report to this file")
+      ->type_name("FILE");
   command.add_flag("--overwrite", arguments.overwrite, "Replace OUT if it exists");
   command.add_flag("--overwrite-source", arguments.overwrite_source,
-                   "Allow OUT to be MODEL itself");
+                   "Allow OUT to replace MODEL itself");
 }
 
 void exitStatus(CLI::App& command, const std::string& of_0, const std::string& of_1) {
@@ -193,7 +194,7 @@ void requireOutputs(const std::string& model, const OutputArguments& arguments) 
   if (report == "-")
     throw std::runtime_error("--json -: standard output has the table; name a file for the report");
   requireReport(report, {model});
-  if (placeOf(report) == placeOf(arguments.model))
+  if (absolutePathOf(report) == absolutePathOf(arguments.model))
     throw std::runtime_error(report + ": is the output model; name another file for the report");
 }
 

@@ -114,50 +114,51 @@ Done repairForFile(const occ::Model& model, const RepairArguments& arguments,
 }  // namespace
 
 void addRepairOptions(CLI::App& command, RepairArguments& arguments) {
-  command.add_option("MODEL", arguments.model, "STEP, IGES or BREP file, told by its content")
+  command
+      .add_option("MODEL", arguments.model, "STEP, IGES or BREP file, recognised by its content")
       ->required();
-  command.add_option("--target", arguments.target, "What the seams must reach: G1 or G2")
+  command.add_option("--target", arguments.target, "Level that the seams must reach: G1 or G2")
       ->check(CLI::IsMember({"G1", "G2"}))
       ->capture_default_str();
   command
       .add_option("--max-move", arguments.max_move_mm,
-                  "No point of a face moves further than this, mm, above 0, or inf; else a "
-                  "hundredth of the "
-                  "size of the "
-                  "face and twice the gap of its seams")
+                  "No point of a face moves further than this, mm; above 0, or inf for no limit; "
+                  "default: a hundredth of the size of the face plus twice the gap of its seams")
       ->type_name("MM");
   command
-      .add_option(
-          "--fairness", arguments.fairness,
-          "The mean curvature of a face may vary so many times as much as before, at least 1")
+      .add_option("--fairness", arguments.fairness,
+                  "Largest factor by which the variation of the mean curvature of a face may grow; "
+                  "at least 1")
       ->type_name("FACTOR")
       ->capture_default_str();
   command.add_flag("--keep-curvature", arguments.keep_curvature,
-                   "Seams that are G2 stay so, also where G1 is the target");
-  listOf(
-      command
-          .add_option("--edges", arguments.edges,
-                      "Edges whose seams are treated, as 3,7,12 or Edge3,Edge7; else all defects")
-          ->type_name("EDGES")
-          ->transform(numberOf("Edge")));
-  listOf(
-      command.add_option("--fix", arguments.fixed_faces, "Faces that stay, as 1,4 or Face1,Face4")
-          ->type_name("FACES")
-          ->transform(numberOf("Face")));
+                   "Keep seams that are G2 at G2, even if the target is G1");
+  listOf(command
+             .add_option(
+                 "--edges", arguments.edges,
+                 "Edges whose seams are repaired, as 3,7,12 or Edge3,Edge7; default: all defects")
+             ->type_name("EDGES")
+             ->transform(numberOf("Edge")));
+  listOf(command
+             .add_option("--fix", arguments.fixed_faces,
+                         "Faces that must not move, as 1,4 or Face1,Face4")
+             ->type_name("FACES")
+             ->transform(numberOf("Face")));
   command
       .add_option(
           "--max-time", arguments.max_time_s,
-          "No more repairs are tried after this time, s; what was repaired is kept; else no limit")
+          "Start no repair after this time, s, and keep those already made; default: no limit")
       ->type_name("SECONDS");
   addMeasureOptions(command, arguments.measure);
-  command.add_flag("--convert", arguments.convert_analytic,
-                   "Planes, cylinders and the like may become splines where they have to move");
+  command.add_flag(
+      "--convert", arguments.convert_analytic,
+      "Convert planes, cylinders and other analytic faces to splines where they have to move");
   command.add_flag_callback(
       "--no-sew", [&arguments] { arguments.sew = false; },
-      "Edges that --match finds stay two, though they meet within the gap");
+      "Do not join the edges that --match pairs, even if they meet within the gap tolerance");
   addOutputOptions(command, "repaired", arguments.output);
   exitStatus(command,
-             "all seams of the result meet the target, in OUT too (creases are no defects)",
+             "all seams of the result meet the target, also in OUT (a crease is not a defect)",
              "some fall short (OUT is written)");
 }
 

@@ -23,8 +23,8 @@ PROFILES = {
 #: (name for the user, purpose of the profile).
 LABELS = {
     "default": ("Default", "mechanical parts"),
-    "class-a": ("Class A", "surfaces whose reflections are looked at"),
-    "vda": ("VDA", "exchange of surfaces between systems"),
+    "class-a": ("Class A", "visible surfaces, judged by their reflections"),
+    "vda": ("VDA", "exchange of surfaces between CAD systems"),
 }
 
 
