@@ -127,18 +127,18 @@ edges; 0 and the others are chosen.
 section_mm: the largest distance of the patches' sides from the cylinders between planes.
 profile, gap_mm, angle_deg: what the new seams must meet, as in analyze().
 
-Returns a CornerFillet; the model is not changed. It has a model also where met is False, which
-write() writes with keep_anyway alone. Supported are 3 to 6 edges, convex or concave, of a solid,
-between planes or curved faces that are not tangent to each other. ValueError, with numbers and a
+Returns a CornerFillet; the model is not changed. It has a model even if met is False; write()
+then needs keep_anyway=True. Supported are 3 to 6 edges, convex or concave, of a solid, between planes or curved faces that are not tangent to each other. ValueError, with numbers and a
 reason_code, for others, and where there is no room.)";
 
 void bindCornerResult(py::module_& module) {
   const std::string write_corner_doc =
       std::string(write_result_doc) +
       " ValueError for a corner that is not met, unless keep_anyway.";
-  py::class_<CornerFilletResult>(module, "CornerFillet", py::module_local(),
-                                 "What came of Model.corner_fillet().")
-      .def_property_readonly(
+  const std::string doc = std::string("What came of Model.corner_fillet().") + copies_doc;
+  py::class_<CornerFilletResult> type(module, "CornerFillet", py::module_local(), doc.c_str());
+  bindCopies(type);
+  type.def_property_readonly(
           "model", [](const CornerFilletResult& result) { return result.fillet.model; },
           "The new model.")
       .def_property_readonly(

@@ -189,10 +189,12 @@ jobs and progress as in analyze(). ValueError for bad arguments, with name and v
 }  // namespace
 
 void bindHole(py::module_& module) {
-  FillClass type(module, "FillReport", py::module_local(), "What came of Model.fill().");
+  const std::string doc = std::string("What came of Model.fill().") + copies_doc;
+  FillClass type(module, "FillReport", py::module_local(), doc.c_str());
   bindFillOutcome(type);
   bindFillFigures(type);
   bindFillTexts(type);
+  bindCopies(type);
   const occ::FillHoleOptions defaults;
   py::class_<occ::Model> model(module.attr("Model"));
   model.def("holes", &holes, holes_doc, py::kw_only(), py::arg("corner_deg") = 15.0,

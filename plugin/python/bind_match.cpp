@@ -95,9 +95,10 @@ auto reported() {
 
 void bindMatchResult(py::module_& module) {
   using Report = occ::MatchReport;
-  py::class_<MatchResult>(module, "MatchResult", py::module_local(),
-                          "What came of Model.match_faces().")
-      .def_property_readonly("matched", reported<&Report::matched>(),
+  const std::string doc = std::string("What came of Model.match_faces().") + copies_doc;
+  py::class_<MatchResult> type(module, "MatchResult", py::module_local(), doc.c_str());
+  bindCopies(type);
+  type.def_property_readonly("matched", reported<&Report::matched>(),
                              "The faces join at the level asked for, proven.")
       .def_property_readonly(
           "reason", [](const MatchResult& result) { return result.report.text(); },

@@ -212,7 +212,7 @@ processor. progress: a callable that gets the share done, 0..1; the call raises 
 returns what is false, other than None. ValueError for bad arguments, with name and value.)";
 
 constexpr const char* write_doc =
-    R"(Writes a STEP, IGES or BREP file, told by the extension: .step, .stp, .iges, .igs, .brep,
+    R"(Writes a STEP, IGES or BREP file; the extension gives the format: .step, .stp, .iges, .igs, .brep,
 .brp, .bin (binary BREP).
 
 A model of a STEP or IGES file is written with that file's structure, names, colours, layers and
@@ -261,9 +261,9 @@ void bindModel(py::module_& module) {
   bindCalls(type);
   module.def(
       "read", &readFile, py::arg("path"), py::arg("progress") = py::none(),
-      R"(Reads a STEP, IGES or BREP file, told by its content, in a process of its own: a Model.
+      R"(Reads a STEP, IGES or BREP file, recognised by its content, in a process of its own: a Model.
 
-Raises ModelError for a bad file, TypeError for what is no name of a file.)");
+Raises ModelError for a bad file, TypeError for a path that is not the name of a file.)");
   bindExchange(module);
 }
 

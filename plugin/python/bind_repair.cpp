@@ -163,8 +163,8 @@ Proves it, or leaves them as they were. The model is not changed.
 target: 'G1' or 'G2'. Tolerances, jobs and progress as in analyze(). max_move_mm: no point of a
 face moves further; None: any distance; 'auto': a hundredth of the size of the face and twice the
 largest gap of its seams to be repaired. fairness: how many times as much as before the mean
-curvature of a face may vary, at least 1. keep_curvature: seams that are G2 stay so, also where G1
-is the target. max_time_s: no more repairs are tried after this time, what was repaired is kept;
+curvature of a face may vary, at least 1. keep_curvature: a seam that is G2 stays G2, even if the
+target is G1. max_time_s: no more repairs are tried after this time, what was repaired is kept;
 None: no limit. edges: numbers of the edges, from 1, whose seams are treated; None: all defects.
 fixed_faces: numbers of faces that stay.
 match_mm: also free edges no further apart than this; 0: none. sew: such edges become one where
@@ -174,10 +174,12 @@ splines where they have to move. ValueError for bad arguments, with name and val
 }  // namespace
 
 void bindRepair(py::module_& module) {
-  ReportClass type(module, "RepairReport", py::module_local(), "What came of Model.repair().");
+  const std::string doc = std::string("What came of Model.repair().") + copies_doc;
+  ReportClass type(module, "RepairReport", py::module_local(), doc.c_str());
   bindOutcome(type);
   bindDetails(type);
   bindTexts(type);
+  bindCopies(type);
   py::class_<occ::Model> model(module.attr("Model"));
   model.def("repair", &repairModel, repair_doc, py::kw_only(), py::arg("target") = "G1",
             py::arg("profile") = "default", py::arg("gap_mm") = py::none(),

@@ -77,4 +77,30 @@ py::object plainObject(const nlohmann::ordered_json& json);
 /// replaced.
 py::str readable(const std::string& text);
 
+/// What follows the first sentence of the description of a result that copy copies and pickle
+/// refuses.
+constexpr const char* copies_doc =
+    R"(
+
+copy and deepcopy give the same result, as it never changes. pickle raises TypeError, because a
+result holds a model and the state that write() needs: pickle to_dict() and model instead.)";
+
+/// Defines how copy and pickle treat a result that holds a model: see copies_doc.
+template <class Result>
+void bindCopies(pybind11::class_<Result>& type) {
+  type.def("__copy__", [](const py::object& result) { return result; })
+      .def(
+          "__deepcopy__", [](const py::object& result, const py::object&) { return result; },
+          py::arg("memo"))
+      .def(
+          "__reduce_ex__",
+          [](const py::object& result, int) -> py::object {
+            const auto name = py::type::of(result).attr("__name__").cast<std::string>();
+            throw py::type_error("a " + name +
+                                 " can't be pickled, as it holds a model and the state that write()"
+                                 " needs: pickle its to_dict() and its model instead");
+          },
+          py::arg("protocol"));
+}
+
 }  // namespace seamwright::python

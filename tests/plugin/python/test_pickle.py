@@ -13,7 +13,7 @@ import seamwright
 from seeds import fnv1a
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "cli"))
-from models import roof_text  # noqa: E402
+from models import box_text, roof_text  # noqa: E402
 
 RANDOM = np.random.default_rng(fnv1a("test_pickle.py"))
 
@@ -160,3 +160,25 @@ def test_meshes_are_copied(model):
             assert np.array_equal(getattr(result, name), getattr(mesh, name), equal_nan=True)
         assert np.array_equal(result.first_nodes, mesh.first_nodes)
         assert result.faults == mesh.faults
+
+
+RESULTS_WITH_MODELS = {
+    "RepairReport": lambda box: box.repair(jobs=1),
+    "FillReport": lambda box: box.fill(face=1, jobs=1),
+    "MatchResult": lambda box: box.match_faces(1, 3),
+    "CornerFillet": lambda box: box.corner_fillet(1, 0.1),
+}
+
+
+@pytest.mark.parametrize("kind", RESULTS_WITH_MODELS)
+def test_results_with_models_are_copied_but_not_pickled(tmp_path, kind):
+    path = tmp_path / "box.step"
+    path.write_text(box_text())
+    result = RESULTS_WITH_MODELS[kind](seamwright.read(path))
+    assert type(result).__name__ == kind
+    for duplicate in (copy.copy, copy.deepcopy):
+        assert duplicate(result).to_dict() == result.to_dict()
+    for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
+        with pytest.raises(TypeError, match=kind + r" can't be pickled.*to_dict\(\)"):
+            pickle.dumps(result, protocol)
+    assert pickle.loads(pickle.dumps(result.to_dict())) == result.to_dict()
