@@ -5,46 +5,144 @@ import json
 import os
 import re
 from pathlib import Path
+from typing import NamedTuple
 
 import pytest
 
 SOURCE = Path(os.environ["SEAMWRIGHT_SOURCE"])
-# Code that makes the codes, its schema with the path to them, and the page that explains them.
+
+
+class Domain(NamedTuple):
+    source: str  # makes the codes
+    header: str  # has the enum
+    enum: str
+    page: str  # explains the codes
+    tables: tuple  # of codes on the page, counted from 0
+    schema: str = ""  # empty: reports of this kind have no schema
+    keys: tuple = ()  # path to the property
+    reported: tuple = ()  # first and last code that reports can have; empty: all
+
+
 REASONS = {
-    "repair": (
-        "occ_adapter/repair/reasons.cpp",
-        "docs/repair-1.schema.json",
-        ("$defs", "repaired_seam", "properties", "reason_code"),
-        "docs/repair.md",
+    "repair": Domain(
+        source="occ_adapter/repair/reasons.cpp",
+        header="occ_adapter/repair/repair_reason.hpp",
+        enum="RepairFault",
+        page="docs/repair.md",
+        tables=(0,),
+        schema="docs/repair-1.schema.json",
+        keys=("$defs", "repaired_seam", "properties", "reason_code"),
     ),
-    "sewing": (
-        "occ_adapter/topology/sew_reasons.cpp",
-        "docs/repair-1.schema.json",
-        ("$defs", "repaired_seam", "properties", "not_sewn_code"),
-        "docs/repair.md",
+    "sewing": Domain(
+        source="occ_adapter/topology/sew_reasons.cpp",
+        header="occ_adapter/topology/sew_reason.hpp",
+        enum="SewFault",
+        page="docs/repair.md",
+        tables=(1,),
+        schema="docs/repair-1.schema.json",
+        keys=("$defs", "repaired_seam", "properties", "not_sewn_code"),
+    ),
+    # A match has no command, so no report with a schema: its codes are those of Python.
+    "match": Domain(
+        source="occ_adapter/match/match_reasons.cpp",
+        header="occ_adapter/match/match_reason.hpp",
+        enum="MatchFault",
+        page="docs/match.md",
+        tables=(0, 1),
+    ),
+    # Causes are in the text of another reason.
+    "fill": Domain(
+        source="occ_adapter/fill/fill_reason.cpp",
+        header="occ_adapter/fill/fill_reason.hpp",
+        enum="FillFault",
+        page="docs/fill.md",
+        tables=(0, 1),
+        schema="docs/fill-1.schema.json",
+        keys=("properties", "reason_code"),
+        reported=("unusable_boundary", "invalid_shape"),
+    ),
+    # A corner that is refused has no report.
+    "corner": Domain(
+        source="occ_adapter/fill/corner_reasons.cpp",
+        header="occ_adapter/fill/corner_reason.hpp",
+        enum="CornerFault",
+        page="docs/corner_fillet.md",
+        tables=(0, 1),
+        schema="docs/corner-1.schema.json",
+        keys=("properties", "shortfall_code"),
+        reported=("checks_fail", "misses_target"),
     ),
 }
 
 
+def text_of(path):
+    return (SOURCE / path).read_text(encoding="utf-8")
+
+
 def codes_of(path):
-    text = (SOURCE / path).read_text(encoding="utf-8")
-    (array,) = re.findall(r"constexpr std::array \w*codes = \{([^}]*)\}", text)
+    (array,) = re.findall(r"constexpr std::array \w*codes = \{([^}]*)\}", text_of(path))
     return re.findall(r'"(\w*)"', array)
 
 
-def explained_in(page):
-    """The codes in the first column of tables."""
-    rows = re.findall(r"^\| (`[^|]*) \|", (SOURCE / page).read_text(encoding="utf-8"), re.M)
-    return {code for row in rows for code in re.findall(r"`(\w+)`", row)}
+def enumerators(path, enum):
+    (body,) = re.findall(rf"enum class {enum} \{{([^}}]*)\}}", text_of(path))
+    return re.findall(r"\w+", re.sub(r"//[^\n]*", "", body))
 
 
-@pytest.mark.parametrize("domain", REASONS)
-def test_codes_are_in_the_schema_and_in_the_docs(domain):
-    source, schema, keys, page = REASONS[domain]
-    codes = codes_of(source)
-    assert codes[0] == "" and len(codes) > 2
-    part = json.loads((SOURCE / schema).read_text(encoding="utf-8"))
-    for key in keys:
+def tables_of(page):
+    """Of each table of codes on the page: the cells of its rows."""
+    table = r"^\| code \| meaning \| remedy \|\n\|[-|]+\|\n((?:\|.*\n)+)"
+    return [
+        [line.strip("| ").split(" | ") for line in rows.splitlines()]
+        for rows in re.findall(table, text_of(page), re.M)
+    ]
+
+
+def test_every_enum_of_faults_is_here():
+    found = {
+        (path.relative_to(SOURCE).as_posix(), enum)
+        for folder in ("core", "occ_adapter", "plugin")
+        for path in (SOURCE / folder).rglob("*.hpp")
+        for enum in re.findall(r"\bcodeOf\((\w+) fault\)", path.read_text(encoding="utf-8"))
+    }
+    assert found == {(domain.header, domain.enum) for domain in REASONS.values()}
+
+
+@pytest.mark.parametrize("domain", REASONS.values(), ids=REASONS)
+def test_codes_are_the_names_of_the_faults(domain):
+    names = enumerators(domain.header, domain.enum)
+    snakes = [re.sub(r"(?<=[a-z])(?=[A-Z0-9])", "_", name).lower() for name in names]
+    snakes = [name.replace("open_cascade", "opencascade") for name in snakes]
+    codes = codes_of(domain.source)
+    assert snakes[0] == "none" and codes[0] == "" and len(codes) > 2
+    assert codes[1:] == snakes[1:]
+
+
+@pytest.mark.parametrize(
+    "domain", [domain for domain in REASONS.values() if domain.schema], ids=lambda d: d.enum
+)
+def test_codes_are_in_the_schema(domain):
+    codes = codes_of(domain.source)
+    if domain.reported:
+        first, last = (codes.index(code) for code in domain.reported)
+        codes = ["", *codes[first : last + 1]]
+    part = json.loads(text_of(domain.schema))
+    for key in domain.keys:
         part = part[key]
     assert part["enum"] == codes
-    assert set(codes[1:]) - explained_in(page) == set()
+
+
+@pytest.mark.parametrize("domain", REASONS.values(), ids=REASONS)
+def test_codes_are_in_the_docs_with_a_remedy(domain):
+    tables = tables_of(domain.page)
+    rows = [row for k in domain.tables for row in tables[k]]
+    assert [row for row in rows if len(row) != 3 or not all(cell.strip() for cell in row)] == []
+    explained = [code for row in rows for code in re.findall(r"`(\w+)`", row[0])]
+    assert sorted(explained) == sorted(codes_of(domain.source)[1:])
+
+
+def test_every_table_of_codes_is_of_a_domain():
+    pages = {domain.page for domain in REASONS.values()}
+    for page in pages:
+        taken = [k for domain in REASONS.values() if domain.page == page for k in domain.tables]
+        assert sorted(taken) == list(range(len(tables_of(page)))), page
