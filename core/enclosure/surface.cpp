@@ -285,17 +285,19 @@ class Offset : public SurfaceEvaluator {
     // Let S be the Weingarten map of the basis. X_u becomes (I - d S) X_u, and the map becomes S (I
     // - d S)^-1. As S has rank 2, that is (S - d K P) / (1 - d tr S + d^2 K), with K the Gauss
     // curvature and P the projection onto the tangent plane.
+    // The denominator is the determinant of I - d S, the factor of areas.
     const ChebyshevModel mean = trace(basis.tensor);
     const ChebyshevModel gauss = 0.5 * (mean * mean - contraction(basis.tensor, basis.tensor));
-    const ChebyshevModel stretch =
+    const ChebyshevModel area_factor =
         ChebyshevModel(1) - distance_ * mean + (distance_ * distance_) * gauss;
-    const double side = signOf(stretch);
+    const double side = signOf(area_factor);
     if (side == 0) return unknownPlane(fields);
     fields.normal = side * basis.normal;
     if (detail >= Detail::Curvature) {
       SymmetricModel projection = -symmetricProduct(basis.normal, basis.normal);
       for (int i = 0; i < 3; ++i) projection[i] += ChebyshevModel(1);
-      fields.tensor = (side * inverse(stretch)) * (basis.tensor - (distance_ * gauss) * projection);
+      fields.tensor =
+          (side * inverse(area_factor)) * (basis.tensor - (distance_ * gauss) * projection);
     }
     return fields;
   }

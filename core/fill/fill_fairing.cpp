@@ -44,16 +44,17 @@ Substitution substitution(const FillSpace& space, std::optional<double> spoke_sc
   const Eigen::Index count = space.coefficients.cols();
   if (!spoke_scale) return {Eigen::MatrixXd::Identity(count, count), Poles::Zero(count, 3)};
   Substitution result{Eigen::MatrixXd::Zero(count, count - 2), Poles::Zero(count, 3)};
-  const Eigen::Index star = space.centre + 1;
-  result.basis.topLeftCorner(star, star).setIdentity();
-  result.basis.bottomRightCorner(count - star - 2, count - star - 2).setIdentity();
+  // The first of the two unknowns that span the tangents of the spokes.
+  const Eigen::Index tangents = space.centre + 1;
+  result.basis.topLeftCorner(tangents, tangents).setIdentity();
+  result.basis.bottomRightCorner(count - tangents - 2, count - tangents - 2).setIdentity();
   // The centre has no influence on the tangents, because the cosines, and the sines, add up to
   // zero.
   for (int k = 0; k < space.patches; ++k) {
     const double angle = 2 * std::numbers::pi * k / space.patches,
                  weight = 2 * *spoke_scale / space.patches;
-    result.offset.row(star) += weight * std::cos(angle) * space.middles.row(k);
-    result.offset.row(star + 1) += weight * std::sin(angle) * space.middles.row(k);
+    result.offset.row(tangents) += weight * std::cos(angle) * space.middles.row(k);
+    result.offset.row(tangents + 1) += weight * std::sin(angle) * space.middles.row(k);
   }
   return result;
 }

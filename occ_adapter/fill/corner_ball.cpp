@@ -99,7 +99,7 @@ class OutsideRounder {
 
  private:
   /// Edges of the ball, each with the face on its other side.
-  using Rim = std::vector<std::pair<TopoDS_Edge, TopoDS_Face>>;
+  using BallBoundary = std::vector<std::pair<TopoDS_Edge, TopoDS_Face>>;
 
   /// The edge, and the one whose contact lines ask for so large a ball: the edge itself if none is
   /// wider but for rounding.
@@ -167,17 +167,17 @@ class OutsideRounder {
   void readBall(BRepFilletAPI_MakeFillet& fillets) {
     TopTools_IndexedDataMapOfShapeListOfShape around;
     TopExp::MapShapesAndUniqueAncestors(result_.solid, TopAbs_EDGE, TopAbs_FACE, around);
-    Rim rim;
+    BallBoundary boundary;
     for (const TopoDS_Face& cap : result_.caps)
       for (TopExp_Explorer edge(cap, TopAbs_EDGE); edge.More(); edge.Next())
         for (const TopoDS_Shape& face : around.FindFromKey(edge.Current()))
           if (std::ranges::none_of(result_.caps,
                                    [&](const TopoDS_Face& own) { return own.IsSame(face); }))
-            rim.emplace_back(TopoDS::Edge(edge.Current().Oriented(TopAbs_FORWARD)),
-                             TopoDS::Face(face));
-    const auto edgesBeside = [&rim](const auto& belongs) {
+            boundary.emplace_back(TopoDS::Edge(edge.Current().Oriented(TopAbs_FORWARD)),
+                                  TopoDS::Face(face));
+    const auto edgesBeside = [&boundary](const auto& belongs) {
       std::vector<TopoDS_Edge> edges;
-      for (const auto& [edge, face] : rim)
+      for (const auto& [edge, face] : boundary)
         if (belongs(face)) edges.push_back(edge);
       return edges;
     };
@@ -195,16 +195,17 @@ class OutsideRounder {
       if (result_.band_ends[i].empty() || result_.arcs[i].empty())
         throw CornerRefused(corner_why::filletMissesBall(outside(i)));
       told += result_.band_ends[i].size() + result_.arcs[i].size();
-      result_.bands.push_back(faceBeyond(rim, result_.band_ends[i]));
+      result_.bands.push_back(faceBeyond(boundary, result_.band_ends[i]));
     }
-    if (told != rim.size())
-      throw CornerRefused(corner_why::ballNotSurrounded(ball_mm_, rim.size(), told));
+    if (told != boundary.size())
+      throw CornerRefused(corner_why::ballNotSurrounded(ball_mm_, boundary.size(), told));
   }
 
   /// The only face on the other side of these edges of the ball.
-  TopoDS_Face faceBeyond(const Rim& rim, const std::vector<TopoDS_Edge>& edges) const {
+  TopoDS_Face faceBeyond(const BallBoundary& boundary,
+                         const std::vector<TopoDS_Edge>& edges) const {
     TopoDS_Face found;
-    for (const auto& [edge, face] : rim) {
+    for (const auto& [edge, face] : boundary) {
       const TopoDS_Edge& here = edge;
       if (std::ranges::none_of(edges, [&here](const TopoDS_Edge& own) { return own.IsSame(here); }))
         continue;

@@ -149,7 +149,7 @@ class Loops {
     for (std::size_t k = 0; k < links_.size(); ++k)
       for (const int node : links_[k].nodes) at_node[node].push_back(k);
     std::vector<bool> used(links_.size());
-    std::vector<int> loose;
+    std::vector<int> free_edges;
     for (std::size_t start = 0; start < links_.size(); ++start) {
       if (used[start]) continue;
       std::vector<Link> path;
@@ -160,12 +160,12 @@ class Loops {
         cutLoop(path);
         next = path.empty() ? std::nullopt : nextLink(path.back().nodes[1], at_node, used);
       }
-      for (const Link& link : path) loose.push_back(link.edge.edge);
+      for (const Link& link : path) free_edges.push_back(link.edge.edge);
     }
-    if (!loose.empty()) result_.notes.push_back(looseText(loose));
+    if (!free_edges.empty()) result_.notes.push_back(freeEdgesText(free_edges));
   }
 
-  static std::string looseText(std::vector<int> edges) {
+  static std::string freeEdgesText(std::vector<int> edges) {
     constexpr std::size_t most = 10;
     std::ranges::sort(edges);
     std::string text = edges.size() == 1 ? "edge" : std::to_string(edges.size()) + " edges:";

@@ -30,33 +30,34 @@ class Progression {
   double turning_rad() const { return turning_[count]; }
   void relateTo(double length_mm, double turning_rad) {
     for (int k = 0; k <= count; ++k)
-      come_[k] = at(k) * length_mm_ / length_mm + (turning_rad > 0 ? turning_[k] / turning_rad : 0);
+      progress_[k] =
+          at(k) * length_mm_ / length_mm + (turning_rad > 0 ? turning_[k] / turning_rad : 0);
   }
-  double total() const { return come_[count]; }
+  double total() const { return progress_[count]; }
 
   /// The progress at which the side turns most.
-  double bent() const {
+  double atSharpestTurn() const {
     int most = 0;
     for (int k = 1; k < count; ++k)
       if (turning_[k + 1] - turning_[k] > turning_[most + 1] - turning_[most]) most = k;
-    return (come_[most] + come_[most + 1]) / 2;
+    return (progress_[most] + progress_[most + 1]) / 2;
   }
 
   /// The share of a loop's length at a progress, for any number of turns around the loop.
-  double shareAround(double come) const {
-    const double rounds = std::floor(come / total());
-    return rounds + shareAt(come - rounds * total());
+  double shareAround(double progress) const {
+    const double rounds = std::floor(progress / total());
+    return rounds + shareAt(progress - rounds * total());
   }
 
-  double comeAt(double share) const {
+  double progressAt(double share) const {
     const int k = std::min(static_cast<int>(share * count), count - 1);
-    return come_[k] + (share * count - k) * (come_[k + 1] - come_[k]);
+    return progress_[k] + (share * count - k) * (progress_[k + 1] - progress_[k]);
   }
 
-  double shareAt(double come) const {
-    const auto after = std::upper_bound(come_.begin() + 1, come_.end() - 1, come);
-    const int k = static_cast<int>(after - come_.begin()) - 1;
-    return (k + (come - come_[k]) / (come_[k + 1] - come_[k])) / count;
+  double shareAt(double progress) const {
+    const auto after = std::upper_bound(progress_.begin() + 1, progress_.end() - 1, progress);
+    const int k = static_cast<int>(after - progress_.begin()) - 1;
+    return (k + (progress - progress_[k]) / (progress_[k + 1] - progress_[k])) / count;
   }
 
  private:
@@ -64,7 +65,7 @@ class Progression {
   static double at(int k) { return static_cast<double>(k) / count; }
 
   double length_mm_;
-  std::array<double, count + 1> turning_{}, come_{};
+  std::array<double, count + 1> turning_{}, progress_{};
 };
 
 std::vector<Progression> progressionsOf(const std::vector<SidePath>& paths) {
@@ -98,7 +99,7 @@ std::vector<int> partCounts(const std::vector<Progression>& progressions, std::s
 /// The jump of the turning at a share of the length: the difference of the turnings on short
 /// intervals before and after it. It is 0 if this is too small to be a jump. At share 0 the
 /// interval before is the end of the path.
-double bendAt(const SidePath& path, double at) {
+double turningJump(const SidePath& path, double at) {
   constexpr double most_step = 1.0 / 256, least_jump = 0.1;
   const double end = at > 0 ? at : 1, step = std::min({most_step, end, 1 - at});
   const auto turn = [&](double from, double to) {
@@ -112,9 +113,9 @@ double bendAt(const SidePath& path, double at) {
 
 /// Joints at which the curvature of the path jumps, as between a line and an arc. Polynomials fit
 /// badly across them.
-std::vector<double> bendJoints(const SidePath& path) {
+std::vector<double> jointsWithJump(const SidePath& path) {
   std::vector<double> joints = path.joints();
-  std::erase_if(joints, [&](double at) { return bendAt(path, at) == 0; });
+  std::erase_if(joints, [&](double at) { return turningJump(path, at) == 0; });
   return joints;
 }
 
@@ -144,20 +145,20 @@ class LoopCutter {
       : side_(hole.sides.front()),
         count_(count),
         path_(side_, gap_mm),
-        come_(progressionsOf({path_}).front()),
+        progression_(progressionsOf({path_}).front()),
         joints_(path_.joints()) {
     joints_.insert(joints_.begin(), 0);
   }
 
   /// Joints at which the curvature jumps by no less than a fifth of the largest jump.
-  std::vector<double> bends() const {
+  std::vector<double> curvatureJumps() const {
     std::vector<double> jumps;
-    for (const double at : joints_) jumps.push_back(bendAt(path_, at));
+    for (const double at : joints_) jumps.push_back(turningJump(path_, at));
     const double most = std::ranges::max(jumps);
-    std::vector<double> bends;
+    std::vector<double> joints;
     for (std::size_t k = 0; k < jumps.size(); ++k)
-      if (jumps[k] > 0 && jumps[k] >= most / 5) bends.push_back(joints_[k]);
-    return bends;
+      if (jumps[k] > 0 && jumps[k] >= most / 5) joints.push_back(joints_[k]);
+    return joints;
   }
 
   /// Joints at which the hole passes from one face to another.
@@ -171,8 +172,9 @@ class LoopCutter {
   }
 
   /// The share that lies \p shift intervals after the point where the loop turns most.
-  double bent(double shift) const {
-    return come_.shareAround(come_.bent() + shift * come_.total() / static_cast<double>(count_));
+  double shareAfterSharpestTurn(double shift) const {
+    return progression_.shareAround(progression_.atSharpestTurn() +
+                                    shift * progression_.total() / static_cast<double>(count_));
   }
 
   /// Cuts the loop. The first interval begins at \p begin, or at a joint if only a sliver would be
@@ -180,13 +182,14 @@ class LoopCutter {
   /// which only a sliver would be left.
   std::vector<SideInterval> cut(double begin, std::vector<double> joints) const {
     constexpr double near = 1 / 3.0, sliver = 1 / 20.0;
-    begin = moved(begin, sliver);
+    begin = atNearJoint(begin, sliver);
     std::vector<double> cuts;
-    const double first = come_.comeAt(begin);
+    const double first = progression_.progressAt(begin);
     for (std::size_t k = 1; k < count_; ++k)
-      cuts.push_back(come_.shareAround(first + come_.total() * static_cast<double>(k) /
-                                                   static_cast<double>(count_)) -
-                     begin);
+      cuts.push_back(
+          progression_.shareAround(first + progression_.total() * static_cast<double>(k) /
+                                               static_cast<double>(count_)) -
+          begin);
     moveToJoints(cuts, after(begin, std::move(joints)), near / static_cast<double>(count_));
     moveToJoints(cuts, after(begin, joints_), sliver / static_cast<double>(count_));
     cuts.push_back(1);
@@ -201,7 +204,8 @@ class LoopCutter {
   }
 
  private:
-  double moved(double at, double intervals) const {
+  /// The joint nearest to a share if it is within so many intervals; otherwise the share.
+  double atNearJoint(double at, double intervals) const {
     at -= std::floor(at);
     double nearest = at, reach = intervals / static_cast<double>(count_);
     for (const double joint : joints_)
@@ -220,7 +224,7 @@ class LoopCutter {
   const HoleSide& side_;
   std::size_t count_;
   SidePath path_;
-  Progression come_;
+  Progression progression_;
   std::vector<double> joints_;  ///< joints of the loop, its begin included
 };
 
@@ -243,7 +247,7 @@ std::vector<SideInterval> cutSides(const Hole& hole, std::size_t count, double g
     std::vector<double> cuts;
     for (int part = 1; part < parts[k]; ++part)
       cuts.push_back(progressions[k].shareAt(progressions[k].total() * part / parts[k]));
-    if (at_joints) moveToJoints(cuts, bendJoints(paths[k]), 1 / (3.0 * parts[k]));
+    if (at_joints) moveToJoints(cuts, jointsWithJump(paths[k]), 1 / (3.0 * parts[k]));
     cuts.push_back(1);
     double begin = 0;
     for (const double end : cuts) {
@@ -258,9 +262,10 @@ std::vector<std::vector<SideInterval>> loopCuts(const Hole& hole, std::size_t co
                                                 double gap_mm) {
   const LoopCutter loop(hole, count, gap_mm);
   std::vector<std::vector<SideInterval>> cuts;
-  for (const std::vector<double>& joints : {loop.bends(), loop.faceJoints()})
+  for (const std::vector<double>& joints : {loop.curvatureJumps(), loop.faceJoints()})
     if (!joints.empty()) cuts.push_back(loop.cut(joints.front(), joints));
-  for (const double shift : {0.0, 0.5}) cuts.push_back(loop.cut(loop.bent(shift), {}));
+  for (const double shift : {0.0, 0.5})
+    cuts.push_back(loop.cut(loop.shareAfterSharpestTurn(shift), {}));
   return cuts;
 }
 
