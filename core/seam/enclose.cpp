@@ -39,13 +39,15 @@ constexpr double scattered_reach = 0x1p-16;
 struct Piece {
   double from = 0;
   double to = 0;
-  PieceFigures figures;
+  PieceFigures figures = {};
   bool left_out = false;            ///< only the gap counts
   bool curvature_left_out = false;  ///< only gap and angle count
   /// How wide its bounds are, in units of the allowed width; 0 if they are narrow enough.
   double excess = infinite;
   int stalled = 0;  ///< number of cuts in a row that improved no part
   double width() const { return to - from; }
+  /// The parameter of the seam at x in [-1, 1], as enclosures of a piece count: -1 is its begin, 0
+  /// its middle, 1 its end.
   double at(double x) const { return 0.5 * ((1 - x) * from + (1 + x) * to); }
 };
 
@@ -65,6 +67,16 @@ void include(PieceFigures& sum, const PieceFigures& more) {
   merge(*sum.curvature_rel, *more.curvature_rel);
 }
 
+/// Cuts the seam into pieces and measures them, see run() for the order.
+///
+/// Four tests decide whether a piece is cut:
+///   - isEnough(): one upper bound may stay as it is. It is near the lower bound of the whole seam,
+///     or, if only the verdict is wanted, on one side of the tolerance.
+///   - isOnOneSide(): the same for a curvature that the figures leave out. Only its verdict counts,
+///     not its width.
+///   - isSettled(): no figure of the piece needs a cut. refine() cuts all other pieces.
+///   - excess(): how far the bounds are from enough, in units of the allowed width. cut() compares
+///     it before and after a cut, to see where rounding prevents narrower bounds.
 class Enclosure {
  public:
   Enclosure(const SeamSide& a, const SeamSide& b, const ContinuityTolerance& tolerance,
@@ -76,7 +88,10 @@ class Enclosure {
  private:
   enum Quantity { Gap, Angle, Curvature, RelativeCurvature, Quantities };
 
-  /// Above the crease angle there are no curvature figures.
+  /// Above the crease angle there are no curvature figures. lower_[Angle] only grows. So a seam
+  /// that ends below the crease angle had all its pieces measured with curvature; on one that ends
+  /// above it, pieces that were measured before have curvatures, which isSettled(), excess() and
+  /// addFigures() ignore.
   Detail detail() const {
     return lower_[Angle] > tolerance_.crease_rad ? Detail::TangentPlane : Detail::Curvature;
   }
@@ -84,19 +99,27 @@ class Enclosure {
     return piece.figures.sense != 0 &&
            (a_.faceOnLeft() == b_.faceOnLeft()) == (piece.figures.sense > 0);
   }
+
+  // These functions change pieces_; refine() also sets exhausted_.
   void look(double from, double to);
-  void cut(const Piece& piece);
   void lookAtGap(double from, double to);
-  bool mayCut(const Piece& piece, const std::optional<double>& split);
+  void cut(const Piece& piece);
+  void refine();
+  // These functions count work, and mayCut() sets exhausted_. measure() also leaves pieces out.
   bool measure(Piece& piece, Detail detail, std::optional<double>& split);
+  bool mayCut(const Piece& piece, const std::optional<double>& split);
+  // These functions raise lower_, at_ and curvature_norm_.
   void see(const Piece& piece);
   void see(Quantity quantity, const PieceBound& bound, const Piece& piece);
+  // These functions add to degenerate_, set curvature_range_, or mark pieces.
+  void leaveOut(const Piece& piece, const SideFields& a, const SideFields& b);
   std::optional<double> poleReach(double end);
   void findPoles();
   void leaveOutCurvatureNearDegenerate();
-  bool isAtPole(const Piece& piece);
+
+  // All others only read, except that addLeftOut() sorts pieces_.
+  bool isAtPole(const Piece& piece) const;
   void addLeftOut(SeamFigures& figures);
-  void leaveOut(const Piece& piece, const SideFields& a, const SideFields& b);
   double tolerated(Quantity quantity) const;
   double allowed(Quantity quantity) const;
   bool isEnough(Quantity quantity, double upper) const;
@@ -104,8 +127,7 @@ class Enclosure {
   double excess(const Piece& piece) const;
   bool isOnOneSide(const PieceBound& relative_curvature) const;
   bool isSettled(const Piece& piece) const;
-  void refine();
-  double planeShare();
+  double planeShare() const;
   /// What the pieces say together.
   struct Summary {
     std::array<double, Quantities> upper{};
@@ -128,11 +150,11 @@ class Enclosure {
   const ContinuityTolerance& tolerance_;
   const EncloseOptions& options_;
   std::vector<Piece> pieces_;
-  std::array<double, Quantities> lower_{};
-  std::array<double, Quantities> at_{};
-  double curvature_norm_ = 0;
-  int looks_ = 0;
-  int cuts_ = 0;  ///< number of cuts at knot lines
+  std::array<double, Quantities> lower_{};  ///< largest values found so far
+  std::array<double, Quantities> at_{};     ///< where they are
+  double curvature_norm_ = 0;               ///< largest norm found so far
+  int looks_ = 0;                           ///< number of pieces measured
+  int cuts_ = 0;                            ///< number of cuts at knot lines
   bool exhausted_ = false;
   std::vector<DegeneratePoint> degenerate_;
   Interval curvature_range_ = {0, 1};  ///< the seam without the poles at its ends
@@ -150,6 +172,7 @@ double Enclosure::allowed(Quantity quantity) const {
   return allowed_share * std::max(lower_[quantity], tolerated(quantity));
 }
 
+/// Whether the upper bound of a piece may stay as it is.
 bool Enclosure::isEnough(Quantity quantity, double upper) const {
   if (quantity == RelativeCurvature) upper = std::min(upper, largest_relative_difference);
   if (upper <= lower_[quantity] + allowed(quantity)) return true;
@@ -165,6 +188,7 @@ bool Enclosure::isOnOneSide(const PieceBound& relative_curvature) const {
          relative_curvature.lower > tolerance_.curvature_rel;
 }
 
+/// Whether no figure of the piece needs a cut.
 bool Enclosure::isSettled(const Piece& piece) const {
   const PieceFigures& f = piece.figures;
   if (!isEnough(Gap, f.gap_mm.upper)) return false;
@@ -206,6 +230,7 @@ double Enclosure::excess(const Piece& piece) const {
                    excess(*figures.curvature_rel, RelativeCurvature)});
 }
 
+/// Raises the lower bound of a figure to a value that the piece attains.
 void Enclosure::see(Quantity quantity, const PieceBound& bound, const Piece& piece) {
   if (bound.lower > lower_[quantity]) {
     lower_[quantity] = bound.lower;
@@ -278,8 +303,9 @@ bool Enclosure::mayCut(const Piece& piece, const std::optional<double>& split) {
   return false;
 }
 
+/// Measures an interval and appends it, in parts where it must be cut at knot lines.
 void Enclosure::look(double from, double to) {
-  Piece piece{from, to, {}};
+  Piece piece{.from = from, .to = to};
   const double middle = piece.at(0);
   piece.curvature_left_out = middle < curvature_range_.lower || middle > curvature_range_.upper;
   std::optional<double> split;
@@ -300,7 +326,7 @@ void Enclosure::look(double from, double to) {
 
 /// Measures only the gap, for pieces outside the range.
 void Enclosure::lookAtGap(double from, double to) {
-  Piece piece{from, to, {}, true};
+  Piece piece{.from = from, .to = to, .left_out = true};
   std::optional<double> split;
   if (!measure(piece, Detail::Position, split)) {
     if (mayCut(piece, split)) {
@@ -326,6 +352,9 @@ void Enclosure::cut(const Piece& piece) {
   for (Piece& part : parts) part.stalled = better ? 0 : piece.stalled + 1;
 }
 
+/// Cuts pieces until all are settled, are too short or stalled, or the work limit is reached. A
+/// round cuts each open piece once, so that lower bounds found in one part of the seam may settle
+/// pieces of another.
 void Enclosure::refine() {
   const int limit = options_.max_pieces + static_cast<int>(pieces_.size());
   for (bool changed = true; changed;) {
@@ -391,6 +420,8 @@ void Enclosure::findPoles() {
     curvature_range_.upper = std::min(last, 1 - reach(1, *share));
 }
 
+/// Points without tangent plane that refine() found are known only now. The lower bounds of
+/// curvature may come from pieces near them, so they are found again from the others.
 void Enclosure::leaveOutCurvatureNearDegenerate() {
   bool changed = false;
   for (Piece& piece : pieces_) {
@@ -409,7 +440,7 @@ void Enclosure::leaveOutCurvatureNearDegenerate() {
 
 /// Whether the piece is too near a point without tangent plane or without curvature to be
 /// distinguished from it.
-bool Enclosure::isAtPole(const Piece& piece) {
+bool Enclosure::isAtPole(const Piece& piece) const {
   if (piece.left_out) return true;
   const auto is_near = [&](double pole) {
     return length_a_.isShort(std::min(piece.from, pole), std::max(piece.to, pole), pole_piece);
@@ -450,6 +481,13 @@ void Enclosure::addLeftOut(SeamFigures& figures) {
   }
 }
 
+/// The order:
+///   1. The middle, for a first lower bound of the angle.
+///   2. Poles at the ends, which determine curvature_range_.
+///   3. A first measurement between breaks: knots, and the ends of both ranges.
+///   4. refine(), which needs the lower bounds of the whole seam.
+///   5. What lies near points without tangent plane is left out of the curvature.
+///   6. The figures.
 SeamFigures Enclosure::run() {
   const Interval& range = options_.range;
   std::vector<double> breaks = {range.lower, range.upper, 1};
@@ -457,7 +495,7 @@ SeamFigures Enclosure::run() {
   b_.addBreaks(breaks);
   // The middle is measured first: a seam that is a crease there has no curvature figures, which
   // saves their computation.
-  Piece middle{range.middle(), range.middle(), {}};
+  Piece middle{.from = range.middle(), .to = range.middle()};
   std::optional<double> split;
   if (measure(middle, Detail::TangentPlane, split)) see(middle);
   findPoles();
@@ -486,7 +524,7 @@ std::optional<Figure> Enclosure::figure(Quantity quantity, double upper) const {
   return figure;
 }
 
-double Enclosure::planeShare() {
+double Enclosure::planeShare() const {
   const Interval& range = options_.range;
   double left_out = 0;
   if (range.lower > 0) left_out += length_a_.of(0, range.lower).upper;

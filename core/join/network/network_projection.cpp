@@ -14,7 +14,10 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-/// Shift of the scaled system, whose rows have length 1.
+/// Shift of the scaled system, whose rows have length 1. It must be far above the rounding of sums
+/// of squares, some 1e-15, so that the factorisation succeeds for dependent rows. It must be far
+/// below 1, because a pass of the refinement leaves shift / (shift + s^2) of the part of the rest
+/// with singular value s.
 constexpr double shift = 1e-12;
 
 Eigen::VectorXd reachOf(const Eigen::VectorXd& weights) {
@@ -143,6 +146,15 @@ Projection project(const Sparse& a, const Eigen::VectorXd& weights, const Eigen:
   return result;
 }
 
+// Let S be the row scale, K = S A D, M = K K' + shift, and B = S G U, where U scales columns to
+// length 1; dy = U y. The minimum of |z|^2 + damping |y|^2 subject to S A target + K z + B y = 0
+// has z = -K' nu, and
+//
+//     [ I x M   -B         ] [ nu ]   [ S A target ]
+//     [ -B'     -damping I ] [ y  ] = [ 0          ]
+//
+// where I x M is a block M for each column of the target. With damping > 0 the matrix is
+// quasidefinite, so L D L' exists in every order. Only the lower triangle is stored.
 Step step(const Sparse& a, const Eigen::VectorXd& weights, const Eigen::MatrixXd& target,
           const Projection& at, const Sparse& g, double damping, OrderedFactors& factors) {
   const Eigen::Index rows = a.rows(), parameters = g.cols(),

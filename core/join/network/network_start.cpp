@@ -1,4 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// The way of a network (docs/theory/surfaces.md S6):
+//   plan        the kinds of vertices, and the forms of the connection functions that they need
+//               (S6.1, S6.2): network_plan.cpp
+//   parameters  the numbers that determine all these functions: network_parameters.cpp
+//   start       their values that fit the given poles, and the directions in which they may move:
+//               this file
+//   projection  the nearest poles for given functions, and the step of the parameters that
+//               decreases the move (S6.3): network_projection.cpp
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -149,7 +158,14 @@ Eigen::VectorXd withEndValues(Eigen::VectorXd y, const SeamPlan& plan, const Sea
 
 /// Conditions on the coordinates of an extraordinary vertex's rays that move steps must satisfy:
 /// the ratios stay, the rays that stay do, and no step is a linear map of all rays, since that does
-/// not change the connection functions.
+/// not change the connection functions. With the rays r_i of the start, all of them r, and their
+/// steps s_i, the steps are the kernel of
+///
+///     [ |r| J   ]   J: derivative of the excess of the ratios
+///     [ R / |r| ]   4 rows: the sum over i of r_i(d) s_i(c), for coordinates c and d
+///     [ S       ]   a unit row for each coordinate of a ray that stays, otherwise a zero row
+///
+/// The factors |r| give all blocks the same scale, whatever the length of the rays is.
 Eigen::MatrixXd rayConditions(const Plan& plan, const Parameters& parameters, int vertex,
                               const Eigen::VectorXd& start) {
   const auto& stays = plan.sorts[vertex].stays;
