@@ -197,6 +197,8 @@ FittedStep longestStep(const PlanarCurve& curve, const SmoothRun& run, double u0
   while (!(best = attempt(u0 + reach))) {
     fails = reach;
     reach /= 2;
+    // A share of a segment: below it the chord is a billionth of the curve, and rounding disturbs
+    // its direction.
     constexpr double shortest = 0x1p-30;
     if (reach < shortest) {
       throw std::domain_error(fmt::format(
@@ -267,6 +269,8 @@ void appendExact(FittedPart& to, const FittedPart& part, bool at_corner, double 
     PlanarArc longer = to.arcs.back();
     longer.length_mm += next.length_mm;
     const double off_mm = (longer.end() - next.end()).norm();
+    // A millionth of the tolerance is negligible. A full turn may be exceeded by the rounding of
+    // the sum of angles.
     constexpr double same_circle = 1e-6, full_turn_rad = 2 * std::numbers::pi * (1 + 1e-12);
     if (off_mm <= same_circle * tolerance_mm && std::abs(longer.sweep_rad()) <= full_turn_rad) {
       to.arcs.back() = longer;

@@ -61,6 +61,8 @@ Polygon polygonOf(const PlanarPoints& points, bool closed) {
     const Index before = (i + segments - 1) % segments;
     polygon.turns_rad(i) =
         wrapped(polygon.chord_directions_rad(i) - polygon.chord_directions_rad(before));
+    // The sense of a turn by pi is rounding. The margin is far above the rounding of a direction
+    // (some 1e-16), and far below any turn that is meant.
     constexpr double reversal_rad = pi - 1e-9;
     if (std::abs(polygon.turns_rad(i)) > reversal_rad)
       throw std::domain_error(fmt::format("the polygon reverses its direction at point {}", i));
@@ -167,6 +169,7 @@ double endAngle(const Polygon& polygon, const Eigen::VectorXd& alpha, Index s) {
 }
 
 void requireSmallAngles(const Polygon& polygon, const Eigen::VectorXd& alpha) {
+  // A choice: a tangent farther from its chord gives a loop rather than a curve along the points.
   constexpr double largest_rad = 2 * pi / 3;
   for (Index s = 0; s < polygon.segments(); ++s)
     for (const double angle : {alpha(s), endAngle(polygon, alpha, s)})
@@ -205,7 +208,11 @@ Eigen::VectorXd energyStep(const Polygon& polygon, const Eigen::VectorXd& alpha,
 
 /// Gauss-Newton steps, each halved until the energy does not grow by more than rounding.
 int minimiseEnergy(const Polygon& polygon, const EndAngles& ends, Eigen::VectorXd& alpha) {
+  // Bounds against endless loops: steps may converge only linearly, since residuals do not vanish,
+  // and 20 halvings leave a millionth of a step. What is reached at the bounds is a usable result.
   constexpr int most_steps = 50, most_halvings = 20;
+  // Angles have a rounding of some 2e-16, which sums over neighbours raise; the energy is a sum of
+  // squares with some roundings each.
   constexpr double smallest_step_rad = 1e-13, rounding = 16 * machine_epsilon;
   double energy = energyOf(polygon, alpha);
   for (int taken = 0; taken < most_steps; ++taken) {

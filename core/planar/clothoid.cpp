@@ -29,6 +29,8 @@ double guess(double f0, double f1) {
 /// of Newton's method were seen; the bound of 20 keeps a failure from being silent.
 double solved(const Phase& phase, double a) {
   constexpr int most_steps = 20;
+  // The bounds are those above. The smallest step is some roundings of a. If steps stay above it,
+  // the height decides: a mean of sines, with some hundred roundings.
   constexpr double largest = 20, smallest_step = 1e-15;
   for (int step = 0; step < most_steps; ++step) {
     const double change = phase.height(a) / phase.heightSlope(a);
@@ -66,6 +68,7 @@ double largestBound_mm(const Clothoid& whole, int count) {
 }
 
 int piecesWithin(const Clothoid& whole, double tolerance_mm) {
+  // A choice that bounds memory: a segment has some 200 bytes.
   constexpr int most = 100'000;
   const double ratio = errorBound_mm(whole) / tolerance_mm;
   int count = ratio > 1 ? static_cast<int>(std::min<double>(most, std::pow(ratio, 1.0 / 6))) : 1;
@@ -88,6 +91,8 @@ PlanarJet jetAt(const Clothoid& curve, double s_mm) {
 
 /// The roots of the Legendre polynomial by Newton's method, which doubles the digits in each step.
 GaussRule computedGaussRule() {
+  // The start has at least two digits, so four steps reach 16 of them. The other four change only
+  // the last digit.
   constexpr int n = GaussRule::count, steps = 8;
   GaussRule rule;
   for (int i = 0; i < n; ++i) {
@@ -133,6 +138,8 @@ Clothoid clothoid(const HermiteEnds& ends) {
   const Phase phase{.start = f0, .change = f1 - f0};
   const double a = solved(phase, guess(f0, f1));
   const double width = phase.width(a);
+  // The width is a mean of cosines, with a rounding of some 1e-16: at this limit the length has
+  // eight digits.
   constexpr double least_width = 1e-8;
   if (!(width > least_width))
     throw std::domain_error(fmt::format(

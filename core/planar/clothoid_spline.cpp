@@ -149,6 +149,8 @@ ClothoidSpline clothoidSpline(const PlanarPoints& points, const ClothoidSplineOp
   spline.directions_rad = firstDirections(points, options);
   const SplineEquations equations(points, options);
   Attempt now = equations.attempt(spline.directions_rad);
+  // Bounds against endless loops: Newton's method doubles the digits near the solution, and a step
+  // that must be halved more than ten times makes no progress.
   constexpr int most_steps = 30, most_halvings = 10;
   // Jumps times chords are differences of angles, which have a rounding of some eps each.
   const double rounding = std::pow(64 * machine_epsilon, 2) * static_cast<double>(points.rows());
@@ -167,6 +169,8 @@ ClothoidSpline clothoidSpline(const PlanarPoints& points, const ClothoidSplineOp
     now = std::move(tried);
   }
   spline.curvature_jump_per_mm = now.jumps_per_mm.cwiseAbs().maxCoeff();
+  // Far above the rounding of the angles, so that long polygons pass; far below any angle that a
+  // tolerance of G2 notices.
   constexpr double accepted_rad = 1e-9;
   if (!(now.miss <= accepted_rad * accepted_rad))
     throw std::domain_error(

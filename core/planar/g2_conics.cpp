@@ -156,6 +156,8 @@ void divide(std::deque<ChainPiece>& pieces, std::size_t i) {
 
 /// Makes all joints of the run G2. Returns the number of divisions.
 int makeG2(ConvexRun& run) {
+  // A bound against an endless loop: each division reduces the larger of two turns below pi, so a
+  // joint needs few.
   constexpr int most_divisions = 1000;
   std::deque<ChainPiece>& pieces = run.pieces;
   int divisions = 0;

@@ -62,7 +62,10 @@ struct EulerArcs {
 
 /// The root of the height of the end, by Newton's method.
 double differenceOf(const EulerArcs& arcs, double x) {
+  // Newton's method doubles the digits, so it ends long before unless there is no root.
   constexpr int most_steps = 50;
+  // Some roundings of x. If steps stay above it, the height decides: it is a sum of numbers below 1
+  // over their count, with some hundred roundings.
   constexpr double smallest_step = 1e-15;
   for (int step = 0; step < most_steps; ++step) {
     const double change = arcs.end(x).imag() / arcs.endSlope(x).imag();
@@ -95,6 +98,8 @@ CShape cShapeOf(const HermiteEnds& ends) {
         "a logarithmic spiral turns to one side, but alpha is {} rad and beta is {} rad: use a "
         "clothoid or a biarc",
         angles.alpha_rad, angles.beta_rad));
+  // The turn is a sum of angles up to pi, each with some roundings of 4e-16. A half circle must
+  // pass.
   constexpr double rounding_rad = 1e-12;
   if (shape.turn() > pi + rounding_rad)
     throw std::domain_error(
@@ -112,6 +117,8 @@ double increasingRoot(const Function& f, double largest) {
   double f_low = f(low), f_high = f(high);
   if (f_low > 0 || f_high < 0)
     throw std::domain_error(fmt::format("the radii at the ends differ by more than e^{}", largest));
+  // Half of the steps are halvings, and 100 of these reduce any bracket by 2^-100: more than the
+  // digits of a double, unless the root is 0.
   constexpr int most_steps = 200;
   for (int step = 0; step < most_steps && high - low > 4 * machine_epsilon * std::abs(low);
        ++step) {
@@ -136,7 +143,8 @@ Complex exponentialQuotient(const Complex& z) {
   return numerator / z;
 }
 
-/// The largest logarithm of the ratio of the radii at the ends: that of 1e12.
+/// The largest logarithm of the ratio of the radii at the ends: that of 1e12. A choice: beyond it
+/// the small end has fewer than four digits in the coordinates of the large one.
 constexpr double largest_growth = 27.6;
 
 /// sum of rho^j e^(i j theta), j < count, times e^(-x (count - 1)) if x > 0, with rho = e^x.
@@ -163,6 +171,7 @@ std::vector<PlanarArc> eulerArcs(const HermiteEnds& ends, int count) {
     x = differenceOf(arcs, slope * count / (static_cast<double>(count) * count - 1));
   }
   const Complex end = arcs.end(x);
+  // That of the height, see differenceOf().
   constexpr double rounding = 1e-13;
   if (!(end.real() > 0) || std::abs(end.imag()) > rounding)
     throw std::domain_error(fmt::format("no {} Euler arcs join alpha {} rad and beta {} rad", count,
@@ -219,6 +228,7 @@ LogSpiral logSpiral(const HermiteEnds& ends) {
 int leastLogArcs(const HermiteEnds& ends) {
   const CShape shape = cShapeOf(ends);
   const double share = shape.turn() / (2 * std::min(shape.alpha, shape.beta));
+  // A choice that keeps the number an int and the arcs within memory: each has 40 bytes.
   constexpr double most = 1e6;
   if (!(share < most))
     throw std::domain_error(
@@ -265,6 +275,7 @@ SplineWithin bezierSpline(const LogSpiral& spiral, double tolerance_mm) {
   const auto bound_mm = [&](double count) {
     return sixth_mm * std::pow(spiral.turn_rad / count, 6) * hermite_quintic_error;
   };
+  // A choice that bounds memory, as for clothoids.
   constexpr double most = 100'000;
   const double count = std::max(1.0, std::ceil(std::pow(bound_mm(1) / tolerance_mm, 1.0 / 6)));
   if (!(count <= most))

@@ -16,8 +16,10 @@ constexpr double rounding =
     1e-14;  ///< relative, for the short computations below; far above 2^-52 times their length
 
 /// Relative rounding of spectralNorm(): the arccosine turns a rounding of 2^-50 into 2^-50 / sqrt(2
-/// nearly_double).
+/// nearly_double), which is 6e-14.
 constexpr double norm_rounding = 1e-12;
+/// Distance of the cosine from 1 below which two eigenvalues count as nearly equal. A choice: a
+/// smaller value loses digits (see above), a larger one takes the slow solver more often.
 constexpr double nearly_double = 1e-4;
 
 using Tensor = Eigen::Matrix<double, 6, 1>;  ///< entries in the order of SymmetricModel

@@ -42,6 +42,9 @@ double seamParameter(const Joint& joint, std::size_t side, double parameter) {
 /// each pole, at least 24 and at most 400 (docs/theory/repair.md, R3).
 std::vector<double> evenParameters(const Joint& joint, std::size_t side,
                                    const Displacement& displacement, const SurfaceBasis& basis) {
+  // Two samples for each pole are twice the unknowns along the joint, so that misses between poles
+  // show. The bounds are choices: fewer than 24 may step over a local miss, more than 400 take time
+  // and show little more.
   constexpr double per_pole = 2;
   constexpr int least = 24, most = 400;
   const Pcurve& path = joint.paths[side];
@@ -57,7 +60,8 @@ std::vector<double> evenParameters(const Joint& joint, std::size_t side,
 }
 
 std::vector<double> sampleParameters(const Joint& joint, const MovingFaces& movers) {
-  // Parameters in 0..1 nearer than this are the same sample.
+  // Parameters in 0..1 nearer than this are the same sample. That is far above their rounding, and
+  // far below the distance of the densest samples, 0.25 / 400 / 3.
   constexpr double distinct = 1e-9;
   std::vector<double> best;
   for (std::size_t side = 0; side < joint.sides.size(); ++side)
@@ -259,11 +263,37 @@ class Row {
 /// had 16 samples, and costs 1 when it misses by a quarter of the tolerance (docs/theory/repair.md,
 /// "Prices").
 double weightOf(const JointSample& sample) {
+  // Only their ratio to the energies counts, and that is the budget's (see "Prices"). So another
+  // value of one of these is another budget.
   constexpr double samples_per_joint = 16, share_of_tolerance = 0.25;
   return sample.weight * std::sqrt(samples_per_joint * sample.part) / share_of_tolerance;
 }
 
-/// Differences of a kept joint up to this share of the limit are free.
+// What a difference of the sides may be without a miss (docs/theory/repair.md R3). The limit is the
+// unit of each miss. For a joint that is to meet, `given` is zero, except for a gap that may stay.
+//
+//   difference   limit               free if to meet     free if kept: the largest of
+//   gap          gap_mm              given gap           kept_gap_mm, given gap, free share
+//   slide        slide_mm            given slide         given slide, free share
+//   overlap      overlap_mm (1)      given overlap       given overlap, free share
+//   normal       angle_rad           0                   kept_angle_rad, free share
+//   curvature    curvature_per_mm    0                   kept_bend_per_mm, free share
+//   turn (2)     Joint::turn_rad     0                   0
+//
+//   (1) Only if it is below gap_mm; otherwise the gap includes it.
+//   (2) Of a side beside a crease (order 0), with crease_weight.
+//
+// The given differences are those at the sample, the kept ones the largest along the joint. The
+// free share is free_share of the limit. An outline has only the gap, and nothing is free.
+//
+// addConditions(), costOf() and missedShareOf() have to agree term by term. The conditions are the
+// linearisation of the cost, so that a step reduces it. A term that missedShareOf() lacks never
+// gets more weight, and one that it alone has gets weight without effect. There are two deliberate
+// differences: missedShareOf() judges whole differences of a joint that is to meet, as the proof
+// does, and it ignores the turn of such a joint.
+
+/// Differences of a kept joint up to this share of the limit are free. A choice: half of the
+/// tolerance is left for what the proof finds between samples.
 constexpr double free_share = 0.5;
 
 /// The part of a difference longer than the given one and, for a kept joint, longer than the free
@@ -309,6 +339,9 @@ void addNormals(const JointSample& sample, const Eigen::Vector3d& missing, const
   }
 }
 
+/// The condition on the covariant second derivatives of the step D: with x and y the parameter
+/// steps along two directions, D_xy minus the Christoffel term, the derivative of D along the
+/// tangential part of X_xy.
 void addCurvatures(const JointSample& sample, const Eigen::Vector3d& missing, const Frame& frame,
                    const std::array<SurfaceJet, 2>& jets, double weight, StepSystem& system) {
   const std::array<const Eigen::Vector3d*, 2> ways = {&frame.tangent, &frame.cross};
@@ -323,10 +356,9 @@ void addCurvatures(const JointSample& sample, const Eigen::Vector3d& missing, co
                             y = parameterStep(jet, *ways[pairs[m][1]]);
       const Eigen::Vector3d second =
           x[0] * y[0] * jet.uu + (x[0] * y[1] + x[1] * y[0]) * jet.uv + x[1] * y[1] * jet.vv;
-      row.add(
-          side,
-          secondDerivative(side.shares, x, y) - derivative(side.shares, parameterStep(jet, second)),
-          k == 0 ? 1 : -1);
+      const Eigen::Vector2d christoffel = parameterStep(jet, second);
+      row.add(side, secondDerivative(side.shares, x, y) - derivative(side.shares, christoffel),
+              k == 0 ? 1 : -1);
     }
     system.add(sample.cell, row.times(weight), frame.normal, -weight * missing[m]);
   }
@@ -349,8 +381,9 @@ std::optional<Tilt> tiltOf(const JointSample& sample, const JointSide& side) {
   return Tilt{*normal, step, normal->dot(step[0] * by.u + step[1] * by.v)};
 }
 
-/// Weight of the turn of a side beside a crease, relative to that of its gap.
-constexpr double share_of_crease = 0.3;
+/// Weight of the turn of a side beside a crease, relative to that of its gap. A choice: the
+/// position counts more, because a crease may turn if the faces beside it need that.
+constexpr double crease_weight = 0.3;
 
 /// Keeps the normals of the sides beside a crease.
 void keepNormals(const JointSample& sample, double weight, StepSystem& system) {
@@ -362,7 +395,7 @@ void keepNormals(const JointSample& sample, double weight, StepSystem& system) {
 }
 
 /// The change of the angle of a crease since the given surfaces.
-double turned_rad(const JointSample& sample) {
+double creaseChange_rad(const JointSample& sample) {
   std::array<Eigen::Vector3d, 2> was, is;
   for (const int k : {0, 1}) {
     const JointSide& side = sample.sides[k];
@@ -498,25 +531,26 @@ double larger(double a, double b) {
 double missedShareOf(const Joint& joint, const JointSample& sample) {
   if (joint.ask == Ask::Outline) return 0;
   const Differences now = differencesAt(joint, sample);
-  const auto share = [&joint](double is, double was, double limit) {
+  const auto missOf = [&joint](double is, double was, double limit) {
     return joint.ask == Ask::Join ? is / limit : grownShare(is, was, limit);
   };
   double missed =
-      larger(0, share(now.gap.norm(), std::max(sample.given.gap.norm(), sample.kept_gap_mm),
-                      sample.limits.gap_mm));
+      larger(0, missOf(now.gap.norm(), std::max(sample.given.gap.norm(), sample.kept_gap_mm),
+                       sample.limits.gap_mm));
   const Missing missing = missingOf(joint, sample, now);
   missed = larger(missed, missing.slide.norm() / sample.limits.slide_mm);
   missed = larger(missed, missing.overlap.norm() / sample.limits.overlap_mm);
   // Faces must turn to close the gap of a short sharp edge, so the turn of a joint that is to meet
   // is no miss. addConditions() keeps it small.
   if (joint.order < 1)
-    return joint.ask == Ask::Join ? missed : larger(missed, turned_rad(sample) / joint.turn_rad);
+    return joint.ask == Ask::Join ? missed
+                                  : larger(missed, creaseChange_rad(sample) / joint.turn_rad);
   if (!now.normal) return missed;
   missed =
-      larger(missed, share(now.normal->norm(), sample.kept_angle_rad, sample.limits.angle_rad));
+      larger(missed, missOf(now.normal->norm(), sample.kept_angle_rad, sample.limits.angle_rad));
   if (joint.order < 2) return missed;
   return std::max(missed,
-                  share(now.bend.norm(), sample.kept_bend_per_mm, sample.limits.curvature_per_mm));
+                  missOf(now.bend.norm(), sample.kept_bend_per_mm, sample.limits.curvature_per_mm));
 }
 
 }  // namespace
@@ -539,7 +573,7 @@ double costOf(const Joint& joint, const JointSample& sample) {
   if (joint.order < 1 && sample.sides.size() > 1)
     for (const JointSide& side : sample.sides)
       if (const std::optional<Tilt> tilt = tiltOf(sample, side))
-        cost += std::pow(share_of_crease * tilt->turned_rad / joint.turn_rad, 2);
+        cost += std::pow(crease_weight * tilt->turned_rad / joint.turn_rad, 2);
   if (joint.order > 1) cost += missing.bend.squaredNorm() / std::pow(limits.curvature_per_mm, 2);
   return weight * weight * cost;
 }
@@ -580,8 +614,7 @@ void addConditions(const Joint& joint, const JointSample& sample, StepSystem& sy
     system.addPoint(sample.cell, position.times(gap_weight), -gap_weight * missing.gap);
   if (sample.sides.size() < 2) return;
   if (!slide_normal) addSlides(sample, position, missing, weight, system);
-  if (joint.order < 1)
-    return keepNormals(sample, share_of_crease * weight / joint.turn_rad, system);
+  if (joint.order < 1) return keepNormals(sample, crease_weight * weight / joint.turn_rad, system);
   if (!now.normal) return;
   const std::array<SurfaceJet, 2> jets = {jetOf(sample.sides[0]), jetOf(sample.sides[1])};
   const auto normal = normalOf(sample.sides[0], jets[0]);
