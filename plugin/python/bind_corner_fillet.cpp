@@ -128,7 +128,8 @@ section_mm: the largest distance of the patches' sides from the cylinders betwee
 profile, gap_mm, angle_deg: what the new seams must meet, as in analyze().
 
 Returns a CornerFillet; the model is not changed. It has a model even if met is False; write()
-then needs keep_anyway=True. Supported are 3 to 6 edges, convex or concave, of a solid, between planes or curved faces that are not tangent to each other. ValueError, with numbers and a
+then needs keep_anyway=True. Supported are 3 to 6 edges, convex or concave, of a solid, between
+planes or curved faces that are not tangent to each other. ValueError, with numbers and a
 reason_code, for others, and where there is no room.)";
 
 void bindCornerResult(py::module_& module) {

@@ -211,9 +211,14 @@ between free edges no further apart than this; 0: between none. jobs: threads; 0
 processor. progress: a callable that gets the share done, 0..1; the call raises Cancelled where it
 returns what is false, other than None. ValueError for bad arguments, with name and value.)";
 
+constexpr const char* read_doc =
+    R"(Reads a STEP, IGES or BREP file, recognised by its content, in a process of its own: a Model.
+
+Raises ModelError for a bad file, TypeError for a path that is not the name of a file.)";
+
 constexpr const char* write_doc =
-    R"(Writes a STEP, IGES or BREP file; the extension gives the format: .step, .stp, .iges, .igs, .brep,
-.brp, .bin (binary BREP).
+    R"(Writes a STEP, IGES or BREP file; the extension gives the format: .step, .stp, .iges, .igs,
+.brep, .brp, .bin (binary BREP).
 
 A model of a STEP or IGES file is written with that file's structure, names, colours, layers and
 length unit; afresh, and from memory: of shape and attributes alone. An existing file needs
@@ -259,11 +264,7 @@ void bindModel(py::module_& module) {
                               "A shape with what its file says about it; lengths in mm.");
   bindFacts(type);
   bindCalls(type);
-  module.def(
-      "read", &readFile, py::arg("path"), py::arg("progress") = py::none(),
-      R"(Reads a STEP, IGES or BREP file, recognised by its content, in a process of its own: a Model.
-
-Raises ModelError for a bad file, TypeError for a path that is not the name of a file.)");
+  module.def("read", &readFile, py::arg("path"), py::arg("progress") = py::none(), read_doc);
   bindExchange(module);
 }
 
