@@ -17,8 +17,8 @@ using std::numbers::pi;
 /// sin(x s) / sin(s): the chord of the first arc over the chord of the ends. For small s both sines
 /// are replaced by their series, which is x (1 + s^2 (1 - x^2) / 6) with an error below s^4 / 100.
 double chordShare(double x, double s) {
-  // Below this the error of the series is less than 1e-18, below rounding. Above
-  // it the quotient of sines has only its own rounding.
+  // Here the error of the series is less than 1e-18, below rounding. Beyond it the quotient of
+  // sines has only its own rounding.
   constexpr double series_limit_rad = 1e-4;
   if (std::abs(s) < series_limit_rad) return x * (1 + s * s * (1 - x * x) / 6);
   return std::sin(x * s) / std::sin(s);

@@ -125,9 +125,12 @@ BlockCholesky::BlockCholesky(const BlockPattern& pattern) {
     }
 }
 
-/// Columns one after another are one front if that stores few blocks in vain.
+/// Columns one after another are one front if that stores few zero blocks.
 std::vector<BlockCholesky::Front> BlockCholesky::amalgamated(
     const std::vector<std::vector<int>>& below) const {
+  // Shares of a front's blocks that may be zeros. They are choices that trade arithmetic on zeros
+  // for larger dense blocks, and change the solution only by rounding. Fronts of up to 6 columns
+  // (18 rows of numbers) are small: there the cost of assembly outweighs that of arithmetic.
   constexpr double few = 0.15, few_in_small = 0.5;
   constexpr int small = 6;
   std::vector<Front> fronts;
@@ -154,7 +157,8 @@ std::vector<BlockCholesky::Front> BlockCholesky::amalgamated(
 }
 
 bool BlockCholesky::factor(const std::vector<SymmetricBlock>& blocks, double diagonal) {
-  std::vector<Eigen::MatrixXd> rest(fronts_.size());
+  // By front: its update matrix, the Schur complement that its parent's front assembles.
+  std::vector<Eigen::MatrixXd> updates(fronts_.size());
   for (std::size_t f = 0; f < fronts_.size(); ++f) {
     Front& front = fronts_[f];
     const int own = 3 * front.columns(), all = 3 * front.rows();
@@ -166,13 +170,14 @@ bool BlockCholesky::factor(const std::vector<SymmetricBlock>& blocks, double dia
       matrix.block<3, 3>(3 * entry.row, 3 * entry.column) += block;
     }
     matrix.diagonal().head(own).array() += diagonal;
+    // Extend-add, by the relative indices of the child's rows.
     for (const int child : front.children) {
       const std::vector<int>& rows = fronts_[child].in_parent;
       for (std::size_t j = 0; j < rows.size(); ++j)
         for (std::size_t i = j; i < rows.size(); ++i)
           matrix.block<3, 3>(3 * rows[i], 3 * rows[j]) +=
-              rest[child].block<3, 3>(3 * static_cast<int>(i), 3 * static_cast<int>(j));
-      rest[child].resize(0, 0);
+              updates[child].block<3, 3>(3 * static_cast<int>(i), 3 * static_cast<int>(j));
+      updates[child].resize(0, 0);
     }
     auto corner = matrix.topLeftCorner(own, own);
     const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factored(corner);
@@ -183,7 +188,7 @@ bool BlockCholesky::factor(const std::vector<SymmetricBlock>& blocks, double dia
         .selfadjointView<Eigen::Lower>()
         .rankUpdate(lower, -1);
     front.panel = matrix.leftCols(own);
-    rest[f] = matrix.bottomRightCorner(all - own, all - own);
+    updates[f] = matrix.bottomRightCorner(all - own, all - own);
   }
   return true;
 }

@@ -64,6 +64,7 @@ class Clearance {
         near_mm_(std::sqrt(box_.SquareExtent()) / 100) {}
 
   bool isOn(const TopoDS_Shape& edges) const {
+    // A choice: it finds edges of which an eighth, by the parameter, lies on the face.
     constexpr int steps = 8;
     for (TopExp_Explorer edge(edges, TopAbs_EDGE); edge.More(); edge.Next()) {
       const TopoDS_Edge& one = TopoDS::Edge(edge.Current());

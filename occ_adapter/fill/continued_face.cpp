@@ -50,6 +50,7 @@ struct EdgeInterval {
 };
 
 std::vector<EdgeInterval> intervalsOf(const Hole& hole, double gap_mm) {
+  // Samples of an edge. A choice: the proof of the seams measures what lies between them.
   constexpr int count = 64;
   std::vector<EdgeInterval> intervals;
   for (const HoleSide& side : hole.sides)

@@ -47,7 +47,10 @@ gp_Ax2 ballAxes(const Corner& corner) {
   std::normal_distribution<double> normal;
   Vector3d best_pole = Vector3d::UnitZ(), best_middle = Vector3d::UnitX();
   double best = 2;
-  for (int trial = 0; trial < 500; ++trial) {
+  // Trials and samples are choices. Any half circle that misses the cuts will do, and each trial
+  // takes some hundred products. Fixed random numbers give the same ball each time.
+  constexpr int trials = 500;
+  for (int trial = 0; trial < trials; ++trial) {
     const Vector3d middle = Vector3d(normal(random), normal(random), normal(random)).normalized();
     const Vector3d pole = middle.unitOrthogonal();
     double nearest = -1;

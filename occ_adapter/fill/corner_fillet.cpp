@@ -25,6 +25,8 @@ namespace seamwright::occ {
 
 namespace {
 
+/// Bounds of the option. Choices: rounding of coordinates may hide smaller errors, and larger ones
+/// are visible.
 constexpr double least_section_mm = 1e-9, most_section_mm = 0.1;
 
 void requirePositive(const std::map<int, double>& lengths, const char* what) {
@@ -214,7 +216,7 @@ CornerFillet cornerFillet(const Model& model, int vertex, const CornerFilletOpti
   // may crash on numbers that are not finite.
   requireUsable(model.shape, model.path, "rounded");
   const Corner corner = cornerOf(model.shape, vertex);
-  constexpr double built = 0.5;
+  constexpr double built = 0.5;  // share of the progress bar
   BandedCorner made = corner.polyhedral ? polyhedralCorner(corner, options)
                                         : bandedCorner(corner, options, partOf(progress, 0, built));
 

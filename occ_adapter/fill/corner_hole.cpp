@@ -221,6 +221,7 @@ UnitArc unitArc(double sweep_rad, int degree) {
   }
   arc.poles.middleRows(2, inner) = rows.middleCols(2, inner).partialPivLu().solve(values);
 
+  // A choice: many samples for each extremum of the error, whose number is that of the degree.
   constexpr int samples = 200;
   for (int k = 0; k <= samples; ++k) {
     const double t = static_cast<double>(k) / samples;

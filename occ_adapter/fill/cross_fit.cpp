@@ -48,6 +48,7 @@ Poles nearestCross(const std::vector<SideSample>& samples,
 /// Weights that reduce the largest angle, as in Lawson's algorithm: the square root of the angle
 /// to the face at each sample over the mean of all.
 Eigen::VectorXd unevenness(const std::vector<SideSample>& samples, const Poles& cross) {
+  // So that a sample that happens to have no angle keeps influence. A choice: any small share does.
   constexpr double least = 0.1;
   const BezierCurve field(cross);
   Eigen::VectorXd angles(static_cast<Index>(samples.size()));

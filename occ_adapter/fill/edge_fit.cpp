@@ -13,6 +13,8 @@ namespace {
 
 std::shared_ptr<const SideSamples> sampled(const IntervalPath& path,
                                            Parametrisation parametrisation, int most_degree) {
+  // Choices: six samples for each degree determine the fit, and checks at four times as many show
+  // what it does between them.
   constexpr int finer = 4, samples_per_degree = 6;
   const auto samples = std::make_shared<SideSamples>();
   samples->checked = samplesOf(path, parametrisation, finer * samples_per_degree * most_degree);

@@ -24,6 +24,7 @@ std::optional<int> raiseFor(Level target) {
 /// Attempts that may give a better fill. Polynomials of lower degree fit the sides less closely and
 /// make fairer faces. A fill that ignores curvature may even have smaller jumps of it.
 std::vector<FillAttempt> othersThan(const FillAttempt& first, const FillHoleReport& report) {
+  // A choice: with ends and their derivatives fixed, degree 5 leaves two poles free.
   constexpr int fairer_degree = 5;
   std::vector<FillAttempt> others;
   if (report.faces.empty()) return others;
@@ -90,7 +91,7 @@ std::optional<TopoDS_Face> faceThatGoesOn(const Hole& hole, const FillHoleOption
 }
 
 FillHoleReport bestByPatches(const FillTask& task, const Progress& progress) {
-  constexpr double share_of_first = 0.5;
+  constexpr double share_of_first = 0.5;  // of the progress bar
   const FillHoleOptions& options = task.options;
   const FillAttempt first{.most_degree = options.most_degree,
                           .curvature_raise = raiseFor(options.target)};
@@ -161,7 +162,7 @@ FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOpti
                         const FaceNames& names, const Progress& progress) {
   options.validate();
   requireEdges(model, hole);
-  constexpr double share_of_face = 0.1;
+  constexpr double share_of_face = 0.1;  // of the progress bar
   const FillTask task{.model = model, .hole = hole, .options = options, .names = names};
   std::optional<FillHoleReport> by_face;
   if (const std::optional<TopoDS_Face> face = faceThatGoesOn(hole, options))

@@ -27,6 +27,7 @@ double angleBetween(const Vector3d& a, const Vector3d& b) {
 }
 
 Vector3d derivativeAt(const SideFitEnd& end, const SideSample& sample) {
+  // A choice: speeds that agree so far count as one, so that both sides get the same derivative.
   constexpr double nearly = 1e-5;
   if (!end.direction) return sample.derivative;
   const double own_mm = sample.derivative.norm();

@@ -32,33 +32,36 @@ class AffineArcLengthShare {
     const auto rate = [&](int k) { return std::cbrt(std::hypot(bending[k], least)); };
     for (int k = 0; k <= pieces; ++k) rate_[k] = rate(2 * k);
     for (int k = 0; k < pieces; ++k)
-      come_[k + 1] =
-          come_[k] + (rate(2 * k) + 4 * rate(2 * k + 1) + rate(2 * k + 2)) / (6 * pieces);
+      integral_[k + 1] =
+          integral_[k] + (rate(2 * k) + 4 * rate(2 * k + 1) + rate(2 * k + 2)) / (6 * pieces);
   }
 
   /// The share at t and its derivative.
   std::array<double, 2> at(double t) const {
-    const double come = t * come_[pieces];
-    const auto after = std::upper_bound(come_.begin() + 1, come_.end() - 1, come);
-    const int k = static_cast<int>(after - come_.begin()) - 1;
-    double x = (come - come_[k]) / (come_[k + 1] - come_[k]);
-    for (int step = 0; step < 4; ++step) x -= (within(k, x)[0] - come) / within(k, x)[1];
-    return {(k + x) / pieces, come_[pieces] / (pieces * within(k, x)[1])};
+    const double integral = t * integral_[pieces];
+    const auto after = std::upper_bound(integral_.begin() + 1, integral_.end() - 1, integral);
+    const int k = static_cast<int>(after - integral_.begin()) - 1;
+    double x = (integral - integral_[k]) / (integral_[k + 1] - integral_[k]);
+    for (int step = 0; step < 4; ++step) x -= (within(k, x)[0] - integral) / within(k, x)[1];
+    return {(k + x) / pieces, integral_[pieces] / (pieces * within(k, x)[1])};
   }
 
  private:
+  /// A choice: any smooth increasing function will do, as fits are measured at points of the path.
   static constexpr int pieces = 128;
-  /// Least turning per interval: an absolute part and a share of the mean turning.
+  /// Least turning per interval: an absolute part and a share of the mean turning. Choices: less
+  /// makes samples on straight parts too few, more makes the parametrisation arc-length.
   static constexpr double straight_rad = 0.02, straight_share = 0.03;
 
   /// The cubic Hermite interpolant on a piece, and its derivative by x.
   std::array<double, 2> within(int k, double x) const {
-    const double rise = come_[k + 1] - come_[k], a = rate_[k] / pieces, b = rate_[k + 1] / pieces;
+    const double rise = integral_[k + 1] - integral_[k], a = rate_[k] / pieces,
+                 b = rate_[k + 1] / pieces;
     const double square = 3 * rise - 2 * a - b, cube = a + b - 2 * rise;
-    return {come_[k] + x * (a + x * (square + x * cube)), a + x * (2 * square + 3 * x * cube)};
+    return {integral_[k] + x * (a + x * (square + x * cube)), a + x * (2 * square + 3 * x * cube)};
   }
 
-  std::array<double, pieces + 1> rate_{}, come_{};
+  std::array<double, pieces + 1> rate_{}, integral_{};
 };
 
 namespace {
@@ -104,6 +107,8 @@ const AffineArcLengthShare& IntervalPath::affineShare() const {
 }
 
 double IntervalPath::centripetalSlope() const {
+  // A choice: the speeds at the ends differ by the factor (2 - least) / least = 7 at most. At 0 one
+  // end has no derivative.
   constexpr double least = 0.25;
   std::vector<double> ends;
   for (const double joint : path_->joints())

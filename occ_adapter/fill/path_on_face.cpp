@@ -42,6 +42,7 @@ gp_Vec2d tangentIn(const BRepAdaptor_Surface& surface, const gp_Pnt2d& at, const
 
 handle<Geom2d_Curve> pathOnFace(const TopoDS_Face& face, const BezierCurve& curve,
                                 const gp_Pnt2d& from, const gp_Pnt2d& to) {
+  // Points of the interpolating spline. A choice: the seams are measured in the end.
   constexpr int count = 33;
   const BRepAdaptor_Surface surface(face, false);
   ShapeAnalysis_Surface nearest(BRep_Tool::Surface(face));

@@ -61,6 +61,7 @@ class Progression {
   }
 
  private:
+  /// A choice: cuts are moved to joints within a third of a part, so hundredths of a side suffice.
   static constexpr int count = 128;
   static double at(int k) { return static_cast<double>(k) / count; }
 
@@ -100,6 +101,8 @@ std::vector<int> partCounts(const std::vector<Progression>& progressions, std::s
 /// intervals before and after it. It is 0 if this is too small to be a jump. At share 0 the
 /// interval before is the end of the path.
 double turningJump(const SidePath& path, double at) {
+  // Over so short a step the turning of a smooth path hardly changes, and it is still far above
+  // rounding. A jump below a tenth of the turning does not count. Both are choices.
   constexpr double most_step = 1.0 / 256, least_jump = 0.1;
   const double end = at > 0 ? at : 1, step = std::min({most_step, end, 1 - at});
   const auto turn = [&](double from, double to) {
@@ -181,6 +184,8 @@ class LoopCutter {
   /// left between. The others end at the given joints where these are near, or at any joint to
   /// which only a sliver would be left.
   std::vector<SideInterval> cut(double begin, std::vector<double> joints) const {
+    // In intervals, as choices: below a half, so that cuts keep their order and parts their size;
+    // and a part so short that a patch of its own would be a strip.
     constexpr double near = 1 / 3.0, sliver = 1 / 20.0;
     begin = atNearJoint(begin, sliver);
     std::vector<double> cuts;

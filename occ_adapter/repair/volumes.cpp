@@ -179,6 +179,8 @@ Bnd_Box boxOfUsableFaces(const TopoDS_Shape& solid) {
 RepairReason whyNotVolumes(const RepairTask& task, const std::vector<FaceChange>& changes,
                            const TopoDS_Shape& changed, const std::vector<SeamResult>& after,
                            const Progress& progress) {
+  // Relative. A choice: far below the percent by which the fixed quadrature may be off, and not so
+  // small that the slow quadrature becomes slower still.
   constexpr double adaptive_error = 1e-5;
   const TopTools_IndexedMapOfShape solids = partsOf(task.shape, TopAbs_SOLID);
   const TopTools_IndexedMapOfShape solids_after = partsOf(changed, TopAbs_SOLID);
