@@ -177,7 +177,7 @@ void requireWritable(const fs::path& target, bool replace) {
     throw ModelError(ModelErrc::NotAFile, target, "is not a regular file");
   if (fs::exists(status) && !replace)
     throw ModelError(ModelErrc::TargetExists, target,
-                     "is there already: allow to overwrite it or take another name");
+                     "already exists; set overwrite or choose another name");
   const fs::path folder = folderOf(real);
   if (!fs::is_directory(folder, error))
     throw ModelError(ModelErrc::NotWritable, target,

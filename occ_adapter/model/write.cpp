@@ -163,7 +163,7 @@ void requireTarget(const std::filesystem::path& source, const std::filesystem::p
   if (isSource(source, target) && !options.overwrite_source)
     throw ModelError(
         ModelErrc::TargetExists, target,
-        "is the file the model was read from: allow to overwrite the source or take another name");
+        "is the file the model was read from; set overwrite_source or choose another name");
   requireWritable(target, mayReplace(source, target, options));
 }
 

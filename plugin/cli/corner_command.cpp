@@ -59,11 +59,10 @@ occ::CornerFillet rounded(const occ::Model& model, const CornerArguments& argume
 }
 
 void addLengths(CLI::App& command, const std::string& name, std::vector<double>& lengths_mm,
-                const std::string& help, bool required) {
-  listOf(command.add_option(name, lengths_mm, help)
-             ->type_name("MM[,MM...]")
-             ->required(required)
-             ->transform(lengthInMm()));
+                const std::string& help, Range range, bool required) {
+  addList(command, name, lengths_mm, help, numberIn(range))
+      ->type_name("MM[,MM...]")
+      ->required(required);
 }
 
 }  // namespace
@@ -79,11 +78,11 @@ void addCornerOptions(CLI::App& command, CornerArguments& arguments) {
   addLengths(command, "--radius", arguments.radii_mm,
              "One radius for all edges at the vertex, or one for each: counter-clockwise seen from "
              "outside, starting at the edge with the smallest number",
-             true);
+             Range::Positive, true);
   addLengths(command, "--setback", arguments.setbacks_mm,
              "Distance from the vertex, along the edges, at which the fillets end; 0 or not given: "
              "chosen by the program",
-             false);
+             Range::NotNegative, false);
   command.add_flag("--keep-anyway", arguments.keep_anyway,
                    "Write OUT even if the new seams fall short");
   addG1Options(command, arguments.measure);

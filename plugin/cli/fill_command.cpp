@@ -84,26 +84,31 @@ void addFillOptions(CLI::App& command, FillArguments& arguments) {
       ->excludes(hole);
   command.add_option("--gap", arguments.gap_mm, "G0: largest gap along a new seam, mm")
       ->type_name("MM")
+      ->check(numberIn(Range::NotNegative))
       ->capture_default_str();
   command
       .add_option("--angle", arguments.angle_deg,
                   "G1: largest angle between the tangent planes, degrees")
       ->type_name("DEG")
+      ->check(numberIn(Range::NotNegative))
       ->capture_default_str();
   command
       .add_option("--curvature", arguments.curvature_rel,
                   "G2: largest relative difference of normal curvature")
       ->type_name("REL")
+      ->check(numberIn(Range::NotNegative))
       ->capture_default_str();
   command
       .add_option("--corner", arguments.corner_deg,
                   "A point where the boundary turns by more than this is a corner, degrees")
       ->type_name("DEG")
+      ->check(numberIn(Range::NotNegative))
       ->capture_default_str();
   command.add_flag("--keep-anyway", arguments.keep_anyway,
                    "Write OUT even if the fill misses the target");
   command.add_option("--jobs", arguments.jobs, "Number of threads; 0: one per processor")
-      ->type_name("N");
+      ->type_name("N")
+      ->check(wholeNumber());
   addOutputOptions(command, "filled", arguments.output);
   command.footer("");
   exitStatus(command, "the new seams meet the target, also in OUT",

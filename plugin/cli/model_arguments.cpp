@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
@@ -40,6 +41,35 @@ std::string profilesHelp() {
 
 constexpr const char* blanks = " \t";
 
+/// The items of a list, without the blanks around them; an empty item stays.
+std::vector<std::string> itemsOf(const std::string& list) {
+  std::vector<std::string> items;
+  std::istringstream text(list + ',');
+  for (std::string item; std::getline(text, item, ',');) {
+    item.erase(0, item.find_first_not_of(blanks));
+    item.erase(item.find_last_not_of(blanks) + 1);
+    items.push_back(item);
+  }
+  return items;
+}
+
+/// Also of "inf" and "nan"; nothing for any other text, for example an empty or hexadecimal one.
+std::optional<double> decimalNumber(const std::string& text) {
+  double number = 0;
+  const char* const end = text.data() + text.size();
+  const char* const begin = text.data() + (text.starts_with('+') ? 1 : 0);
+  const auto [rest, error] = std::from_chars(begin, end, number);
+  return error == std::errc{} && rest == end ? std::optional(number) : std::nullopt;
+}
+
+/// What is wrong with the number; empty if it is in the range.
+std::string_view faultOf(double number, Range range) {
+  if (std::isnan(number) || (std::isinf(number) && range != Range::PositiveOrInfinite))
+    return "is not finite";
+  if (range == Range::NotNegative) return number < 0 ? "must not be negative" : "";
+  return number > 0 ? "" : "must be larger than zero";
+}
+
 /// The file that a name refers to, whether it exists or not.
 std::filesystem::path absolutePathOf(const std::string& file) {
   std::error_code unknown;
@@ -64,12 +94,15 @@ void addG1Options(CLI::App& command, MeasureArguments& arguments) {
       ->check(CLI::IsMember(profileNames()))
       ->capture_default_str();
   command.add_option("--gap", arguments.gap_mm, "G0: largest distance between the two sides, mm")
-      ->type_name("MM");
+      ->type_name("MM")
+      ->check(numberIn(Range::NotNegative));
   command
       .add_option("--angle", arguments.angle_deg,
                   "G1: largest angle between the tangent planes, degrees")
-      ->type_name("DEG");
+      ->type_name("DEG")
+      ->check(numberIn(Range::NotNegative));
   command.add_option("--jobs", arguments.jobs, "Number of threads; 0: one per processor")
+      ->check(wholeNumber())
       ->capture_default_str();
   command.footer(profilesHelp());
 }
@@ -79,15 +112,18 @@ void addToleranceOptions(CLI::App& command, MeasureArguments& arguments) {
   command
       .add_option("--curvature", arguments.curvature_rel,
                   "G2: largest relative difference of normal curvature; 0.02 is 2 %")
-      ->type_name("REL");
+      ->type_name("REL")
+      ->check(numberIn(Range::NotNegative));
   command
       .add_option("--flat-radius", arguments.flat_radius_mm,
                   "A surface with a larger radius of curvature counts as flat, mm")
-      ->type_name("MM");
+      ->type_name("MM")
+      ->check(numberIn(Range::Positive));
   command
       .add_option("--crease", arguments.crease_deg,
                   "A seam above this angle is an intended crease, degrees")
-      ->type_name("DEG");
+      ->type_name("DEG")
+      ->check(numberIn(Range::NotNegative));
 }
 
 void addMeasureOptions(CLI::App& command, MeasureArguments& arguments) {
@@ -95,6 +131,7 @@ void addMeasureOptions(CLI::App& command, MeasureArguments& arguments) {
       .add_option("--match", arguments.match_mm,
                   "Also pair free edges up to this distance apart, mm; 0: pair none")
       ->type_name("MM")
+      ->check(numberIn(Range::NotNegative))
       ->capture_default_str();
   addToleranceOptions(command, arguments);
 }
@@ -143,24 +180,53 @@ void exitStatus(CLI::App& command, const std::string& of_0, const std::string& o
                  ", 2 bad usage or input, 130 stopped by Ctrl-C.");
 }
 
-CLI::Option* listOf(CLI::Option* option) {
-  const auto trim = [](std::string& text) {
-    text.erase(0, text.find_first_not_of(blanks));
-    text.erase(text.find_last_not_of(blanks) + 1);
-    return std::string();
-  };
-  return option->delimiter(',')->allow_extra_args(false)->transform(CLI::Validator(trim, ""));
-}
-
-CLI::Validator lengthInMm() {
-  return {[](std::string& text) {
-            double length = 0;
-            return CLI::detail::lexical_cast(text, length)
-                       ? std::string()
-                       : fmt::format("invalid length '{}': give mm, for example 2.5", text);
+CLI::Validator numberIn(Range range) {
+  return {[range](std::string& text) {
+            const std::optional<double> number = decimalNumber(text);
+            if (!number) return fmt::format("'{}' is not a number: give for example 0.01", text);
+            const std::string_view fault = faultOf(*number, range);
+            return fault.empty() ? std::string() : fmt::format("{} {}", text, fault);
           },
           ""};
 }
+
+CLI::Validator wholeNumber() {
+  return {[](std::string& text) {
+            int number = 0;
+            const auto [end, error] =
+                std::from_chars(text.data(), text.data() + text.size(), number);
+            if (error != std::errc{} || end != text.data() + text.size())
+              return fmt::format("'{}' is not a whole number: give for example 4", text);
+            return number < 0 ? fmt::format("{} must not be negative", text) : std::string();
+          },
+          ""};
+}
+
+template <typename T>
+CLI::Option* addList(CLI::App& command, const std::string& name, std::vector<T>& values,
+                     const std::string& help, const CLI::Validator& check) {
+  // CLI11's own delimiter would skip empty items.
+  const auto take = [&values, name, check](const CLI::results_t& given) {
+    values.clear();
+    for (const std::string& list : given)
+      for (std::string item : itemsOf(list)) {
+        if (const std::string fault = check(item); !fault.empty())
+          throw CLI::ValidationError(name, fault);
+        T value{};
+        if (!CLI::detail::lexical_cast(item, value)) return false;
+        values.push_back(value);
+      }
+    return true;
+  };
+  return command.add_option(name, take, help)
+      ->expected(1, CLI::detail::expected_max_vector_size)
+      ->allow_extra_args(false);
+}
+
+template CLI::Option* addList(CLI::App&, const std::string&, std::vector<int>&, const std::string&,
+                              const CLI::Validator&);
+template CLI::Option* addList(CLI::App&, const std::string&, std::vector<double>&,
+                              const std::string&, const CLI::Validator&);
 
 CLI::Validator numberOf(const std::string& kind) {
   return {[kind](std::string& text) {
@@ -186,8 +252,10 @@ void requireOutputs(const std::string& model, const OutputArguments& arguments) 
     if (error.code() != occ::ModelErrc::TargetExists) throw;
     std::error_code unreadable;
     const bool source = std::filesystem::equivalent(model, arguments.model, unreadable);
-    throw std::runtime_error(std::string(error.what()) +
-                             (source ? " (--overwrite-source)" : " (--overwrite)"));
+    throw std::runtime_error(
+        arguments.model +
+        (source ? " is the model itself; use --overwrite-source or choose another name"
+                : " already exists; use --overwrite or choose another name"));
   }
   const std::string& report = arguments.report;
   if (report.empty()) return;

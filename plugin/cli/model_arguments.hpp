@@ -50,12 +50,21 @@ void addOutputOptions(CLI::App& command, const std::string& done, OutputArgument
 /// \param kind "Edge", "Face", "Vertex" or "Hole"
 CLI::Validator numberOf(const std::string& kind);
 
-/// Lets the option accept values separated by commas and any blanks. Applied after the option's
-/// other transformations.
-CLI::Option* listOf(CLI::Option* option);
+/// Which numbers an option accepts.
+enum class Range { NotNegative, Positive, PositiveOrInfinite };
 
-/// Makes the error name the expected value if a text is not a number.
-CLI::Validator lengthInMm();
+/// Refuses all texts but decimal numbers in the range. Without it CLI11 takes an empty text for the
+/// option's default and accepts hexadecimal numbers.
+CLI::Validator numberIn(Range range);
+
+/// Refuses all texts but whole numbers that are not negative.
+CLI::Validator wholeNumber();
+
+/// Adds an option whose values are separated by commas and any blanks.
+/// \param check applies to each value, which it may rewrite
+template <typename T>
+CLI::Option* addList(CLI::App& command, const std::string& name, std::vector<T>& values,
+                     const std::string& help, const CLI::Validator& check);
 
 /// Appends the exit statuses to the end of a command's help, after all other text.
 void exitStatus(CLI::App& command, const std::string& of_0, const std::string& of_1);

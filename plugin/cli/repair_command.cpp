@@ -124,31 +124,30 @@ void addRepairOptions(CLI::App& command, RepairArguments& arguments) {
       .add_option("--max-move", arguments.max_move_mm,
                   "No point of a face moves further than this, mm; above 0, or inf for no limit; "
                   "default: a hundredth of the size of the face plus twice the gap of its seams")
-      ->type_name("MM");
+      ->type_name("MM")
+      ->check(numberIn(Range::PositiveOrInfinite));
   command
       .add_option("--fairness", arguments.fairness,
                   "Largest factor by which the variation of the mean curvature of a face may grow; "
                   "at least 1")
       ->type_name("FACTOR")
+      ->check(numberIn(Range::Positive))
       ->capture_default_str();
   command.add_flag("--keep-curvature", arguments.keep_curvature,
                    "Keep seams that are G2 at G2, even if the target is G1");
-  listOf(command
-             .add_option(
-                 "--edges", arguments.edges,
-                 "Edges whose seams are repaired, as 3,7,12 or Edge3,Edge7; default: all defects")
-             ->type_name("EDGES")
-             ->transform(numberOf("Edge")));
-  listOf(command
-             .add_option("--fix", arguments.fixed_faces,
-                         "Faces that must not move, as 1,4 or Face1,Face4")
-             ->type_name("FACES")
-             ->transform(numberOf("Face")));
+  addList(command, "--edges", arguments.edges,
+          "Edges whose seams are repaired, as 3,7,12 or Edge3,Edge7; default: all defects",
+          numberOf("Edge"))
+      ->type_name("EDGES");
+  addList(command, "--fix", arguments.fixed_faces,
+          "Faces that must not move, as 1,4 or Face1,Face4", numberOf("Face"))
+      ->type_name("FACES");
   command
       .add_option(
           "--max-time", arguments.max_time_s,
           "Start no repair after this time, s, and keep those already made; default: no limit")
-      ->type_name("SECONDS");
+      ->type_name("SECONDS")
+      ->check(numberIn(Range::PositiveOrInfinite));
   addMeasureOptions(command, arguments.measure);
   command.add_flag(
       "--convert", arguments.convert_analytic,

@@ -97,11 +97,12 @@ def test_what_falls_short_is_not_written(box):
             "--radius has 2 lengths: one for all edges is needed, or one for each of Edge1",
         ),
         (["--vertex", "1", "--radius", "0.2", "--setback", "1,2"], "--setback has 2 lengths"),
-        (["--vertex", "1", "--radius", "0"], "radius of edge 1 is 0"),
-        (["--vertex", "1", "--radius", "nan"], "nan"),
+        (["--vertex", "1", "--radius", "0"], "--radius: 0 must be larger than zero"),
+        (["--vertex", "1", "--radius", "nan"], "--radius: nan"),
+        (["--vertex", "1", "--radius", "0.2,,0.3"], "--radius: '' is not a number"),
         (
             ["--vertex", "1", "--radius", "0.2", "--setback", "-1"],
-            "is -1 mm: a finite one above 0 is needed, or 0: chosen",
+            "--setback: -1 must not be negative",
         ),
         *(
             ([*("--vertex", "1", "--radius", "0.2"), option, "1"], option)

@@ -40,8 +40,8 @@ def bad_inputs(folder):
             [good, "--profile", "vda", "--crease", "0.05"],
             "0.05",
         ),
-        "word for a number": ([good, "--gap", "wide"], "wide"),
-        "negative jobs": ([good, "--jobs", "-1"], "-1"),
+        "word for a number": ([good, "--gap", "wide"], "--gap: 'wide'"),
+        "negative jobs": ([good, "--jobs", "-1"], "--jobs: -1"),
         "crease below angle": ([good, "--angle", "3", "--crease", "2"], "2"),
         "missing folder": ([good, "-o", folder / "nowhere" / "out.json"], "nowhere"),
         "output is a folder": ([good, "-o", folder], "folder"),
@@ -56,10 +56,12 @@ def bad_inputs(folder):
         ),
     }
     for option in ("gap", "angle", "curvature", "flat-radius", "crease", "match"):
-        cases[f"NaN {option}"] = ([good, f"--{option}", "nan"], "nan")
-        cases[f"infinite {option}"] = ([good, f"--{option}", "inf"], "inf")
-        cases[f"negative {option}"] = ([good, f"--{option}", "-0.5"], "-0.5")
-    cases["zero flat-radius"] = ([good, "--flat-radius", "0"], "0")
+        for text in ("nan", "inf", "-0.5"):
+            cases[f"{text} for {option}"] = ([good, f"--{option}", text], f"--{option}: {text} ")
+        for text in ("", "0x1p3", "1mm"):
+            cases[f"'{text}' for {option}"] = ([good, f"--{option}", text], f"--{option}: '{text}'")
+    cases["zero flat-radius"] = ([good, "--flat-radius", "0"], "--flat-radius: 0 ")
+    cases["no number of jobs"] = ([good, "--jobs", ""], "--jobs: '' is not a whole number")
     return cases
 
 

@@ -233,7 +233,8 @@ def test_what_cannot_be_read_back_is_not_written(box, tmp_path):
         (["--face", ""], "invalid Face number '': give for example 39 or Face39"),
         (["--face", "Edge3"], "invalid Face number 'Edge3'"),
         (["--face", "1", "--target", "G3"], "--target"),
-        (["--face", "1", "--gap", "nan"], "nan"),
+        (["--face", "1", "--gap", "nan"], "--gap: nan"),
+        (["--face", "1", "--corner", ""], "--corner: '' is not a number"),
         (["--face", "1", "--curvature", "-0.5"], "-0.5"),
     ],
 )
@@ -246,8 +247,8 @@ def test_nothing_is_replaced_by_a_slip_of_the_hand(box, tmp_path):
     old = tmp_path / "old.step"
     old.write_text("old")
     options = ["--face", "1", "--target", "G0"]
-    expect_one_line(run("fill", box, "-o", old, *options), "(--overwrite)")
-    expect_one_line(run("fill", box, "-o", box, *options), "(--overwrite-source)")
+    expect_one_line(run("fill", box, "-o", old, *options), "use --overwrite or")
+    expect_one_line(run("fill", box, "-o", box, *options), "use --overwrite-source")
     expect_one_line(
         run("fill", box, "-o", tmp_path / "out.step", "--json", old, *options),
         "has the name of a model",

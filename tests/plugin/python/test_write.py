@@ -107,12 +107,12 @@ def test_refusals_name_the_file(box, tmp_path):
         ("a", "tells no format"),
         ("none/a.step", "no folder"),
         ("old.step", "overwrite"),
-        ("box.step", "overwrite the source"),
+        ("box.step", "overwrite_source"),
     ):
         with pytest.raises(seamwright.ModelError) as error:
             box.write(tmp_path / path)
         assert words in str(error.value) and str(tmp_path / path) in str(error.value)
-    with pytest.raises(seamwright.ModelError, match="overwrite the source"):
+    with pytest.raises(seamwright.ModelError, match="overwrite_source"):
         box.write(tmp_path / "box.step", overwrite=True)
     with pytest.raises(TypeError):
         box.write(tmp_path / "old.step", True)
