@@ -135,6 +135,7 @@ class LengthSum {
   /// \param share the share of the range that the form covers.
   void add(const VelocityForm& form, const Estimate& estimate, double share) {
     const double width = estimate.bracket.width();
+    // A bound of the recursion: such a piece is shorter than the rounding of any sum.
     constexpr double shortest = 0x1p-100;
     if (width <= tolerance_ || share < shortest || halvings_ == most) return take(estimate, share);
     ++halvings_;
@@ -153,6 +154,7 @@ class LengthSum {
   double value() const { return std::clamp(value_, bracket_.lower, bracket_.upper); }
 
  private:
+  /// A bound of the work, as a choice: the bracket stays wider if it is reached.
   static constexpr int most = 1 << 14;
 
   void take(const Estimate& estimate, double share) {
@@ -226,6 +228,7 @@ double parameterAtLength(const BezierCurve& curve, double length_mm, double tole
       nearest = t;
       least = std::abs(missing);
     }
+    // Of a length: some roundings of one number, as the target and the sum have them.
     constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
     if (least <= std::max(2 * accuracy, rounding * length)) return nearest;
     (missing > 0 ? range.lower : range.upper) = t;

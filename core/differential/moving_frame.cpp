@@ -46,6 +46,7 @@ Vector3d carried(const BezierCurve& curve, const CurveSample& a, const CurveSamp
   if (tangent.dot(b.tangent) <= 0 && a.tangent.dot(b.tangent) >= 0)
     return reflected(reflected(normal, across), b.tangent - tangent);
   const double middle = 0.5 * (a.t + b.t);
+  // More halvings than a double has digits.
   constexpr int deepest = 60;
   if (depth == deepest || middle <= a.t || middle >= b.t) refuseCusp(middle);
   const CurveSample half = sampleAt(curve, middle);

@@ -20,6 +20,7 @@ using bernstein::text;
 using Eigen::Vector3d;
 using rows::Field;
 
+/// A limit of the interface, as a choice: it bounds the degree of patches, and so their size.
 constexpr int max_side_degree = 12;
 
 std::string sideName(std::size_t k) {

@@ -14,6 +14,7 @@ using bernstein::text;
 void requireFunction(const char* name, const Eigen::VectorXd& function) {
   if (function.size() == 0)
     throw std::invalid_argument(std::string(name) + " has no coefficient: at least one is needed");
+  // A limit of the interface, as a choice: binomials of products stay far within a double.
   constexpr Eigen::Index most = 100;
   if (function.size() > most + 1)
     throw std::invalid_argument(std::string(name) + " has degree " +

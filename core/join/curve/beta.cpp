@@ -13,6 +13,7 @@ namespace {
 using bernstein::text;
 using Eigen::Index;
 
+/// A limit of the interface, as a choice, far above the orders in use.
 constexpr Index most_betas = 30;
 
 void refuseOverflow(const Eigen::MatrixXd& result, const char* what) {

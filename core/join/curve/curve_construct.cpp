@@ -15,6 +15,7 @@ using bernstein::binomials;
 using bernstein::text;
 using Eigen::Index;
 
+/// A limit of the interface, as a choice: binomials stay far within a double.
 constexpr int most_degree = 100;
 
 void requirePositive(const char* name, double value) {

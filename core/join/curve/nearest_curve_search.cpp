@@ -335,7 +335,7 @@ Step Search::step(const Iterate& at) const {
   // The nearest join of all is no farther from the given poles than this one: no step needs to
   // change the move by more than twice its size; and beta_1 not by more than a factor of ten.
   const double change = (model.along * result.direction).norm();
-  constexpr double log_of_ten = 2.3;
+  constexpr double log_of_ten = 2.3;  // rounded, as the factor is a choice
   double share = std::min(1.0, log_of_ten / std::max(std::abs(result.direction(0)), 1e-300));
   if (at.lower.cols() == 0 && change > 2 * move) share = std::min(share, 2 * move / change);
   result.direction *= share;

@@ -17,6 +17,7 @@ namespace {
 
 using namespace nearest;
 
+/// Of a dense matrix, which then takes 12 MB. A choice that bounds the time of its factorisation.
 constexpr double max_entries = 1.5e6;
 /// Share of the derivatives above which rounding hides whether a join holds.
 constexpr double largest_rounding = 1e-6;

@@ -15,6 +15,7 @@ namespace seamwright::nearest {
 
 namespace {
 
+/// A limit of the interface, as a choice: higher degrees add unknowns to the search of the join.
 constexpr int max_connection_degree = 6;
 
 Degrees degreesOf(const NearestOptions& options, bool rational) {

@@ -50,6 +50,7 @@ void requireSameSeam(const SeamRows& a, const SeamRows& b) {
   if (a.knots.size() != b.knots.size())
     throw std::invalid_argument("knots along the seam are " + std::to_string(a.knots.size()) +
                                 " and " + std::to_string(b.knots.size()) + ": they must be equal");
+  // Scaling to 0..1 takes some roundings of each knot, and files round knots too.
   constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
   for (std::size_t i = 0; i < a.knots.size(); ++i)
     if (std::abs(a.knots[i] - b.knots[i]) > rounding)

@@ -119,6 +119,7 @@ void requireSameSeam(const nearest::SeamRows& a, const nearest::SeamRows& b,
     refuse("degrees along " + name + " are " + std::to_string(a.degree) + " and " +
            std::to_string(b.degree) + ", poles " + std::to_string(a.count) + " and " +
            std::to_string(b.count) + ": they must be equal");
+  // Scaling to 0..1 takes some roundings of each knot, and files round knots too.
   constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
   for (std::size_t i = 0; i < a.knots.size(); ++i)
     if (!(std::abs(a.knots[i] - b.knots[i]) <= rounding))
