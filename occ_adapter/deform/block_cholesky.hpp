@@ -56,7 +56,6 @@ class BlockCholesky {
   };
 
   std::vector<Front> amalgamated(const std::vector<std::vector<int>>& below) const;
-  void connect();
 
   std::vector<int> position_;  ///< by point of the pattern: its place in the order of elimination
   std::vector<Front> fronts_;
