@@ -154,7 +154,7 @@ constexpr const char* umbrella_doc =
 spokes: polynomial BezierCurves, splines of one segment or arrays (n+1, 3), that begin at the
 point, in their order around it. Member i has spoke i as its edge v0 (l1 of a triangle) and spoke
 i + 1 as its edge u0 (l0, run backwards). closed: as many members as spokes; False: one less, and
-the outer spokes are rims.
+the outer spokes are on the boundary.
 
 kinds: 'patch' or 'triangle' for each member, None: patches. members: those to be changed as
 little as possible, or an Umbrella; None: the fairest are built. degree: of the members, None: the

@@ -313,7 +313,7 @@ class Umbrella(Result):
 
     members           BezierPatches and BezierTriangles
     spokes            BezierCurves
-    connections       of each spoke a G1Connection, None for rims
+    connections       of each spoke a G1Connection, None on the boundary
     normal            of the vertex, unit vector (3,)
     angles_rad        between neighbouring spokes
     condition         of the equations at the vertex
