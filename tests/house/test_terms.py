@@ -70,9 +70,6 @@ WORDS = {
 #: Earlier words that no pattern finds, as they have other meanings.
 NOT_SEARCHED = {
     "place": "parts stand at places of an assembly, and points lie at places of a surface",
-    "c": "a letter",
-    "d": "a letter",
-    "e": "a letter",
 }
 #: They name these words.
 NAMERS = {"docs/glossary.md", "tests/house/test_terms.py"}
@@ -162,7 +159,7 @@ def rows_of(text):
 
 
 def words_of(cell):
-    cell = re.sub(r"\(.*?\)|for γ, α, β|\*", "", cell)
+    cell = re.sub(r"\(.*?\)|\*", "", cell)
     return [word.strip() for word in re.split("[,;]", cell)]
 
 
