@@ -15,7 +15,7 @@
 ///
 /// Poles and weights are those of poles() and weights(). A polynomial that is converted and
 /// converted back is bitwise the same, a rational one except for the rounding of its homogeneous
-/// poles. OpenCASCADE treats weights that agree to the last place as a polynomial and discards
+/// poles. OpenCASCADE treats weights that agree to the last digit as a polynomial and discards
 /// them.
 ///
 /// OpenCASCADE supports degrees 1 to 25. All conversions to it throw std::invalid_argument for

@@ -46,7 +46,7 @@ class BlockCholesky {
     std::vector<int> below;  ///< points, increasing
     std::vector<Entry> entries = {};
     std::vector<int> children = {};
-    std::vector<int> in_parent = {};  ///< by place below: its row in the parent's front
+    std::vector<int> in_parent = {};  ///< by index in below: its row in the parent's front
     double zeros = 0;                 ///< zero blocks that amalgamation stores
     Eigen::MatrixXd panel = {};       ///< the factor's columns
 
@@ -57,7 +57,8 @@ class BlockCholesky {
 
   std::vector<Front> amalgamated(const std::vector<std::vector<int>>& below) const;
 
-  std::vector<int> position_;  ///< by point of the pattern: its place in the order of elimination
+  std::vector<int>
+      position_;  ///< by point of the pattern: its position in the order of elimination
   std::vector<Front> fronts_;
 };
 

@@ -15,19 +15,20 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int side_places = 16;
+/// Samples along a side, and in each direction of a face.
+constexpr int side_samples = 16;
 
 std::vector<Vector3d> normalsOf(const TopoDS_Face& face) {
   const auto surface = BRep_Tool::Surface(face);
   std::array<double, 4> range{};
   surface->Bounds(range[0], range[1], range[2], range[3]);
   std::vector<Vector3d> normals;
-  for (int i = 0; i < side_places; ++i)
-    for (int j = 0; j < side_places; ++j) {
+  for (int i = 0; i < side_samples; ++i)
+    for (int j = 0; j < side_samples; ++j) {
       gp_Pnt point;
       gp_Vec u, v;
-      surface->D1(range[0] + (i + 0.5) / side_places * (range[1] - range[0]),
-                  range[2] + (j + 0.5) / side_places * (range[3] - range[2]), point, u, v);
+      surface->D1(range[0] + (i + 0.5) / side_samples * (range[1] - range[0]),
+                  range[2] + (j + 0.5) / side_samples * (range[3] - range[2]), point, u, v);
       normals.push_back(vector(u.Crossed(v)));
     }
   return normals;
@@ -60,12 +61,12 @@ bool turnsBack(const std::vector<TopoDS_Face>& faces, const std::vector<FittedSi
   for (const FittedSide& side : sides) {
     if (!side.side.cross) return false;
     const BezierCurve cross(*side.side.cross);
-    for (int k = 0; k < side_places; ++k) {
-      const double t = static_cast<double>(k) / side_places,
-                   next = static_cast<double>(k + 1) / side_places;
+    for (int k = 0; k < side_samples; ++k) {
+      const double t = static_cast<double>(k) / side_samples,
+                   next = static_cast<double>(k + 1) / side_samples;
       const Vector3d here = side.side.edge.point(t), there = side.side.edge.point(next);
       area += here.cross(there);
-      around.push_back((there - here).cross(cross.point(t + 0.5 / side_places)));
+      around.push_back((there - here).cross(cross.point(t + 0.5 / side_samples)));
     }
   }
   if (isMixed(around, area)) return false;

@@ -171,7 +171,7 @@ bool isImplied(const BRep_CurveRepresentation& representation) {
          representation.Surface()->IsKind(STANDARD_TYPE(Geom_Plane));
 }
 
-/// Bytes that are the same for faces and edges with the same geometry in the same place.
+/// Bytes that are the same for faces and edges with the same geometry at the same location.
 class Recorder {
  public:
   Recorder(const Steps& steps, const SurfaceNumbers& numbers) : steps_(steps), numbers_(numbers) {}
@@ -270,7 +270,7 @@ struct Part {
   Placed unchanged;   ///< what it would have come back as
   Placed changed;     ///< what it came back as
   std::vector<Placed>
-      elsewhere;  ///< what it came back as in further places, where those are not shared
+      elsewhere;  ///< what it came back as at further locations, where those are not shared
 };
 
 /// The faces, edges and vertices of three graphs that are the same, side by side.

@@ -41,11 +41,11 @@ std::filesystem::path readerProgram(const Question& question) {
   if (const char* named = std::getenv("SEAMWRIGHT_READER")) return named;
   const std::filesystem::path folder = ownFile().parent_path();
   const std::filesystem::path libexec = std::filesystem::path("libexec") / "seamwright";
-  for (const std::filesystem::path& place :
+  for (const std::filesystem::path& searched :
        {folder, folder.parent_path() / "bin", folder.parent_path() / libexec,
         folder.parent_path().parent_path() / libexec,
         std::filesystem::path(SEAMWRIGHT_LIBEXEC_DIR)}) {
-    const std::filesystem::path program = place / SEAMWRIGHT_READER;
+    const std::filesystem::path program = searched / SEAMWRIGHT_READER;
     if (std::error_code error; std::filesystem::exists(program, error)) return program;
   }
   throw ModelError(ModelErrc::ReaderMissing, question.model,

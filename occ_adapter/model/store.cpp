@@ -435,7 +435,7 @@ std::string writeIges(const Document& document, const Manner& manner,
   return std::move(bytes).str();
 }
 
-/// Places in assemblies where a part, or another assembly, stands.
+/// Instances of parts, and of other assemblies, in assemblies.
 int instancesOf(const Document& document) {
   TDF_LabelSequence labels;
   XCAFDoc_DocumentTool::ShapeTool(document->Main())->GetShapes(labels);

@@ -61,24 +61,25 @@ EndsAtVertex endsAt(const ConnectedParts& parts, const std::map<int, ChangedEdge
 
 /// A vertex without orientation; nothing if the old one still fits.
 std::optional<TopoDS_Vertex> changedVertex(const TopoDS_Vertex& old, const EndsAtVertex& ends) {
-  const std::vector<gp_Pnt>& of_place = ends.curves.empty() ? ends.images : ends.curves;
-  if (of_place.empty()) return {};
-  gp_Pnt place = BRep_Tool::Pnt(old);
+  const std::vector<gp_Pnt>& deciding = ends.curves.empty() ? ends.images : ends.curves;
+  if (deciding.empty()) return {};
+  gp_Pnt position = BRep_Tool::Pnt(old);
   // Readers of files trim edges at their vertices. So a vertex moves only if no edge that stays
   // ends there; otherwise the edge that stays would differ in the file.
   if (ends.any_moved && !ends.any_stays) {
     gp_XYZ sum;
-    for (const gp_Pnt& end : of_place) sum += end.XYZ();
-    place = gp_Pnt(sum / static_cast<double>(of_place.size()));
+    for (const gp_Pnt& end : deciding) sum += end.XYZ();
+    position = gp_Pnt(sum / static_cast<double>(deciding.size()));
   }
   // Margin: rounding must not leave an end outside of the tolerance.
   constexpr double rounding = 1.001;
   double reach_mm = std::max(Precision::Confusion(), ends.tolerance_mm);
   for (const std::vector<gp_Pnt>* points : {&ends.curves, &ends.images})
-    for (const gp_Pnt& end : *points) reach_mm = std::max(reach_mm, rounding * end.Distance(place));
+    for (const gp_Pnt& end : *points)
+      reach_mm = std::max(reach_mm, rounding * end.Distance(position));
   if (!ends.any_moved && reach_mm <= BRep_Tool::Tolerance(old)) return {};
   TopoDS_Vertex vertex;
-  BRep_Builder().MakeVertex(vertex, place.Transformed(outOf(old.Location())), reach_mm);
+  BRep_Builder().MakeVertex(vertex, position.Transformed(outOf(old.Location())), reach_mm);
   return vertex;
 }
 

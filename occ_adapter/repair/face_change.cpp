@@ -146,7 +146,7 @@ class LineWalk {
  private:
   void walk(const Outline& outline, int fixed, const SpanScale& across, const SpanScale& along,
             SurfaceChange& change) {
-    const int points = std::clamp(grid_.places * along.spans(), grid_.least, grid_.most);
+    const int points = std::clamp(grid_.samples_per_span * along.spans(), grid_.least, grid_.most);
     for (int line = 0; line < grid_.lines; ++line) {
       const double at = across.at((line + 0.5) / grid_.lines);
       const auto parts = outline.inside(fixed, at);

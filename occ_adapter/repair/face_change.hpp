@@ -14,10 +14,10 @@ namespace seamwright::occ {
 
 /// Lines and sample points on which a face is measured.
 struct FaceGrid {
-  int lines = 32;   ///< in each direction of the parameters, at least 1
-  int places = 6;   ///< samples along a line in each knot span of the new surface, ...
-  int least = 96;   ///< ... at least this many on a line,
-  int most = 1024;  ///< ... and at most this many
+  int lines = 32;            ///< in each direction of the parameters, at least 1
+  int samples_per_span = 6;  ///< on a line, in each knot span of the new surface, ...
+  int least = 96;            ///< ... at least this many on a line,
+  int most = 1024;           ///< ... and at most this many
 };
 
 /// Measures both surfaces over the part of the parameter plane that the face shows: inside the

@@ -18,26 +18,26 @@ namespace seamwright::occ {
 namespace {
 
 /// All instances of a part, in the order of the model.
-using PartPlaces = std::vector<TopoDS_Shape>;
+using PartInstances = std::vector<TopoDS_Shape>;
 
 class RepeatedParts {
  public:
   explicit RepeatedParts(const TopoDS_Shape& shape) {
-    addPlaces(shape);
+    addInstances(shape);
     addParents(shape);
     choose(shape);
   }
 
-  const std::map<const TopoDS_TShape*, PartPlaces>& parts() const { return chosen_; }
+  const std::map<const TopoDS_TShape*, PartInstances>& parts() const { return chosen_; }
 
  private:
-  void addPlaces(const TopoDS_Shape& shape) {
-    PartPlaces& places = places_[shape.TShape().get()];
+  void addInstances(const TopoDS_Shape& shape) {
+    PartInstances& instances = instances_[shape.TShape().get()];
     const bool is_known = std::ranges::any_of(
-        places, [&shape](const TopoDS_Shape& place) { return place.IsSame(shape); });
-    if (!is_known) places.push_back(shape);
+        instances, [&shape](const TopoDS_Shape& instance) { return instance.IsSame(shape); });
+    if (!is_known) instances.push_back(shape);
     if (shape.ShapeType() != TopAbs_COMPOUND) return;
-    for (TopoDS_Iterator it(shape, false, true); it.More(); it.Next()) addPlaces(it.Value());
+    for (TopoDS_Iterator it(shape, false, true); it.More(); it.Next()) addInstances(it.Value());
   }
 
   void addParents(const TopoDS_Shape& shape) {
@@ -65,63 +65,65 @@ class RepeatedParts {
     if (shape.ShapeType() == TopAbs_COMPOUND)
       for (TopoDS_Iterator it(shape, false, true); it.More(); it.Next())
         has_one = choose(it.Value()) || has_one;
-    const PartPlaces& places = places_.at(shape.TShape().get());
-    if (has_one || places.size() < 2) return has_one;
-    if (!isSelfContained(places.front())) return false;
-    chosen_.emplace(shape.TShape().get(), places);
+    const PartInstances& instances = instances_.at(shape.TShape().get());
+    if (has_one || instances.size() < 2) return has_one;
+    if (!isSelfContained(instances.front())) return false;
+    chosen_.emplace(shape.TShape().get(), instances);
     return true;
   }
 
-  std::map<const TopoDS_TShape*, PartPlaces> places_, chosen_;
+  std::map<const TopoDS_TShape*, PartInstances> instances_, chosen_;
   std::map<const TopoDS_TShape*, std::set<const TopoDS_TShape*>> parents_;
   std::set<const TopoDS_TShape*> seen_;
 };
 
-TopoDS_Shape withoutPlace(const TopoDS_Shape& shape) {
+TopoDS_Shape withoutLocation(const TopoDS_Shape& shape) {
   return shape.Located(TopLoc_Location()).Oriented(TopAbs_FORWARD);
 }
 
-TopoDS_Shape placedAs(const TopoDS_Shape& place, const TopoDS_Shape& part) {
-  return part.Located(place.Location()).Oriented(place.Orientation());
+TopoDS_Shape placedAs(const TopoDS_Shape& instance, const TopoDS_Shape& part) {
+  return part.Located(instance.Location()).Oriented(instance.Orientation());
 }
 
 /// Replaces parts of an assembly. Rebuilt compounds keep their locations; unchanged ones are
 /// shared.
 /// \param part the new part, with its location, for a part of the assembly; null: look inside it.
 template <class Part>
-TopoDS_Shape withParts(const TopoDS_Shape& place, const Part& part) {
-  if (const TopoDS_Shape now = part(place); !now.IsNull()) return now;
-  if (place.ShapeType() != TopAbs_COMPOUND) return place;
+TopoDS_Shape withParts(const TopoDS_Shape& shape, const Part& part) {
+  if (const TopoDS_Shape now = part(shape); !now.IsNull()) return now;
+  if (shape.ShapeType() != TopAbs_COMPOUND) return shape;
   TopTools_ListOfShape children;
   bool is_new = false;
-  for (TopoDS_Iterator it(place, false, true); it.More(); it.Next()) {
+  for (TopoDS_Iterator it(shape, false, true); it.More(); it.Next()) {
     children.Append(withParts(it.Value(), part));
     is_new = is_new || !children.Last().IsPartner(it.Value());
   }
-  if (!is_new) return place;
-  TopoDS_Shape copy = place.Oriented(TopAbs_FORWARD).EmptyCopied();
+  if (!is_new) return shape;
+  TopoDS_Shape copy = shape.Oriented(TopAbs_FORWARD).EmptyCopied();
   const BRep_Builder builder;
   for (const TopoDS_Shape& child : children) builder.Add(copy, child);
-  return copy.Oriented(place.Orientation());
+  return copy.Oriented(shape.Orientation());
 }
 
 /// Maps the numbers of faces or edges between the first instance of a part and the others.
 class InstanceNumbers {
  public:
   InstanceNumbers(const TopoDS_Shape& shape,
-                  const std::map<const TopoDS_TShape*, PartPlaces>& parts, TopAbs_ShapeEnum kind) {
+                  const std::map<const TopoDS_TShape*, PartInstances>& parts,
+                  TopAbs_ShapeEnum kind) {
     TopTools_IndexedMapOfShape all;
     TopExp::MapShapes(shape, kind, all);
-    for (const auto& [part, places] : parts) {
+    for (const auto& [part, instances] : parts) {
       std::vector<std::vector<int>> numbers;
-      for (const TopoDS_Shape& place : places) {
+      for (const TopoDS_Shape& instance : instances) {
         TopTools_IndexedMapOfShape own;
-        TopExp::MapShapes(place, kind, own);
+        TopExp::MapShapes(instance, kind, own);
         numbers.emplace_back();
         for (int i = 1; i <= own.Extent(); ++i) numbers.back().push_back(all.FindIndex(own(i)));
       }
-      for (const std::vector<int>& of_place : numbers)
-        for (std::size_t i = 0; i < of_place.size(); ++i) first_[of_place[i]] = numbers.front()[i];
+      for (const std::vector<int>& of_instance : numbers)
+        for (std::size_t i = 0; i < of_instance.size(); ++i)
+          first_[of_instance[i]] = numbers.front()[i];
     }
     for (const auto& [number, first] : first_)
       if (number != first) others_[first].push_back(number);
@@ -157,7 +159,7 @@ class InstanceNumbers {
 class RepairingOnce {
  public:
   RepairingOnce(const Model& model, const RepairOptions& options,
-                const std::map<const TopoDS_TShape*, PartPlaces>& parts)
+                const std::map<const TopoDS_TShape*, PartInstances>& parts)
       : model_(model),
         options_(options),
         parts_(parts),
@@ -182,12 +184,12 @@ class RepairingOnce {
   /// The model in which the first instance of each part is an independent copy. All numbers stay.
   Model prepared() {
     Model model = model_;
-    model.shape = withParts(model_.shape, [this](const TopoDS_Shape& place) -> TopoDS_Shape {
-      const auto part = parts_.find(place.TShape().get());
-      if (part == parts_.end() || !place.IsSame(part->second.front())) return {};
+    model.shape = withParts(model_.shape, [this](const TopoDS_Shape& instance) -> TopoDS_Shape {
+      const auto part = parts_.find(instance.TShape().get());
+      if (part == parts_.end() || !instance.IsSame(part->second.front())) return {};
       TopoDS_Shape& own = own_[part->first];
-      if (own.IsNull()) own = ownCopyOf(withoutPlace(place));
-      return placedAs(place, own);
+      if (own.IsNull()) own = ownCopyOf(withoutLocation(instance));
+      return placedAs(instance, own);
     });
     return model;
   }
@@ -205,24 +207,24 @@ class RepairingOnce {
   TopoDS_Shape everywhere(const TopoDS_Shape& repaired) {
     std::map<const TopoDS_TShape*, TopoDS_Shape> now;
     addParts(model_.shape, repaired, now);
-    return withParts(model_.shape, [&now](const TopoDS_Shape& place) -> TopoDS_Shape {
-      const auto part = now.find(place.TShape().get());
-      return part == now.end() ? TopoDS_Shape() : placedAs(place, part->second);
+    return withParts(model_.shape, [&now](const TopoDS_Shape& instance) -> TopoDS_Shape {
+      const auto part = now.find(instance.TShape().get());
+      return part == now.end() ? TopoDS_Shape() : placedAs(instance, part->second);
     });
   }
 
   /// Collects the new parts by the old ones.
-  void addParts(const TopoDS_Shape& place, const TopoDS_Shape& repaired,
+  void addParts(const TopoDS_Shape& shape, const TopoDS_Shape& repaired,
                 std::map<const TopoDS_TShape*, TopoDS_Shape>& now) const {
-    const TopoDS_TShape* part = place.TShape().get();
+    const TopoDS_TShape* part = shape.TShape().get();
     if (now.contains(part)) return;
     if (const auto own = own_.find(part); own != own_.end()) {
-      now[part] = withoutPlace(repaired.IsPartner(own->second) ? place : repaired);
-    } else if (place.ShapeType() != TopAbs_COMPOUND) {
-      now[part] = withoutPlace(repaired);
+      now[part] = withoutLocation(repaired.IsPartner(own->second) ? shape : repaired);
+    } else if (shape.ShapeType() != TopAbs_COMPOUND) {
+      now[part] = withoutLocation(repaired);
     } else {
       TopoDS_Iterator of_repaired(repaired, false, true);
-      for (TopoDS_Iterator it(place, false, true); it.More(); it.Next(), of_repaired.Next())
+      for (TopoDS_Iterator it(shape, false, true); it.More(); it.Next(), of_repaired.Next())
         addParts(it.Value(), of_repaired.Value(), now);
     }
   }
@@ -274,7 +276,7 @@ class RepairingOnce {
 
   const Model& model_;
   const RepairOptions& options_;
-  const std::map<const TopoDS_TShape*, PartPlaces>& parts_;
+  const std::map<const TopoDS_TShape*, PartInstances>& parts_;
   const InstanceNumbers faces_, edges_;
   /// Copies for the first instances, without location.
   std::map<const TopoDS_TShape*, TopoDS_Shape> own_;

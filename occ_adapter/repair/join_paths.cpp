@@ -110,14 +110,14 @@ class PathJoin {
   handle<Geom2d_Curve> interpolated(int side, const std::vector<PathMeeting>& points) const {
     const PlanarPath& path = sides_[side].path();
     const int count = static_cast<int>(points.size());
-    const handle<TColgp_HArray1OfPnt2d> places = new TColgp_HArray1OfPnt2d(1, count);
+    const handle<TColgp_HArray1OfPnt2d> uv = new TColgp_HArray1OfPnt2d(1, count);
     const handle<TColStd_HArray1OfReal> parameters = new TColStd_HArray1OfReal(1, count);
     for (int k = 0; k < count; ++k) {
-      places->SetValue(k + 1, points[k][side]);
+      uv->SetValue(k + 1, points[k][side]);
       parameters->SetValue(k + 1, path.first + (path.last - path.first) * k / (count - 1));
     }
     parameters->SetValue(count, path.last);
-    Geom2dAPI_Interpolate interpolation(places, parameters, false, 0);
+    Geom2dAPI_Interpolate interpolation(uv, parameters, false, 0);
     interpolation.Perform();
     return handle<Geom2d_Curve>(interpolation.Curve());
   }
@@ -159,15 +159,15 @@ class PathJoin {
   /// The distance of the image of a new pcurve from that of the old one, independent of their
   /// parametrisations.
   double move_mm(int side, const Geom2d_Curve& curve) const {
-    constexpr int old_points = 512, places = 64;
+    constexpr int old_points = 512, new_points = 64;
     const PlanarPath& path = sides_[side].path();
     std::vector<gp_Pnt> old;
     for (int k = 0; k <= old_points; ++k)
       old.push_back(sides_[side].point(sides_[side].at(static_cast<double>(k) / old_points)));
     double largest_mm = 0;
-    for (int k = 0; k <= places; ++k) {
+    for (int k = 0; k <= new_points; ++k) {
       const gp_Pnt point =
-          sides_[side].point(curve.Value(path.first + (path.last - path.first) * k / places));
+          sides_[side].point(curve.Value(path.first + (path.last - path.first) * k / new_points));
       double nearest_mm = point.Distance(old.front());
       for (std::size_t i = 1; i < old.size(); ++i)
         nearest_mm = std::min(nearest_mm, distance_mm(point, old[i - 1], old[i]));

@@ -10,7 +10,7 @@ namespace seamwright::occ {
 namespace {
 
 /// Share of the parameter range within which two parameters are equal.
-constexpr double same_place = 1e-9;
+constexpr double same_parameter = 1e-9;
 
 /// The position of a knot along the axis, in 0..1, in the direction of the side.
 double share(const SplineAxis& axis, bool forward, double t) {
@@ -24,7 +24,7 @@ bool haveSameKnots(const SplineAxis& a, bool a_forward, const SplineAxis& b, boo
   for (std::size_t i = 0; i < count; ++i) {
     const double of_a = share(a, a_forward, a.knots[a_forward ? i : count - 1 - i]),
                  of_b = share(b, b_forward, b.knots[b_forward ? i : count - 1 - i]);
-    if (!(std::abs(of_a - of_b) <= same_place)) return false;
+    if (!(std::abs(of_a - of_b) <= same_parameter)) return false;
   }
   return true;
 }
@@ -68,8 +68,8 @@ std::optional<NaturalSides::Side> NaturalSides::find(const Joint& joint, std::si
         side.at_last = at_across > 0.5;
         side.forward = at_along < 0.5;
       }
-      is_side = std::abs(at_across - (side.at_last ? 1 : 0)) <= same_place &&
-                std::abs(at_along - (side.forward ? s : 1 - s)) <= same_place;
+      is_side = std::abs(at_across - (side.at_last ? 1 : 0)) <= same_parameter &&
+                std::abs(at_along - (side.forward ? s : 1 - s)) <= same_parameter;
     }
     if (is_side) return side;
   }
@@ -105,7 +105,7 @@ bool NaturalSides::haveSameDenominator(const Side& a, const Side& b, const Movin
   const int looks = 2 * along(a, movers).poles;
   for (int look = 0; look <= looks; ++look) {
     const double s = static_cast<double>(look) / looks, of_a = denominator(a, s);
-    if (!(std::abs(of_a - denominator(b, s)) <= same_place * of_a)) return false;
+    if (!(std::abs(of_a - denominator(b, s)) <= same_parameter * of_a)) return false;
   }
   return true;
 }
@@ -119,7 +119,7 @@ void NaturalSides::tie(const Side& a, const Side& b, const MovingFaces& movers) 
   const std::vector<int> of_a = coefficients(a, movers), of_b = coefficients(b, movers);
   const PointRows &at_a = movers.at(a.face).displacement.coefficients(),
                   &at_b = movers.at(b.face).displacement.coefficients();
-  const double near_mm = same_place * movers.at(a.face).displacement.size_mm();
+  const double near_mm = same_parameter * movers.at(a.face).displacement.size_mm();
   for (std::size_t k = 0; k < of_a.size(); ++k)
     if (!((at_a.row(of_a[k]) - at_b.row(of_b[k])).norm() <= near_mm)) return;
   for (std::size_t k = 0; k < of_a.size(); ++k) {

@@ -44,13 +44,13 @@ class Slide {
     for (int k = 0; k <= looks; ++k)
       largest_mm = std::max(largest_mm, move_mm(static_cast<double>(k) / looks));
     if (largest_mm <= near_mm_) return {};
-    std::vector<double> places;
-    for (int k = 0; k <= fewest; ++k) places.push_back(static_cast<double>(k) / fewest);
-    while (places.size() <= most) {
-      const handle<Geom2d_Curve> curve = interpolated(places);
-      std::vector<double> denser = withMissed(places, *curve);
-      if (denser.size() == places.size()) return PathChange{0, 0, curve, largest_mm};
-      places = std::move(denser);
+    std::vector<double> samples;
+    for (int k = 0; k <= fewest; ++k) samples.push_back(static_cast<double>(k) / fewest);
+    while (samples.size() <= most) {
+      const handle<Geom2d_Curve> curve = interpolated(samples);
+      std::vector<double> denser = withMissed(samples, *curve);
+      if (denser.size() == samples.size()) return PathChange{0, 0, curve, largest_mm};
+      samples = std::move(denser);
     }
     return {};
   }
@@ -73,13 +73,13 @@ class Slide {
   }
   double move_mm(double s) const { return surface_.at(old(s)).Distance(surface_.at(at(s))); }
 
-  handle<Geom2d_Curve> interpolated(const std::vector<double>& places) const {
-    const int count = static_cast<int>(places.size());
+  handle<Geom2d_Curve> interpolated(const std::vector<double>& samples) const {
+    const int count = static_cast<int>(samples.size());
     const handle<TColgp_HArray1OfPnt2d> points = new TColgp_HArray1OfPnt2d(1, count);
     const handle<TColStd_HArray1OfReal> parameters = new TColStd_HArray1OfReal(1, count);
     for (int k = 0; k < count; ++k) {
-      points->SetValue(k + 1, at(places[k]));
-      parameters->SetValue(k + 1, k + 1 == count ? path_.last : parameter(path_, places[k]));
+      points->SetValue(k + 1, at(samples[k]));
+      parameters->SetValue(k + 1, k + 1 == count ? path_.last : parameter(path_, samples[k]));
     }
     Geom2dAPI_Interpolate interpolation(points, parameters, false, 0);
     interpolation.Perform();
@@ -88,14 +88,14 @@ class Slide {
 
   /// The parameters, with the middle between two of them added where the curve misses the foot
   /// there.
-  std::vector<double> withMissed(const std::vector<double>& places,
+  std::vector<double> withMissed(const std::vector<double>& samples,
                                  const Geom2d_Curve& curve) const {
-    std::vector<double> denser = {places.front()};
-    for (std::size_t k = 1; k < places.size(); ++k) {
-      const double s = (places[k - 1] + places[k]) / 2;
+    std::vector<double> denser = {samples.front()};
+    for (std::size_t k = 1; k < samples.size(); ++k) {
+      const double s = (samples[k - 1] + samples[k]) / 2;
       if (surface_.at(curve.Value(parameter(path_, s))).Distance(surface_.at(at(s))) > near_mm_)
         denser.push_back(s);
-      denser.push_back(places[k]);
+      denser.push_back(samples[k]);
     }
     return denser;
   }

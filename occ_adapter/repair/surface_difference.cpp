@@ -68,7 +68,7 @@ SurfaceDifference differenceOf(const opencascade::handle<Geom_Surface>& before,
             turned.push_back({std::max(length, now.normal.Magnitude()), now.point});
         }
   const auto real = std::ranges::find_if(
-      turned, [&](const Turned& place) { return place.length > collapsed * longest; });
+      turned, [&](const Turned& sample) { return sample.length > collapsed * longest; });
   if (real != turned.end()) difference.folded_at = real->at;
   return difference;
 }

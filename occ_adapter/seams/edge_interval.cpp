@@ -59,12 +59,12 @@ std::vector<double> PairWalk::events() const {
   std::map<std::size_t, std::vector<std::size_t>> by_b;
   for (std::size_t i = 0; i < near_.size(); ++i) {
     if (near_[i].empty()) continue;
-    for (const double share : {0.0, 1.0}) events.push_back(a_.pieces()[i].place(share));
+    for (const double share : {0.0, 1.0}) events.push_back(a_.pieces()[i].parameter(share));
     for (const std::size_t j : near_[i]) by_b[j].push_back(i);
   }
   for (const auto& [j, close] : by_b)
     for (const double share : {0.0, 1.0}) {
-      const Eigen::Vector3d p = b_.strip().trace(b_.pieces()[j].place(share)).p;
+      const Eigen::Vector3d p = b_.strip().trace(b_.pieces()[j].parameter(share)).p;
       events.push_back(a_.nearest(p, a_.nearestOnChords(close, p)));
     }
   std::ranges::sort(events);
@@ -81,17 +81,17 @@ bool PairWalk::overhangs(const Foot& foot, const Eigen::Vector3d& p) const {
   return along > 1e-3 * foot.distance_mm + 1e-11 * b_.length_mm();
 }
 
-std::optional<Foot> PairWalk::footAt(double place) const {
-  const std::size_t piece = a_.pieceAt(place);
-  const Eigen::Vector3d p = a_.strip().trace(place).p;
+std::optional<Foot> PairWalk::footAt(double parameter) const {
+  const std::size_t piece = a_.pieceAt(parameter);
+  const Eigen::Vector3d p = a_.strip().trace(parameter).p;
   const std::vector<std::size_t>* close = &near_[piece];
   // At the end of a piece the one before may be the one that is close.
-  if (close->empty() && piece > 0 && place - a_.pieces()[piece].from < 1e-9)
+  if (close->empty() && piece > 0 && parameter - a_.pieces()[piece].from < 1e-9)
     close = &near_[piece - 1];
   if (close->empty()) return std::nullopt;
-  Foot foot{place, b_.nearest(p, b_.nearestOnChords(*close, p)), 0, false};
+  Foot foot{parameter, b_.nearest(p, b_.nearestOnChords(*close, p)), 0, false};
   foot.distance_mm = (b_.strip().trace(foot.b).p - p).norm();
-  const double cosine = a_.direction(place).dot(b_.direction(foot.b));
+  const double cosine = a_.direction(parameter).dot(b_.direction(foot.b));
   foot.against = cosine < 0;
   const bool beside = foot.distance_mm <= match_mm_ && std::abs(cosine) >= std::numbers::sqrt2 / 2;
   return beside && !overhangs(foot, p) ? std::optional(foot) : std::nullopt;
@@ -146,17 +146,17 @@ std::vector<std::vector<Foot>> PairWalk::intervals() const {
     feet.clear();
   };
   double before = 0;
-  for (const double place : events()) {
-    const std::optional<Foot> foot = footAt(place);
+  for (const double parameter : events()) {
+    const std::optional<Foot> foot = footAt(parameter);
     if (!foot) {
-      finish(place);
+      finish(parameter);
     } else if (feet.empty() || !join(feet, *foot)) {
-      finish(place);
-      if (place > before)
+      finish(parameter);
+      if (parameter > before)
         if (const std::optional<Foot> first = lastBefore(*foot, before)) feet.push_back(*first);
       feet.push_back(*foot);
     }
-    before = place;
+    before = parameter;
   }
   finish(1);
   return found;

@@ -47,7 +47,7 @@ class PairWalk {
 
  private:
   std::vector<double> events() const;
-  std::optional<Foot> footAt(double place) const;
+  std::optional<Foot> footAt(double parameter) const;
   bool overhangs(const Foot& foot, const Eigen::Vector3d& p) const;
   bool continues(const Foot& from, const Foot& to) const;
   bool join(std::vector<Foot>& feet, const Foot& next) const;

@@ -65,7 +65,7 @@ void EdgePath::addPieces(double from, double to, const PathPoint& start, const P
   if (!std::isfinite(chord)) throw GeometryError("its path is not finite");
   for (const double share : {0.23, 0.5, 0.77})
     piece.sagitta_mm =
-        std::max(piece.sagitta_mm, 2 * piece.distance(strip_.trace(piece.place(share)).p));
+        std::max(piece.sagitta_mm, 2 * piece.distance(strip_.trace(piece.parameter(share)).p));
   const double rounding =
       64 * std::numeric_limits<double>::epsilon() * start.p.lpNorm<Eigen::Infinity>();
   if (depth == most_halvings || piece.sagitta_mm <= std::max(2 * largest_bend * chord, rounding)) {
@@ -78,16 +78,16 @@ void EdgePath::addPieces(double from, double to, const PathPoint& start, const P
   addPieces(middle, to, half, end, depth + 1);
 }
 
-std::size_t EdgePath::pieceAt(double place) const {
+std::size_t EdgePath::pieceAt(double parameter) const {
   const auto after =
-      std::upper_bound(pieces_.begin(), pieces_.end(), place,
+      std::upper_bound(pieces_.begin(), pieces_.end(), parameter,
                        [](double s, const PathPiece& piece) { return s < piece.from; });
   return after == pieces_.begin() ? 0 : static_cast<std::size_t>(after - pieces_.begin()) - 1;
 }
 
-double EdgePath::lengthTo_mm(double place) const {
-  const std::size_t i = pieceAt(place);
-  const double share = (place - pieces_[i].from) / (pieces_[i].to - pieces_[i].from);
+double EdgePath::lengthTo_mm(double parameter) const {
+  const std::size_t i = pieceAt(parameter);
+  const double share = (parameter - pieces_[i].from) / (pieces_[i].to - pieces_[i].from);
   return lengths_mm_[i] + share * (lengths_mm_[i + 1] - lengths_mm_[i]);
 }
 
@@ -105,22 +105,23 @@ double EdgePath::nearestOnChords(const std::vector<std::size_t>& pieces,
                                  const Eigen::Vector3d& p) const {
   const std::size_t nearest =
       *std::ranges::min_element(pieces, {}, [&](std::size_t i) { return pieces_[i].distance(p); });
-  return pieces_[nearest].place(pieces_[nearest].nearestShare(p));
+  return pieces_[nearest].parameter(pieces_[nearest].nearestShare(p));
 }
 
 double EdgePath::nearest(const Eigen::Vector3d& p, double start) const {
-  const double place = nearestParameter(strip_, p, start);
-  if (!closed_ || (place > 0 && place < 1)) return place;
-  const double beyond = nearestParameter(strip_, p, 1 - place);
+  const double parameter = nearestParameter(strip_, p, start);
+  if (!closed_ || (parameter > 0 && parameter < 1)) return parameter;
+  const double beyond = nearestParameter(strip_, p, 1 - parameter);
   const auto distance = [&](double s) { return (strip_.trace(s).p - p).squaredNorm(); };
-  return distance(beyond) < distance(place) ? beyond : place;
+  return distance(beyond) < distance(parameter) ? beyond : parameter;
 }
 
-Eigen::Vector3d EdgePath::direction(double place) const {
-  const Eigen::Vector3d derivative = strip_.trace(place).d;
+Eigen::Vector3d EdgePath::direction(double parameter) const {
+  const Eigen::Vector3d derivative = strip_.trace(parameter).d;
   if (derivative.norm() > 1e-6 * length_mm()) return derivative.normalized();
   constexpr double step = 1e-4;
-  return (strip_.trace(std::min(place + step, 1.0)).p - strip_.trace(std::max(place - step, 0.0)).p)
+  return (strip_.trace(std::min(parameter + step, 1.0)).p -
+          strip_.trace(std::max(parameter - step, 0.0)).p)
       .normalized();
 }
 

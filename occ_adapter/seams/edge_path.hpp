@@ -16,7 +16,7 @@ struct PathPiece {
   double sagitta_mm =
       0;  ///< bound of the distance from the chord: twice the largest deviation of 3 points
 
-  double place(double share) const { return from + share * (to - from); }
+  double parameter(double share) const { return from + share * (to - from); }
   /// The share of the chord, 0..1, at its point nearest to p.
   double nearestShare(const Eigen::Vector3d& p) const;
   double distance(const Eigen::Vector3d& p) const {
@@ -26,7 +26,7 @@ struct PathPiece {
 
 /// The image of a free edge's pcurve on its face, cut into nearly straight pieces.
 ///
-/// Places are parameters, 0..1 over the range of the edge's curve. Not thread-safe.
+/// Parameters are 0..1 over the range of the edge's curve. Not thread-safe.
 class EdgePath {
  public:
   /// \throws GeometryError if the edge has no pcurve, or one that is not finite;
@@ -37,19 +37,20 @@ class EdgePath {
   int edge() const { return edge_; }
   const FaceStrip& strip() const { return strip_; }
   const std::vector<PathPiece>& pieces() const { return pieces_; }
-  std::size_t pieceAt(double place) const;
+  std::size_t pieceAt(double parameter) const;
 
   double length_mm() const { return lengths_mm_.back(); }
-  /// Arc length from the start to the place, linear within a piece.
-  double lengthTo_mm(double place) const;
-  /// Arc length between two places, by quadrature.
+  /// Arc length from the start to the parameter, linear within a piece.
+  double lengthTo_mm(double parameter) const;
+  /// Arc length between two parameters, by quadrature.
   double lengthBetween_mm(double from, double to) const;
-  /// The place nearest to p on the chords of these pieces (at least one): where a search starts.
+  /// The parameter of the point nearest to p on the chords of these pieces (at least one): where a
+  /// search starts.
   double nearestOnChords(const std::vector<std::size_t>& pieces, const Eigen::Vector3d& p) const;
   /// As nearestParameter(), on a closed path also across its start.
   double nearest(const Eigen::Vector3d& p, double start) const;
   /// Unit tangent; where the path is stationary, the direction of a short chord.
-  Eigen::Vector3d direction(double place) const;
+  Eigen::Vector3d direction(double parameter) const;
 
  private:
   void addPieces(double from, double to, const PathPoint& start, const PathPoint& end, int depth);

@@ -41,11 +41,12 @@ bool surfaceClosesBetween(const EdgePath& a, const EdgePath& b, const Foot& foot
          2 * foot.distance_mm + BRep_Tool::Tolerance(a.use().edge);
 }
 
-/// The nearest foot to a place on a, searched from a place on b.
-Foot footFrom(const EdgePath& a, const EdgePath& b, double place_a, double start_b, bool against) {
-  const Eigen::Vector3d p = a.strip().trace(place_a).p;
-  const double place_b = b.nearest(p, start_b);
-  return {place_a, place_b, (b.strip().trace(place_b).p - p).norm(), against};
+/// The nearest foot to a parameter of a, searched from a parameter of b.
+Foot footFrom(const EdgePath& a, const EdgePath& b, double parameter_a, double start_b,
+              bool against) {
+  const Eigen::Vector3d p = a.strip().trace(parameter_a).p;
+  const double parameter_b = b.nearest(p, start_b);
+  return {parameter_a, parameter_b, (b.strip().trace(parameter_b).p - p).norm(), against};
 }
 
 class Refinement {
@@ -115,15 +116,15 @@ std::vector<Foot> Refinement::thinned(const std::vector<Foot>& feet) const {
 }
 
 Foot Refinement::halfway(const Foot& left, const Foot& right) const {
-  const double place = 0.5 * (left.a + right.a);
-  const Foot foot = footFrom(a_, b_, place, 0.5 * (left.b + right.b), right.against);
+  const double parameter = 0.5 * (left.a + right.a);
+  const Foot foot = footFrom(a_, b_, parameter, 0.5 * (left.b + right.b), right.against);
   if (foot.distance_mm <= options_.match_mm) return foot;
-  // A path that turns back on itself has more than one nearest place: it may have been another one.
+  // A path that turns back on itself has more than one nearest point: it may have been another one.
   const auto [low, high] = std::minmax(left.b, right.b);
   std::vector<std::size_t> between(b_.pieceAt(high) - b_.pieceAt(low) + 1);
   std::iota(between.begin(), between.end(), b_.pieceAt(low));
-  const Foot other = footFrom(a_, b_, place, b_.nearestOnChords(between, a_.strip().trace(place).p),
-                              right.against);
+  const Foot other = footFrom(
+      a_, b_, parameter, b_.nearestOnChords(between, a_.strip().trace(parameter).p), right.against);
   return other.distance_mm < foot.distance_mm && isBetween(other, left, right) ? other : foot;
 }
 

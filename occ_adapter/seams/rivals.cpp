@@ -10,7 +10,7 @@ namespace seamwright::occ {
 
 namespace {
 
-/// A range of places on a path.
+/// A range of parameters of a path.
 struct Range {
   double low = 0, high = 0;
 };
@@ -65,7 +65,7 @@ class Referee {
   const std::vector<EdgeInterval>& intervals_;
   const EdgePaths& paths_;
   double match_mm_;
-  std::vector<std::vector<Range>> lost_;  ///< of each interval, places on its path a
+  std::vector<std::vector<Range>> lost_;  ///< of each interval, parameters of its path a
   std::map<std::size_t, std::set<int>> crowded_;
 };
 
@@ -74,8 +74,8 @@ double Referee::largestDistance(const EdgeInterval& interval, std::size_t path, 
   // Distances are interpolated between feet, of which an interval has few.
   constexpr int steps = 8;
   for (int i = 0; i <= steps; ++i) {
-    const double place = on.low + i * (on.high - on.low) / steps;
-    const double a = interval.path_a == path ? place : interval.aOf(place);
+    const double parameter = on.low + i * (on.high - on.low) / steps;
+    const double a = interval.path_a == path ? parameter : interval.aOf(parameter);
     largest = std::max(largest, interval.distanceAt_mm(a));
   }
   return largest;

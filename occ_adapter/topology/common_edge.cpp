@@ -29,12 +29,12 @@ namespace {
 
 using opencascade::handle;
 
-double between(const Places& places, double s) {
-  return places[0] + s * (places[1] - places[0]);
+double between(const ParameterRange& range, double s) {
+  return range[0] + s * (range[1] - range[0]);
 }
 
-double parameter(const PlanarPath& path, double place) {
-  return path.first + place * (path.last - path.first);
+double parameter(const PlanarPath& path, double share) {
+  return path.first + share * (path.last - path.first);
 }
 
 handle<Geom2d_BSplineCurve> lineBetween(const gp_Pnt2d& from, const gp_Pnt2d& to) {
@@ -81,25 +81,26 @@ void setRange(Geom2d_BSplineCurve& spline, double first, double last) {
 /// The parameters of the second side that correspond to those of the first.
 class Along {
  public:
-  Along(const Seam& seam, const std::array<Pcurve, 2>& pcurves, const std::array<Places, 2>& places)
-      : a_(seam.sides[0], pcurves[0]), b_(seam.sides[1], pcurves[1]), places_(places), seam_(seam) {
-    for (const int end : {0, 1}) off_[end] = places[1][end] - nearest(end);
+  Along(const Seam& seam, const std::array<Pcurve, 2>& pcurves,
+        const std::array<ParameterRange, 2>& ranges)
+      : a_(seam.sides[0], pcurves[0]), b_(seam.sides[1], pcurves[1]), ranges_(ranges), seam_(seam) {
+    for (const int end : {0, 1}) off_[end] = ranges[1][end] - nearest(end);
   }
 
   /// The parameter of the second side at s in 0..1 of the interval. At the ends it is the given
   /// parameter, which may differ a little from that of the nearest point.
   double at(double s) const {
-    if (s == 0 || s == 1) return places_[1][s == 0 ? 0 : 1];
-    const auto [low, high] = std::minmax(places_[1][0], places_[1][1]);
+    if (s == 0 || s == 1) return ranges_[1][s == 0 ? 0 : 1];
+    const auto [low, high] = std::minmax(ranges_[1][0], ranges_[1][1]);
     return std::clamp(nearest(s) + between(off_, s), low, high);
   }
 
-  Eigen::Vector3d pointAt(double place) const { return b_.trace(place).p; }
+  Eigen::Vector3d pointAt(double parameter) const { return b_.trace(parameter).p; }
 
  private:
   double nearest(double s) const {
-    const auto [low, high] = std::minmax(places_[1][0], places_[1][1]);
-    return nearestParameter(b_, a_.trace(between(places_[0], s)).p, guess(s), low, high);
+    const auto [low, high] = std::minmax(ranges_[1][0], ranges_[1][1]);
+    return nearestParameter(b_, a_.trace(between(ranges_[0], s)).p, guess(s), low, high);
   }
 
   /// A start value from the correspondence, whose ends may differ a little from those of the
@@ -107,43 +108,43 @@ class Along {
   double guess(double s) const {
     const std::vector<double>& a = seam_.correspondence.a;
     const std::vector<double>& b = seam_.correspondence.b;
-    const double place = std::clamp(between(places_[0], s), a.front(), a.back());
-    const auto right = std::lower_bound(a.begin() + 1, a.end() - 1, place) - a.begin();
+    const double on_a = std::clamp(between(ranges_[0], s), a.front(), a.back());
+    const auto right = std::lower_bound(a.begin() + 1, a.end() - 1, on_a) - a.begin();
     const double share =
-        a[right] > a[right - 1] ? (place - a[right - 1]) / (a[right] - a[right - 1]) : 0;
+        a[right] > a[right - 1] ? (on_a - a[right - 1]) / (a[right] - a[right - 1]) : 0;
     return b[right - 1] + share * (b[right] - b[right - 1]);
   }
 
   FaceStrip a_, b_;
-  std::array<Places, 2> places_;
+  std::array<ParameterRange, 2> ranges_;
   const Seam& seam_;
-  Places off_{};
+  ParameterRange off_{};
 };
 
-bool isLinear(const Along& along, const Places& places, double near_mm) {
+bool isLinear(const Along& along, const ParameterRange& range, double near_mm) {
   constexpr int count = 65;
   for (int k = 1; k + 1 < count; ++k) {
     const double s = static_cast<double>(k) / (count - 1);
-    if ((along.pointAt(along.at(s)) - along.pointAt(between(places, s))).norm() > near_mm)
+    if ((along.pointAt(along.at(s)) - along.pointAt(between(range, s))).norm() > near_mm)
       return false;
   }
   return true;
 }
 
 /// A cubic spline through points of the pcurve. The number of points doubles from 9 until the
-/// spline runs along the pcurve as \p place tells, or up to 513.
+/// spline runs along the pcurve as \p along tells, or up to 513.
 handle<Geom2d_Curve> interpolated(const PlacedSurface& surface, const PlanarPath& path,
-                                  const std::function<double(double)>& place, double first,
+                                  const std::function<double(double)>& along, double first,
                                   double last, double near_mm) {
   constexpr int fewest = 8, most = 512;
-  const auto on_path = [&](double s) { return path.curve->Value(parameter(path, place(s))); };
+  const auto on_path = [&](double s) { return path.curve->Value(parameter(path, along(s))); };
   for (int count = fewest;; count *= 2) {
     const handle<TColgp_HArray1OfPnt2d> points = new TColgp_HArray1OfPnt2d(1, count + 1);
     const handle<TColStd_HArray1OfReal> parameters = new TColStd_HArray1OfReal(1, count + 1);
-    double before = place(0);
+    double before = along(0);
     for (int k = 0; k <= count; ++k) {
-      const double s = static_cast<double>(k) / count, now = place(s);
-      if (k > 0 && !((now - before) * (place(1) - place(0)) > 0))
+      const double s = static_cast<double>(k) / count, now = along(s);
+      if (k > 0 && !((now - before) * (along(1) - along(0)) > 0))
         throw NoCommonEdge(why_not_sewn::pointsOutOfOrder());
       before = now;
       points->SetValue(k + 1, on_path(s));
@@ -166,27 +167,28 @@ handle<Geom2d_Curve> interpolated(const PlacedSurface& surface, const PlanarPath
 
 /// The pcurve over [first, last], with a linear change of the parameter.
 handle<Geom2d_Curve> linear(const PlacedSurface& surface, const PlanarPath& path,
-                            const Places& places, double first, double last, double near_mm) {
-  const double from = parameter(path, places[0]), to = parameter(path, places[1]);
+                            const ParameterRange& range, double first, double last,
+                            double near_mm) {
+  const double from = parameter(path, range[0]), to = parameter(path, range[1]);
   if (from == first && to == last) return path.curve;
   const handle<Geom2d_BSplineCurve> spline = splineBetween(path.curve, from, to);
   if (spline.IsNull())
     return interpolated(
-        surface, path, [&places](double s) { return between(places, s); }, first, last, near_mm);
+        surface, path, [&range](double s) { return between(range, s); }, first, last, near_mm);
   setRange(*spline, first, last);
   return handle<Geom2d_Curve>(spline);
 }
 
 /// Whether both edges have the same curve with the same parametrisation.
-bool haveOneCurve(const Seam& seam, const std::array<Places, 2>& places) {
+bool haveOneCurve(const Seam& seam, const std::array<ParameterRange, 2>& ranges) {
   std::array<TopLoc_Location, 2> at;
-  std::array<Places, 2> ranges{};
+  std::array<ParameterRange, 2> curve_ranges{};
   std::array<handle<Geom_Curve>, 2> curves;
   for (const int side : {0, 1})
-    curves[side] =
-        BRep_Tool::Curve(seam.sides[side].edge, at[side], ranges[side][0], ranges[side][1]);
+    curves[side] = BRep_Tool::Curve(seam.sides[side].edge, at[side], curve_ranges[side][0],
+                                    curve_ranges[side][1]);
   return !curves[0].IsNull() && curves[0] == curves[1] && at[0] == at[1] &&
-         ranges[0] == ranges[1] && places[0] == places[1];
+         curve_ranges[0] == curve_ranges[1] && ranges[0] == ranges[1];
 }
 
 void store(const Seam& seam, CommonEdge& common) {
@@ -210,13 +212,14 @@ void store(const Seam& seam, CommonEdge& common) {
 
 }  // namespace
 
-CommonEdge commonEdge(const Seam& seam, const std::array<Places, 2>& places, double gap_mm) {
+CommonEdge commonEdge(const Seam& seam, const std::array<ParameterRange, 2>& ranges,
+                      double gap_mm) {
   const double near_mm = gap_mm / 1000;
   CommonEdge common;
   double first = 0, last = 0;
   BRep_Tool::Range(seam.sides[0].edge, first, last);
-  common.first = first + places[0][0] * (last - first);
-  common.last = first + places[0][1] * (last - first);
+  common.first = first + ranges[0][0] * (last - first);
+  common.last = first + ranges[0][1] * (last - first);
   std::array<Pcurve, 2> pcurves;
   for (const int side : {0, 1}) {
     const Coedge& use = seam.sides[side];
@@ -224,19 +227,19 @@ CommonEdge commonEdge(const Seam& seam, const std::array<Places, 2>& places, dou
     common.sides.push_back(
         {surfaceOf(use.shape), {pcurves[side].curve, pcurves[side].first, pcurves[side].last}});
   }
-  const Along along(seam, pcurves, places);
-  const bool is_linear = isLinear(along, places[1], near_mm);
+  const Along along(seam, pcurves, ranges);
+  const bool is_linear = isLinear(along, ranges[1], near_mm);
   for (const int side : {0, 1}) {
     auto& [placed, path] = common.sides[side];
     const handle<Geom2d_Curve> curve =
         side == 0 || is_linear
-            ? linear(placed, path, places[side], common.first, common.last, near_mm)
+            ? linear(placed, path, ranges[side], common.first, common.last, near_mm)
             : interpolated(
                   placed, path, [&along](double s) { return along.at(s); }, common.first,
                   common.last, near_mm);
     path = {curve, common.first, common.last};
   }
-  common.curve = haveOneCurve(seam, places)
+  common.curve = haveOneCurve(seam, ranges)
                      ? BRep_Tool::Curve(seam.sides[0].edge, first, last)
                      : meanImage(common.sides, common.first, common.last, near_mm);
   common.tolerance_mm = std::max(

@@ -13,7 +13,7 @@
 namespace seamwright::occ {
 
 /// Begin and end of an interval of an edge, as parameters in 0..1 over the range of its curve.
-using Places = std::array<double, 2>;
+using ParameterRange = std::array<double, 2>;
 
 /// Two edges have no common edge.
 class NoCommonEdge : public GeometryError {
@@ -41,10 +41,10 @@ struct CommonEdge {
 /// keeps its pcurve. The second side gets a pcurve whose points correspond to those of the first
 /// one: its old path, reparametrised. This is exact where the reparametrisation has constant speed
 /// (to a thousandth of \p gap_mm), and otherwise interpolated to the same accuracy.
-/// \param places ends of the interval on both sides. Those of the second side correspond to those
+/// \param ranges ends of the interval on both sides. Those of the second side correspond to those
 /// of the first and may decrease.
 /// \throws NoCommonEdge where corresponding points of the two sides do not run in the same order;
 /// GeometryError where a curve can't be built; Standard_Failure.
-CommonEdge commonEdge(const Seam& seam, const std::array<Places, 2>& places, double gap_mm);
+CommonEdge commonEdge(const Seam& seam, const std::array<ParameterRange, 2>& ranges, double gap_mm);
 
 }  // namespace seamwright::occ

@@ -48,12 +48,13 @@ gp_Pnt middleOf(const std::vector<gp_Pnt>& points) {
   return {sum / static_cast<double>(points.size())};
 }
 
-/// The least tolerance of a vertex at \p place.
-double reachOf_mm(const CornerEnds& ends, const gp_Pnt& place) {
+/// The least tolerance of a vertex at \p position.
+double reachOf_mm(const CornerEnds& ends, const gp_Pnt& position) {
   // Margin: rounding must not leave an end outside of the tolerance.
   constexpr double rounding = 1.001;
   double reach_mm = std::max(Precision::Confusion(), ends.tolerance_mm);
-  for (const gp_Pnt& end : ends.all) reach_mm = std::max(reach_mm, rounding * end.Distance(place));
+  for (const gp_Pnt& end : ends.all)
+    reach_mm = std::max(reach_mm, rounding * end.Distance(position));
   return reach_mm;
 }
 
@@ -64,9 +65,9 @@ CornerVertices cornerVertices(const ShapeParts& parts, const JoinedNodes& joined
   CornerVertices result;
   const BRep_Builder builder;
   for (const auto& [node, ends] : endsByCorner(parts, joined, pieces)) {
-    const gp_Pnt place = middleOf(ends.curves.empty() ? ends.all : ends.curves);
-    const double reach_mm = reachOf_mm(ends, place);
-    builder.MakeVertex(result.vertices[node], place, reach_mm);
+    const gp_Pnt position = middleOf(ends.curves.empty() ? ends.all : ends.curves);
+    const double reach_mm = reachOf_mm(ends, position);
+    builder.MakeVertex(result.vertices[node], position, reach_mm);
     // An end may be the gap away from the edge beside it, and up to the gap more where it becomes a
     // vertex near it (see sewnIntervals()). Ends that are further apart come from a chain of edges,
     // each within the gap of the next one.

@@ -8,8 +8,8 @@ EdgeNodes::EdgeNodes(const ShapeParts& parts, std::map<int, std::vector<double>>
       vertices_(parts.vertices.Extent()),
       cuts_(std::move(cuts)),
       nodes_(vertices_ + 1) {
-  for (const auto& [edge, places] : cuts_)
-    for (std::size_t k = 1; k + 1 < places.size(); ++k)
+  for (const auto& [edge, parameters] : cuts_)
+    for (std::size_t k = 1; k + 1 < parameters.size(); ++k)
       cut_nodes_[{edge, static_cast<int>(k)}] = nodes_.add();
 }
 
@@ -18,10 +18,10 @@ int EdgeNodes::piecesOf(int edge) const {
   return found == cuts_.end() ? 1 : static_cast<int>(found->second.size()) - 1;
 }
 
-Places EdgeNodes::placesOf(int edge, int piece) const {
+ParameterRange EdgeNodes::rangeOf(int edge, int piece) const {
   const auto found = cuts_.find(edge);
-  return found == cuts_.end() ? Places{0, 1}
-                              : Places{found->second[piece], found->second[piece + 1]};
+  return found == cuts_.end() ? ParameterRange{0, 1}
+                              : ParameterRange{found->second[piece], found->second[piece + 1]};
 }
 
 int EdgeNodes::at(int edge, int k) const {

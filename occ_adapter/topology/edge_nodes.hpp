@@ -22,7 +22,7 @@ class EdgeNodes {
   bool isCut(int edge) const { return cuts_.count(edge) > 0; }
   int piecesOf(int edge) const;
   /// Begin and end of a piece, as parameters in 0..1 of its edge.
-  Places placesOf(int edge, int piece) const;
+  ParameterRange rangeOf(int edge, int piece) const;
   /// The node at the begin of the piece with number \p k, or at the end of the last piece; 0 if the
   /// edge has no vertex there.
   int at(int edge, int k) const;

@@ -41,26 +41,26 @@ EdgePiece commonPiece(const CommonEdge& common, int interval, bool reversed) {
   return piece;
 }
 
-double within(double first, double last, double place) {
-  return first + place * (last - first);
+double within(double first, double last, double share) {
+  return first + share * (last - first);
 }
 
-/// A piece between two places of an edge, with the curves of that edge.
-EdgePiece ownPiece(const ShapeParts& parts, int edge, const Places& places) {
+/// A piece between two parameters of an edge, with the curves of that edge.
+EdgePiece ownPiece(const ShapeParts& parts, int edge, const ParameterRange& range) {
   const BRep_Builder builder;
   const TopoDS_Edge old = parts.edge(edge);
   EdgePiece piece;
   piece.edge = TopoDS::Edge(old.EmptyCopied());
   if (parts.unusable.hasEdge(edge)) return piece;  // the positions of its ends are not known
   piece.tolerance_mm = BRep_Tool::Tolerance(old);
-  const bool is_part = places[0] > 0 || places[1] < 1;
+  const bool is_part = range[0] > 0 || range[1] < 1;
   double first = 0, last = 0;
   const handle<Geom_Curve> curve = BRep_Tool::Curve(old, first, last);
   if (is_part)
-    builder.Range(piece.edge, within(first, last, places[0]), within(first, last, places[1]), true);
+    builder.Range(piece.edge, within(first, last, range[0]), within(first, last, range[1]), true);
   for (const int end : {0, 1})
     if (!curve.IsNull())
-      piece.curve_ends[end].push_back(curve->Value(within(first, last, places[end])));
+      piece.curve_ends[end].push_back(curve->Value(within(first, last, range[end])));
   for (const TopoDS_Shape& beside : parts.faces_of_edge.FindFromKey(parts.edges(edge))) {
     if (parts.unusable.hasFace(parts.faces.FindIndex(beside))) continue;
     const TopoDS_Face face = TopoDS::Face(beside.Oriented(TopAbs_FORWARD));
@@ -69,11 +69,11 @@ EdgePiece ownPiece(const ShapeParts& parts, int edge, const Places& places) {
     const PlacedSurface placed = surfaceOf(face);
     if (is_part && hasStoredPath(old, face))
       builder.Range(piece.edge, placed.surface, placed.location,
-                    within(path.first, path.last, places[0]),
-                    within(path.first, path.last, places[1]));
+                    within(path.first, path.last, range[0]),
+                    within(path.first, path.last, range[1]));
     for (const int end : {0, 1})
       piece.image_ends[end].push_back(
-          placed.at(path.curve->Value(within(path.first, path.last, places[end]))));
+          placed.at(path.curve->Value(within(path.first, path.last, range[end]))));
   }
   return piece;
 }
@@ -96,7 +96,7 @@ EdgePieces edgePieces(const ShapeParts& parts, const JoinedNodes& joined,
       const auto sewn = sides.find({edge, k});
       EdgePiece piece;
       if (sewn == sides.end()) {
-        piece = ownPiece(parts, edge, nodes.placesOf(edge, k));
+        piece = ownPiece(parts, edge, nodes.rangeOf(edge, k));
       } else {
         const auto [interval, side] = sewn->second;
         piece =

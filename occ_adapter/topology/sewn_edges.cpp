@@ -20,7 +20,7 @@ CommonEdges commonEdges(const std::vector<Seam>& seams, const std::vector<SewnIn
   CommonEdges common;
   for (const SewnInterval& interval : intervals) {
     try {
-      common.edges.push_back(commonEdge(seams[interval.seam], interval.places, gap_mm));
+      common.edges.push_back(commonEdge(seams[interval.seam], interval.ranges, gap_mm));
     } catch (const NoCommonEdge& why) {
       common.refused[interval.seam] = why.reason();
     } catch (const GeometryError& error) {

@@ -27,8 +27,8 @@ class Cutter {
     const Seam& seam = seams_[number];
     SewnInterval interval;
     interval.seam = number;
-    interval.places = {Places{seam.correspondence.a.front(), seam.correspondence.a.back()},
-                       Places{seam.correspondence.b.front(), seam.correspondence.b.back()}};
+    interval.ranges = {ParameterRange{seam.correspondence.a.front(), seam.correspondence.a.back()},
+                       ParameterRange{seam.correspondence.b.front(), seam.correspondence.b.back()}};
     for (const int side : {0, 1}) {
       const int edge = seam.edges[side];
       interval.edges[side] = edge;
@@ -36,15 +36,15 @@ class Cutter {
         const Coedge& use = seam.sides[side];
         paths_[edge] = {surfaceOf(use.shape), pathOrBuilt(use.edge, use.shape, gap_mm_)};
       }
-      for (const double place : interval.places[side]) result_.cuts[edge].push_back(place);
+      for (const double parameter : interval.ranges[side]) result_.cuts[edge].push_back(parameter);
     }
     result_.intervals.push_back(interval);
   }
 
-  gp_Pnt point(int edge, double place) const {
+  gp_Pnt point(int edge, double parameter) const {
     const EdgeSide& side = paths_.at(edge);
     return side.placed.at(
-        side.path.curve->Value(side.path.first + place * (side.path.last - side.path.first)));
+        side.path.curve->Value(side.path.first + parameter * (side.path.last - side.path.first)));
   }
 
   bool areOne(int edge, double a, double b) const {
@@ -53,18 +53,19 @@ class Cutter {
     return std::abs(a - b) < half_way_round && point(edge, a).Distance(point(edge, b)) <= gap_mm_;
   }
 
-  std::vector<double> merged(int edge, std::vector<double> places) const {
-    std::ranges::sort(places);
+  std::vector<double> merged(int edge, std::vector<double> parameters) const {
+    std::ranges::sort(parameters);
     std::vector<double> kept = {0};
-    for (const double place : places)
-      if (!areOne(edge, kept.back(), place) && !areOne(edge, place, 1)) kept.push_back(place);
+    for (const double parameter : parameters)
+      if (!areOne(edge, kept.back(), parameter) && !areOne(edge, parameter, 1))
+        kept.push_back(parameter);
     kept.push_back(1);
     return kept;
   }
 
-  static int nearest(const std::vector<double>& cuts, double place) {
-    const auto found =
-        std::ranges::min_element(cuts, {}, [place](double cut) { return std::abs(cut - place); });
+  static int nearest(const std::vector<double>& cuts, double parameter) {
+    const auto found = std::ranges::min_element(
+        cuts, {}, [parameter](double cut) { return std::abs(cut - parameter); });
     return static_cast<int>(found - cuts.begin());
   }
 
@@ -72,14 +73,14 @@ class Cutter {
     SewReason why;
     for (const int side : {0, 1}) {
       const std::vector<double>& cuts = result_.cuts.at(interval.edges[side]);
-      Places& places = interval.places[side];
-      const int from = nearest(cuts, places[0]), to = nearest(cuts, places[1]);
+      ParameterRange& range = interval.ranges[side];
+      const int from = nearest(cuts, range[0]), to = nearest(cuts, range[1]);
       if (std::abs(to - from) > 1)
         why = why_not_sewn::intervalDivided(interval.edges[side]);
       else if (to == from)
         why = why_not_sewn::intervalShort(interval.edges[side]);
       interval.pieces[side] = std::min(from, to);
-      places = {cuts[from], cuts[to]};
+      range = {cuts[from], cuts[to]};
     }
     for (const int side : {0, 1})
       if (why.empty() && !taken_.insert({interval.edges[side], interval.pieces[side]}).second)

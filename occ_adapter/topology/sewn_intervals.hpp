@@ -15,8 +15,8 @@ struct SewnInterval {
   std::size_t seam = 0;
   std::array<int, 2> edges{};
   std::array<int, 2> pieces{};  ///< from 0, in the direction of each edge's curve
-  std::array<Places, 2> places{};
-  bool reversed() const { return places[1][0] > places[1][1]; }
+  std::array<ParameterRange, 2> ranges{};
+  bool reversed() const { return ranges[1][0] > ranges[1][1]; }
 };
 
 /// Edges cut into pieces, and the pieces that become one.

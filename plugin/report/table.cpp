@@ -50,11 +50,11 @@ std::vector<const occ::SeamResult*> worstFirst(const occ::Report& report) {
   std::vector<const occ::SeamResult*> order;
   for (const occ::SeamResult& seam : report.seams) order.push_back(&seam);
   const auto key = [](const occ::SeamResult* seam) {
-    constexpr std::array<int, 3> place = {1, 0, 2};  // smooth, defect, crease
+    constexpr std::array<int, 3> rank = {1, 0, 2};  // smooth, defect, crease
     const auto value = [](const std::optional<Figure>& figure) {
       return figure ? figure->lower : 1e300;
     };
-    return std::tuple(place[static_cast<std::size_t>(seam->verdict.seam_class)],
+    return std::tuple(rank[static_cast<std::size_t>(seam->verdict.seam_class)],
                       -value(seam->figures.angle_rad), -value(seam->figures.gap_mm), seam->id);
   };
   std::ranges::sort(order, {}, key);
