@@ -8,7 +8,7 @@
 
 #include <seamwright/core/seam/measure.hpp>
 #include <seamwright/occ_adapter/convert/pcurve.hpp>
-#include <seamwright/occ_adapter/seams/find.hpp>
+#include <seamwright/occ_adapter/seam.hpp>
 
 namespace seamwright::occ {
 

@@ -3,7 +3,7 @@
 
 #include <seamwright/core/seam/enclose.hpp>
 #include <seamwright/occ_adapter/convert/pcurve.hpp>
-#include <seamwright/occ_adapter/seams/find.hpp>
+#include <seamwright/occ_adapter/seam.hpp>
 
 namespace seamwright::occ {
 

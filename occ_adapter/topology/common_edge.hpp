@@ -6,7 +6,7 @@
 
 #include <seamwright/occ_adapter/convert/edge_image.hpp>
 #include <seamwright/occ_adapter/geometry_error.hpp>
-#include <seamwright/occ_adapter/seams/find.hpp>
+#include <seamwright/occ_adapter/seam.hpp>
 #include <seamwright/occ_adapter/topology/sew_reason.hpp>
 
 /// Replaces two edges that lie along each other by one. Not a public header.

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <seamwright/occ_adapter/seams/find.hpp>
+#include <seamwright/occ_adapter/seam.hpp>
 #include <seamwright/occ_adapter/topology/sew_reasons.hpp>
 #include <seamwright/occ_adapter/topology/shape_parts.hpp>
 

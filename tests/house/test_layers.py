@@ -5,6 +5,7 @@ belong."""
 import ast
 import os
 import re
+from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
 import pytest
@@ -92,6 +93,24 @@ def test_adapter_includes_nothing_but_what_it_stands_on():
         if not allowed.fullmatch(name) and name not in of_the_system
     ]
     assert wrong == []
+
+
+def test_folders_of_the_adapter_are_free_of_cycles():
+    """No folder includes another one that includes it, directly or through others."""
+    folders = {}
+    for path in files("occ_adapter", ".hpp", ".cpp"):
+        own = str(path.parent.relative_to(SOURCE))
+        named = {
+            str(Path(name[1:]).parent).removeprefix("seamwright/")
+            for name in includes(path)
+            if name.startswith("<seamwright/occ_adapter/")
+        }
+        folders.setdefault(own, set()).update(named - {own})
+    try:
+        order = list(TopologicalSorter(folders).static_order())
+    except CycleError as error:
+        pytest.fail("folders include each other: " + " -> ".join(error.args[1]))
+    assert len(order) > 5
 
 
 def test_plugins_leave_opencascade_to_the_adapter():
