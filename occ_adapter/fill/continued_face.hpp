@@ -19,7 +19,7 @@ namespace seamwright::occ {
 /// surface, as around a tube or outside of a sheet; or if the surface is not proved regular or is
 /// not C^1.
 /// \param angle_rad nothing: normals are not compared.
-/// \throws std::runtime_error for an edge that can't be evaluated; Standard_Failure.
+/// \throws GeometryError for an edge that can't be evaluated; Standard_Failure.
 std::optional<TopoDS_Face> continuedFace(const Hole& hole, double gap_mm,
                                          std::optional<double> angle_rad);
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
-#include <stdexcept>
 
 #include <seamwright/core/linear/dense.hpp>
 #include <seamwright/occ_adapter/fill/edge_fit.hpp>
+#include <seamwright/occ_adapter/geometry_error.hpp>
 
 namespace seamwright::occ {
 
@@ -22,7 +22,7 @@ std::shared_ptr<const SideSamples> sampled(const IntervalPath& path,
     samples->fitted.push_back(samples->checked[i]);
   for (const SideSample* sample : {&samples->fitted.front(), &samples->fitted.back()})
     if (!(sample->derivative.norm() > 1e-9 * path.length_mm()))
-      throw std::runtime_error("an edge has no tangent where it ends");
+      throw GeometryError("an edge has no tangent where it ends");
   return samples;
 }
 

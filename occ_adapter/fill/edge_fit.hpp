@@ -30,7 +30,7 @@ struct EdgeFit {
 
 /// The fit of the lowest degree that is near enough, or that higher degrees hardly improve.
 /// \param enough_rad accepted angle to the tangent planes of the faces.
-/// \throws std::runtime_error if an edge has no tangent where it ends.
+/// \throws GeometryError if an edge has no tangent where it ends.
 EdgeFit nearestEdge(const IntervalPath& path, Parametrisation parametrisation,
                     const std::array<SideFitEnd, 2>& ends, const SideFitOptions& options,
                     double enough_rad);

@@ -9,6 +9,7 @@
 #include <seamwright/occ_adapter/fill/fill.hpp>
 #include <seamwright/occ_adapter/fill/fill_names.hpp>
 #include <seamwright/occ_adapter/fill/filling.hpp>
+#include <seamwright/occ_adapter/geometry_error.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
 #include <seamwright/occ_adapter/model/usable.hpp>
 
@@ -85,7 +86,7 @@ std::optional<TopoDS_Face> faceThatGoesOn(const Hole& hole, const FillHoleOption
                              : std::optional(options.tolerance.angle_rad / fit_share));
   } catch (const Standard_Failure&) {
     return std::nullopt;
-  } catch (const std::runtime_error&) {
+  } catch (const GeometryError&) {
     return std::nullopt;
   }
 }

@@ -4,6 +4,7 @@
 #include <Geom_BezierSurface.hxx>
 #include <Precision.hxx>
 #include <algorithm>
+#include <stdexcept>
 
 #include <seamwright/core/fill/ring_fill.hpp>
 #include <seamwright/occ_adapter/convert/bezier_surface.hpp>
@@ -49,11 +50,20 @@ std::optional<int> curvatureDegrees(const std::vector<FillSide>& sides, int more
   return std::clamp(most_degree - static_cast<int>(degree), 0, *attempt.curvature_raise);
 }
 
+/// \throws NotFilled if the joins of the ring contradict each other. ringFill() says so by an
+/// exception of a general type, so it is caught around this one call.
+RingFill ringOf(const std::vector<FillSide>& sides, std::optional<int> curvature_degrees) {
+  try {
+    return ringFill(
+        sides, {.corner_tolerance_rad = plane_noise_rad, .curvature_degrees = curvature_degrees});
+  } catch (const std::runtime_error& error) {
+    throw NotFilled({.fault = FillFault::ConstructionRefused, .detail = error.what()});
+  }
+}
+
 FillSurfaces ringSurfaces(const std::vector<FillSide>& sides, Level target,
                           const FillAttempt& attempt) {
-  const RingFill fill =
-      ringFill(sides, {.corner_tolerance_rad = plane_noise_rad,
-                       .curvature_degrees = curvatureDegrees(sides, 3, target, attempt)});
+  const RingFill fill = ringOf(sides, curvatureDegrees(sides, 3, target, attempt));
   FillSurfaces result{.surfaces = {},
                       .corners = fill.corners,
                       .regular = fill.regular,

@@ -5,6 +5,7 @@
 
 #include <seamwright/occ_adapter/fill/fill_verdict.hpp>
 #include <seamwright/occ_adapter/fill/filling.hpp>
+#include <seamwright/occ_adapter/geometry_error.hpp>
 #include <seamwright/occ_adapter/model/failure_text.hpp>
 #include <seamwright/occ_adapter/repair/sew.hpp>
 
@@ -50,9 +51,10 @@ void take(const FillTask& task, const FillFaces& made, FillHoleReport& report) {
 }
 
 /// Runs the stages. What geometry can cause becomes a reason: a hole that no fill has (NotFilled),
-/// sides that a construction of core refuses (std::invalid_argument, std::domain_error), an edge or
-/// a face that can't be evaluated (std::runtime_error), and a failure of OpenCASCADE. Other
-/// exceptions are faults of the program, and pass.
+/// sides that a construction of core refuses (std::invalid_argument, std::domain_error), or whose
+/// numbers leave its range (std::overflow_error), an edge or a face that can't be evaluated
+/// (GeometryError), and a failure of OpenCASCADE. Other exceptions are faults of the program, and
+/// pass.
 FillHoleReport run(const FillTask& task, const Progress& progress,
                    const std::function<FillFaces(const std::function<void(const char*)>&)>& make) {
   FillHoleReport report;
@@ -77,7 +79,9 @@ FillHoleReport run(const FillTask& task, const Progress& progress,
     report.reason = {.fault = FillFault::ConstructionRefused, .detail = error.what()};
   } catch (const std::domain_error& error) {
     report.reason = {.fault = FillFault::ConstructionRefused, .detail = error.what()};
-  } catch (const std::runtime_error& error) {
+  } catch (const std::overflow_error& error) {
+    report.reason = {.fault = FillFault::ConstructionRefused, .detail = error.what()};
+  } catch (const GeometryError& error) {
     report.reason = {.fault = FillFault::ConstructionRefused, .detail = error.what()};
   }
   return report;

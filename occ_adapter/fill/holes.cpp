@@ -23,6 +23,7 @@
 #include <seamwright/core/disjoint_sets.hpp>
 #include <seamwright/occ_adapter/convert/points.hpp>
 #include <seamwright/occ_adapter/fill/holes.hpp>
+#include <seamwright/occ_adapter/geometry_error.hpp>
 #include <seamwright/occ_adapter/seams/edge_path.hpp>
 
 namespace seamwright::occ {
@@ -99,7 +100,7 @@ class Loops {
       result_.notes.push_back("edge " + std::to_string(number) +
                               " can't be evaluated: OpenCASCADE failed: " +
                               failure.DynamicType()->Name() + " " + failure.GetMessageString());
-    } catch (const std::runtime_error& error) {
+    } catch (const GeometryError& error) {
       result_.notes.push_back("edge " + std::to_string(number) +
                               " can't be evaluated: " + error.what());
     }
@@ -109,7 +110,7 @@ class Loops {
     const TopoDS_Edge forward = TopoDS::Edge(edge.Oriented(TopAbs_FORWARD));
     const TopoDS_Vertex vertex =
         at_last ? TopExp::LastVertex(forward) : TopExp::FirstVertex(forward);
-    if (vertex.IsNull()) throw std::runtime_error("it ends without a vertex");
+    if (vertex.IsNull()) throw GeometryError("it ends without a vertex");
     if (const int known = vertices_.FindIndex(vertex); known > 0) return known - 1;
     corners_.push_back({BRep_Tool::Pnt(vertex), BRep_Tool::Tolerance(vertex)});
     return vertices_.Add(vertex) - 1;

@@ -49,7 +49,7 @@ struct FittedSide {
 /// Where an interval begins smoothly, both edges have one tangent, halfway, and T is in a plane
 /// halfway between those of the faces. Where the plane leaves the tangent plane of a side by more
 /// than planar_rad, that side has position only.
-/// \throws std::runtime_error for an edge that can't be evaluated or has no tangent at a corner;
+/// \throws GeometryError for an edge that can't be evaluated or has no tangent at a corner;
 /// Standard_Failure.
 std::vector<FittedSide> fitSides(const std::vector<HoleSide>& sides,
                                  const std::vector<SideInterval>& intervals,

@@ -2,10 +2,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <string>
 
 #include <seamwright/occ_adapter/fill/side_path.hpp>
+#include <seamwright/occ_adapter/geometry_error.hpp>
 
 namespace seamwright::occ {
 
@@ -55,7 +55,7 @@ SidePath::SidePath(const HoleSide& side, double gap_mm) {
     length_mm_ += lengths_.back().length_mm();
   }
   if (!(length_mm_ > 0 && std::isfinite(length_mm_)))
-    throw std::runtime_error("edge " + std::to_string(side.edges.front().edge) + " has no length");
+    throw GeometryError("edge " + std::to_string(side.edges.front().edge) + " has no length");
 }
 
 std::vector<double> SidePath::joints() const {

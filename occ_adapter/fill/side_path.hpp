@@ -39,7 +39,7 @@ class ArcLength {
 /// The edges of a side, one after the other.
 class SidePath {
  public:
-  /// \throws std::runtime_error for an edge that can't be evaluated or a side without length.
+  /// \throws GeometryError for an edge that can't be evaluated or a side without length.
   SidePath(const HoleSide& side, double gap_mm);
 
   bool isOneEdge() const { return strips_.size() == 1; }

@@ -48,7 +48,7 @@ struct MatchSide {
 
 /// The side of a face at the boundary. The boundary counts as a side of the surface if it is within
 /// a hundredth of the gap tolerance of that side.
-/// \throws std::runtime_error if the edge has no pcurve on the face; Standard_Failure.
+/// \throws GeometryError if the edge has no pcurve on the face; Standard_Failure.
 MatchSide matchSide(const TopoDS_Face& face, const Coedge& use, const FaceMatchOptions& options);
 
 }  // namespace seamwright::occ

@@ -14,6 +14,7 @@
 #include <stdexcept>
 
 #include <seamwright/occ_adapter/analyze/measure_seam.hpp>
+#include <seamwright/occ_adapter/geometry_error.hpp>
 #include <seamwright/occ_adapter/match/candidate.hpp>
 #include <seamwright/occ_adapter/match/match_reasons.hpp>
 #include <seamwright/occ_adapter/model/usable.hpp>
@@ -384,7 +385,7 @@ MatchReport matchFaces(const TopoDS_Shape& model, int face_a, int face_b,
     throw;
   } catch (const Standard_Failure& failure) {
     match_why::add(report.failures, match_why::openCascadeFailed(failure));
-  } catch (const std::runtime_error& error) {
+  } catch (const GeometryError& error) {
     match_why::add(report.failures, match_why::failed(error.what()));
   }
   announce(progress, 1);

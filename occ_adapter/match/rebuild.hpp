@@ -42,11 +42,11 @@ struct RebuiltPair {
 /// the pcurve: exact along a parameter line, otherwise approximated. Tolerances of edges and
 /// vertices are the distances at 257 points of each pcurve plus a fifth; where nothing moved they
 /// are not below those before.
-/// \throws std::runtime_error if a curve can't be built; Standard_Failure.
+/// \throws GeometryError if a curve can't be built; Standard_Failure.
 RebuiltPair rebuild(const SeamPlan& plan);
 
 /// The largest move, at 257 points each, of the edges of the face that end at the seam.
-/// \throws std::runtime_error for an edge without a pcurve on the face.
+/// \throws GeometryError for an edge without a pcurve on the face.
 double largestSideMove_mm(const FacePlan& plan, double gap_mm);
 
 }  // namespace seamwright::occ

@@ -41,15 +41,17 @@ EXPECTED = {
     ("occ_adapter/fill/corner_fillet.cpp", "std::domain_error"): (
         "the construction refuses the sides of a corner: throws CornerRefused"
     ),
-    ("occ_adapter/fill/fill.cpp", "std::runtime_error"): "to be narrowed",
+    ("occ_adapter/fill/fill_faces.cpp", "std::runtime_error"): (
+        "the joins of a ring contradict each other: throws NotFilled; around this call only"
+    ),
     ("occ_adapter/fill/filling.cpp", "std::domain_error"): "to be narrowed",
     ("occ_adapter/fill/filling.cpp", "std::invalid_argument"): "to be narrowed",
-    ("occ_adapter/fill/filling.cpp", "std::runtime_error"): "to be narrowed",
-    ("occ_adapter/fill/holes.cpp", "std::runtime_error"): "to be narrowed",
+    ("occ_adapter/fill/filling.cpp", "std::overflow_error"): (
+        "sides whose polynomials leave the range of numbers: the reason of the fill"
+    ),
     ("occ_adapter/match/candidate.cpp", "std::invalid_argument"): (
         "nearestJoin() refuses the poles: the reason of the candidate"
     ),
-    ("occ_adapter/match/match.cpp", "std::runtime_error"): "to be narrowed",
     ("occ_adapter/model/reader_main.cpp", "std::exception"): (
         "the end of a process: tells its parent what went wrong, whatever it was"
     ),
