@@ -154,9 +154,9 @@ class Recognition {
           return solution;
         });
     if (!found && fit_.note.empty())
-      fit_.note =
-          "the seams are not the same, or their weights differ by no polynomial of degree up to " +
-          std::to_string(last);
+      fit_.note = "the edges do not coincide: they are met to " + text(fit_.residual) +
+                  ", not to " + text(allowed) + ", by weights of degree up to " +
+                  std::to_string(last);
     return found;
   }
 

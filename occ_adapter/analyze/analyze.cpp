@@ -59,6 +59,15 @@ void keepSeamsOf(const std::vector<int>& faces, std::vector<Seam>& seams) {
   });
 }
 
+std::string noSeamNote(std::size_t free_edges, bool match) {
+  std::string text = "no two faces share an edge, so no seam is judged; " +
+                     std::to_string(free_edges) + (free_edges == 1 ? " free edge" : " free edges");
+  if (free_edges > 1)
+    text += match ? ", none of them within the distance to match of another"
+                  : ": --match (in Python match_mm) pairs those that lie side by side";
+  return text;
+}
+
 }  // namespace
 
 ModelFacts factsOf(const Model& model) {
@@ -103,10 +112,7 @@ Report analyze(const Model& model, const AnalyzeOptions& options, const Progress
   report.non_manifold = std::move(graph.non_manifold);
   report.model.notes.insert(report.model.notes.end(), graph.notes.begin(), graph.notes.end());
   report.seams.resize(graph.seams.size());
-  if (report.seams.empty())
-    report.model.notes.push_back(
-        "no face shares an edge with another, so there is nothing to judge; " +
-        std::to_string(report.open.size()) + " edges bound one face");
+  if (report.seams.empty()) report.model.notes.push_back(noSeamNote(report.open.size(), match));
   runParallel(
       graph.seams.size(), options.jobs,
       [&](std::size_t i) { report.seams[i] = measureSeam(graph.seams[i], options); },

@@ -41,7 +41,14 @@ double lengthOf(const Seam& seam) {
                                       first + shares.back() * range);
 }
 
-/// "at 0" or, for parameters that lie close together, "from 0 to 0.012".
+/// "at the end of the seam", "at parameter 0.25".
+std::string placeText(const std::string& parameter) {
+  if (parameter == "0") return "at the start of the seam";
+  if (parameter == "1") return "at the end of the seam";
+  return "at parameter " + parameter;
+}
+
+/// The place or, for parameters that lie close together, "from parameter 0 to 0.012".
 std::string intervals(std::vector<double> parameters) {
   // A choice: samples nearer than 2 % of the seam are told as one interval, so that a note has a
   // few of them and not each sample.
@@ -57,7 +64,8 @@ std::string intervals(std::vector<double> parameters) {
     const std::string from = fmt::format("{:.3g}", parameters[first]),
                       to = fmt::format("{:.3g}", parameters[last]);
     const bool is_point = from == to || parameters[last] - parameters[first] <= shortest_told;
-    text += (first == 0 ? "" : ", ") + (is_point ? "at " + from : "from " + from + " to " + to);
+    text += (first == 0 ? "" : ", ") +
+            (is_point ? placeText(from) : "from parameter " + from + " to " + to);
   }
   return text;
 }

@@ -45,7 +45,7 @@ std::string figuresText(const SeamResult& seam) {
   };
   add("gap", seam.figures.gap_mm, 1, " mm");
   add("angle", seam.figures.angle_rad, degrees_per_radian, " degrees");
-  add("relative curvature difference", seam.figures.curvature_rel, 1, "");
+  add("curvature", seam.figures.curvature_rel, 100, " %");
   if (!seam.figures.uncertified.empty()) text += ", not enclosed: " + seam.figures.uncertified;
   if (!seam.note.empty()) text += ", " + seam.note;
   return text;

@@ -189,8 +189,8 @@ CornerReason noNormal(int face) {
 
 CornerReason smoothEdge(int edge) {
   return ofEdge(CornerFault::SmoothEdge, edge,
-                "is smooth: the faces beside it are in one plane at the vertex, and sharp edges "
-                "alone are rounded");
+                "is smooth: the faces beside it are in one plane at the vertex, and only sharp "
+                "edges can be rounded");
 }
 
 CornerReason flatAngle(int face, double angle_deg) {

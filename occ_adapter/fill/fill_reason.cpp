@@ -158,8 +158,8 @@ std::string causeText(const FillReason& reason) {
           pointText(reason.point_mm.value()));
     case FillFault::SideNotPolynomial:
       return fmt::format(
-          "one polynomial meets the side about {} ({}) to {:.3g} mm alone: a larger "
-          "gap would help, or a face put across the hole there first",
+          "no single polynomial follows the side near {} ({}) closer than {:.3g} mm; allow a "
+          "larger gap, or put a face across the hole there first",
           pointText(reason.point_mm.value()), edgesText(reason.edges), reason.number("gap_mm"));
     case FillFault::PositionOnly:
       return fmt::format(

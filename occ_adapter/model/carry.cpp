@@ -397,8 +397,9 @@ void requireLikeInstances(const PairedParts& parts, const TopoDS_Shape& changed,
   if (unlike.empty()) return;
   throw ModelError(
       ModelErrc::UnlikeInstances, {},
-      fmt::format("has one part in several places, changed unlike in each, which its structure "
-                  "can't hold: {}; change all places alike or write it afresh",
+      fmt::format("has a part in several places that was changed differently in each, which its "
+                  "structure can't hold: {}; change all places alike, or set afresh to write a "
+                  "new structure",
                   fmt::join(unlike, "; ")));
 }
 

@@ -87,7 +87,7 @@ struct Incoming {
 
 ModelError notInTime(const Question& question, const ReaderBounds& bounds) {
   return {ModelErrc::ReaderDied, question.model,
-          fmt::format("can't be {}: OpenCASCADE exceeded the time limit of {:.6g} s; "
+          fmt::format("can't be {}: OpenCASCADE exceeded the time limit of {:.3g} s; "
                       "SEAMWRIGHT_READER_SECONDS sets another limit",
                       question.deed, bounds.seconds)};
 }

@@ -51,6 +51,7 @@ occ::Hole holeOf(const occ::Model& model, const py::object& given,
   const py::object number = itemOrSelf(given, "id");
   const std::vector<occ::Hole> all = holesOf(model, options.corner_rad, options.tolerance.gap_mm);
   if (number.is_none() && all.size() == 1) return all.front();
+  if (all.empty()) throw py::value_error("the model has no hole");
   if (number.is_none())
     throw py::value_error("hole is None and the model has " + std::to_string(all.size()) +
                           " holes: name one of them, or a face");

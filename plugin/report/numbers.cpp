@@ -56,12 +56,12 @@ std::string intervalText(const Interval& interval) {
   return fmt::format("{:.6g} to {:.6g}", interval.lower, interval.upper);
 }
 
-/// "the curvature leaves out the first 9.54e-07"; empty if it leaves out nothing.
+/// "the curvature leaves out the first 9.54e-07 of the seam"; empty if it leaves out nothing.
 std::string leftOutText(const std::string& what, const LeftOut& left_out) {
   std::string text;
   for (const Interval& interval : left_out.intervals)
     text += (text.empty() ? "" : ", ") + intervalText(interval);
-  return text.empty() ? text : "the " + what + " leaves out " + text;
+  return text.empty() ? text : "the " + what + " leaves out " + text + " of the seam";
 }
 
 std::string joinedNotes(std::initializer_list<std::string> notes) {

@@ -21,20 +21,28 @@ std::string verdictOf(const occ::SeamRepair& seam) {
   return result.empty() ? "sewn" : result + ", sewn";
 }
 
+/// A text that both reasons share is told once.
 std::string reasonOf(const occ::SeamRepair& seam) {
-  if (seam.not_sewn.empty()) return seam.reason.text;
-  return (seam.reason.empty() ? "not sewn: " : seam.reason.text + "; not sewn: ") +
-         seam.not_sewn.text;
+  const std::string &reason = seam.reason.text, &not_sewn = seam.not_sewn.text;
+  if (seam.not_sewn.empty()) return reason;
+  if (seam.reason.empty()) return "not sewn: " + not_sewn;
+  if (reason.find(not_sewn) != std::string::npos) return reason + "; therefore not sewn";
+  return reason + "; not sewn: " + not_sewn;
 }
 
-/// The seams that were to be repaired: treated or sewn, or with a reason why not. Unrepaired seams
-/// come first.
+/// Of a row: seams that are left, untreated ones, those that are sewn alone, repaired ones.
+int placeOf(const occ::SeamRepair& seam) {
+  if (seam.repaired) return 3;
+  if (seam.treated) return 0;
+  return reasonOf(seam).empty() ? 2 : 1;
+}
+
+/// The seams that were to be repaired: treated or sewn, or with a reason why not, by placeOf().
 std::vector<const occ::SeamRepair*> shownSeams(const occ::RepairReport& report) {
   std::vector<const occ::SeamRepair*> shown;
   for (const occ::SeamRepair& seam : report.seams)
     if (seam.treated || seam.sewn || !reasonOf(seam).empty()) shown.push_back(&seam);
-  std::stable_partition(shown.begin(), shown.end(),
-                        [](const occ::SeamRepair* seam) { return !seam->repaired; });
+  std::ranges::stable_sort(shown, {}, [](const occ::SeamRepair* seam) { return placeOf(*seam); });
   return shown;
 }
 

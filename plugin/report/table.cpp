@@ -90,7 +90,10 @@ std::string certainty(const occ::Report& report, const Summary& summary) {
 std::string toTable(const occ::Report& report) {
   std::ostringstream out;
   writeHead(out, report);
-  if (report.seams.empty()) return out.str();
+  if (report.seams.empty()) {
+    out << "\nNO VERDICT: the model has no seam\n";
+    return out.str();
+  }
   const std::vector<Column> columns = columnsOf(report);
   std::vector<Row> rows = {headings(columns)};
   for (const occ::SeamResult* seam : worstFirst(report))

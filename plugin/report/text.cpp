@@ -2,12 +2,29 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <map>
 #include <ostream>
 #include <seamwright/plugin/report/enclosure.hpp>
 #include <seamwright/plugin/report/numbers.hpp>
 #include <seamwright/plugin/report/text.hpp>
 
 namespace seamwright::report {
+
+namespace {
+
+/// "mm" for "MM" and "millimetre", as files of STEP and IGES spell it; other names in lower case.
+std::string shortUnit(std::string name) {
+  std::ranges::transform(name, name.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  static const std::map<std::string, std::string> symbols = {
+      {"millimetre", "mm"}, {"centimetre", "cm"}, {"metre", "m"}, {"kilometre", "km"},
+      {"micrometre", "um"}, {"inch", "in"},       {"foot", "ft"}, {"mile", "mi"}};
+  const auto found = symbols.find(name);
+  return found == symbols.end() ? name : found->second;
+}
+
+}  // namespace
 
 std::vector<Column> figureColumns(const ContinuityTolerance& tolerance) {
   return {{"gap mm", &SeamFigures::gap_mm, 1, tolerance.gap_mm},
@@ -39,8 +56,9 @@ std::string counted(std::size_t count, const std::string& noun) {
 void writeModel(std::ostream& out, const occ::Report& report) {
   const ContinuityTolerance& tolerance = report.tolerance;
   out << (report.model.path.empty() ? "model in memory" : report.model.path) << "  ("
-      << report.model.format << ", unit " << report.model.length_unit << ", " << report.model.faces
-      << " faces, " << report.model.edges << " edges)\n";
+      << report.model.format << ", unit " << shortUnit(report.model.length_unit) << ", "
+      << counted(static_cast<std::size_t>(report.model.faces), "face") << ", "
+      << counted(static_cast<std::size_t>(report.model.edges), "edge") << ")\n";
   for (const std::string& note : report.model.notes) out << "  note: " << note << '\n';
   out << "  target " << name(report.level) << ": gap <= " << tolerance.gap_mm
       << " mm, angle <= " << degrees_per_radian * tolerance.angle_rad

@@ -101,7 +101,7 @@ TEST(ConnectionFit, WhatStandsInTheWayIsSaid) {
   const Ribbon other = beginningAtU0(gentlePatch(3, 3, false, random));
   Ribbon flat = a;
   flat.first.setZero();
-  EXPECT_THAT(fitConnection(a, other).note, HasSubstr("the seams are not the same"));
+  EXPECT_THAT(fitConnection(a, other).note, HasSubstr("the edges do not coincide"));
   EXPECT_THAT(fitConnection(flat, beginningAtU0(continuation(a, {}, 1, 2))).note,
               HasSubstr("condition"));
   const ConnectionFunctions quadratic = test::randomConnection(2, 3, random);

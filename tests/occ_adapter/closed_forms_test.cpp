@@ -124,7 +124,7 @@ TEST(ClosedForms, ConeNamesItsApex) {
   const std::vector<SeamResult> closed = ofKind(report, SeamKind::Closed);
   ASSERT_EQ(closed.size(), 1u);
   EXPECT_EQ(closed[0].verdict.level, Level::G2) << describe(closed[0]);
-  EXPECT_THAT(closed[0].note, HasSubstr("vanishing normal on face 1 at 1"));
+  EXPECT_THAT(closed[0].note, HasSubstr("vanishing normal on face 1 at the end of the seam"));
   EXPECT_TRUE(closed[0].figures.certified && closed[0].verdict.certain) << describe(closed[0]);
   EXPECT_GT(closed[0].figures.plane_share, 1 - 1e-4);
   EXPECT_THAT(closed[0].note, Not(HasSubstr(";"))) << "one end alone";

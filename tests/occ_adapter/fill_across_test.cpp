@@ -63,10 +63,9 @@ TEST(HolesAcross, WhatNoPolynomialMeetsIsPlacedAndCanBeActedOn) {
   const FillHoleReport report =
       filled(cutThrough(quarteredSheet(), roundedRectangle(24, 14, 4, 0)));
   EXPECT_FALSE(report.filled);
-  EXPECT_THAT(textOf(report.reason), HasSubstr("; one polynomial meets the side about ("));
-  EXPECT_THAT(
-      textOf(report.reason),
-      HasSubstr(" mm alone: a larger gap would help, or a face put across the hole there first"));
+  EXPECT_THAT(textOf(report.reason), HasSubstr("; no single polynomial follows the side near ("));
+  EXPECT_THAT(textOf(report.reason),
+              HasSubstr(" mm; allow a larger gap, or put a face across the hole there first"));
 }
 
 TEST(HolesAcross, AReflexCornerOfAnElbowIsPlaced) {

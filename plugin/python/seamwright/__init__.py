@@ -17,6 +17,7 @@ number. Long calls release the GIL and take ``progress``, a callable that gets t
 
 from __future__ import annotations
 
+from types import MappingProxyType
 from typing import Any, Union
 
 try:
@@ -109,7 +110,9 @@ from ._core import __version__
 from .results import Tolerances
 
 #: The tolerances of each profile, by name.
-PROFILES = {name: Tolerances(values) for name, values in _core.PROFILES.items()}
+PROFILES = MappingProxyType(
+    {name: Tolerances(values) for name, values in _core.PROFILES.items()}
+)
 
 # Names of earlier versions.
 alpha_seam_fit = fit_alpha_seam

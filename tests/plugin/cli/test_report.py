@@ -360,6 +360,7 @@ def test_table_says_what_json_says(path):
         f"{summary['creases']} creases" in text
     )
     assert ("PASSED" in text) == (status == 0 and summary["seams"] > 0)
+    assert ("NO VERDICT" in text) == (summary["seams"] == 0)
     assert ("FAILED" in text) == (status == 1)
     certain = summary["seams"] - summary["uncertified"]
     assert (

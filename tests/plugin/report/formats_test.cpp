@@ -142,8 +142,8 @@ TEST(LeftOut, IsInJsonAndNote) {
                   {"curvature_per_mm", intervals},
                   {"curvature_rel", intervals}}));
   const std::string intervals_text =
-      "the angle leaves out the last 0.0005; "
-      "the curvature leaves out the first 1e-06, 0.25 to 0.250001, the last 0.0005";
+      "the angle leaves out the last 0.0005 of the seam; "
+      "the curvature leaves out the first 1e-06, 0.25 to 0.250001, the last 0.0005 of the seam";
   EXPECT_EQ(noteOf(seam, report.tolerance), intervals_text);
   seam.verdict.certain = false;
   EXPECT_EQ(
