@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <seamwright/core/bezier/homogeneous.hpp>
+#include <seamwright/core/bspline/basis.hpp>
+#include <seamwright/core/fair/curvature_profile.hpp>
+#include <seamwright/core/fair/fair_curve.hpp>
+#include <seamwright/core/fair/spline_energy.hpp>
+#include <seamwright/core/numeric.hpp>
+#include <seamwright/core/spline/bezier_spline.hpp>
+
+namespace seamwright {
+
+namespace {
+
+using Eigen::Index;
+
+using Band = Eigen::SparseMatrix<double>;
+using BandCholesky = Eigen::SimplicialLDLT<Band, Eigen::Lower, Eigen::NaturalOrdering<int>>;
+
+void requirePolynomial(const BSplineCurve& curve) {
+  requireValid(curve);
+  if (isRational(curve.poles)) refuse("a rational curve can't be faired");
+  if (curve.degree < 2) refuse("a curve of degree 1 can't be faired");
+}
+
+void requireTolerance(double tolerance_mm) {
+  if (!(tolerance_mm >= 0) || tolerance_mm == infinite)
+    refuse(fmt::format("the tolerance is {} mm: it must be at least 0 and finite", tolerance_mm));
+}
+
+Poles polesOf(const BSplineCurve& curve) {
+  return curve.poles.leftCols<3>() / curve.poles(0, 3);
+}
+
+BSplineCurve withPoles(const BSplineCurve& curve, const Poles& poles) {
+  BSplineCurve result = curve;
+  result.poles.leftCols<3>() = poles * curve.poles(0, 3);
+  return result;
+}
+
+int energyOrder(int degree) {
+  return std::min(3, degree);
+}
+
+double energyOf(const Band& products, const Poles& poles) {
+  return poles.cwiseProduct(products * poles).sum();
+}
+
+/// The largest distance of a Bézier pole of the spline with these poles from the origin.
+double largestPole_mm(const BSplineCurve& knots, const Poles& poles) {
+  BSplineCurve difference{knots.degree, knots.knots, HomogeneousPoles(poles.rows(), 4)};
+  difference.poles << poles, Eigen::VectorXd::Ones(poles.rows());
+  return bezierSpline(difference).poles.leftCols<3>().rowwise().norm().maxCoeff();
+}
+
+/// The derivative of the signed curvature or, in space, of its size by the parameter, from the
+/// derivatives up to order 3.
+double curvatureSlope(const CurveDerivatives& at, bool planar) {
+  const Eigen::RowVector3d first = at.row(1), second = at.row(2), third = at.row(3);
+  const Eigen::RowVector3d turn = first.cross(second), change = first.cross(third);
+  const double square = first.squaredNorm(), along = first.dot(second);
+  if (planar) return change.z() * square - 3 * along * turn.z();
+  return turn.dot(change) * square - 3 * along * turn.squaredNorm();
+}
+
+/// The poles that are free if the ends are held.
+struct FreePoles {
+  Index first = 0, count = 0;
+
+  FreePoles(Index poles, HeldEnds ends) {
+    first = std::min<Index>(static_cast<Index>(ends), (poles + 1) / 2);
+    count = std::max<Index>(poles - 2 * first, 0);
+  }
+};
+
+/// Moves of the poles for a smoothing: (mass + smoothing energy) x = -smoothing energy poles, for
+/// the free poles.
+class Smoother {
+ public:
+  Smoother(const BSplineCurve& curve, HeldEnds ends)
+      : poles_(polesOf(curve)),
+        free_(poles_.rows(), ends),
+        energy_(derivativeProducts(curve.degree, curve.knots, energyOrder(curve.degree))),
+        mass_(block(derivativeProducts(curve.degree, curve.knots, 0))),
+        free_energy_(block(energy_)),
+        slope_((energy_ * poles_).middleRows(free_.first, free_.count)) {
+    if (free_.count > 0) factor_.analyzePattern(Band(mass_ + free_energy_));
+  }
+
+  Index freeCount() const { return free_.count; }
+  const Band& energy() const { return energy_; }
+  /// The smoothing at which both forms have the same size.
+  double middle() const { return mass_.diagonal().sum() / free_energy_.diagonal().sum(); }
+
+  Poles moves(double smoothing) {
+    // Both forms are divided by the larger one, so that nothing overflows.
+    const double scale = std::max(1.0, smoothing / middle());
+    factor_.factorize(Band(mass_ / scale + smoothing / scale * free_energy_));
+    if (factor_.info() != Eigen::Success)
+      throw std::domain_error(
+          fmt::format("the equations are singular for smoothing {}", smoothing));
+    Poles moves = Poles::Zero(poles_.rows(), 3);
+    moves.middleRows(free_.first, free_.count) = -factor_.solve(smoothing / scale * slope_);
+    return moves;
+  }
+
+ private:
+  Band block(const Band& whole) const {
+    return whole.block(free_.first, free_.first, free_.count, free_.count);
+  }
+
+  Poles poles_;
+  FreePoles free_;
+  Band energy_, mass_, free_energy_;
+  Poles slope_;
+  BandCholesky factor_;
+};
+
+struct Smoothed {
+  Poles moves;
+  double moved_mm = 0, smoothing = 0;
+  int steps = 0;
+};
+
+/// Bisection for the logarithm of the smoothing. The distance grows with the smoothing.
+Smoothed largestSmoothing(Smoother& smoother, const BSplineCurve& curve, double tolerance_mm) {
+  // Beyond 2^80 times the middle the moves no longer change, below 2^-80 they are rounding.
+  double low = -80, high = 80;
+  Smoothed best{.moves = Poles::Zero(curve.poles.rows(), 3)};
+  const auto attempt = [&](double exponent) {
+    const double smoothing = smoother.middle() * std::exp2(exponent);
+    Smoothed found{.moves = smoother.moves(smoothing), .smoothing = smoothing};
+    found.moved_mm = largestPole_mm(curve, found.moves);
+    const int steps = best.steps + 1;
+    const bool within = found.moved_mm <= tolerance_mm;
+    if (within) best = std::move(found);
+    best.steps = steps;
+    return within;
+  };
+  if (attempt(high)) return best;
+  while (high - low > 0x1p-10 && best.moved_mm < 0.99 * tolerance_mm) {
+    const double exponent = (low + high) / 2;
+    (attempt(exponent) ? low : high) = exponent;
+  }
+  return best;
+}
+
+}  // namespace
+
+CurveFairness fairnessOf(const BSplineCurve& curve) {
+  requirePolynomial(curve);
+  const Poles poles = polesOf(curve);
+  CurveFairness result{
+      .energy = energyOf(derivativeProducts(curve.degree, curve.knots, energyOrder(curve.degree)),
+                         poles)};
+  const bool planar = (poles.col(2).array() == 0).all();
+  const BezierSpline spline = bezierSpline(curve);
+  const int count = static_cast<int>(spline.knots.size()) - 1;
+  double before = 0;
+  for (int i = 0; i < count; ++i) {
+    const BezierCurve piece = segment(spline, i);
+    try {
+      const CurvatureProfile profile =
+          planar ? planarCurvatureProfile(piece) : spaceCurvatureProfile(piece);
+      result.extrema += static_cast<int>(profile.extrema.size());
+      result.inflections += static_cast<int>(profile.inflections.size());
+      if (!profile.undecided_extrema.empty() || !profile.undecided_inflections.empty())
+        ++result.undecided_spans;
+    } catch (const std::domain_error&) {
+      ++result.undecided_spans;  // it may stop: the curvature has no certain sign
+    }
+    const double after = curvatureSlope(piece.derivatives(0, 3), planar);
+    if (before * after < 0) ++result.extrema_at_knots;
+    before = curvatureSlope(piece.derivatives(1, 3), planar);
+  }
+  return result;
+}
+
+FairedCurve fairCurve(const BSplineCurve& curve, double tolerance_mm,
+                      const CurveFairingOptions& options) {
+  FairedCurve result;
+  result.before = fairnessOf(curve);
+  requireTolerance(tolerance_mm);
+  result.curve = curve;
+  result.after = result.before;
+  Smoother smoother(curve, options.ends);
+  if (tolerance_mm == 0 || smoother.freeCount() == 0) return result;
+  const Smoothed found = largestSmoothing(smoother, curve, tolerance_mm);
+  result.steps = found.steps;
+  const Poles poles = polesOf(curve) + found.moves;
+  if (!(energyOf(smoother.energy(), poles) < result.before.energy)) return result;
+  result.curve = withPoles(curve, poles);
+  result.moved_mm = found.moved_mm;
+  result.smoothing = found.smoothing;
+  result.after = fairnessOf(result.curve);
+  return result;
+}
+
+BSplineCurve smoothingSpline(int degree, const std::vector<double>& knots,
+                             const std::vector<double>& parameters, const Poles& points,
+                             double smoothing, bool ends_fixed) {
+  bspline::requireKnots(degree, knots, "");
+  if (points.rows() != static_cast<Index>(parameters.size()) || points.rows() == 0)
+    refuse(fmt::format("{} points for {} parameters", points.rows(), parameters.size()));
+  if (!points.allFinite()) refuse("a point is not finite");
+  for (std::size_t k = 0; k < parameters.size(); ++k)
+    if (!(parameters[k] >= knots.front() && parameters[k] <= knots.back()))
+      refuse(fmt::format("parameter {} is {}: it must be in [{}, {}]", k, parameters[k],
+                         knots.front(), knots.back()));
+  if (!(smoothing > 0) || smoothing == infinite)
+    refuse(fmt::format("the smoothing is {}: it must be positive and finite", smoothing));
+  const Band basis = basisAt(degree, knots, parameters);
+  const Band matrix =
+      basis.transpose() * basis + (degree < 3 ? Band(basis.cols(), basis.cols())
+                                              : smoothing * derivativeProducts(degree, knots, 3));
+  Poles right = basis.transpose() * points;
+  Poles poles = Poles::Zero(basis.cols(), 3);
+  const FreePoles free(basis.cols(), ends_fixed ? HeldEnds::Position : HeldEnds::Nothing);
+  if (ends_fixed) {
+    poles.row(0) = points.row(0);
+    poles.row(poles.rows() - 1) = points.row(points.rows() - 1);
+    right -= matrix * poles;
+  }
+  BandCholesky factor(Band(matrix.block(free.first, free.first, free.count, free.count)));
+  const Eigen::VectorXd pivots = factor.vectorD();
+  if (factor.info() != Eigen::Success || !(pivots.minCoeff() > 1e-14 * pivots.maxCoeff()))
+    throw std::domain_error(
+        fmt::format("the equations of the smoothing spline are singular: {} points for {} poles",
+                    points.rows(), poles.rows()));
+  poles.middleRows(free.first, free.count) = factor.solve(right.middleRows(free.first, free.count));
+  BSplineCurve result{degree, knots, HomogeneousPoles(poles.rows(), 4)};
+  result.poles << poles, Eigen::VectorXd::Ones(poles.rows());
+  return result;
+}
+
+}  // namespace seamwright

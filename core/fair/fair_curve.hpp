@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include <seamwright/core/bspline/curve.hpp>
+
+/// Fairing of polynomial B-spline curves, planar and spatial. Knots and parametrisation stay.
+namespace seamwright {
+
+/// What stays at both ends of a curve. Poles are held, so position, first and second derivative
+/// stay bitwise.
+enum class HeldEnds { Nothing, Position, Tangent, Curvature };
+
+/// How fair a curve is.
+struct CurveFairness {
+  /// Integral of the squared derivative of order min(3, degree) by the parameter.
+  double energy = 0;
+  /// Extrema of the curvature and its changes of sign inside of the spans (planar curves, see
+  /// planarCurvatureProfile()); extrema at knots, where the slope of the curvature changes its
+  /// sign.
+  int extrema = 0, extrema_at_knots = 0, inflections = 0;
+  /// Spans in which rounding hides a sign, or the curve may stop.
+  int undecided_spans = 0;
+};
+
+/// \param curve polynomial; in space the profile is that of spaceCurvatureProfile().
+/// \throws std::invalid_argument as requireValid(BSplineCurve) does, for a rational curve and for a
+/// degree of 1.
+CurveFairness fairnessOf(const BSplineCurve& curve);
+
+struct FairedCurve {
+  BSplineCurve curve;
+  double moved_mm = 0;   ///< bound of the distance of points of the same parameter
+  double smoothing = 0;  ///< weight of the energy against the squared distance; fairCurve() only
+  CurveFairness before, after;
+  int steps = 0;
+};
+
+struct CurveFairingOptions {
+  HeldEnds ends = HeldEnds::Position;
+};
+
+/// The curve D with the knots of the curve C for which the integral of |D - C|^2 plus smoothing
+/// times the energy is least, with the largest smoothing that moves no point by more than the
+/// tolerance, up to 1 % of the tolerance. Identities (each has a test of its number):
+///   (1) No point moves by more than moved_mm <= tolerance_mm; the bound is the one of the Bézier
+///       poles of D - C.
+///   (2) The energy does not grow. A tolerance of 0 returns the curve bitwise.
+///   (3) A curve that is one polynomial of degree below min(3, degree) stays up to rounding.
+///   (4) Rigid motion and scaling of poles and tolerance move the result along.
+///   (5) A curve with a larger tolerance has an energy that is at most as large.
+/// The cost of a step is O(poles).
+/// \throws std::invalid_argument as fairnessOf() does, and for a tolerance that is negative or not
+/// finite. Source: docs/theory/planar.md P11.1.
+FairedCurve fairCurve(const BSplineCurve& curve, double tolerance_mm,
+                      const CurveFairingOptions& options = {});
+
+/// The spline that makes half the sum of |P(t_k) - Q_k|^2 plus half of \p smoothing times the
+/// integral of |P'''|^2 least.
+///   (6) The gradient by each free pole is 0 up to rounding.
+/// \param points #P by 3, one for each parameter.
+/// \param ends_fixed the first and the last pole are the first and the last point.
+/// \throws std::invalid_argument for knots and degree that make no spline, numbers that are not
+/// finite or do not match, parameters outside of the knots, and a smoothing that is not positive.
+/// Throws std::domain_error if the equations are singular: fewer than 3 different parameters.
+/// Source: docs/theory/planar.md P11.1.
+BSplineCurve smoothingSpline(int degree, const std::vector<double>& knots,
+                             const std::vector<double>& parameters, const Poles& points,
+                             double smoothing, bool ends_fixed = false);
+
+/// Removes the jump of the third derivative at an inner knot of a cubic curve by a move of one
+/// pole: the knot is removed and inserted again.
+///   (7) P''' is continuous at the knot unless the move was limited; poles other than index - 2
+///       stay bitwise.
+/// \param index of the knot in the flat knots; a simple knot with three knots on each side.
+/// \param limit_mm largest move of the pole.
+/// \throws std::invalid_argument as fairnessOf() does, for another degree, an index without such a
+/// knot, and a limit that is negative. Source: docs/theory/planar.md P11.2; [Farin2002].
+BSplineCurve fairedAtKnot(const BSplineCurve& curve, int index, double limit_mm = HUGE_VAL);
+
+/// Fairs a cubic curve at the knots with the largest jumps of |P'''| / |P'|^3, one after the other,
+/// as long as the sum of the jumps at the knots that a pole influences falls.
+///   (8) No pole moves by more than the tolerance, so neither does a point of the curve.
+/// \throws as fairedAtKnot() and fairCurve() do. Source: docs/theory/planar.md P11.2.
+FairedCurve fairKnots(const BSplineCurve& curve, double tolerance_mm,
+                      const CurveFairingOptions& options = {});
+
+}  // namespace seamwright

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cmath>
+
+#include <seamwright/core/bspline/basis.hpp>
+#include <seamwright/core/fair/spline_energy.hpp>
+#include <seamwright/core/linear/dense.hpp>
+
+namespace seamwright {
+
+namespace {
+
+using Eigen::Index;
+
+struct GaussNodes {
+  Eigen::VectorXd nodes, weights;  ///< on [-1, 1]
+};
+
+/// The nodes are the eigenvalues of the symmetric matrix of the recurrence of the Legendre
+/// polynomials, and the weights are twice the squared first components of its eigenvectors.
+GaussNodes gaussNodes(int count) {
+  Eigen::MatrixXd recurrence = Eigen::MatrixXd::Zero(count, count);
+  for (int k = 1; k < count; ++k)
+    recurrence(k, k - 1) = recurrence(k - 1, k) = k / std::sqrt(4.0 * k * k - 1);
+  const linear::Eigenvalues found = linear::symmetricEigenvalues(recurrence);
+  return {.nodes = found.values, .weights = 2 * found.vectors.row(0).array().square()};
+}
+
+}  // namespace
+
+Eigen::SparseMatrix<double> derivativeProducts(int degree, const std::vector<double>& knots,
+                                               int order) {
+  const GaussNodes gauss = gaussNodes(degree + 1 - order);
+  const Index count = static_cast<Index>(knots.size()) - degree - 1;
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int span = degree; span < count; ++span) {
+    const double from = knots[span], to = knots[span + 1];
+    if (!(from < to)) continue;
+    Eigen::MatrixXd products = Eigen::MatrixXd::Zero(degree + 1, degree + 1);
+    for (Index k = 0; k < gauss.nodes.size(); ++k) {
+      const double t = from + (1 + gauss.nodes(k)) / 2 * (to - from);
+      const Eigen::RowVectorXd values =
+          bspline::basisDerivatives(degree, knots, span, t, order).row(order);
+      products += gauss.weights(k) * (to - from) / 2 * values.transpose() * values;
+    }
+    for (int i = 0; i <= degree; ++i)
+      for (int j = 0; j <= degree; ++j)
+        entries.emplace_back(span - degree + i, span - degree + j, products(i, j));
+  }
+  Eigen::SparseMatrix<double> result(count, count);
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+Eigen::SparseMatrix<double> basisAt(int degree, const std::vector<double>& knots,
+                                    const std::vector<double>& parameters) {
+  const Index count = static_cast<Index>(knots.size()) - degree - 1;
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    const int span = bspline::spanOf(degree, knots, parameters[k]);
+    const Eigen::MatrixXd values = bspline::basisDerivatives(degree, knots, span, parameters[k], 0);
+    for (int i = 0; i <= degree; ++i)
+      entries.emplace_back(static_cast<Index>(k), span - degree + i, values(0, i));
+  }
+  Eigen::SparseMatrix<double> result(static_cast<Index>(parameters.size()), count);
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+}  // namespace seamwright
