@@ -40,7 +40,7 @@ def basis(u, i, degree, span):
     if degree == 0:
         return [mpf(i == span)]
     result = [mpf(0)]
-    for k, low, high, sign in ((i, u[i], u[i + degree], 1), (i + 1, u[i + degree + 1], u[i + 1], -1)):
+    for k, low, high in ((i, u[i], u[i + degree]), (i + 1, u[i + degree + 1], u[i + 1])):
         if low != high:
             part = times(basis(u, k, degree - 1, span), [-low, mpf(1)])
             result = plus(result, part, 1 / (high - low))
