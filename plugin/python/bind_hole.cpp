@@ -107,8 +107,8 @@ py::object writeFilled(const FillReport& fill, const py::object& path, const py:
                      {path, overwrite, overwrite_source, progress});
 }
 
-/// A property that reads a figure of the JSON.
-auto figureNamed(const char* key) {
+/// A property that reads a value of the JSON.
+auto valueNamed(const char* key) {
   return [=](const FillReport& fill) { return py::object(fillReportDict(fill)[key]); };
 }
 
@@ -129,15 +129,18 @@ void bindFillOutcome(FillClass& type) {
           "Why the target is not reached; empty if it is.")
       .def_property_readonly(
           "reason_code", [](const FillReport& fill) { return codeOf(fill.report.reason.fault); },
-          "The code of the reason, see docs/fill.md; empty if the target is reached.");
+          "The code of the reason, see docs/fill.md; empty if the target is reached.")
+      .def_property_readonly("causes", valueNamed("causes"),
+                             "The causes that the reason names, as dicts with the keys of the "
+                             "JSON: code, numbers, edges, point_mm.");
 }
 
 void bindFillFigures(FillClass& type) {
-  type.def_property_readonly("largest_angle_deg", figureNamed("largest_angle_deg"),
+  type.def_property_readonly("largest_angle_deg", valueNamed("largest_angle_deg"),
                              "Bound of the angle over all new seams; None: not known.")
-      .def_property_readonly("largest_gap_mm", figureNamed("largest_gap_mm"),
+      .def_property_readonly("largest_gap_mm", valueNamed("largest_gap_mm"),
                              "Bound of the gap over all new seams; None: not known.")
-      .def_property_readonly("largest_curvature_rel", figureNamed("largest_curvature_rel"),
+      .def_property_readonly("largest_curvature_rel", valueNamed("largest_curvature_rel"),
                              "Bound of the relative difference of curvature over all new seams; "
                              "None: not known.")
       .def_property_readonly(

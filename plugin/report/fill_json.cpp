@@ -11,6 +11,7 @@
 #include <seamwright/plugin/report/numbers.hpp>
 #include <seamwright/plugin/report/text.hpp>
 #include <sstream>
+#include <utility>
 
 namespace seamwright::report {
 
@@ -34,6 +35,17 @@ ordered_json sideJson(const occ::FilledSide& side) {
           {"gap_mm", side.gap_mm},
           {"angle_deg", degrees(side.angle_rad)},
           {"corner_deg", {degrees(side.corner_rad[0]), degrees(side.corner_rad[1])}}};
+}
+
+ordered_json causeJson(const occ::FillReason& cause) {
+  ordered_json numbers = ordered_json::object();
+  for (const auto& [name, value] : cause.numbers) numbers[name] = value;
+  ordered_json point_mm = nullptr;
+  if (const auto& point = cause.point_mm) point_mm = {point->x(), point->y(), point->z()};
+  return {{"code", codeOf(cause.fault)},
+          {"numbers", std::move(numbers)},
+          {"edges", cause.edges},
+          {"point_mm", std::move(point_mm)}};
 }
 
 ordered_json cornerJson(const FillCorner& corner) {
@@ -156,6 +168,9 @@ ordered_json toJson(const occ::FillHoleReport& report, const occ::FillHoleOption
   json["reached"] = report.reached;
   json["reason"] = textOf(report.reason);
   json["reason_code"] = codeOf(report.reason.fault);
+  json["causes"] = ordered_json::array();
+  for (const occ::FillReason& cause : report.reason.causes)
+    json["causes"].push_back(causeJson(cause));
   json["largest_gap_mm"] = maybe(report.largestGap_mm());
   json["largest_angle_deg"] = maybe(report.largestAngle_rad(), degrees(1));
   json["largest_curvature_rel"] = maybe(report.largestCurvature_rel());

@@ -21,6 +21,7 @@ class Domain(NamedTuple):
     schema: str = ""  # empty: reports of this kind have no schema
     keys: tuple = ()  # path to the property
     reported: tuple = ()  # first and last code that reports can have; empty: all
+    cause_keys: tuple = ()  # path to the property of causes, which have the codes after those
 
 
 REASONS = {
@@ -50,7 +51,6 @@ REASONS = {
         page="docs/match.md",
         tables=(0, 1),
     ),
-    # Causes are in the text of another reason.
     "fill": Domain(
         source="occ_adapter/fill/fill_reason.cpp",
         header="occ_adapter/fill/fill_reason.hpp",
@@ -60,6 +60,7 @@ REASONS = {
         schema="docs/fill-1.schema.json",
         keys=("properties", "reason_code"),
         reported=("unusable_boundary", "invalid_shape"),
+        cause_keys=("$defs", "cause", "properties", "code"),
     ),
     # A corner that is refused has no report.
     "corner": Domain(
@@ -82,6 +83,14 @@ def text_of(path):
 def codes_of(path):
     (array,) = re.findall(r"constexpr std::array \w*codes = \{([^}]*)\}", text_of(path))
     return re.findall(r'"(\w*)"', array)
+
+
+def in_schema(path, keys):
+    """The codes that the schema allows for a property."""
+    part = json.loads(text_of(path))
+    for key in keys:
+        part = part[key]
+    return part["enum"]
 
 
 def enumerators(path, enum):
@@ -126,10 +135,16 @@ def test_codes_are_in_the_schema(domain):
     if domain.reported:
         first, last = (codes.index(code) for code in domain.reported)
         codes = ["", *codes[first : last + 1]]
-    part = json.loads(text_of(domain.schema))
-    for key in domain.keys:
-        part = part[key]
-    assert part["enum"] == codes
+    assert in_schema(domain.schema, domain.keys) == codes
+
+
+@pytest.mark.parametrize(
+    "domain", [domain for domain in REASONS.values() if domain.cause_keys], ids=lambda d: d.enum
+)
+def test_codes_of_causes_are_in_the_schema(domain):
+    codes = codes_of(domain.source)
+    causes = codes[codes.index(domain.reported[1]) + 1 :]
+    assert causes and in_schema(domain.schema, domain.cause_keys) == causes
 
 
 @pytest.mark.parametrize("domain", REASONS.values(), ids=REASONS)

@@ -168,6 +168,10 @@ def test_what_can_not_be_smooth_is_not_written(box):
     assert "NOT REACHED G1" in result.stdout and "90 degrees" in result.stdout
     assert not out.exists() and report["output"] is None and "90 degrees" in report["reason"]
     assert report["reason_code"] == "misses_target"
+    (cause,) = report["causes"]
+    assert cause["code"] == "position_only" and cause["point_mm"] is None
+    assert cause["numbers"] == {"turn_deg": pytest.approx(90)}
+    assert set(cause["edges"]) <= {edge for side in report["sides"] for edge in side["edges"]}
     result, report, out = fill(box, "--face", "1", "--keep-anyway")
     assert result.returncode == 1 and out.exists()
     assert report["output"]["defects"] == sum(
