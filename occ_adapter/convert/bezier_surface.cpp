@@ -16,20 +16,13 @@
 #include <string>
 
 #include <seamwright/occ_adapter/convert/bezier_surface.hpp>
+#include <seamwright/occ_adapter/convert/points.hpp>
 
 namespace seamwright::occ {
 
 namespace {
 
 using opencascade::handle;
-
-gp_Pnt point(const Eigen::Vector3d& p) {
-  return {p.x(), p.y(), p.z()};
-}
-
-Eigen::RowVector3d row(const gp_Pnt& p) {
-  return {p.X(), p.Y(), p.Z()};
-}
 
 void requireDegree(int degree) {
   if (degree < 1 || degree > Geom_BezierCurve::MaxDegree())
@@ -58,7 +51,7 @@ BezierCurve curveOf(const Curve& curve) {
   Poles poles(curve.NbPoles(), 3);
   Eigen::VectorXd weights(curve.NbPoles());
   for (int i = 0; i < curve.NbPoles(); ++i) {
-    poles.row(i) = row(curve.Pole(i + 1));
+    poles.row(i) = vector(curve.Pole(i + 1));
     weights(i) = curve.Weight(i + 1);
   }
   return {poles, weights};
@@ -71,7 +64,7 @@ BezierPatch patchOf(const Surface& surface) {
   Eigen::VectorXd weights(poles.rows());
   for (int i = 0; i < surface.NbUPoles(); ++i)
     for (int j = 0; j < columns; ++j) {
-      poles.row(i * columns + j) = row(surface.Pole(i + 1, j + 1));
+      poles.row(i * columns + j) = vector(surface.Pole(i + 1, j + 1));
       weights(i * columns + j) = surface.Weight(i + 1, j + 1);
     }
   return {surface.UDegree(), surface.VDegree(), poles, weights};
@@ -118,7 +111,7 @@ class ShellOfThree {
 
   TopoDS_Vertex vertex(const Eigen::Vector3d& p) const {
     TopoDS_Vertex result;
-    builder_.MakeVertex(result, point(p), tolerance_);
+    builder_.MakeVertex(result, pointOf(p), tolerance_);
     return result;
   }
 
@@ -169,7 +162,7 @@ handle<Geom_BezierCurve> toBezierCurve(const BezierCurve& curve) {
   TColgp_Array1OfPnt poles(1, count);
   TColStd_Array1OfReal weights(1, count);
   for (int i = 0; i < count; ++i) {
-    poles(i + 1) = point(rows.row(i));
+    poles(i + 1) = pointOf(rows.row(i));
     weights(i + 1) = w(i);
   }
   return curve.isRational() ? new Geom_BezierCurve(poles, weights) : new Geom_BezierCurve(poles);
@@ -185,7 +178,7 @@ handle<Geom_BezierSurface> toBezierSurface(const BezierPatch& patch) {
   TColStd_Array2OfReal weights(1, m + 1, 1, n + 1);
   for (int i = 0; i <= m; ++i)
     for (int j = 0; j <= n; ++j) {
-      poles(i + 1, j + 1) = point(rows.row(i * (n + 1) + j));
+      poles(i + 1, j + 1) = pointOf(rows.row(i * (n + 1) + j));
       weights(i + 1, j + 1) = w(i * (n + 1) + j);
     }
   return patch.isRational() ? new Geom_BezierSurface(poles, weights)

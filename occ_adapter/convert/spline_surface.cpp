@@ -179,7 +179,7 @@ double EdgeRows::weight(int row, int column) const {
 
 void EdgeRows::setPole(int row, int column, const Eigen::Vector3d& pole) {
   const auto at = index(row, column);
-  surface_->SetPole(at.first, at.second, gp_Pnt(pole.x(), pole.y(), pole.z()));
+  surface_->SetPole(at.first, at.second, pointOf(pole));
 }
 
 std::size_t EdgeRows::number(int row, int column) const {
