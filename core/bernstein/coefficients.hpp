@@ -94,6 +94,7 @@ inline const Eigen::VectorXd& binomials(Eigen::Index n) {
   return pascal[static_cast<std::size_t>(n)];
 }
 
+/// Sums are exact while binomials are below 2^53, up to n = 56. Each further row rounds once.
 inline int binomialRoundings(Eigen::Index n) {
   return static_cast<int>(std::max<Eigen::Index>(0, n - 56));
 }

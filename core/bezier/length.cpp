@@ -18,6 +18,7 @@ namespace seamwright {
 
 namespace {
 
+/// A choice: the remainder then falls with the seventh power of the length of a piece.
 constexpr int nodes = 7;
 /// The roots x of the Legendre polynomial of degree 7. Gauss' nodes on [0, 1] are (1 +- x) / 2.
 constexpr std::array<double, nodes> legendre_roots = {
@@ -144,6 +145,7 @@ class LengthSum {
     // The remainder falls with the seventh power of the length; rounding falls only where the speed
     // does.
     const bool falls = of_left.bracket.width() + of_right.bracket.width() <= width;
+    // The width is mostly rounding, or is below eleven digits of the length.
     const bool small = width <= 4 * estimate.rounding || width <= 0x1p-36 * estimate.bracket.upper;
     if (small && !falls) return take(estimate, share);
     add(left, of_left, 0.5 * share);

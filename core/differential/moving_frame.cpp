@@ -65,6 +65,8 @@ Vector3d firstNormal(const std::optional<Vector3d>& wanted, const Vector3d& tang
                                   bernstein::text((*wanted)(i)) + ": it must be finite");
   const Vector3d unit = wanted->stableNormalized();
   const double sine = unit.cross(tangent).norm();
+  // A choice: half of the digits of a unit vector. Nearer to the tangent the direction is mostly
+  // rounding of it.
   if (!(sine > 1e-9))
     throw std::invalid_argument("the normal is at an angle of " + bernstein::text(sine) +
                                 " to the tangent: it must not lie along it");

@@ -34,6 +34,8 @@ namespace seamwright {
 /// Source: docs/theory/enclosures.md E2.1 to E2.3, E4.2; [BrisebarreJoldes2010]; [MakinoBerz2003].
 class ChebyshevModel {
  public:
+  /// A choice: halving the interval then gains 2^8 (3), and a product of two models takes 64
+  /// products of numbers.
   static constexpr int max_degree = 7;
   static constexpr int size = max_degree + 1;
   /// Leading terms whose sum is less than this share of all terms except the constant go into the

@@ -174,6 +174,7 @@ SplineEvaluator::SpanMatrices SplineEvaluator::makeMatrices(int direction, int s
 const SplineEvaluator::SpanMatrices& SplineEvaluator::matrices(int direction, int span) const {
   const auto known = matrices_[direction].find(span);
   if (known != matrices_[direction].end()) return known->second;
+  // A bound of memory: a path lies in one span after another, so old ones are not needed again.
   constexpr std::size_t most_kept = 1000;
   if (matrices_[direction].size() >= most_kept) matrices_[direction].clear();
   return matrices_[direction].emplace(span, makeMatrices(direction, span)).first->second;
@@ -227,6 +228,7 @@ SplineEvaluator::Local SplineEvaluator::localize(int direction, const ChebyshevM
 }
 
 const SplineEvaluator::Cell& SplineEvaluator::cell(int span_u, int span_v, int nets) const {
+  // As in matrices(): a bound of memory.
   constexpr std::size_t most_kept = 1000;
   if (cells_.size() >= most_kept) cells_.clear();
   Cell& cell = cells_[{span_u, span_v}];
@@ -305,6 +307,7 @@ void SplineEvaluator::addNets(const RoundedNet& poles, const RoundedNet& local,
     // errors.
     const double of_terms =
         (mu.to_chebyshev_terms[du] * net.cwiseAbs() * mv.to_chebyshev_terms[dv].transpose()).sum();
+    // The last factor covers the rounding of this bound itself: a sum of up to some thousand terms.
     cell.nets[k].error[coordinate] =
         (nets[k].error.maxCoeff() +
          0.5 * machine_epsilon * (mu.roundings[du] + mv.roundings[dv]) * of_terms) *
@@ -396,6 +399,7 @@ JetModel SplineEvaluator::evaluated(const Cell& c, const ChebyshevModel& x, cons
       const Eigen::RowVector2d error = net.cwiseAbs().transpose() * off;
       const double rounding = static_cast<double>(terms + 4) * machine_epsilon * error[1];
       h[k][d] = ChebyshevModel::series(
+          // The last factor covers the rounding of this bound itself.
           sum, (error[0] + rounding + c.nets[k].error[d] * std::max(1.0, outside)) * (1 + 1e-12));
     }
   if (dimension == 4) return projected(h, order);
@@ -479,6 +483,7 @@ std::optional<CollapsedJetModel> SplineEvaluator::collapsedJet(const ChebyshevMo
   constexpr double near = 0x1p-4;  // of the span; further away the jet itself is as accurate
   constexpr double rounding =
       0x1p-36;  // of the span, or of the parameter if the path is only known to that
+  // As in matrices(): a bound of memory.
   constexpr std::size_t most_kept = 1000;
   const std::array<Local, 2> local = {localize(0, u, hint_u), localize(1, v, hint_v)};
   for (const int d : {0, 1})

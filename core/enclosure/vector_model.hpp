@@ -63,6 +63,8 @@ ControlPolygon<static_cast<int>(Dimension)> controlPolygon(
     const ChebyshevModel::Coefficients control = model[d].bernstein(polygon.degree);
     for (int i = 0; i <= polygon.degree; ++i) polygon.points[i][static_cast<int>(d)] = control[i];
   }
+  // The factor covers the rounding of the sum of some squares and of the root: below 45 units of
+  // 2^-52.
   polygon.radius = std::sqrt(square) * (1 + 1e-14);
   return polygon;
 }

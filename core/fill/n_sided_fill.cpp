@@ -53,6 +53,7 @@ void chooseFairest(NSidedFill& result, const fill::FillSpace& space, int order) 
   const NSidedFill first = attempt(order, std::nullopt);
   result = first;
   for (const int differences : {order, 5 - order})
+    // Choices: the relative length of the spokes, from the expected one to ever further ones.
     for (const double scale : {1.0, 0.7, 1.4, 0.5, 2.0}) {
       if (result.regular) return;
       result = attempt(differences, scale);

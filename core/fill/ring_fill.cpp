@@ -45,6 +45,7 @@ RingFill ringFill(const std::vector<FillSide>& sides, const RingFillOptions& opt
   fill::requireTolerance(options.corner_tolerance_rad);
   fill::requireCurvature(options.curvature_degrees);
   RingFill first = attempt(sides, options, 1);
+  // Choices, as in nSidedFill(): shorter and longer spokes.
   for (const double scale : {0.7, 1.3, 0.5}) {
     if (first.regular) break;
     RingFill other = attempt(sides, options, scale);

@@ -166,6 +166,7 @@ inline std::optional<double> notPositiveAt(const BernsteinPolynomial& p, double 
   if (at_end <= p.padding()) return end;
   if (p.range().lower > 0) return std::nullopt;
   const double middle = (begin + end) / 2;
+  // A bound of the recursion: so near a zero the sign is a matter of rounding.
   if (end - begin < 0x1p-40) return middle;
   const auto [left, right] = p.split(0.5);
   if (const auto at = notPositiveAt(left, begin, middle)) return at;

@@ -16,6 +16,9 @@ using rows::Field;
 using rows::Sum;
 using rows::times;
 
+/// Bound of the relative rounding of a fit: products and sums of some hundred coefficients, and an
+/// orthogonal solution, which adds a few units for each unknown. A choice above all of them: what
+/// is less counts as rounding.
 constexpr double fit_roundings = 256;
 
 /// A term factor(t) field(t) with an unknown factor of that degree.

@@ -80,6 +80,7 @@ std::optional<AlongCircle> alongCircle(const CurvePiece& piece, const PlanarArc&
   // A bound is good enough if it exceeds a value inside by 2 percent, or is below 1 percent of the
   // tolerance. Each division brings the bounds closer by a factor of 4, so a few do.
   constexpr double enough = 1.02, negligible = 0.01;
+  // Of the domain. A bound of the work where the point turns back or bounds do not come close.
   constexpr double smallest_share = 0x1p-12;
   const CirclePolynomials circle = circlePolynomials(piece, arc);
   const double k = arc.curvature_per_mm;

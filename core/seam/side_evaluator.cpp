@@ -22,12 +22,14 @@ double mapped(const std::vector<double>& from, const std::vector<double>& to, do
 /// The x in [-1, 1] at which a series takes a value, bracketed by two points on either side of the
 /// value. Nothing if none of 8 steps shows a change of side.
 std::optional<double> crossing(const ChebyshevModel& series, double value) {
+  // A choice. Two crossings within one step are not found; the caller then cuts in the middle.
   constexpr int steps = 8;
   double low = -1;
   const auto above = [&](double x) { return series.seriesAt(x) > value; };
   for (int i = 1; i <= steps; ++i) {
     double high = -1 + 2.0 * i / steps;
     if (above(low) != above(high)) {
+      // More halvings than a double has digits.
       for (int k = 0; k < 60; ++k) {
         const double middle = 0.5 * (low + high);
         (above(middle) == above(low) ? low : high) = middle;

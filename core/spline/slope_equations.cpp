@@ -15,6 +15,8 @@ using bernstein::text;
 using Eigen::Index;
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+/// Of the scale of a row. The factors 2 and 3 of the equations are then still within a double,
+/// whose largest exponent is 1023.
 constexpr int kLargestExponent = 1020;
 
 double largest(const Eigen::RowVector3d& v) {

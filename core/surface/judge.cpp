@@ -28,6 +28,7 @@ SurfaceVerdict judgeSurface(const SurfaceChange& change, const SurfaceTolerance&
                               "{:.6g}",
                               change.after.variation_per_mm, change.before.variation_per_mm)};
   const int more = change.after.inflections - change.before.inflections;
+  // A choice: a few new inflections are noise of nearly straight lines, which nobody sees.
   constexpr int lines_with_one = 5;
   if (lines_with_one * more > change.after.lines)
     return {true,

@@ -31,6 +31,7 @@ std::optional<double> crossingOf(const Function& f) {
       low = high;
       continue;
     }
+    // More halvings than a double has digits.
     for (int halving = 0; halving < 60; ++halving) {
       const double middle = (low + high) / 2;
       (f(middle) < 0 ? low : high) = middle;

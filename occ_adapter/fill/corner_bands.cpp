@@ -329,6 +329,7 @@ Made tried(const Corner& corner, std::vector<CornerStrip> strips,
 
   FillHoleOptions how;
   how.tolerance = options.tolerance;
+  // A choice: far below the shortest side, so that its ends stay apart.
   how.tolerance.gap_mm = std::min(how.tolerance.gap_mm, sections.shortestSide_mm() / 10);
   how.keep_anyway = true;
   how.most_degree = attempt.most_degree;

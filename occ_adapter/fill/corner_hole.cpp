@@ -62,6 +62,7 @@ std::array<double, 2> crossing(double angle_rad, double contact_mm, double next_
 std::size_t widest(const Corner& corner, const std::vector<CornerStrip>& strips, std::size_t i) {
   std::size_t found = i;
   for (const std::size_t k : {corner.before(i), corner.after(i)})
+    // Widths that differ by rounding are equal, whichever edge comes first.
     if (strips[k].contact_mm > (1 + 1e-9) * strips[found].contact_mm) found = k;
   return found;
 }
@@ -119,6 +120,8 @@ class Roller {
       const double least = leastSetback(i);
       strips_[i].setback_mm =
           options_.setback_mm(corner_.edges[i].number).value_or(least + mean / 2);
+      // At the least setback contact lines meet in a point. Beyond it by a millionth, they leave an
+      // edge that coordinates can tell.
       if (!(strips_[i].setback_mm > least * (1 + 1e-6)))
         throw CornerRefused(
             corner_why::setbackTooSmall(corner_.edges[i].number, strips_[i].setback_mm, least));
@@ -158,6 +161,7 @@ class HoleBuilder {
       strip.contacts[side] = foot + strip.contact_mm * edge.into[side];
       const double length =
           edge.end_normal.dot(far - strip.contacts[side]) / edge.end_normal.dot(edge.axis);
+      // A choice: a shorter rest of the fillet would be a sliver.
       if (!(length > 1e-3 * edge.length_mm))
         throw CornerRefused(corner_why::setBackTooFar(
             setBackFillet(corner_, hole_.strips, options_, i, edge.length_mm), length));
@@ -247,6 +251,7 @@ Poles springCurve(const Vector3d& from, const Vector3d& leaving, const Vector3d&
   const double cosine = std::cos(turn / 4);
   const double handle = (to - from).norm() / (3 * cosine * cosine);
   Poles poles(4, 3);
+  // A choice: below 1, so that handles do not reach the ends of their legs, where they would cross.
   poles << from.transpose(), (from + std::min(handle, 0.9 * legs[0]) * leaving).transpose(),
       (to - std::min(handle, 0.9 * legs[1]) * arriving).transpose(), to.transpose();
   return poles;

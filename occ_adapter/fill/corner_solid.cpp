@@ -156,6 +156,7 @@ class FaceRenewal {
       const Vector3d run = pointAt(ends[1]) - pointAt(ends[0]);
       const double left = run.normalized().dot(pointAt(to) - pointAt(from));
       const double spare = run.normalized().dot(pointAt(from) - pointAt(ends[0]));
+      // A choice: a shorter rest of the edge would be a sliver.
       if (!(left > 1e-3 * run.norm()) || spare < -maker_.tolerance_mm() ||
           spare + left > run.norm() + maker_.tolerance_mm())
         throw CornerRefused(corner_why::farEdgeCut(corner_.given_edges.FindIndex(old), run.norm(),

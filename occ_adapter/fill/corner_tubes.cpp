@@ -48,6 +48,7 @@ FarCut farCut(const CornerEdge& corner_edge, const CornerStrip& strip) {
   cut.height = normal.dot(strip.far_contacts[0] - strip.centre) / cut.cosine;
   const Vector3d lean = normal - cut.cosine * axis;
   const Vector3d x = -strip.to_edge, y = axis.cross(x);
+  // Far above the rounding of unit vectors. So little lean moves a cut by 1e-12 of the radius.
   cut.upright = lean.norm() < 1e-12;
   if (!cut.upright) cut.highest_u = std::atan2(-lean.dot(y), -lean.dot(x));
   cut.swing = strip.radius_mm * lean.norm() / cut.cosine;

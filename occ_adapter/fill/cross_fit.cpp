@@ -63,6 +63,7 @@ struct CrossForm {
   /// Smallest component across the edge, out of the hole, over the largest one.
   double evenness = 0;
 
+  /// A choice: what varies more makes the parameter lines of patches uneven.
   bool isEven() const { return evenness >= 0.7; }
 };
 

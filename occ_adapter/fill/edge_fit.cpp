@@ -21,6 +21,7 @@ std::shared_ptr<const SideSamples> sampled(const IntervalPath& path,
   for (std::size_t i = 0; i < samples->checked.size(); i += finer)
     samples->fitted.push_back(samples->checked[i]);
   for (const SideSample* sample : {&samples->fitted.front(), &samples->fitted.back()})
+    // So much shorter than the mean derivative is rounding of a zero.
     if (!(sample->derivative.norm() > 1e-9 * path.length_mm()))
       throw GeometryError("an edge has no tangent where it ends");
   return samples;

@@ -43,6 +43,7 @@ constexpr std::array codes = {"",
 
 /// "(1, 0, -2.5) mm"; coordinates that are zero up to rounding are 0.
 std::string pointText(const Eigen::Vector3d& point_mm) {
+  // To a millionth of a mm. Adding 0 turns -0 into 0.
   const auto rounded = [](double x) { return std::round(1e6 * x) / 1e6 + 0.0; };
   return fmt::format("({:.3g}, {:.3g}, {:.3g}) mm", rounded(point_mm.x()), rounded(point_mm.y()),
                      rounded(point_mm.z()));

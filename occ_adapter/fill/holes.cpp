@@ -167,6 +167,7 @@ class Loops {
   }
 
   static std::string freeEdgesText(std::vector<int> edges) {
+    // A choice: a message of one or two lines.
     constexpr std::size_t most = 10;
     std::ranges::sort(edges);
     std::string text = edges.size() == 1 ? "edge" : std::to_string(edges.size()) + " edges:";

@@ -65,6 +65,7 @@ std::vector<double> SidePath::joints() const {
 }
 
 std::size_t SidePath::edgeIndex(double share, bool after) const {
+  // Sums of lengths round by less.
   const double rounding_mm = 1e-12 * length_mm_, at_mm = share * length_mm_;
   std::size_t k = 0;
   while (k + 1 < begins_mm_.size() &&

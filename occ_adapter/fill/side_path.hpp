@@ -28,6 +28,7 @@ class ArcLength {
   double parameterAt(double length_mm) const;
 
  private:
+  /// A choice: with five nodes in each, a smooth path gets more digits than lengths need.
   static constexpr int pieces = 32;
   static double at(int k) { return static_cast<double>(k) / pieces; }
   double between(double from, double to) const;

@@ -278,6 +278,7 @@ MatchSide matchSide(const TopoDS_Face& face, const Coedge& use, const FaceMatchO
     side.cannot_move = match_why::hasNoPoles(kindOf(face));
     return side;
   }
+  // A hundredth of the gap is negligible, and above the rounding of pcurves in files.
   side.cannot_move = NaturalSide(side, options.tolerance.gap_mm / 100).set();
   if (side.cannot_move.empty()) return side;
   side.spline.Nullify();

@@ -126,6 +126,8 @@ opencascade::handle<Geom_BSplineSurface> copyOf(const Geom_BSplineSurface& surfa
 
 /// Parameters of points where rows 0..order act.
 std::vector<Eigen::Vector2d> gridOverRows(const EdgeRows& rows, int order, int across_points) {
+  // A choice: more than two for each pole of a cubic span. The proof measures what lies between
+  // them.
   constexpr int per_span = 9;
   const std::vector<double> knots = knotsFromSide(rows);
   const double reach = std::min(1.0, knots[order + rows.degreeAcross() + 1] / knots.back());
@@ -165,6 +167,7 @@ double heightAbove(Eigen::Vector2d at, const Eigen::AlignedBox2d& box, const Hei
 /// The largest height over the box of a grid. Weights that change make peaks between its points, by
 /// less than a quarter of what the points show; so the points near the largest are climbed from.
 double largestOver(const std::vector<Eigen::Vector2d>& grid, const Height& height) {
+  // 1 / 1.25: beside a lower point no peak is higher than the largest point.
   constexpr double near = 0.8;
   std::vector<double> heights;
   Eigen::AlignedBox2d box;
@@ -213,6 +216,7 @@ double largestMove_mm(const EdgeRows& before, const EdgeRows& after, int order) 
       same_weights = same_weights && before.weight(row, column) == after.weight(row, column);
     }
   if (same_weights) return largest;
+  // A choice: peaks between points exceed them by less than largestOver() allows for.
   constexpr int across_points = 17;
   const auto distance = [&](const Eigen::Vector2d& at) {
     return before.surface()->Value(at[0], at[1]).Distance(after.surface()->Value(at[0], at[1]));
@@ -231,6 +235,7 @@ MovedSurface deformed(const EdgeRows& rows, const Reference& reference,
 
 std::vector<double> sampledRatios(const EdgeRows& rows, const Reference& reference,
                                   const DeformationOptions& options) {
+  // As in gridOverRows().
   constexpr int per_span = 9;
   const std::vector<double> t = parametersInSpans(rows.knotsAlong(), per_span);
   std::vector<double> ratios;
@@ -272,6 +277,7 @@ MatchReason whySidesMove(const EdgeRows& rows, const Reference& reference,
 }
 
 bool isTurnedOver(const EdgeRows& before, const EdgeRows& after, int order) {
+  // A choice: across the few rows that move, the normal changes little between five points.
   constexpr int across_points = 5;
   for (const Eigen::Vector2d& at : gridOverRows(before, order, across_points)) {
     gp_Pnt point;

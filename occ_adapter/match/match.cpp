@@ -177,7 +177,7 @@ Proof prove(const MatchTask& task, const PairToMatch& pair, const Candidate& can
   const RebuiltPair rebuilt = rebuild(candidate.plan);
   proof.shell = rebuilt.shell;
   proof.after = measured(rebuilt.shell, rebuilt.seam, task.options);
-  announce(task.progress, 0.9);
+  announce(task.progress, 0.9);  // share of the progress bar, as are the others below
   const double tolerance_mm = largestTolerance_mm(rebuilt.shell);
   const double given_mm =
       std::max(largestTolerance_mm(pairOf(task.faces)), task.options.tolerance.gap_mm);

@@ -176,6 +176,7 @@ class FaceCopier {
 
   void setImage(const PlanarPath& path, const TopoDS_Face& face, TopoDS_Edge& edge) {
     const handle<Geom_Curve> image =
+        // A thousandth of the gap: the image of an edge adds nothing to what a seam is judged by.
         meanImage({{surfaceOf(face), path}}, path.first, path.last, plan_.gap_mm / 1000);
     builder_.UpdateEdge(edge, image, TopLoc_Location(), Precision::Confusion());
   }

@@ -144,6 +144,7 @@ ReferencePath referencePath(const EdgeRows& moving, const MatchSide& other,
     skew = std::max(skew, (foot - same).norm());
   }
   const double gap_mm = options.tolerance.gap_mm;
+  // A tenth of the gap leaves the rest to the join. The fitted path is ten times as near again.
   if (skew > std::max(gap_mm / 10, path.apart_mm)) fit(strip, feet, other, gap_mm / 100, path);
   return path;
 }

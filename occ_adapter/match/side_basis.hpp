@@ -9,6 +9,7 @@
 /// Points of a side and derivatives across it as sums over poles. Not a public header.
 namespace seamwright::occ {
 
+/// G2 needs derivatives of orders 0 to 2 across a side: that of order k depends on rows 0 to k.
 constexpr int most_rows = 3;
 
 /// X^(k) = sum over rows r <= k and columns j of share[k](r, j - first) pole(r, j): the k-th

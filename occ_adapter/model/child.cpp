@@ -85,6 +85,7 @@ Child::~Child() {
 
 bool Child::receive(const std::function<void(std::string_view)>& receive) {
   pollfd waiting{answer_, POLLIN, 0};
+  // Milliseconds: a stop is felt at once, and waiting costs nothing.
   if (::poll(&waiting, 1, 50) <= 0) return true;
   static thread_local std::array<char, 1 << 16> buffer;
   const ssize_t count = ::read(answer_, buffer.data(), buffer.size());

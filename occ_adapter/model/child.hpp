@@ -15,6 +15,7 @@ namespace seamwright::occ {
 /// input that it may be given. If it still runs when the object is destroyed, it is ended.
 class Child {
  public:
+  /// The first one after standard input, output and error, to which OpenCASCADE may write.
   static constexpr int answer_descriptor = 3;
 
   /// \param input a descriptor above 3 that becomes its standard input; -1: none.

@@ -92,6 +92,7 @@ MovingFace moverOf(int number, const TopoDS_Face& face, const TopoDS_Face& given
                                                 share_of_gap * task.options.tolerance.gap_mm,
                                                 isTreatedWhereItCloses(number, task),
                                                 std::array{first->UDegree(), first->VDegree()})};
+  // Half the lines of the proof: the budget is a scale, and need not be exact.
   mover.budget_per_mm = share_of_variation * variationOf_per_mm(face, surface, {.lines = 16}) +
                         allowedVariation(number, face, task.options.tolerance, task.needed, 1);
   mover.area_mm2 = area_mm2(face, surface, range);
@@ -212,6 +213,7 @@ std::vector<Part> connectedParts(const std::set<int>& moving, std::vector<Joint>
 
 std::string keyOf(const Part& part, const Restraints& restraints) {
   std::ostringstream key;
+  // Digits enough to tell any two doubles apart.
   key.precision(17);
   for (const int face : part.faces) {
     const Restraint restraint = restraintOf(face, restraints);

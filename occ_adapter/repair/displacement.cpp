@@ -236,6 +236,8 @@ Displacement::Displacement(const PreparedSurface& given, bool given_periodic,
       given_poles_(polesOf(*given_)) {
   // With simple knots degree 3 gives two continuous derivatives.
   constexpr int least_degree = 3;
+  // A choice: higher degrees couple more coefficients, which fills the matrix, and spans adapt
+  // better.
   constexpr int most_degree = 5;
   const int u = std::clamp(degrees_[0], least_degree, most_degree),
             v = std::clamp(degrees_[1], least_degree, most_degree);

@@ -189,6 +189,7 @@ class LineWalk {
   /// an equally spaced grid, because lines crowd where knots do, for example beside a degenerate
   /// side.
   JetNoise noiseOn(const std::array<double, 4>& range) const {
+    // In each direction. A choice: the scale of derivatives is enough.
     constexpr int points = 8;
     constexpr double share = 1e-6;
     double longest_u = 0, longest_v = 0;

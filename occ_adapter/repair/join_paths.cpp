@@ -159,6 +159,9 @@ class PathJoin {
   /// The distance of the image of a new pcurve from that of the old one, independent of their
   /// parametrisations.
   double move_mm(int side, const Geom2d_Curve& curve) const {
+    // Choices. Chords between the old points deviate from their curve by about 1 / (8 512^2) = 5e-7
+    // of its length for each radian it turns. The move changes slowly along the path, so fewer
+    // points of the new one do.
     constexpr int old_points = 512, new_points = 64;
     const PlanarPath& path = sides_[side].path();
     std::vector<gp_Pnt> old;

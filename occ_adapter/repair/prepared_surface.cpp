@@ -24,6 +24,7 @@ bool isClamped(const Geom_BSplineSurface& surface) {
 /// Makes the surface periodic where it closes on itself, as smooth there as before. A surface that
 /// is not periodic is clamped, so that its outermost poles are those of its boundaries.
 Surface closed(const Surface& given) {
+  // Closing by so little is rounding: it moves nothing that any tolerance sees.
   const double exactly_mm = Precision::Confusion() / 1000;
   const Surface surface = Surface::DownCast(given->Copy());
   if (isPeriodic(*given)) return surface;

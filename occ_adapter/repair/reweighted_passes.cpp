@@ -67,6 +67,8 @@ class IdlePasses {
   }
 
   bool areTooMany(double worst, double best) const {
+    // Choices. Far from the tolerances passes that do not help will not reach them, so fewer are
+    // tried.
     constexpr double diverges = 4, far = 3;
     return worst > diverges * best || count_ >= (worst > far ? 2 : 4);
   }
@@ -84,6 +86,8 @@ int reweightedPasses(FairSamples& samples, MovingFaces& movers, const FreeCoeffi
   // The largest weight is reached after five passes of largest growth (5^5 > 1000, see
   // FairSamples::addWeight()). As many are left to converge with it.
   constexpr int most_passes = 10;
+  // A choice: a larger weight brings the worst samples nearer and costs fairness elsewhere. With
+  // many faces five passes of growth take too long; 100 is reached after three (5^3 > 100).
   const double largest_weight = movers.size() > many_faces ? 100 : 1000;
   StepProblem problem(samples.joints(), samples.samples(), movers, unknowns);
   std::optional<FairState> unweighted, best;

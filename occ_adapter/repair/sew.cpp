@@ -138,7 +138,7 @@ struct SewnSeams {
 /// Updates the numbers of all seams. Sewn seams are measured as one edge.
 SewnSeams measuredSeams(const SewTask& task, const SeamNumbers& chosen, const SewnShape& sewn,
                         const Progress& progress) {
-  constexpr double share_of_matching = 0.2;
+  constexpr double share_of_matching = 0.2;  // of the progress bar
   SeamGraph graph = findSeams(sewn.shape);
   matchFreeEdges({.match_mm = task.options.match_mm, .gap_mm = task.options.tolerance.gap_mm},
                  graph, partOf(progress, 0, share_of_matching));

@@ -20,6 +20,8 @@ using opencascade::handle;
 
 /// 1 at an end, 0 from a quarter of the edge on, with a continuous derivative.
 double fade(double from_end) {
+  // A choice: below a half, so that the moves of both ends do not overlap. A shorter reach bends
+  // the edge more.
   constexpr double reach = 0.25;
   const double t = std::clamp(from_end / reach, 0.0, 1.0);
   return (1 - t) * (1 - t) * (1 + 2 * t);
@@ -38,6 +40,9 @@ class Slide {
   }
 
   std::optional<PathChange> path() const {
+    // Intervals, as choices: the looks only decide whether the edge moves at all; the first samples
+    // are halved where the curve misses; beyond the last number an edge has no smooth foot, and the
+    // pcurve would be too large.
     constexpr int looks = 32, fewest = 16;
     constexpr std::size_t most = 1024;
     double largest_mm = 0;
@@ -118,6 +123,8 @@ bool keepsAway(double value, double first, double last, bool is_periodic) {
 }  // namespace
 
 gp_Pnt2d StayingSurface::nearest(const gp_Pnt& point, const gp_Pnt2d& start) const {
+  // Steps converge linearly, by the product of distance and curvature, so a few are enough for the
+  // small moves of a repair. The seam is measured afterwards.
   constexpr int most_steps = 10;
   // Length of the last step in mm, far below any tolerance.
   constexpr double near = 1e-10;
@@ -161,6 +168,8 @@ SurfaceJet StayingSurface::jet(const gp_Pnt2d& uv) const {
 }
 
 bool StayingSurface::surrounds(const Pcurve& path) const {
+  // A choice: a look each 3 % of the path. The margin of 2 % is for what the path does between
+  // them.
   constexpr int looks = 32;
   for (int k = 0; k <= looks; ++k) {
     const gp_Pnt2d uv = path.curve->Value(path.first + (path.last - path.first) * k / looks);

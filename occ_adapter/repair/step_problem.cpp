@@ -146,6 +146,8 @@ double StepProblem::cost() const {
 void StepProblem::step(double ease) {
   // Marquardt's factors on the diagonal; 0 is the undamped Gauss-Newton step.
   constexpr std::array<double, 4> dampings = {0, 1e-3, 3e-2, 1};
+  // Choices: a step that a quarter of it does not make better points the wrong way, and more
+  // damping turns it towards the gradient.
   constexpr int halvings = 2;
   ease_ = ease;
   assemble();

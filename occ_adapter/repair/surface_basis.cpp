@@ -48,6 +48,8 @@ std::vector<int> SplineAxis::spans() const {
 }
 
 std::vector<int> SplineAxis::polesNear(double t) const {
+  // For degree 3 these are all that overlap one of those at t. For higher degrees, which overlap
+  // more, it is a choice that bounds the work.
   constexpr int most_more = 3;
   const int at = span(t, 0), more = std::min(degree, most_more);
   std::vector<int> near;
@@ -212,6 +214,7 @@ JetNoise noiseOf(const SurfaceJet& jet, const SurfaceBasis& basis) {
   const double step_u = basis.u().step, step_v = basis.v().step;
   const double size =
       jet.p.lpNorm<Eigen::Infinity>() + step_u * jet.u.norm() + step_v * jet.v.norm();
+  // For degrees up to 7 a derivative is a sum of at most 64 terms.
   const double rounding = 64 * std::numeric_limits<double>::epsilon() * size;
   return {std::max(rounding / step_u, Precision::Confusion() / (basis.u().last - basis.u().first)),
           std::max(rounding / step_v, Precision::Confusion() / (basis.v().last - basis.v().first))};
@@ -228,6 +231,7 @@ std::vector<std::vector<int>> collapsedSides(const SurfaceBasis& basis, const Po
       spread = std::max(spread, (poles.row(pole) - poles.row(side.front())).norm());
       size = std::max(size, poles.row(pole).cwiseAbs().maxCoeff());
     }
+    // Poles of one point, computed by some dozens of operations, differ by their rounding.
     if (spread <= std::max(near_mm, 64 * std::numeric_limits<double>::epsilon() * size))
       sides.push_back(std::move(side));
   };

@@ -13,6 +13,7 @@ namespace {
 /// By knot span: parameters from its first end on. The last span also has its last end.
 std::vector<std::vector<double>> gridOf(const TColStd_Array1OfReal& knots, double first,
                                         double last) {
+  // A choice: differences change slowly within a span.
   constexpr int per_span = 4;
   std::vector<double> ends = {first};
   for (const double knot : knots)

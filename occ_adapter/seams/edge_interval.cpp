@@ -78,6 +78,7 @@ std::vector<double> PairWalk::events() const {
 bool PairWalk::overhangs(const Foot& foot, const Eigen::Vector3d& p) const {
   if (foot.b > 0 && foot.b < 1) return false;
   const double along = std::abs((p - b_.strip().trace(foot.b).p).dot(b_.direction(foot.b)));
+  // 1e-11 of the length covers the rounding of points up to some hundred lengths from the origin.
   return along > 1e-3 * foot.distance_mm + 1e-11 * b_.length_mm();
 }
 

@@ -12,9 +12,11 @@ namespace seamwright::occ {
 
 namespace {
 
+/// A choice: bends of a smooth path show at the samples of an eighth of it.
 constexpr int least_pieces = 8;
 /// A deviation of a fiftieth of the chord is a turn of about 9 degrees.
 constexpr double largest_bend = 0.02;
+/// A bound of the work at kinks and cusps: a piece is at least 1 / 256 of a first one.
 constexpr int most_halvings = 8;
 
 /// 0, the breaks of the path apart from one another, 1, and points between them, so that there are
@@ -23,6 +25,8 @@ std::vector<double> firstCuts(const FaceStrip& strip) {
   std::vector<double> breaks = strip.breaks();
   std::ranges::sort(breaks);
   std::vector<double> cuts = {0};
+  // Of the range. Breaks that are nearer come from one knot, rounded in different ways, and a piece
+  // between them would be a point.
   constexpr double apart = 1e-6;
   for (const double s : breaks)
     if (s > cuts.back() + apart && s < 1 - apart) cuts.push_back(s);
@@ -55,6 +59,7 @@ EdgePath::EdgePath(const Coedge& use, int edge, double gap_mm)
   for (const PathPiece& piece : pieces_)
     lengths_mm_.push_back(lengths_mm_.back() + lengthBetween_mm(piece.from, piece.to));
   if (!std::isfinite(length_mm())) throw GeometryError("its path is not finite");
+  // A choice: far above rounding, also of files, and far below any opening that matters.
   closed_ = (pieces_.front().start - pieces_.back().end).norm() <= 1e-6 * length_mm();
 }
 
@@ -63,10 +68,13 @@ void EdgePath::addPieces(double from, double to, const PathPoint& start, const P
   PathPiece piece{from, to, start.p, end.p, 0};
   const double chord = (end.p - start.p).norm();
   if (!std::isfinite(chord)) throw GeometryError("its path is not finite");
+  // Unequally spaced, so that a wave does not vanish at all of them. Twice the largest, for what
+  // lies between them.
   for (const double share : {0.23, 0.5, 0.77})
     piece.sagitta_mm =
         std::max(piece.sagitta_mm, 2 * piece.distance(strip_.trace(piece.parameter(share)).p));
   const double rounding =
+      // Evaluation of a spline and its placement take some dozens of operations on a coordinate.
       64 * std::numeric_limits<double>::epsilon() * start.p.lpNorm<Eigen::Infinity>();
   if (depth == most_halvings || piece.sagitta_mm <= std::max(2 * largest_bend * chord, rounding)) {
     pieces_.push_back(piece);
@@ -118,7 +126,10 @@ double EdgePath::nearest(const Eigen::Vector3d& p, double start) const {
 
 Eigen::Vector3d EdgePath::direction(double parameter) const {
   const Eigen::Vector3d derivative = strip_.trace(parameter).d;
+  // A choice: a derivative so much shorter than the mean one counts as zero.
   if (derivative.norm() > 1e-6 * length_mm()) return derivative.normalized();
+  // Of the range. A choice: near where the derivative vanishes, and far above the rounding of
+  // points.
   constexpr double step = 1e-4;
   return (strip_.trace(std::min(parameter + step, 1.0)).p -
           strip_.trace(std::max(parameter - step, 0.0)).p)

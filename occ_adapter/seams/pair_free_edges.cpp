@@ -72,6 +72,8 @@ class Refinement {
     return foot.b >= std::min(left.b, right.b) && foot.b <= std::max(left.b, right.b);
   }
   double allowed_mm(const Foot& foot) const {
+    // A choice: half a percent is less than the two digits that reports show. The other limits are
+    // for tolerances as long as the edge, and for the rounding of feet (see roundingLength()).
     const double gap_mm = std::min(options_.gap_mm, 1e-3 * b_.length_mm());
     return std::max(0.005 * std::max(gap_mm, foot.distance_mm), 1e-9 * b_.length_mm());
   }
@@ -203,6 +205,7 @@ class Matcher {
 
 void Matcher::makePaths(const Progress& progress) {
   for (std::size_t i = 0; i < graph_.open.size(); ++i) {
+    // Each 64th path: often enough for a progress bar, and rarely enough to cost nothing.
     if (progress && i % 64 == 0 &&
         !progress(static_cast<double>(i) / static_cast<double>(graph_.open.size())))
       throw Cancelled();

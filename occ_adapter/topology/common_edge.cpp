@@ -122,6 +122,7 @@ class Along {
 };
 
 bool isLinear(const Along& along, const ParameterRange& range, double near_mm) {
+  // A choice, as the correspondence of parameters is smooth. The seam is measured afterwards.
   constexpr int count = 65;
   for (int k = 1; k + 1 < count; ++k) {
     const double s = static_cast<double>(k) / (count - 1);
@@ -136,6 +137,8 @@ bool isLinear(const Along& along, const ParameterRange& range, double near_mm) {
 handle<Geom2d_Curve> interpolated(const PlacedSurface& surface, const PlanarPath& path,
                                   const std::function<double(double)>& along, double first,
                                   double last, double near_mm) {
+  // Intervals, as choices: eight cubics suffice for a smooth edge; with more than 512 the curve is
+  // too large for what it gains. Then the last one is taken, and the seam is measured.
   constexpr int fewest = 8, most = 512;
   const auto on_path = [&](double s) { return path.curve->Value(parameter(path, along(s))); };
   for (int count = fewest;; count *= 2) {
@@ -214,6 +217,7 @@ void store(const Seam& seam, CommonEdge& common) {
 
 CommonEdge commonEdge(const Seam& seam, const std::array<ParameterRange, 2>& ranges,
                       double gap_mm) {
+  // A thousandth of the gap: nothing that a seam is judged by.
   const double near_mm = gap_mm / 1000;
   CommonEdge common;
   double first = 0, last = 0;

@@ -18,6 +18,8 @@ namespace {
 
 volatile sig_atomic_t interrupt_noted = 0;
 
+/// Exit statuses: 2 by convention of Unix commands, 130 is 128 plus the number of SIGINT, as shells
+/// give it.
 constexpr int bad_input = 2;
 constexpr int stopped = 130;
 

@@ -25,6 +25,7 @@ void ProgressBar::draw(double share) {
   const int percent = static_cast<int>(100 * share);
   if (!terminal_ || percent == drawn_percent_) return;
   drawn_percent_ = percent;
+  // A choice: with the label the bar fits on a line of 80 columns.
   constexpr int width = 30;
   const int filled = width * percent / 100;
   const std::string bar = std::string(filled, '#') + std::string(width - filled, '.');

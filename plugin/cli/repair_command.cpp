@@ -90,6 +90,8 @@ Done repairedAndWritten(const occ::Model& model, const RepairArguments& argument
 /// held, and the rest is repaired again.
 Done repairForFile(const occ::Model& model, const RepairArguments& arguments,
                    const occ::RepairOptions& asked) {
+  // Choices. What a file still spoils after two repeats is reported. A limit must be positive, so a
+  // spent one is a millisecond.
   constexpr int most_repeats = 2;
   constexpr double least_s = 1e-3;
   occ::RepairOptions used = asked;

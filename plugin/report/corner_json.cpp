@@ -103,7 +103,7 @@ std::string toTable(const occ::CornerFillet& fillet, const ModelCounts& memory,
                     fmt::format("{:.4g}", edge.radius_mm), fmt::format("{:.4g}", edge.contact_mm),
                     fmt::format("{:.4g}", edge.setback_mm)});
   std::ostringstream out;
-  constexpr std::size_t first_number = 2;
+  constexpr std::size_t first_number = 2;  // index of the first column of numbers
   writeRows(out, rows, first_number);
   out << counted(fillet.seams.size(), "new seam") << ": gap at most "
       << boundText(fillet.largestGap_mm(), "mm") << ", angle "

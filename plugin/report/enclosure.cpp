@@ -10,12 +10,14 @@ namespace seamwright::report {
 
 namespace {
 
+/// A choice: three digits are read at a glance.
 constexpr int few_digits = 3;
-constexpr int all_digits = 17;
+constexpr int all_digits = 17;  // these tell any two doubles apart
 
 enum class Rounding { Nearest, Down, Up };
 
 bool isPlain(double value) {
+  // Beyond these a number with an exponent is shorter.
   return value >= 1e-3 && value < 1e5;
 }
 

@@ -213,7 +213,7 @@ std::string toTable(const occ::FillHoleReport& report, const occ::FillHoleOption
         << report.inner.size() << " inside: gap at most " << textOf(report.largestGap_mm(), "mm")
         << ", angle " << textOf(angle, "degrees", degrees(1)) << ", curvature "
         << textOf(curvature, "%", 100) << "\n\n";
-    constexpr std::size_t first_number = 3;
+    constexpr std::size_t first_number = 3;  // index of the first column of numbers
     writeRows(out, rowsOf(report, options), first_number);
   }
   out << '\n';

@@ -111,7 +111,7 @@ std::string toTable(const occ::RepairReport& report, const std::optional<Written
     const std::vector<Column> columns = comparedColumns(report.before);
     std::vector<Row> rows = {comparedHeadings(columns)};
     for (const occ::SeamRepair* seam : shown) rows.push_back(rowOf(*seam, columns));
-    constexpr std::size_t first_figure = 4;
+    constexpr std::size_t first_figure = 4;  // index of the first column of numbers
     out << '\n';
     writeRows(out, rows, first_figure);
   }

@@ -99,7 +99,7 @@ std::string toTable(const occ::Report& report) {
   for (const occ::SeamResult* seam : worstFirst(report))
     rows.push_back(rowOf(*seam, columns, report.tolerance));
   out << '\n';
-  constexpr std::size_t length = 5;
+  constexpr std::size_t length = 5;  // index of the first column of numbers
   writeRows(out, rows, length);
   const Summary summary = summarize(report);
   out << '\n'

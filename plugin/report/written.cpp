@@ -91,6 +91,7 @@ std::vector<occ::SeamResult> beyond(const std::vector<occ::SeamResult>& known,
 /// Whether faces have the same numbers in the file: their number is the same, and 90 % of the pairs
 /// of neighbours are.
 bool hasSameFaces(const ModelCounts& file, const ModelCounts& memory) {
+  // A choice: a repair may change a few neighbours, a new numbering changes most.
   constexpr double nearly_all = 0.9;
   if (file.faces != memory.faces) return false;
   const auto same = std::ranges::count_if(memory.neighbours, [&file](const FacePair& faces) {
@@ -105,6 +106,7 @@ std::vector<occ::SeamResult> onlyInFile(const ModelCounts& file, const ModelCoun
 }
 
 std::string namesOf(const std::vector<occ::SeamResult>& seams) {
+  // A choice: a note of some lines.
   constexpr std::size_t most = 8;
   std::vector<std::string> names;
   for (std::size_t k = 0; k < std::min(most, seams.size()); ++k)
@@ -145,6 +147,7 @@ class JudgedWriting {
         accepted_(accepted) {}
 
   JudgedFile run() {
+    // Of the accuracy that the file states: readers join what is nearer than that.
     constexpr double tenth = 0.1;
     const bool has_choice = occ::targetFormat(target_) == occ::Format::Step && !how_.unchanged;
     if (!has_choice) return written(1, false);
@@ -189,7 +192,7 @@ class JudgedWriting {
   }
 
   ModelCounts countsIn(const std::filesystem::path& waiting) const {
-    constexpr double read = 0.5;
+    constexpr double read = 0.5;  // of the progress bar
     try {
       const occ::Model model =
           occ::readModel(waiting.string(), occ::partOf(progress_.checking, 0, read));

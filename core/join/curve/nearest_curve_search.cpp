@@ -323,6 +323,8 @@ Step Search::step(const Iterate& at) const {
     const double least = 1e-12 * values.cwiseAbs().maxCoeff();
     result.convex = values(0) >= -1e-9 * std::max(1.0, values.cwiseAbs().maxCoeff());
     const VectorXd slope = open.transpose() * (model.gradient + hessian * result.direction);
+    // 1e-300 stands for zero: it keeps quotients from being undefined where all eigenvalues are
+    // zero.
     const VectorXd size = values.cwiseAbs().cwiseMax(std::max(least, 1e-300));
     const VectorXd share = linear::LeastSquares(reach).solve(at.y.reshaped());
     result.stationarity = move > 0 ? (reach * share).norm() / move : 0;
@@ -350,6 +352,7 @@ Step Search::step(const Iterate& at) const {
 bool Search::advance(Iterate& from, const Step& step) const {
   const double before = from.cost() + step.penalty * from.infeasibility();
   const double rounding = from.noise * (from.noise + from.y.norm() + step.penalty);
+  // Smaller shares change the cost by less than its rounding.
   for (double share = 1; share > 1e-9; share /= 2) {
     VectorXd log_beta = from.log_beta + share * step.direction;
     if (!log_beta.allFinite()) continue;

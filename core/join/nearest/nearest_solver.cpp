@@ -220,6 +220,7 @@ void Search::descend(const Iterate& at, const Linear& model, const Eigen::Matrix
   const Eigen::VectorXd& values = eigen.values;
   result.convex = values.minCoeff() >= -least;
   const Eigen::VectorXd in_eigen = eigen.vectors.transpose() * slope;
+  // 1e-300 stands for zero: it keeps quotients from being undefined where all curvatures are zero.
   const Eigen::VectorXd size = values.cwiseAbs().cwiseMax(std::max(least, 1e-300));
   result.direction -= open * (eigen.vectors * in_eigen.cwiseQuotient(size));
   const Eigen::VectorXd share = linear::LeastSquares(reach).solve(at.z.reshaped());
