@@ -22,7 +22,9 @@
 /// other degrees, with the degree.
 namespace seamwright::occ {
 
+/// The curve over [0, 1], with the poles and weights of the given one.
 opencascade::handle<Geom_BezierCurve> toBezierCurve(const BezierCurve& curve);
+/// The surface over [0, 1]^2, with the poles and weights of the given patch.
 opencascade::handle<Geom_BezierSurface> toBezierSurface(const BezierPatch& patch);
 
 /// The Bézier curve of a Geom_BezierCurve, or of a Geom_BSplineCurve of one span, over [0, 1].

@@ -43,6 +43,7 @@ struct EdgeSide {
   gp_Pnt at(int k) const { return placed.at(path.at(k)); }
 };
 
+/// The surface that the face stores, with the location of the face; it is not copied.
 PlacedSurface surfaceOf(const TopoDS_Face& face);
 
 /// Whether the edge stores its pcurve on the face. On a plane it may be implied by the curve in

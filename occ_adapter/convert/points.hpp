@@ -12,6 +12,7 @@
 /// Points, vectors and numbers between OpenCASCADE and Eigen; not a public header.
 namespace seamwright::occ {
 
+/// The same coordinates; nothing is rounded.
 inline Eigen::Vector3d vector(const gp_XYZ& xyz) {
   return {xyz.X(), xyz.Y(), xyz.Z()};
 }
@@ -25,6 +26,7 @@ Eigen::Vector3d vector(const Vector& v) {
   return vector(v.XYZ());
 }
 
+/// The same coordinates; nothing is rounded.
 inline gp_Pnt pointOf(const Eigen::Vector3d& p) {
   return {p.x(), p.y(), p.z()};
 }

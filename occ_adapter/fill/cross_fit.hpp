@@ -28,6 +28,9 @@ struct BendFit {
   double curvature_per_mm = 0;  ///< its difference from the curvature of the faces
 };
 
+/// The bend of the lowest degree that meets the normal curvature along \p cross to a thousandth of
+/// the largest one, or of 1 / length_mm where that is larger; otherwise the best one up to \p
+/// most_degree.
 BendFit fittedBend(const SideSamples& samples, const Poles& cross, double length_mm,
                    int most_degree);
 

@@ -34,6 +34,7 @@ class SideBasis {
   Eigen::MatrixXd across_;
 };
 
+/// X^(order) of the blend with the poles of \p rows.
 Eigen::Vector3d derivative(const EdgeRows& rows, const Blend& blend, int order);
 
 /// Flat knots across the side, from 0 at the side, increasing into the face.

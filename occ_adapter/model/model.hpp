@@ -82,6 +82,7 @@ void writeBinaryShape(const TopoDS_Shape& shape, std::ostream& stream);
 TopoDS_Shape readBinaryShape(std::istream& stream);
 /// Writes the shape as text, which every version of OpenCASCADE reads; coordinates keep 15 digits.
 void writeTextShape(const TopoDS_Shape& shape, std::ostream& stream);
+/// Reads what writeTextShape() wrote. Returns a null shape if the stream holds none.
 TopoDS_Shape readTextShape(std::istream& stream);
 
 }  // namespace seamwright::occ

@@ -20,6 +20,7 @@ namespace seamwright::occ {
 /// The part without location and orientation, which all its instances share.
 TopoDS_Shape bare(const TopoDS_Shape& shape);
 
+/// The transformation from the frame of the shape to that of a part with this location.
 gp_Trsf outOf(const TopLoc_Location& location);
 
 /// The parts of one kind, numbered in the order of TopExp::MapShapes.

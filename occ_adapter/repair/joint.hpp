@@ -117,6 +117,7 @@ void followCurvature(const Joint& joint, const ContinuityTolerance& tolerance, J
 /// Moves the sample of a sliding edge to the foot of the moving side on the face that stays.
 void followSlide(JointSample& sample);
 
+/// The differences of both sides at a sample, for the present positions of the movers.
 Differences differencesAt(const Joint& joint, const JointSample& sample);
 
 /// The largest miss of a sample over its tolerance; infinite if a figure can't be computed. A

@@ -72,6 +72,7 @@ class SurfaceBasis {
 /// \param denominator with its derivatives, in the order of the rows of the shares.
 void divide(PoleShares& shares, const Eigen::VectorXd& denominator);
 
+/// The poles without weights, pole (i, j) in row i columns + j, both from 0.
 PointRows polesOf(const Geom_BSplineSurface& surface);
 /// Sets the poles. Poles whose coordinates stay equal are not touched.
 void setPoles(Geom_BSplineSurface& surface, const PointRows& poles);
