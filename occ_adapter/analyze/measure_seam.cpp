@@ -48,7 +48,7 @@ std::string placeText(const std::string& parameter) {
   return "at parameter " + parameter;
 }
 
-/// The place or, for parameters that lie close together, "from parameter 0 to 0.012".
+/// The location or, for parameters that lie close together, "from parameter 0 to 0.012".
 std::string intervals(std::vector<double> parameters) {
   // A choice: samples nearer than 2 % of the seam are told as one interval, so that a note has a
   // few of them and not each sample.

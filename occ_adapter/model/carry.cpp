@@ -397,8 +397,8 @@ void requireLikeInstances(const PairedParts& parts, const TopoDS_Shape& changed,
   if (unlike.empty()) return;
   throw ModelError(
       ModelErrc::UnlikeInstances, {},
-      fmt::format("has a part in several places that was changed differently in each, which its "
-                  "structure can't hold: {}; change all places alike, or set afresh to write a "
+      fmt::format("has several instances of a part that were changed differently, which its "
+                  "structure can't hold: {}; change all instances alike, or set afresh to write a "
                   "new structure",
                   fmt::join(unlike, "; ")));
 }

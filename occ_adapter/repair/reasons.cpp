@@ -247,7 +247,7 @@ RepairReason nothingProven(bool of_its_faces) {
 
 RepairReason instanceLessCertain() {
   return {.fault = RepairFault::InstanceLessCertain,
-          .text = "measured in this place it is less certain"};
+          .text = "measured in the position of this instance it is less certain"};
 }
 
 RepairReason onFace(int face, RepairReason reason) {

@@ -209,7 +209,7 @@ Returns an NSidedFill:
   regular          it is proved that no normal vanishes or turns back
   spoke_scale      None, or the prescribed length of the spokes' beginnings, where fairness alone
                    gave no regular patches
-  curvature_jump_per_mm  None, or the largest jump of normal curvature found at places along all
+  curvature_jump_per_mm  None, or the largest jump of normal curvature found at parameters along all
                          edges
 
 ValueError, with side or corner and number, for holes that do not close, angles of pi and more,

@@ -168,7 +168,7 @@ ValueError says what is wrong with which spoke or sector.)";
 constexpr const char* umbrella_inside_doc =
     R"(The Umbrella inside a closed boundary of 3 to 12 polynomial BezierCurves or arrays (n+1, 3).
 
-One patch for each corner, spokes from the fairest place to the middles of the sides. Member i has
+One patch for each corner, spokes from the fairest centre to the middles of the sides. Member i has
 the corner between side i and side i + 1 at (u, v) = (1, 1).)";
 
 }  // namespace

@@ -47,8 +47,8 @@ struct ParameterPairs {
 /// order^2 steps.
 int derivativeOrder(const pybind11::object& order, int most = 1000);
 
-/// The values of a function at \p count places as an array of shape \p shape + \p each.
-/// \param value  of the i-th place; its data are contiguous, in the order of \p each.
+/// The values of a function at \p count parameters as an array of shape \p shape + \p each.
+/// \param value  at the i-th parameter; its data are contiguous, in the order of \p each.
 template <class Value>
 Array valuesOf(const Shape& shape, const Shape& each, const Value& value) {
   Shape whole = shape;

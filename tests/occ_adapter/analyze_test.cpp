@@ -32,7 +32,7 @@ namespace {
 using occ::SeamResult;
 using ::testing::HasSubstr;
 
-/// A rounded box with a spherical bite as rational B-splines, repeated at several places.
+/// A rounded box with a spherical bite as rational B-splines, repeated in several positions.
 TopoDS_Shape manySeams(int copies) {
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(20, 30, 40).Shape();
   BRepFilletAPI_MakeFillet rounded(box);

@@ -238,7 +238,7 @@ TEST(BezierSurface, TrianglesAreRecognisedInTheirSurfaces) {
       const TriangleRecognition found = occ::recogniseTriangle(*theirs);
       ASSERT_TRUE(found.triangle) << found.deviation_mm;
       EXPECT_EQ(found.apex, PatchEdge::V0);
-      // ExchangeUV turns the natural normal over: corners 1 and 2 change places.
+      // ExchangeUV turns the natural normal over: corners 1 and 2 are exchanged.
       EXPECT_LT((found.triangle->permuted({0, 2, 1}).poles() - ours.poles()).cwiseAbs().maxCoeff(),
                 1e-12);
     }

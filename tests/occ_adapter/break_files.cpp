@@ -28,20 +28,20 @@ namespace {
 using namespace seamwright;
 using namespace seamwright::test;
 
-/// Places of the edges in the face's parameter plane that bound another face too.
-std::vector<gp_Pnt2d> seamPlaces(const TopoDS_Face& face,
-                                 const TopTools_IndexedDataMapOfShapeListOfShape& faces_of_edge) {
+/// Samples of the edges in the face's parameter plane that bound another face too.
+std::vector<gp_Pnt2d> seamSamples(const TopoDS_Face& face,
+                                  const TopTools_IndexedDataMapOfShapeListOfShape& faces_of_edge) {
   constexpr int points = 60;
-  std::vector<gp_Pnt2d> places;
+  std::vector<gp_Pnt2d> samples;
   const TopTools_IndexedMapOfShape edges = partsOf(face, TopAbs_EDGE);
   for (int e = 1; e <= edges.Extent(); ++e) {
     double first = 0, last = 0;
     const auto path = BRep_Tool::CurveOnSurface(TopoDS::Edge(edges(e)), face, first, last);
     if (faces_of_edge.FindFromKey(edges(e)).Extent() != 2 || path.IsNull()) continue;
     for (int k = 0; k <= points; ++k)
-      places.push_back(path->Value(first + (last - first) * k / points));
+      samples.push_back(path->Value(first + (last - first) * k / points));
   }
-  return places;
+  return samples;
 }
 
 TopoDS_Shape broken(const TopoDS_Shape& shape, double noise_mm, unsigned seed, double gap_mm) {
@@ -54,9 +54,9 @@ TopoDS_Shape broken(const TopoDS_Shape& shape, double noise_mm, unsigned seed, d
     TopLoc_Location location;
     const auto surface = BRep_Tool::Surface(TopoDS::Face(faces(f)), location);
     const auto spline = occ::clampedSpline(surface, location);
-    const std::vector<gp_Pnt2d> places = seamPlaces(TopoDS::Face(faces(f)), faces_of_edge);
-    if (spline.IsNull() || places.empty()) continue;
-    disturbNear(places, noise_mm, random, *spline);
+    const std::vector<gp_Pnt2d> samples = seamSamples(TopoDS::Face(faces(f)), faces_of_edge);
+    if (spline.IsNull() || samples.empty()) continue;
+    disturbNear(samples, noise_mm, random, *spline);
     changes.push_back({f, opencascade::handle<Geom_Surface>(spline), noise_mm});
   }
   return occ::withChanges(shape, changes, gap_mm);

@@ -12,8 +12,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Where the text begins at or after a place; throws if it does not.
-std::size_t placeOf(const std::string& text, const std::string& in, std::size_t from = 0) {
+/// Where the text begins at or after a position; throws if it does not.
+std::size_t positionOf(const std::string& text, const std::string& in, std::size_t from = 0) {
   const std::size_t at = in.find(text, from);
   if (at == std::string::npos) throw std::runtime_error("there is no '" + text + "'");
   return at;
@@ -33,22 +33,23 @@ std::string blobStep(std::mt19937& random) {
 }
 
 std::string withDanglingReference(std::string step) {
-  const std::size_t surface = placeOf("),#", step, placeOf("ADVANCED_FACE(", step)) + 3;
+  const std::size_t surface = positionOf("),#", step, positionOf("ADVANCED_FACE(", step)) + 3;
   return step.replace(surface, numberAt(step, surface).size(), "99999999");
 }
 
 std::string withWrongDegree(std::string step) {
   const std::string head = "B_SPLINE_SURFACE_WITH_KNOTS('',";
-  const std::size_t degree = placeOf(head, step) + head.size();
+  const std::size_t degree = positionOf(head, step) + head.size();
   return step.replace(degree, numberAt(step, degree).size(), "30");
 }
 
 std::string withoutANumber(std::string step) {
-  const std::size_t first_pole = placeOf("#", step, placeOf("B_SPLINE_CURVE_WITH_KNOTS(", step));
-  const std::size_t pole = placeOf("#", step, first_pole + 1) + 1;
+  const std::size_t first_pole =
+      positionOf("#", step, positionOf("B_SPLINE_CURVE_WITH_KNOTS(", step));
+  const std::size_t pole = positionOf("#", step, first_pole + 1) + 1;
   const std::string entity = "#" + numberAt(step, pole) + " = CARTESIAN_POINT('',(";
-  const std::size_t first = placeOf(entity, step) + entity.size();
-  return step.replace(first, placeOf(")", step, first) - first, "NAN,INF,0.");
+  const std::size_t first = positionOf(entity, step) + entity.size();
+  return step.replace(first, positionOf(")", step, first) - first, "NAN,INF,0.");
 }
 
 std::vector<fs::path> brokenFiles(const Folder& folder, std::mt19937& random) {

@@ -122,8 +122,8 @@ TEST(Change, LocationsStay) {
   scale.SetScale(gp_Pnt(3, 0, 1), 1.7);
   std::mt19937 generator(testSeed());
   for (const TopoDS_Shape& solid : solidsOfSplines())
-    for (const gp_Trsf& place : {randomMotion(generator), mirror, scale, mirror * scale}) {
-      const TopoDS_Shape placed = located(solid, place);
+    for (const gp_Trsf& motion : {randomMotion(generator), mirror, scale, mirror * scale}) {
+      const TopoDS_Shape placed = located(solid, motion);
       const gp_Trsf by = shift(0.2, 0.3, -0.1);
       const TopoDS_Shape changed = withChanges(placed, allMoved(placed, by), gap_mm);
       EXPECT_TRUE(changed.Location() == placed.Location());

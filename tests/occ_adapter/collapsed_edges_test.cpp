@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Bounds next to points where an edge of a surface collapses: places at 1e-2 to 1e-12 of the seam
+// Bounds next to points where an edge of a surface collapses: samples at 1e-2 to 1e-12 of the seam
 // from both ends.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -51,21 +51,21 @@ double upperOf(const std::optional<Figure>& figure) {
   return figure ? figure->upper.value_or(infinite) : infinite;
 }
 
-/// A place of the seam and how far it is from the nearer end.
-struct Place {
+/// A parameter of the seam and how far it is from the nearer end.
+struct Sample {
   double s = 0;
   double from_end = 0;
 };
 
 /// What may be there: the figure's bound, or that of what it leaves out.
-double allowed(const std::optional<Figure>& figure, const LeftOut& left_out, const Place& place) {
-  if (!holds(left_out, place.s)) return upperOf(figure);
-  return place.from_end < at_pole ? infinite : left_out.upper.value_or(infinite);
+double allowed(const std::optional<Figure>& figure, const LeftOut& left_out, const Sample& sample) {
+  if (!holds(left_out, sample.s)) return upperOf(figure);
+  return sample.from_end < at_pole ? infinite : left_out.upper.value_or(infinite);
 }
 
 struct Samples {
   int seams = 0;
-  int places = 0;
+  int count = 0;
 };
 
 /// A little above: what is rounded where the sample is taken.
@@ -73,22 +73,22 @@ double above(double bound) {
   return bound * (1 + 1e-6) + 1e-12;
 }
 
-void expectWithin(const ExactMeasure& exact, const SeamFigures& figures, const Place& place) {
-  EXPECT_LE(exact.angle_rad, above(allowed(figures.angle_rad, figures.angle_left_out, place)));
+void expectWithin(const ExactMeasure& exact, const SeamFigures& figures, const Sample& sample) {
+  EXPECT_LE(exact.angle_rad, above(allowed(figures.angle_rad, figures.angle_left_out, sample)));
   if (!figures.curvature_rel) return;
   EXPECT_LE(exact.curvature_rel,
-            above(allowed(figures.curvature_rel, figures.curvature_left_out, place)));
-  if (!holds(figures.curvature_left_out, place.s)) {
+            above(allowed(figures.curvature_rel, figures.curvature_left_out, sample)));
+  if (!holds(figures.curvature_left_out, sample.s)) {
     EXPECT_LE(exact.curvature_per_mm, above(upperOf(figures.curvature_per_mm)));
   }
 }
 
 /// The first derivatives of OpenCASCADE, which are off by their rounding.
-void expectAngleWithin(const PairMeasure& pair, const SeamFigures& figures, const Place& place,
+void expectAngleWithin(const PairMeasure& pair, const SeamFigures& figures, const Sample& sample,
                        double rounding_rad) {
   if (!pair.angle_rad) return;
   EXPECT_LE(*pair.angle_rad,
-            allowed(figures.angle_rad, figures.angle_left_out, place) * (1 + 1e-6) + rounding_rad);
+            allowed(figures.angle_rad, figures.angle_left_out, sample) * (1 + 1e-6) + rounding_rad);
 }
 
 /// Looks at the seams with a collapsed edge.
@@ -116,7 +116,7 @@ Samples expectBoundsHold(const TopoDS_Shape& shape) {
           expectWithin(*exact, result.figures, {s, x});
         else
           expectAngleWithin(strips.measureAt(s), result.figures, {s, x}, 1e-11 / x);
-        ++samples.places;
+        ++samples.count;
       }
   }
   return samples;
@@ -184,7 +184,7 @@ TEST(CollapsedEdges, BoundsHoldOnGeneratedFaces) {
        {cone, spline(cone), sphere, spline(sphere), turnedSpline(), spline(turnedSpline()),
         sewn(fan(-1, 0, 0.25), fan(1, 0.01, 0.25)), sewn(fan(-1, 0, 1e-5), fan(1, 0.01, 1e-5)),
         sewn(fan(-1, 0, 0.25), fan(1, 0.01, 0.25, 1e-9))})
-    EXPECT_GE(expectBoundsHold(shape).places, 80);
+    EXPECT_GE(expectBoundsHold(shape).count, 80);
 }
 
 TEST(CollapsedEdges, AnAngleThatOnlyThePointShowsIsFound) {

@@ -232,8 +232,8 @@ TEST(CornerFillet, OfACubeIsNearTheOctantOfABall) {
 /// Of x . n over a patch, n towards where the partial by u is left of that by v; by Gauss and
 /// Legendre.
 double flux_mm3(const BezierPatch& patch) {
-  constexpr std::array<double, 5> places = {0, 0.5384693101056831, -0.5384693101056831,
-                                            0.9061798459386640, -0.9061798459386640};
+  constexpr std::array<double, 5> nodes = {0, 0.5384693101056831, -0.5384693101056831,
+                                           0.9061798459386640, -0.9061798459386640};
   constexpr std::array<double, 5> weights = {0.5688888888888889, 0.4786286704993665,
                                              0.4786286704993665, 0.2369268850561891,
                                              0.2369268850561891};
@@ -241,10 +241,10 @@ double flux_mm3(const BezierPatch& patch) {
   double sum = 0;
   for (int i = 0; i < cells; ++i)
     for (int j = 0; j < cells; ++j)
-      for (std::size_t a = 0; a < places.size(); ++a)
-        for (std::size_t b = 0; b < places.size(); ++b) {
+      for (std::size_t a = 0; a < nodes.size(); ++a)
+        for (std::size_t b = 0; b < nodes.size(); ++b) {
           const SurfaceJet jet =
-              patch.jet((i + (1 + places[a]) / 2) / cells, (j + (1 + places[b]) / 2) / cells);
+              patch.jet((i + (1 + nodes[a]) / 2) / cells, (j + (1 + nodes[b]) / 2) / cells);
           sum += weights[a] * weights[b] * jet.p.dot(jet.u.cross(jet.v)) / (4 * cells * cells);
         }
   return sum;

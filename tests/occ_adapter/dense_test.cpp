@@ -22,7 +22,7 @@ namespace {
 
 using occ::SeamResult;
 
-/// The largest values just before, at and just after a place: on a knot line both sides count.
+/// The largest values just before, at and just after a parameter: on a knot line both sides count.
 template <class Value>
 DenseValue largestAround(double at, const Value& value_at) {
   DenseValue largest = value_at(at);
@@ -43,7 +43,8 @@ void expectFigure(const char* what, const std::optional<Figure>& figure, const D
     EXPECT_LE(dense.sure(), *figure->upper) << "noise " << dense.noise;
   else
     EXPECT_GE(figure->lower, dense.sure() - std::max(0.01 * dense.value, left_open));
-  // At a jump the points beside the place may miss the value, but the whole seam reaches it to 1 %.
+  // At a jump the points beside the parameter may miss the value, but the whole seam reaches it to
+  // 1 %.
   const double reached =
       std::max(there.value * (1 + 1e-6) + there.noise, 1.01 * dense.value + dense.noise);
   EXPECT_LE(figure->lower, reached) << "at " << figure->at << " it is " << there.value;

@@ -411,7 +411,7 @@ double energyOf(const Displacement& displacement) {
   return sum;
 }
 
-/// Coefficients of the spline nearest to a function of the place in space. \returns by how much it
+/// Coefficients of the spline nearest to a function of the point in space. \returns by how much it
 /// is missed.
 double moveBy(const Spline& given,
               const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& move,

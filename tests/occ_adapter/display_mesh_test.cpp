@@ -90,8 +90,9 @@ void expectCovers(const DisplayMesh& mesh, const TopoDS_Shape& shape, double sha
 /// for surfaces with kinks, where OpenCASCADE finds no nearest point.
 bool isPointOfFace(const TopoDS_Face& face, const Vector3d& p, const Eigen::Vector2d& uv) {
   const gp_Pnt on = BRep_Tool::Surface(face)->Value(uv.x(), uv.y());
-  const BRepClass_FaceClassifier place(face, gp_Pnt2d(uv.x(), uv.y()), 1e-6);
-  return on.Distance({p.x(), p.y(), p.z()}) < 1e-9 * (1 + p.norm()) && place.State() != TopAbs_OUT;
+  const BRepClass_FaceClassifier classifier(face, gp_Pnt2d(uv.x(), uv.y()), 1e-6);
+  return on.Distance({p.x(), p.y(), p.z()}) < 1e-9 * (1 + p.norm()) &&
+         classifier.State() != TopAbs_OUT;
 }
 
 double toleranceOf(const TopoDS_Face& face) {

@@ -62,7 +62,7 @@ Joint jointOf(const occ::Seam& seam, Ask ask, int order) {
   return joint;
 }
 
-/// All edges of the shape; open ones keep their place.
+/// All edges of the shape; open ones keep their position.
 std::vector<Joint> jointsOf(const TopoDS_Shape& shape, Ask ask, int order) {
   const occ::SeamGraph graph = occ::findSeams(shape);
   std::vector<Joint> joints;
@@ -176,9 +176,9 @@ TEST(FairSolve, ToAFinerToleranceToo) {
   EXPECT_LE(met.angle_rad, fine.angle_rad);
 }
 
-/// Open sides keep their place as far as that costs nothing: where they end at the seam they have
-/// to turn with the faces. They move by less than half of what they would if both faces turned as a
-/// whole, by half of the kink each.
+/// Open sides keep their position as far as that costs nothing: where they end at the seam they
+/// have to turn with the faces. They move by less than half of what they would if both faces turned
+/// as a whole, by half of the kink each.
 TEST(FairSolve, OpenSidesMoveByLessThanHalfOfATurn) {
   const TopoDS_Shape shape = roof(1 * degree);
   const Roof found = solvedRoof(shape, {1, 2});

@@ -20,7 +20,7 @@ namespace seamwright::test {
 
 double variationByOpenCascade(const TopoDS_Face& face,
                               const opencascade::handle<Geom_Surface>& surface) {
-  constexpr int lines = 40, places = 400;
+  constexpr int lines = 40, samples = 400;
   double first_u = 0, last_u = 0, first_v = 0, last_v = 0;
   BRepTools::UVBounds(face, first_u, last_u, first_v, last_v);
   BRepTopAdaptor_FClass2d inside(face, 1e-9);
@@ -30,8 +30,8 @@ double variationByOpenCascade(const TopoDS_Face& face,
     for (int line = 0; line < lines; ++line) {
       double total = 0, before = 0;
       int seen = 0;
-      for (int k = 0; k < places; ++k) {
-        const double along = (k + 0.5) / places, across = (line + 0.5) / lines;
+      for (int k = 0; k < samples; ++k) {
+        const double along = (k + 0.5) / samples, across = (line + 0.5) / lines;
         const double u = first_u + (last_u - first_u) * (along_u ? along : across);
         const double v = first_v + (last_v - first_v) * (along_u ? across : along);
         if (inside.Perform(gp_Pnt2d(u, v)) != TopAbs_IN) continue;

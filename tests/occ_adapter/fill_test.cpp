@@ -245,7 +245,7 @@ TEST(Fill, OfACornerOfThreeRadiiIsSmooth) {
   EXPECT_NEAR(volume_mm3(report.model.shape), volume_mm3(shape), 1.8);
 }
 
-/// A right triangle with legs of 8 and 6, extruded by 5: both ends are one face in two places.
+/// A right triangle with legs of 8 and 6, extruded by 5: both ends are two instances of one face.
 TopoDS_Shape prism() {
   BRepBuilderAPI_MakePolygon triangle(gp_Pnt(0, 0, 0), gp_Pnt(8, 0, 0), gp_Pnt(0, 6, 0), true);
   TopoDS_Shape shape =

@@ -114,11 +114,11 @@ double gap(const SeamResult& seam) {
 /// What an enclosure may leave open of a gap of zero: a hundredth of the tolerance.
 const double no_gap_mm = 0.01 * ContinuityTolerance().gap_mm;
 
-/// The point of a place of a side, from the edge's curve in space.
-gp_Pnt pointAt(const occ::Coedge& side, double place) {
+/// The point at a parameter of a side, from the edge's curve in space.
+gp_Pnt pointAt(const occ::Coedge& side, double parameter) {
   const BRepAdaptor_Curve curve(side.edge);
   return curve.Value(curve.FirstParameter() +
-                     place * (curve.LastParameter() - curve.FirstParameter()));
+                     parameter * (curve.LastParameter() - curve.FirstParameter()));
 }
 
 /// What every correspondence promises; \p along is the largest distance along the seam of the

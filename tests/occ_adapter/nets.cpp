@@ -18,12 +18,11 @@ namespace seamwright::test {
 
 namespace {
 
-/// Knots of full multiplicity at the ends do not matter here: the places of the poles, in the
-/// parameter and in knot spans.
-struct Places {
+/// The Greville parameters of poles. Knots of full multiplicity at the ends do not matter here.
+struct PoleParameters {
   std::vector<double> parameters;
 
-  Places(const TColStd_Array1OfReal& flat, int degree, int count) {
+  PoleParameters(const TColStd_Array1OfReal& flat, int degree, int count) {
     for (int i = 0; i < count; ++i) {
       double sum = 0;
       for (int k = 1; k <= degree; ++k) sum += flat(flat.Lower() + i + k);
@@ -153,8 +152,8 @@ class NetBuilder {
 
 void disturbNear(const std::vector<gp_Pnt2d>& seams, double noise_mm, std::mt19937& random,
                  Geom_BSplineSurface& surface) {
-  const Places u(surface.UKnotSequence(), surface.UDegree(), surface.NbUPoles());
-  const Places v(surface.VKnotSequence(), surface.VDegree(), surface.NbVPoles());
+  const PoleParameters u(surface.UKnotSequence(), surface.UDegree(), surface.NbUPoles());
+  const PoleParameters v(surface.VKnotSequence(), surface.VDegree(), surface.NbVPoles());
   const double span_u = longestSpan(surface.UKnots()), span_v = longestSpan(surface.VKnots());
   for (int i = 1; i <= surface.NbUPoles(); ++i)
     for (int j = 1; j <= surface.NbVPoles(); ++j) {

@@ -83,7 +83,7 @@ Net dome(int sectors, double radius_mm);
 /// The same face with a copy of its surface that has the parameters swapped.
 void swapParameters(NetFace& face);
 
-/// Moves the poles over places nearer than a knot span to one of these places in the parameter
+/// Moves the poles over parameters nearer than a knot span to one of those given in the parameter
 /// plane, by less than noise_mm each.
 void disturbNear(const std::vector<gp_Pnt2d>& seams, double noise_mm, std::mt19937& random,
                  Geom_BSplineSurface& surface);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Prisms and revolutions whose ends are one face in two places.
+// Prisms and revolutions whose ends are two instances of one face.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -37,7 +37,7 @@ class ProofCase {
   /// To be altered by hand.
   std::vector<occ::SeamResult>& before() { return report_.seams; }
 
-  /// A face as another strip at its place.
+  /// A face as another strip in its position.
   occ::FaceChange changed(int number, const Strip& strip) const;
   TopoDS_Shape withChanges(const std::vector<occ::FaceChange>& changes) const;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What a file says of its parts comes through a repair: names, colours, layers, unit, order and
-// places.
+// positions.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -147,15 +147,15 @@ TEST(RepairDegenerate, AnEdgeWithoutLength) {
   const int shared = side->edge, end = net.edges[shared].ends[1];
   const auto extra = static_cast<int>(net.edges.size()),
              twin = static_cast<int>(net.vertices.size());
-  const gp_Pnt place = net.vertices[end];
-  net.vertices.push_back(place);
+  const gp_Pnt point = net.vertices[end];
+  net.vertices.push_back(point);
   for (std::size_t e = 0; e < net.edges.size(); ++e)
     for (int& vertex : net.edges[e].ends)
       if (static_cast<int>(e) != shared && vertex == end) vertex = twin;
   constexpr double length_mm = 1e-9;
   TColgp_Array1OfPnt ends(1, 2);
-  ends(1) = place;
-  ends(2) = place.Translated(gp_Vec(length_mm, 0, 0));
+  ends(1) = point;
+  ends(2) = point.Translated(gp_Vec(length_mm, 0, 0));
   TColStd_Array1OfReal knots(1, 2);
   knots(1) = 0;
   knots(2) = 1;

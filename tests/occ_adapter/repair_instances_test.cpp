@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Parts that stand in several places of an assembly are repaired once, and are instances afterwards
-// too.
+// Parts with several instances in an assembly are repaired once, and stay instances.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -53,7 +52,7 @@ std::size_t distinct(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
   return kinds.size();
 }
 
-void expectSamePlaces(const TopoDS_Shape& a, const TopoDS_Shape& b) {
+void expectSamePlacements(const TopoDS_Shape& a, const TopoDS_Shape& b) {
   for (const TopAbs_ShapeEnum kind :
        {TopAbs_COMPOUND, TopAbs_SHELL, TopAbs_FACE, TopAbs_EDGE, TopAbs_VERTEX}) {
     EXPECT_EQ(distinct(a, kind), distinct(b, kind));
@@ -73,7 +72,7 @@ TEST(RepairInstances, AreRepairedLikeThePartAlone) {
                        report = repairedModel(all, strictRepair(order));
     ASSERT_EQ(repairedSeams(alone), 1) << reasonsOf(alone);
     EXPECT_EQ(repairedSeams(report), 3) << reasonsOf(report);
-    expectSamePlaces(report.model.shape, all);
+    expectSamePlacements(report.model.shape, all);
     ASSERT_EQ(report.moves.size(), 3 * alone.moves.size());
     for (std::size_t i = 0; i < report.moves.size(); ++i) {
       const occ::FaceMove &one = report.moves[i], &as = alone.moves[i % alone.moves.size()];
@@ -96,7 +95,7 @@ TEST(RepairInstances, PartsWithinPartsAndCompoundsOfLooseFaces) {
   // The last part stands where the pair without a move has its first one.
   EXPECT_EQ(report.seams.size(), 8);
   EXPECT_EQ(repairedSeams(report), 8) << reasonsOf(report);
-  expectSamePlaces(report.model.shape, all);
+  expectSamePlacements(report.model.shape, all);
 }
 
 TEST(RepairInstances, WhatIsAskedOfOneHoldsForAll) {
@@ -107,7 +106,7 @@ TEST(RepairInstances, WhatIsAskedOfOneHoldsForAll) {
   const RepairReport one = repairedModel(all, picked);
   EXPECT_EQ(repairedSeams(one), 3) << reasonsOf(one);
   RepairOptions fixed = strictRepair(1);
-  fixed.fixed_faces = {3, 6};  // one side in the second place, the other one in the third
+  fixed.fixed_faces = {3, 6};  // one side in the second instance, the other one in the third
   const RepairReport stays = repairedModel(all, fixed);
   EXPECT_TRUE(stays.model.shape.IsEqual(all));
   for (const occ::SeamRepair& seam : stays.seams)

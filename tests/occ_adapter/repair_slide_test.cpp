@@ -81,14 +81,14 @@ std::vector<int> planesOf(const TopoDS_Shape& shape) {
 
 /// By OpenCASCADE: the largest distance of an edge's curve from its image on a face.
 double largestDistance_mm(const TopoDS_Edge& edge, const TopoDS_Face& face) {
-  constexpr int places = 200;
+  constexpr int samples = 200;
   double first = 0, last = 0;
   const auto curve = BRep_Tool::Curve(edge, first, last);
   const auto path = BRep_Tool::CurveOnSurface(edge, face, first, last);
   const auto surface = BRep_Tool::Surface(face);
   double largest_mm = 0;
-  for (int k = 0; k <= places; ++k) {
-    const double t = first + (last - first) * k / places;
+  for (int k = 0; k <= samples; ++k) {
+    const double t = first + (last - first) * k / samples;
     const gp_Pnt2d uv = path->Value(t);
     largest_mm = std::max(largest_mm, curve->Value(t).Distance(surface->Value(uv.X(), uv.Y())));
   }

@@ -198,7 +198,7 @@ TEST(Repair, TimeLimitKeepsWhatWasRepaired) {
   EXPECT_EQ(repairedSeams(repairedModel(shape, options)), 4);
 }
 
-/// Where a repair moves a face furthest along its normal: by how much, the face and the place.
+/// Where a repair moves a face furthest along its normal: by how much, the face and its parameters.
 struct Furthest {
   double move_mm = 0;
   int face = 0;
@@ -232,22 +232,22 @@ Furthest furthestMove(const TopoDS_Shape& before, const TopoDS_Shape& after, int
   return furthest;
 }
 
-/// Half way between two surfaces, around a place.
+/// Half way between two surfaces, around parameters.
 TopoDS_Face wallBetween(const handle<Geom_Surface>& from, const handle<Geom_Surface>& to,
                         const gp_Pnt2d& uv) {
   constexpr int points = 8;
   constexpr double reach = 0.1;
   std::array<double, 4> range{};
   from->Bounds(range[0], range[1], range[2], range[3]);
-  const auto place = [](double at, double first, double last, int k) {
+  const auto parameter = [](double at, double first, double last, int k) {
     const double step = reach * (last - first);
     return std::clamp(at, first + step, last - step) + step * (2.0 * (k - 1) / (points - 1) - 1);
   };
   TColgp_Array2OfPnt half(1, points, 1, points);
   for (int i = 1; i <= points; ++i)
     for (int j = 1; j <= points; ++j) {
-      const double u = place(uv.X(), range[0], range[1], i),
-                   v = place(uv.Y(), range[2], range[3], j);
+      const double u = parameter(uv.X(), range[0], range[1], i),
+                   v = parameter(uv.Y(), range[2], range[3], j);
       half(i, j) = (from->Value(u, v).XYZ() + to->Value(u, v).XYZ()) / 2;
     }
   return BRepBuilderAPI_MakeFace(GeomAPI_PointsToBSplineSurface(half).Surface(), 1e-7).Face();

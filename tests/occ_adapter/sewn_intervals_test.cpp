@@ -117,7 +117,7 @@ TEST(Intervals, WhatOverlapsIsRefused) {
   // Once more over the middle of the first edge.
   Seam middle = seams[0];
   middle.edges[1] = 99;
-  for (double& place : middle.correspondence.a) place = 0.3 + 0.3 * place;
+  for (double& parameter : middle.correspondence.a) parameter = 0.3 + 0.3 * parameter;
   const SewnIntervals crossing = cutUp({seams[0], middle});
   EXPECT_EQ(crossing.refused.at(0).text,
             "along it another interval of edge " + std::to_string(edge) + " begins or ends");

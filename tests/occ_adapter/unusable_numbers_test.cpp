@@ -186,14 +186,14 @@ TEST(UnusableNumbers, SoundShapesHaveNone) {
 /// A number of a text replaced by one of \p by, chosen by \p random.
 std::string withOneNumber(const std::string& text, std::size_t start, const std::regex& number,
                           const std::vector<std::string>& by, std::mt19937& random) {
-  std::vector<std::pair<std::size_t, std::size_t>> places;
+  std::vector<std::pair<std::size_t, std::size_t>> spans;
   for (std::sregex_iterator
            it(text.begin() + static_cast<std::ptrdiff_t>(start), text.end(), number),
        end;
        it != end; ++it)
-    places.emplace_back(start + static_cast<std::size_t>(it->position(1)), it->length(1));
+    spans.emplace_back(start + static_cast<std::size_t>(it->position(1)), it->length(1));
   const auto [at, length] =
-      places.at(std::uniform_int_distribution<std::size_t>(0, places.size() - 1)(random));
+      spans.at(std::uniform_int_distribution<std::size_t>(0, spans.size() - 1)(random));
   std::string value = by[std::uniform_int_distribution<std::size_t>(0, by.size() - 1)(random)];
   return std::string(text).replace(at, length, value);
 }
@@ -201,9 +201,9 @@ std::string withOneNumber(const std::string& text, std::size_t start, const std:
 /// One of the numbers of eight bytes that have a plausible size.
 std::string withOneDouble(std::string bytes, std::mt19937& random) {
   const std::vector<double> by = {infinity, -infinity, no_number, 1e300, 1e99, -0.0, 5e-324, -1};
-  std::uniform_int_distribution<std::size_t> place(100, bytes.size() - sizeof(double));
+  std::uniform_int_distribution<std::size_t> position(100, bytes.size() - sizeof(double));
   for (;;) {
-    const std::size_t at = place(random);
+    const std::size_t at = position(random);
     double value = 0;
     std::memcpy(&value, bytes.data() + at, sizeof value);
     if (!(std::abs(value) > 1e-9 && std::abs(value) < 1e6)) continue;

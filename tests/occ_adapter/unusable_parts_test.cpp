@@ -196,15 +196,15 @@ TEST(UnusableParts, OtherFacesAreSewn) {
 std::string withOneNumber(const std::string& brep, const std::vector<std::string>& by,
                           std::mt19937& random) {
   static const std::regex number("[ \n](-?[0-9]+(\\.[0-9]+)?(e[+-]?[0-9]+)?)(?=[ \n])");
-  std::vector<std::pair<std::size_t, std::size_t>> places;
+  std::vector<std::pair<std::size_t, std::size_t>> spans;
   const std::size_t start = brep.find("Locations");
   for (std::sregex_iterator
            it(brep.begin() + static_cast<std::ptrdiff_t>(start), brep.end(), number),
        end;
        it != end; ++it)
-    places.emplace_back(start + static_cast<std::size_t>(it->position(1)), it->length(1));
+    spans.emplace_back(start + static_cast<std::size_t>(it->position(1)), it->length(1));
   const auto [at, length] =
-      places.at(std::uniform_int_distribution<std::size_t>(0, places.size() - 1)(random));
+      spans.at(std::uniform_int_distribution<std::size_t>(0, spans.size() - 1)(random));
   return std::string(brep).replace(
       at, length, by[std::uniform_int_distribution<std::size_t>(0, by.size() - 1)(random)]);
 }

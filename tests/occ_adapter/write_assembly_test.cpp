@@ -31,9 +31,9 @@ using occ::writeModel;
 using occ::WriteReport;
 using ::testing::HasSubstr;
 
-/// Two blocks of one part and a rod, with names, colours and layers, in an assembly. \param places
-/// of the blocks along x.
-void writeAssembly(const fs::path& path, const std::array<double, 2>& places = {0, 50}) {
+/// Two blocks of one part and a rod, with names, colours and layers, in an assembly.
+/// \param positions of the blocks along x.
+void writeAssembly(const fs::path& path, const std::array<double, 2>& positions = {0, 50}) {
   const opencascade::handle<TDocStd_Document> document = new TDocStd_Document("BinXCAF");
   const auto shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
   const auto colors = XCAFDoc_DocumentTool::ColorTool(document->Main());
@@ -49,7 +49,7 @@ void writeAssembly(const fs::path& path, const std::array<double, 2>& places = {
   layers->SetLayer(lid, "Deckel");
   const TDF_Label assembly = shapes->NewShape();
   TDataStd_Name::Set(assembly, "whole");
-  for (const double x : places) {
+  for (const double x : positions) {
     gp_Trsf away, turn;
     away.SetTranslation(gp_Vec(x, 0, 7));
     turn.SetRotation(gp_Ax1(gp_Pnt(), gp_Dir(1, 2, 3)), 0.3 + x);
@@ -135,7 +135,7 @@ TEST_F(Assembly, APlaceChangedAloneIsAnErrorWithItsFaces) {
   BRep_Builder().MakeCompound(compound);
   const TopTools_IndexedMapOfShape solids = partsOf(model_.shape, TopAbs_SOLID);
   ASSERT_EQ(solids.Extent(), 3);
-  // The shape of the file is a compound of its parts in their places.
+  // The shape of the file is a compound of its parts in their positions.
   ASSERT_EQ(model_.shape.ShapeType(), TopAbs_COMPOUND);
   for (int i = 1; i <= 3; ++i) {
     TopoDS_Shape solid = solids(i);

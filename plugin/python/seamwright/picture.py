@@ -237,12 +237,12 @@ class Picture:
         height = top + scale * (high[1] - low[1]) + MARGIN
         left = (self.width - scale * (high[0] - low[0])) / 2
 
-        def place(points):
+        def on_page(points):
             x, y = (points @ basis.T - low).T * scale
             return np.stack([left + x, height - MARGIN - y], axis=1)
 
         def path(points):
-            return " ".join(f"{x:.2f},{y:.2f}" for x, y in place(points))
+            return " ".join(f"{x:.2f},{y:.2f}" for x, y in on_page(points))
 
         parts = [
             f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {self.width:.0f} {height:.0f}" '
@@ -252,7 +252,7 @@ class Picture:
         for points, tips, color in combs:
             teeth = "".join(
                 f"M{a[0]:.2f} {a[1]:.2f}L{b[0]:.2f} {b[1]:.2f}"
-                for a, b in zip(place(points), place(tips))
+                for a, b in zip(on_page(points), on_page(tips))
             )
             parts.append(f'<path d="{teeth}" stroke="{color}" stroke-width="0.5" opacity="0.5"/>')
             parts.append(
@@ -267,7 +267,7 @@ class Picture:
         for points, color, radius in self._dots:
             parts += [
                 f'<circle cx="{x:.2f}" cy="{y:.2f}" r="{radius}" fill="{color}"/>'
-                for x, y in place(points)
+                for x, y in on_page(points)
             ]
         return "\n".join(parts + self._words() + ["</svg>", ""])
 

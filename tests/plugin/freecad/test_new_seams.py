@@ -45,7 +45,7 @@ def test_rows_come_worst_first_and_say_what_is_certain():
         measured(5),
     ]
     rows = new_seams.build_rows(seams, LIMITS, "G1")
-    assert [row.place for row in rows] == [3, 1, 2, 0, 4]
+    assert [row.index for row in rows] == [3, 1, 2, 0, 4]
     verdicts = ["misses G1"] * 2 + ["G1 uncertain"] + ["meets G1"] * 2
     assert [row.cells[-1] for row in rows] == verdicts
     states = [repair_text.NOT_REPAIRED] * 3 + [repair_text.REPAIRED] * 2
@@ -58,7 +58,7 @@ def test_rows_come_worst_first_and_say_what_is_certain():
         *["meets G0"] * 3,
         "misses G0",
     ]
-    assert {row.place for row in rows[:2]} == {2, 3}
+    assert {row.index for row in rows[:2]} == {2, 3}
 
 
 @pytest.mark.parametrize("value", [0.01, 0.01 * (1 + 1e-12), 0.00999])

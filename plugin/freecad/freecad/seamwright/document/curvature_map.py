@@ -64,7 +64,7 @@ def _groups(shape):
     shells = {
         face.hashCode(): number for number, shell in enumerate(shape.Shells) for face in shell.Faces
     }
-    return [shells.get(face.hashCode(), -place) for place, face in enumerate(shape.Faces, 1)]
+    return [shells.get(face.hashCode(), -number) for number, face in enumerate(shape.Faces, 1)]
 
 
 def align(mesh, other):

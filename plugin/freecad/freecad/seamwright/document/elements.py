@@ -54,7 +54,7 @@ def checked_names(argument, given, kind):
             % (argument, given, kind)
         )
     return [
-        checked_name("%s[%d]" % (argument, place), each, kind) for place, each in enumerate(given)
+        checked_name("%s[%d]" % (argument, index), each, kind) for index, each in enumerate(given)
     ]
 
 

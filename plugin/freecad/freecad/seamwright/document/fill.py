@@ -166,8 +166,8 @@ def _fill_each(model, given, wanted, progress):
     The last of the wanted holes comes first, so that the numbers of the others stay valid.
     """
     entries, models = [], []
-    for place, which in enumerate(reversed(wanted)):  # the numbers of the others stay valid
-        found = model.fill(**which, progress=_part(progress, place, len(wanted)), **given)
+    for index, which in enumerate(reversed(wanted)):  # the numbers of the others stay valid
+        found = model.fill(**which, progress=_part(progress, index, len(wanted)), **given)
         model = found.model
         entries.append(fill_text.entry(found.to_dict(), **which))
         models.append(model if found.filled else None)
@@ -197,9 +197,9 @@ def _holes(model, limits, label, edges):
     return holes, fill_text.chosen_holes(holes, edges) if edges else fill_text.default_holes(holes)
 
 
-def _part(progress, place, count):
+def _part(progress, index, count):
     """Return the progress of one of several steps."""
-    return None if progress is None else lambda share: progress((place + share) / count)
+    return None if progress is None else lambda share: progress((index + share) / count)
 
 
 def _renumber(entry, shape, last):
@@ -214,11 +214,11 @@ def _renumber(entry, shape, last):
             faces.setdefault(edge.hashCode(), []).append(number)
     for seam in entry["seams"]:
         middle = _middle(shape.Edges[seam["edges"][0] - 1])
-        place = min(
+        index = min(
             range(len(middles)), key=lambda k, middle=middle: middles[k].distanceToPoint(middle)
         )
-        seam["edges"] = [place + 1]
-        seam["faces"] = faces[last.Edges[place].hashCode()]
+        seam["edges"] = [index + 1]
+        seam["faces"] = faces[last.Edges[index].hashCode()]
     inside = [seam["faces"] for seam in entry["seams"] if seam["between"] == fill_text.INSIDE]
     entry["faces"] = sorted({number for both in inside for number in both})
 

@@ -125,8 +125,8 @@ def _same(one, other):
         and all(
             name == other_name
             and _same_shape(shape, other_shape)
-            and _same_place(place, other_place)
-            for (name, shape, place), (other_name, other_shape, other_place) in zip(
+            and _same_placement(placement, other_placement)
+            for (name, shape, placement), (other_name, other_shape, other_placement) in zip(
                 placed, other_placed
             )
         )
@@ -141,12 +141,12 @@ def _same_shape(one, other):
     if one.isNull() or other.isNull():
         return one.isNull() and other.isNull()
     if one.isPartner(other):
-        return _same_place(one.Placement, other.Placement)
+        return _same_placement(one.Placement, other.Placement)
     if one.ShapeType != "Compound" or other.ShapeType != "Compound":
         return False
     parts, other_parts = one.childShapes(), other.childShapes()
     return len(parts) == len(other_parts) and all(map(_same_shape, parts, other_parts))
 
 
-def _same_place(one, other):
+def _same_placement(one, other):
     return one.Matrix.A == other.Matrix.A

@@ -116,10 +116,10 @@ def checked_numbers(argument, given):
     Raises ValueError for a number that is negative or not finite.
     """
     numbers = [] if given is None else list(given) if isinstance(given, (list, tuple)) else [given]
-    for place, value in enumerate(numbers):
+    for index, value in enumerate(numbers):
         if not (value >= 0 and math.isfinite(value)):
             raise ValueError(
-                "%s[%d] = %r: must be a finite number, not negative" % (argument, place, value)
+                "%s[%d] = %r: must be a finite number, not negative" % (argument, index, value)
             )
     return [float(value) for value in numbers]
 

@@ -100,13 +100,13 @@ class SeamRepair(feature.Feature):
         obj.Repaired = repair_text.repaired_count(report)
         obj.MovedFaces = len(report["moves"])
         obj.LargestMove = repair_text.largest_move_mm(report)
-        for place, when in enumerate(("Before", "After")):
+        for index, when in enumerate(("Before", "After")):
             for name, figure in (
                 ("Defects", "defects"),
                 ("MaxGap", "gap_mm"),
                 ("MaxAngle", "angle_deg"),
             ):
-                setattr(obj, name + when, report[figure][place] or 0)
+                setattr(obj, name + when, report[figure][index] or 0)
         feature.put_shape(obj, shape)
         obj.Summary = repair_text.summary_text(report)
 

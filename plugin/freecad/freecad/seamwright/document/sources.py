@@ -151,10 +151,10 @@ class Model:
         prefix = {"faces": "Face", "edges": "Edge"}[kind]
         owners = {}
         for obj, part in zip(self.objects, self.parts):
-            for place, element in enumerate(_elements(part, kind), 1):
+            for own_number, element in enumerate(_elements(part, kind), 1):
                 number = index.find(element)
                 if number is not None:
-                    owners.setdefault(str(number), [obj.Name, "%s%d" % (prefix, place)])
+                    owners.setdefault(str(number), [obj.Name, "%s%d" % (prefix, own_number)])
         return owners
 
 

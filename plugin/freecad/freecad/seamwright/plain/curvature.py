@@ -72,8 +72,8 @@ def quantiles(values, weights, shares):
     sums = numpy.cumsum(weights[order])
     if not len(values) or sums[-1] <= 0:
         return numpy.zeros(len(shares))
-    places = numpy.searchsorted(sums, numpy.asarray(shares) * sums[-1])
-    return values[order][numpy.minimum(places, len(values) - 1)]
+    indices = numpy.searchsorted(sums, numpy.asarray(shares) * sums[-1])
+    return values[order][numpy.minimum(indices, len(values) - 1)]
 
 
 def limit(values, weights):
@@ -107,8 +107,8 @@ def colours(values, limit_per_mm):
         if limit_per_mm > 0
         else numpy.zeros(len(values))
     )
-    places, rgb = [share for share, _ in RAMP], numpy.array([colour for _, colour in RAMP], float)
-    found = numpy.stack([numpy.interp(shares, places, channel) for channel in rgb.T], axis=1)
+    stops, rgb = [share for share, _ in RAMP], numpy.array([colour for _, colour in RAMP], float)
+    found = numpy.stack([numpy.interp(shares, stops, channel) for channel in rgb.T], axis=1)
     found[~known] = UNDEFINED
     return found / 255
 

@@ -23,9 +23,9 @@ COLUMNS = (
 
 @dataclass(frozen=True)
 class Row:
-    """One seam, ready to be shown; ``place`` is its index in the list of seams, from 0."""
+    """One seam, ready to be shown; ``index`` is that in the list of seams, from 0."""
 
-    place: int
+    index: int
     state: str  # REPAIRED or NOT_REPAIRED, see repair_text
     cells: tuple  # texts, one for each of COLUMNS
     detail: str
@@ -52,23 +52,23 @@ def build_rows(seams, tolerance, target):
     Seams that fall short of the target come first, then those with the largest share of the
     tolerance.
     """
-    every = [_row(place, seam, tolerance, target) for place, seam in enumerate(seams)]
+    every = [_row(index, seam, tolerance, target) for index, seam in enumerate(seams)]
     return sorted(
         every,
         key=lambda row: (
             row.state != repair_text.NOT_REPAIRED,
-            -rows.severity(seams[row.place], tolerance, target),
+            -rows.severity(seams[row.index], tolerance, target),
         ),
     )
 
 
-def _row(place, seam, tolerance, target):
+def _row(index, seam, tolerance, target):
     met = certainly_meets(seam, tolerance, target)
     figures = (
         rows.figure_text(seam, name, tolerance) for name in ("angle_deg", "gap_mm", "curvature_rel")
     )
     return Row(
-        place=place,
+        index=index,
         state=repair_text.REPAIRED if met else repair_text.NOT_REPAIRED,
         cells=(
             repair_text.edges_text(seam) or "\u2013",

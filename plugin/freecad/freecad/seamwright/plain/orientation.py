@@ -58,10 +58,10 @@ def _meetings(points, normals, owner):
     here, there = here[meet], there[meet]
     products = (normals[here] * normals[there]).sum(axis=1)
     clear = abs(products) > SMOOTH
-    pairs, place = numpy.unique(
+    pairs, index = numpy.unique(
         numpy.stack([owner[here], owner[there]], axis=1)[clear], axis=0, return_inverse=True
     )
-    sums = numpy.bincount(place.ravel(), products[clear], len(pairs))
+    sums = numpy.bincount(index.ravel(), products[clear], len(pairs))
     return [(*pairs[k], sums[k]) for k in numpy.argsort(-abs(sums))]
 
 

@@ -164,9 +164,9 @@ def edge_number(report, analysis, name, element):
     whose edges are those of the seams in order.
     """
     if name == analysis:
-        place = int(element[4:]) if element.startswith("Edge") and element[4:].isdigit() else 0
+        number = int(element[4:]) if element.startswith("Edge") and element[4:].isdigit() else 0
         numbers = edge_numbers(report)
-        return numbers[place - 1] if 0 < place <= len(numbers) else None
+        return numbers[number - 1] if 0 < number <= len(numbers) else None
     for number, owner in report.get("freecad", {}).get("edges", {}).items():
         if owner == [name, element]:
             return int(number)

@@ -56,9 +56,9 @@ class SeamTable(QtWidgets.QWidget):
         """Show the seams of a report; filter and order stay."""
         built = rows.build_rows(report)
         self.model.set_rows(built)
-        for place, column in enumerate(rows.COLUMNS):
+        for index, column in enumerate(rows.COLUMNS):
             if column.field == "curvature_change_rel":
-                self.table.setColumnHidden(place, not rows.has_values(built, column.field))
+                self.table.setColumnHidden(index, not rows.has_values(built, column.field))
         self._count(report)
         self.table.resizeColumnsToContents()
 
@@ -66,10 +66,10 @@ class SeamTable(QtWidgets.QWidget):
         """Write into the filter how many seams each class has."""
         counts = summary.class_counts(report)
         self.filter.setItemText(0, "All seams (%d)" % sum(counts.values()))
-        for place, seam_class in enumerate(palette.CLASSES, 1):
+        for index, seam_class in enumerate(palette.CLASSES, 1):
             text = "%s (%d)" % (seam_class.name, counts[seam_class.key])
-            self.filter.setItemText(place, text)
-            self.filter.setItemIcon(place, _swatch(seam_class.rgb))
+            self.filter.setItemText(index, text)
+            self.filter.setItemIcon(index, _swatch(seam_class.rgb))
         text = "Uncertain (%d)" % summary.uncertain(report)
         self.filter.setItemText(self.filter.count() - 1, text)
 
@@ -80,29 +80,29 @@ class SeamTable(QtWidgets.QWidget):
 
     def select_edge(self, number):
         """Select the lines of the seams that have an edge; the view stays as it is."""
-        places = self.model.places_of_edge(number)
-        if not places:
+        lines = self.model.rows_of_edge(number)
+        if not lines:
             self.filter.setCurrentIndex(0)
-            places = self.model.places_of_edge(number)
+            lines = self.model.rows_of_edge(number)
         selection = QtCore.QItemSelection()
-        for place in places:
-            index = self.model.index(place, 0)
+        for line in lines:
+            index = self.model.index(line, 0)
             selection.select(index, index)
         self._look = False
         flags = QtCore.QItemSelectionModel.ClearAndSelect | QtCore.QItemSelectionModel.Rows
         self.table.selectionModel().select(selection, flags)
         self._look = True
-        if places:
-            self.table.scrollTo(self.model.index(places[0], 0))
+        if lines:
+            self.table.scrollTo(self.model.index(lines[0], 0))
 
-    def _filter_changed(self, place):
-        self.model.set_filter(self.filter.itemData(place))
+    def _filter_changed(self, index):
+        self.model.set_filter(self.filter.itemData(index))
         self.table.resizeColumnsToContents()
 
     def _selection_changed(self, *_):
-        places = [index.row() for index in self.table.selectionModel().selectedRows()]
-        if places:
-            self.chosen.emit([self.model.row(place).seam for place in places], self._look)
+        lines = [index.row() for index in self.table.selectionModel().selectedRows()]
+        if lines:
+            self.chosen.emit([self.model.row(line).seam for line in lines], self._look)
 
 
 def _swatch(rgb):

@@ -30,13 +30,13 @@ class SeamTableModel(QtCore.QAbstractTableModel):
         self._wanted = wanted
         self._arrange()
 
-    def row(self, place):
+    def row(self, index):
         """Return the Row at an index of the shown rows."""
-        return self._shown[place]
+        return self._shown[index]
 
-    def places_of_edge(self, number):
+    def rows_of_edge(self, number):
         """Return the indices of the shown rows whose seam has this edge."""
-        return [place for place, row in enumerate(self._shown) if number in row.edges]
+        return [index for index, row in enumerate(self._shown) if number in row.edges]
 
     def rowCount(self, parent=None):
         """Return the number of shown rows."""

@@ -11,7 +11,7 @@ TINT = (0.45, 0.8, 0.7)
 
 #: The distance that a corner of a face may have from its surface, as a part of the size of the
 #: face. Corners lie on surfaces only within the tolerances of edges.
-SAME_PLACE = 1e-3
+SAME_POSITION = 1e-3
 
 
 class NewFacesView(ResultView):
@@ -73,6 +73,6 @@ def _kept_colours(obj, look, new, replaced):
 
 def _lies_on(face, other):
     """Return whether the corners of a face lie on the surface of another face."""
-    reach = SAME_PLACE * max(1.0, face.BoundBox.DiagonalLength)
+    reach = SAME_POSITION * max(1.0, face.BoundBox.DiagonalLength)
     feet = (other.Surface.value(*other.Surface.parameter(vertex.Point)) for vertex in face.Vertexes)
     return all((foot - vertex.Point).Length <= reach for foot, vertex in zip(feet, face.Vertexes))

@@ -43,7 +43,7 @@ class NewSeamsPanel(PreviewPanel):
         There are none where the source is shown, or where the new faces were not kept.
         """
         seams, tolerance, _ = self.seams()
-        wanted = [seams[row.place] for row in chosen if seams[row.place]["edges"]]
+        wanted = [seams[row.index] for row in chosen if seams[row.index]["edges"]]
         if shown != self.obj:
             return {}, []
         return rows.located(wanted, tolerance, self.obj.Name), wanted

@@ -89,8 +89,8 @@ class PreviewPanel(ResultPanel):
     def _build_table(self):
         self.table = QtWidgets.QTableWidget(0, len(self.COLUMNS))
         self.table.setHorizontalHeaderLabels([heading for heading, _ in self.COLUMNS])
-        for place, (_, tip) in enumerate(self.COLUMNS):
-            self.table.horizontalHeaderItem(place).setToolTip(tip)
+        for column, (_, tip) in enumerate(self.COLUMNS):
+            self.table.horizontalHeaderItem(column).setToolTip(tip)
         self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
         show_seams_in(self.table, TABLE_HEIGHT)
         self._fit_columns()
@@ -186,8 +186,8 @@ class PreviewPanel(ResultPanel):
 
     def _selection_changed(self):
         """Mark the seams of the chosen rows as they are in the shown object, and zoom to them."""
-        places = sorted({index.row() for index in self.table.selectionModel().selectedRows()})
-        rows = [self._rows[place] for place in places]
+        lines = sorted({index.row() for index in self.table.selectionModel().selectedRows()})
+        rows = [self._rows[line] for line in lines]
         remark = self.note(rows)
         self.remark.setText(remark)
         self.remark.setVisible(bool(remark))

@@ -40,7 +40,7 @@ class HoleList(QtWidgets.QListWidget):
 
     def chosen(self):
         """Return the numbers of the ticked holes."""
-        states = (self.item(place).checkState() for place in range(self.count()))
+        states = (self.item(index).checkState() for index in range(self.count()))
         return [hole["id"] for hole, state in zip(self.holes, states) if state == QtCore.Qt.Checked]
 
     def choose_by(self, edges):

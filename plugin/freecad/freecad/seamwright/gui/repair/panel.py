@@ -67,13 +67,13 @@ class RepairPanel(PreviewPanel):
     def build_boxes(self):
         """Return the boxes of the seams and of target and limits."""
         self.colours = QtWidgets.QComboBox()
-        for place, (name, tip) in enumerate(COLOURS):
+        for index, (name, tip) in enumerate(COLOURS):
             self.colours.addItem(name)
-            self.colours.setItemData(place, tip, QtCore.Qt.ToolTipRole)
+            self.colours.setItemData(index, tip, QtCore.Qt.ToolTipRole)
         self.colours.setCurrentText(MOVES)
         self.colours.setToolTip("What the colours of the faces show")
-        for place, widget in enumerate((QtWidgets.QLabel("Colours"), self.colours), 3):
-            self.show_line.insertWidget(place, widget)
+        for index, widget in enumerate((QtWidgets.QLabel("Colours"), self.colours), 3):
+            self.show_line.insertWidget(index, widget)
         return self._build_seams(), self._build_limits()
 
     def _build_seams(self):

@@ -89,19 +89,19 @@ class SeamRepairView(ResultView):
         if len(before.Faces) != len(obj.Shape.Faces):
             return
         report, found, count = obj.Report, repair.report_of(obj)["moves"], len(before.Faces)
-        before, after, place = before.copy(), obj.Shape.copy(), (obj.Document.Name, obj.Name)
+        before, after, names = before.copy(), obj.Shape.copy(), (obj.Document.Name, obj.Name)
 
         def done(mapped, error):
             self._task = None
             if isinstance(error, kernel.KernelUnavailable):
                 self._stopped = report
                 App.Console.PrintWarning(
-                    "Seamwright: the moves of %s are not shown: %s\n" % (place[1], error)
+                    "Seamwright: the moves of %s are not shown: %s\n" % (names[1], error)
                 )
                 return
             if error is not None:
                 raise error
-            there = find(*place)
+            there = find(*names)
             if there is not None and there.Report == report and mapped is not None:
                 self._show_moves(there, mapped, found, count)
 

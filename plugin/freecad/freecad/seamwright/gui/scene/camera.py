@@ -21,15 +21,15 @@ ALONG = 0.9
 LEANINGS = ((0.4, 0.5), (-0.4, 0.5), (0.0, 0.0), (0.8, 0.2), (-0.8, 0.2), (0.0, 1.2), (0.3, -0.8))
 
 
-def look_at(view, box, least_height, place):
+def look_at(view, box, least_height, location):
     """Show the bounding box ``box`` (App.BoundBox) in a view at least ``least_height`` mm high.
 
-    ``place`` is (point, outward normal or None, tangent) on the seam. The view keeps its direction
-    if the point is well visible from there. Else it turns to the first good direction of
-    ``LEANINGS``.
+    ``location`` is (point, outward normal or None, tangent) on the seam. The view keeps its
+    direction if the point is well visible from there. Else it turns to the first good direction
+    of ``LEANINGS``.
     """
     camera = view.getCameraNode()
-    _turn(view, camera, *place)
+    _turn(view, camera, *location)
     direction = _direction(camera)
     height = max(ROOM * box.DiagonalLength, least_height)
     distance = max(height, camera.focalDistance.getValue())

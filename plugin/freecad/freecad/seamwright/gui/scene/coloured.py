@@ -56,9 +56,9 @@ def lines(polylines):
     )
     light.model = coin.SoLightModel.BASE_COLOR
     colour.rgb, style.lineWidth = EDGE_COLOUR, EDGE_WIDTH
-    places, line_set = coin.SoCoordinate3(), coin.SoLineSet()
-    places.point.setValues(0, len(points), points)
+    coordinates, line_set = coin.SoCoordinate3(), coin.SoLineSet()
+    coordinates.point.setValues(0, len(points), points)
     line_set.numVertices.setValues(0, len(polylines), [len(line) for line in polylines])
-    for node in (light, colour, style, places, line_set):
+    for node in (light, colour, style, coordinates, line_set):
         group.addChild(node)
     return group

@@ -81,8 +81,8 @@ def draw(title, entries, footer, text_px):
     painter.drawRect(0, 0, image.width() - 1, image.height() - 1)
     pen = _Pen(painter, line)
     pen.text(bold, pad, pad, title)
-    for place, (seam_class, name, meaning) in enumerate(entries, 1):
-        top = pad + place * line
+    for index, (seam_class, name, meaning) in enumerate(entries, 1):
+        top = pad + index * line
         thick = text_px // 2
         colour = QtGui.QColor(*seam_class.rgb)
         painter.fillRect(pad, top + (line - thick) // 2, bar, thick, colour)
@@ -90,8 +90,8 @@ def draw(title, entries, footer, text_px):
         painter.drawRect(pad, top + (line - thick) // 2, bar, thick)
         pen.text(bold, pad + bar + pad, top, name)
         pen.text(font, meaning_x, top, meaning)
-    for place, text in enumerate(last, len(entries) + 1):
-        pen.text(font, pad, pad + place * line, text)
+    for index, text in enumerate(last, len(entries) + 1):
+        pen.text(font, pad, pad + index * line, text)
     painter.end()
     return image
 

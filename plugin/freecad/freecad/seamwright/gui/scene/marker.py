@@ -27,9 +27,9 @@ class Marker:
         """Show only these marks, each (point, label); the coordinates of the point are in mm."""
         self._marks.removeAllChildren()
         for point, label in marks:
-            mark, place = coin.SoSeparator(), coin.SoTranslation()
-            place.translation = tuple(point)
-            mark.addChild(place)
+            mark, position = coin.SoSeparator(), coin.SoTranslation()
+            position.translation = tuple(point)
+            mark.addChild(position)
             mark.addChild(_image(draw_ring(), coin.SoImage.CENTER, coin.SoImage.HALF))
             if label:
                 mark.addChild(_image(draw_label(label), coin.SoImage.LEFT, coin.SoImage.HALF))

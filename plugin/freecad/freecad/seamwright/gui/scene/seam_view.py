@@ -40,7 +40,7 @@ def show(obj, report, seams, size, look=True):
     box = App.BoundBox()
     for edge in edges:
         box.add(edge.BoundBox)
-    camera.look_at(view, box, CONTEXT * size, _place(obj, report, seams[0], edges[0]))
+    camera.look_at(view, box, CONTEXT * size, _location(obj, report, seams[0], edges[0]))
 
 
 def select(doc, name, element):
@@ -65,7 +65,7 @@ def find(doc, name, element):
         return None
 
 
-def _place(obj, report, seam, edge):
+def _location(obj, report, seam, edge):
     """Return (point, outward normal or None, tangent) at the middle of a seam's edge.
 
     The normal is the mean of the normals of the faces; None where they cancel or are unknown.

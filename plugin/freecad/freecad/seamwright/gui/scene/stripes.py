@@ -26,15 +26,15 @@ void main() {
 }
 """
 
-#: ``place`` counts pairs of a light and a dark stripe, from the middle of the light stripe at the
-#: eye. A pixel that contains much of a pair becomes grey.
+#: ``position`` counts pairs of a light and a dark stripe, from the middle of the light stripe at
+#: the eye. A pixel that contains much of a pair becomes grey.
 FRAGMENT = """
 varying vec3 normal;
 void main() {
   vec3 n = normalize(normal);
-  float place = %(pairs).8f * dot(n.xy, vec2(%(x).8f, %(y).8f));
-  float pixel = max(fwidth(place), 1e-6);
-  float inside = abs(fract(place) - 0.5) - 0.25;
+  float position = %(pairs).8f * dot(n.xy, vec2(%(x).8f, %(y).8f));
+  float pixel = max(fwidth(position), 1e-6);
+  float inside = abs(fract(position) - 0.5) - 0.25;
   float part = mix(clamp(0.5 + inside / pixel, 0.0, 1.0), 0.5, clamp(2.0 * pixel - 0.5, 0.0, 1.0));
   float shade = mix(%(dark).8f, %(light).8f, part) * mix(%(grazing).8f, 1.0, abs(n.z));
   gl_FragColor = vec4(vec3(shade), 1.0);
@@ -69,12 +69,12 @@ def node(shown):
 
 def _mirror():
     program = coin.SoShaderProgram()
-    for place, (shader, text) in enumerate(
+    for index, (shader, text) in enumerate(
         ((coin.SoVertexShader(), VERTEX), (coin.SoFragmentShader(), FRAGMENT))
     ):
         shader.sourceType = coin.SoShaderObject.GLSL_PROGRAM
         shader.sourceProgram = text
-        program.shaderObject.set1Value(place, shader)
+        program.shaderObject.set1Value(index, shader)
     return program
 
 

@@ -50,7 +50,7 @@ class Substitutes:
         switch.setName(NAME)
         switch.addChild(node)
         switch.addChild(stripes.unseen())
-        root.insertChild(switch, _place(root, obj.ViewObject.SwitchNode))
+        root.insertChild(switch, _first_index(root, obj.ViewObject.SwitchNode))
         self._shown[key(obj)] = (root, switch)
         self.follow_visibility(obj)
 
@@ -64,8 +64,8 @@ class Substitutes:
 
         Must not be called from ``changed``.
         """
-        for place in list(self._shown):
-            self.forget(*place)
+        for names in list(self._shown):
+            self.forget(*names)
         if self._follower is not None:
             App.removeDocumentObserver(self._follower)
             self._follower = None
@@ -87,9 +87,9 @@ class Substitutes:
 
     def forget(self, doc_name, name=None):
         """Remove the substitute of an object; without a name, all those of a document."""
-        for place in list(self._shown):
-            if place[0] == doc_name and name in (None, place[1]):
-                root, switch = self._shown.pop(place)
+        for names in list(self._shown):
+            if names[0] == doc_name and name in (None, names[1]):
+                root, switch = self._shown.pop(names)
                 root.removeChild(switch)
 
 
@@ -98,16 +98,16 @@ def key(obj):
     return obj.Document.Name, obj.Name
 
 
-def _place(root, own):
+def _first_index(root, own):
     """Return the index at which a substitute is inserted.
 
     It comes before all other substitutes, since the first hides all that follows, and before the
     object's own nodes.
     """
     others = [
-        place
-        for place in range(root.getNumChildren())
-        if root.getChild(place).getName().getString() == NAME
+        index
+        for index in range(root.getNumChildren())
+        if root.getChild(index).getName().getString() == NAME
     ]
     return min([root.findChild(own), *others])
 

@@ -52,7 +52,7 @@ class SurfaceColours:
     """
 
     def __init__(self, obj, computation, surfaces, abandoned, changed):
-        self._place = obj.Document.Name, obj.Name
+        self._names = obj.Document.Name, obj.Name
         self._computation, self._surfaces = computation, surfaces
         self._tell_abandoned, self._tell_changed = abandoned, changed
         self._substitutes, self._legend = Substitutes(self._drop), Legend()
@@ -125,7 +125,7 @@ class SurfaceColours:
             self._task = None
             if error is not None:
                 raise error
-            if found is not None and find(*self._place) is not None:
+            if found is not None and find(*self._names) is not None:
                 self._found = found
                 self._warn()
                 self._draw()
@@ -200,8 +200,8 @@ def _work(shape):
 
 def _run(works, progress):
     drawn = {}
-    for place, (name, work) in enumerate(works.items()):
-        drawn[name] = work(lambda part, place=place: progress((place + part) / len(works)))
+    for index, (name, work) in enumerate(works.items()):
+        drawn[name] = work(lambda part, index=index: progress((index + part) / len(works)))
         if drawn[name] is None:
             return None
     meshes = [mesh for mesh, _ in drawn.values()]

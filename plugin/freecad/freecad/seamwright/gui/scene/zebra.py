@@ -28,10 +28,10 @@ class Zebra:
     def show(self, objects):
         """Draw stripes on the objects as they are now; return False when the user cancelled."""
         with progress_dialog("Computing zebra stripes\u2026") as progress:
-            for place, obj in enumerate(objects):
+            for index, obj in enumerate(objects):
                 found = display_mesh(
                     local_shape(obj),
-                    lambda part, place=place: progress((place + part) / len(objects)),
+                    lambda part, index=index: progress((index + part) / len(objects)),
                 )
                 if found is None:
                     return False

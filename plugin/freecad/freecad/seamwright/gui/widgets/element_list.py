@@ -41,7 +41,7 @@ class ElementList(QtWidgets.QWidget):
 
     def names(self):
         """Return the names in the list, in the order in which they were added."""
-        return [self.list.item(place).text() for place in range(self.list.count())]
+        return [self.list.item(row).text() for row in range(self.list.count())]
 
     def set_names(self, names):
         """Show these names."""

@@ -17,13 +17,13 @@ def find(doc_name, name):
 
 def later(obj, act):
     """Call ``act(obj)`` after FreeCAD has drawn or opened, if the object still exists then."""
-    place = obj.Document.Name, obj.Name
+    names = obj.Document.Name, obj.Name
 
     def act_if_there():
         if not documents_rest():
             QtCore.QTimer.singleShot(AGAIN_MS, act_if_there)
             return
-        found = find(*place)
+        found = find(*names)
         if found is not None:
             act(found)
 

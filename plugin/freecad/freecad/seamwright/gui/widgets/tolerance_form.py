@@ -92,8 +92,8 @@ class ToleranceForm(QtWidgets.QWidget):
         self.profile.activated.connect(self._profile_chosen)
         return self.profile
 
-    def _profile_chosen(self, place):
-        name = self.profile.itemData(place)
+    def _profile_chosen(self, index):
+        name = self.profile.itemData(index)
         if name is not None:
             for field_name, field in self.fields.items():
                 field.setValue(
