@@ -21,8 +21,8 @@ enum class CurvePoint {
 /// Frenet frame, curvature and torsion at a point, with proven bounds of rounding and noise.
 ///
 /// Where the curvature is zero within its bound it is 0, and normal, binormal, torsion and change
-/// of curvature are nothing; at a cusp the curvature too. So at a regular point it is certainly not
-/// zero. Figures beyond the range of a double are nothing.
+/// of curvature are nothing; at a cusp the curvature too. Figures beyond the range of a double are
+/// nothing.
 struct FrenetFrame {
   CurvePoint kind = CurvePoint::Point;
   double speed = 0;  ///< |X'|
@@ -48,8 +48,8 @@ struct FrenetFrame {
 ///   (1) Frenet-Serret: T_s = kappa N, N_s = -kappa T + tau B, B_s = -tau N.
 ///   (2) A circle of radius r: 1 / r, torsion 0; a helix of radius r, pitch 2 pi b: r / (r^2 +
 ///       b^2), b / (r^2 + b^2).
-///   (3) Independent of the parameter. On the reversed curve T and B change sign and N does not;
-///       kappa and tau stay, and d kappa / ds changes sign.
+///   (3) Independent of the parameter. On the reversed curve T, B and d kappa / ds change sign; N,
+///       kappa and tau stay.
 ///   (4) A rigid motion moves the frame; a scale s divides kappa and tau by s; a mirror changes the
 ///       sign of tau.
 /// \param derivatives orders 0..n, n >= 1; torsion and change of curvature need n >= 3.
@@ -77,13 +77,12 @@ struct CurveDegeneracies {
   double speed_lower = 0;
 };
 
-/// Finds all cusps (X' = 0) and inflections (X' x X'' = 0, X' != 0) of a curve. Bernstein forms are
-/// subdivided until an interval is free of zeros, shorter than \p resolution, or zero within
-/// rounding throughout. Speeds down to 1e-15 of the largest are resolved.
+/// Finds all cusps (X' = 0) and inflections (X' x X'' = 0, X' != 0) of a curve, in intervals that
+/// are shorter than \p resolution or zero within rounding throughout.
 ///
 /// What is not reported is proved free of cusps and inflections; what is reported need not be one.
-/// Intervals that touch are merged, into a cusp if one may be among them. That of a cusp is
-/// typically 1e-7 wide. A curve that is one point has one interval of kind Point.
+/// Intervals that touch are merged, into a cusp if one may be among them. A curve that is one point
+/// has one interval of kind Point.
 /// \throws std::invalid_argument for a resolution outside 1e-12..1.
 /// Source: docs/theory/curves.md C1.4.
 CurveDegeneracies findDegeneracies(const BezierCurve& curve, double resolution = 1e-9);

@@ -13,15 +13,15 @@
 namespace seamwright {
 
 /// A segment of a conic: the rational quadratic Bézier curve with the weights 1, weight, 1. Below 1
-/// it is an ellipse, at 1 a parabola, above 1 a hyperbola. It has no inflection and turns by less
-/// than pi. If the corner lies on the chord, between its ends, the segment is a line.
+/// it is an ellipse, at 1 a parabola, above 1 a hyperbola. It turns by less than pi. If the corner
+/// lies on the chord, it is a line.
 struct PlanarConic {
   Eigen::Vector2d start = Eigen::Vector2d::Zero();
   Eigen::Vector2d corner = Eigen::Vector2d::Zero();  ///< where the tangents at both ends meet
   Eigen::Vector2d end = Eigen::Vector2d::Zero();
   double weight = 1;
 
-  /// Angle by which the tangent turns, above 0 to the left, within (-pi, pi).
+  /// Turn of the tangent, above 0 to the left, within (-pi, pi).
   double turn_rad() const;
   double startCurvature_per_mm() const;
   double endCurvature_per_mm() const;
@@ -31,20 +31,17 @@ struct PlanarConic {
 /// The same points in the other direction.
 PlanarConic reversed(const PlanarConic& conic);
 
-/// The segment divided at its shoulder, t = 1/2, where the tangent has the direction of the chord.
-/// Source: docs/theory/planar.md P7.2.
+/// The segment divided at t = 1/2. Source: docs/theory/planar.md P7.2.
 std::array<PlanarConic, 2> halves(const PlanarConic& conic);
 
-/// The segment in the plane z = 0.
+/// In the plane z = 0.
 BezierCurve bezierCurve(const PlanarConic& conic);
 
-/// An arc that turns by less than pi, as a conic: exactly.
-/// \throws std::domain_error if it turns by pi or more.
+/// An arc as a conic, exactly. \throws std::domain_error if it turns by pi or more.
 PlanarConic conicOf(const PlanarArc& arc);
 
-/// What two conics between two points have to meet. Both tangents at the ends pass through the
-/// apex. The tangent at the joint cuts start-apex and end-apex in these shares of their lengths,
-/// seen from the start and from the end.
+/// What two conics between two points have to meet. Both end tangents pass through the apex. The
+/// tangent at the joint cuts start-apex and end-apex in these shares of their lengths.
 struct TwoConicsEnds {
   Eigen::Vector2d start = Eigen::Vector2d::Zero();
   Eigen::Vector2d apex = Eigen::Vector2d::Zero();
@@ -55,15 +52,14 @@ struct TwoConicsEnds {
   double end_share = 0.5;    ///< in (0, 1)
 };
 
-/// Two conics that join G2 and have the given curvatures at the ends. They are unique and convex.
-/// Identities (each has a test of its number):
-///   (1) The pieces share point, tangent and curvature at the joint, and have the tangents and
-///       curvatures given at the ends.
+/// The only two conics that join G2 and have the given curvatures at the ends. Identities (each has
+/// a test of its number):
+///   (1) The pieces share point, tangent and curvature at the joint, and have those given at the
+///       ends.
 ///   (2) Mirrored, reversed, moved and scaled ends give the mirrored, reversed, moved and scaled
 ///       conics.
 /// \throws std::invalid_argument if a number is not finite, if the three points lie on a line, if a
-/// share is not in (0, 1), and if a curvature is 0 or has not the sign of the turn. An inflection
-/// is thus impossible: a conic has none.
+/// share is not in (0, 1), and if a curvature is 0 or has not the sign of the turn.
 /// Source: docs/theory/planar.md P7.1.
 std::array<PlanarConic, 2> twoConics(const TwoConicsEnds& ends);
 
@@ -71,7 +67,7 @@ struct G2ConicOptions {
   bool closed = false;
   /// Curvature at the start of an open chain; that of the first segment if there is no value.
   std::optional<double> start_curvature_per_mm = {};
-  /// A chain whose segments are further apart, or whose tangents differ more, is refused.
+  /// Largest gap and kink between segments.
   double gap_mm = 1e-9;
   double angle_rad = 1e-9;
 };
@@ -79,8 +75,8 @@ struct G2ConicOptions {
 /// A chain of conics and the joints at which it is not G2.
 struct G2Conics {
   std::vector<PlanarConic> conics;
-  /// Joints that stay G1: the turn changes its sign there, or one of the segments is a line. Joint
-  /// i is the start of conics[i]; only a closed chain has joint 0.
+  /// Joints that stay G1, as the turn changes its sign or a segment is a line. Joint i is the start
+  /// of conics[i]; only a closed chain has joint 0.
   std::vector<int> g1_joints;
   int divisions = 0;  ///< each adds one segment
   double least_weight = 1, largest_weight = 1;
@@ -88,21 +84,17 @@ struct G2Conics {
   double largest_move_mm = 0;
 };
 
-/// A G1 chain of conics made G2: the tangent at each joint is rotated and the weights adapted, so
-/// that the curvatures agree. The joints stay where they are. Where two neighbours turn by pi or
-/// more together, one of them is divided first. Identities (each has a test of its number):
-///   (3) All joints, except those listed, share point, tangent and curvature; so does the joint
-///       that closes a closed chain.
+/// A G1 chain of conics made G2: tangents at the joints are rotated, and weights adapted. The
+/// joints stay where they are. Identities (each has a test of its number):
+///   (3) At all joints except those listed, segments share point, tangent and curvature.
 ///   (4) The points between segments, the tangents at the ends and the curvature at the end of an
 ///       open chain are kept; the one at the start has the value given.
 ///   (5) A chain that is G2 is returned as it is, up to rounding.
-/// Each part between two joints of g1_joints starts with the curvature it had there. The curvature
-/// is passed on from joint to joint, so weights far from 1 can result on long chains: see
-/// least_weight. An open chain of one segment with a start curvature is divided.
+/// A segment is divided where two neighbours turn by pi or more together, or if it is the only one
+/// and a start curvature is given. On long chains weights may be far from 1.
 /// \throws std::invalid_argument for an empty chain, numbers that are not finite, weights that are
-/// not positive, a corner that is equal to an end, segments that do not meet or whose tangents
-/// differ (with the joint), and a start curvature that is not of the sign of the first segment's
-/// turn or is given for a closed chain.
+/// not positive, a corner equal to an end, a gap or kink (with the joint), and a start curvature of
+/// the wrong sign or for a closed chain.
 /// \throws std::domain_error if 1000 divisions do not bring neighbours below pi (with the joint).
 /// Source: docs/theory/planar.md P7.2.
 G2Conics g2Conics(const std::vector<PlanarConic>& chain, const G2ConicOptions& options = {});
@@ -110,11 +102,10 @@ G2Conics g2Conics(const std::vector<PlanarConic>& chain, const G2ConicOptions& o
 /// Arcs as conics. An arc that turns by 2 pi / 3 or more is divided into equal parts.
 std::vector<PlanarConic> conicsOf(const std::vector<PlanarArc>& arcs);
 
-/// The number of extrema of the curvature inside of a conic segment, by its corner alone.
+/// Extrema of the size of the curvature inside of a segment.
 enum class ConicCurvature { Monotone, OneMaximum, OneMinimum, MaximumAndMinimum };
 
-/// Which extrema the size of the curvature has inside of the segment. The decision uses two
-/// circles, and is up to rounding; planarCurvatureProfile() finds the parameters with certainty.
+/// Up to rounding; planarCurvatureProfile() finds the parameters with certainty.
 ///   (6) The number is that of the sign changes found by planarCurvatureProfile().
 /// Source: docs/theory/planar.md P7.3.
 ConicCurvature curvatureKind(const PlanarConic& conic);

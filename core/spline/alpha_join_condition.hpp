@@ -10,14 +10,11 @@
 namespace seamwright {
 
 /// The condition for an alpha-surface Y(u, v) that continues a given one X at u = 1. It depends on
-/// the shapes along the seam, a = a_v of X and c = next_a_v of Y. Shapes across the seam are free
-/// (1e-6 to 1). See docs/alpha_curves.md.
+/// the shapes along the seam, a = a_v of X and c = next_a_v of Y. See docs/alpha_curves.md.
 ///
 /// A row X_0..X_3 is balanced iff X_0 + X_3 = X_1 + X_2. Joins have proportional form if Y_u =
-/// beta1 X_u, Y_uu = beta1^2 X_uu + beta2 X_u with constants.
-///
-/// For general nets all G^1 joins Y_u = alpha X_u + beta X_v have alpha > 0 constant and beta
-/// linear. They are the solutions of six linear equations.
+/// beta1 X_u, Y_uu = beta1^2 X_uu + beta2 X_u with constants. The family are the G^1 joins Y_u =
+/// alpha X_u + beta X_v with alpha constant and beta linear.
 ///
 ///     const AlphaSeamCondition condition = alphaSeamCondition(given, 0.9);
 ///     if (condition.order < 1) given = alphaBalanced(given, 1);
@@ -33,7 +30,7 @@ struct AlphaSeamCondition {
   /// |P_i0 + P_i3 - P_i1 - P_i2| of the rows i = 3, 2, 1; up to noise_mm it counts as rounding.
   std::array<double, 3> defects_mm{};
   double noise_mm = 0;
-  /// Largest n <= 2 for which C^n and proportional G^n joins exist; -1: the edges cannot meet.
+  /// Largest n <= 2 with C^n and proportional G^n joins; -1: the edges cannot meet.
   int order = -1;
   /// A basis of all (alpha, beta(0), beta(1)) of the family; 3 by 0..3.
   Eigen::Matrix3Xd first_rows = Eigen::Matrix3Xd(3, 0);
@@ -48,25 +45,23 @@ struct AlphaSeamCondition {
 AlphaSeamCondition alphaSeamCondition(const AlphaSurface& given, double next_a_v);
 
 /// The rows Q_0j, Q_1j of the next net for Y_u = alpha X_u + beta X_v, beta(v) = (1 - v) beta0 + v
-/// beta1: eight poles.
+/// beta1.
 ///   (5) The rows satisfy that equation at every v, for all members of the family.
-/// \throws std::invalid_argument as alphaSeamCondition() does, for alpha <= 0, and for functions
-/// outside the family, with the defect.
+/// \throws std::invalid_argument as alphaSeamCondition(), for alpha <= 0, and for functions outside
+/// the family, with the defect.
 Poles alphaSlidingRows(const AlphaSurface& given, double next_a_u, double next_a_v, double alpha,
                        double beta0, double beta1);
 
-/// The given surface with its rows 3 .. 3 - order, order 0 to 2, replaced by the nearest balanced
-/// rows.
+/// The given surface with balanced rows 3 .. 3 - order, order 0 to 2.
 ///   (6) No other balanced rows are nearer in the sum of squares.
 /// Source: docs/theory/curves.md C9.2.
 AlphaSurface alphaBalanced(const AlphaSurface& given, int order);
 
-/// How two alpha-surfaces meet, a at u = 1 and b at u = 0, in proportional form. Figures bound
-/// residuals at every v.
+/// How two alpha-surfaces meet, a at u = 1 and b at u = 0. Figures bound residuals at every v.
 struct AlphaSeamFit {
   double gap_mm = 0;            ///< of the edges at the same v
   double beta1 = 0, beta2 = 0;  ///< the betas that fit best
-  /// Relative residuals of Y' = beta1 X' and Y'' = beta1^2 X'' + beta2 X'.
+  /// Relative residuals of Y' and Y''.
   double first = 0, second = 0;
   double c_first = 0, c_second = 0;  ///< the same for beta1 = 1, beta2 = 0
   /// Up to these, gap, first and second count as rounding.
@@ -77,10 +72,9 @@ struct AlphaSeamFit {
 };
 
 /// \param length, next_length lengths of u in the common parameter.
-/// \throws std::invalid_argument as alphaSeamCondition() does, for a length out of range, and for a
-/// result beyond the range of a double.
-///   (7) Surfaces of alphaJoinRows() have its order and betas; a move of one pole by 1e-6 of the
-///       size loses the order of its row.
+/// \throws std::invalid_argument as alphaSeamCondition(), and for a length or result out of range.
+///   (7) Surfaces of alphaJoinRows() have its order and betas; a pole moved by 1e-6 of the size
+///       loses the order of its row.
 /// Source: docs/theory/curves.md C9.5.
 AlphaSeamFit alphaSeamFit(const AlphaSurface& a, const AlphaSurface& b, double length = 1,
                           double next_length = 1);
@@ -99,12 +93,10 @@ struct AlphaNearest {
 };
 
 /// The nearest proportional join in the sum of squared moves, over all beta1 > 0 and beta2. The
-/// given surface moves only if it has no join as it is (alphaBalanced()).
+/// given surface moves only by alphaBalanced().
 ///   (8) No beta1, beta2 of a search, nearby, over a range and near beta1 = 0, cost less.
-/// \returns nothing if joins near beta1 = 0, which lose the tangent, cost less than all others, as
-/// where the next surface runs backwards.
-/// \throws std::invalid_argument as alphaSeamCondition() does, for an order or length out of range,
-/// and for a result beyond the range of a double.
+/// \returns nothing if joins near beta1 = 0 cost less than all others.
+/// \throws std::invalid_argument as alphaSeamFit(), and for an order out of range.
 /// Source: docs/theory/curves.md C9.5.
 std::optional<AlphaNearest> alphaNearestJoin(const AlphaSurface& given, const AlphaSurface& next,
                                              const AlphaNearestOptions& options = {});

@@ -67,12 +67,9 @@ int lowestUmbrellaDegree(const std::vector<MemberKind>& kinds, bool closed, int 
 /// \param spokes polynomial curves that begin at O, in their order around it. Member i follows
 /// spoke i; an open fan has one member less.
 ///
-/// Spokes stay, except that a closed fan of an even number of members needs one condition on their
-/// curvatures at O, which the smallest change of their third poles meets (degree 2 is raised
-/// before). A given form changes the same poles. Tangents near one plane are put into it.
-///
-/// b is constant and a linear with slope lambda. lambda and the free poles make the members move
-/// least, or minimise the sum of |P_uu|^2 + 2 |P_uv|^2 + |P_vv|^2, as differences of poles.
+/// Spokes stay, except for their third poles in a closed fan of an even number of members or with a
+/// given form, and for tangents near one plane, which are put into it.
+/// lambda and the free poles make the members move least, or minimise the energy.
 ///
 /// Identities (each has a test of its number):
 ///   (1) V = a C' + b U across every inner spoke, up to rounding of the largest term.
@@ -97,9 +94,9 @@ struct UmbrellaInsideOptions {
   double gap_mm = 1e-9;  ///< ends of sides within this distance count as one point
 };
 
-/// The umbrella inside a closed boundary: one member for each corner, and spokes to the middles of
-/// the sides, with the least energy of umbrellaAround(). There is no condition across the boundary.
-/// Member i has the corner between side i and side i + 1 at (u, v) = (1, 1).
+/// The umbrella of least energy inside a closed boundary: one member for each corner, and spokes to
+/// the middles of the sides. There is no condition across the boundary. Member i has the corner
+/// between side i and side i + 1 at (u, v) = (1, 1).
 /// \param sides 3 to 12 polynomial curves, each beginning where the one before ends.
 /// \throws std::invalid_argument for another number of sides, sides that are rational or not
 /// connected, a degree that is too low, and tangents at O that become parallel.

@@ -12,7 +12,7 @@
 
 namespace seamwright {
 
-/// One surface of a network; its weights must be equal (no rational surface).
+/// One surface of a network; not rational.
 struct NetworkSurface {
   BSplineSurface surface;
   bool moves = true;             ///< false: no pole of it moves
@@ -48,7 +48,7 @@ enum class SeamStatus {
 struct SeamJoin {
   SeamStatus status = SeamStatus::Left;
   int order = 0;  ///< of the join: the given one, or 1 if a vertex does not allow more
-  /// Of the equations, relative to the largest derivative in them.
+  /// Relative to the largest derivative in the equations.
   double residual = 0;
   ConnectionFunctions connection = {};  ///< of surface 1 to surface 0
   std::string why = {};  ///< why it is excluded or joins with another order; otherwise empty
@@ -76,42 +76,35 @@ struct NetworkResult {
 };
 
 /// Moves the poles of a network of surfaces, as little as possible, so that all seams join exactly
-/// and agree at the vertices. docs/theory/surfaces.md S6 derives the functions at vertices.
+/// and agree at the vertices.
 ///
 ///     nearestNetwork({{.surface = a}, {.surface = b}}, {{.surfaces = {0, 1}}}).surfaces
 ///
 /// Minimises the sum of weight |move|^2 over all poles such that each seam satisfies the equations
 /// of ConnectionFunctions with surface 0 as P, surface 1 as Q and all parameters scaled to 0..1.
-/// Poles on a seam are shared. The result is a local minimum. There are three kinds of vertices,
-/// found from the seams that meet in a corner:
-///   - regular, where two lines cross between four surfaces: degrees and knots stay, G2 is
-///     possible.
-///   - extraordinary, of 3, 5 or more surfaces, or of 4 if not regular: G1 alone. Surfaces beside
-///     it, and those tied to them by opposite edges, may get degree 4 along the seams.
-///   - boundary, which seams do not surround: no condition.
+/// Poles on a seam are shared. The result is a local minimum. At a regular vertex of S6.2 degrees
+/// and knots stay, and G2 is possible. At an extraordinary one G1 alone is, and surfaces beside it,
+/// and those tied to them by opposite edges, may get degree 4 along the seams.
 ///
-/// Give the seams between two fixed surfaces too, because their functions determine those at the
-/// same vertices, and smooth seams, so that they stay smooth. If equations contradict each other or
-/// the fixed poles, the seam of the largest residual is excluded, until the rest can be solved.
+/// Give seams between fixed surfaces and smooth seams too. While equations contradict each other or
+/// fixed poles, the seam of the largest residual is excluded.
 ///
 /// Identities (each has a test of its number):
 ///   (1) encloseSeam() of each seam that joins gives a gap of 0, and an angle and for order 2 a
-///       curvature difference that are rounding.
+///       curvature difference of rounding.
 ///   (2) The move is orthogonal to the solutions of the joins' equations. For two surfaces it is
 ///       that of nearestJoin() if both find the same connection.
 ///   (3) Rigid motion and scale of all surfaces act on the result in the same way.
-///   (4) The order of surfaces and seams, the sides of a seam and senses of edges do not matter.
+///   (4) Order of surfaces and seams, sides of seams and senses of edges do not matter.
 ///   (5) A second call changes nothing.
 ///   (6) Poles that are fixed, and surfaces that do not move, stay bitwise.
 ///
-/// An iteration costs one sparse factorisation.
-///
 /// \throws std::invalid_argument for surfaces that are invalid or rational, lists whose length is
-/// not the number of poles, weights that are not positive, seams that name no surface, an edge that
-/// is in two seams or joined to itself, sides whose degrees or knots along the seam (scaled to
-/// 0..1) differ, held connections that are not finite, or with alpha or gamma not positive, and
-/// options out of range.
-/// Source: docs/theory/surfaces.md S2.6, S5.3, S6.1 to S6.3; docs/theory/fills.md F1.2 to F1.5.
+/// not the number of poles, weights that are not positive, seams of no surface, an edge in two
+/// seams or joined to itself, sides whose degrees or knots along the seam (scaled to 0..1) differ,
+/// held connections that are not finite, or with alpha or gamma not positive, and options out of
+/// range. Source: docs/theory/surfaces.md S2.6, S5.3, S6.1 to S6.3; docs/theory/fills.md F1.2 to
+/// F1.5.
 NetworkResult nearestNetwork(const std::vector<NetworkSurface>& surfaces,
                              const std::vector<NetworkSeam>& seams,
                              const NetworkOptions& options = {});
