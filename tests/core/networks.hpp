@@ -20,6 +20,10 @@ struct Net {
   std::vector<NetworkSeam> seams;
 };
 
+inline NetworkResult joined(const Net& net, const NetworkOptions& options = {}) {
+  return nearestNetwork(net.surfaces, net.seams, options);
+}
+
 /// The part of a surface between two knots of full multiplicity in each direction; first poles and
 /// their number.
 inline BSplineSurface part(const BSplineSurface& whole, std::array<double, 2> u,

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Seams of faces that share no edge. What is expected is known in closed form, or is what
-// OpenCASCADE's sewing finds.
+// Seams of faces that share no edge. What is expected is known in closed form.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,11 +9,10 @@
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
-#include <BRepBuilderAPI_Sewing.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <GCPnts_AbscissaPoint.hxx>
 #include <Geom_BSplineCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_SphericalSurface.hxx>
@@ -23,17 +21,12 @@
 #include <TopoDS_Compound.hxx>
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
 #include <limits>
 #include <numbers>
 
-#include <seamwright/occ_adapter/model/read.hpp>
-#include <seamwright/occ_adapter/seams/pair_free_edges.hpp>
-
-#include "files.hpp"
-#include "repair_trials.hpp"
+#include "matched_seams.hpp"
 #include "shapes.hpp"
 #include "support/random.hpp"
 
@@ -85,30 +78,6 @@ TopoDS_Shape turnedAboutY(const TopoDS_Shape& shape, double angle, double height
   gp_Trsf turn;
   turn.SetRotation(gp_Ax1(gp_Pnt(0, 0, height), gp::DY()), angle);
   return transformed(shape, turn);
-}
-
-SeamGraph matched(const TopoDS_Shape& shape, double match_mm = 0.01) {
-  SeamGraph graph = findSeams(shape);
-  matchFreeEdges({.match_mm = match_mm}, graph);
-  return graph;
-}
-
-Report analyzedMatched(const TopoDS_Shape& shape, double match_mm = 0.01) {
-  occ::AnalyzeOptions options;
-  options.match_mm = match_mm;
-  return analyzed(shape, options);
-}
-
-std::vector<double> lengths(const Report& report) {
-  std::vector<double> lengths;
-  for (const SeamResult& seam : report.seams)
-    if (seam.kind == SeamKind::Matched) lengths.push_back(seam.length_mm);
-  std::ranges::sort(lengths);
-  return lengths;
-}
-
-double gap(const SeamResult& seam) {
-  return seam.figures.gap_mm.value().lower;
 }
 
 /// What an enclosure may leave open of a gap of zero: a hundredth of the tolerance.
@@ -564,49 +533,6 @@ TEST(Match, EdgesThatLeaveOneAnotherForAMomentMatchBesideIt) {
   EXPECT_NEAR(lengths(report)[0], 7.03 - bump_mm / 4, bump_mm / 4);
   EXPECT_NEAR(lengths(report)[1], 20 - 7.03 - bump_mm / 4, bump_mm / 4);
   for (const SeamResult& seam : report.seams) EXPECT_LE(gap(seam), 1.001 * match_mm);
-}
-
-double lengthOfEdges(int count, const std::function<TopoDS_Edge(int)>& edge) {
-  double length = 0;
-  for (int i = 1; i <= count; ++i)
-    length += GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(edge(i)));
-  return length;
-}
-
-/// Loose faces: matched seams against the edges that sewing joins. \param edges, length: by how
-/// much of their number and their length they may differ.
-void expectWhatSewingFinds(const TopoDS_Shape& shape, double match_mm, double edges,
-                           double length) {
-  BRepBuilderAPI_Sewing sewing(match_mm);
-  sewing.Add(shape);
-  sewing.Perform();
-  const double sewn =
-      lengthOfEdges(sewing.NbContigousEdges(), [&](int i) { return sewing.ContigousEdge(i); });
-  const Report report = analyzedMatched(shape, match_mm);
-  double matched_length = 0;
-  for (const double one : lengths(report)) matched_length += one;
-  const double expected = sewing.NbContigousEdges();
-  EXPECT_NEAR(static_cast<double>(lengths(report).size()), expected, edges * expected);
-  EXPECT_NEAR(matched_length, sewn, length * sewn);
-}
-
-TEST(Match, BearingAgreesWithSewing) {
-  expectWhatSewingFinds(occ::readModel(occtModel("iges/bearing.iges")).shape, 1e-4, 0.01, 1e-3);
-}
-
-TEST(Match, HammerAgreesWithSewing) {
-  expectWhatSewingFinds(occ::readModel(occtModel("iges/hammer.iges")).shape, 10, 0.01, 1e-3);
-}
-
-/// Faces that were one shell: sewing and the seams of the shell.
-TEST(Match, NetsAgreeWithSewingAndWithWhatTheyWere) {
-  for (const NetKind& kind : netKinds()) {
-    SCOPED_TRACE(kind.name);
-    const TopoDS_Shape shell = brokenModel({kind.name, 0.001, testSeed()});
-    const TopoDS_Shape faces = compoundOf(apart(shell));
-    expectWhatSewingFinds(faces, 0.05, 0, 1e-3);
-    EXPECT_EQ(lengths(analyzedMatched(faces, 0.05)).size(), findSeams(shell).seams.size());
-  }
 }
 
 }  // namespace
