@@ -51,22 +51,6 @@ struct Piece {
   double at(double x) const { return 0.5 * ((1 - x) * from + (1 + x) * to); }
 };
 
-/// On a piece across knot lines every combination of sides is possible, so no value is known to be
-/// attained.
-void include(PieceFigures& sum, const PieceFigures& more) {
-  const auto merge = [](PieceBound& bound, const PieceBound& other) {
-    bound = {0, std::max(bound.upper, other.upper), 0};
-  };
-  merge(sum.gap_mm, more.gap_mm);
-  merge(sum.angle_rad, more.angle_rad);
-  sum.smallest_angle_rad = std::min(sum.smallest_angle_rad, more.smallest_angle_rad);
-  if (sum.sense != more.sense) sum.sense = 0;
-  sum.curvature_norm_per_mm = 0;
-  if (!sum.curvature_per_mm) return;
-  merge(*sum.curvature_per_mm, *more.curvature_per_mm);
-  merge(*sum.curvature_rel, *more.curvature_rel);
-}
-
 /// Cuts the seam into pieces and measures them, see run() for the order.
 ///
 /// Four tests decide whether a piece is cut:

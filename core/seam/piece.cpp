@@ -327,4 +327,18 @@ PieceFigures measurePiece(const SurfaceFields& a, const SurfaceFields& b, Detail
   return figures;
 }
 
+void include(PieceFigures& sum, const PieceFigures& more) {
+  const auto merge = [](PieceBound& bound, const PieceBound& other) {
+    bound = {0, std::max(bound.upper, other.upper), 0};
+  };
+  merge(sum.gap_mm, more.gap_mm);
+  merge(sum.angle_rad, more.angle_rad);
+  sum.smallest_angle_rad = std::min(sum.smallest_angle_rad, more.smallest_angle_rad);
+  if (sum.sense != more.sense) sum.sense = 0;
+  sum.curvature_norm_per_mm = 0;
+  if (!sum.curvature_per_mm) return;
+  merge(*sum.curvature_per_mm, *more.curvature_per_mm);
+  merge(*sum.curvature_rel, *more.curvature_rel);
+}
+
 }  // namespace seamwright

@@ -54,4 +54,9 @@ struct PieceSlack {
 PieceFigures measurePiece(const SurfaceFields& a, const SurfaceFields& b, Detail detail,
                           double flat_radius_mm, const PieceSlack& slack);
 
+/// Adds the bounds of another pair of sides over the same piece.
+/// On a piece across knot lines every combination of sides is possible, so no value is known to be
+/// attained.
+void include(PieceFigures& sum, const PieceFigures& more);
+
 }  // namespace seamwright
