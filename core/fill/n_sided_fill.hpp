@@ -8,7 +8,7 @@
 #include <seamwright/core/bezier/curve.hpp>
 #include <seamwright/core/bezier/patch.hpp>
 #include <seamwright/core/bezier/patch_edge.hpp>
-#include <seamwright/core/join/connection.hpp>
+#include <seamwright/core/join/condition/connection.hpp>
 
 namespace seamwright {
 

@@ -6,7 +6,7 @@
 
 #include <seamwright/core/bezier/triangle.hpp>
 #include <seamwright/core/fill/n_sided_fill.hpp>
-#include <seamwright/core/join/connection.hpp>
+#include <seamwright/core/join/condition/connection.hpp>
 
 namespace seamwright {
 

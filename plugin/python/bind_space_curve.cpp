@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <seamwright/core/bezier/frenet.hpp>
 #include <seamwright/core/bezier/length.hpp>
-#include <seamwright/core/differential/frenet.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
 #include <seamwright/plugin/python/curves.hpp>
 #include <seamwright/plugin/python/parameters.hpp>

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <random>
-#include <seamwright/core/differential/frenet.hpp>
+#include <seamwright/core/bezier/frenet.hpp>
 
 #include "support/random.hpp"
 #include "surfaces.hpp"

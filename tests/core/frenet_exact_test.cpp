@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 
 #include <limits>
+#include <seamwright/core/bezier/frenet.hpp>
 #include <seamwright/core/bspline/curve.hpp>
-#include <seamwright/core/differential/frenet.hpp>
 #include <seamwright/core/seam/curve_joint.hpp>
 
 #include "exact_frenet.hpp"

@@ -5,7 +5,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <seamwright/core/differential/frenet.hpp>
+#include <seamwright/core/bezier/frenet.hpp>
 
 #include "curves.hpp"
 #include "support/random.hpp"

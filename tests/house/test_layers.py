@@ -95,15 +95,16 @@ def test_adapter_includes_nothing_but_what_it_stands_on():
     assert wrong == []
 
 
-def test_folders_of_the_adapter_are_free_of_cycles():
+@pytest.mark.parametrize("layer", ["core", "occ_adapter"])
+def test_folders_are_free_of_cycles(layer):
     """No folder includes another one that includes it, directly or through others."""
     folders = {}
-    for path in files("occ_adapter", ".hpp", ".cpp"):
+    for path in files(layer, ".hpp", ".cpp"):
         own = str(path.parent.relative_to(SOURCE))
         named = {
             str(Path(name[1:]).parent).removeprefix("seamwright/")
             for name in includes(path)
-            if name.startswith("<seamwright/occ_adapter/")
+            if name.startswith(f"<seamwright/{layer}/")
         }
         folders.setdefault(own, set()).update(named - {own})
     try:

@@ -47,8 +47,12 @@ EXPECTED = {
     ("occ_adapter/fill/fill_faces.cpp", "std::runtime_error"): (
         "the joins of a ring contradict each other: throws NotFilled; around this call only"
     ),
-    ("occ_adapter/fill/filling.cpp", "std::domain_error"): "to be narrowed",
-    ("occ_adapter/fill/filling.cpp", "std::invalid_argument"): "to be narrowed",
+    ("occ_adapter/fill/filling.cpp", "std::domain_error"): (
+        "a construction of core has no result for the sides: the reason of the fill"
+    ),
+    ("occ_adapter/fill/filling.cpp", "std::invalid_argument"): (
+        "a construction of core refuses the sides: the reason of the fill"
+    ),
     ("occ_adapter/fill/filling.cpp", "std::overflow_error"): (
         "sides whose polynomials leave the range of numbers: the reason of the fill"
     ),

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 #include <optional>
-#include <seamwright/core/join/connection.hpp>
+#include <seamwright/core/join/condition/connection.hpp>
 #include <seamwright/core/join/ribbon.hpp>
 #include <string_view>
 

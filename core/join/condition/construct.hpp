@@ -2,7 +2,7 @@
 #pragma once
 
 #include <optional>
-#include <seamwright/core/join/connection.hpp>
+#include <seamwright/core/join/condition/connection.hpp>
 #include <seamwright/core/join/ribbon.hpp>
 #include <vector>
 

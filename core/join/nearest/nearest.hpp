@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <seamwright/core/bspline/surface.hpp>
-#include <seamwright/core/join/connection.hpp>
+#include <seamwright/core/join/condition/connection.hpp>
 
 namespace seamwright {
 

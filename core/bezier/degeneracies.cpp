@@ -6,8 +6,8 @@
 #include <limits>
 
 #include <seamwright/core/bernstein/coefficients.hpp>
+#include <seamwright/core/bezier/frenet.hpp>
 #include <seamwright/core/bezier/velocity_form.hpp>
-#include <seamwright/core/differential/frenet.hpp>
 #include <seamwright/core/numeric.hpp>
 
 namespace seamwright {

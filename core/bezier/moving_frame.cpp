@@ -5,7 +5,7 @@
 #include <string>
 
 #include <seamwright/core/bernstein/coefficients.hpp>
-#include <seamwright/core/differential/frenet.hpp>
+#include <seamwright/core/bezier/frenet.hpp>
 
 namespace seamwright {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cmath>
 #include <seamwright/core/join/condition/condition.hpp>
-#include <seamwright/core/join/connection.hpp>
+#include <seamwright/core/join/condition/connection.hpp>
 #include <seamwright/core/join/normalized.hpp>
 #include <seamwright/core/linear/dense.hpp>
 #include <seamwright/core/numeric.hpp>

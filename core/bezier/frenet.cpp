@@ -9,8 +9,8 @@
 #include <string>
 
 #include <seamwright/core/bernstein/coefficients.hpp>
+#include <seamwright/core/bezier/frenet.hpp>
 #include <seamwright/core/bezier/graded_derivatives.hpp>
-#include <seamwright/core/differential/frenet.hpp>
 #include <seamwright/core/numeric.hpp>
 
 namespace seamwright {
