@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# For the scripts of the project, to be sourced: quiet steps with a log, and how many processes to start.
+# For the scripts of the project, to be sourced: quiet steps with a log, and how many processes to
+# start.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 logs=$root/build/log
 mkdir -p "$logs"
 
-# step LOG TEXT COMMAND...: says what is done, keeps what the command prints in a file, shows its end on failure.
+# step LOG TEXT COMMAND...: says what is done, keeps what the command prints in a file, shows its
+# end on failure.
 step() {
   local log=$logs/$1.log text=$2 start=$SECONDS status=0
   shift 2

@@ -78,9 +78,18 @@ def measures():
     return module
 
 
+def scripts():
+    """Path and text of each script that is run by its name, and of what shell scripts source."""
+    for name, text in texts((*LANGUAGES, "tools"), ("", ".sh")):
+        if text.startswith("#!") or name.endswith(".sh"):
+            yield name, text
+
+
 def test_lines_have_at_most_100_columns():
-    files = dict(texts(LANGUAGES, CODE))
+    files = dict(texts((*LANGUAGES, "tools"), CODE))
     assert len(files) > 500
+    files |= scripts()
+    assert {"benchmarks/compare", "tools/measures", "tools/steps.sh"} <= files.keys()
     long = [
         f"{name}:{number}: {len(line)} columns"
         for name, text in files.items()
