@@ -67,7 +67,7 @@ struct FaceMove {
   SurfaceVerdict verdict = {};  ///< on that change, see docs/theory/repair.md R4
 };
 
-/// An edge with a new path on its faces, or another speed along the old one.
+/// An edge that got new pcurves on its faces: another curve, or the old one at another speed.
 struct EdgeMove {
   int edge = 0;
   /// Between its old and new image on a face; the sum if it moved several times.

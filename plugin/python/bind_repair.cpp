@@ -124,7 +124,7 @@ void bindDetails(ReportClass& type) {
                              "The faces that moved: FaceMoves; surface tells what became of the "
                              "face's curvature.")
       .def_property_readonly("edge_moves", listed("EdgeMove", "edge_moves"),
-                             "Edges with new paths on faces that stay: EdgeMoves.")
+                             "Edges that got new pcurves on faces that stay: EdgeMoves.")
       .def_property_readonly("converted", listed("FaceConversion", "converted"),
                              "Faces that became splines: FaceConversions.")
       .def_property_readonly(

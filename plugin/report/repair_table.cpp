@@ -91,8 +91,8 @@ void writeHead(std::ostream& out, const occ::RepairReport& report, const RepairS
     const double furthest_mm =
         std::ranges::max_element(report.edge_moves, {}, &occ::EdgeMove::largest_move_mm)
             ->largest_move_mm;
-    out << ", " << counted(report.edge_moves.size(), "edge") << " on new paths, by at most "
-        << fmt::format("{:.3g}", furthest_mm) << " mm";
+    out << ", " << counted(report.edge_moves.size(), "edge")
+        << " got new pcurves and moved by at most " << fmt::format("{:.3g}", furthest_mm) << " mm";
   }
   if (!report.converted.empty())
     out << ", " << counted(report.converted.size(), "face") << " made a spline";

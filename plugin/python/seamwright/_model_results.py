@@ -199,7 +199,7 @@ class FaceMove(Result):
 
 
 class EdgeMove(Result):
-    """An edge with a new path on a face that stays: its number, and the largest move."""
+    """An edge that got a new pcurve on a face that stays: its number, and the largest move."""
 
     edge: int
     largest_move_mm: float

@@ -8,7 +8,7 @@ The report is a dict with these keys:
 * ``chosen``: whether the user named the seams
 * ``seams``: the seams that were to be repaired, each a dict of before, after, repaired and reason
 * ``moves``: dicts of face and largest_move_mm
-* ``edges_led``: number of edges with new paths
+* ``edges_led``: number of edges that got new pcurves
 * ``sewn``: number of seams that were sewn
 * ``total``: number of all seams
 * ``defects``, ``gap_mm``, ``angle_deg``: [before, after] of the whole model
@@ -69,7 +69,7 @@ def build_report(before, after, seams, moves, target, chosen, edges_led=0):
 
     ``before``, ``after``: reports of the analysis; ``after`` is None before the repair. ``seams``:
     a dict for each seam of the model: before, after, treated, repaired, reason, and sewn where the
-    kernel tells it. ``edges_led``: the number of edges with new paths.
+    kernel tells it. ``edges_led``: the number of edges that got new pcurves.
     """
     wanted = [
         {name: seam[name] for name in ("before", "after", "repaired", "reason")}
@@ -149,7 +149,7 @@ def summary_text(report):
         moved = summary.counted(len(report["moves"]), "face")
         parts.append("%s moved by up to %s mm" % (moved, enclosure.number(largest_move_mm(report))))
     if report["edges_led"]:
-        parts.append("%s on new paths" % summary.counted(report["edges_led"], "edge"))
+        parts.append("%s got new pcurves" % summary.counted(report["edges_led"], "edge"))
     if report["sewn"]:
         parts.append("%s sewn" % summary.counted(report["sewn"], "seam"))
     if not has_changed(report):
