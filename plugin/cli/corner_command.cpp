@@ -75,14 +75,16 @@ void addCornerOptions(CLI::App& command, CornerArguments& arguments) {
       ->type_name("N")
       ->required()
       ->transform(numberOf("Vertex"));
-  addLengths(command, "--radius", arguments.radii_mm,
-             "One radius for all edges at the vertex, or one for each: counter-clockwise seen from "
-             "outside, starting at the edge with the smallest number",
-             Range::Positive, true);
-  addLengths(command, "--setback", arguments.setbacks_mm,
-             "Distance from the vertex, along the edges, at which the fillets end; 0 or not given: "
-             "chosen by the program",
-             Range::NotNegative, false);
+  addLengths(
+      command, "--radius", arguments.radii_mm,
+      "One radius for all edges at the vertex, or one for each edge, counter-clockwise as seen "
+      "from outside, starting with the edge that has the smallest number",
+      Range::Positive, true);
+  addLengths(
+      command, "--setback", arguments.setbacks_mm,
+      "Distance from the vertex, along the edges, at which the fillets end: one for all edges "
+      "or one for each, as for --radius; 0 or not given: chosen by the program",
+      Range::NotNegative, false);
   command.add_flag("--keep-anyway", arguments.keep_anyway,
                    "Write OUT even if the new seams fall short");
   addG1Options(command, arguments.measure);

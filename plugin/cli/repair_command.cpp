@@ -106,8 +106,8 @@ Done repairForFile(const occ::Model& model, const RepairArguments& arguments,
       for (const int face : hold.faces) names += (names.empty() ? "" : ", ") + std::to_string(face);
       used.held_faces.insert(used.held_faces.end(), hold.faces.begin(), hold.faces.end());
       warn(arguments.output.model,
-           {"a repair that moves these faces makes seams of theirs worse in the file, so "
-            "they are held: " +
+           {"repairs that move these faces make seams beside them worse in the file, so these "
+            "faces are held: " +
             names});
     }
   }
@@ -147,7 +147,8 @@ void addRepairOptions(CLI::App& command, RepairArguments& arguments) {
   command
       .add_option(
           "--max-time", arguments.max_time_s,
-          "Start no repair after this time, s, and keep those already made; default: no limit")
+          "Start no more repairs after this time, s, and keep those already made; default: no "
+          "limit")
       ->type_name("SECONDS")
       ->check(numberIn(Range::PositiveOrInfinite));
   addMeasureOptions(command, arguments.measure);

@@ -95,7 +95,8 @@ void writeHead(std::ostream& out, const occ::RepairReport& report, const RepairS
         << " got new pcurves and moved by at most " << fmt::format("{:.3g}", furthest_mm) << " mm";
   }
   if (!report.converted.empty())
-    out << ", " << counted(report.converted.size(), "face") << " made a spline";
+    out << ", " << counted(report.converted.size(), "face") << " converted to "
+        << (report.converted.size() == 1 ? "a spline" : "splines");
   out << ";  read in " << fmt::format("{:.2f}", report.before.read_s) << " s, repaired in "
       << fmt::format("{:.2f}", report.repair_s) << " s\n";
 }

@@ -334,7 +334,7 @@ class Errors(FillCase):
         obj = fill.create(block, face="Face1")
         obj.Face = (block, ["Face1", "Face2"])
         self.doc.recompute()
-        self.assertNotFilled(obj, "2 faces are chosen: only one is replaced at a time")
+        self.assertNotFilled(obj, "2 faces are chosen: only one can be replaced at a time")
         obj.Face = (source, ["Face1"])
         self.doc.recompute()
         self.assertNotFilled(obj, "Face names Open, which is not the source Block")

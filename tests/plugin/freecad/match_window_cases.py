@@ -441,13 +441,13 @@ class Stripes(MatchWindow):
         Gui.runCommand(ZEBRA)
         settle()
         (text,) = messages()
-        self.assertIn("have none", text)
+        self.assertIn("have no faces", text)
         self.left.ViewObject.Visibility = self.right.ViewObject.Visibility = False
         Gui.Selection.clearSelection()
         Gui.runCommand(ZEBRA)
         settle()
         (text,) = messages()
-        self.assertIn("no visible object", text)
+        self.assertIn("No visible object", text)
 
 
 os.makedirs(OUT, exist_ok=True)

@@ -21,9 +21,9 @@ TOLERANCES = (
     ("GapTolerance", "gap_mm", "App::PropertyLength", 0.01,
      "Largest distance between the two sides of each new seam, in mm"),
     ("AngleTolerance", "angle_deg", "App::PropertyAngle", 0.1,
-     "Largest angle between tangent planes of each new seam, in degrees"),
+     "Largest angle between the tangent planes of each new seam, in degrees"),
     ("SectionTolerance", "section_mm", "App::PropertyLength", 1e-6,
-     "Largest distance of the sides of the patches from the fillets, in mm"),
+     "Largest distance between the sides of the patches and the fillets, in mm"),
 )  # fmt: skip
 
 RESULTS = (
@@ -60,11 +60,11 @@ class CornerFillet(feature.Feature):
         adder.add(
             "App::PropertyLinkSubGlobal", "Vertex", "Corner", "The vertex whose edges are rounded"
         )
-        tip = "Radii in mm, in the order of CornerEdges; one number: for all edges"
+        tip = "Radii in mm, in the order of CornerEdges, or one radius for all edges"
         adder.add("App::PropertyFloatList", "Radii", "Corner", tip)
         tip = (
             "Distances from the vertex at which the fillets end, in mm, in the order of "
-            "CornerEdges; one number: for all edges; 0 or empty: automatic"
+            "CornerEdges, or one distance for all edges; 0 or empty: automatic"
         )
         adder.add("App::PropertyFloatList", "Setbacks", "Corner", tip)
         adder.add_tolerances(TOLERANCES)
@@ -140,7 +140,9 @@ def _corner(module, obj):
     shape = elements.source_shape(obj)
     vertices = elements.numbers(obj, shape, "Vertex", "Vertex")
     if len(vertices) != 1:
-        raise sources.SourceError("Vertex names %d vertices: name exactly one" % len(vertices))
+        raise sources.SourceError(
+            "The property Vertex names %d vertices: name exactly one" % len(vertices)
+        )
     model = module.Model.from_freecad(shape)
     edges = model.corner_edges(vertices[0])
     return model, vertices[0], edges, [shape.Edges[number - 1].Length for number in edges]

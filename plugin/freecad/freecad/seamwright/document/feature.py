@@ -20,7 +20,7 @@ from freecad.seamwright.plain import kernel
 #: property, property type, help; not shown to the user
 INTERNAL = (
     ("Report", "App::PropertyString", "The report of the kernel, as JSON"),
-    ("SeamwrightVersion", "App::PropertyString", "The Seamwright that wrote the results"),
+    ("SeamwrightVersion", "App::PropertyString", "Version of Seamwright that wrote the results"),
     ("Outcome", "App::PropertyString", "How the last computation ended: %s" % ", ".join(OUTCOMES)),
 )
 

@@ -20,7 +20,7 @@ TOLERANCES = (
     ("GapTolerance", "gap_mm", "App::PropertyLength", 0.001,
      "Largest distance between the two sides of each new seam, in mm"),
     ("AngleTolerance", "angle_deg", "App::PropertyAngle", 0.01,
-     "Largest angle between tangent planes of each new seam for G1, in degrees"),
+     "Largest angle between the tangent planes of each new seam for G1, in degrees"),
     ("CornerAngle", "corner_deg", "App::PropertyAngle", 15.0,
      "A side of a hole ends where its tangent turns by more than this, in degrees"),
 )  # fmt: skip
@@ -68,7 +68,7 @@ class UmbrellaFill(feature.Feature):
         adder.add_choice(
             "Target",
             "Fill",
-            "Level that every new seam has to meet; G0: position only",
+            "Level that every new seam must meet; G0: position only",
             TARGETS,
             TARGETS[0],
         )
@@ -133,7 +133,7 @@ def fill_job(module, obj, private=False):
     edges, faces = (elements.numbers(obj, shape, *entry[:2]) for entry in ELEMENTS)
     if len(faces) > 1:
         raise sources.SourceError(
-            "%d faces are chosen: only one is replaced at a time" % len(faces)
+            "%d faces are chosen: only one can be replaced at a time" % len(faces)
         )
     limits, label, make = (
         tolerances(obj),

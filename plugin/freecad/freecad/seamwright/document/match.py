@@ -28,7 +28,7 @@ DEFAULT_MOVES = "Second"
 LINKS = (
     ("FirstFace", "The first face"),
     ("SecondFace", "The second face"),
-    ("CommonEdge", "The common edge to match along, if there are several; empty: the longest"),
+    ("CommonEdge", "The common edge along which the faces are matched; empty: the longest one"),
 )
 
 RESULTS = (
@@ -37,7 +37,7 @@ RESULTS = (
     (
         "Exact",
         "App::PropertyBool",
-        "Whether the poles meet the target exactly, to rounding, and not just within the tolerance",
+        "Whether the poles meet the target exactly up to rounding, not only within the tolerance",
     ),
     ("Certain", "App::PropertyBool", "Whether the verdict about the new seam is certain"),
     ("LargestMove", "App::PropertyLength", "Largest move of a pole, in mm"),
@@ -72,7 +72,7 @@ class MatchSurfaces(feature.Feature):
             "App::PropertyLength",
             "MaxMove",
             "Match",
-            "Largest move that a pole may make, in mm; 0: no limit",
+            "No pole may move further than this, in mm; 0: no limit",
         )
         adder.add(
             "App::PropertyBool",

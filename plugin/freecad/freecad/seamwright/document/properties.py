@@ -10,13 +10,13 @@ TOLERANCES = (
     ("GapTolerance", "gap_mm", "App::PropertyLength", 0.01,
      "Largest distance between the two sides of a seam that meets G0, in mm"),
     ("AngleTolerance", "angle_deg", "App::PropertyAngle", 0.1,
-     "Largest angle between tangent planes of a seam that meets G1, in degrees"),
+     "Largest angle between the tangent planes of a seam that meets G1, in degrees"),
     ("CurvatureTolerance", "curvature_rel", "App::PropertyFloat", 0.02,
-     "Largest relative difference of curvature of a seam that meets G2, without unit"),
+     "Largest relative difference of curvature of a seam that meets G2; 0.02 is 2 %"),
     ("FlatRadius", "flat_radius_mm", "App::PropertyLength", 1e5,
-     "A side whose radii of curvature are all larger counts as flat, in mm"),
+     "A side counts as flat if all its radii of curvature are larger than this, in mm"),
     ("CreaseAngle", "crease_deg", "App::PropertyAngle", 5.0,
-     "A seam with a larger angle counts as an intended crease, not as a defect, in degrees"),
+     "A seam counts as an intended crease if its angle is larger than this, in degrees"),
 )  # fmt: skip
 
 # Values of the property Outcome: how the last computation ended.

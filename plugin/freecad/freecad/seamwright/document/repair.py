@@ -36,20 +36,28 @@ RESULTS = (
     ("Wanted", "App::PropertyInteger", "Number of seams that were to be repaired"),
     ("Repaired", "App::PropertyInteger", "Number of seams that were repaired"),
     ("MovedFaces", "App::PropertyInteger", "Number of faces that moved"),
-    ("LargestMove", "App::PropertyLength", "Largest move of a pole, in mm"),
-    ("DefectsBefore", "App::PropertyInteger", "Seams that miss the target before the repair"),
-    ("DefectsAfter", "App::PropertyInteger", "Seams that miss the target after the repair"),
-    ("MaxGapBefore", "App::PropertyLength", "Largest gap seen before, creases excluded, in mm"),
-    ("MaxGapAfter", "App::PropertyLength", "Largest gap seen after, creases excluded, in mm"),
+    ("LargestMove", "App::PropertyLength", "No point of a face moved further than this, in mm"),
+    ("DefectsBefore", "App::PropertyInteger", "Number of defects before the repair"),
+    ("DefectsAfter", "App::PropertyInteger", "Number of defects after the repair"),
+    (
+        "MaxGapBefore",
+        "App::PropertyLength",
+        "Largest gap seen before the repair, creases excluded, in mm",
+    ),
+    (
+        "MaxGapAfter",
+        "App::PropertyLength",
+        "Largest gap seen after the repair, creases excluded, in mm",
+    ),
     (
         "MaxAngleBefore",
         "App::PropertyAngle",
-        "Largest angle seen before, creases excluded, in degrees",
+        "Largest angle seen before the repair, creases excluded, in degrees",
     ),
     (
         "MaxAngleAfter",
         "App::PropertyAngle",
-        "Largest angle seen after, creases excluded, in degrees",
+        "Largest angle seen after the repair, creases excluded, in degrees",
     ),
 )
 
@@ -73,7 +81,7 @@ class SeamRepair(feature.Feature):
             adder.add("App::PropertyLinkSubGlobal", name, "Seams", tip)
         adder.add_choice("Target", "Repair", "Level of continuity to reach", TARGETS, TARGETS[0])
         tip = (
-            "Largest move that a point of a face may make, in mm; 0: a hundredth of the size of "
+            "No point of a face may move further than this, in mm; 0: a hundredth of the size of "
             "the face plus twice the largest gap of its seams"
         )
         adder.add("App::PropertyLength", "MaxMove", "Repair", tip)

@@ -28,7 +28,8 @@ class AnalyzeSeams(Command):
     icon = "seamwright-analyze"
     tip = (
         "Measure gap, angle and curvature where faces of the selected objects meet, and colour the "
-        "seams by the result. With nothing selected, take all solids and shells of the document."
+        "seams by the result. With nothing selected, all solids and shells of the document are "
+        "analysed."
     )
 
     def Activated(self):
@@ -46,7 +47,7 @@ class ExportReport(Command):
     icon = "seamwright-export"
     tip = (
         "Write the results of the selected seam analysis to a file, as a table (CSV) or as a "
-        "report (JSON). With nothing selected, take the newest analysis."
+        "report (JSON). With nothing selected, the newest analysis is written."
     )
 
     def IsActive(self):
@@ -66,7 +67,7 @@ class MatchSurfaces(Command):
     icon = "seamwright-match"
     tip = (
         "Move the second of two selected faces, or both, until they join without a kink (G1) or "
-        "with equal curvature (G2). If they have several common edges, select one of these too."
+        "with equal curvature (G2). If they share several edges, also select the edge to match."
     )
 
     def Activated(self):
@@ -74,8 +75,8 @@ class MatchSurfaces(Command):
         faces, edges = selected_elements("Face"), selected_elements("Edge")
         if len(faces) != 2 or len(edges) > 1:
             messages.show_error(
-                "Select two faces, first the one that stays, then the one that moves, and at most "
-                "one common edge. Selected: %s, %s."
+                "Select two faces: first the one that stays, then the one that moves. You may also "
+                "select one common edge. Selected: %s, %s."
                 % (summary.counted(len(faces), "face"), summary.counted(len(edges), "edge"))
             )
             return
@@ -92,9 +93,9 @@ class RepairSeams(Command):
     menu = "Repair Seams"
     icon = "seamwright-repair"
     tip = (
-        "Move faces of the selected object as little as possible, until its seams are smooth: "
-        "without a kink (G1) or with equal curvature (G2). Select edges, or rows of an analysis, "
-        "to repair only their seams."
+        "Move faces of the selected object as little as possible until its seams are smooth: "
+        "without a kink (G1) or with equal curvature (G2). To repair only some seams, select "
+        "their edges, or rows of an analysis."
     )
 
     def Activated(self):
@@ -104,7 +105,7 @@ class RepairSeams(Command):
         objects = list(dict.fromkeys(obj for obj, _ in chosen))
         if len(objects) != 1:
             messages.show_error(
-                "Select one object to repair its seams, or some of its edges. Found: %s."
+                "To repair seams, select one object or some of its edges. Found: %s."
                 % (", ".join(obj.Label for obj in objects) or "none")
             )
             return
@@ -138,7 +139,7 @@ class UmbrellaFill(Command):
     icon = "seamwright-fill"
     tip = (
         "Close holes of the selected object with faces that are tangent to their neighbours. "
-        "Select edges to fill only their holes, or one face to replace it."
+        "To fill only some holes, select an edge of each. To replace a face, select it."
     )
 
     def Activated(self):
@@ -147,8 +148,8 @@ class UmbrellaFill(Command):
         chosen = selected_parts(doc)
         if len(chosen) != 1:
             messages.show_error(
-                "Select one object to fill its holes, some of its edges, or one of its faces. "
-                "Found: %s." % (", ".join(obj.Label for obj in chosen) or "none")
+                "To fill holes, select one object or some of its edges. To replace a face, select "
+                "it. Found: %s." % (", ".join(obj.Label for obj in chosen) or "none")
             )
             return
         ((source, names),) = chosen.items()
@@ -157,7 +158,7 @@ class UmbrellaFill(Command):
         )
         if len(faces) > 1 or (faces and edges):
             messages.show_error(
-                "Select edges of holes, or one face to replace. Selected: %s, %s."
+                "Select either edges of holes or one face to replace. Selected: %s, %s."
                 % (summary.counted(len(faces), "face"), summary.counted(len(edges), "edge"))
             )
             return
@@ -196,8 +197,8 @@ class ZebraStripes(Command):
     icon = "seamwright-zebra"
     tip = (
         "Show how the faces of the selected objects, or of all visible objects, reflect stripes. "
-        "Stripes break at a seam with an angle and bend at a step of curvature. "
-        "Press again to remove the stripes."
+        "The stripes break where faces meet at an angle, and bend where the curvature jumps. "
+        "Use the command again to remove them."
     )
 
     def IsActive(self):
@@ -210,7 +211,7 @@ class ZebraStripes(Command):
         striped = zebra.objects(doc)
         chosen = with_faces(sources.expand(dict.fromkeys(Gui.Selection.getSelection())))
         if Gui.Selection.getSelection() and not chosen:
-            messages.show_error("Zebra stripes are drawn on faces: the selected objects have none.")
+            messages.show_error("The selected objects have no faces to draw zebra stripes on.")
         elif chosen and any(obj not in striped for obj in chosen):
             self._show([obj for obj in chosen if obj not in striped])
         elif chosen or striped:
@@ -229,7 +230,7 @@ class ZebraStripes(Command):
             zebra.show(objects)
             Gui.Selection.clearSelection()  # the colour of a selection would cover the stripes
         else:
-            messages.show_error("Zebra stripes are drawn on faces: no visible object has any.")
+            messages.show_error("No visible object has faces to draw zebra stripes on.")
 
 
 def with_faces(objects):

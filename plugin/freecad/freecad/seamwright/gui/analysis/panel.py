@@ -90,7 +90,9 @@ class AnalysisPanel:
     def _build_export(self):
         line = QtWidgets.QHBoxLayout()
         repair = QtWidgets.QPushButton("Repair\u2026")
-        repair.setToolTip("Repair the seams of the chosen rows; if none is chosen, all defects")
+        repair.setToolTip(
+            "Repair the seams of the selected rows, or all defects if no row is selected"
+        )
         repair.clicked.connect(lambda *_: QtCore.QTimer.singleShot(0, _repair))
         line.addWidget(repair)
         for kind in ("csv", "json"):

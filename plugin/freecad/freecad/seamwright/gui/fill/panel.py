@@ -37,9 +37,7 @@ class FillPanel(NewSeamsPanel):
         self.which = QtWidgets.QLabel()
         self.holes = HoleList()
         self.pick = QtWidgets.QPushButton("Only selected")
-        self.pick.setToolTip(
-            "Fill only the holes whose edges are selected in the view"
-        )
+        self.pick.setToolTip("Fill only the holes whose edges are selected in the view")
         for widget in (self.which, self.holes, self.pick):
             layout.addWidget(widget)
         return box
@@ -73,7 +71,7 @@ class FillPanel(NewSeamsPanel):
         face = ", ".join(elements.names(self.obj, "Face"))
         holes, wanted, text = ([], [], "") if face else fill.holes_of(self.obj)
         self.holes.set_holes(holes, wanted)
-        self.which.setText("%s is replaced" % face)
+        self.which.setText("%s will be replaced" % face)
         self.which.setVisible(bool(face))
         for widget in (self.holes, self.pick):
             widget.setVisible(not face)

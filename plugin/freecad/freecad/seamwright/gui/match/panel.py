@@ -85,18 +85,18 @@ class MatchPanel(ResultPanel):
         self.moves.addItems(match.MOVES)
         self.moves.setToolTip("The face that moves; away from the seam it keeps its shape")
         self.swap = QtWidgets.QPushButton("Swap")
-        self.swap.setToolTip(
-            "Exchange the first and the second face, and with them the one that moves"
-        )
+        self.swap.setToolTip("Exchange the first and the second face, so that the other one moves")
         line.addWidget(self.moves, 1)
         line.addWidget(self.swap)
         layout.addRow("Moves", line)
         self.max_move = NumberField(" mm", 1e6)
         self.max_move.setSpecialValueText("no limit")
-        self.max_move.setToolTip("Largest move that a pole of a surface may make")
+        self.max_move.setToolTip("No pole of a surface may move further than this")
         layout.addRow("Largest move", self.max_move)
         self.hold_sides = QtWidgets.QCheckBox("Hold the boundaries that end at the seam")
-        self.hold_sides.setToolTip("Move no pole of the two other boundaries that end at the seam")
+        self.hold_sides.setToolTip(
+            "Do not move the poles of the two other boundaries that end at the seam"
+        )
         layout.addRow("", self.hold_sides)
         return box
 

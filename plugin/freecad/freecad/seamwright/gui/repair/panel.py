@@ -25,7 +25,8 @@ COLOURS = (
     ),
     (
         ZEBRA,
-        "Before and after: stripes break at a seam with an angle, and bend at a step of curvature",
+        "Before and after: stripes break where faces meet at an angle, and bend where the "
+        "curvature jumps",
     ),
 )
 ALL_DEFECTS = "All defects. To choose, select rows or edges and add them:"
@@ -93,8 +94,8 @@ class RepairPanel(PreviewPanel):
         self.max_move = NumberField(" mm", 1e6)
         self.max_move.setSpecialValueText("by size of face")
         self.max_move.setToolTip(
-            "Largest move that a point of a face may make. By size of face: a hundredth of the "
-            "size plus twice the largest gap of the seams"
+            "No point of a face may move further than this. By size of face: a hundredth of the "
+            "size of the face plus twice the largest gap of its seams"
         )
         self.tolerances.layout().insertRow(1, "Largest move", self.max_move)
         return make_box("Target and limits", self.tolerances)[0]
@@ -147,7 +148,9 @@ class RepairPanel(PreviewPanel):
             self.show_before()
 
         self.computation.follow(
-            plan, keep, lambda why: self.say("%s; Preview analyses and repairs the seams." % why)
+            plan,
+            keep,
+            lambda why: self.say("%s; press Preview to analyse and repair the seams." % why),
         )
 
     def stored(self):

@@ -32,7 +32,9 @@ class ElementList(QtWidgets.QWidget):
         self.add = QtWidgets.QPushButton("Add selected")
         self.remove = QtWidgets.QPushButton("Remove")
         self.add.setToolTip("Add what is selected in the view to the list")
-        self.remove.setToolTip("Remove the chosen names from the list; all if none is chosen")
+        self.remove.setToolTip(
+            "Remove the selected names from the list, or all names if none is selected"
+        )
         self.add.clicked.connect(self._add)
         self.remove.clicked.connect(self._remove)
         layout.addWidget(self.list, 1)

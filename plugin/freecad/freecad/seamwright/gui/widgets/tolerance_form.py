@@ -86,9 +86,7 @@ class ToleranceForm(QtWidgets.QWidget):
             tip = profiles.tip(name)
             self.profile.setItemData(self.profile.count() - 1, tip, QtCore.Qt.ToolTipRole)
         self.profile.addItem(CUSTOM, None)
-        self.profile.setToolTip(
-            "Fill in the tolerances that are usual for a kind of work"
-        )
+        self.profile.setToolTip("Fill in the usual tolerances of one kind of work")
         self.profile.activated.connect(self._profile_chosen)
         return self.profile
 
