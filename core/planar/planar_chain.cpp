@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include <seamwright/core/bezier/length.hpp>
+#include <seamwright/core/fair/curvature_profile.hpp>
+#include <seamwright/core/numeric.hpp>
+#include <seamwright/core/planar/planar_chain.hpp>
+
+namespace seamwright {
+
+namespace {
+
+using Eigen::Vector2d;
+
+Vector2d pole(const BSplineCurve& curve, Eigen::Index i) {
+  return curve.poles.row(i).head<2>() / curve.poles(i, 3);
+}
+
+BSplineCurve reversedSpline(const BSplineCurve& curve) {
+  BSplineCurve result = curve;
+  const double ends = curve.knots.front() + curve.knots.back();
+  std::ranges::reverse(result.knots);
+  for (double& knot : result.knots) knot = ends - knot;
+  // Both ends stay bitwise, so that all knots of an end are equal.
+  for (int i = 0; i <= curve.degree; ++i) {
+    result.knots[i] = curve.knots.front();
+    result.knots[result.knots.size() - 1 - i] = curve.knots.back();
+  }
+  result.poles = curve.poles.colwise().reverse();
+  return result;
+}
+
+double polygonLength(const BezierCurve& curve) {
+  const Poles poles = curve.poles();
+  return (poles.bottomRows(curve.degree()) - poles.topRows(curve.degree())).rowwise().norm().sum();
+}
+
+double signedCurvature(const BezierCurve& curve, double t) {
+  const CurveDerivatives d = curve.derivatives(t, 2);
+  const Vector2d first = d.row(1).head<2>(), second = d.row(2).head<2>();
+  return cross(first, second) / std::pow(first.norm(), 3);
+}
+
+/// The integral of k^2 |r'| over [0, 1]: 16 panels with the 3 nodes of Gauss, whose error falls
+/// with the sixth power of the panels.
+double bendingOf(const BezierCurve& curve) {
+  constexpr int panels = 16;
+  const double off = std::sqrt(0.6) / 2;
+  const std::array<double, 3> nodes = {0.5 - off, 0.5, 0.5 + off};
+  const std::array<double, 3> weights = {5.0 / 18, 8.0 / 18, 5.0 / 18};
+  double energy = 0;
+  for (int panel = 0; panel < panels; ++panel)
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const CurveDerivatives d = curve.derivatives((panel + nodes[i]) / panels, 2);
+      const Vector2d first = d.row(1).head<2>(), second = d.row(2).head<2>();
+      const double turn = cross(first, second);
+      energy += weights[i] / panels * turn * turn / std::pow(first.norm(), 5);
+    }
+  return energy;
+}
+
+/// Collects figures of curves and the curvatures at which they begin, turn and end.
+struct Course {
+  ChainFigures figures;
+  std::vector<double> curvatures_per_mm;
+
+  void add(const PlanarArc& arc) {
+    figures.length_mm += arc.length_mm;
+    figures.energy_per_mm += arc.curvature_per_mm * arc.curvature_per_mm * arc.length_mm;
+    curvatures_per_mm.push_back(arc.curvature_per_mm);
+  }
+  void add(const BezierCurve& curve) {
+    const double polygon_mm = polygonLength(curve);
+    if (polygon_mm == 0) return;
+    constexpr double relative = 1e-9;
+    figures.length_mm += arcLength(curve, relative * polygon_mm).value_mm;
+    if (curve.degree() == 1) {
+      curvatures_per_mm.push_back(0);
+      return;
+    }
+    figures.energy_per_mm += bendingOf(curve);
+    curvatures_per_mm.push_back(signedCurvature(curve, 0));
+    for (const CurvatureExtremum& extremum : planarCurvatureProfile(curve).extrema)
+      curvatures_per_mm.push_back(extremum.curvature_per_mm);
+    curvatures_per_mm.push_back(signedCurvature(curve, 1));
+  }
+};
+
+/// The values without those that differ from the last one by no more than is negligible, except
+/// where a run of small steps adds up.
+std::vector<double> distinct(const std::vector<double>& values, double negligible) {
+  std::vector<double> result;
+  for (const double value : values)
+    if (result.empty() || std::abs(value - result.back()) > negligible) result.push_back(value);
+  return result;
+}
+
+int changesOfSign(const std::vector<double>& values, bool closed) {
+  int changes = 0;
+  for (std::size_t i = 1; i < values.size(); ++i) changes += values[i - 1] * values[i] < 0;
+  if (closed && values.size() > 1) changes += values.back() * values.front() < 0;
+  return changes;
+}
+
+}  // namespace
+
+Vector2d startOf(const PlanarCurve& curve) {
+  if (const auto* spline = std::get_if<BSplineCurve>(&curve)) return pole(*spline, 0);
+  if (const auto* arc = std::get_if<PlanarArc>(&curve)) return arc->start;
+  return std::get<PlanarConic>(curve).start;
+}
+
+Vector2d endOf(const PlanarCurve& curve) {
+  if (const auto* spline = std::get_if<BSplineCurve>(&curve))
+    return pole(*spline, spline->poles.rows() - 1);
+  if (const auto* arc = std::get_if<PlanarArc>(&curve)) return arc->end();
+  return std::get<PlanarConic>(curve).end;
+}
+
+PlanarCurve reversed(const PlanarCurve& curve) {
+  if (const auto* spline = std::get_if<BSplineCurve>(&curve)) return reversedSpline(*spline);
+  if (const auto* arc = std::get_if<PlanarArc>(&curve)) return reversed(*arc);
+  return reversed(std::get<PlanarConic>(curve));
+}
+
+std::vector<BezierCurve> bezierCurves(const PlanarCurve& curve) {
+  if (const auto* arc = std::get_if<PlanarArc>(&curve)) return bezierCurves(*arc);
+  if (const auto* conic = std::get_if<PlanarConic>(&curve)) return {bezierCurve(*conic)};
+  const BezierSpline spline = bezierSpline(std::get<BSplineCurve>(curve));
+  std::vector<BezierCurve> result;
+  for (int i = 0; i < spline.segments(); ++i) result.push_back(segment(spline, i));
+  return result;
+}
+
+BezierSpline bezierSpline(const PlanarChain& chain, double gap_mm) {
+  std::vector<BezierCurve> segments;
+  std::vector<double> knots = {0};
+  for (const PlanarCurve& curve : chain.curves)
+    for (BezierCurve& one : bezierCurves(curve)) {
+      const double length_mm = polygonLength(one);
+      if (length_mm == 0) continue;
+      knots.push_back(knots.back() + length_mm);
+      segments.push_back(std::move(one));
+    }
+  return bezierSpline(segments, knots, chain.closed, gap_mm);
+}
+
+ChainFigures figuresOf(const PlanarChain& chain) {
+  Course course;
+  for (const PlanarCurve& curve : chain.curves) {
+    if (const auto* arc = std::get_if<PlanarArc>(&curve))
+      course.add(*arc);
+    else
+      for (const BezierCurve& one : bezierCurves(curve)) course.add(one);
+  }
+  double largest_per_mm = course.figures.length_mm > 0 ? 1 / course.figures.length_mm : 0;
+  for (const double k : course.curvatures_per_mm)
+    largest_per_mm = std::max(largest_per_mm, std::abs(k));
+  constexpr double negligible = 1e-9;
+  const SequenceTurns turns =
+      turnsOf(course.curvatures_per_mm, chain.closed, negligible * largest_per_mm);
+  course.figures.extrema = turns.extrema;
+  course.figures.inflections = turns.inflections;
+  return course.figures;
+}
+
+SequenceTurns turnsOf(const std::vector<double>& curvatures_per_mm, bool closed,
+                      double negligible_per_mm) {
+  SequenceTurns result;
+  std::vector<double> values = distinct(curvatures_per_mm, negligible_per_mm);
+  if (closed && values.size() > 1 &&
+      std::abs(values.back() - values.front()) <= negligible_per_mm)
+    values.pop_back();
+  std::vector<double> signs;
+  std::ranges::copy_if(values, std::back_inserter(signs),
+                       [&](double k) { return std::abs(k) > negligible_per_mm; });
+  result.inflections = changesOfSign(signs, closed);
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < values.size(); ++i) steps.push_back(values[i] - values[i - 1]);
+  if (closed && values.size() > 1) steps.push_back(values.front() - values.back());
+  result.extrema = changesOfSign(steps, closed);
+  return result;
+}
+
+}  // namespace seamwright

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <optional>
+#include <seamwright/plugin/cli/point_file.hpp>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace seamwright::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Nothing if the word is no decimal number; also of "inf" and "nan".
+std::optional<double> numberFrom(std::string_view word) {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  double number = 0;
+  const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  if (rest != word.data() + word.size() || word.empty()) return std::nullopt;
+  if (error == std::errc::result_out_of_range) return HUGE_VAL;
+  return error == std::errc{} ? std::optional(number) : std::nullopt;
+}
+
+std::vector<std::string> wordsOf(std::string line) {
+  line.erase(std::min(line.find('#'), line.size()));
+  for (char& c : line)
+    if (c == ',' || c == ';' || c == '\r') c = ' ';
+  std::istringstream text(line);
+  std::vector<std::string> words;
+  for (std::string word; text >> word;) words.push_back(word);
+  return words;
+}
+
+/// The rows of a file as they are found.
+class PointRows {
+ public:
+  explicit PointRows(std::string path) : path_(std::move(path)) {}
+
+  void add(const std::vector<std::string>& words, int line) {
+    if (rows_.empty() && !numberFrom(words.front())) return;  // a header
+    const auto columns = words.size();
+    if (columns != 2 && columns != 3)
+      fail(line, fmt::format("has {} numbers: 2 or 3 are needed", columns));
+    if (!rows_.empty() && columns != columns_)
+      fail(line, fmt::format("has {} numbers, line {} has {}", columns, lines_.front(), columns_));
+    columns_ = columns;
+    std::array<double, 3> row{};
+    for (std::size_t i = 0; i < columns; ++i) row[i] = coordinate(words[i], line);
+    rows_.push_back(row);
+    lines_.push_back(line);
+  }
+
+  PointFile file() const {
+    if (rows_.empty())
+      throw std::runtime_error(path_ + ": has no points: a line has two or three numbers");
+    PointFile file{Poles(static_cast<Eigen::Index>(rows_.size()), 3), columns_ == 3, lines_};
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+      file.points.row(static_cast<Eigen::Index>(i)) << rows_[i][0], rows_[i][1], rows_[i][2];
+    return file;
+  }
+
+ private:
+  [[noreturn]] void fail(int line, const std::string& what) const {
+    throw std::runtime_error(fmt::format("{}: line {} {}", path_, line, what));
+  }
+  double coordinate(const std::string& word, int line) const {
+    const std::optional<double> number = numberFrom(word);
+    if (!number) fail(line, fmt::format("has '{}' where a number is needed", word));
+    // OpenCASCADE takes such numbers for infinite.
+    constexpr double too_large = 1e100;
+    if (!(std::abs(*number) < too_large))
+      fail(line, fmt::format("has the number {}, which is not finite or too large", word));
+    return *number;
+  }
+
+  std::string path_;
+  std::size_t columns_ = 0;
+  std::vector<std::array<double, 3>> rows_;
+  std::vector<int> lines_;
+};
+
+void requireApart(const PointFile& file, const fs::path& path, bool closed) {
+  const Eigen::Index n = file.points.rows();
+  for (Eigen::Index i = closed ? 0 : 1; i < n; ++i) {
+    const Eigen::Index before = i == 0 ? n - 1 : i - 1;
+    if (file.points.row(i) == file.points.row(before))
+      throw std::runtime_error(fmt::format("{}: the points of lines {} and {} are equal: remove one",
+                                           path.string(), file.lines[before], file.lines[i]));
+  }
+}
+
+void requireNoReversal(const PointFile& file, const fs::path& path, bool closed) {
+  const Eigen::Index n = file.points.rows();
+  for (Eigen::Index i = closed ? 0 : 1; i < (closed ? n : n - 1); ++i) {
+    const Eigen::RowVector3d arrives = file.points.row(i) - file.points.row(i == 0 ? n - 1 : i - 1),
+                             leaves = file.points.row(i + 1 == n ? 0 : i + 1) - file.points.row(i);
+    const double turn = std::atan2(arrives.cross(leaves).norm(), arrives.dot(leaves));
+    // Rounding of coordinates with six digits leaves that much of a reversal.
+    constexpr double near_reversal = 1e-6;
+    if (turn > std::numbers::pi - near_reversal)
+      throw std::runtime_error(
+          fmt::format("{}: the points turn back by 180 degrees at line {}: divide them there, or "
+                      "remove that point",
+                      path.string(), file.lines[i]));
+  }
+}
+
+}  // namespace
+
+bool isPointFile(const fs::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  constexpr std::array<std::string_view, 5> extensions = {".csv", ".txt", ".dat", ".xy", ".xyz"};
+  return std::ranges::find(extensions, extension) != extensions.end();
+}
+
+PointFile readPoints(const fs::path& path) {
+  std::error_code error;
+  if (!fs::exists(path, error)) throw std::runtime_error(path.string() + ": no such file");
+  if (fs::is_directory(path, error)) throw std::runtime_error(path.string() + ": is a folder");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw std::runtime_error(path.string() + ": can't be opened");
+  PointRows rows(path.string());
+  std::string line;
+  for (int number = 1; std::getline(file, line); ++number)
+    if (const std::vector<std::string> words = wordsOf(line); !words.empty())
+      rows.add(words, number);
+  return rows.file();
+}
+
+void requireCurve(PointFile& file, const fs::path& path, bool closed) {
+  Eigen::Index n = file.points.rows();
+  if (closed && n > 1 && file.points.row(0) == file.points.row(n - 1)) {
+    file.points.conservativeResize(--n, Eigen::NoChange);
+    file.lines.pop_back();
+  }
+  const Eigen::Index least = closed ? 3 : 2;
+  if (n < least)
+    throw std::runtime_error(fmt::format("{}: has {} point{}: {} curve needs at least {}",
+                                         path.string(), n, n == 1 ? "" : "s",
+                                         closed ? "a closed" : "a", least));
+  requireApart(file, path, closed);
+  requireNoReversal(file, path, closed);
+}
+
+}  // namespace seamwright::cli

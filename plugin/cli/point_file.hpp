@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <filesystem>
+#include <seamwright/core/bezier/curve.hpp>
+#include <vector>
+
+namespace seamwright::cli {
+
+/// Points of a text file.
+struct PointFile {
+  Poles points;            ///< z = 0 if the file has two columns
+  bool has_z = false;      ///< the file has three columns
+  std::vector<int> lines;  ///< of each point, from 1
+};
+
+/// Whether the name of a file is that of a file of points: .csv, .txt, .dat, .xy or .xyz.
+bool isPointFile(const std::filesystem::path& path);
+
+/// Reads points: a line has two or three numbers, separated by commas, semicolons, blanks or tabs.
+/// Empty lines and what follows a # are skipped, and so are the lines before the first point that
+/// begin with anything but a number: a header, the name of an airfoil.
+/// \throws std::runtime_error, in one line with the number of the line: no file, no point, a word,
+/// a number that is not finite, another count of columns.
+PointFile readPoints(const std::filesystem::path& path);
+
+/// Checks points as the points of one curve. A closed one whose last point is its first one loses
+/// the last one.
+/// \throws std::runtime_error: too few points, neighbours that are equal, and a reversal by 180
+/// degrees, with the line.
+void requireCurve(PointFile& file, const std::filesystem::path& path, bool closed);
+
+}  // namespace seamwright::cli

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <seamwright/core/planar/plane_frame.hpp>
+#include <seamwright/occ_adapter/analyze/report.hpp>
+#include <string>
+#include <vector>
+
+namespace seamwright::report {
+
+/// The shape of a curve before or after the work.
+struct CurveFigures {
+  double length_mm = 0;
+  std::optional<double> energy_per_mm = {};       ///< integral of the squared curvature
+  std::optional<double> variation_per_mm3 = {};  ///< of points: PointFairness::energy_per_mm3
+  int extrema = 0;
+  int inflections = 0;
+};
+
+/// One curve of a run of `seamwright curve`.
+struct CurveRecord {
+  std::vector<int> edges = {};  ///< of the model, from 1; empty for points
+  std::ptrdiff_t points = 0;    ///< of a file of points; 0 for edges
+  bool closed = false;
+  PlaneFrame plane = {};
+  double off_plane_mm = 0;  ///< upper bound of the distance of the input from the plane
+  int pieces = 0;           ///< arcs and lines, clothoids, conics or spans
+  int lines = 0;            ///< of the pieces
+  int corners = 0;
+  /// No point of the result is further from the curve, and no point of the curve is further from
+  /// the result.
+  std::optional<double> distance_mm = {};
+  std::optional<double> moved_mm = {};  ///< fairing: the largest move of a point
+  CurveFigures before = {}, after = {};
+  std::vector<std::string> notes = {};
+  bool reached = true;  ///< the distance is within the tolerance, and the joints are as asked for
+};
+
+/// The file that was written.
+struct CurveOutput {
+  std::string path;
+  std::string format;      ///< "STEP", "DXF", ...
+  double distance_mm = 0;  ///< of what was written from the result; 0: exact
+};
+
+/// A run of `seamwright curve`.
+struct CurveReport {
+  std::string method;  ///< "arcs", "clothoid", "conic", "fair"
+  occ::ModelFacts input;
+  double tolerance_mm = 0;
+  std::vector<CurveRecord> curves = {};
+  std::optional<CurveOutput> output = {};
+
+  bool reached() const;
+};
+
+/// The object "seamwright.curve/1" (docs/curve-1.schema.json), lengths in mm.
+nlohmann::ordered_json toJson(const CurveReport& report);
+
+/// One line for each curve, and one for the output.
+std::string toText(const CurveReport& report);
+
+}  // namespace seamwright::report
