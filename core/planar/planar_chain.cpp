@@ -107,26 +107,26 @@ int changesOfSign(const std::vector<double>& values, bool closed) {
 
 }  // namespace
 
-Vector2d startOf(const PlanarCurve& curve) {
+Vector2d startOf(const ChainCurve& curve) {
   if (const auto* spline = std::get_if<BSplineCurve>(&curve)) return pole(*spline, 0);
   if (const auto* arc = std::get_if<PlanarArc>(&curve)) return arc->start;
   return std::get<PlanarConic>(curve).start;
 }
 
-Vector2d endOf(const PlanarCurve& curve) {
+Vector2d endOf(const ChainCurve& curve) {
   if (const auto* spline = std::get_if<BSplineCurve>(&curve))
     return pole(*spline, spline->poles.rows() - 1);
   if (const auto* arc = std::get_if<PlanarArc>(&curve)) return arc->end();
   return std::get<PlanarConic>(curve).end;
 }
 
-PlanarCurve reversed(const PlanarCurve& curve) {
+ChainCurve reversed(const ChainCurve& curve) {
   if (const auto* spline = std::get_if<BSplineCurve>(&curve)) return reversedSpline(*spline);
   if (const auto* arc = std::get_if<PlanarArc>(&curve)) return reversed(*arc);
   return reversed(std::get<PlanarConic>(curve));
 }
 
-std::vector<BezierCurve> bezierCurves(const PlanarCurve& curve) {
+std::vector<BezierCurve> bezierCurves(const ChainCurve& curve) {
   if (const auto* arc = std::get_if<PlanarArc>(&curve)) return bezierCurves(*arc);
   if (const auto* conic = std::get_if<PlanarConic>(&curve)) return {bezierCurve(*conic)};
   const BezierSpline spline = bezierSpline(std::get<BSplineCurve>(curve));
@@ -138,7 +138,7 @@ std::vector<BezierCurve> bezierCurves(const PlanarCurve& curve) {
 BezierSpline bezierSpline(const PlanarChain& chain, double gap_mm) {
   std::vector<BezierCurve> segments;
   std::vector<double> knots = {0};
-  for (const PlanarCurve& curve : chain.curves)
+  for (const ChainCurve& curve : chain.curves)
     for (BezierCurve& one : bezierCurves(curve)) {
       const double length_mm = polygonLength(one);
       if (length_mm == 0) continue;
@@ -150,7 +150,7 @@ BezierSpline bezierSpline(const PlanarChain& chain, double gap_mm) {
 
 ChainFigures figuresOf(const PlanarChain& chain) {
   Course course;
-  for (const PlanarCurve& curve : chain.curves) {
+  for (const ChainCurve& curve : chain.curves) {
     if (const auto* arc = std::get_if<PlanarArc>(&curve))
       course.add(*arc);
     else
@@ -171,8 +171,7 @@ SequenceTurns turnsOf(const std::vector<double>& curvatures_per_mm, bool closed,
                       double negligible_per_mm) {
   SequenceTurns result;
   std::vector<double> values = distinct(curvatures_per_mm, negligible_per_mm);
-  if (closed && values.size() > 1 &&
-      std::abs(values.back() - values.front()) <= negligible_per_mm)
+  if (closed && values.size() > 1 && std::abs(values.back() - values.front()) <= negligible_per_mm)
     values.pop_back();
   std::vector<double> signs;
   std::ranges::copy_if(values, std::back_inserter(signs),

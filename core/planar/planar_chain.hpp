@@ -14,23 +14,23 @@
 namespace seamwright {
 
 /// A curve of the plane in the form that is exact for its kind. A spline lies in the plane z = 0.
-using PlanarCurve = std::variant<PlanarArc, PlanarConic, BSplineCurve>;
+using ChainCurve = std::variant<PlanarArc, PlanarConic, BSplineCurve>;
 
 /// Curves end to end. The end of a closed chain is its beginning.
 struct PlanarChain {
-  std::vector<PlanarCurve> curves;
+  std::vector<ChainCurve> curves;
   bool closed = false;
 };
 
-Eigen::Vector2d startOf(const PlanarCurve& curve);
-Eigen::Vector2d endOf(const PlanarCurve& curve);
+Eigen::Vector2d startOf(const ChainCurve& curve);
+Eigen::Vector2d endOf(const ChainCurve& curve);
 
 /// The same points in the other direction.
 ///   (1) Reversing twice gives the curve, up to rounding.
-PlanarCurve reversed(const PlanarCurve& curve);
+ChainCurve reversed(const ChainCurve& curve);
 
 /// The curve in Bézier form in the plane z = 0, exactly: arcs by planar.md P1.3.
-std::vector<BezierCurve> bezierCurves(const PlanarCurve& curve);
+std::vector<BezierCurve> bezierCurves(const ChainCurve& curve);
 
 /// The chain as one spline with the lengths of the control polygons as knots. The end of each curve
 /// is replaced by the start of the next one, so the spline has no gaps.

@@ -18,12 +18,9 @@ std::optional<PlaneFrame> coordinatePlane(const Eigen::Ref<const Poles>& points)
   const auto isCommon = [&](int axis) {
     return (points.col(axis).array() == points(0, axis)).all();
   };
-  if (isCommon(2))
-    return PlaneFrame{{0, 0, points(0, 2)}, Vector3d::UnitX(), Vector3d::UnitY()};
-  if (isCommon(1))
-    return PlaneFrame{{0, points(0, 1), 0}, Vector3d::UnitX(), Vector3d::UnitZ()};
-  if (isCommon(0))
-    return PlaneFrame{{points(0, 0), 0, 0}, Vector3d::UnitY(), Vector3d::UnitZ()};
+  if (isCommon(2)) return PlaneFrame{{0, 0, points(0, 2)}, Vector3d::UnitX(), Vector3d::UnitY()};
+  if (isCommon(1)) return PlaneFrame{{0, points(0, 1), 0}, Vector3d::UnitX(), Vector3d::UnitZ()};
+  if (isCommon(0)) return PlaneFrame{{points(0, 0), 0, 0}, Vector3d::UnitY(), Vector3d::UnitZ()};
   return std::nullopt;
 }
 
@@ -52,8 +49,7 @@ Vector3d leastSpread(const Poles& centred) {
 FittedPlane fitPlane(const Eigen::Ref<const Poles>& points) {
   if (points.rows() == 0) refuse("no points: a plane needs at least one");
   for (Eigen::Index i = 0; i < points.rows(); ++i)
-    if (!points.row(i).allFinite())
-      refuse("point " + std::to_string(i) + " is not finite");
+    if (!points.row(i).allFinite()) refuse("point " + std::to_string(i) + " is not finite");
   FittedPlane result;
   if (const std::optional<PlaneFrame> plane = coordinatePlane(points)) {
     result.frame = *plane;

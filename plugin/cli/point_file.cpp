@@ -95,8 +95,9 @@ void requireApart(const PointFile& file, const fs::path& path, bool closed) {
   for (Eigen::Index i = closed ? 0 : 1; i < n; ++i) {
     const Eigen::Index before = i == 0 ? n - 1 : i - 1;
     if (file.points.row(i) == file.points.row(before))
-      throw std::runtime_error(fmt::format("{}: the points of lines {} and {} are equal: remove one",
-                                           path.string(), file.lines[before], file.lines[i]));
+      throw std::runtime_error(
+          fmt::format("{}: the points of lines {} and {} are equal: remove one", path.string(),
+                      file.lines[before], file.lines[i]));
   }
 }
 

@@ -50,9 +50,7 @@ ordered_json recordJson(const CurveRecord& record) {
 
 ordered_json outputJson(const std::optional<CurveOutput>& output) {
   if (!output) return nullptr;
-  return {{"path", output->path},
-          {"format", output->format},
-          {"distance_mm", output->distance_mm}};
+  return {{"path", output->path}, {"format", output->format}, {"distance_mm", output->distance_mm}};
 }
 
 std::string nameOf(const CurveRecord& record) {

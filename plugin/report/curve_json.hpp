@@ -14,7 +14,7 @@ namespace seamwright::report {
 /// The shape of a curve before or after the work.
 struct CurveFigures {
   double length_mm = 0;
-  std::optional<double> energy_per_mm = {};       ///< integral of the squared curvature
+  std::optional<double> energy_per_mm = {};      ///< integral of the squared curvature
   std::optional<double> variation_per_mm3 = {};  ///< of points: PointFairness::energy_per_mm3
   int extrema = 0;
   int inflections = 0;

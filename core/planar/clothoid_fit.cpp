@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+
+#include <seamwright/core/numeric.hpp>
+#include <seamwright/core/planar/arc_distance.hpp>
+#include <seamwright/core/planar/clothoid_fit.hpp>
+#include <seamwright/core/planar/clothoid_spline.hpp>
+
+namespace seamwright {
+
+namespace {
+
+using Eigen::Vector2d;
+
+/// A curve of N segments with the parameter u from 0 to N; segment i runs from i to i + 1.
+struct FittedCurve {
+  std::vector<BezierCurve> segments;
+  std::vector<CurvePolynomials> polynomials;
+  std::vector<Vector2d> origins;
+
+  int count() const { return static_cast<int>(segments.size()); }
+  Vector2d point(double u) const {
+    const int i = std::min(static_cast<int>(u), count() - 1);
+    return segments[i].point(u - i).head<2>();
+  }
+  double direction_rad(int segment, double t) const {
+    const Vector2d first = segments[segment].derivatives(t, 1).row(1).head<2>();
+    if (!(first.norm() > 0))
+      throw std::domain_error(
+          fmt::format("the curve stops in segment {} at the parameter {}: it has no tangent there",
+                      segment, t));
+    return directionOf(first);
+  }
+};
+
+FittedCurve fittedCurve(const BezierSpline& spline) {
+  FittedCurve curve;
+  for (int i = 0; i < spline.segments(); ++i) {
+    const BezierCurve one = segment(spline, i);
+    const Poles poles = one.poles();
+    if (poles.col(2).any())
+      refuse(fmt::format("segment {} is outside of the plane z = 0: it has a pole at z = {} mm", i,
+                         poles.col(2).cwiseAbs().maxCoeff()));
+    curve.segments.push_back(one);
+    curve.polynomials.push_back(curvePolynomials(one, poles.row(0)));
+    curve.origins.emplace_back(poles.row(0).head<2>());
+  }
+  return curve;
+}
+
+/// The circle through three points, as an arc that begins at the first one. It is a line if they
+/// are on one.
+PlanarArc circleThrough(const Vector2d& start, const Vector2d& middle, const Vector2d& end) {
+  const Vector2d chord = end - start;
+  const double turn_rad = angleFromTo(middle - start, end - middle);
+  return arcThrough(start, directionOf(chord) - turn_rad, end);
+}
+
+/// Upper bound of the distance of the curve from an arc over [u0, u1].
+std::optional<double> ofCurve(const FittedCurve& curve, const Interval& range, const PlanarArc& arc,
+                              double tolerance_mm) {
+  double distance_mm = 0;
+  for (int i = static_cast<int>(range.lower); i < curve.count() && i < range.upper; ++i) {
+    const Interval domain = {std::max(range.lower - i, 0.0), std::min(range.upper - i, 1.0)};
+    if (!(domain.width() > 0)) continue;
+    const auto along = alongCircle(
+        {.polynomials = curve.polynomials[i], .origin = curve.origins[i], .domain = domain}, arc,
+        tolerance_mm);
+    if (!along) return std::nullopt;
+    distance_mm = std::max(distance_mm, along->distance_mm);
+  }
+  return distance_mm;
+}
+
+std::optional<double> ofClothoid(const Clothoid& clothoid, const PlanarArc& arc,
+                                 double tolerance_mm) {
+  // The quintic form costs little of the tolerance.
+  constexpr double share = 1e-3;
+  const SplineWithin quintics = bezierSpline({clothoid}, share * tolerance_mm, false, 0);
+  const FittedCurve curve = fittedCurve(quintics.curve);
+  const auto distance_mm = ofCurve(curve, {0, static_cast<double>(curve.count())}, arc,
+                                   tolerance_mm - quintics.distance_mm);
+  if (!distance_mm) return std::nullopt;
+  return *distance_mm + quintics.distance_mm;
+}
+
+/// Upper bound of the distance of a clothoid from the part of the curve between the same points.
+std::optional<double> clothoidDistance(const FittedCurve& curve, const Interval& range,
+                                       const Clothoid& clothoid, double tolerance_mm) {
+  const Vector2d start = curve.point(range.lower), middle = curve.point(range.middle()),
+                 end = curve.point(range.upper);
+  if (start == middle || middle == end || start == end) return std::nullopt;
+  const PlanarArc arc = circleThrough(start, middle, end);
+  const auto first = ofCurve(curve, range, arc, tolerance_mm);
+  if (!first) return std::nullopt;
+  const auto second = ofClothoid(clothoid, arc, tolerance_mm);
+  if (!second) return std::nullopt;
+  // The spline meets the points up to rounding of its length.
+  const double rounding_mm = (clothoid.start - start).norm() + (clothoid.end() - end).norm();
+  const double sum_mm = *first + *second + rounding_mm;
+  return sum_mm <= tolerance_mm ? std::optional(sum_mm) : std::nullopt;
+}
+
+/// A part of the curve between corners.
+struct ClothoidRun {
+  int begin = 0, end = 0;  ///< segments
+  bool closed = false;
+};
+
+struct FittedRun {
+  std::vector<Clothoid> pieces;
+  double distance_mm = 0;
+};
+
+std::optional<ClothoidSpline> splineThrough(const FittedCurve& curve, const ClothoidRun& run,
+                                            const std::vector<double>& parameters) {
+  const std::size_t count = parameters.size() - (run.closed ? 1 : 0);
+  PlanarPoints points(static_cast<Eigen::Index>(count), 2);
+  for (std::size_t i = 0; i < count; ++i)
+    points.row(static_cast<Eigen::Index>(i)) = curve.point(parameters[i]).transpose();
+  ClothoidSplineOptions options{.closed = run.closed, .start = {}, .end = {}};
+  if (!run.closed) {
+    options.start.direction_rad = curve.direction_rad(run.begin, 0);
+    options.end.direction_rad = curve.direction_rad(run.end - 1, 1);
+  }
+  try {
+    return clothoidSpline(points, options);
+  } catch (const std::invalid_argument&) {  // two points are equal
+    return std::nullopt;
+  } catch (const std::domain_error&) {  // points are too far apart for the turn between them
+    return std::nullopt;
+  }
+}
+
+FittedRun fitClothoidRun(const FittedCurve& curve, const ClothoidRun& run, double tolerance_mm) {
+  // Four pieces of a closed run turn by a right angle each.
+  const int first_pieces = run.closed ? 4 : 1;
+  std::vector<double> parameters;
+  for (int i = 0; i <= first_pieces; ++i)
+    parameters.push_back(run.begin + static_cast<double>(i) * (run.end - run.begin) / first_pieces);
+  constexpr double shortest = 0x1p-20;
+  while (true) {
+    const std::optional<ClothoidSpline> spline = splineThrough(curve, run, parameters);
+    FittedRun result;
+    std::vector<double> finer = {parameters.front()};
+    for (std::size_t i = 0; i + 1 < parameters.size(); ++i) {
+      const Interval range = {parameters[i], parameters[i + 1]};
+      std::optional<double> distance_mm;
+      if (spline) distance_mm = clothoidDistance(curve, range, spline->pieces[i], tolerance_mm);
+      if (distance_mm) {
+        result.distance_mm = std::max(result.distance_mm, *distance_mm);
+      } else {
+        if (range.width() < shortest)
+          throw std::domain_error(fmt::format(
+              "no clothoids keep the tolerance {} mm at the parameter {} (segments count by 1): "
+              "the curve turns back there, or the tolerance is below its rounding",
+              tolerance_mm, range.lower));
+        finer.push_back(range.middle());
+      }
+      finer.push_back(range.upper);
+    }
+    if (finer.size() == parameters.size()) {
+      result.pieces = spline->pieces;
+      return result;
+    }
+    parameters = std::move(finer);
+  }
+}
+
+}  // namespace
+
+ClothoidFit fitClothoids(const BezierSpline& spline, const ClothoidFitOptions& options) {
+  requireValid(spline);
+  if (!(options.tolerance_mm > 0 && std::isfinite(options.tolerance_mm)))
+    refuse(fmt::format("the tolerance is {} mm: it must be positive and finite",
+                       options.tolerance_mm));
+  if (!(options.corner_rad > 0 && options.corner_rad < std::numbers::pi))
+    refuse(
+        fmt::format("the corner angle is {} rad: it must be between 0 and pi", options.corner_rad));
+  const FittedCurve curve = fittedCurve(spline);
+  const int n = curve.count();
+  const auto isCorner = [&](int joint) {
+    const double turn_rad =
+        curve.direction_rad(joint % n, 0) - curve.direction_rad((joint + n - 1) % n, 1);
+    return std::abs(wrapped(turn_rad)) > options.corner_rad;
+  };
+  ClothoidFit result = {.pieces = {}, .corners = {}, .closed = spline.closed};
+  std::vector<int> cuts;
+  for (int joint = 1; joint < n; ++joint)
+    if (isCorner(joint)) cuts.push_back(joint);
+  const bool smooth = cuts.empty() && spline.closed && !isCorner(0);
+  cuts.insert(cuts.begin(), 0);
+  cuts.push_back(n);
+  for (std::size_t i = 1; i < cuts.size(); ++i) {
+    // A closed curve without a corner at its beginning gets none: both runs there have its tangent.
+    if (i > 1 || (spline.closed && !smooth && isCorner(0)))
+      result.corners.push_back(static_cast<int>(result.pieces.size()));
+    const FittedRun fitted = fitClothoidRun(
+        curve, {.begin = cuts[i - 1], .end = cuts[i], .closed = smooth}, options.tolerance_mm);
+    result.pieces.insert(result.pieces.end(), fitted.pieces.begin(), fitted.pieces.end());
+    result.distance_mm = std::max(result.distance_mm, fitted.distance_mm);
+  }
+  return result;
+}
+
+}  // namespace seamwright

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <functional>
+#include <seamwright/core/planar/clothoid.hpp>
+#include <seamwright/core/planar/planar_chain.hpp>
+#include <seamwright/plugin/report/curve_json.hpp>
+#include <string>
+#include <vector>
+
+namespace seamwright::cli {
+
+/// A curve of the input in the coordinates of its plane: either points or a chain.
+struct GivenCurve {
+  /// Edges, points, plane and closed are set.
+  report::CurveRecord record;
+  PlanarPoints points;
+  PlanarChain chain;
+  double gap_mm = 0;  ///< the largest gap between curves of the chain
+};
+
+/// What a method made of a curve.
+struct MadeCurve {
+  report::CurveRecord record;
+  PlanarChain chain;             ///< what a model file holds
+  double chain_distance_mm = 0;  ///< of the chain from the clothoids
+  std::vector<Clothoid> clothoids;
+  PlanarPoints points;  ///< faired ones
+};
+
+struct CurveTask {
+  double tolerance_mm = 0;
+  bool closed = false;
+  std::function<void()> check = [] {};  ///< called often; throws if the work has to stop
+};
+
+/// Names of the methods: "arcs", "clothoid", "conic", "fair".
+const std::vector<std::string>& curveMethods();
+
+/// \throws std::domain_error and std::invalid_argument as the functions of core do.
+MadeCurve madeCurve(const std::string& method, const GivenCurve& given, const CurveTask& task);
+
+}  // namespace seamwright::cli
