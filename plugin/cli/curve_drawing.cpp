@@ -22,7 +22,8 @@ bool isCircle(const PlanarArc& arc) {
   return std::abs(arc.sweep_rad()) > 2 * std::numbers::pi * (1 - 1e-12);
 }
 
-/// The centre of an arc with a radius of so many lengths loses as many digits; its bulge loses none.
+/// The centre of an arc with a radius of so many lengths loses as many digits; its bulge loses
+/// none.
 bool isFlat(const PlanarArc& arc) {
   return !isLine(arc) && std::abs(arc.sweep_rad()) < 1e-5;
 }

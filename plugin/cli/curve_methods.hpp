@@ -22,10 +22,10 @@ struct GivenCurve {
 /// What a method made of a curve.
 struct MadeCurve {
   report::CurveRecord record;
-  PlanarChain chain;             ///< what a model file holds
+  PlanarChain chain = {};        ///< what a model file holds
   double chain_distance_mm = 0;  ///< of the chain from the clothoids
-  std::vector<Clothoid> clothoids;
-  PlanarPoints points;  ///< faired ones
+  std::vector<Clothoid> clothoids = {};
+  PlanarPoints points = {};  ///< faired ones
 };
 
 struct CurveTask {

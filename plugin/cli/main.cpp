@@ -8,6 +8,7 @@
 #include <seamwright/occ_adapter/progress.hpp>
 #include <seamwright/plugin/cli/analyze_command.hpp>
 #include <seamwright/plugin/cli/corner_command.hpp>
+#include <seamwright/plugin/cli/curve_command.hpp>
 #include <seamwright/plugin/cli/fill_command.hpp>
 #include <seamwright/plugin/cli/interrupt.hpp>
 #include <seamwright/plugin/cli/repair_command.hpp>
@@ -65,6 +66,10 @@ int run(int argc, char** argv) {
       app.add_subcommand("corner", "Fillet the edges at a vertex, each with its own radius");
   CornerArguments to_corner;
   addCornerOptions(*corner, to_corner);
+  CLI::App* curve = app.add_subcommand(
+      "curve", "Turn planar points or curves into arcs, clothoids or conics, or make them fair");
+  CurveArguments to_curve;
+  addCurveOptions(*curve, to_curve);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -72,13 +77,15 @@ int run(int argc, char** argv) {
     if (argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty())
       return complain(
           "unknown command '" + std::string(argv[1]) +
-          "': the commands are 'analyze', 'repair', 'fill' and 'corner' (see 'seamwright --help')");
+          "': the commands are 'analyze', 'repair', 'fill', 'corner' and 'curve' (see 'seamwright "
+          "--help')");
     const std::string command =
         app.get_subcommands().empty() ? "" : ' ' + app.get_subcommands().front()->get_name();
     return complain(std::string(error.what()) + " (see 'seamwright" + command + " --help')");
   }
   if (fill->parsed()) return runFill(to_fill);
   if (corner->parsed()) return runCorner(to_corner);
+  if (curve->parsed()) return runCurve(to_curve);
   return repair->parsed() ? runRepair(to_repair) : runAnalyze(to_analyze);
 }
 

@@ -257,6 +257,10 @@ void requireOutputs(const std::string& model, const OutputArguments& arguments) 
         (source ? " is the model itself; use --overwrite-source or choose another name"
                 : " already exists; use --overwrite or choose another name"));
   }
+  requireReportBeside(model, arguments);
+}
+
+void requireReportBeside(const std::string& model, const OutputArguments& arguments) {
   const std::string& report = arguments.report;
   if (report.empty()) return;
   if (report == "-")

@@ -73,6 +73,10 @@ void exitStatus(CLI::App& command, const std::string& of_0, const std::string& o
 /// \throws std::runtime_error, occ::ModelError.
 void requireOutputs(const std::string& model, const OutputArguments& arguments);
 
+/// Checks the report's file alone: it is neither standard output nor \p model nor OUT.
+/// \throws std::runtime_error
+void requireReportBeside(const std::string& model, const OutputArguments& arguments);
+
 /// Adds profile, gap, angle and threads to a command, and the profiles to its help. Parsing stores
 /// the values in \p arguments.
 void addG1Options(CLI::App& command, MeasureArguments& arguments);

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <seamwright/plugin/cli/curve_command.hpp>
+#include <seamwright/plugin/cli/curve_input.hpp>
+#include <seamwright/plugin/cli/curve_methods.hpp>
+#include <seamwright/plugin/cli/curve_output.hpp>
+#include <seamwright/plugin/cli/output.hpp>
+#include <seamwright/plugin/cli/progress_bar.hpp>
+#include <seamwright/plugin/report/curve_json.hpp>
+#include <seamwright/plugin/report/json.hpp>
+#include <stdexcept>
+
+namespace seamwright::cli {
+
+namespace {
+
+/// Stops the work at the user's wish, and when its time is over.
+class WorkLimit {
+ public:
+  WorkLimit(ProgressBar& bar, double max_time_s) : bar_(bar), max_time_s_(max_time_s) {}
+
+  void check(double share) {
+    if (!bar_.progress()(share)) throw occ::Cancelled();
+    const double spent_s =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    if (spent_s > max_time_s_)
+      throw std::runtime_error("--max-time is over before the curves are done: nothing is written");
+  }
+
+ private:
+  ProgressBar& bar_;
+  double max_time_s_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// "out.csv" or "Edge3 of part.step": the beginning of a message.
+std::string nameOf(const GivenCurve& given, const std::string& path) {
+  if (given.record.edges.empty()) return path;
+  return path + ": Edge" + std::to_string(given.record.edges.front());
+}
+
+std::vector<MadeCurve> madeCurves(const CurveInput& input, const CurveArguments& arguments) {
+  ProgressBar bar(doing("working on", arguments.input));
+  WorkLimit limit(bar, arguments.max_time_s);
+  std::vector<MadeCurve> result;
+  for (const GivenCurve& given : input.curves) {
+    const double share =
+        static_cast<double>(result.size()) / static_cast<double>(input.curves.size());
+    const CurveTask task{.tolerance_mm = arguments.tolerance_mm,
+                         .check = [&limit, share] { limit.check(share); }};
+    try {
+      result.push_back(madeCurve(arguments.method, given, task));
+    } catch (const std::logic_error& error) {
+      throw std::runtime_error(nameOf(given, arguments.input) + ": " + error.what());
+    }
+  }
+  return result;
+}
+
+report::CurveReport reportOf(const CurveInput& input, const CurveArguments& arguments,
+                             const std::vector<MadeCurve>& curves) {
+  report::CurveReport report{
+      .method = arguments.method, .input = input.facts, .tolerance_mm = arguments.tolerance_mm};
+  for (const MadeCurve& curve : curves) report.curves.push_back(curve.record);
+  return report;
+}
+
+/// Half of the files stay unwritten if one of them can't be written.
+void writeTexts(const CurveText& text, report::CurveReport& report,
+                const OutputArguments& arguments) {
+  PendingFile drawing(arguments.model, text.text);
+  std::optional<PendingFile> json;
+  if (!arguments.report.empty())
+    json.emplace(arguments.report, report::toLine(report::toJson(report)) + '\n');
+  drawing.takePlace();
+  if (json) json->takePlace();
+}
+
+const char* nameOf(CurveFormat format) {
+  return format == CurveFormat::Dxf ? "DXF" : format == CurveFormat::Svg ? "SVG" : "CSV";
+}
+
+/// Arcs of a drawing are this near to curves of other kinds.
+double drawnWithin(double tolerance_mm, const std::vector<MadeCurve>& curves) {
+  constexpr double share = 0.1, of_length = 1e-6;
+  if (tolerance_mm > 0) return share * tolerance_mm;
+  return of_length * curves.front().record.after.length_mm;
+}
+
+}  // namespace
+
+void addCurveOptions(CLI::App& command, CurveArguments& arguments) {
+  command
+      .add_option("METHOD", arguments.method,
+                  "arcs: arcs and lines; clothoid: clothoids with continuous curvature; conic: "
+                  "conics with continuous curvature; fair: the curve or the points made fair")
+      ->required()
+      ->check(CLI::IsMember(curveMethods()));
+  command
+      .add_option(
+          "INPUT", arguments.input,
+          "Points (.csv, .txt, .dat, .xy, .xyz: x,y or x,y,z on each line), or a STEP, IGES "
+          "or BREP file with planar curves")
+      ->required();
+  command
+      .add_option("--tolerance", arguments.tolerance_mm,
+                  "Largest distance from the curve, mm; fair: largest move of a point. 0: arcs, "
+                  "clothoids and conics through all points")
+      ->type_name("MM")
+      ->check(numberIn(Range::NotNegative))
+      ->capture_default_str();
+  command
+      .add_option("--flatness", arguments.flatness_mm,
+                  "Largest distance of the input from its plane, mm")
+      ->type_name("MM")
+      ->check(numberIn(Range::NotNegative))
+      ->capture_default_str();
+  command.add_flag("--closed", arguments.closed, "Join the last point with the first one");
+  command
+      .add_option("--max-time", arguments.max_time_s,
+                  "Give up after this time, seconds; nothing is written then")
+      ->type_name("S")
+      ->check(numberIn(Range::PositiveOrInfinite));
+  command
+      .add_option(
+          "-o", arguments.output.model,
+          "The result: .dxf, .svg, .csv, or a model (.step, .stp, .iges, .igs, .brep, .brp, "
+          ".bin)")
+      ->type_name("OUT")
+      ->required();
+  command.add_option("--json", arguments.output.report, "Write a JSON report to this file")
+      ->type_name("FILE");
+  command.add_flag("--overwrite", arguments.output.overwrite, "Replace OUT if it exists");
+  command.add_flag("--overwrite-source", arguments.output.overwrite_source,
+                   "Allow OUT to replace INPUT itself");
+  exitStatus(command, "every curve is within the tolerance", "some are not (OUT is written)");
+}
+
+int runCurve(const CurveArguments& arguments) {
+  requireCurveOutputs(arguments.input, arguments.output);
+  const CurveFormat format = curveFormat(arguments.output.model);
+  const CurveInput input = curveInput(arguments);
+  const std::vector<MadeCurve> curves = madeCurves(input, arguments);
+  report::CurveReport report = reportOf(input, arguments, curves);
+  const CurveText text =
+      curveText(format, arguments.method, curves, drawnWithin(arguments.tolerance_mm, curves));
+  report.output = {
+      .path = arguments.output.model, .format = nameOf(format), .distance_mm = text.distance_mm};
+  writeTexts(text, report, arguments.output);
+  writeStandardOutput(report::toText(report));
+  warn(arguments.input, input.notes);
+  return report.reached() ? 0 : 1;
+}
+
+}  // namespace seamwright::cli

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cmath>
+#include <seamwright/plugin/cli/model_arguments.hpp>
+#include <string>
+#include <vector>
+
+namespace seamwright::cli {
+
+/// Arguments of `seamwright curve`.
+struct CurveArguments {
+  std::string method;
+  std::string input;
+  OutputArguments output;
+  double tolerance_mm = 0.01;
+  double flatness_mm = 0.001;  ///< largest distance of the input from its plane
+  bool closed = false;
+  std::vector<int> edges;  ///< of a model; empty: the free ones
+  bool all_edges = false;
+  double max_time_s = HUGE_VAL;
+};
+
+/// Adds the options to a command. Parsing stores them in \p arguments.
+void addCurveOptions(CLI::App& command, CurveArguments& arguments);
+
+/// \returns exit status 0 (every curve is within the tolerance) or 1. Writes the output in both
+/// cases.
+int runCurve(const CurveArguments& arguments);
+
+}  // namespace seamwright::cli

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <seamwright/core/fair/fair_curve.hpp>
+#include <seamwright/core/planar/arc_conics.hpp>
+#include <seamwright/core/planar/arc_fit.hpp>
+#include <seamwright/core/planar/clothoid_fit.hpp>
+#include <seamwright/core/planar/clothoid_spline.hpp>
+#include <seamwright/core/planar/fair_points.hpp>
+#include <seamwright/plugin/cli/curve_methods.hpp>
+#include <stdexcept>
+
+namespace seamwright::cli {
+
+namespace {
+
+using report::CurveFigures;
+
+CurveFigures figuresFrom(const ChainFigures& figures) {
+  return {.length_mm = figures.length_mm,
+          .energy_per_mm = figures.energy_per_mm,
+          .extrema = figures.extrema,
+          .inflections = figures.inflections};
+}
+
+PlanarChain chainOf(const std::vector<PlanarArc>& arcs, bool closed) {
+  return {.curves = {arcs.begin(), arcs.end()}, .closed = closed};
+}
+
+CurveFigures figuresFrom(const std::vector<Clothoid>& chain, bool closed) {
+  CurveFigures result;
+  double energy = 0, largest = 0;
+  std::vector<double> curvatures;
+  for (const Clothoid& piece : chain) {
+    const double k = piece.curvature_per_mm, s = piece.curvature_slope_per_mm2, l = piece.length_mm;
+    result.length_mm += l;
+    energy += l * (k * k + k * s * l + s * s * l * l / 3);
+    for (const double end : {k, piece.curvatureAt_per_mm(l)}) {
+      curvatures.push_back(end);
+      largest = std::max(largest, std::abs(end));
+    }
+  }
+  result.energy_per_mm = energy;
+  // As for ChainFigures.
+  constexpr double negligible = 1e-9;
+  const SequenceTurns turns =
+      turnsOf(curvatures, closed, negligible * std::max(largest, 1 / result.length_mm));
+  result.extrema = turns.extrema;
+  result.inflections = turns.inflections;
+  return result;
+}
+
+double polygonLength(const PlanarPoints& points, bool closed) {
+  double length = 0;
+  for (Eigen::Index i = 1; i < points.rows(); ++i)
+    length += (points.row(i) - points.row(i - 1)).norm();
+  return closed ? length + (points.row(0) - points.row(points.rows() - 1)).norm() : length;
+}
+
+/// The curve that is approximated: that of the model, or biarcs through the points.
+PlanarChain curveOf(const GivenCurve& given) {
+  if (given.points.rows() == 0) return given.chain;
+  const bool closed = given.record.closed;
+  return chainOf(biarcSpline(given.points, {.closed = closed}).arcs, closed);
+}
+
+/// Rounding of the ends of arcs and of coordinates in the plane.
+double gapOf(const GivenCurve& given, const PlanarChain& chain) {
+  double size_mm = 0;
+  for (const ChainCurve& curve : chain.curves)
+    size_mm = std::max(
+        {size_mm, startOf(curve).cwiseAbs().maxCoeff(), endOf(curve).cwiseAbs().maxCoeff()});
+  return given.gap_mm + 1e-12 * (1 + size_mm);
+}
+
+int linesIn(const std::vector<PlanarArc>& arcs) {
+  return static_cast<int>(std::ranges::count(arcs, 0.0, &PlanarArc::curvature_per_mm));
+}
+
+/// Arcs near the curve; with a tolerance of 0 the biarcs through points themselves.
+ArcFit arcsNear(const GivenCurve& given, const PlanarChain& curve, double tolerance_mm) {
+  if (given.points.rows() > 0 && tolerance_mm == 0) {
+    ArcFit fit{.arcs = {}, .corners = {}, .closed = curve.closed};
+    for (const ChainCurve& arc : curve.curves) fit.arcs.push_back(std::get<PlanarArc>(arc));
+    return fit;
+  }
+  return fitArcs(bezierSpline(curve, gapOf(given, curve)), {.tolerance_mm = tolerance_mm});
+}
+
+MadeCurve madeArcs(const GivenCurve& given, const CurveTask& task) {
+  const PlanarChain curve = curveOf(given);
+  const ArcFit fit = arcsNear(given, curve, task.tolerance_mm);
+  MadeCurve made{.record = given.record};
+  made.chain = chainOf(fit.arcs, fit.closed);
+  made.record.pieces = static_cast<int>(fit.arcs.size());
+  made.record.lines = linesIn(fit.arcs);
+  made.record.corners = static_cast<int>(fit.corners.size());
+  made.record.distance_mm = fit.distance_mm;
+  made.record.before = figuresFrom(figuresOf(curve));
+  made.record.after = figuresFrom(figuresOf(made.chain));
+  return made;
+}
+
+/// Spline through clothoids for a model file, and the figures.
+void takeClothoids(MadeCurve& made, std::vector<Clothoid> pieces, double tolerance_mm) {
+  const bool closed = made.record.closed;
+  double length_mm = 0;
+  for (const Clothoid& piece : pieces) length_mm += piece.length_mm + piece.start.norm();
+  // A tenth of the tolerance is left to the spline; without a tolerance a billionth of the length.
+  const double spline_mm = tolerance_mm > 0 ? 0.1 * tolerance_mm : 1e-9 * length_mm;
+  const SplineWithin spline = bezierSpline(pieces, spline_mm, closed, 1e-9 * length_mm);
+  // C2 within clothoids, but not by the parameter at every joint: each span is a curve of its own
+  // knots with the continuity that holds.
+  made.chain = {.curves = {bsplineCurve(spline.curve, continuity(spline.curve))}, .closed = closed};
+  made.chain_distance_mm = spline.distance_mm;
+  made.record.pieces = static_cast<int>(pieces.size());
+  made.record.after = figuresFrom(pieces, closed);
+  made.clothoids = std::move(pieces);
+}
+
+MadeCurve madeClothoids(const GivenCurve& given, const CurveTask& task) {
+  MadeCurve made{.record = given.record};
+  if (given.points.rows() > 0) {
+    made.record.distance_mm = 0;
+    made.record.before = figuresFrom(figuresOf(curveOf(given)));
+    takeClothoids(made, clothoidSpline(given.points, {.closed = given.record.closed}).pieces,
+                  task.tolerance_mm);
+    return made;
+  }
+  const ClothoidFit fit = fitClothoids(bezierSpline(given.chain, gapOf(given, given.chain)),
+                                       {.tolerance_mm = task.tolerance_mm});
+  made.record.corners = static_cast<int>(fit.corners.size());
+  made.record.distance_mm = fit.distance_mm;
+  made.record.before = figuresFrom(figuresOf(given.chain));
+  takeClothoids(made, fit.pieces, task.tolerance_mm);
+  return made;
+}
+
+void noteJoints(report::CurveRecord& record, std::size_t g1_joints) {
+  if (g1_joints > 0)
+    record.notes.push_back(fmt::format(
+        "{} joint{} G1 only: the curvature changes its sign there, or a line is beside it",
+        g1_joints, g1_joints == 1 ? " is" : "s are"));
+}
+
+/// The conics of arcs that leave room for the distance that G2 costs.
+MadeCurve madeConics(const GivenCurve& given, const CurveTask& task) {
+  const PlanarChain curve = curveOf(given);
+  MadeCurve made{.record = given.record};
+  made.record.before = figuresFrom(figuresOf(curve));
+  const bool through_points = task.tolerance_mm == 0;
+  // Closer arcs bring closer conics; the last attempt is kept with the distance it has.
+  for (double share = 0.5; share >= 0x1p-7; share /= 4) {
+    task.check();
+    const ArcFit fit = arcsNear(given, curve, share * task.tolerance_mm);
+    const ArcConics conics =
+        g2ConicsNear({.arcs = fit.arcs, .corners = fit.corners, .closed = fit.closed},
+                     through_points ? made.record.before.length_mm : task.tolerance_mm);
+    const double distance_mm = conics.distance_mm + fit.distance_mm;
+    made.chain = {.curves = {conics.conics.begin(), conics.conics.end()}, .closed = fit.closed};
+    made.record.pieces = static_cast<int>(conics.conics.size());
+    made.record.corners = static_cast<int>(conics.corners.size());
+    made.record.distance_mm =
+        std::isfinite(distance_mm) ? std::optional(distance_mm) : std::nullopt;
+    made.record.notes.clear();
+    noteJoints(made.record, conics.g1_joints.size());
+    made.record.reached = through_points || distance_mm <= task.tolerance_mm;
+    if (made.record.reached) break;
+  }
+  if (!made.record.reached)
+    made.record.notes.push_back("the conics are not certainly within the tolerance");
+  made.record.after = figuresFrom(figuresOf(made.chain));
+  return made;
+}
+
+CurveFigures figuresFrom(const PlanarPoints& points, const PointFairness& fairness, bool closed) {
+  return {.length_mm = polygonLength(points, closed),
+          .variation_per_mm3 = fairness.energy_per_mm3,
+          .extrema = static_cast<int>(fairness.extrema.size()),
+          .inflections = static_cast<int>(fairness.inflections.size())};
+}
+
+/// What became more, in a note.
+void noteAdded(report::CurveRecord& record) {
+  const auto note = [&](int before, int after, const char* what) {
+    if (after > before)
+      record.notes.push_back(fmt::format("{} {} more than before", after - before,
+                                         after - before == 1 ? what : std::string(what) + "s"));
+  };
+  note(record.before.inflections, record.after.inflections, "inflection");
+}
+
+MadeCurve madeFairPoints(const GivenCurve& given, const CurveTask& task) {
+  const bool closed = given.record.closed;
+  const Eigen::VectorXd tolerances =
+      Eigen::VectorXd::Constant(given.points.rows(), task.tolerance_mm);
+  const FairedPoints faired = fairPoints(given.points, tolerances, {.closed = closed});
+  MadeCurve made{.record = given.record};
+  made.points = faired.points;
+  made.record.pieces = static_cast<int>(faired.points.rows());
+  made.record.distance_mm = made.record.moved_mm = faired.moved_mm;
+  const std::vector<Clothoid> pieces = clothoidSpline(faired.points, {.closed = closed}).pieces;
+  takeClothoids(made, pieces, task.tolerance_mm);
+  made.record.pieces = static_cast<int>(faired.points.rows());
+  made.record.before = figuresFrom(given.points, faired.before, closed);
+  made.record.after = figuresFrom(faired.points, faired.after, closed);
+  noteAdded(made.record);
+  return made;
+}
+
+bool isPolynomial(const BSplineCurve& curve) {
+  return (curve.poles.col(3).array() == curve.poles(0, 3)).all();
+}
+
+MadeCurve madeFairSplines(const GivenCurve& given, const CurveTask& task) {
+  MadeCurve made{.record = given.record};
+  made.record.before = figuresFrom(figuresOf(given.chain));
+  made.chain.closed = given.chain.closed;
+  double moved_mm = 0;
+  int kept = 0;
+  // Neighbours meet in position and tangent, and so do the ends of a closed chain.
+  const bool joins = given.chain.closed || given.chain.curves.size() > 1;
+  const CurveFairingOptions options{.ends = joins ? HeldEnds::Tangent : HeldEnds::Position};
+  for (const ChainCurve& curve : given.chain.curves) {
+    task.check();
+    const auto* spline = std::get_if<BSplineCurve>(&curve);
+    if (!spline || spline->degree < 2 || !isPolynomial(*spline)) {
+      made.chain.curves.push_back(curve);
+      ++kept;
+      continue;
+    }
+    const FairedCurve faired = fairCurve(*spline, task.tolerance_mm, options);
+    moved_mm = std::max(moved_mm, faired.moved_mm);
+    made.chain.curves.emplace_back(faired.curve);
+    made.record.pieces += bezierSpline(faired.curve).segments();
+  }
+  made.record.distance_mm = made.record.moved_mm = moved_mm;
+  if (kept > 0)
+    made.record.notes.push_back(fmt::format(
+        "{} curve{} as given: only polynomial B-splines of degree 2 and more are faired", kept,
+        kept == 1 ? " stays" : "s stay"));
+  made.record.after = figuresFrom(figuresOf(made.chain));
+  noteAdded(made.record);
+  return made;
+}
+
+MadeCurve madeFair(const GivenCurve& given, const CurveTask& task) {
+  return given.points.rows() > 0 ? madeFairPoints(given, task) : madeFairSplines(given, task);
+}
+
+}  // namespace
+
+const std::vector<std::string>& curveMethods() {
+  static const std::vector<std::string> names = {"arcs", "clothoid", "conic", "fair"};
+  return names;
+}
+
+MadeCurve madeCurve(const std::string& method, const GivenCurve& given, const CurveTask& task) {
+  task.check();
+  if (given.points.rows() == 0 && method != "fair" && !(task.tolerance_mm > 0))
+    throw std::invalid_argument("--tolerance is 0 mm: curves of a model need more");
+  if (method == "arcs") return madeArcs(given, task);
+  if (method == "clothoid") return madeClothoids(given, task);
+  if (method == "conic") return madeConics(given, task);
+  return madeFair(given, task);
+}
+
+}  // namespace seamwright::cli

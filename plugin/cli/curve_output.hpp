@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <filesystem>
+#include <seamwright/plugin/cli/curve_methods.hpp>
+#include <seamwright/plugin/cli/model_arguments.hpp>
+#include <string>
+#include <vector>
+
+namespace seamwright::cli {
+
+/// What a command on curves writes.
+enum class CurveFormat { Dxf, Svg, Csv, Model };
+
+/// The format that the name of an output tells: .dxf, .svg, .csv, or that of a model.
+/// \throws std::runtime_error for any other name.
+CurveFormat curveFormat(const std::filesystem::path& path);
+
+/// Checks the files before the input is read. \throws std::runtime_error, occ::ModelError.
+void requireCurveOutputs(const std::string& input, const OutputArguments& arguments);
+
+/// The lines of a drawing or table; curves that are no arcs become arcs within \p drawn_mm.
+struct CurveText {
+  std::string text;
+  double distance_mm = 0;  ///< of the arcs from the result
+};
+
+/// \param format Dxf, Svg or Csv.
+/// \throws std::runtime_error if the curves lie in several planes.
+CurveText curveText(CurveFormat format, const std::string& method,
+                    const std::vector<MadeCurve>& curves, double drawn_mm);
+
+}  // namespace seamwright::cli
