@@ -27,14 +27,17 @@ double distanceFromArc(const std::vector<PlanarConic>& conics, const PlanarArc& 
   return distance_mm + std::abs(advance_mm - arc.length_mm);
 }
 
-/// The conics that replace one conic of an arc: a conic may have been divided.
-std::vector<PlanarConic> takeUpTo(const Eigen::Vector2d& end,
+/// The conics that replace one conic of an arc: a conic may have been divided. Ends stay up to the
+/// gaps between arcs, and divisions are much further apart.
+std::vector<PlanarConic> takeUpTo(const PlanarConic& piece,
                                   std::vector<PlanarConic>::const_iterator& next,
                                   const std::vector<PlanarConic>::const_iterator& last) {
+  constexpr double same_point = 1e-3;
+  const double near_mm = same_point * (piece.end - piece.start).norm();
   std::vector<PlanarConic> taken;
   while (next != last) {
     taken.push_back(*next++);
-    if (taken.back().end == end) break;
+    if ((taken.back().end - piece.end).norm() <= near_mm) break;
   }
   return taken;
 }
@@ -46,7 +49,7 @@ double distanceFromRun(const std::vector<PlanarConic>& conics, const std::vector
   for (const PlanarArc& arc : run) {
     std::vector<PlanarConic> beside;
     for (const PlanarConic& piece : conicsOf({arc})) {
-      const std::vector<PlanarConic> taken = takeUpTo(piece.end, next, conics.end());
+      const std::vector<PlanarConic> taken = takeUpTo(piece, next, conics.end());
       beside.insert(beside.end(), taken.begin(), taken.end());
     }
     distance_mm = std::max(distance_mm, distanceFromArc(beside, arc, limit_mm));

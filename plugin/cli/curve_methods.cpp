@@ -60,11 +60,45 @@ double polygonLength(const PlanarPoints& points, bool closed) {
   return closed ? length + (points.row(0) - points.row(points.rows() - 1)).norm() : length;
 }
 
-/// The curve that is approximated: that of the model, or biarcs through the points.
-PlanarChain curveOf(const GivenCurve& given) {
-  if (given.points.rows() == 0) return given.chain;
+/// The curve that is approximated, and its distance from the one that was asked for.
+struct SmoothCurve {
+  PlanarChain chain;
+  double distance_mm = 0;
+  CurveFigures figures = {};
+};
+
+SmoothCurve biarcsThrough(const GivenCurve& given) {
   const bool closed = given.record.closed;
-  return chainOf(biarcSpline(given.points, {.closed = closed}).arcs, closed);
+  SmoothCurve curve{chainOf(biarcSpline(given.points, {.closed = closed}).arcs, closed)};
+  curve.figures = figuresFrom(figuresOf(curve.chain));
+  return curve;
+}
+
+/// A spline within a distance of clothoids.
+SmoothCurve splineOf(const std::vector<Clothoid>& pieces, bool closed, double tolerance_mm) {
+  double size_mm = 1;
+  for (const Clothoid& piece : pieces) size_mm = std::max(size_mm, piece.start.norm());
+  const SplineWithin spline = bezierSpline(pieces, tolerance_mm, closed, 1e-9 * size_mm);
+  return {
+      .chain = {.curves = {bsplineCurve(spline.curve, continuity(spline.curve))}, .closed = closed},
+      .distance_mm = spline.distance_mm,
+      .figures = figuresFrom(pieces, closed)};
+}
+
+/// That of the model; of points with a tolerance the clothoids through them, which are smoother
+/// than biarcs, so that fewer arcs are near; of points without one the biarcs through them.
+SmoothCurve curveOf(const GivenCurve& given, double tolerance_mm) {
+  if (given.points.rows() == 0)
+    return {.chain = given.chain, .figures = figuresFrom(figuresOf(given.chain))};
+  if (tolerance_mm == 0 || given.points.rows() < 3) return biarcsThrough(given);
+  constexpr double share = 0.05;
+  const bool closed = given.record.closed;
+  try {
+    return splineOf(clothoidSpline(given.points, {.closed = closed}).pieces, closed,
+                    share * tolerance_mm);
+  } catch (const std::domain_error&) {  // the points are too few for their turns
+    return biarcsThrough(given);
+  }
 }
 
 /// Rounding of the ends of arcs and of coordinates in the plane.
@@ -81,17 +115,20 @@ int linesIn(const std::vector<PlanarArc>& arcs) {
 }
 
 /// Arcs near the curve; with a tolerance of 0 the biarcs through points themselves.
-ArcFit arcsNear(const GivenCurve& given, const PlanarChain& curve, double tolerance_mm) {
+ArcFit arcsNear(const GivenCurve& given, const SmoothCurve& curve, double tolerance_mm) {
   if (given.points.rows() > 0 && tolerance_mm == 0) {
-    ArcFit fit{.arcs = {}, .corners = {}, .closed = curve.closed};
-    for (const ChainCurve& arc : curve.curves) fit.arcs.push_back(std::get<PlanarArc>(arc));
+    ArcFit fit{.arcs = {}, .corners = {}, .closed = curve.chain.closed};
+    for (const ChainCurve& arc : curve.chain.curves) fit.arcs.push_back(std::get<PlanarArc>(arc));
     return fit;
   }
-  return fitArcs(bezierSpline(curve, gapOf(given, curve)), {.tolerance_mm = tolerance_mm});
+  ArcFit fit = fitArcs(bezierSpline(curve.chain, gapOf(given, curve.chain)),
+                       {.tolerance_mm = tolerance_mm - curve.distance_mm});
+  fit.distance_mm += curve.distance_mm;
+  return fit;
 }
 
 MadeCurve madeArcs(const GivenCurve& given, const CurveTask& task) {
-  const PlanarChain curve = curveOf(given);
+  const SmoothCurve curve = curveOf(given, task.tolerance_mm);
   const ArcFit fit = arcsNear(given, curve, task.tolerance_mm);
   MadeCurve made{.record = given.record};
   made.chain = chainOf(fit.arcs, fit.closed);
@@ -99,7 +136,7 @@ MadeCurve madeArcs(const GivenCurve& given, const CurveTask& task) {
   made.record.lines = linesIn(fit.arcs);
   made.record.corners = static_cast<int>(fit.corners.size());
   made.record.distance_mm = fit.distance_mm;
-  made.record.before = figuresFrom(figuresOf(curve));
+  made.record.before = curve.figures;
   made.record.after = figuresFrom(figuresOf(made.chain));
   return made;
 }
@@ -107,17 +144,14 @@ MadeCurve madeArcs(const GivenCurve& given, const CurveTask& task) {
 /// Spline through clothoids for a model file, and the figures.
 void takeClothoids(MadeCurve& made, std::vector<Clothoid> pieces, double tolerance_mm) {
   const bool closed = made.record.closed;
-  double length_mm = 0;
-  for (const Clothoid& piece : pieces) length_mm += piece.length_mm + piece.start.norm();
+  made.record.after = figuresFrom(pieces, closed);
   // A tenth of the tolerance is left to the spline; without a tolerance a billionth of the length.
-  const double spline_mm = tolerance_mm > 0 ? 0.1 * tolerance_mm : 1e-9 * length_mm;
-  const SplineWithin spline = bezierSpline(pieces, spline_mm, closed, 1e-9 * length_mm);
-  // C2 within clothoids, but not by the parameter at every joint: each span is a curve of its own
-  // knots with the continuity that holds.
-  made.chain = {.curves = {bsplineCurve(spline.curve, continuity(spline.curve))}, .closed = closed};
+  const double spline_mm =
+      tolerance_mm > 0 ? 0.1 * tolerance_mm : 1e-9 * made.record.after.length_mm;
+  SmoothCurve spline = splineOf(pieces, closed, spline_mm);
+  made.chain = std::move(spline.chain);
   made.chain_distance_mm = spline.distance_mm;
   made.record.pieces = static_cast<int>(pieces.size());
-  made.record.after = figuresFrom(pieces, closed);
   made.clothoids = std::move(pieces);
 }
 
@@ -125,7 +159,7 @@ MadeCurve madeClothoids(const GivenCurve& given, const CurveTask& task) {
   MadeCurve made{.record = given.record};
   if (given.points.rows() > 0) {
     made.record.distance_mm = 0;
-    made.record.before = figuresFrom(figuresOf(curveOf(given)));
+    made.record.before = biarcsThrough(given).figures;
     takeClothoids(made, clothoidSpline(given.points, {.closed = given.record.closed}).pieces,
                   task.tolerance_mm);
     return made;
@@ -146,19 +180,31 @@ void noteJoints(report::CurveRecord& record, std::size_t g1_joints) {
         g1_joints, g1_joints == 1 ? " is" : "s are"));
 }
 
+/// Conics near arcs, with a bound of their distance even if it is above the tolerance.
+ArcConics conicsNear(const ArcFit& fit, double tolerance_mm) {
+  ArcConics conics;
+  constexpr double factor = 16;
+  double limit_mm = tolerance_mm;
+  for (int attempt = 0; attempt < 5; ++attempt, limit_mm *= factor) {
+    conics =
+        g2ConicsNear({.arcs = fit.arcs, .corners = fit.corners, .closed = fit.closed}, limit_mm);
+    if (std::isfinite(conics.distance_mm)) break;
+  }
+  return conics;
+}
+
 /// The conics of arcs that leave room for the distance that G2 costs.
 MadeCurve madeConics(const GivenCurve& given, const CurveTask& task) {
-  const PlanarChain curve = curveOf(given);
+  const SmoothCurve curve = curveOf(given, task.tolerance_mm);
   MadeCurve made{.record = given.record};
-  made.record.before = figuresFrom(figuresOf(curve));
+  made.record.before = curve.figures;
   const bool through_points = task.tolerance_mm == 0;
   // Closer arcs bring closer conics; the last attempt is kept with the distance it has.
-  for (double share = 0.5; share >= 0x1p-7; share /= 4) {
+  for (double share = 0.5; share >= 0x1p-9; share /= 4) {
     task.check();
-    const ArcFit fit = arcsNear(given, curve, share * task.tolerance_mm);
+    const ArcFit fit = arcsNear(given, curve, share * task.tolerance_mm + curve.distance_mm);
     const ArcConics conics =
-        g2ConicsNear({.arcs = fit.arcs, .corners = fit.corners, .closed = fit.closed},
-                     through_points ? made.record.before.length_mm : task.tolerance_mm);
+        conicsNear(fit, through_points ? 1e-3 * made.record.before.length_mm : task.tolerance_mm);
     const double distance_mm = conics.distance_mm + fit.distance_mm;
     made.chain = {.curves = {conics.conics.begin(), conics.conics.end()}, .closed = fit.closed};
     made.record.pieces = static_cast<int>(conics.conics.size());
