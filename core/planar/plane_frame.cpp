@@ -13,10 +13,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The plane of points that have one coordinate in common.
+/// The plane of points that have one coordinate in common, up to a few roundings of the largest.
 std::optional<PlaneFrame> coordinatePlane(const Eigen::Ref<const Poles>& points) {
+  const double rounding = 8 * machine_epsilon * points.cwiseAbs().maxCoeff();
   const auto isCommon = [&](int axis) {
-    return (points.col(axis).array() == points(0, axis)).all();
+    return ((points.col(axis).array() - points(0, axis)).abs() <= rounding).all();
   };
   if (isCommon(2)) return PlaneFrame{{0, 0, points(0, 2)}, Vector3d::UnitX(), Vector3d::UnitY()};
   if (isCommon(1)) return PlaneFrame{{0, points(0, 1), 0}, Vector3d::UnitX(), Vector3d::UnitZ()};
@@ -50,16 +51,15 @@ FittedPlane fitPlane(const Eigen::Ref<const Poles>& points) {
   if (points.rows() == 0) refuse("no points: a plane needs at least one");
   for (Eigen::Index i = 0; i < points.rows(); ++i)
     if (!points.row(i).allFinite()) refuse("point " + std::to_string(i) + " is not finite");
-  FittedPlane result;
-  if (const std::optional<PlaneFrame> plane = coordinatePlane(points)) {
-    result.frame = *plane;
-    return result;
-  }
   const Eigen::RowVector3d centre = points.colwise().mean();
-  result.frame = frameAcross(centre.transpose(), leastSpread(points.rowwise() - centre));
+  FittedPlane result;
+  const std::optional<PlaneFrame> plane = coordinatePlane(points);
+  result.frame =
+      plane ? *plane : frameAcross(centre.transpose(), leastSpread(points.rowwise() - centre));
   const Vector3d normal = result.frame.normal();
-  result.distance_mm =
-      ((points.rowwise() - centre) * normal).cwiseAbs().maxCoeff(&result.most_distant);
+  result.distance_mm = ((points.rowwise() - result.frame.origin.transpose()) * normal)
+                           .cwiseAbs()
+                           .maxCoeff(&result.most_distant);
   return result;
 }
 

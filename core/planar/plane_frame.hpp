@@ -43,8 +43,9 @@ struct FittedPlane {
 
 /// The plane with the least sum of squared distances from the points. Points of one line have many;
 /// this is one of them. Identities (each has a test of its number):
-///   (1) Points with a common coordinate have a plane with the coordinates of space: z = c has the
-///       axes X and Y, y = c the axes X and Z, x = c the axes Y and Z.
+///   (1) Points with a common coordinate, up to rounding of the largest one, have a plane with the
+///       coordinates of space: z = c has the axes X and Y, y = c the axes X and Z, x = c the axes Y
+///       and Z.
 ///   (2) A rigid motion moves the plane along, except for the choice of its axes.
 ///   (3) No plane through the centre of the points has a smaller sum of squared distances.
 /// \param points #P by 3, at least one row.
