@@ -126,10 +126,12 @@ class AttributeCollector {
   std::map<PartNumber, ShapeAttribute> found_;
 };
 
-void requireFaces(const TopoDS_Shape& shape, const std::filesystem::path& path) {
+void requireParts(const TopoDS_Shape& shape, const std::filesystem::path& path, Needed needed) {
   if (shape.IsNull()) throw ModelError(ModelErrc::NoShapes, path, "holds no shapes");
-  if (!TopExp_Explorer(shape, TopAbs_FACE).More())
+  if (needed == Needed::Faces && !TopExp_Explorer(shape, TopAbs_FACE).More())
     throw ModelError(ModelErrc::NoShapes, path, "holds no faces, so it has no seams");
+  if (needed == Needed::Edges && !TopExp_Explorer(shape, TopAbs_EDGE).More())
+    throw ModelError(ModelErrc::NoShapes, path, "holds no edges");
 }
 
 /// A length unit that was read without a fault: an unknown prefix would silently become none.
@@ -154,7 +156,8 @@ std::string stepLengthUnit(STEPControl_Reader& reader, const std::filesystem::pa
                    "names no length unit that is understood: sizes would be a guess");
 }
 
-LoadedDocument loadStep(const std::filesystem::path& path, const Message_ProgressRange& range) {
+LoadedDocument loadStep(const std::filesystem::path& path, const Message_ProgressRange& range,
+                        Needed needed) {
   LoadedDocument loaded;
   Model& model = loaded.model;
   const auto owner = std::make_shared<STEPCAFControl_Reader>();
@@ -170,7 +173,7 @@ LoadedDocument loadStep(const std::filesystem::path& path, const Message_Progres
     throw ModelError(ModelErrc::Malformed, path, "is malformed STEP: OpenCASCADE can't read it");
   const bool transferred = reader.Transfer(loaded.document, range);
   if (transferred) model.shape = reader.ChangeReader().OneShape();
-  requireFaces(model.shape, path);
+  requireParts(model.shape, path, needed);
   model.length_unit = stepLengthUnit(reader.ChangeReader(), path);
   noteLostFaces(reader.ChangeReader(), model);
   model.attributes = AttributeCollector(model.shape, loaded.document).collect();
@@ -190,7 +193,8 @@ void requireIgesLengthUnit(const IGESData_GlobalSection& global,
                        ", which IGES does not define: sizes would be a guess");
 }
 
-LoadedDocument loadIges(const std::filesystem::path& path, const Message_ProgressRange& range) {
+LoadedDocument loadIges(const std::filesystem::path& path, const Message_ProgressRange& range,
+                        Needed needed) {
   LoadedDocument loaded;
   Model& model = loaded.model;
   const auto owner = std::make_shared<IGESCAFControl_Reader>();
@@ -205,7 +209,7 @@ LoadedDocument loadIges(const std::filesystem::path& path, const Message_Progres
   requireIgesLengthUnit(global, path);
   model.length_unit = IGESData_BasicEditor::UnitFlagName(global.UnitFlag());
   if (reader.Transfer(loaded.document, range)) model.shape = reader.OneShape();
-  requireFaces(model.shape, path);
+  requireParts(model.shape, path, needed);
   noteLostFaces(reader, model);
   model.attributes = AttributeCollector(model.shape, loaded.document).collect();
   loaded.entities = reader.IGESModel();
@@ -256,19 +260,19 @@ TopoDS_Shape loadBinaryBrep(const std::filesystem::path& path, const Message_Pro
 }  // namespace
 
 LoadedDocument loadDocument(const std::filesystem::path& path, const std::string& format,
-                            const Progress& progress) {
+                            const Progress& progress, Needed needed) {
   const opencascade::handle<Reporter> reporter = new Reporter(progress);
-  LoadedDocument loaded =
-      format == "STEP" ? loadStep(path, reporter->Start()) : loadIges(path, reporter->Start());
+  LoadedDocument loaded = format == "STEP" ? loadStep(path, reporter->Start(), needed)
+                                           : loadIges(path, reporter->Start(), needed);
   loaded.model.format = format;
   return loaded;
 }
 
 Model loadModel(const std::filesystem::path& path, const std::string& format,
-                const Progress& progress) {
+                const Progress& progress, Needed needed) {
   Model model;
   if (format == "STEP" || format == "IGES") {
-    model = loadDocument(path, format, progress).model;
+    model = loadDocument(path, format, progress, needed).model;
     noteUnusableParts(model);
     return model;
   }
@@ -280,7 +284,7 @@ Model loadModel(const std::filesystem::path& path, const std::string& format,
   if (model.shape.IsNull())
     throw ModelError(ModelErrc::Malformed, path,
                      "is malformed or truncated " + format + ": OpenCASCADE can't read it");
-  requireFaces(model.shape, path);
+  requireParts(model.shape, path, needed);
   noteUnusableParts(model);
   return model;
 }

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include <seamwright/occ_adapter/model/model.hpp>
+#include <seamwright/occ_adapter/model/read.hpp>
 #include <seamwright/occ_adapter/progress.hpp>
 
 namespace seamwright::occ {
@@ -38,14 +39,15 @@ struct LoadedDocument {
 
 /// Reads a STEP or IGES file in this process; only the reading program calls it.
 /// \param format "STEP" or "IGES"
+/// \param needed a shape without any of them is an error
 /// \throws ModelError, Standard_Failure
 LoadedDocument loadDocument(const std::filesystem::path& path, const std::string& format,
-                            const Progress& progress);
+                            const Progress& progress, Needed needed = Needed::Faces);
 
 /// Reads a model file in this process; only the reading program calls it.
 /// \param format "STEP", "IGES", "BREP" or "binary BREP", as detectFormat() returns it.
 /// \throws ModelError, Standard_Failure
 Model loadModel(const std::filesystem::path& path, const std::string& format,
-                const Progress& progress);
+                const Progress& progress, Needed needed = Needed::Faces);
 
 }  // namespace seamwright::occ

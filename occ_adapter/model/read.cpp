@@ -7,13 +7,14 @@
 
 namespace seamwright::occ {
 
-Model readModel(const std::filesystem::path& path, const Progress& progress) {
+Model readModel(const std::filesystem::path& path, const Progress& progress, Needed needed) {
   const auto start = std::chrono::steady_clock::now();
   const Format format = detectFormat(path);
   Answer answer = askReader({.model = path,
                              .bytes = std::filesystem::file_size(path),
                              .deed = "read",
-                             .arguments = {"read", std::string(name(format)), path.string()}},
+                             .arguments = {needed == Needed::Edges ? "read-edges" : "read",
+                                           std::string(name(format)), path.string()}},
                             progress);
   if (!answer.shape)
     throw ModelError(ModelErrc::ReaderDied, path,

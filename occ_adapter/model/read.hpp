@@ -8,6 +8,12 @@
 
 namespace seamwright::occ {
 
+/// What a model needs to be of use.
+enum class Needed {
+  Faces,  ///< faces, whose seams are measured
+  Edges   ///< edges are enough: a file of curves
+};
+
 /// Reads a STEP, IGES or BREP file, with names, colours and units. The content tells the format.
 ///
 ///     const Model model = readModel("part.step");
@@ -24,6 +30,7 @@ namespace seamwright::occ {
 /// \throws ModelError (its code says which kind; Malformed also if no face has finite numbers);
 /// Cancelled; std::invalid_argument if an environment variable of the limits is not a positive
 /// number.
-Model readModel(const std::filesystem::path& path, const Progress& progress = {});
+Model readModel(const std::filesystem::path& path, const Progress& progress = {},
+                Needed needed = Needed::Faces);
 
 }  // namespace seamwright::occ

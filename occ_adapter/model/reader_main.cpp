@@ -4,8 +4,8 @@
 // The reading program answers on file descriptor 3 (see wire.hpp). What a bad file does to
 // OpenCASCADE it does here, and not to the program that asked.
 //
-//   read FORMAT PATH reads a model file: facts and shape write FORMAT HOW SHARE PATH writes the
-//   model whose facts and shape stand on standard input: a report and the bytes of
+//   read FORMAT PATH reads a model file: facts and shape; read-edges FORMAT PATH does so too if it
+//   has edges, but no faces; write FORMAT HOW SHARE PATH writes the model whose facts and shape stand on standard input: a report and the bytes of
 //                               the file. HOW: "follow", where the model has one, the file PATH; or
 //                               "afresh". SHARE: of the accuracy that is stated
 #include <poll.h>
@@ -119,9 +119,9 @@ class Announcer {
   double last_ = 0;
 };
 
-void readAndSend(const std::filesystem::path& path, const std::string& format) {
+void readAndSend(const std::filesystem::path& path, const std::string& format, Needed needed) {
   limitResources(std::filesystem::file_size(path));
-  const Model model = loadModel(path, format, Announcer());
+  const Model model = loadModel(path, format, Announcer(), needed);
   std::ostringstream shape;
   shape.exceptions(
       std::ios::badbit);  // where memory ends the stream would end the shape without a word
@@ -159,8 +159,9 @@ void writeAndSend(const std::string& format, const WriteOptions& options, const 
 }
 
 void obey(const std::vector<std::string>& arguments) {
-  if (arguments[0] == "read")
-    readAndSend(arguments[2], arguments[1]);
+  if (arguments.size() == 3)
+    readAndSend(arguments[2], arguments[1],
+                arguments[0] == "read-edges" ? Needed::Edges : Needed::Faces);
   else
     writeAndSend(arguments[1],
                  {.afresh = arguments[2] == "afresh", .share_of_accuracy = std::stod(arguments[3])},
@@ -178,7 +179,7 @@ std::string withoutPath(const ModelError& error, const std::string& path) {
 
 int main(int argc, char** argv) {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
-  const bool reads = arguments.size() == 3 && arguments[0] == "read";
+  const bool reads = arguments.size() == 3 && (arguments[0] == "read" || arguments[0] == "read-edges");
   const bool writes = arguments.size() == 5 && arguments[0] == "write";
   if (!reads && !writes) {
     std::fputs("This program reads model files for Seamwright and is not called by hand.\n",

@@ -288,7 +288,7 @@ std::string whyNotFinite(const TopoDS_Shape& shape) {
 void noteUnusableParts(Model& model) {
   const UnusableParts unusable(model.shape);
   if (unusable.empty()) return;
-  if (unusable.faceCount() == model.faceCount())
+  if (unusable.faceCount() > 0 && unusable.faceCount() == model.faceCount())
     throw ModelError(ModelErrc::Malformed, model.path,
                      "has no face with finite numbers: " + unusable.note());
   model.notes.push_back(unusable.note() +

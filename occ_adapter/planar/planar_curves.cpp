@@ -339,9 +339,10 @@ Poles hullOf(const Geom_Curve& curve, double first, double last) {
 }
 
 double heightOf(const Geom_Curve& curve, double first, double last, const PlaneFrame& frame) {
+  const Poles hull = hullOf(curve, first, last);
   double height_mm = 0;
-  for (const auto& point : hullOf(curve, first, last).rowwise())
-    height_mm = std::max(height_mm, std::abs(frame.height_mm(point.transpose())));
+  for (Eigen::Index i = 0; i < hull.rows(); ++i)
+    height_mm = std::max(height_mm, std::abs(frame.height_mm(hull.row(i).transpose())));
   return height_mm;
 }
 

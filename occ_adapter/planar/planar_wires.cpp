@@ -23,6 +23,7 @@
 #include <seamwright/core/disjoint_sets.hpp>
 #include <seamwright/occ_adapter/convert/points.hpp>
 #include <seamwright/occ_adapter/geometry_error.hpp>
+#include <seamwright/occ_adapter/model/usable.hpp>
 #include <seamwright/occ_adapter/planar/planar_curves.hpp>
 #include <seamwright/occ_adapter/planar/planar_wires.hpp>
 
@@ -47,6 +48,9 @@ struct SpaceEdge {
 constexpr double meeting_mm = 1e-6;
 
 SpaceEdge spaceEdge(const TopoDS_Edge& edge, int number) {
+  if (!isUsable(edge))
+    throw GeometryError(
+        fmt::format("Edge{} has numbers that are not finite, or 1e100 and more", number));
   SpaceEdge result;
   result.number = number;
   result.curve = BRep_Tool::Curve(edge, result.first, result.last);

@@ -3,6 +3,8 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <seamwright/occ_adapter/model/write.hpp>
+#include <seamwright/occ_adapter/planar/planar_wires.hpp>
 #include <seamwright/plugin/cli/curve_command.hpp>
 #include <seamwright/plugin/cli/curve_input.hpp>
 #include <seamwright/plugin/cli/curve_methods.hpp>
@@ -11,6 +13,7 @@
 #include <seamwright/plugin/cli/progress_bar.hpp>
 #include <seamwright/plugin/report/curve_json.hpp>
 #include <seamwright/plugin/report/json.hpp>
+#include <sstream>
 #include <stdexcept>
 
 namespace seamwright::cli {
@@ -79,7 +82,9 @@ void writeTexts(const CurveText& text, report::CurveReport& report,
   if (json) json->takePlace();
 }
 
-const char* nameOf(CurveFormat format) {
+std::string nameOf(CurveFormat format, const OutputArguments& arguments) {
+  if (format == CurveFormat::Model)
+    return std::string(occ::name(occ::targetFormat(arguments.model)));
   return format == CurveFormat::Dxf ? "DXF" : format == CurveFormat::Svg ? "SVG" : "CSV";
 }
 
@@ -88,6 +93,49 @@ double drawnWithin(double tolerance_mm, const std::vector<MadeCurve>& curves) {
   constexpr double share = 0.1, of_length = 1e-6;
   if (tolerance_mm > 0) return share * tolerance_mm;
   return of_length * curves.front().record.after.length_mm;
+}
+
+/// "all", or numbers of edges.
+void takeEdges(const std::string& text, CurveArguments& arguments) {
+  if (text == "all") {
+    arguments.all_edges = true;
+    return;
+  }
+  const CLI::Validator number = numberOf("Edge");
+  std::istringstream list(text + ',');
+  for (std::string item; std::getline(list, item, ',');) {
+    if (const std::string fault = number(item); !fault.empty())
+      throw CLI::ValidationError("--edge", fault);
+    arguments.edges.push_back(std::stoi(item));
+  }
+}
+
+/// The curves in their planes as a model file. \returns what its format can't hold.
+std::vector<std::string> writeCurves(const std::vector<MadeCurve>& curves,
+                                     report::CurveReport& report,
+                                     const OutputArguments& arguments) {
+  std::vector<occ::PlanarWire> wires;
+  for (const MadeCurve& curve : curves) {
+    occ::PlanarWire wire;
+    wire.frame = curve.record.plane;
+    wire.chain = curve.chain;
+    wires.push_back(std::move(wire));
+    report.output->distance_mm = std::max(report.output->distance_mm, curve.chain_distance_mm);
+  }
+  occ::Model model;
+  model.shape = occ::wiresOf(wires);
+  model.format = "memory";
+  model.length_unit = "mm (assumed)";
+  // Both files, or none: the report is complete before the model replaces its target.
+  std::optional<PendingFile> json;
+  occ::WriteOptions options = arguments.writeOptions();
+  options.check = [&](const std::filesystem::path&) {
+    if (!arguments.report.empty())
+      json.emplace(arguments.report, report::toLine(report::toJson(report)) + '\n');
+  };
+  const occ::WriteReport written = writeUnderBar(model, arguments.model, options);
+  if (json) json->takePlace();
+  return written.notes;
 }
 
 }  // namespace
@@ -120,6 +168,12 @@ void addCurveOptions(CLI::App& command, CurveArguments& arguments) {
       ->capture_default_str();
   command.add_flag("--closed", arguments.closed, "Join the last point with the first one");
   command
+      .add_option_function<std::string>(
+          "--edge", [&arguments](const std::string& text) { takeEdges(text, arguments); },
+          "Edges of the model: numbers as 3 or Edge3, separated by commas, or all, each alone; not "
+          "given: the free edges, joined where they meet")
+      ->type_name("N[,N...]");
+  command
       .add_option("--max-time", arguments.max_time_s,
                   "Give up after this time, seconds; nothing is written then")
       ->type_name("S")
@@ -145,11 +199,17 @@ int runCurve(const CurveArguments& arguments) {
   const CurveInput input = curveInput(arguments);
   const std::vector<MadeCurve> curves = madeCurves(input, arguments);
   report::CurveReport report = reportOf(input, arguments, curves);
-  const CurveText text =
-      curveText(format, arguments.method, curves, drawnWithin(arguments.tolerance_mm, curves));
-  report.output = {
-      .path = arguments.output.model, .format = nameOf(format), .distance_mm = text.distance_mm};
-  writeTexts(text, report, arguments.output);
+  report.output = {.path = arguments.output.model, .format = nameOf(format, arguments.output)};
+  std::vector<std::string> notes;
+  if (format == CurveFormat::Model) {
+    notes = writeCurves(curves, report, arguments.output);
+  } else {
+    const CurveText text =
+        curveText(format, arguments.method, curves, drawnWithin(arguments.tolerance_mm, curves));
+    report.output->distance_mm = text.distance_mm;
+    writeTexts(text, report, arguments.output);
+  }
+  warn(arguments.output.model, notes);
   writeStandardOutput(report::toText(report));
   warn(arguments.input, input.notes);
   return report.reached() ? 0 : 1;

@@ -2,6 +2,9 @@
 #include <fmt/format.h>
 
 #include <seamwright/core/planar/plane_frame.hpp>
+#include <seamwright/occ_adapter/analyze/analyze.hpp>
+#include <seamwright/occ_adapter/geometry_error.hpp>
+#include <seamwright/occ_adapter/planar/planar_wires.hpp>
 #include <seamwright/plugin/cli/curve_input.hpp>
 #include <seamwright/plugin/cli/point_file.hpp>
 #include <stdexcept>
@@ -37,10 +40,43 @@ CurveInput pointInput(const CurveArguments& arguments) {
   return input;
 }
 
+CurveInput modelInput(const CurveArguments& arguments) {
+  if (arguments.closed)
+    throw std::runtime_error(
+        arguments.input + ": is a model, whose curves are closed or not: --closed is for points");
+  const occ::Model model = readUnderBar(arguments.input, occ::Needed::Edges);
+  CurveInput input;
+  input.facts = occ::factsOf(model);
+  input.notes = model.notes;
+  try {
+    for (occ::PlanarWire& wire :
+         occ::planarWires(model.shape, {.flatness_mm = arguments.flatness_mm,
+                                       .edges = arguments.edges,
+                                       .each_alone = arguments.all_edges})) {
+      GivenCurve curve;
+      curve.record.edges = wire.edges;
+      curve.record.closed = wire.chain.closed;
+      curve.record.plane = wire.frame;
+      curve.record.off_plane_mm = wire.height_mm;
+      curve.chain = std::move(wire.chain);
+      curve.gap_mm = wire.gap_mm;
+      input.curves.push_back(std::move(curve));
+    }
+  } catch (const occ::GeometryError& error) {
+    throw std::runtime_error(arguments.input + ": " + error.what());
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(arguments.input + ": " + error.what());
+  }
+  if (input.curves.empty())
+    throw std::runtime_error(arguments.input +
+                             ": has no free edges: name edges with --edge, or take --edge all");
+  return input;
+}
+
 }  // namespace
 
 CurveInput curveInput(const CurveArguments& arguments) {
-  return pointInput(arguments);
+  return isPointFile(arguments.input) ? pointInput(arguments) : modelInput(arguments);
 }
 
 }  // namespace seamwright::cli

@@ -150,9 +150,9 @@ std::string doing(const std::string& what, const std::string& path) {
   return what + ' ' + std::filesystem::path(path).filename().string();
 }
 
-occ::Model readUnderBar(const std::string& path) {
+occ::Model readUnderBar(const std::string& path, occ::Needed needed) {
   ProgressBar bar(doing("reading", path));
-  return occ::readModel(path, bar.progress());
+  return occ::readModel(path, bar.progress(), needed);
 }
 
 occ::WriteReport writeUnderBar(const occ::Model& model, const std::string& path,

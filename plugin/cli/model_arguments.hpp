@@ -4,6 +4,7 @@
 #include <optional>
 #include <seamwright/core/seam/judge.hpp>
 #include <seamwright/occ_adapter/model/model.hpp>
+#include <seamwright/occ_adapter/model/read.hpp>
 #include <seamwright/occ_adapter/model/write.hpp>
 #include <string>
 #include <vector>
@@ -93,7 +94,7 @@ ContinuityTolerance toleranceOf(const MeasureArguments& arguments);
 std::string doing(const std::string& what, const std::string& path);
 
 /// Reads the model of a file and shows a progress bar.
-occ::Model readUnderBar(const std::string& path);
+occ::Model readUnderBar(const std::string& path, occ::Needed needed = occ::Needed::Faces);
 
 occ::WriteReport writeUnderBar(const occ::Model& model, const std::string& path,
                                const occ::WriteOptions& options);
