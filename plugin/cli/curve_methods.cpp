@@ -128,8 +128,17 @@ ArcFit arcsNear(const GivenCurve& given, const SmoothCurve& curve, double tolera
 }
 
 MadeCurve madeArcs(const GivenCurve& given, const CurveTask& task) {
-  const SmoothCurve curve = curveOf(given, task.tolerance_mm);
-  const ArcFit fit = arcsNear(given, curve, task.tolerance_mm);
+  SmoothCurve curve = curveOf(given, task.tolerance_mm);
+  ArcFit fit = arcsNear(given, curve, task.tolerance_mm);
+  if (given.points.rows() > 0 && task.tolerance_mm > 0) {
+    // Points of a circle or a line are on one arc, which biarcs find.
+    SmoothCurve biarcs = biarcsThrough(given);
+    ArcFit other = arcsNear(given, biarcs, task.tolerance_mm);
+    if (other.arcs.size() < fit.arcs.size()) {
+      curve = std::move(biarcs);
+      fit = std::move(other);
+    }
+  }
   MadeCurve made{.record = given.record};
   made.chain = chainOf(fit.arcs, fit.closed);
   made.record.pieces = static_cast<int>(fit.arcs.size());
@@ -229,16 +238,6 @@ CurveFigures figuresFrom(const PlanarPoints& points, const PointFairness& fairne
           .inflections = static_cast<int>(fairness.inflections.size())};
 }
 
-/// What became more, in a note.
-void noteAdded(report::CurveRecord& record) {
-  const auto note = [&](int before, int after, const char* what) {
-    if (after > before)
-      record.notes.push_back(fmt::format("{} {} more than before", after - before,
-                                         after - before == 1 ? what : std::string(what) + "s"));
-  };
-  note(record.before.inflections, record.after.inflections, "inflection");
-}
-
 MadeCurve madeFairPoints(const GivenCurve& given, const CurveTask& task) {
   const bool closed = given.record.closed;
   const Eigen::VectorXd tolerances =
@@ -253,7 +252,6 @@ MadeCurve madeFairPoints(const GivenCurve& given, const CurveTask& task) {
   made.record.pieces = static_cast<int>(faired.points.rows());
   made.record.before = figuresFrom(given.points, faired.before, closed);
   made.record.after = figuresFrom(faired.points, faired.after, closed);
-  noteAdded(made.record);
   return made;
 }
 
@@ -289,12 +287,27 @@ MadeCurve madeFairSplines(const GivenCurve& given, const CurveTask& task) {
         "{} curve{} as given: only polynomial B-splines of degree 2 and more are faired", kept,
         kept == 1 ? " stays" : "s stay"));
   made.record.after = figuresFrom(figuresOf(made.chain));
-  noteAdded(made.record);
   return made;
 }
 
 MadeCurve madeFair(const GivenCurve& given, const CurveTask& task) {
   return given.points.rows() > 0 ? madeFairPoints(given, task) : madeFairSplines(given, task);
+}
+
+/// Extrema and inflections that the work added.
+void noteAdded(report::CurveRecord& record) {
+  const auto note = [&](int added, const char* what) {
+    if (added > 0) record.notes.push_back(fmt::format("{} more {} than before", added, what));
+  };
+  note(record.after.extrema - record.before.extrema, "extrema of the curvature");
+  note(record.after.inflections - record.before.inflections, "inflections");
+}
+
+MadeCurve madeBy(const std::string& method, const GivenCurve& given, const CurveTask& task) {
+  if (method == "arcs") return madeArcs(given, task);
+  if (method == "clothoid") return madeClothoids(given, task);
+  if (method == "conic") return madeConics(given, task);
+  return madeFair(given, task);
 }
 
 }  // namespace
@@ -308,10 +321,9 @@ MadeCurve madeCurve(const std::string& method, const GivenCurve& given, const Cu
   task.check();
   if (given.points.rows() == 0 && method != "fair" && !(task.tolerance_mm > 0))
     throw std::invalid_argument("--tolerance is 0 mm: curves of a model need more");
-  if (method == "arcs") return madeArcs(given, task);
-  if (method == "clothoid") return madeClothoids(given, task);
-  if (method == "conic") return madeConics(given, task);
-  return madeFair(given, task);
+  MadeCurve made = madeBy(method, given, task);
+  noteAdded(made.record);
+  return made;
 }
 
 }  // namespace seamwright::cli

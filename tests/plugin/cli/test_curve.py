@@ -1,0 +1,349 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command curve: what it writes, says and refuses."""
+
+import csv
+import json
+import math
+import re
+import xml.etree.ElementTree
+
+import pytest
+
+from command import contents, expect_one_line, run
+from schemas import expect_every_key_matters, expect_valid, validator
+
+VALIDATOR = validator("curve")
+METHODS = ["arcs", "clothoid", "conic", "fair"]
+WAVE = [(5 * i, 10 * math.sin(0.5 * i)) for i in range(20)]
+CIRCLE = [
+    (3 + 10 * math.cos(math.tau * i / 12), 4 + 10 * math.sin(math.tau * i / 12)) for i in range(12)
+]
+
+
+def points_file(folder, points, name="points.csv", header=""):
+    path = folder / name
+    path.write_text(header + "".join(",".join(map(repr, point)) + "\n" for point in points))
+    return path
+
+
+def curve(method, given, *options, out="out.dxf"):
+    """The result, the report and the file written."""
+    out, report = given.parent / out, given.parent / "curve.json"
+    result = run("curve", method, given, "-o", out, "--json", report, "--overwrite", *options)
+    assert result.returncode in (0, 1), result.stderr
+    report = json.loads(report.read_text())
+    expect_valid(report, VALIDATOR)
+    return result, report, out
+
+
+def dxf_entities(text):
+    """The entities of a DXF file: their names, each with its groups."""
+    lines = text.split("\n")
+    assert lines[-1] == "" and len(lines) % 2 == 1
+    groups = [(int(code), value) for code, value in zip(lines[0:-1:2], lines[1:-1:2])]
+    assert (9, "$ACADVER") in groups and (1, "AC1009") in groups and groups[-1] == (0, "EOF")
+    start = groups.index((2, "ENTITIES")) + 1
+    entities = []
+    for code, value in groups[start:]:
+        if code == 0:
+            entities.append((value, {}))
+        elif code not in entities[-1][1]:
+            entities[-1][1][code] = float(value)
+    assert entities[-2][0] == "ENDSEC"
+    return entities[:-2]
+
+
+def bulge_samples(start, end, bulge, count=64):
+    """Points of an arc that is given as DXF gives it."""
+    chord = complex(*end) - complex(*start)
+    sweep = 4 * math.atan(bulge)
+    if bulge == 0:
+        for k in range(count + 1):
+            z = complex(*start) + chord * k / count
+            yield z.real, z.imag
+        return
+    centre = complex(*start) + chord / 2 * (1 + 1j / math.tan(sweep / 2))
+    for k in range(count + 1):
+        turn = sweep * k / count
+        z = centre + (complex(*start) - centre) * complex(math.cos(turn), math.sin(turn))
+        yield z.real, z.imag
+
+
+def dxf_samples(text):
+    """Points of the polylines of a DXF file."""
+    vertices, closed, samples = [], False, []
+
+    def finish():
+        ends = [*vertices, vertices[0]] if closed else vertices
+        for (x, y, bulge), (u, v, _) in zip(ends, ends[1:]):
+            samples.extend(bulge_samples((x, y), (u, v), bulge))
+
+    for name, groups in dxf_entities(text):
+        if name == "POLYLINE":
+            vertices, closed = [], groups[70] == 1
+        elif name == "VERTEX":
+            vertices.append((groups[10], groups[20], groups.get(42, 0.0)))
+        elif name == "SEQEND":
+            finish()
+    return samples
+
+
+def distance(point, samples):
+    return min(math.dist(point, sample) for sample in samples)
+
+
+def rows_of(path):
+    with path.open(newline="") as file:
+        return list(csv.DictReader(file))
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize(
+    "out", ["out.dxf", "out.svg", "out.csv", "out.step", "out.igs", "out.brep", "out.bin"]
+)
+def test_every_method_writes_every_format(tmp_path, method, out):
+    result, report, written = curve(method, points_file(tmp_path, WAVE), out=out)
+    assert result.returncode == 0 and result.stdout.endswith("REACHED\n"), result.stdout
+    assert written.stat().st_size > 0 and report["reached"]
+    assert report["output"]["path"] == str(written)
+    assert report["curves"][0]["distance_mm"] <= 0.01
+
+
+@pytest.mark.parametrize("tolerance", [0, 0.001, 0.1])
+def test_arcs_pass_near_the_points(tmp_path, tolerance):
+    _, report, out = curve("arcs", points_file(tmp_path, WAVE), "--tolerance", tolerance)
+    samples = dxf_samples(out.read_text())
+    # Samples of an arc are at most 0.2 mm apart.
+    assert max(distance(point, samples) for point in WAVE) <= tolerance + 0.1
+    (found,) = report["curves"]
+    assert found["points"] == 20 and found["pieces"] == (38 if tolerance == 0 else found["pieces"])
+    ends = samples[0], samples[-1]
+    assert max(math.dist(a, b) for a, b in zip(ends, (WAVE[0], WAVE[-1]))) < 1e-9
+
+
+def test_a_larger_tolerance_needs_fewer_arcs(tmp_path):
+    points = points_file(tmp_path, WAVE)
+    counts = [
+        curve("arcs", points, "--tolerance", t)[1]["curves"][0]["pieces"] for t in (1e-3, 1e-2, 0.1)
+    ]
+    assert counts == sorted(counts, reverse=True) and counts[0] > 2 * counts[-1]
+
+
+def test_points_of_a_circle_are_a_circle(tmp_path):
+    given = points_file(tmp_path, CIRCLE)
+    _, report, out = curve("arcs", given, "--closed")
+    ((name, groups),) = dxf_entities(out.read_text())
+    assert name == "CIRCLE"
+    assert (groups[10], groups[20], groups[40]) == pytest.approx((3, 4, 10))
+    assert report["curves"][0]["after"]["inflections"] == 0
+
+
+def test_two_points_are_a_line(tmp_path):
+    given = points_file(tmp_path, [(0, 1), (3, 5)])
+    ((name, groups),) = dxf_entities(curve("arcs", given)[2].read_text())
+    assert name == "LINE"
+    assert (groups[10], groups[20], groups[11], groups[21]) == pytest.approx((0, 1, 3, 5))
+
+
+def test_a_closed_outline_is_closed(tmp_path):
+    points = [(0, 0), (4, -1), (9, 0), (10, 4), (6, 7), (1, 5)]
+    given = points_file(tmp_path, points)
+    result, report, out = curve("arcs", given, "--closed", "--tolerance", "0")
+    assert report["curves"][0]["closed"] and ", closed: " in result.stdout
+    polyline = next(groups for name, groups in dxf_entities(out.read_text()) if name == "POLYLINE")
+    assert polyline[70] == 1
+    samples = dxf_samples(out.read_text())
+    assert math.dist(samples[0], samples[-1]) < 1e-9
+    assert max(distance(point, samples) for point in points) < 1e-9
+    # The first point given again at the end is no other point.
+    again = points_file(tmp_path, [*points, points[0]], "again.csv")
+    assert curve("arcs", again, "--closed", "--tolerance", "0")[1]["curves"] == report["curves"]
+
+
+def test_svg_has_the_arcs_of_the_table(tmp_path):
+    given = points_file(tmp_path, WAVE)
+    svg = curve("arcs", given, out="out.svg")[2]
+    (path,) = xml.etree.ElementTree.parse(svg).getroot().iter("{http://www.w3.org/2000/svg}path")
+    rows = rows_of(curve("arcs", given, out="out.csv")[2])
+    arcs = re.findall(r"A (\S+) \S+ 0 0 ([01]) (\S+) (\S+)", path.get("d"))
+    assert len(arcs) == sum(1 for row in rows if row["radius"])
+    for (radius, left, x, y), row in zip(arcs, (row for row in rows if row["radius"])):
+        assert float(radius) == float(row["radius"])
+        assert (left == "1") == (float(row["sweep_deg"]) > 0)
+        assert (float(x), float(y)) == pytest.approx((float(row["x1"]), float(row["y1"])))
+
+
+def test_clothoids_of_the_table_join(tmp_path):
+    rows = rows_of(curve("clothoid", points_file(tmp_path, WAVE), out="out.csv")[2])
+    assert len(rows) == 19
+    for row, after, point in zip(rows, rows[1:], WAVE):
+        assert (float(row["x"]), float(row["y"])) == pytest.approx(point, abs=1e-12)
+        end = float(row["curvature_per_mm"]) + float(row["curvature_slope_per_mm2"]) * float(
+            row["length_mm"]
+        )
+        assert end == pytest.approx(float(after["curvature_per_mm"]), abs=1e-9)
+
+
+def test_conics_of_the_table_are_g2(tmp_path):
+    given = points_file(tmp_path, [(math.cos(t / 5) * 20, math.sin(t / 5) * 12) for t in range(12)])
+    rows = rows_of(curve("conic", given, "--tolerance", "0.05", out="out.csv")[2])
+
+    def curvature(row, start):
+        x0, y0, cx, cy, x1, y1, w = (float(row[key]) for key in list(row)[1:])
+        area = ((cx - x0) * (y1 - y0) - (cy - y0) * (x1 - x0)) / 2
+        leg = math.hypot(cx - x0, cy - y0) if start else math.hypot(x1 - cx, y1 - cy)
+        return area / (w * w * leg**3)
+
+    joints = [(curvature(a, False), curvature(b, True)) for a, b in zip(rows, rows[1:])]
+    same_turn = [(a, b) for a, b in joints if a * b > 0]
+    assert len(same_turn) > 2
+    assert all(a == pytest.approx(b, rel=1e-9) for a, b in same_turn)
+
+
+def test_fair_points_move_within_the_tolerance(tmp_path):
+    rough = [(x, y + 0.05 * (-1) ** (i % 3)) for i, (x, y) in enumerate(WAVE)]
+    _, report, out = curve(
+        "fair", points_file(tmp_path, rough), "--tolerance", "0.08", out="out.csv"
+    )
+    moved = [
+        math.dist(point, (float(row["x"]), float(row["y"])))
+        for point, row in zip(rough, rows_of(out), strict=True)
+    ]
+    (found,) = report["curves"]
+    assert max(moved) <= 0.08 and max(moved) == pytest.approx(found["moved_mm"])
+    assert found["after"]["variation_per_mm3"] < found["before"]["variation_per_mm3"]
+    assert found["after"]["extrema"] <= found["before"]["extrema"]
+    # The table is an input again.
+    assert curve("fair", out, "--tolerance", "0", out="again.csv")[1]["curves"][0]["moved_mm"] == 0
+
+
+def test_points_of_space_stay_in_their_plane(tmp_path):
+    points = [(1 + x, 2 + 0.6 * y, 3 + 0.8 * y) for x, y in WAVE]
+    given = points_file(tmp_path, points)
+    _, report, out = curve("arcs", given, "--tolerance", "0", out="out.step")
+    plane = report["curves"][0]["plane"]
+    for point in points:
+        offset = [a - b for a, b in zip(point, plane["origin"])]
+        u, v = (sum(a * b for a, b in zip(offset, plane[axis])) for axis in "xy")
+        back = [
+            o + u * a + v * b for o, a, b in zip(plane["origin"], plane["x"], plane["y"])
+        ]
+        assert math.dist(back, point) < 1e-9
+    again = curve("arcs", out, out="again.step")[1]["curves"]
+    assert len(again) == 1 and again[0]["pieces"] == 38
+
+
+@pytest.mark.parametrize("out", ["out.step", "out.igs", "out.brep"])
+@pytest.mark.parametrize("method", METHODS)
+def test_a_model_of_curves_is_an_input(tmp_path, method, out):
+    model = curve("arcs", points_file(tmp_path, CIRCLE[:7]), out=out)[2]
+    result, report, _ = curve(method, model, out="again.brep")
+    assert result.returncode == 0, result.stdout
+    (found,) = report["curves"]
+    assert found["edges"] and found["points"] == 0 and not found["closed"]
+    assert found["after"]["length_mm"] == pytest.approx(10 * math.pi, rel=1e-2)
+
+
+def test_edges_are_chosen(box):
+    result = run("curve", "arcs", box, "-o", box.parent / "out.dxf")
+    expect_one_line(result, "has no free edges: name edges with --edge, or take --edge all")
+    _, report, _ = curve("arcs", box, "--edge", "Edge1,2")
+    assert sorted(edge for found in report["curves"] for edge in found["edges"]) == [1, 2]
+    _, report, _ = curve("arcs", box, "--edge", "all", out="out.step")
+    assert [found["edges"] for found in report["curves"]] == [[i] for i in range(1, 13)]
+    assert all(found["lines"] == found["pieces"] == 1 for found in report["curves"])
+
+
+def test_every_key_of_the_report_matters(tmp_path):
+    report = curve("arcs", points_file(tmp_path, WAVE))[1]
+    for optional in ("notes",):
+        report["curves"][0][optional] = []
+    report["model"]["notes"] = []
+    expect_every_key_matters(
+        {**report, "curves": [{**report["curves"][0], "edges": [1]}]}, VALIDATOR
+    )
+
+
+def test_files_of_points_have_many_forms(tmp_path):
+    forms = {
+        "a.csv": "x,y\n# by hand\n0,0\n1,2 # digitised\n\n3,3\n",
+        "b.dat": "NACA 0012\n 0.0  0.0\n 1.0\t2.0\n 3.0  3.0\n",
+        "c.txt": "0;0\r\n1;2\r\n3;3\r\n",
+        "d.xyz": "0,0,7\n+1,2e0,7\n3,3,7\n",
+    }
+    reports = []
+    for name, text in forms.items():
+        (tmp_path / name).write_bytes(text.encode())
+        reports.append(curve("arcs", tmp_path / name)[1]["curves"][0])
+    assert len({json.dumps([r["after"], r["pieces"]]) for r in reports}) == 1
+    assert reports[3]["plane"]["origin"] == [0, 0, 7]
+
+
+@pytest.mark.parametrize(
+    "text, options, message",
+    [
+        ("", [], "has no points"),
+        ("x,y\n# nothing\n", [], "has no points"),
+        ("1,2\n", [], "has 1 point: a curve needs at least 2"),
+        ("1,2\n3,4\n", ["--closed"], "has 2 points: a closed curve needs at least 3"),
+        ("0,0\n1,1\n1,1\n2,0\n", [], "the points of lines 2 and 3 are equal"),
+        ("0,0\n1,nan\n", [], "line 2 has the number nan, which is not finite"),
+        ("0,0\n1,inf\n", [], "line 2 has the number inf, which is not finite"),
+        ("0,0\n1,1e999\n", [], "line 2 has the number 1e999, which is not finite"),
+        ("0,0\n5,0\n2,0\n", [], "turn back by 180 degrees at line 2"),
+        ("0,0\n1,one\n", [], "line 2 has 'one' where a number is needed"),
+        ("0,0\n1,1,1\n", [], "line 2 has 3 numbers, line 1 has 2"),
+        ("1\n", [], "line 1 has 1 numbers: 2 or 3 are needed"),
+        ("0,0,0\n9,0,0\n9,9,0\n0,9,3\n", [], "are not in a plane: that of line "),
+        ("0,0\n1,2\n3,3\n", ["--edge", "1"], "has no edges"),
+        ("0,0\n1,2\n3,3\n", ["--tolerance", "-1"], "--tolerance: -1 must not be negative"),
+        ("0,0\n1,2\n3,3\n", ["--edge", "0"], "--edge: invalid Edge number '0'"),
+    ],
+)
+@pytest.mark.parametrize("method", METHODS)
+def test_bad_points(tmp_path, method, text, options, message):
+    given = tmp_path / "points.csv"
+    given.write_text(text)
+    before = contents(tmp_path)
+    options = [*options, "--json", tmp_path / "curve.json"]
+    expect_one_line(run("curve", method, given, "-o", tmp_path / "out.svg", *options), message)
+    assert contents(tmp_path) == before
+
+
+@pytest.mark.parametrize(
+    "arguments, message",
+    [
+        (["arcs", "points.csv", "-o", "out.pdf"], "'.pdf' tells no format"),
+        (["arcs", "points.csv", "-o", "points.csv"], "is the input itself"),
+        (["arcs", "points.csv", "-o", "old.dxf"], "already exists; use --overwrite"),
+        (["arcs", "points.csv", "-o", "missing/out.dxf"], "missing does not exist"),
+        (["arcs", "none.csv", "-o", "out.dxf"], "none.csv: no such file"),
+        (["arcs", "none.step", "-o", "out.dxf"], "none.step"),
+        (["arcs", "points.csv"], "-o is required"),
+        (["spirals", "points.csv", "-o", "out.dxf"], "spirals"),
+        (["arcs", "points.csv", "-o", "out.dxf", "--json", "out.dxf"], "is the output"),
+        (["arcs", "points.csv", "-o", "out.dxf", "--max-time", "1e-9"], "--max-time is over"),
+    ],
+)
+def test_bad_usage(tmp_path, arguments, message):
+    points_file(tmp_path, WAVE)
+    (tmp_path / "old.dxf").write_text("old")
+    before = contents(tmp_path)
+    expect_one_line(run("curve", *arguments, cwd=tmp_path), message)
+    assert contents(tmp_path) == before
+
+
+def test_curves_of_a_model_need_a_tolerance(box):
+    result = run("curve", "arcs", box, "--edge", "1", "-o", box.parent / "o.dxf", "--tolerance", "0")
+    expect_one_line(result, "--tolerance is 0 mm")
+
+
+def test_curves_of_several_planes_are_no_drawing(box):
+    result = run("curve", "arcs", box, "--edge", "all", "-o", box.parent / "out.dxf")
+    expect_one_line(result, "lie in several planes")
+
+
+def test_help_names_methods_and_statuses():
+    text = run("curve", "--help").stdout
+    for word in (*METHODS, "--tolerance", "--closed", "--edge", "Exit status: 0 every curve"):
+        assert word in text
