@@ -22,10 +22,13 @@ struct PlanarArc {
 
   /// Angle by which the tangent turns, with the sign of the curvature.
   double sweep_rad() const { return curvature_per_mm * length_mm; }
+  /// Of the tangent, not reduced by multiples of 2 pi.
+  double directionAt_rad(double s_mm) const { return direction_rad + curvature_per_mm * s_mm; }
   double endDirection_rad() const { return direction_rad + sweep_rad(); }
   /// The point at an arc length from the start. Beyond the ends the circle continues.
   Eigen::Vector2d point(double s_mm) const;
   Eigen::Vector2d end() const { return point(length_mm); }
+  bool operator==(const PlanarArc& other) const = default;
 };
 
 /// sin(x) / x, and 1 at 0.

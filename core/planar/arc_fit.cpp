@@ -336,6 +336,7 @@ ArcFit fitArcs(const BezierSpline& spline, const ArcFitOptions& options) {
 }
 
 std::vector<PlanarArc> offset(const ArcFit& fit, double distance_mm) {
+  if (distance_mm == 0) return fit.arcs;
   std::vector<PlanarArc> result;
   for (std::size_t i = 0; i < fit.arcs.size(); ++i) {
     const bool corner = std::ranges::find(fit.corners, static_cast<int>(i)) != fit.corners.end();

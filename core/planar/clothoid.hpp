@@ -30,6 +30,7 @@ struct Clothoid {
   }
   Eigen::Vector2d point(double s_mm) const;
   Eigen::Vector2d end() const { return point(length_mm); }
+  bool operator==(const Clothoid& other) const = default;
 };
 
 /// The same points in the other direction.

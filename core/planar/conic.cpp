@@ -26,6 +26,13 @@ double endpointCurvature(const Vector2d& at, const Vector2d& corner, const Vecto
   return area / (weight * weight * std::pow(edge.norm(), 3));
 }
 
+/// The derivative of the point times the square of the weight at t: P8.2 for the degree 2.
+Vector2d weightedVelocity(const PlanarConic& conic, double t) {
+  const double w = 2 * conic.weight;
+  return (1 - t) * (1 - t) * w * (conic.corner - conic.start) +
+         2 * t * (1 - t) * (conic.end - conic.start) + t * t * w * (conic.end - conic.corner);
+}
+
 }  // namespace
 
 double PlanarConic::turn_rad() const {
@@ -43,6 +50,16 @@ double PlanarConic::endCurvature_per_mm() const {
 Vector2d PlanarConic::point(double t) const {
   const double a = (1 - t) * (1 - t), b = 2 * weight * t * (1 - t), c = t * t;
   return (a * start + b * corner + c * end) / (a + b + c);
+}
+
+double PlanarConic::directionAt_rad(double t) const {
+  return directionOf(weightedVelocity(*this, t));
+}
+
+double PlanarConic::curvatureAt_per_mm(double t) const {
+  const double weight_at = (1 - t) * (1 - t) + 2 * weight * t * (1 - t) + t * t;
+  return 4 * weight * cross(corner - start, end - corner) *
+         std::pow(weight_at / weightedVelocity(*this, t).norm(), 3);
 }
 
 PlanarConic reversed(const PlanarConic& conic) {

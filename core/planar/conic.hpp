@@ -26,6 +26,11 @@ struct PlanarConic {
   double startCurvature_per_mm() const;
   double endCurvature_per_mm() const;
   Eigen::Vector2d point(double t) const;
+  /// Of the tangent, in [-pi, pi].
+  double directionAt_rad(double t) const;
+  /// With the sign of the turn. Source: docs/theory/planar.md P7.3, P8.2.
+  double curvatureAt_per_mm(double t) const;
+  bool operator==(const PlanarConic& other) const = default;
 };
 
 /// The same points in the other direction.

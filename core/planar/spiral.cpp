@@ -201,6 +201,14 @@ double LogSpiral::radiusAt_mm(double u_rad) const {
   return radius_mm * std::exp(growth * u_rad);
 }
 
+double LogSpiral::directionAt_rad(double u_rad) const {
+  return direction_rad + (radius_mm < 0 ? -u_rad : u_rad);
+}
+
+double LogSpiral::length_mm() const {
+  return std::abs(radius_mm) * turn_rad * exponentialQuotient(Complex(growth * turn_rad)).real();
+}
+
 Eigen::Vector2d LogSpiral::pole() const {
   const Complex rate(growth, radius_mm < 0 ? -1 : 1);
   return start - vectorOf(std::abs(radius_mm) * turnedBy(direction_rad) / rate);

@@ -34,8 +34,12 @@ struct LogSpiral {
   Eigen::Vector2d point(double u_rad) const;
   Eigen::Vector2d end() const { return point(turn_rad); }
   double radiusAt_mm(double u_rad) const;
+  /// Of the tangent, not reduced by multiples of 2 pi.
+  double directionAt_rad(double u_rad) const;
+  double length_mm() const;
   /// The point around which the spiral turns. For growth 0 it is the centre of the circle.
   Eigen::Vector2d pole() const;
+  bool operator==(const LogSpiral& other) const = default;
 };
 
 /// The logarithmic spiral between two ends that form a C-shape: alpha beta > 0 with |alpha + beta|

@@ -241,6 +241,7 @@ TEST(ArcFit, OffsetGoesAroundACorner) {
   for (std::size_t i = 0; i < moved.size(); ++i)
     EXPECT_LT((moved[i].end() - moved[(i + 1) % moved.size()].start).norm(), 1e-6);
   EXPECT_THROW(offset(fit, -0.1), std::domain_error);
+  EXPECT_EQ(offset(fit, 0).size(), fit.arcs.size());
 }
 
 TEST(ArcFit, MovesAlongWithTheCurve) {

@@ -27,7 +27,7 @@ TEST(PlanarArc, PointIsTheIntegralOfTheDirection) {
   for (int i = 0; i < cases; ++i) {
     const PlanarArc arc = randomArc(random);
     const double s = uniform(random, 0, arc.length_mm);
-    const auto direction = [&](double u) { return arc.direction_rad + arc.curvature_per_mm * u; };
+    const auto direction = [&](double u) { return arc.directionAt_rad(u); };
     EXPECT_LT((arc.point(s) - test::integrated(arc.start, direction, s)).norm(), 1e-12);
   }
 }

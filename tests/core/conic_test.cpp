@@ -404,6 +404,21 @@ TEST(PlanarConic, HalvesAreTheCurve) {
   }
 }
 
+// The oracle is the rational curve.
+TEST(PlanarConic, DirectionAndCurvatureAreThoseOfTheCurve) {
+  std::mt19937_64 random(testSeed());
+  for (int i = 0; i < 100; ++i) {
+    for (const PlanarConic& conic : twoConics(randomEnds(random))) {
+      for (const double t : {0.0, 0.3, 0.7, 1.0}) {
+        EXPECT_LT(test::angleBetween(conic.directionAt_rad(t), tangentDirection(conic, t)), 1e-11);
+        EXPECT_NEAR(conic.curvatureAt_per_mm(t) / curvatureAt(conic, t), 1, 1e-9);
+      }
+      EXPECT_NEAR(conic.curvatureAt_per_mm(0) / conic.startCurvature_per_mm(), 1, 1e-12);
+      EXPECT_NEAR(conic.curvatureAt_per_mm(1) / conic.endCurvature_per_mm(), 1, 1e-12);
+    }
+  }
+}
+
 TEST(PlanarConic, OfAnArcIsOnItsCircle) {
   std::mt19937_64 random(testSeed());
   for (int i = 0; i < 100; ++i) {

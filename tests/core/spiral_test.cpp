@@ -126,7 +126,22 @@ TEST(LogSpiral, PointIsTheIntegralOfTheTangent) {
     }
     const Eigen::Vector2d expected = found.start + sum * u / panels;
     EXPECT_LT((found.point(u) - expected).norm(), 1e-7 * (1 + (expected - found.start).norm()));
+    EXPECT_NEAR(found.directionAt_rad(u), found.direction_rad + side * u, 1e-14);
   }
+}
+
+// The sum of the radii by the turned angle.
+TEST(LogSpiral, LengthIsTheIntegralOfTheRadius) {
+  std::mt19937_64 random(testSeed());
+  for (int i = 0; i < 100; ++i) {
+    const LogSpiral found = logSpiral(randomCShape(random));
+    double sum = 0;
+    constexpr int panels = 20'000;
+    for (int k = 0; k < panels; ++k)
+      sum += std::abs(found.radiusAt_mm(found.turn_rad * (k + 0.5) / panels));
+    EXPECT_NEAR(sum * found.turn_rad / panels / found.length_mm(), 1, 1e-7);
+  }
+  EXPECT_NEAR((LogSpiral{.radius_mm = -2, .turn_rad = 0.5}.length_mm()), 1, 1e-15);
 }
 
 // Identity (3).
