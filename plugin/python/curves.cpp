@@ -21,6 +21,21 @@ BezierCurve bezierCurveOf(const std::string& name, const py::object& value) {
                         " segments: a curve of one segment is needed");
 }
 
+BezierSpline bezierSplineOf(const std::string& name, const py::object& value) {
+  const Curve curve = curveOf(name, value);
+  if (const auto* bezier = std::get_if<BezierCurve>(&curve)) return bezierSpline({*bezier}, {0, 1});
+  if (const auto* bspline = std::get_if<BSplineCurve>(&curve)) return bezierSpline(*bspline);
+  return std::get<BezierSpline>(curve);
+}
+
+BSplineCurve bsplineCurveOf(const std::string& name, const py::object& value) {
+  const Curve curve = curveOf(name, value);
+  if (const auto* bezier = std::get_if<BezierCurve>(&curve)) return splineCurve(*bezier);
+  if (const auto* spline = std::get_if<BezierSpline>(&curve))
+    return bsplineCurve(*spline, continuity(*spline));
+  return std::get<BSplineCurve>(curve);
+}
+
 CurveSegments::CurveSegments(const Curve& curve) {
   if (const auto* bezier = std::get_if<BezierCurve>(&curve)) {
     parts_.push_back({*bezier, 0, 1});

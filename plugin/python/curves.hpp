@@ -15,6 +15,12 @@ using Curve = std::variant<BezierCurve, BSplineCurve, BezierSpline>;
 /// A curve, or the curve of a result that has one. \throws TypeError that names the argument.
 Curve curveOf(const std::string& name, const py::object& value);
 
+/// A curve of any class as a spline. A BezierCurve has the parameter 0..1.
+BezierSpline bezierSplineOf(const std::string& name, const py::object& value);
+
+/// A curve of any class as a BSplineCurve: exactly, with the fewest knots.
+BSplineCurve bsplineCurveOf(const std::string& name, const py::object& value);
+
 /// A curve as a BezierCurve. \throws ValueError for a spline of several segments.
 BezierCurve bezierCurveOf(const std::string& name, const py::object& value);
 

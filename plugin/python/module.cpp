@@ -22,6 +22,13 @@ PYBIND11_MODULE(_core, module) {
   bindSpline(module);
   bindNuSpline(module);
   bindAlpha(module);
+  bindPlanarArc(module);
+  bindPlanarBiarc(module);
+  bindPlanarConic(module);
+  bindPlanarClothoid(module);
+  bindPlanarSpiral(module);
+  bindPointFairing(module);
+  bindCurveFairing(module);
   bindModel(module);
   bindMesh(module);
   bindMatch(module);

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seamwright/core/planar/arc_fit.hpp>
+#include <seamwright/plugin/python/bindings.hpp>
+#include <seamwright/plugin/python/curves.hpp>
+#include <seamwright/plugin/python/planar.hpp>
+#include <seamwright/plugin/python/results.hpp>
+
+namespace seamwright::python {
+
+namespace {
+
+PlanarArc makeArc(const py::object& start, const py::object& direction_rad,
+                  const py::object& curvature_per_mm, const py::object& length_mm) {
+  const PlanarArc arc{.start = planarPointOf("start", start),
+                      .direction_rad = parameter("direction_rad", direction_rad),
+                      .curvature_per_mm = parameter("curvature_per_mm", curvature_per_mm),
+                      .length_mm = positiveNumber("length_mm", length_mm)};
+  requireTurn(arc.sweep_rad());
+  return arc;
+}
+
+std::vector<int> cornersOf(const py::object& value, std::size_t arcs) {
+  const std::vector<int> corners = wholeNumbers("corners", value);
+  for (const int corner : corners)
+    if (corner < 0 || static_cast<std::size_t>(corner) >= arcs)
+      throw py::value_error("corners has the value " + std::to_string(corner) + ": the chain has " +
+                            std::to_string(arcs) + " arcs");
+  return corners;
+}
+
+ArcChain makeArcChain(const py::object& arcs, const py::object& closed, const py::object& corners,
+                      const py::object& gap_mm) {
+  const std::vector<PlanarArc> pieces = arcsOf("arcs", arcs);
+  const bool around = flagOf("closed", closed);
+  requireJoined("arcs", pieces, around, numberOf("gap_mm", gap_mm));
+  return {pieces, around, cornersOf(corners, pieces.size())};
+}
+
+PlanarArc arcThroughOf(const py::object& start, const py::object& direction_rad,
+                       const py::object& end) {
+  return arcThrough(planarPointOf("start", start), parameter("direction_rad", direction_rad),
+                    planarPointOf("end", end));
+}
+
+PlanarArc offsetArc(const PlanarArc& arc, const py::object& distance_mm) {
+  return offset(arc, parameter("distance_mm", distance_mm));
+}
+
+ArcChain offsetChain(const ArcChain& chain, const py::object& distance_mm) {
+  const double distance = parameter("distance_mm", distance_mm);
+  if (distance == 0) return chain;
+  const ArcFit fit{.arcs = chain.pieces(), .corners = chain.corners(), .closed = chain.closed()};
+  return {offset(fit, distance), chain.closed()};
+}
+
+py::object fitArcsOf(const py::object& curve, const py::object& tolerance_mm,
+                     const py::object& corner_rad) {
+  const BezierSpline spline = bezierSplineOf("curve", curve);
+  const ArcFitOptions options{.tolerance_mm = parameter("tolerance_mm", tolerance_mm),
+                              .corner_rad = parameter("corner_rad", corner_rad)};
+  const ArcFit fit = [&] {
+    const py::gil_scoped_release release;
+    return fitArcs(spline, options);
+  }();
+  const ArcChain chain(fit.arcs, fit.closed, fit.corners);
+  py::dict dict;
+  dict["chain"] = chain;
+  dict["curve"] = exactSpline(chain);
+  dict["distance_mm"] = fit.distance_mm;
+  return resultOf("ArcFit", dict);
+}
+
+void bindArc(py::module_& module) {
+  py::class_<PlanarArc> type(module, "PlanarArc", py::module_local(),
+                             R"(An arc in the plane, or a line: curvature 0.
+
+start: (2,) in mm. direction_rad: of the tangent there, against the first axis. curvature_per_mm:
+above 0 turns to the left. The parameter is the arc length s_mm, 0 .. length_mm. ValueError for
+numbers that are not finite, a length that is not positive and a turn by more than 10000 rad.
+Source: docs/theory/planar.md P1.1.)");
+  type.def(py::init(&makeArc), py::arg("start"), py::arg("direction_rad"),
+           py::arg("curvature_per_mm"), py::arg("length_mm"))
+      .def_property_readonly(
+          "start", [](const PlanarArc& a) { return a.start; }, "(2,), in mm.")
+      .def_property_readonly("end", &PlanarArc::end, "(2,), in mm.")
+      .def_property_readonly("direction_rad", [](const PlanarArc& a) { return a.direction_rad; })
+      .def_property_readonly("end_direction_rad", &PlanarArc::endDirection_rad)
+      .def_property_readonly("curvature_per_mm",
+                             [](const PlanarArc& a) { return a.curvature_per_mm; })
+      .def_property_readonly("length_mm", [](const PlanarArc& a) { return a.length_mm; })
+      .def_property_readonly("sweep_rad", &PlanarArc::sweep_rad,
+                             "The angle by which the tangent turns, above 0 to the left.")
+      .def(
+          "reversed", [](const PlanarArc& a) { return reversed(a); }, "The same points backwards.")
+      .def("offset", &offsetArc, py::arg("distance_mm"),
+           "The parallel arc at a distance to the left, below 0 to the right. ValueError if it "
+           "reaches the centre.")
+      .def(
+          "bezier_spline", [](const PlanarArc& a) { return exactSpline(ArcChain({a}, false)); },
+          "The same points as rational quadratics in the plane z = 0, the arc length at the knots. "
+          "Source: docs/theory/planar.md P1.3.")
+      .def(py::pickle(
+          [](const PlanarArc& a) {
+            return py::make_tuple(py::make_tuple(a.start.x(), a.start.y()), a.direction_rad,
+                                  a.curvature_per_mm, a.length_mm);
+          },
+          [](const py::tuple& state) { return makeArc(state[0], state[1], state[2], state[3]); }))
+      .def("__repr__", [](const PlanarArc& a) {
+        return "<PlanarArc of " + shown(py::float_(a.length_mm)) + " mm, curvature " +
+               shown(py::float_(a.curvature_per_mm)) + " / mm>";
+      });
+  bindEvaluation(type, "s_mm");
+  bindEquality(type);
+}
+
+void bindArcChain(py::module_& module) {
+  py::class_<ArcChain> type(module, "ArcChain", py::module_local(),
+                            R"(Arcs and lines end to end; the parameter is the arc length s_mm.
+
+arcs: PlanarArcs, in order. closed: the end is the start. corners: indices of arcs that begin at a
+corner. gap_mm: how far an arc may begin from the end of the one before. ValueError for a larger
+gap, with the index; TypeError for other items.)");
+  type.def(py::init(&makeArcChain), py::arg("arcs"), py::arg("closed") = false,
+           py::arg("corners") = py::tuple(), py::arg("gap_mm") = 1e-9)
+      .def_property_readonly("arcs", [](const ArcChain& c) { return c.pieces(); })
+      .def_property_readonly("closed", [](const ArcChain& c) { return c.closed(); })
+      .def_property_readonly("corners", [](const ArcChain& c) { return c.corners(); })
+      .def_property_readonly("length_mm", [](const ArcChain& c) { return c.length_mm(); })
+      .def_property_readonly(
+          "energy_per_mm", [](const ArcChain& c) { return bendingEnergy_per_mm(c.pieces()); },
+          "The integral of the squared curvature by arc length.")
+      .def("offset", &offsetChain, py::arg("distance_mm"),
+           R"(The chain at a distance to the left, below 0 to the right, exactly.
+
+Corners on the outside become arcs around them. ValueError if the offset reaches the centre of an
+arc or is on the inside of a corner, with the index. Crossings of the result are not removed.)")
+      .def(
+          "bezier_spline", &exactSpline,
+          "The same points as rational quadratics in the plane z = 0, the arc length at the knots. "
+          "Source: docs/theory/planar.md P1.3.")
+      .def("__len__", [](const ArcChain& c) { return c.pieces().size(); })
+      .def(py::pickle(
+          [](const ArcChain& c) { return py::make_tuple(c.pieces(), c.closed(), c.corners()); },
+          [](const py::tuple& state) {
+            return makeArcChain(state[0], state[1], state[2], py::float_(HUGE_VAL));
+          }))
+      .def("__repr__", [](const ArcChain& c) {
+        return "<ArcChain of " + std::to_string(c.pieces().size()) + " arcs, " +
+               shown(py::float_(c.length_mm())) + " mm" + (c.closed() ? ", closed>" : ">");
+      });
+  bindEvaluation(type, "s_mm");
+  bindEquality(type);
+}
+
+}  // namespace
+
+void bindPlanarArc(py::module_& module) {
+  bindArc(module);
+  bindArcChain(module);
+  module.def("arc_through", &arcThroughOf, py::arg("start"), py::arg("direction_rad"),
+             py::arg("end"),
+             R"(The PlanarArc from a point with a direction there to another point.
+
+start, end: (2,) in mm. It turns by at most 2 pi. ValueError for numbers that are not finite and
+equal points. Source: docs/theory/planar.md P1.2.)");
+  module.def(
+      "fit_arcs", &fitArcsOf, py::arg("curve"), py::arg("tolerance_mm") = 0.01, py::kw_only(),
+      py::arg("corner_rad") = 1e-3,
+      R"(Arcs and lines within a tolerance of a curve of any class in the plane z = 0: an ArcFit.
+
+The distance is proven in both directions. The chain is G1; a joint of the curve that turns by more
+than corner_rad stays a corner, and a closed BezierSpline gives a closed chain. ValueError for a
+tolerance or an angle that makes no sense, a pole outside of the plane, a curve that stops or turns
+back (with the parameter), and a tolerance below the rounding of the curve. Source:
+docs/theory/planar.md P9.1, P9.2.)");
+}
+
+}  // namespace seamwright::python
