@@ -129,7 +129,8 @@ void bindCurveFairing(py::module_& module) {
 curve: of any class. In the plane z = 0 the curvature is signed, above 0 to the left; in space it is
 not negative. Outside of the intervals the curvature certainly grows or falls throughout a segment;
 joints of a spline are not judged, curve_fairness() counts extrema there. ValueError for a curve
-that may stop, with the parameter within the segment. Source: docs/theory/planar.md P8.1 to P8.3.)");
+that may stop, with the parameter within the segment. Source: docs/theory/planar.md P8.1 to P8.3.
+)");
   module.def("curve_fairness", &curveFairnessOf, py::arg("curve"),
              R"(How fair a polynomial curve of any class is, of degree 2 or more: a CurveFairness.
 
@@ -143,13 +144,15 @@ the energy is least; smoothing is the largest one that tolerance_mm allows, up t
 'nothing', 'position', 'tangent' (position and first derivative) or 'curvature' (up to the second)
 stay, bitwise. The energy does not grow; a tolerance of 0 returns the curve. ValueError for a
 tolerance that is negative or not finite, and as of curve_fairness(). Source: docs/theory/planar.md
-P11.1.)");
+P11.1.
+)");
   module.def("fair_at_knots", &fairKnotsOf, py::arg("curve"), py::arg("tolerance_mm"),
              py::kw_only(), py::arg("ends") = "position",
              R"(A cubic curve faired at its worst knots, one after the other: a FairedCurve.
 
 No pole, and so no point, moves by more than tolerance_mm. ends: as of fair_curve(). ValueError for
-another degree, and as of fair_curve(). Source: docs/theory/planar.md P11.2; [Farin2002].)");
+another degree, and as of fair_curve(). Source: docs/theory/planar.md P11.2; [Farin2002].
+)");
   module.def(
       "fair_at_knot", &fairedAtKnotOf, py::arg("curve"), py::arg("index"),
       py::arg("limit_mm") = py::none(),
@@ -157,7 +160,8 @@ another degree, and as of fair_curve(). Source: docs/theory/planar.md P11.2; [Fa
 
 index: of a simple knot in the flat knots, with three knots on each side. limit_mm: the largest move
 of the pole; None: none. ValueError for other knots and degrees. Source: docs/theory/planar.md
-P11.2; [Farin2002].)");
+P11.2; [Farin2002].
+)");
   module.def(
       "smoothing_spline", &smoothingSplineOf, py::arg("points"), py::arg("parameters"),
       py::arg("knots"), py::arg("smoothing"), py::kw_only(), py::arg("degree") = 3,
@@ -167,7 +171,8 @@ P11.2; [Farin2002].)");
 points: Q, (count, 3) in mm. parameters: t, one for each point. knots: flat, of a curve of that
 degree. The energy is the integral of |P'''|^2. ends_fixed: the curve begins and ends at the first
 and the last point. ValueError for numbers that do not match, parameters outside of the knots, a
-smoothing that is not positive, and singular equations. Source: docs/theory/planar.md P11.1.)");
+smoothing that is not positive, and singular equations. Source: docs/theory/planar.md P11.1.
+)");
 }
 
 }  // namespace seamwright::python

@@ -77,7 +77,8 @@ void bindArc(py::module_& module) {
 start: (2,) in mm. direction_rad: of the tangent there, against the first axis. curvature_per_mm:
 above 0 turns to the left. The parameter is the arc length s_mm, 0 .. length_mm. ValueError for
 numbers that are not finite, a length that is not positive and a turn by more than 10000 rad.
-Source: docs/theory/planar.md P1.1.)");
+Source: docs/theory/planar.md P1.1.
+)");
   type.def(py::init(&makeArc), py::arg("start"), py::arg("direction_rad"),
            py::arg("curvature_per_mm"), py::arg("length_mm"))
       .def_property_readonly(
@@ -97,8 +98,8 @@ Source: docs/theory/planar.md P1.1.)");
            "reaches the centre.")
       .def(
           "bezier_spline", [](const PlanarArc& a) { return exactSpline(ArcChain({a}, false)); },
-          "The same points as rational quadratics in the plane z = 0, the arc length at the knots. "
-          "Source: docs/theory/planar.md P1.3.")
+          "The same points as rational quadratics in the plane z = 0. Source: "
+          "docs/theory/planar.md P1.3. The knots are arc lengths.")
       .def(py::pickle(
           [](const PlanarArc& a) {
             return py::make_tuple(py::make_tuple(a.start.x(), a.start.y()), a.direction_rad,
@@ -134,10 +135,9 @@ gap, with the index; TypeError for other items.)");
 
 Corners on the outside become arcs around them. ValueError if the offset reaches the centre of an
 arc or is on the inside of a corner, with the index. Crossings of the result are not removed.)")
-      .def(
-          "bezier_spline", &exactSpline,
-          "The same points as rational quadratics in the plane z = 0, the arc length at the knots. "
-          "Source: docs/theory/planar.md P1.3.")
+      .def("bezier_spline", &exactSpline,
+           "The same points as rational quadratics in the plane z = 0. Source: "
+           "docs/theory/planar.md P1.3. The knots are arc lengths.")
       .def("__len__", [](const ArcChain& c) { return c.pieces().size(); })
       .def(py::pickle(
           [](const ArcChain& c) { return py::make_tuple(c.pieces(), c.closed(), c.corners()); },
@@ -162,7 +162,8 @@ void bindPlanarArc(py::module_& module) {
              R"(The PlanarArc from a point with a direction there to another point.
 
 start, end: (2,) in mm. It turns by at most 2 pi. ValueError for numbers that are not finite and
-equal points. Source: docs/theory/planar.md P1.2.)");
+equal points. Source: docs/theory/planar.md P1.2.
+)");
   module.def(
       "fit_arcs", &fitArcsOf, py::arg("curve"), py::arg("tolerance_mm") = 0.01, py::kw_only(),
       py::arg("corner_rad") = 1e-3,
@@ -172,7 +173,8 @@ The distance is proven in both directions. The chain is G1; a joint of the curve
 than corner_rad stays a corner, and a closed BezierSpline gives a closed chain. ValueError for a
 tolerance or an angle that makes no sense, a pole outside of the plane, a curve that stops or turns
 back (with the parameter), and a tolerance below the rounding of the curve. Source:
-docs/theory/planar.md P9.1, P9.2.)");
+docs/theory/planar.md P9.1, P9.2.
+)");
 }
 
 }  // namespace seamwright::python

@@ -105,7 +105,8 @@ rule chooses x: 'equal chords', x = 1/2; 'parallel', the joint's tangent has the
 chord; 'least radius difference'; 'least curvature', the least |k1| + |k2|. None or 'default':
 'parallel' if both tangents lie on one side of the chord, otherwise 'equal chords'. ValueError for
 bad arguments, where a rule does not apply, and if both tangents point against the chord. Source:
-docs/theory/planar.md P2.1 to P2.3.)");
+docs/theory/planar.md P2.1 to P2.3.
+)");
   module.def("planar_tangents", &planarTangentsOf, py::arg("points"), py::kw_only(),
              py::arg("closed") = false, py::arg("tangents") = "linear energy",
              py::arg("variation") = 1.0, py::arg("start_direction_rad") = py::none(),
@@ -117,7 +118,8 @@ energy, with a weight variation >= 0 of the difference between the arcs; 'energy
 energy of the biarcs; 'near circles', the sum of (alpha - beta)^2. The directions at the ends of an
 open curve are free unless they are given. The time is linear in count. ValueError for fewer than 2
 points (closed: 3), numbers that are not finite, equal neighbours, a reversal at a point and too
-large angles, with the index. Source: docs/theory/planar.md P3.1 to P3.3.)");
+large angles, with the index. Source: docs/theory/planar.md P3.1 to P3.3.
+)");
   module.def("biarc_spline", &biarcSplineOf, py::arg("points"), py::kw_only(),
              py::arg("closed") = false, py::arg("tangents") = "linear energy",
              py::arg("variation") = 1.0, py::arg("start_direction_rad") = py::none(),
@@ -125,7 +127,8 @@ large angles, with the index. Source: docs/theory/planar.md P3.1 to P3.3.)");
              R"(The G1 spline of two arcs between neighbouring points: a BiarcSpline.
 
 points: (count, 2) in mm. rule: as of biarc(); the others: as of planar_tangents(). ValueError as of
-both. Source: docs/theory/planar.md P2.1, P3.1 to P3.3.)");
+both. Source: docs/theory/planar.md P2.1, P3.1 to P3.3.
+)");
 }
 
 }  // namespace seamwright::python

@@ -88,7 +88,8 @@ const char* const quintics_doc =
 
 No point is further than distance_mm <= tolerance_mm from the point of the same arc length, up to
 rounding. ValueError for a tolerance that is not positive and finite, and if more than 100000
-segments would be needed. Source: docs/theory/planar.md P4.3.)";
+segments would be needed. Source: docs/theory/planar.md P4.3.
+)";
 
 void bindClothoid(py::module_& module) {
   py::class_<Clothoid> type(module, "Clothoid", py::module_local(),
@@ -97,7 +98,8 @@ void bindClothoid(py::module_& module) {
 start: (2,) in mm. direction_rad and curvature_per_mm: there. curvature_slope_per_mm2: change of the
 curvature by arc length. The parameter is the arc length s_mm, 0 .. length_mm. ValueError for
 numbers that are not finite, a length that is not positive and a turn by more than 10000 rad.
-Source: docs/theory/planar.md P4.1.)");
+Source: docs/theory/planar.md P4.1.
+)");
   type.def(py::init(&makeClothoid), py::arg("start"), py::arg("direction_rad"),
            py::arg("curvature_per_mm"), py::arg("curvature_slope_per_mm2"), py::arg("length_mm"))
       .def_property_readonly(
@@ -143,7 +145,8 @@ void bindClothoidChain(py::module_& module) {
                                  R"(Clothoids end to end; the parameter is the arc length s_mm.
 
 pieces: Clothoids, in order. closed: the end is the start. gap_mm: how far a piece may begin from
-the end of the one before. ValueError for a larger gap, with the index; TypeError for other items.)");
+the end of the one before. ValueError for a larger gap, with the index;
+TypeError for other items.)");
   type.def(py::init(&makeClothoidChain), py::arg("pieces"), py::arg("closed") = false,
            py::arg("gap_mm") = 1e-9)
       .def_property_readonly("pieces", [](const ClothoidChain& c) { return c.pieces(); })
@@ -172,10 +175,11 @@ void bindPlanarClothoid(py::module_& module) {
              py::arg("end"), py::arg("end_direction_rad"),
              R"(The Clothoid between two points with directions.
 
-start, end: (2,) in mm. Of all clothoids between the ends it is the one whose directions stay nearest
-to that of the chord. ValueError for numbers that are not finite, equal points, and tangents that
-both point against the chord so closely that it would be longer than 1e8 chords. Source:
-docs/theory/planar.md P4.2; [BertolazziFrego2015].)");
+start, end: (2,) in mm. Of all clothoids between the ends it is the one whose directions stay
+nearest to that of the chord. ValueError for numbers that are not finite, equal points, and tangents
+that both point against the chord so closely that it would be longer than 1e8 chords. Source:
+docs/theory/planar.md P4.2; [BertolazziFrego2015].
+)");
   module.def("clothoid_spline", &clothoidSplineOf, py::arg("points"), py::kw_only(),
              py::arg("closed") = false, py::arg("start_direction_rad") = py::none(),
              py::arg("end_direction_rad") = py::none(),
@@ -184,9 +188,10 @@ docs/theory/planar.md P4.2; [BertolazziFrego2015].)");
              R"(The G2 spline of one clothoid between neighbouring points: a ClothoidSpline.
 
 points: (count, 2) in mm. At an open end a direction or a curvature may be given; None: curvature 0.
-The curvature is continuous and linear between the points. ValueError as of planar_tangents(), and if
-the steps do not converge, with the jump of curvature that is left: then points have to be inserted.
-Source: docs/theory/planar.md P4.4.)");
+The curvature is continuous and linear between the points. ValueError as of planar_tangents(), and
+if the steps do not converge, with the jump of curvature that is left: then points have to be
+inserted. Source: docs/theory/planar.md P4.4.
+)");
 }
 
 }  // namespace seamwright::python

@@ -102,7 +102,8 @@ void bindConic(py::module_& module) {
 start, corner, end: (2,) in mm; the tangents at the ends meet at the corner. A weight below 1 gives
 an ellipse, 1 a parabola, above 1 a hyperbola. The parameter is t, 0 .. 1; arc_length() of
 bezier_curve() measures the length. ValueError for numbers that are not finite, a weight that is not
-positive, and a corner at an end. Source: docs/theory/planar.md P7.1 to P7.3.)");
+positive, and a corner at an end. Source: docs/theory/planar.md P7.1 to P7.3.
+)");
   type.def(py::init(&makeConic), py::arg("start"), py::arg("corner"), py::arg("end"),
            py::arg("weight") = 1.0)
       .def_static(
@@ -122,9 +123,9 @@ positive, and a corner at an end. Source: docs/theory/planar.md P7.1 to P7.3.)")
                              "The angle by which the tangent turns, above 0 to the left.")
       .def_property_readonly(
           "curvature_kind", [](const PlanarConic& c) { return kindName(curvatureKind(c)); },
-          "The extrema of the size of the curvature inside: 'monotone', 'one "
-          "maximum', 'one minimum' or 'maximum and minimum', up to rounding. "
-          "Source: docs/theory/planar.md P7.3.")
+          "The extrema of the size of the curvature inside, up to rounding. Source: "
+          "docs/theory/planar.md P7.3. It is 'monotone', 'one maximum', 'one minimum' or 'maximum "
+          "and minimum'.")
       .def(
           "reversed", [](const PlanarConic& c) { return reversed(c); },
           "The same points backwards.")
@@ -164,23 +165,26 @@ void bindPlanarConic(py::module_& module) {
 start, apex, end: (2,) in mm; both end tangents pass through the apex. The tangent at the joint cuts
 start-apex and end-apex in the shares of their lengths, seen from start and end. ValueError for
 numbers that are not finite, points on a line, shares outside of (0, 1), and curvatures that have
-not the sign of the turn. Source: docs/theory/planar.md P7.1; [Yang2004].)");
+not the sign of the turn. Source: docs/theory/planar.md P7.1; [Yang2004].
+)");
   module.def("conics_of_arcs", &conicsOfArcs, py::arg("arcs"),
              R"(Arcs as PlanarConics: the same points.
 
 arcs: PlanarArcs, an ArcChain, or a result with one. An arc that turns by 2 pi / 3 or more becomes
-several conics. Source: docs/theory/planar.md P1.3.)");
+several conics. Source: docs/theory/planar.md P1.3.
+)");
   module.def("g2_conics", &g2ConicsOf, py::arg("chain"), py::kw_only(),
              py::arg("closed") = py::none(), py::arg("start_curvature_per_mm") = py::none(),
              py::arg("gap_mm") = 1e-9, py::arg("angle_rad") = 1e-9,
              R"(A G1 chain of conics or arcs made G2: G2Conics.
 
-chain: PlanarConics, an ArcChain, or a result with one, such as that of biarc_spline(). closed, None:
-as the ArcChain, otherwise False. The joints stay where they are; their tangents are rotated and the
-weights adapted. Where the turn changes its sign a joint stays G1. gap_mm and angle_rad: a chain
-whose segments are further apart, or whose tangents differ more, is refused. start_curvature_per_mm:
-of an open chain; None: that of the first segment. ValueError with the joint. Source:
-docs/theory/planar.md P7.2; [Yang2004].)");
+chain: PlanarConics, an ArcChain, or a result with one, such as that of biarc_spline(). closed,
+None: as the ArcChain, otherwise False. The joints stay where they are; their tangents are rotated
+and the weights adapted. Where the turn changes its sign a joint stays G1. gap_mm and angle_rad: a
+chain whose segments are further apart, or whose tangents differ more, is refused.
+start_curvature_per_mm: of an open chain; None: that of the first segment. ValueError with the
+joint. Source: docs/theory/planar.md P7.2; [Yang2004].
+)");
 }
 
 }  // namespace seamwright::python

@@ -64,7 +64,8 @@ void bindLogSpiral(py::module_& module) {
 start: (2,) in mm. direction_rad: of the tangent there. The radius of curvature is radius_mm times
 exp(growth u) after the tangent has turned by u; radius_mm above 0 turns to the left. The parameter
 is the turn u_rad, 0 .. turn_rad. ValueError for numbers that are not finite, a radius of 0, and a
-turn that is not in (0, 10000]. Source: docs/theory/planar.md P6.1.)");
+turn that is not in (0, 10000]. Source: docs/theory/planar.md P6.1.
+)");
   type.def(py::init(&makeLogSpiral), py::arg("start"), py::arg("direction_rad"),
            py::arg("radius_mm"), py::arg("growth"), py::arg("turn_rad"))
       .def_property_readonly(
@@ -91,7 +92,8 @@ turn that is not in (0, 10000]. Source: docs/theory/planar.md P6.1.)");
 
 No point is further than distance_mm <= tolerance_mm from the point of the same turn, up to
 rounding. ValueError for a tolerance that is not positive and finite, and if more than 100000
-segments would be needed. Source: docs/theory/planar.md P6.4.)")
+segments would be needed. Source: docs/theory/planar.md P6.4.
+)")
       .def(py::pickle(
           [](const LogSpiral& s) {
             return py::make_tuple(py::make_tuple(s.start.x(), s.start.y()), s.direction_rad,
@@ -119,21 +121,24 @@ void bindPlanarSpiral(py::module_& module) {
 
 start, end: (2,) in mm. ValueError for numbers that are not finite, equal points, tangents on both
 sides of the chord, a turn above pi, and radii that differ by more than the factor 1e12. Source:
-docs/theory/planar.md P6.2; [Yang2014].)");
+docs/theory/planar.md P6.2; [Yang2014].
+)");
   module.def("euler_arcs", &eulerArcsOf, py::arg("start"), py::arg("start_direction_rad"),
              py::arg("end"), py::arg("end_direction_rad"), py::arg("count"),
              R"(Arcs of one length whose curvatures are an arithmetic progression: an ArcChain, G1.
 
 start, end: (2,) in mm. count: of the arcs, at least 2; 1 for ends on a circle. For many arcs the
 chain approaches the clothoid of the ends, with an error of order 1 / count^2. ValueError where no
-such arcs exist near the clothoid, and as of clothoid(). Source: docs/theory/planar.md P5.1.)");
+such arcs exist near the clothoid, and as of clothoid(). Source: docs/theory/planar.md P5.1.
+)");
   module.def("log_arcs", &logArcsOf, py::arg("start"), py::arg("start_direction_rad"),
              py::arg("end"), py::arg("end_direction_rad"), py::arg("count") = py::none(),
              R"(Arcs of one sweep whose radii are a geometric progression: an ArcChain, G1.
 
 start, end: (2,) in mm, with directions of a C-shape. count: of the arcs; None: the fewest possible.
 ValueError for fewer, with the least number, and as of log_spiral(). Source: docs/theory/planar.md
-P6.3; [Yang2014].)");
+P6.3; [Yang2014].
+)");
 }
 
 }  // namespace seamwright::python

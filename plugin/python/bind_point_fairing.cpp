@@ -79,20 +79,23 @@ void bindPointFairing(py::module_& module) {
              py::arg("closed") = false,
              R"(The curvature in 1/mm of the circle through each point and its neighbours: an array.
 
-points: (count, 2) in mm; above 0 the polygon turns to the left. closed: (count,); open: (count - 2,),
-without the end points. ValueError for fewer than 3 points, numbers that are not finite, and two
-equal points among three neighbours, with the indices. Source: docs/theory/planar.md P10.1.)");
+points: (count, 2) in mm; above 0 the polygon turns to the left. closed: (count,); open: (count -
+2,), without the end points. ValueError for fewer than 3 points, numbers that are not finite, and
+two equal points among three neighbours, with the indices. Source: docs/theory/planar.md P10.1.
+)");
   module.def("isolated_inflections", &isolatedInflectionsOf, py::arg("points"), py::kw_only(),
              py::arg("closed") = false,
              R"(Indices of points whose curvature has another sign than that of both neighbours.
 
 points: (count, 2) in mm. Such a point is most often a misread digit. ValueError as of
-point_curvatures(). Source: docs/theory/planar.md P10.2.)");
+point_curvatures(). Source: docs/theory/planar.md P10.2.
+)");
   module.def("point_fairness", &pointFairnessOf, py::arg("points"), py::kw_only(),
              py::arg("closed") = false,
              R"(How fair a sequence of points is: a PointFairness.
 
-points: (count, 2) in mm. ValueError as of point_curvatures(). Source: docs/theory/planar.md P10.1.)");
+points: (count, 2) in mm. ValueError as of point_curvatures(). Source: docs/theory/planar.md P10.1.
+)");
   module.def("fair_points", &fairPointsOf, py::arg("points"), py::arg("tolerance_mm"),
              py::kw_only(), py::arg("closed") = false, py::arg("ends_fixed") = true,
              py::arg("max_steps") = 200,
@@ -102,7 +105,8 @@ points: (count, 2) in mm. tolerance_mm: a number or one for each point, 0 fixes 
 the first and the last point of an open sequence stay. The energy approximates the integral of
 (dk/ds)^2 and never grows; each point moves along the normal of the chord of its neighbours. The
 time of a step is linear in count. ValueError for tolerances that are negative or not finite, with
-the index, and as of point_curvatures(). Source: docs/theory/planar.md P10.3.)");
+the index, and as of point_curvatures(). Source: docs/theory/planar.md P10.3.
+)");
   module.def("filter_curvature", &filterCurvatureOf, py::arg("points"), py::arg("tolerance_mm"),
              py::kw_only(), py::arg("closed") = false, py::arg("strength") = 0.25,
              py::arg("max_passes") = 100,
@@ -111,7 +115,8 @@ the index, and as of point_curvatures(). Source: docs/theory/planar.md P10.3.)")
 points: (count, 2) in mm. No point moves by more than tolerance_mm. strength, above 0 and at most
 1/4: 1/4 extinguishes the shortest waves in one pass. It minimises nothing; fair_points() finds
 fairer points. ValueError for a bad tolerance or strength, and as of planar_tangents(). Source:
-docs/theory/planar.md P10.4.)");
+docs/theory/planar.md P10.4.
+)");
 }
 
 }  // namespace seamwright::python
