@@ -5,6 +5,7 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include <seamwright/core/bezier/homogeneous.hpp>
@@ -99,13 +100,13 @@ class Smoother {
   /// The smoothing at which both forms have the same size.
   double middle() const { return mass_.diagonal().sum() / free_energy_.diagonal().sum(); }
 
-  Poles moves(double smoothing) {
+  /// Nothing if the equations are singular: beside a large smoothing rounding extinguishes the mass,
+  /// and the energy leaves polynomials of low degree free.
+  std::optional<Poles> moves(double smoothing) {
     // Both forms are divided by the larger one, so that nothing overflows.
     const double scale = std::max(1.0, smoothing / middle());
     factor_.factorize(Band(mass_ / scale + smoothing / scale * free_energy_));
-    if (factor_.info() != Eigen::Success)
-      throw std::domain_error(
-          fmt::format("the equations are singular for smoothing {}", smoothing));
+    if (factor_.info() != Eigen::Success) return std::nullopt;
     Poles moves = Poles::Zero(poles_.rows(), 3);
     moves.middleRows(free_.first, free_.count) = -factor_.solve(smoothing / scale * slope_);
     return moves;
@@ -136,13 +137,13 @@ Smoothed largestSmoothing(Smoother& smoother, const BSplineCurve& curve, double 
   Smoothed best{.moves = Poles::Zero(curve.poles.rows(), 3)};
   const auto attempt = [&](double exponent) {
     const double smoothing = smoother.middle() * std::exp2(exponent);
-    Smoothed found{.moves = smoother.moves(smoothing), .smoothing = smoothing};
-    found.moved_mm = largestPole_mm(curve, found.moves);
-    const int steps = best.steps + 1;
-    const bool within = found.moved_mm <= tolerance_mm;
-    if (within) best = std::move(found);
-    best.steps = steps;
-    return within;
+    ++best.steps;
+    const std::optional<Poles> moves = smoother.moves(smoothing);
+    if (!moves) return false;
+    const double moved_mm = largestPole_mm(curve, *moves);
+    if (!(moved_mm <= tolerance_mm)) return false;
+    best = {.moves = *moves, .moved_mm = moved_mm, .smoothing = smoothing, .steps = best.steps};
+    return true;
   };
   if (attempt(high)) return best;
   while (high - low > 0x1p-10 && best.moved_mm < 0.99 * tolerance_mm) {

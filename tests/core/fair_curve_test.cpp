@@ -83,6 +83,20 @@ TEST(FairCurve, LosesTheWavesOfItsNoise) {
 }
 
 // Identity (3).
+// Beside a large smoothing the equations of a curve of one span are singular.
+TEST(FairCurve, OfOneSpanIsFairer) {
+  Poles poles(4, 3);
+  poles << 0, 0, 0, 1, 2, 0, 2, -2, 0, 3, 0, 1;
+  const BSplineCurve curve = splineOf(3, {0, 0, 0, 0, 1, 1, 1, 1}, poles);
+  for (const double tolerance : {1e-3, 0.1}) {
+    const FairedCurve found = fairCurve(curve, tolerance);
+    EXPECT_LE(largestDistance_mm(curve, found.curve), found.moved_mm * (1 + 1e-9));
+    EXPECT_LE(found.moved_mm, tolerance);
+    EXPECT_GT(found.moved_mm, 0.9 * tolerance);
+    EXPECT_LT(found.after.energy, found.before.energy);
+  }
+}
+
 TEST(FairCurve, AParabolaStays) {
   std::mt19937_64 random(testSeed());
   for (const int degree : {3, 4, 5}) {
