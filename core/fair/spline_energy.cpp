@@ -11,9 +11,7 @@ namespace {
 
 using Eigen::Index;
 
-struct GaussNodes {
-  Eigen::VectorXd nodes, weights;  ///< on [-1, 1]
-};
+}  // namespace
 
 /// The nodes are the eigenvalues of the symmetric matrix of the recurrence of the Legendre
 /// polynomials, and the weights are twice the squared first components of its eigenvectors.
@@ -24,8 +22,6 @@ GaussNodes gaussNodes(int count) {
   const linear::Eigenvalues found = linear::symmetricEigenvalues(recurrence);
   return {.nodes = found.values, .weights = 2 * found.vectors.row(0).array().square()};
 }
-
-}  // namespace
 
 Eigen::SparseMatrix<double> derivativeProducts(int degree, const std::vector<double>& knots,
                                                int order) {
