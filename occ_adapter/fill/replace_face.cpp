@@ -77,6 +77,13 @@ Hole holeOf(const Model& rest, const TopoDS_Shape& face, const FillHoleOptions& 
   throw NotFilled({.fault = FillFault::NoLoop});
 }
 
+/// Edges of the reason and its causes by their numbers in the given model.
+FillReason inGivenNumbers(FillReason reason, const Numbers& edges) {
+  for (int& edge : reason.edges) edge = edges.given(edge);
+  for (FillReason& cause : reason.causes) cause = inGivenNumbers(std::move(cause), edges);
+  return reason;
+}
+
 }  // namespace
 
 FillHoleReport replaceFace(const Model& model, int face, const FillHoleOptions& options,
@@ -98,6 +105,7 @@ FillHoleReport replaceFace(const Model& model, int face, const FillHoleOptions& 
         [&faces](int number) { return numberedFace(faces.given(number)); }, progress);
     for (FilledSide& side : report.sides)
       for (int& edge : side.edges) edge = edges.given(edge);
+    report.reason = inGivenNumbers(std::move(report.reason), edges);
   } catch (const NotFilled& why) {
     report.reason = why.reason();
   } catch (const Standard_Failure& failure) {
