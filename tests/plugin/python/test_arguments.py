@@ -25,6 +25,12 @@ SIDES = [
 ]
 SPOKES = [[[0, 0, 0], np.array(d) / 2, d] for d in ([1, 0, 0], [0, 1, 0], [-1, -1, 0.0])]
 
+PLANE = [[0, 0], [4, 3], [9, 4], [13, 1.0]]
+ENDS = ([0, 0], -0.4, [9, 3], 1.1)
+ARC = seamwright.PlanarArc([0, 0], 0, 0.1, 9)
+CLOTHOID = seamwright.clothoid(*ENDS)
+CONIC = seamwright.PlanarConic([0, 0], [1, 1], [2, 0])
+
 # Functions of one argument, by its name.
 PARAMETERS = [
     ("t", LINE.point),
@@ -44,8 +50,24 @@ PARAMETERS = [
     ("first", lambda x: seamwright.arc_length(LINE, 1e-3, x)),
     ("last", lambda x: seamwright.arc_length(LINE, 1e-3, 0, x)),
     ("length_mm", lambda x: seamwright.parameter_at_length(LINE, x, 1e-3)),
+    ("s_mm", ARC.point),
+    ("s_mm", seamwright.ArcChain([ARC]).curvature_at_per_mm),
+    ("s_mm", CLOTHOID.direction_at_rad),
+    ("u_rad", seamwright.log_spiral(*ENDS).point),
+    ("t", CONIC.curvature_at_per_mm),
 ]
 NUMBERS = [
+    ("direction_rad", lambda x: seamwright.arc_through([0, 0], x, [1, 0])),
+    ("end_direction_rad", lambda x: seamwright.clothoid([0, 0], 0, [1, 0], x)),
+    ("distance_mm", ARC.offset),
+    ("tolerance_mm", CLOTHOID.bezier_spline),
+    ("weight", lambda x: seamwright.PlanarConic([0, 0], [1, 1], [2, 0], x)),
+    ("growth", lambda x: seamwright.LogSpiral([0, 0], 0, 1, x, 1)),
+    ("corner_rad", lambda x: seamwright.fit_arcs(LINE, corner_rad=x)),
+    ("start_share", lambda x: seamwright.two_conics(*PLANE[:3], -1, -1, start_share=x)),
+    ("start_curvature_per_mm", lambda x: seamwright.clothoid_spline(
+        PLANE, start_curvature_per_mm=x)),
+    ("strength", lambda x: seamwright.filter_curvature(PLANE, 1, strength=x)),
     ("t", LINE.split),
     ("t", PATCH.split_u),
     ("u", PATCH.iso_curve_u),
@@ -90,6 +112,9 @@ WHOLES = [
     ("apex", TRIANGLE.to_patch),
     ("by", POLYNOMIAL.elevated),
     ("times", lambda x: SURFACE.with_raised_knots("u", x)),
+    ("count", lambda x: seamwright.euler_arcs(*ENDS, x)),
+    ("max_steps", lambda x: seamwright.fair_points(PLANE, 1, max_steps=x)),
+    ("index", lambda x: seamwright.fair_at_knot(LINE, x)),
 ]
 FLAGS = [
     ("reversed", lambda x: seamwright.continuation(PATCH, "u1", reversed=x)),
@@ -100,6 +125,9 @@ FLAGS = [
     ("closed", lambda x: seamwright.gamma_spline(POINTS, closed=x)),
     ("around", SPLINE.continuity),
     ("parametric", lambda x: seamwright.alpha_nearest_join(NET, 1, 1, NET, 1, 1, parametric=x)),
+    ("closed", lambda x: seamwright.biarc_spline(PLANE, closed=x)),
+    ("closed", lambda x: seamwright.point_curvatures(PLANE, closed=x)),
+    ("ends_fixed", lambda x: seamwright.fair_points(PLANE, 1, ends_fixed=x)),
 ]
 ARRAYS = [
     ("poles", BezierCurve),
@@ -117,6 +145,10 @@ ARRAYS = [
     ("corners", TRIANGLE.subtriangle),
     ("weights_a", lambda x: seamwright.nearest_join(PATCH, "u1", PATCH, "u0", weights_a=x)),
     ("form", lambda x: seamwright.umbrella(SPOKES, form=x)),
+    ("points", seamwright.biarc_spline),
+    ("points", seamwright.clothoid_spline),
+    ("points", lambda x: seamwright.fair_points(x, 1)),
+    ("points", lambda x: seamwright.smoothing_spline(x, [0, 1], [0, 0, 1, 1], 1)),
 ]
 LISTS = [
     ("beta", seamwright.beta_matrix),
@@ -129,6 +161,9 @@ LISTS = [
     ("coefficients", seamwright.BernsteinPolynomial),
     ("slopes", lambda x: seamwright.umbrella(SPOKES, slopes=x)),
     ("lengths", lambda x: seamwright.alpha_spline(POINTS, [1], lengths=x)),
+    ("start", lambda x: seamwright.arc_through(x, 0, [1, 0])),
+    ("end", lambda x: seamwright.biarc([0, 0], 0, x, 0)),
+    ("corner", lambda x: seamwright.PlanarConic([0, 0], x, [2, 0])),
 ]
 NAMES = [
     ("edge", lambda x: TRIANGLE.edge_curve(x)),
@@ -142,6 +177,9 @@ NAMES = [
     ("energy", lambda x: seamwright.energy_optimal_alpha(POINTS, x)),
     ("profile", lambda x: seamwright.measure_joint(LINE, BEND, profile=x)),
     ("level", lambda x: seamwright.enclose_seam(PATCH, "u1", PATCH, "u0", level=x)),
+    ("tangents", lambda x: seamwright.biarc_spline(PLANE, tangents=x)),
+    ("rule", lambda x: seamwright.biarc_spline(PLANE, rule=x)),
+    ("ends", lambda x: seamwright.fair_curve(LINE.elevated(), 1, ends=x)),
 ]
 SURFACES = [
     ("a", lambda x: seamwright.measure_pair(x, PATCH.jet(0, 0))),
@@ -154,6 +192,7 @@ SURFACES = [
     ("patch", seamwright.BSplineSurface.from_patch),
     ("patch", seamwright.BezierTriangle.from_patch),
     ("curve", seamwright.BSplineCurve.from_bezier),
+    ("arc", seamwright.PlanarConic.from_arc),
     ("surface", lambda x: seamwright.continuation(x, "u1")),
     ("given", lambda x: seamwright.joined(PATCH, "u1", x, "u1")),
 ]

@@ -42,6 +42,24 @@ def objects():
         bspline.bezier_spline(),
         surface,
         seamwright.BernsteinPolynomial(RANDOM.normal(size=4), 1e-3).split(0.3)[0],
+        *planar_objects(),
+    ]
+
+
+def planar_objects():
+    """A value of each class of curves of the plane."""
+    points = RANDOM.normal(size=(5, 2)) + 3 * np.arange(5)[:, None]
+    clothoids = seamwright.clothoid_spline(points).chain
+    arcs = seamwright.biarc_spline(points).chain
+    return [
+        arcs.arcs[1],
+        arcs,
+        seamwright.ArcChain([seamwright.PlanarArc([0, 0], 0, 0, 1)], corners=[0]),
+        seamwright.ArcChain([seamwright.PlanarArc([0, 0], 0, 1, 2 * np.pi)], closed=True),
+        clothoids.pieces[2],
+        clothoids,
+        seamwright.log_spiral([1, 2], -0.4, [9, 3], 1.1),
+        seamwright.PlanarConic(*RANDOM.normal(size=(3, 2)), 0.7).halves()[1],
     ]
 
 

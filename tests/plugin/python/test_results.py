@@ -63,6 +63,27 @@ def every_result():
         seamwright.three_sided_fill([sides[0], sides[1], seamwright.BezierCurve(
             np.linspace([3, 3, 0], [0, 0, 0], 4))]),
         seamwright.umbrella(spokes),
+        *planar_results(),
+    ]
+
+
+def planar_results():
+    """A result of each function for curves of the plane and for fairing."""
+    points = np.array([[0, 0], [4, 3], [9, 4], [13, 1], [18, 2], [22, 7.0]])
+    s = seamwright.BezierCurve([[0, 0, 0], [1, 2, 0], [2, -2, 0], [4, 0, 0]])
+    return [
+        seamwright.biarc([0, 0], 0.3, [4, 1], -0.5),
+        seamwright.planar_tangents(points),
+        seamwright.biarc_spline(points),
+        seamwright.fit_arcs(s, 0.1),
+        seamwright.clothoid_spline(points),
+        seamwright.clothoid([0, 0], 0.3, [4, 1], -0.5).bezier_spline(0.01),
+        seamwright.g2_conics(seamwright.biarc_spline(points)),
+        seamwright.point_fairness(points),
+        seamwright.fair_points(points, 0.1),
+        seamwright.curvature_profile(s),
+        seamwright.curve_fairness(s),
+        seamwright.fair_curve(s, 0.01),
     ]
 
 
@@ -80,7 +101,8 @@ def parts(result):
                 yield from parts(item)
             elif isinstance(item, tuple):
                 for inner in item:
-                    yield from parts(inner)
+                    if isinstance(inner, Result):
+                        yield from parts(inner)
 
 
 def names(kind):

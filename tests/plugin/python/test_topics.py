@@ -8,7 +8,17 @@ import pytest
 import seamwright
 from seamwright import results
 
-TOPICS = ("curves", "fills", "joins", "models", "seams", "splines", "surfaces")
+TOPICS = (
+    "curves",
+    "fairing",
+    "fills",
+    "joins",
+    "models",
+    "planar",
+    "seams",
+    "splines",
+    "surfaces",
+)
 OLD_NAMES = {
     "alpha_seam_fit": "fit_alpha_seam",
     "bridge_curve": "curve_blend",

@@ -28,6 +28,13 @@ def frame(curve: BezierCurve) -> FrenetFrame:
     return seamwright.frenet_frame(curve, np.float32(0.5))
 
 
+def road(points: npt.NDArray[np.float64]) -> float:
+    chain = seamwright.clothoid_spline(points, start_direction_rad=0.5).chain
+    spline = chain.bezier_spline(1e-3)
+    arcs = seamwright.fit_arcs(spline, 0.01).chain
+    return arcs.curvature_at_per_mm(0.0) + chain.direction_at_rad(1.0)
+
+
 def joined(a: seamwright.BezierPatch, b: seamwright.BezierPatch) -> seamwright.BezierPatch:
     near: NearestJoin = seamwright.nearest_join(a, "u1", b, "u0")
     return seamwright.continuation(a, "u1", connection=near)
