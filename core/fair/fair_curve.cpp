@@ -100,8 +100,8 @@ class Smoother {
   /// The smoothing at which both forms have the same size.
   double middle() const { return mass_.diagonal().sum() / free_energy_.diagonal().sum(); }
 
-  /// Nothing if the equations are singular: beside a large smoothing rounding extinguishes the mass,
-  /// and the energy leaves polynomials of low degree free.
+  /// Nothing if the equations are singular: beside a large smoothing rounding extinguishes the
+  /// mass, and the energy leaves polynomials of low degree free.
   std::optional<Poles> moves(double smoothing) {
     // Both forms are divided by the larger one, so that nothing overflows.
     const double scale = std::max(1.0, smoothing / middle());

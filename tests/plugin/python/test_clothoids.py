@@ -74,9 +74,8 @@ def test_a_reversed_clothoid():
     curve = Clothoid([1, 2], 0.3, 0.1, -0.05, 6)
     s = np.linspace(0, 6, 7)
     assert np.abs(curve.reversed().point(s) - curve.point(6 - s)).max() < 1e-14
-    assert np.abs(curve.reversed().curvature_at_per_mm(s) + curve.curvature_at_per_mm(6 - s)).max() < (
-        1e-15
-    )
+    there_and_back = curve.curvature_at_per_mm(6 - s) + curve.reversed().curvature_at_per_mm(s)
+    assert np.abs(there_and_back).max() < 1e-15
 
 
 @pytest.mark.parametrize("tolerance", [1e-2, 1e-6, 1e-10])
@@ -124,7 +123,9 @@ def test_ends_of_clothoid_splines():
     assert spline.chain.curvature_at_per_mm(length) == pytest.approx(-0.1, abs=1e-11)
     assert spline.directions_rad.shape == (6,) and spline.steps > 0
     circle = circle_points(12, 4)[:7]
-    half = seamwright.clothoid_spline(circle, start_curvature_per_mm=0.25, end_curvature_per_mm=0.25)
+    half = seamwright.clothoid_spline(
+        circle, start_curvature_per_mm=0.25, end_curvature_per_mm=0.25
+    )
     assert np.abs(half.chain.curvature_at_per_mm(np.linspace(0, 12, 9)) - 0.25).max() < 1e-12
     assert half.chain.length_mm == pytest.approx(4 * math.pi, rel=1e-12)
 
@@ -139,7 +140,11 @@ def test_motion_of_clothoid_splines():
 @pytest.mark.parametrize(
     "call, kind, text",
     [
-        (lambda: Clothoid([0, 0], 0, 0, 0, -1), ValueError, "length_mm is -1.0: it must be positive"),
+        (
+            lambda: Clothoid([0, 0], 0, 0, 0, -1),
+            ValueError,
+            "length_mm is -1.0: it must be positive",
+        ),
         (lambda: Clothoid([0, 0], 0, 0, math.nan, 1), ValueError, "curvature_slope_per_mm2 is nan"),
         (lambda: Clothoid([0, 0], 0, 0, 1, 1e3), ValueError, "at most 10000"),
         (lambda: Clothoid([0, 0], 0, 0, 1, 1).point(2), ValueError, "s_mm is 2.0: the curve has 0"),
@@ -191,7 +196,9 @@ def test_arcs_with_curvatures_in_arithmetic_progression():
         chain = seamwright.euler_arcs(*ENDS, count)
         share = np.linspace(0, 1, 101)
         errors.append(
-            np.abs(chain.point(share * chain.length_mm) - limit.point(share * limit.length_mm)).max()
+            np.abs(
+                chain.point(share * chain.length_mm) - limit.point(share * limit.length_mm)
+            ).max()
         )
     assert errors[0] / errors[1] == pytest.approx(4, rel=0.2)
 
@@ -250,7 +257,10 @@ def test_quintics_of_a_spiral_keep_their_distance():
         (lambda: LogSpiral([0, 0], 0, 0, 1, 1), "radius_mm is 0, and 0.0 at the end"),
         (lambda: LogSpiral([0, 0], 0, 1, 1e6, 1), "radius_mm is 1, and inf at the end"),
         (lambda: LogSpiral([0, 0], 0, 1, 1, 0), "turn_rad is 0.0: it must be positive"),
-        (lambda: LogSpiral([0, 0], 0, 1, 1, 1).point(-0.1), "u_rad is -0.1: the curve has 0 .. 1.0"),
+        (
+            lambda: LogSpiral([0, 0], 0, 1, 1, 1).point(-0.1),
+            "u_rad is -0.1: the curve has 0 .. 1.0",
+        ),
         (lambda: LogSpiral([0, 0], 0, 1, 1, 1).bezier_spline(math.nan), "tolerance_mm is nan"),
         (lambda: seamwright.euler_arcs(*ENDS, 0), "0 arcs"),
         (lambda: seamwright.euler_arcs(*ENDS, 2.5), "count is 2.5"),

@@ -132,13 +132,21 @@ def test_inflections_stay_g1():
 @pytest.mark.parametrize(
     "call, kind, text",
     [
-        (lambda: PlanarConic([0, 0], [1, 1], [2, 0], 0), ValueError, "weight is 0.0: it must be pos"),
+        (
+            lambda: PlanarConic([0, 0], [1, 1], [2, 0], 0),
+            ValueError,
+            "weight is 0.0: it must be pos",
+        ),
         (lambda: PlanarConic([0, 0], [0, 0], [2, 0]), ValueError, "corner is .*must differ"),
         (lambda: PlanarConic([0, 0], [1, math.inf], [2, 0]), ValueError, "corner is .*finite"),
         (lambda: PlanarConic([0, 0], [1, 1], [2, 0]).point(1.1), ValueError, "t is 1.1: the curve"),
         (lambda: PlanarConic.from_arc(3), TypeError, "arc is 3: a PlanarArc is needed"),
         (lambda: seamwright.two_conics([0, 0], [1, 0], [2, 0], 1, 1), ValueError, "on a line"),
-        (lambda: seamwright.two_conics([0, 0], [1, 1], [2, 0], 1, 1), ValueError, "the sign of the"),
+        (
+            lambda: seamwright.two_conics([0, 0], [1, 1], [2, 0], 1, 1),
+            ValueError,
+            "the sign of the",
+        ),
         (
             lambda: seamwright.two_conics([0, 0], [1, 1], [2, 0], -1, -1, start_share=1),
             ValueError,

@@ -198,7 +198,9 @@ def test_fair_curves_stay_within_the_tolerance():
     assert faired.after.inflections < faired.before.inflections
 
 
-@pytest.mark.parametrize("ends, held", [("nothing", 0), ("position", 1), ("tangent", 2), ("curvature", 3)])
+@pytest.mark.parametrize(
+    "ends, held", [("nothing", 0), ("position", 1), ("tangent", 2), ("curvature", 3)]
+)
 def test_ends_that_are_held(ends, held):
     curve = rough_curve()
     faired = seamwright.fair_curve(curve, 0.02, ends=ends).curve
@@ -268,7 +270,11 @@ LINE = BezierCurve([[0, 0, 0], [1, 1, 0]])
         (lambda: seamwright.curve_fairness(LINE), ValueError, "degree of? ?1|degree 1"),
         (lambda: seamwright.fair_curve(rough_curve(), -1), ValueError, "tolerance is -1"),
         (lambda: seamwright.fair_curve(rough_curve(), math.nan), ValueError, "nan"),
-        (lambda: seamwright.fair_curve(rough_curve(), 1, ends="all"), ValueError, "ends is 'all': k"),
+        (
+            lambda: seamwright.fair_curve(rough_curve(), 1, ends="all"),
+            ValueError,
+            "ends is 'all': k",
+        ),
         (lambda: seamwright.fair_curve(ROUGH, 1), TypeError, "curve is"),
         (lambda: seamwright.fair_at_knots(RATIONAL, 1), ValueError, "rational|degree"),
         (lambda: seamwright.fair_at_knot(rough_curve(), 2), ValueError, "2"),
@@ -276,7 +282,11 @@ LINE = BezierCurve([[0, 0, 0], [1, 1, 0]])
         (lambda: seamwright.fair_at_knot(rough_curve(), 7, -1), ValueError, "-1"),
         (lambda: seamwright.fair_at_knot(rough_curve(), 7.0), ValueError, "index is 7.0"),
         (lambda: seamwright.curvature_profile(3), TypeError, "curve is 3"),
-        (lambda: seamwright.curvature_profile(BezierCurve([[0, 0, 0]] * 2)), ValueError, "may stop"),
+        (
+            lambda: seamwright.curvature_profile(BezierCurve([[0, 0, 0]] * 2)),
+            ValueError,
+            "may stop",
+        ),
         (
             lambda: seamwright.smoothing_spline(np.zeros((3, 2)), [1, 2, 3], KNOTS, 1),
             ValueError,

@@ -154,7 +154,11 @@ def test_offsets_of_a_chain():
             ValueError,
             "the end of 0 is 1.0 mm from the start of 0",
         ),
-        (lambda: ArcChain([PlanarArc([0, 0], 0, 0, 1)], corners=[1]), ValueError, "value 1: the ch"),
+        (
+            lambda: ArcChain([PlanarArc([0, 0], 0, 0, 1)], corners=[1]),
+            ValueError,
+            "value 1: the ch",
+        ),
         (lambda: PlanarArc([0, 0], 0, 1, 0), ValueError, "length_mm is 0.0: it must be positive"),
         (lambda: PlanarArc([0, 0], 0, 1, 1e5), ValueError, "turns by 100000.0 rad: at most 10000"),
         (lambda: PlanarArc([0, math.nan], 0, 1, 1), ValueError, "start is .*: it must be finite"),
@@ -279,11 +283,14 @@ def test_motion_and_reversal_of_points():
     s[-1] = min(spline.chain.length_mm, other.chain.length_mm)
     assert np.abs(other.chain.point(s) - moved(spline.chain.point(s))).max() < 1e-11
     back = seamwright.biarc_spline(POINTS[::-1])
-    assert np.abs(wrapped(back.directions_rad[::-1] + math.pi - spline.directions_rad)).max() < 1e-12
+    turns = wrapped(back.directions_rad[::-1] + math.pi - spline.directions_rad)
+    assert np.abs(turns).max() < 1e-12
 
 
 def test_end_tangents():
-    spline = seamwright.biarc_spline(POINTS, start_direction_rad=1.0, end_direction_rad=np.float32(0.5))
+    spline = seamwright.biarc_spline(
+        POINTS, start_direction_rad=1.0, end_direction_rad=np.float32(0.5)
+    )
     assert spline.directions_rad[0] == pytest.approx(1) and spline.directions_rad[-1] == 0.5
     with pytest.raises(ValueError, match="closed curve has no end directions"):
         seamwright.biarc_spline(POINTS, closed=True, start_direction_rad=1.0)
