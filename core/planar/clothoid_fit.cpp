@@ -124,6 +124,8 @@ std::optional<ClothoidSpline> splineThrough(const FittedCurve& curve, const Clot
   PlanarPoints points(static_cast<Eigen::Index>(count), 2);
   for (std::size_t i = 0; i < count; ++i)
     points.row(static_cast<Eigen::Index>(i)) = curve.point(parameters[i]).transpose();
+  for (Eigen::Index i = 1; i < points.rows(); ++i)
+    if (points.row(i) == points.row(i - 1)) return std::nullopt;
   ClothoidSplineOptions options{.closed = run.closed, .start = {}, .end = {}};
   if (!run.closed) {
     options.start.direction_rad = curve.direction_rad(run.begin, 0);
@@ -131,8 +133,6 @@ std::optional<ClothoidSpline> splineThrough(const FittedCurve& curve, const Clot
   }
   try {
     return clothoidSpline(points, options);
-  } catch (const std::invalid_argument&) {  // two points are equal
-    return std::nullopt;
   } catch (const std::domain_error&) {  // points are too far apart for the turn between them
     return std::nullopt;
   }

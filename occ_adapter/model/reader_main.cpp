@@ -5,8 +5,9 @@
 // OpenCASCADE it does here, and not to the program that asked.
 //
 //   read FORMAT PATH reads a model file: facts and shape; read-edges FORMAT PATH does so too if it
-//   has edges, but no faces; write FORMAT HOW SHARE PATH writes the model whose facts and shape stand on standard input: a report and the bytes of
-//                               the file. HOW: "follow", where the model has one, the file PATH; or
+//   has edges, but no faces; write FORMAT HOW SHARE PATH writes the model whose facts and shape
+//   stand on standard input: a report and the bytes of the file. HOW: "follow", where the model has
+//   one, the file PATH; or
 //                               "afresh". SHARE: of the accuracy that is stated
 #include <poll.h>
 #include <signal.h>
@@ -179,7 +180,8 @@ std::string withoutPath(const ModelError& error, const std::string& path) {
 
 int main(int argc, char** argv) {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
-  const bool reads = arguments.size() == 3 && (arguments[0] == "read" || arguments[0] == "read-edges");
+  const bool reads =
+      arguments.size() == 3 && (arguments[0] == "read" || arguments[0] == "read-edges");
   const bool writes = arguments.size() == 5 && arguments[0] == "write";
   if (!reads && !writes) {
     std::fputs("This program reads model files for Seamwright and is not called by hand.\n",

@@ -175,7 +175,7 @@ void addCurveOptions(CLI::App& command, CurveArguments& arguments) {
       ->type_name("N[,N...]");
   command
       .add_option("--max-time", arguments.max_time_s,
-                  "Give up after this time, seconds; nothing is written then")
+                  "Stop after this time, seconds; nothing is written then")
       ->type_name("S")
       ->check(numberIn(Range::PositiveOrInfinite));
   command

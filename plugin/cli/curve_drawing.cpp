@@ -160,9 +160,9 @@ std::string dxfText(const std::vector<ArcOutline>& outlines) {
 std::string svgText(const std::vector<ArcOutline>& outlines) {
   const Eigen::AlignedBox2d box = boxOf(outlines);
   constexpr double margin = 0.05;  // of the longer side
-  const double rim = margin * box.sizes().maxCoeff();
-  const Vector2d least = box.min() - Vector2d(rim, rim),
-                 size = box.sizes() + 2 * Vector2d(rim, rim);
+  const double border = margin * box.sizes().maxCoeff();
+  const Vector2d least = box.min() - Vector2d(border, border),
+                 size = box.sizes() + 2 * Vector2d(border, border);
   std::string text = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}mm\" height=\"{1}mm\""

@@ -64,8 +64,6 @@ CurveInput modelInput(const CurveArguments& arguments) {
     }
   } catch (const occ::GeometryError& error) {
     throw std::runtime_error(arguments.input + ": " + error.what());
-  } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(arguments.input + ": " + error.what());
   }
   if (input.curves.empty())
     throw std::runtime_error(arguments.input +

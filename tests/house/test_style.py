@@ -29,6 +29,9 @@ EXPECTED = {
     ("core/join/network/network_topology.cpp", "std::invalid_argument"): (
         "throws it with the name of the surface"
     ),
+    ("core/planar/clothoid_fit.cpp", "std::domain_error"): (
+        "no spline through points that are too far apart: more points are taken"
+    ),
     ("core/spline/alpha_spline.cpp", "std::invalid_argument"): (
         "throws it with the number of the link"
     ),
@@ -62,8 +65,17 @@ EXPECTED = {
     ("occ_adapter/model/reader_main.cpp", "std::exception"): (
         "the end of a process: tells its parent what went wrong, whatever it was"
     ),
+    ("occ_adapter/planar/planar_wires.cpp", "std::logic_error"): (
+        "a kind of curve or numbers that core refuses: throws GeometryError with the edge"
+    ),
     ("occ_adapter/repair/improve.cpp", "std::domain_error"): (
         "a curve or a surface that can't be evaluated: the reason of all seams"
+    ),
+    ("plugin/cli/curve_command.cpp", "std::logic_error"): (
+        "core refuses the curve: throws it with the file and the edge"
+    ),
+    ("plugin/cli/curve_methods.cpp", "std::domain_error"): (
+        "no clothoids through points that are too far apart: biarcs instead"
     ),
     ("plugin/cli/main.cpp", "std::exception"): "the end of a program: prints the error",
     ("samples/01_analyze_model.cpp", "std::exception"): "the end of a program: prints the error",

@@ -334,7 +334,8 @@ def test_bad_usage(tmp_path, arguments, message):
 
 
 def test_curves_of_a_model_need_a_tolerance(box):
-    result = run("curve", "arcs", box, "--edge", "1", "-o", box.parent / "o.dxf", "--tolerance", "0")
+    given = ("curve", "arcs", box, "--edge", "1", "--tolerance", "0")
+    result = run(*given, "-o", box.parent / "out.dxf")
     expect_one_line(result, "--tolerance is 0 mm")
 
 

@@ -94,7 +94,8 @@ def test_the_folder_is_not_a_step_away_from_being_written(tmp_path):
 
 def test_no_subcommand_and_unknown_subcommand():
     expect_one_line(run(), "subcommand")
-    expect_one_line(run("analyse"), "the commands are 'analyze', 'repair', 'fill', 'corner' and 'curve'")
+    commands = "the commands are 'analyze', 'repair', 'fill', 'corner' and 'curve'"
+    expect_one_line(run("analyse"), commands)
 
 
 def test_names_with_line_breaks_keep_to_one_line(tmp_path):
