@@ -11,7 +11,7 @@ namespace seamwright {
 /// A chain of arcs whose curvature jumps are to be removed.
 struct ArcChain {
   std::vector<PlanarArc> arcs;
-  std::vector<int> corners;  ///< arcs that begin at a corner; ends do not count
+  std::vector<int> corners = {};  ///< arcs that begin at a corner; ends do not count
   bool closed = false;
 };
 

@@ -25,6 +25,8 @@
 #include <TColgp_Array1OfPnt2d.hxx>
 #include <cmath>
 #include <gp_Ax22d.hxx>
+#include <gp_Ax3.hxx>
+#include <gp_Pln.hxx>
 #include <numbers>
 #include <random>
 
