@@ -62,11 +62,12 @@ TEST(MatrixCurve, AgreesWithHighPrecision) {
         for (std::size_t l = 0; l < in["P"][i].size(); ++l)
           EXPECT_NEAR(curve.poles[i].matrix()(Index(k), Index(l)), number(out["M"][i][k][l]),
                       1e-13 * (1 + number(in["mu"][i])));
-    EXPECT_LT((pointOf(curve, number(in["t"])) - spatialVector(out["value"])).norm(), 1e-11);
-    const BezierSpline rational = bezierSpline(curve);
-    ASSERT_EQ(std::size_t(rational.poles.rows()), out["weights"].size());
+    // The solution loses the digits of the stiffness.
     double rounding = 1e-11;
     for (const MatrixPole& pole : curve.poles) rounding += 1e-15 * pole.stiffness;
+    EXPECT_LT((pointOf(curve, number(in["t"])) - spatialVector(out["value"])).norm(), rounding);
+    const BezierSpline rational = bezierSpline(curve);
+    ASSERT_EQ(std::size_t(rational.poles.rows()), out["weights"].size());
     const double scale = number(out["weights"][0]) / rational.poles(0, 3);
     for (Index i = 0; i < rational.poles.rows(); ++i) {
       const Eigen::Vector4d pole = rational.poles.row(i);
