@@ -91,7 +91,8 @@ class Smoother {
         energy_(derivativeProducts(curve.degree, curve.knots, energyOrder(curve.degree))),
         mass_(block(derivativeProducts(curve.degree, curve.knots, 0))),
         free_energy_(block(energy_)),
-        slope_((energy_ * poles_).middleRows(free_.first, free_.count)) {
+        slope_(derivativeGradient(curve.degree, curve.knots, energyOrder(curve.degree), poles_)
+                   .middleRows(free_.first, free_.count)) {
     if (free_.count > 0) factor_.analyzePattern(Band(mass_ + free_energy_));
   }
 
@@ -132,8 +133,9 @@ struct Smoothed {
 
 /// Bisection for the logarithm of the smoothing. The distance grows with the smoothing.
 Smoothed largestSmoothing(Smoother& smoother, const BSplineCurve& curve, double tolerance_mm) {
-  // Beyond 2^80 times the middle the moves no longer change, below 2^-80 they are rounding.
-  double low = -80, high = 80;
+  // Beyond 2^40 times the middle rounding of the energy comes near to the mass, below 2^-40 the
+  // moves are rounding.
+  double low = -40, high = 40;
   Smoothed best{.moves = Poles::Zero(curve.poles.rows(), 3)};
   const auto attempt = [&](double exponent) {
     const double smoothing = smoother.middle() * std::exp2(exponent);

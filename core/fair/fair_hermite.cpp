@@ -61,8 +61,8 @@ std::vector<double> averagedKnots(int degree, const Eigen::VectorXd& parameters)
 /// sum of N_j(t_i) W_j = (sum of N_j(t_i) M_j) D_i are those of a spline.
 /// Source: docs/theory/planar.md P13.3.
 void interpolate(MatrixCurve& curve, const Poles& points, const Eigen::VectorXd& parameters) {
-  using Band = Eigen::SparseMatrix<double>;
-  const Band basis = basisAt(curve.degree, curve.knots, {parameters.begin(), parameters.end()});
+  const Eigen::SparseMatrix<double> basis =
+      basisAt(curve.degree, curve.knots, {parameters.begin(), parameters.end()});
   const Eigen::Vector3d origin = points.colwise().mean().transpose();
   const Eigen::SparseMatrix<double, Eigen::RowMajor> rows = basis;
   Eigen::MatrixXd right(points.rows(), 3);
@@ -72,7 +72,7 @@ void interpolate(MatrixCurve& curve, const Poles& points, const Eigen::VectorXd&
       matrix += entry.value() * curve.poles[entry.col()].matrix();
     right.row(i) = (matrix * (points.row(i).transpose() - origin)).transpose();
   }
-  Eigen::SparseLU<Band, Eigen::NaturalOrdering<int>> factor(basis);
+  Eigen::SparseLU<Eigen::SparseMatrix<double>, Eigen::NaturalOrdering<int>> factor(basis);
   if (factor.info() != Eigen::Success)
     throw std::domain_error(
         fmt::format("the equations of the curve through {} points are singular", points.rows()));

@@ -11,6 +11,45 @@ namespace {
 
 using Eigen::Index;
 
+/// Differences that take the poles of a spline to those of its derivatives.
+class PoleDifferences {
+ public:
+  PoleDifferences(int degree, const std::vector<double>& knots, int order) {
+    for (int r = 1; r <= order; ++r) {
+      const int p = degree + 1 - r;
+      const Index count = static_cast<Index>(knots.size()) - degree - 1 - r;
+      Eigen::VectorXd factors(count);
+      for (Index i = 0; i < count; ++i) {
+        const double width = knots[i + degree + 1] - knots[i + r];
+        factors(i) = width > 0 ? p / width : 0;  // a pole without a span
+      }
+      factors_.push_back(std::move(factors));
+    }
+  }
+
+  Poles derivative(Poles poles) const {
+    for (const Eigen::VectorXd& factors : factors_) {
+      const Index count = factors.size();
+      const Poles steps = poles.bottomRows(count) - poles.topRows(count);
+      poles = factors.asDiagonal() * steps;
+    }
+    return poles;
+  }
+  /// The transposed map.
+  Poles transposed(Poles poles) const {
+    for (auto factors = factors_.rbegin(); factors != factors_.rend(); ++factors) {
+      const Poles scaled = factors->asDiagonal() * poles;
+      poles = Poles::Zero(scaled.rows() + 1, 3);
+      poles.bottomRows(scaled.rows()) += scaled;
+      poles.topRows(scaled.rows()) -= scaled;
+    }
+    return poles;
+  }
+
+ private:
+  std::vector<Eigen::VectorXd> factors_;
+};
+
 }  // namespace
 
 /// The nodes are the eigenvalues of the symmetric matrix of the recurrence of the Legendre
@@ -45,6 +84,14 @@ Eigen::SparseMatrix<double> derivativeProducts(int degree, const std::vector<dou
   Eigen::SparseMatrix<double> result(count, count);
   result.setFromTriplets(entries.begin(), entries.end());
   return result;
+}
+
+Poles derivativeGradient(int degree, const std::vector<double>& knots, int order,
+                         const Poles& poles) {
+  const PoleDifferences differences(degree, knots, order);
+  const std::vector<double> inner(knots.begin() + order, knots.end() - order);
+  return differences.transposed(derivativeProducts(degree - order, inner, 0) *
+                                differences.derivative(poles));
 }
 
 Eigen::SparseMatrix<double> basisAt(int degree, const std::vector<double>& knots,
