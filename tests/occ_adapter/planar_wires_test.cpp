@@ -176,7 +176,7 @@ TEST(PlanarWires, RefusesCurvesOutOfPlane) {
   poles(1) = gp_Pnt(0, 0, 0);
   poles(2) = gp_Pnt(1, 1, 0);
   poles(3) = gp_Pnt(2, 0, 1);
-  poles(4) = gp_Pnt(3, 1, 1);
+  poles(4) = gp_Pnt(3, 1, 0);
   const TopoDS_Edge edge =
       BRepBuilderAPI_MakeEdge(opencascade::handle<Geom_Curve>(new Geom_BezierCurve(poles)));
   try {
