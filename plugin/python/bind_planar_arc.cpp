@@ -98,8 +98,9 @@ Source: docs/theory/planar.md P1.1.
            "reaches the centre.")
       .def(
           "bezier_spline", [](const PlanarArc& a) { return exactSpline(ArcChain({a}, false)); },
-          "The same points as rational quadratics in the plane z = 0. The knots are arc lengths. "
-          "Source: docs/theory/planar.md P1.3.")
+          R"(The same points as rational quadratics in the plane z = 0.
+
+Source: docs/theory/planar.md P1.3. The knots are arc lengths.)")
       .def(py::pickle(
           [](const PlanarArc& a) {
             return py::make_tuple(py::make_tuple(a.start.x(), a.start.y()), a.direction_rad,
@@ -136,8 +137,9 @@ gap, with the index; TypeError for other items.)");
 Corners on the outside become arcs around them. ValueError if the offset reaches the centre of an
 arc or is on the inside of a corner, with the index. Parts that cross each other stay.)")
       .def("bezier_spline", &exactSpline,
-           "The same points as rational quadratics in the plane z = 0. The knots are arc lengths. "
-           "Source: docs/theory/planar.md P1.3.")
+           R"(The same points as rational quadratics in the plane z = 0.
+
+Source: docs/theory/planar.md P1.3. The knots are arc lengths.)")
       .def("__len__", [](const ArcChain& c) { return c.pieces().size(); })
       .def(py::pickle(
           [](const ArcChain& c) { return py::make_tuple(c.pieces(), c.closed(), c.corners()); },
