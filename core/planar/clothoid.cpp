@@ -18,29 +18,12 @@ namespace {
 using std::numbers::pi;
 
 /// A start value for Newton's method, fitted to the solution over all ends. [BertolazziFrego2015]
-double guess(double f0, double f1) {
+double guess(const Phase& phase) {
+  const double f0 = phase.start, f1 = phase.start + phase.change;
   const double x = f0 / pi, y = f1 / pi, xy = x * y, squares = x * x + y * y;
   return (f0 + f1) * (2.989696028701907 + 0.716228953608281 * xy - 0.458969738821509 * xy * xy +
                       (-0.502821153340377 + 0.261062141752652 * xy) * squares -
                       0.045854475238709 * squares * squares);
-}
-
-/// The root of the height nearest to the guess. No end needs |a| > 17, and no more than five steps
-/// of Newton's method were seen; the bound of 20 keeps a failure from being silent.
-double solved(const Phase& phase, double a) {
-  constexpr int most_steps = 20;
-  // The bounds are those above. The smallest step is some roundings of a. If steps stay above it,
-  // the height decides: a mean of sines, with some hundred roundings.
-  constexpr double largest = 20, smallest_step = 1e-15;
-  for (int step = 0; step < most_steps; ++step) {
-    const double change = phase.height(a) / phase.heightSlope(a);
-    a -= change;
-    if (!(std::abs(a) <= largest)) break;
-    if (std::abs(change) <= smallest_step * (1 + std::abs(a))) return a;
-  }
-  if (std::abs(a) <= largest && std::abs(phase.height(a)) < 1e-13) return a;
-  throw std::domain_error(fmt::format("no clothoid was found for tangents at {} rad and {} rad",
-                                      phase.start, phase.start + phase.change));
 }
 
 /// The error of the quintic of a piece, from a bound of the sixth derivative by arc length.
@@ -117,6 +100,37 @@ const GaussRule& gaussRule() {
   return rule;
 }
 
+PhaseEnd Phase::end(double a) const {
+  const Eigen::Array4d sums = integral(
+      [&](double t) {
+        const double c = std::cos(at(a, t)), s = std::sin(at(a, t)), by_a = t * t - t;
+        return Eigen::Array4d(s, by_a * c, c, -by_a * s);
+      },
+      turn(a));
+  return {.height = sums(0), .height_slope = sums(1), .width = sums(2), .width_slope = sums(3)};
+}
+
+PhaseRoot rootOf(const Phase& phase) {
+  // No end needs |a| > 17, and no more than four steps were seen; the bound of 20 steps keeps a
+  // failure from being silent.
+  constexpr int most_steps = 20;
+  constexpr double largest = 20;
+  const double size = std::abs(phase.start) + std::abs(phase.start + phase.change);
+  PhaseRoot root{.a = guess(phase)};
+  while (root.steps < most_steps && std::abs(root.a) <= largest) {
+    const PhaseEnd end = phase.end(root.a);
+    const double change = end.height / end.height_slope;
+    root.a -= change;
+    ++root.steps;
+    // The second derivatives by a are at most the integral of (t^2 - t)^2, 1/30. So the step leaves
+    // an error of change^2 / (60 |height_slope|), and less than a rounding in the width below.
+    root.width = end.width - change * end.width_slope;
+    if (change * change <= 60 * std::abs(end.height_slope) * machine_epsilon * size) return root;
+  }
+  throw std::domain_error(fmt::format("no clothoid was found for tangents at {} rad and {} rad",
+                                      phase.start, phase.start + phase.change));
+}
+
 Eigen::Vector2d Clothoid::point(double s_mm) const {
   const double turn_rad =
       std::abs(curvature_per_mm * s_mm) + std::abs(curvature_slope_per_mm2) * s_mm * s_mm / 2;
@@ -136,21 +150,20 @@ Clothoid clothoid(const HermiteEnds& ends) {
   const ChordAngles angles = chordAngles(ends);
   const double f0 = -angles.alpha_rad, f1 = angles.beta_rad;
   const Phase phase{.start = f0, .change = f1 - f0};
-  const double a = solved(phase, guess(f0, f1));
-  const double width = phase.width(a);
+  const PhaseRoot root = rootOf(phase);
   // The width is a mean of cosines, with a rounding of some 1e-16: at this limit the length has
   // eight digits.
   constexpr double least_width = 1e-8;
-  if (!(width > least_width))
+  if (!(root.width > least_width))
     throw std::domain_error(fmt::format(
         "both tangents point against the chord (alpha {} rad, beta {} rad): the clothoid would be "
         "more than 1e8 times as long as the chord",
         angles.alpha_rad, angles.beta_rad));
-  const double length_mm = angles.chord_mm / width;
+  const double length_mm = angles.chord_mm / root.width;
   return {.start = ends.start,
           .direction_rad = ends.start_direction_rad,
-          .curvature_per_mm = (phase.change - a) / length_mm,
-          .curvature_slope_per_mm2 = 2 * a / (length_mm * length_mm),
+          .curvature_per_mm = (phase.change - root.a) / length_mm,
+          .curvature_slope_per_mm2 = 2 * root.a / (length_mm * length_mm),
           .length_mm = length_mm};
 }
 

@@ -16,11 +16,11 @@ struct GaussRule {
 const GaussRule& gaussRule();
 
 /// The integral over [0, 1] of a function whose phase turns by at most \p turn_rad: 16 nodes in
-/// each panel of 3 rad are exact up to rounding.
+/// each panel of 6 rad are exact up to rounding. Source: docs/theory/planar.md P4.1.
 template <class Function>
 auto integral(const Function& function, double turn_rad) {
   const GaussRule& rule = gaussRule();
-  constexpr double panel_rad = 3;
+  constexpr double panel_rad = 6;
   const int panels = static_cast<int>(std::ceil((turn_rad + 1) / panel_rad));
   decltype(function(0.0)) sum = function(0.0) * 0.0;
   for (int panel = 0; panel < panels; ++panel)
@@ -28,6 +28,14 @@ auto integral(const Function& function, double turn_rad) {
       sum += rule.weights[i] * function((panel + rule.nodes[i]) / panels);
   return decltype(sum)(sum / panels);
 }
+
+/// Where the curve of a phase ends.
+struct PhaseEnd {
+  double height = 0;  ///< integral of the sine: 0 on the chord
+  double height_slope = 0;
+  double width = 0;  ///< integral of the cosine: the chord over the length
+  double width_slope = 0;
+};
 
 /// A clothoid on a chord of length 1 along the first axis, as the integrals over t in [0, 1] of its
 /// phase a t^2 + (d - a) t + f.
@@ -37,17 +45,19 @@ struct Phase {
 
   double at(double a, double t) const { return (a * t + change - a) * t + start; }
   double turn(double a) const { return std::abs(a) + std::abs(change); }
-  /// The height of the end: zero for the solution.
-  double height(double a) const {
-    return integral([&](double t) { return std::sin(at(a, t)); }, turn(a));
-  }
-  double heightSlope(double a) const {
-    return integral([&](double t) { return (t * t - t) * std::cos(at(a, t)); }, turn(a));
-  }
-  /// The width of the end: the chord over the length.
-  double width(double a) const {
-    return integral([&](double t) { return std::cos(at(a, t)); }, turn(a));
-  }
+  /// The end, and its derivatives by a.
+  PhaseEnd end(double a) const;
 };
+
+/// The phase whose curve ends on the chord.
+struct PhaseRoot {
+  double a = 0;
+  double width = 0;
+  int steps = 0;  ///< of Newton's method
+};
+
+/// The root with the least |a| of those with a width above 0. \throws std::domain_error if the
+/// steps find none. Source: docs/theory/planar.md P4.2.
+PhaseRoot rootOf(const Phase& phase);
 
 }  // namespace seamwright

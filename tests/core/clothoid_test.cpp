@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <iomanip>
+
 #include <seamwright/core/planar/clothoid.hpp>
+#include <seamwright/core/planar/clothoid_phase.hpp>
 
 #include "planar.hpp"
 
@@ -57,6 +60,62 @@ TEST(Clothoid, AgreesWithHighPrecision) {
     const SplineWithin spline = bezierSpline({found}, number(in["tol"]), false, 1e-9);
     EXPECT_EQ(spline.curve.segments(), out["pieces"].get<int>());
     EXPECT_NEAR(spline.distance_mm, number(out["bound"]), 1e-9 * number(out["bound"]));
+  }
+}
+
+/// PhaseEnd with 80 bits.
+struct LongEnd {
+  long double height = 0, height_slope = 0, width = 0;
+};
+
+LongEnd longEnd(const Phase& phase, long double a) {
+  // Boole's rule; the phase turns by at most 0.1 rad on a panel, so the error is below 1e-17.
+  constexpr int panels = 400;
+  constexpr std::array<int, 5> weights = {7, 32, 12, 32, 7};
+  LongEnd sum;
+  for (int i = 0; i < panels; ++i)
+    for (std::size_t k = 0; k < weights.size(); ++k) {
+      const long double t = (i + static_cast<long double>(k) / 4) / panels;
+      const long double weight = weights[k] / (90.0L * panels);
+      const long double at = (a * t + phase.change - a) * t + phase.start;
+      sum.height += weight * std::sin(at);
+      sum.height_slope += weight * (t * t - t) * std::cos(at);
+      sum.width += weight * std::cos(at);
+    }
+  return sum;
+}
+
+// docs/theory/planar.md P4.2: over the whole square of angles, with its borders, its diagonals and
+// small angles.
+TEST(Clothoid, FindsTheLeastRootInFewSteps) {
+  std::mt19937_64 random(testSeed());
+  for (int i = 0; i < 2000; ++i) {
+    const double size = i % 4 == 1 ? std::pow(10, uniform(random, -17, 0)) : 1;
+    const double start = size * uniform(random, -pi, pi);
+    double end = size * uniform(random, -pi, pi);
+    if (i % 4 == 2) end = std::clamp(start + 1e-9 * end, -pi, pi);
+    if (i % 4 == 3) end = std::clamp(-start + 1e-9 * end, -pi, pi);
+    const Phase phase{.start = start, .change = end - start};
+    if (std::abs(phase.change) > 6.2) continue;
+    SCOPED_TRACE(testing::Message() << std::setprecision(17) << start << " and " << end);
+    const PhaseRoot found = rootOf(phase);
+    EXPECT_LE(found.steps, 4);
+    long double exact = found.a;
+    LongEnd there = longEnd(phase, exact);
+    for (int step = 0; step < 2; ++step) {
+      exact -= there.height / there.height_slope;
+      there = longEnd(phase, exact);
+    }
+    const auto apart = static_cast<double>(std::abs(exact - found.a));
+    EXPECT_LE(apart, 1e-14 * (std::abs(start) + std::abs(end)));
+    EXPECT_NEAR(found.width, static_cast<double>(there.width), 2e-15);
+    EXPECT_GT(found.width, 0);
+    // Another root nearer to 0 has its end behind its start.
+    const auto at = [&](int k) { return phase.end(0.999 * found.a * k / 100); };
+    for (int k = -99; k <= 100; ++k)
+      if (at(k - 1).height * at(k).height < 0) {
+        ASSERT_LT(at(k).width, 0) << k;
+      }
   }
 }
 
