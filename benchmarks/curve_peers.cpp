@@ -12,6 +12,7 @@
 #include <gp_Pnt2d.hxx>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 #include "program.hpp"
 
