@@ -22,7 +22,10 @@ curve = seamwright.BezierCurve(poles)
 
 for tolerance in (0.1, 0.01, 0.001):
     fit = seamwright.fit_arcs(curve, tolerance)
-    print(f"within {tolerance:g} mm: {len(fit.chain)} arcs, distance below {fit.distance_mm:.5f} mm")
+    print(
+        f"within {tolerance:g} mm: {len(fit.chain)} arcs,"
+        f" distance at most {fit.distance_mm:.5f} mm"
+    )
     assert fit.distance_mm <= tolerance
 
 coarse = seamwright.fit_arcs(seamwright.BezierCurve(poles - [0, 50, 0]), 0.1)

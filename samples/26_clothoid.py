@@ -28,7 +28,8 @@ for number, piece in enumerate(path.chain.pieces, 1):
         f" curvature {piece.curvature_per_mm:+.5f} / m, slope {piece.curvature_slope_per_mm2:+.2e}"
     )
 sharpest = max(abs(piece.curvature_per_mm) for piece in path.chain.pieces)
-print(f"smallest radius {1 / sharpest:.1f} m, jumps below 1e-12: {path.curvature_jump_per_mm < 1e-12}")
+even = path.curvature_jump_per_mm < 1e-12
+print(f"smallest radius {1 / sharpest:.1f} m, jumps below 1e-12: {even}")
 
 below = seamwright.clothoid_spline(points - [0, 80]).chain.bezier_spline(1e-3).curve
 picture = Picture("A path of arcs, and one of clothoids")

@@ -3,8 +3,8 @@
 
     python3 27_fair_points.py OUT.svg
 
-Above: clothoids through points with errors of up to 0.02 mm, with their curvature comb. Below: those
-through the points made fair. The lines at the points are the moves, 100 times as long.
+Above: clothoids through points with errors of up to 0.02 mm, with their curvature comb. Below:
+those through the points made fair. The lines at the points are the moves, 100 times as long.
 """
 
 import sys
