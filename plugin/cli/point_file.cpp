@@ -34,8 +34,12 @@ std::optional<double> numberFrom(std::string_view word) {
 
 std::vector<std::string> wordsOf(std::string line) {
   line.erase(std::min(line.find('#'), line.size()));
-  for (char& c : line)
-    if (c == ',' || c == ';' || c == '\r') c = ' ';
+  // Between semicolons a comma is a decimal one: spreadsheets write 0,5;1,25.
+  const bool decimal_comma = line.find(';') != std::string::npos;
+  for (char& c : line) {
+    if (c == ',') c = decimal_comma ? '.' : ' ';
+    if (c == ';' || c == '\r') c = ' ';
+  }
   std::istringstream text(line);
   std::vector<std::string> words;
   for (std::string word; text >> word;) words.push_back(word);
@@ -61,9 +65,10 @@ class PointRows {
     lines_.push_back(line);
   }
 
-  PointFile file() const {
+  PointFile file() {
     if (rows_.empty())
       throw std::runtime_error(path_ + ": has no points: a line has two or three numbers");
+    orderAirfoil();
     PointFile file{Poles(static_cast<Eigen::Index>(rows_.size()), 3), columns_ == 3, lines_};
     for (std::size_t i = 0; i < rows_.size(); ++i)
       file.points.row(static_cast<Eigen::Index>(i)) << rows_[i][0], rows_[i][1], rows_[i][2];
@@ -71,6 +76,23 @@ class PointRows {
   }
 
  private:
+  /// Airfoils in the format of Lednicer begin with the numbers of upper and lower points, and both
+  /// sides run from the nose: the outline runs along the upper side to the nose, then back.
+  void orderAirfoil() {
+    const double upper = rows_.front()[0], lower = rows_.front()[1];
+    const auto count = static_cast<double>(rows_.size() - 1);
+    if (columns_ != 2 || upper < 2 || lower < 2 || upper != std::floor(upper) ||
+        lower != std::floor(lower) || upper + lower != count)
+      return;
+    rows_.erase(rows_.begin());
+    lines_.erase(lines_.begin());
+    const auto nose = static_cast<std::ptrdiff_t>(upper);
+    std::reverse(rows_.begin(), rows_.begin() + nose);
+    std::reverse(lines_.begin(), lines_.begin() + nose);
+    if (rows_[nose - 1] != rows_[nose]) return;
+    rows_.erase(rows_.begin() + nose);
+    lines_.erase(lines_.begin() + nose);
+  }
   [[noreturn]] void fail(int line, const std::string& what) const {
     throw std::runtime_error(fmt::format("{}: line {} {}", path_, line, what));
   }
@@ -134,9 +156,13 @@ PointFile readPoints(const fs::path& path) {
   if (!file) throw std::runtime_error(path.string() + ": can't be opened");
   PointRows rows(path.string());
   std::string line;
-  for (int number = 1; std::getline(file, line); ++number)
+  for (int number = 1; std::getline(file, line); ++number) {
+    // With the mark the first point would be taken for a header.
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (number == 1 && line.starts_with(byte_order_mark)) line.erase(0, byte_order_mark.size());
     if (const std::vector<std::string> words = wordsOf(line); !words.empty())
       rows.add(words, number);
+  }
   return rows.file();
 }
 

@@ -280,6 +280,21 @@ def test_files_of_points_have_many_forms(tmp_path):
 
 
 @pytest.mark.parametrize(
+    "name, data",
+    [
+        ("mark.csv", b"\xef\xbb\xbf4,0\n2,0.5\n0,0\n2,-0.5\n4,-0.25\n"),
+        ("comma.csv", b"4;0\n2;0,5\n0;0\n2;-0,5\n4;-0,25\n"),
+        ("lednicer.dat", b"Foil\n 3.0 3.0\n\n0 0\n2 .5\n4 0\n\n0 0\n2 -.5\n4 -.25\n"),
+    ],
+)
+def test_points_of_spreadsheets_and_airfoils(tmp_path, name, data):
+    (tmp_path / name).write_bytes(data)
+    rows = rows_of(curve("fair", tmp_path / name, "--tolerance", "0", out="out.csv")[2])
+    points = [(float(row["x"]), float(row["y"])) for row in rows]
+    assert points == [(4, 0), (2, 0.5), (0, 0), (2, -0.5), (4, -0.25)]
+
+
+@pytest.mark.parametrize(
     "text, options, message",
     [
         ("", [], "has no points"),
