@@ -125,7 +125,8 @@ positive, and a corner at an end. Source: docs/theory/planar.md P7.1 to P7.3.
           "curvature_kind", [](const PlanarConic& c) { return kindName(curvatureKind(c)); },
           R"(The extrema of the size of the curvature inside, up to rounding.
 
-Source: docs/theory/planar.md P7.3. It is 'monotone''maximum and minimum'.)")
+Source: docs/theory/planar.md P7.3. It is 'monotone', 'one maximum', 'one
+minimum' or 'maximum and minimum'.)")
       .def(
           "reversed", [](const PlanarConic& c) { return reversed(c); },
           "The same points backwards.")
