@@ -69,7 +69,7 @@ std::vector<SmoothArcs> smoothRuns(const ArcChain& chain) {
   std::vector<int> cuts = chain.corners;
   if (chain.closed && !cuts.empty()) {
     const int first = cuts.front();
-    std::ranges::rotate(arcs, arcs.begin() + first);
+    std::rotate(arcs.begin(), arcs.begin() + first, arcs.end());
     for (int& cut : cuts) cut -= first;
   }
   if (cuts.empty() || cuts.front() != 0) cuts.insert(cuts.begin(), 0);
