@@ -17,7 +17,7 @@
 
 namespace seamwright::occ {
 
-/// Finds the factors of the units of a STEP file; lengths are told in millimetres.
+/// Finds the factors of the units of a STEP file; lengths are in millimetres.
 /// \returns whether OpenCASCADE understands all of the units
 inline bool computeUnitFactors(
     STEPConstruct_UnitContext& factors,

@@ -30,7 +30,7 @@ struct MatrixFit {
 /// Identities (each has a test of its number):
 ///   (1) The curve meets the points up to rounding. The cost is O(points).
 ///   (2) Rigid motion and scaling move the curve along.
-/// Tangents are met approximately: missed_tangent_rad tells how well.
+/// Tangents are met approximately: missed_tangent_rad states how well.
 /// \throws std::invalid_argument for fewer points than degree + 1, tangents that do not match or
 /// are 0, numbers that are not finite, equal neighbours (with the index), and a stiffness that
 /// requireValid(MatrixCurve) refuses. Source: docs/theory/planar.md P13.3; [Yang2016].

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <seamwright/core/fill/n_sided_fill.hpp>
@@ -11,6 +13,17 @@ struct RingFillOptions {
   int fairness_order = 2;                               ///< as in FillOptions
   double corner_tolerance_rad = 0;                      ///< as in FillOptions
   std::optional<int> curvature_degrees = std::nullopt;  ///< as in FillOptions
+};
+
+/// The equations of the joins contradict each other: the sides have no ring of five patches.
+class RingContradiction : public std::runtime_error {
+ public:
+  RingContradiction(const std::string& message, double missed_mm)
+      : std::runtime_error(message), missed_mm_(missed_mm) {}
+  double missed_mm() const { return missed_mm_; }  ///< largest residual of the equations
+
+ private:
+  double missed_mm_;
 };
 
 /// A hole of four sides filled by a ring of four patches around a fifth.
@@ -61,7 +74,7 @@ struct RingFill {
 ///
 /// \throws std::invalid_argument as nSidedFill() does for sides, derivatives and planes, with side
 /// or corner and number; for a number of sides other than 4; for angles of 0 and 2 pi; and for
-/// corners that turn by less than 0.01 rad but more than rounding.
+/// corners that turn by less than 0.01 rad but more than rounding. RingContradiction.
 /// Source: docs/theory/fills.md F5.1, F1.2.
 RingFill ringFill(const std::vector<FillSide>& sides, const RingFillOptions& options = {});
 

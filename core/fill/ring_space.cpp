@@ -5,7 +5,6 @@
 #include <seamwright/core/fill/ring_fields.hpp>
 #include <seamwright/core/fill/ring_space.hpp>
 #include <seamwright/core/join/bernstein_rows.hpp>
-#include <stdexcept>
 #include <string>
 
 namespace seamwright::fill {
@@ -121,10 +120,11 @@ void Equations::solve(FillSpace& space) const {
   // Rounding leaves far less, as the rank is decided at 1e-11; a contradiction leaves far more.
   constexpr double contradiction = 1e-9;
   if (missed > contradiction * (rows::size(points_) + rows::size(particular)))
-    throw std::runtime_error(fmt::format(
-        "the equations of the joins contradict each other by {:.3g} mm: no ring of five "
-        "patches is found",
-        missed));
+    throw RingContradiction(
+        fmt::format("the equations of the joins contradict each other by {:.3g} mm: no ring of "
+                    "five patches is found",
+                    missed),
+        missed);
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(matrix.transpose());
   qr.setThreshold(rank_threshold);
   const Eigen::MatrixXd all = qr.householderQ();

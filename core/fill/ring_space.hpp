@@ -15,7 +15,7 @@ struct RingSpace {
   std::vector<FillCorner> corners;
 };
 
-/// \throws as ringFill() does for corners; std::runtime_error if the joins contradict each other.
+/// \throws as ringFill() does for corners; RingContradiction.
 RingSpace ringSpace(const std::vector<FillSide>& sides, double spoke_scale, double tolerance_rad,
                     int more_degrees);
 

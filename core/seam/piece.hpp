@@ -30,7 +30,7 @@ struct PieceFigures {
   double curvature_norm_per_mm = 0;
   /// Nothing if it was not asked for.
   std::optional<PieceBound> curvature_per_mm;
-  /// The upper bound may exceed largest_relative_difference: it then tells how far the figure is
+  /// The upper bound may exceed largest_relative_difference: it then states how far the figure is
   /// from being known.
   std::optional<PieceBound> curvature_rel;
 };

@@ -20,20 +20,15 @@ double visibleVariation(double angle_rad, double size_mm) {
   return 3 * angle_rad / size_mm;
 }
 
-SurfaceVerdict judgeSurface(const SurfaceChange& change, const SurfaceTolerance& tolerance) {
+SurfaceFault judgeSurface(const SurfaceChange& change, const SurfaceTolerance& tolerance) {
   const double allowed =
       tolerance.fairness * change.before.variation_per_mm + tolerance.visible_per_mm;
-  if (!(change.after.variation_per_mm <= allowed))
-    return {true, fmt::format("its mean curvature varies by {:.6g} per mm along a line, before by "
-                              "{:.6g}",
-                              change.after.variation_per_mm, change.before.variation_per_mm)};
+  if (!(change.after.variation_per_mm <= allowed)) return SurfaceFault::Variation;
   const int more = change.after.inflections - change.before.inflections;
   // A choice: a few new inflections are noise of nearly straight lines, which nobody sees.
   constexpr int lines_with_one = 5;
-  if (lines_with_one * more > change.after.lines)
-    return {true,
-            fmt::format("it has {} more inflections along {} lines", more, change.after.lines)};
-  return {};
+  return lines_with_one * more > change.after.lines ? SurfaceFault::Inflections
+                                                    : SurfaceFault::None;
 }
 
 }  // namespace seamwright

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <string>
-
 #include <seamwright/core/seam/tolerance.hpp>
 #include <seamwright/core/surface/measure.hpp>
 
@@ -29,16 +27,18 @@ struct SurfaceTolerance {
 /// Source: docs/theory/repair.md R1.
 double visibleVariation(double angle_rad, double size_mm);
 
-struct SurfaceVerdict {
-  bool worse = false;
-  std::string reason;  ///< with the figures; empty if it is not worse
+/// Why a changed surface is less fair than before. The figures are in its SurfaceChange.
+enum class SurfaceFault {
+  None,
+  Variation,   ///< its mean curvature varies more
+  Inflections  ///< its lines have more inflections
 };
 
-/// Worse iff one of these holds: the variation after exceeds fairness times the variation before
-/// plus what is visible; or more than one line in five has a new inflection, that is, the number of
-/// all inflections grows by more than a fifth of the lines.
+/// The first fault that holds. Variation: the variation after exceeds fairness times the variation
+/// before plus what is visible, or is not finite. Inflections: more than one line in five has a new
+/// inflection, that is, the number of all inflections grows by more than a fifth of the lines.
 ///
-/// A larger tolerance never makes the verdict worse.
-SurfaceVerdict judgeSurface(const SurfaceChange& change, const SurfaceTolerance& tolerance);
+/// A larger tolerance never adds a fault.
+SurfaceFault judgeSurface(const SurfaceChange& change, const SurfaceTolerance& tolerance);
 
 }  // namespace seamwright

@@ -42,7 +42,7 @@ double lengthOf(const Seam& seam) {
 }
 
 /// "at the end of the seam", "at parameter 0.25".
-std::string placeText(const std::string& parameter) {
+std::string locationText(const std::string& parameter) {
   if (parameter == "0") return "at the start of the seam";
   if (parameter == "1") return "at the end of the seam";
   return "at parameter " + parameter;
@@ -50,11 +50,11 @@ std::string placeText(const std::string& parameter) {
 
 /// The location or, for parameters that lie close together, "from parameter 0 to 0.012".
 std::string intervals(std::vector<double> parameters) {
-  // A choice: samples nearer than 2 % of the seam are told as one interval, so that a note has a
-  // few of them and not each sample.
+  // A choice: samples nearer than 2 % of the seam are reported as one interval, so that a note
+  // lists a few intervals instead of each sample.
   constexpr double close_together = 0.02;
-  // Three digits do not tell a shorter interval from a point.
-  constexpr double shortest_told = 1e-4;
+  // Three digits do not distinguish a shorter interval from a point.
+  constexpr double shortest_interval = 1e-4;
   std::ranges::sort(parameters);
   std::string text;
   for (std::size_t first = 0, last = 0; first < parameters.size(); first = last + 1) {
@@ -63,9 +63,9 @@ std::string intervals(std::vector<double> parameters) {
       ++last;
     const std::string from = fmt::format("{:.3g}", parameters[first]),
                       to = fmt::format("{:.3g}", parameters[last]);
-    const bool is_point = from == to || parameters[last] - parameters[first] <= shortest_told;
+    const bool is_point = from == to || parameters[last] - parameters[first] <= shortest_interval;
     text += (first == 0 ? "" : ", ") +
-            (is_point ? placeText(from) : "from parameter " + from + " to " + to);
+            (is_point ? locationText(from) : "from parameter " + from + " to " + to);
   }
   return text;
 }

@@ -103,8 +103,8 @@ Pcurve keptOrRebuilt(const Pcurve& stored, const SpaceCurve& space, const TopoDS
   if (stray.distance <= allowed) return stored;
   // Which of the two pcurves of a closed face a projection would give is not known.
   if (BRep_Tool::IsClosed(edge, face)) return stored;
-  // A little off is mostly a surface that lies a little off: one point tells that cheaper than a
-  // projected curve.
+  // A little off is mostly a surface that lies a little off: one point shows that at less cost
+  // than a projected curve.
   if (stray.distance <= 10 * allowed && !surfaceComesCloser(stray, surface)) return stored;
   Pcurve rebuilt = projected(space, face);
   if (rebuilt.curve.IsNull()) return stored;

@@ -31,9 +31,10 @@ struct Numbers {
 void requireApart(const std::vector<double>& knots) {
   for (std::size_t i = 1; i < knots.size(); ++i)
     if (knots[i] - knots[i - 1] <= Epsilon(std::abs(knots[i - 1])))
-      throw std::invalid_argument("distinct knots " + std::to_string(i - 1) + " and " +
-                                  std::to_string(i) + " are both " + std::to_string(knots[i]) +
-                                  " to OpenCASCADE, which tells knots apart by one part in 10^16");
+      throw std::invalid_argument(
+          "distinct knots " + std::to_string(i - 1) + " and " + std::to_string(i) + " are both " +
+          std::to_string(knots[i]) +
+          " to OpenCASCADE, which distinguishes knots by one part in 10^16");
 }
 
 handle<Geom_BSplineCurve> geomCurve(const Numbers& numbers, bool periodic) {

@@ -48,7 +48,7 @@ handle<Geom_BSplineSurface> splineCopy(const handle<Geom_Surface>& surface) {
 }
 
 /// Share of the range below which two knots are one: what files round, with a margin. Larger than
-/// what OpenCASCADE tells knots apart by, so that it accepts the knots that stay.
+/// the distance at which OpenCASCADE distinguishes knots, so that it accepts the knots that stay.
 constexpr double nearest_knots = 1e-9;
 
 /// Distinct values of flat knots and how often each is repeated.

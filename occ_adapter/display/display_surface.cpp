@@ -17,7 +17,7 @@ namespace {
 /// rounding there, the curvature 1e-16 / 1e-10.
 constexpr double pole_step = 1e-5;
 /// A step across the whole range shorter than this share of the other one, or so nearly along it,
-/// tells no direction.
+/// defines no direction.
 constexpr double collapsed_share = 1e-10;
 /// Curvatures that grow by this share within one step towards a pole have no limit there: those of
 /// a smooth pole differ by about the step, 1e-5, and those of a tip double.

@@ -184,7 +184,7 @@ class OutsideRounder {
         if (belongs(face)) edges.push_back(edge);
       return edges;
     };
-    std::size_t told = 0;
+    std::size_t assigned = 0;
     for (std::size_t i = 0; i < corner_.count(); ++i) {
       const TopTools_ListOfShape& made = fillets.Generated(edges_[i]);
       result_.band_ends.push_back(edgesBeside([&made](const TopoDS_Face& face) {
@@ -197,11 +197,11 @@ class OutsideRounder {
       }));
       if (result_.band_ends[i].empty() || result_.arcs[i].empty())
         throw CornerRefused(corner_why::filletMissesBall(outside(i)));
-      told += result_.band_ends[i].size() + result_.arcs[i].size();
+      assigned += result_.band_ends[i].size() + result_.arcs[i].size();
       result_.bands.push_back(faceBeyond(boundary, result_.band_ends[i]));
     }
-    if (told != boundary.size())
-      throw CornerRefused(corner_why::ballNotSurrounded(ball_mm_, boundary.size(), told));
+    if (assigned != boundary.size())
+      throw CornerRefused(corner_why::ballNotSurrounded(ball_mm_, boundary.size(), assigned));
   }
 
   /// The only face on the other side of these edges of the ball.

@@ -50,14 +50,13 @@ std::optional<int> curvatureDegrees(const std::vector<FillSide>& sides, int more
   return std::clamp(most_degree - static_cast<int>(degree), 0, *attempt.curvature_raise);
 }
 
-/// \throws NotFilled if the joins of the ring contradict each other. ringFill() says so by an
-/// exception of a general type, so it is caught around this one call.
+/// \throws NotFilled if the joins of the ring contradict each other.
 RingFill ringOf(const std::vector<FillSide>& sides, std::optional<int> curvature_degrees) {
   try {
     return ringFill(
         sides, {.corner_tolerance_rad = plane_noise_rad, .curvature_degrees = curvature_degrees});
-  } catch (const std::runtime_error& error) {
-    throw NotFilled({.fault = FillFault::ConstructionRefused, .detail = error.what()});
+  } catch (const RingContradiction& contradiction) {
+    throw NotFilled({.fault = FillFault::ConstructionRefused, .detail = contradiction.what()});
   }
 }
 

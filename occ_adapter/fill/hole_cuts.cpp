@@ -54,8 +54,8 @@ double largestMiss(const std::vector<FittedSide>& sides, const ContinuityToleran
 HoleCut fitted(const FillTask& task, const FillAttempt& attempt, bool is_ring,
                std::vector<SideInterval> intervals) {
   const ContinuityTolerance& tolerance = task.options.tolerance;
-  // With target G0 a smooth loop must be told to have position only. At corners the angle of the
-  // planes decides.
+  // With target G0 a smooth loop must be declared to have position only. At corners the angle of
+  // the planes decides.
   const bool position_only = is_ring && task.options.target == Level::G0;
   std::vector<FittedSide> sides = fitSides(task.hole.sides, intervals,
                                            {.gap_mm = tolerance.gap_mm / fit_share,

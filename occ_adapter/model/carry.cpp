@@ -81,7 +81,7 @@ std::string recordOf(const gp_Trsf& placement) {
   return bytes.str();
 }
 
-/// The placements of two sides told by the same steps: OpenCASCADE tells steps apart by identity,
+/// The placements of two sides as the same steps: OpenCASCADE distinguishes steps by identity,
 /// and a journey makes new ones. Steps with one transformation are one, also where a file has them
 /// twice.
 class Steps {

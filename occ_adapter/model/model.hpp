@@ -25,7 +25,7 @@ enum class ModelErrc {
   NoShapes,        ///< read, but it has no face
   ReaderDied,      ///< the reading process crashed or exceeded its time or memory
   ReaderMissing,   ///< the reading program is not installed where it belongs
-  UnknownTarget,   ///< the name of the output tells no format
+  UnknownTarget,   ///< the name of the output has no known extension
   TargetExists,    ///< the output exists, or is the file that was read, and may not be replaced
   NotWritable,     ///< the output's folder is missing or closed, or the disk is full
   NotWritten,      ///< OpenCASCADE could not write it

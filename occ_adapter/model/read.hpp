@@ -14,7 +14,7 @@ enum class Needed {
   Edges   ///< edges are enough: a file of curves
 };
 
-/// Reads a STEP, IGES or BREP file, with names, colours and units. The content tells the format.
+/// Reads a STEP, IGES or BREP file, with names, colours and units. The content decides the format.
 ///
 ///     const Model model = readModel("part.step");
 ///     for (const std::string& note : model.notes) warn(note);

@@ -270,7 +270,7 @@ class Writable {
   TopoDS_Shape shape_;
 };
 
-/// A document of a shape and of attributes that are told by kind and number.
+/// A document of a shape and of attributes that are identified by kind and number.
 class NewDocument {
  public:
   explicit NewDocument(const Model& model)

@@ -152,9 +152,10 @@ Format targetFormat(const std::filesystem::path& path) {
   if (extension == ".iges" || extension == ".igs") return Format::Iges;
   if (extension == ".brep" || extension == ".brp") return Format::BrepText;
   if (extension == ".bin") return Format::BrepBinary;
-  throw ModelError(ModelErrc::UnknownTarget, path,
-                   "can't be written: '" + extension +
-                       "' tells no format; .step, .stp, .iges, .igs, .brep, .brp and .bin do");
+  throw ModelError(
+      ModelErrc::UnknownTarget, path,
+      "can't be written: '" + extension +
+          "' is no known extension; use .step, .stp, .iges, .igs, .brep, .brp or .bin");
 }
 
 void requireTarget(const std::filesystem::path& source, const std::filesystem::path& target,

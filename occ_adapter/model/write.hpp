@@ -49,7 +49,7 @@ Format targetFormat(const std::filesystem::path& path);
 void requireTarget(const std::filesystem::path& source, const std::filesystem::path& target,
                    const WriteOptions& options = {});
 
-/// Writes a model to a STEP, IGES or BREP file; the extension tells the format. docs/writing.md
+/// Writes a model to a STEP, IGES or BREP file; the extension decides the format. docs/writing.md
 /// states what each format keeps.
 ///
 ///     Model model = readModel("part.step");

@@ -34,7 +34,7 @@ std::vector<ChainCurve> planarCurves(const Geom2d_Curve& curve, double first, do
 std::vector<ChainCurve> planarCurves(const Geom2d_Curve& curve);
 
 /// The same of a curve of space in the coordinates of a plane. A curve outside of the plane is
-/// projected orthogonally; heightOf() tells how far it is from it.
+/// projected orthogonally; heightOf() returns its distance from the plane.
 ///   (3) For curves of the plane it is identity (1). The coordinates of poles in a plane parallel
 ///       to two coordinate axes are bitwise those of space.
 /// \throws as the others, and std::domain_error for a circle or conic whose own plane is not

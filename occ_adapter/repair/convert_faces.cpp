@@ -81,7 +81,7 @@ class Converting {
       std::set<int> now = first ? united(chosen, besideUnrepaired(report)) : moved;
       for (const int face : spoilt) now.erase(face);
       if (now == chosen && moved != chosen) now = moved;
-      if (now == chosen) return told(std::move(report));
+      if (now == chosen) return completed(std::move(report));
       chosen = std::move(now);
     }
     for (std::size_t i = 0; i < plain.seams.size(); ++i) {
@@ -207,7 +207,7 @@ class Converting {
     return model;
   }
 
-  RepairReport told(RepairReport report) const {
+  RepairReport completed(RepairReport report) const {
     report.before = original_;
     for (std::size_t i = 0; i < report.seams.size(); ++i) {
       report.seams[i].before = original_.seams[i];

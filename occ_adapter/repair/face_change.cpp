@@ -20,6 +20,7 @@
 #include <seamwright/occ_adapter/convert/points.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
 #include <seamwright/occ_adapter/repair/face_change.hpp>
+#include <seamwright/occ_adapter/repair/reasons.hpp>
 
 namespace seamwright::occ {
 
@@ -339,7 +340,8 @@ FaceMove judgedMove(int number, const TopoDS_Face& face,
   const double visible =
       allowedVariation(number, face, options.tolerance, needed, options.fairness);
   move.surface = measureChange(face, after, largest_move_mm, visible);
-  move.verdict = judgeSurface(*move.surface, {options.fairness, visible});
+  const SurfaceFault fault = judgeSurface(*move.surface, {options.fairness, visible});
+  move.less_fair = why::lessFair(fault, *move.surface);
   return move;
 }
 

@@ -312,9 +312,9 @@ class Moving {
           change.largest_move_mm + (before == task().moved_mm.end() ? 0 : before->second);
       if (const double limit_mm = task().limits_mm.at(change.face); move_mm > limit_mm) {
         faults.too_far[change.face] = why::movesTooFar(move_mm, limit_mm);
-      } else if (const std::string& figures = judged_.at(change.surface).verdict.reason;
-                 !figures.empty()) {
-        faults.unfair[change.face] = why::lessFair(figures);
+      } else if (const RepairReason& less_fair = judged_.at(change.surface).less_fair;
+                 !less_fair.empty()) {
+        faults.unfair[change.face] = why::wouldBe(less_fair);
       }
     }
     faults.proof = rounds_.proven(changes, paths, partOf(progress, 0.5, 1));
@@ -352,7 +352,7 @@ class Moving {
         moves[k] = judgedMove(change.face, face, spline, change.largest_move_mm, task().options,
                               task().needed);
       } catch (const Standard_Failure& failure) {
-        moves[k].verdict = {true, why::failed(failure).text};
+        moves[k].less_fair = why::failed(failure);
       }
     };
     runParallel(unknown.size(), task().options.jobs, judge, progress);

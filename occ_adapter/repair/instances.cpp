@@ -263,15 +263,15 @@ class RepairingOnce {
   }
 
   template <class What>
-  static void addInstances(std::vector<What>& told, const InstanceNumbers& numbers,
+  static void addInstances(std::vector<What>& reported, const InstanceNumbers& numbers,
                            int What::*number) {
-    const std::size_t count = told.size();
+    const std::size_t count = reported.size();
     for (std::size_t i = 0; i < count; ++i)
-      for (const int other : numbers.others(told[i].*number)) {
-        told.push_back(told[i]);
-        told.back().*number = other;
+      for (const int other : numbers.others(reported[i].*number)) {
+        reported.push_back(reported[i]);
+        reported.back().*number = other;
       }
-    std::ranges::sort(told, {}, number);
+    std::ranges::sort(reported, {}, number);
   }
 
   const Model& model_;

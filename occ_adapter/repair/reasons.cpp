@@ -229,8 +229,31 @@ RepairReason movesTooFar(double move_mm, double limit_mm) {
           .numbers = {{"move_mm", move_mm}, {"limit_mm", limit_mm}}};
 }
 
-RepairReason lessFair(const std::string& figures) {
-  return {.fault = RepairFault::LessFair, .text = "it would be less fair: " + figures};
+RepairReason lessFair(SurfaceFault fault, const SurfaceChange& change) {
+  const SurfaceMeasure &before = change.before, &after = change.after;
+  switch (fault) {
+    case SurfaceFault::None:
+      return {};
+    case SurfaceFault::Variation:
+      return {.fault = RepairFault::LessFair,
+              .text = fmt::format("its mean curvature varies by {:.6g} per mm along a line, before "
+                                  "by {:.6g}",
+                                  after.variation_per_mm, before.variation_per_mm),
+              .numbers = {{"variation_before_per_mm", before.variation_per_mm},
+                          {"variation_after_per_mm", after.variation_per_mm}}};
+    case SurfaceFault::Inflections:
+      return {.fault = RepairFault::LessFair,
+              .text = fmt::format("it has {} more inflections along {} lines",
+                                  after.inflections - before.inflections, after.lines),
+              .numbers = {{"inflections_before", before.inflections},
+                          {"inflections_after", after.inflections},
+                          {"lines", after.lines}}};
+  }
+  return {};
+}
+
+RepairReason wouldBe(RepairReason less_fair) {
+  return prefixed("it would be less fair: ", std::move(less_fair));
 }
 
 RepairReason passesThrough(int face) {

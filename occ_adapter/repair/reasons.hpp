@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include <seamwright/core/surface/judge.hpp>
 #include <seamwright/occ_adapter/repair/repair_reason.hpp>
 
 /// All reasons of a repair, and their words. Not a public header.
@@ -81,8 +82,8 @@ RepairReason checksFail();
 RepairReason volumeChanges(int solid, double change_mm3, double explained_mm3);
 /// The largest move of the face is above the limit.
 RepairReason movesTooFar(double move_mm, double limit_mm);
-/// \param figures of the face, as its verdict words them.
-RepairReason lessFair(const std::string& figures);
+/// The moved face is less fair, with the figures; empty for SurfaceFault::None.
+RepairReason lessFair(SurfaceFault fault, const SurfaceChange& change);
 /// The moved face intersects another one.
 RepairReason passesThrough(int face);
 /// No set of changes could be proven that contains one for the seam.
@@ -94,6 +95,8 @@ RepairReason instanceLessCertain();
 
 /// "face 3: ..."
 RepairReason onFace(int face, RepairReason reason);
+/// "it would be less fair: ..."
+RepairReason wouldBe(RepairReason less_fair);
 /// "its new path would spoil ..."
 RepairReason pathSpoils(RepairReason reason);
 /// "instance of edge 3: ..."

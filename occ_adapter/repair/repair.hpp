@@ -64,7 +64,8 @@ struct FaceMove {
   double largest_move_mm = 0;  ///< upper bound, of all its points
   /// Change of the face's surface along iso-lines; nothing where it can't be evaluated.
   std::optional<SurfaceChange> surface = {};
-  SurfaceVerdict verdict = {};  ///< on that change, see docs/theory/repair.md R4
+  /// Why it is less fair than before, see docs/theory/repair.md R4; empty if it is not.
+  RepairReason less_fair = {};
 };
 
 /// An edge that got new pcurves on its faces: another curve, or the old one at another speed.

@@ -133,7 +133,7 @@ bool isLinear(const Along& along, const ParameterRange& range, double near_mm) {
 }
 
 /// A cubic spline through points of the pcurve. The number of points doubles from 9 until the
-/// spline runs along the pcurve as \p along tells, or up to 513.
+/// spline runs along the pcurve as \p along states, or up to 513.
 handle<Geom2d_Curve> interpolated(const PlacedSurface& surface, const PlanarPath& path,
                                   const std::function<double(double)>& along, double first,
                                   double last, double near_mm) {

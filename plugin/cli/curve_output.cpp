@@ -140,9 +140,10 @@ CurveFormat curveFormat(const fs::path& path) {
   if (extension == ".step" || extension == ".stp" || extension == ".iges" || extension == ".igs" ||
       extension == ".brep" || extension == ".brp" || extension == ".bin")
     return CurveFormat::Model;
-  throw std::runtime_error(path.string() + ": can't be written: '" + extension +
-                           "' tells no format; .step, .stp, .iges, .igs, .brep, .brp, .bin, .dxf, "
-                           ".svg and .csv do");
+  throw std::runtime_error(
+      path.string() + ": can't be written: '" + extension +
+      "' is no known extension; use .step, .stp, .iges, .igs, .brep, .brp, .bin, .dxf, "
+      ".svg or .csv");
 }
 
 void requireCurveOutputs(const std::string& input, const OutputArguments& arguments) {

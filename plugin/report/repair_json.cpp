@@ -103,7 +103,7 @@ RepairSummary summarize(const occ::RepairReport& report) {
   summary.defects_after = summarize(report.after).defects;
   for (const occ::FaceMove& move : report.moves) {
     summary.largest_move_mm = std::max(summary.largest_move_mm, move.largest_move_mm);
-    summary.worse_faces += move.verdict.worse;
+    summary.worse_faces += !move.less_fair.empty();
   }
   return summary;
 }
@@ -155,8 +155,9 @@ ordered_json surfaceJson(const occ::FaceMove& move) {
       {"extrema", compared(change.before.extrema, change.after.extrema)},
       {"inflections", compared(change.before.inflections, change.after.inflections)},
       {"lines", change.after.lines},
-      {"worse", move.verdict.worse},
-      {"reason", move.verdict.reason}};
+      {"worse", !move.less_fair.empty()},
+      {"reason", move.less_fair.text},
+      {"reason_code", codeOf(move.less_fair.fault)}};
 }
 
 }  // namespace

@@ -131,8 +131,8 @@ std::string toTable(const occ::RepairReport& report, const std::optional<Written
            "Python "
            "convert_analytic=True)\n";
   for (const occ::FaceMove& move : report.moves)
-    if (move.verdict.worse)
-      out << "\nface " << move.face << " is less fair: " << move.verdict.reason << '\n';
+    if (!move.less_fair.empty())
+      out << "\nface " << move.face << " is less fair: " << move.less_fair.text << '\n';
   out << '\n';
   const std::string differences =
       output ? output->differences(countsOf(report.after, report.model)) : "";

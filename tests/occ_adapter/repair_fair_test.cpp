@@ -7,6 +7,7 @@
 #include <cmath>
 #include <gp_Ax1.hxx>
 #include <iostream>
+#include <utility>
 
 #include "fairness.hpp"
 #include "grids.hpp"
@@ -15,6 +16,8 @@
 #include "repair_checks.hpp"
 #include "repair_trials.hpp"
 #include "support/random.hpp"
+
+#include <seamwright/occ_adapter/repair/reasons.hpp>
 
 namespace seamwright::test {
 namespace {
@@ -32,7 +35,7 @@ int expectFair(const TopoDS_Shape& shape, const RepairOptions& options) {
     EXPECT_FALSE(face.isWorse()) << "face " << face.face << ": " << face.before_per_mm << " -> "
                                  << face.after_per_mm << " /mm, at most " << face.limit_per_mm;
   for (const occ::FaceMove& move : report.moves)
-    EXPECT_FALSE(move.verdict.worse) << move.verdict.reason;
+    EXPECT_TRUE(move.less_fair.empty()) << move.less_fair.text;
   double broken_rad = 0;
   for (const occ::SeamRepair& seam : report.seams)
     broken_rad = std::max(broken_rad, upper(seam.before.figures.angle_rad));
@@ -40,6 +43,23 @@ int expectFair(const TopoDS_Shape& shape, const RepairOptions& options) {
             << broken_rad / degree << " degrees; " << faces.size() << " faces\n"
             << reasonsOf(report);
   return repairedSeams(report);
+}
+
+TEST(LessFair, TheReasonHasTheFigures) {
+  SurfaceChange change;
+  change.before.variation_per_mm = 2;
+  change.after.variation_per_mm = 30;
+  change.before.inflections = 5;
+  change.after.inflections = 14;
+  change.before.lines = change.after.lines = 40;
+  EXPECT_TRUE(occ::why::lessFair(SurfaceFault::None, change).empty());
+  const occ::RepairReason varies = occ::why::lessFair(SurfaceFault::Variation, change);
+  EXPECT_EQ(varies.fault, occ::RepairFault::LessFair);
+  EXPECT_EQ(varies.text, "its mean curvature varies by 30 per mm along a line, before by 2");
+  EXPECT_EQ(varies.numbers.back(), std::pair(std::string("variation_after_per_mm"), 30.0));
+  EXPECT_EQ(occ::why::wouldBe(varies).text, "it would be less fair: " + varies.text);
+  EXPECT_EQ(occ::why::lessFair(SurfaceFault::Inflections, change).text,
+            "it has 9 more inflections along 40 lines");
 }
 
 struct FairTrial {

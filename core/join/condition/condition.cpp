@@ -91,7 +91,7 @@ struct Polynomials {
   double scale = 0;  ///< the product of the sizes of the fields
   double noise = 0;  ///< of a coefficient
   /// The scale that the condition has where no field happens to be small. Second derivatives, for
-  /// example, vanish in bilinear patches; then 0 = 0 can be told if the noise is small against
+  /// example, vanish in bilinear patches; then 0 = 0 can be decided if the noise is small against
   /// first derivatives. 0: scale alone counts.
   double usual_scale = 0;
 };

@@ -124,7 +124,7 @@ class Recognition {
               double allowed, const char* names, const Try& attempt) {
     if (!options_.tolerance && fit_.noise > kLargestNoise) {
       fit_.note = "rounding of the poles makes up to " + text(fit_.noise) +
-                  " of a residual of 0: " + names + " cannot be told";
+                  " of a residual of 0: " + names + " cannot be decided";
       return false;
     }
     double best = std::numeric_limits<double>::infinity();

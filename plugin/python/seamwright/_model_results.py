@@ -161,6 +161,7 @@ class SurfaceChange(Result):
     extrema, inflections     Compared: their number along the lines
     lines                    how many iso-lines were compared
     worse, reason            the face is less fair than before, and why
+    reason_code              the kind of the reason, see docs/repair.md
     """
 
     _kinds = {
@@ -181,6 +182,7 @@ class SurfaceChange(Result):
     lines: int
     worse: bool
     reason: str
+    reason_code: str
 
 
 class FaceMove(Result):

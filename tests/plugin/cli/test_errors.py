@@ -103,7 +103,7 @@ def test_names_with_line_breaks_keep_to_one_line(tmp_path):
 
 
 def test_the_order_of_checks_saves_the_reading(tmp_path):
-    """A bad output is told before a model is read."""
+    """A bad output is refused before a model is read."""
     good = write(tmp_path / "good.step", box_text())
     expect_one_line(
         run("analyze", good, "-o", tmp_path / "nowhere" / "x", reader="/bin/false"), "nowhere"
@@ -165,7 +165,7 @@ def test_utf16_is_called_so(tmp_path):
     expect_one_line(run("analyze", path), "UTF-16")
 
 
-def test_a_face_of_a_missing_surface_is_told(tmp_path):
+def test_a_face_of_a_missing_surface_is_reported(tmp_path):
     text = re.sub(r"(ADVANCED_FACE\('',\(#\d+\),)#\d+", r"\1#99999999", box_text(), count=1)
     result = run("analyze", write(tmp_path / "dangling.step", text))
     assert result.returncode in (0, 1)

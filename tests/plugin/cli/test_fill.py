@@ -140,7 +140,7 @@ def test_faces_in_a_reason_are_those_of_the_given_model(box):
         assert {edge for side in report["sides"] for edge in side["edges"]} == edges
 
 
-def test_holes_of_one_size_are_told_apart(tmp_path):
+def test_holes_of_one_size_are_distinguished(tmp_path):
     """A box without its ends: the list names holes as --hole takes them, with where they are."""
     points = [(x, y, z) for z in (0, 30) for x, y in ((0, 0), (10, 0), (10, 20), (0, 20))]
     tube = tmp_path / "tube.step"

@@ -95,7 +95,7 @@ def test_a_device_is_written_to_and_stays_one(box):
     assert stat.S_ISCHR(os.stat("/dev/null").st_mode)
 
 
-def test_a_full_disk_is_told(box):
+def test_a_full_disk_is_reported(box):
     with open("/dev/full", "w") as full:
         result = subprocess.run(
             [PROGRAM, "analyze", str(box)],
@@ -109,7 +109,7 @@ def test_a_full_disk_is_told(box):
     assert run("analyze", box, "-o", "/dev/full").returncode == 2
 
 
-def test_a_read_only_folder_is_told(box, tmp_path):
+def test_a_read_only_folder_is_reported(box, tmp_path):
     folder = tmp_path / "locked"
     folder.mkdir(mode=0o500)
     result = run("analyze", box, "-o", folder / "out.txt", begin=bound_by_permissions())

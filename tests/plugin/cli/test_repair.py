@@ -247,7 +247,7 @@ def test_memory_stays_small(tmp_path):
 
 
 @pytest.mark.parametrize("name", ["step/screw.step", "occ/CrankArm.brep"])
-def test_the_source_stays_and_the_file_has_the_verdicts_told(tmp_path, name):
+def test_the_source_stays_and_the_file_has_the_reported_verdicts(tmp_path, name):
     path = installed(OCCT_DATA / name)
     model = tmp_path / path.name
     model.write_bytes(path.read_bytes())

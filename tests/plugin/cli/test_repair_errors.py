@@ -64,7 +64,7 @@ def bad_inputs(folder):
         "negative jobs": ([good, *to, "--jobs", "-1"], "-1"),
         "crease below angle": ([good, *to, "--angle", "3", "--crease", "2"], "2"),
         "gap below rounding": ([good, *to, "--gap", "1e-20"], "1e-20"),
-        "no format": ([good, "-o", folder / "out"], "tells no format"),
+        "no format": ([good, "-o", folder / "out"], "no known extension"),
         "foreign format": ([good, "-o", folder / "out.stl"], ".stl"),
         "missing folder": ([good, "-o", folder / "nowhere" / "out.step"], "nowhere"),
         "output is a folder": ([good, "-o", folder / "sub.step"], "folder"),
@@ -143,7 +143,7 @@ def test_broken_files(tmp_path, file):
     assert os.listdir(tmp_path) == []
 
 
-def test_the_model_itself_only_where_told(tmp_path):
+def test_the_model_itself_only_where_asked(tmp_path):
     model = tmp_path / "sheet.step"
     model.write_text(sheet_text())
     content = model.read_bytes()
@@ -154,7 +154,7 @@ def test_the_model_itself_only_where_told(tmp_path):
     assert os.listdir(tmp_path) == ["sheet.step"]
 
 
-def test_an_older_report_is_replaced_and_an_older_model_where_told(tmp_path):
+def test_an_older_report_is_replaced_and_an_older_model_where_asked(tmp_path):
     model, out, report = (tmp_path / name for name in ("sheet.step", "out.step", "report.json"))
     model.write_text(sheet_text())
     out.write_text("old")

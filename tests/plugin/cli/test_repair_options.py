@@ -26,7 +26,7 @@ def test_planes_stay_and_the_reason_says_so(tmp_path):
     )
 
 
-def test_planes_move_where_told(tmp_path):
+def test_planes_move_where_asked(tmp_path):
     model = tmp_path / "roof.step"
     model.write_text(roof_text(1))
     result, report, out = repair(model, "--convert", "--max-move", "inf")

@@ -109,7 +109,7 @@ class CurvatureMaps(unittest.TestCase):
         far = Part.Compound([small, Part.makePlane(5, 5, App.Vector(1000, 0, 0))])
         self.assertLess(len(curvature_map(far).triangles), len(curvature_map(small).triangles))
 
-    def test_the_tip_of_a_cone_is_not_told_and_the_range_is(self):
+    def test_the_tip_of_a_cone_has_no_value_and_the_range_has(self):
         mesh = curvature_map(Part.makeCone(5, 0, 10))
         limit = curvature.limit(mesh.mean_per_mm, curvature.areas(mesh.points, mesh.triangles))
         self.assertTrue(0 < limit < math.inf)

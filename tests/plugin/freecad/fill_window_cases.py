@@ -134,7 +134,7 @@ class Filling(FillWindow):
         self.ok()
         self.assertEqual(count(picture("fill-closed"), BAND), 0)
 
-    def test_what_misses_the_target_is_left_unless_told_otherwise(self):
+    def test_what_misses_the_target_is_left_unless_asked_otherwise(self):
         self.source.Shape = models.panel_with_hole()
         self.doc.recompute()
         obj, panel = self.start()

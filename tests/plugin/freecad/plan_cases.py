@@ -102,7 +102,7 @@ class Plans(DocumentCase):
             self.doc.recompute()
             self.assertEqual(figures(obj), kept)
 
-    def test_an_object_that_is_gone_is_told(self):
+    def test_an_object_that_is_gone_is_reported(self):
         for make in self.makers():
             obj = make()
             plan = Plan(obj, {})

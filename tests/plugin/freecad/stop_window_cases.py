@@ -127,7 +127,7 @@ class Repairing(PanelWindow):
         self.ok()
         self.assertEqual((self.made(), repair.error_text(self.obj)), ([self.obj], ""))
 
-    def test_a_model_that_changes_meanwhile_is_told(self):
+    def test_a_model_that_changes_meanwhile_is_reported(self):
         with held():
             self.panel.preview()
             pause()

@@ -126,7 +126,7 @@ def test_the_longest_loop_is_left_out_unless_there_is_no_other():
     assert fill_text.hole_tip(outer) == "Edge1, Edge2, Edge3"
 
 
-def test_loops_of_one_length_are_all_filled_and_told_apart():
+def test_loops_of_one_length_are_all_filled_and_distinguished():
     holes = [hole(1, [1, 2], [3], centre=(0, 0, 0)), hole(2, [4, 5], [6], centre=(0, 0, 30))]
     assert fill_text.default_holes(holes) == holes
     assert [fill_text.hole_text(each, holes).split("centre ")[1] for each in holes] == [

@@ -43,7 +43,7 @@ def test_faces_of_a_shell_stay_together():
     assert list(orientation.signs(points, normals, first, [7, 7, 7, 7])) == [1, 1, 1, 1]
 
 
-def test_beyond_an_edge_nothing_is_told():
+def test_beyond_an_edge_nothing_is_reported():
     points, normals, first = strip((1, -1), [0, 80])
     assert list(orientation.signs(points, normals, first, range(2))) == [1, 1]
 

@@ -270,7 +270,7 @@ def test_surfaces(name, call, value):
     named(name, call, value, (TypeError, ValueError))
 
 
-def test_numbers_that_are_nan_are_told():
+def test_numbers_that_are_nan_are_reported():
     for name, call in [*PARAMETERS, *NUMBERS]:
         with pytest.raises(ValueError) as caught:
             call(math.nan)

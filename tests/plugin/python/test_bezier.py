@@ -256,5 +256,5 @@ def test_equality_and_hash():
         hash(a)
 
 
-def test_version_is_told():
+def test_version_is_reported():
     assert seamwright.__version__ and seamwright.OCCT_VERSION.count(".") == 2

@@ -76,7 +76,7 @@ def test_what_is_written_is_read_back(shell, tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["out.step"]
 
 
-def test_defects_in_the_file_are_told(shell, tmp_path):
+def test_defects_in_the_file_are_reported(shell, tmp_path):
     fill = shell.fill(face=64, angle_deg=1e-9, keep_anyway=True)
     assert fill.write(tmp_path / "out.brep")["output"]["defects"] > 0
 
