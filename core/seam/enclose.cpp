@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <span>
-#include <string>
+#include <utility>
 
 #include <seamwright/core/numeric.hpp>
 #include <seamwright/core/seam/enclose.hpp>
 #include <seamwright/core/seam/piece.hpp>
+#include <seamwright/core/seam/seam_pieces.hpp>
 #include <seamwright/core/seam/side_evaluator.hpp>
 #include <seamwright/core/seam/side_length.hpp>
 
@@ -17,15 +17,14 @@ namespace seamwright {
 
 namespace {
 
+using namespace enclosure;
+
 /// Allowed width of the bounds of a figure, as a share of the figure or, if that is larger, of its
 /// tolerance: two digits, as reports show.
 constexpr double allowed_share = 0.01;
 /// Share of the parameter of the seam. A shorter piece that has bounds is not cut to make them
 /// narrower.
 constexpr double shortest_piece = 0x1p-24;
-/// Share of the seam, in parameter and in length. A shorter piece without known tangent plane is
-/// left out.
-constexpr double pole_piece = 0x1p-30;
 /// Share of the parameter of the seam. No piece is cut to less; this is four units in the last
 /// place of 1.
 constexpr double last_piece = 0x1p-50;
@@ -35,21 +34,6 @@ constexpr double degenerate_reach = 0x1p-20;
 /// The same where no bound of the angle is known up to the point. Rounding scatters the poles of
 /// such a point, and its effect on curvature grows with the inverse square of the distance.
 constexpr double scattered_reach = 0x1p-16;
-
-struct Piece {
-  double from = 0;
-  double to = 0;
-  PieceFigures figures = {};
-  bool left_out = false;            ///< only the gap counts
-  bool curvature_left_out = false;  ///< only gap and angle count
-  /// How wide its bounds are, in units of the allowed width; 0 if they are narrow enough.
-  double excess = infinite;
-  int stalled = 0;  ///< number of cuts in a row that improved no part
-  double width() const { return to - from; }
-  /// The parameter of the seam at x in [-1, 1], as enclosures of a piece count: -1 is its begin, 0
-  /// its middle, 1 its end.
-  double at(double x) const { return 0.5 * ((1 - x) * from + (1 + x) * to); }
-};
 
 /// Cuts the seam into pieces and measures them, see run() for the order.
 ///
@@ -67,21 +51,20 @@ class Enclosure {
             const EncloseOptions& options)
       : a_(a), b_(b), length_a_(a_), length_b_(b_), tolerance_(tolerance), options_(options) {}
 
-  SeamFigures run();
+  SeamPieces run();
+  const SideLength& length_a() const { return length_a_; }
+  const SideLength& length_b() const { return length_b_; }
 
  private:
-  enum Quantity { Gap, Angle, Curvature, RelativeCurvature, Quantities };
-
   /// Above the crease angle there are no curvature figures. lower_[Angle] only grows. So a seam
   /// that ends below the crease angle had all its pieces measured with curvature; on one that ends
   /// above it, pieces that were measured before have curvatures, which isSettled(), excess() and
-  /// addFigures() ignore.
+  /// figuresOf() ignore.
   Detail detail() const {
     return lower_[Angle] > tolerance_.crease_rad ? Detail::TangentPlane : Detail::Curvature;
   }
   bool folds(const Piece& piece) const {
-    return piece.figures.sense != 0 &&
-           (a_.faceOnLeft() == b_.faceOnLeft()) == (piece.figures.sense > 0);
+    return enclosure::folds(piece, a_.faceOnLeft() == b_.faceOnLeft());
   }
 
   // These functions change pieces_; refine() also sets exhausted_.
@@ -101,9 +84,7 @@ class Enclosure {
   void findPoles();
   void leaveOutCurvatureNearDegenerate();
 
-  // All others only read, except that addLeftOut() sorts pieces_.
-  bool isAtPole(const Piece& piece) const;
-  void addLeftOut(SeamFigures& figures);
+  // These functions only read.
   double tolerated(Quantity quantity) const;
   double allowed(Quantity quantity) const;
   bool isEnough(Quantity quantity, double upper) const;
@@ -111,22 +92,6 @@ class Enclosure {
   double excess(const Piece& piece) const;
   bool isOnOneSide(const PieceBound& relative_curvature) const;
   bool isSettled(const Piece& piece) const;
-  double planeShare() const;
-  /// What the pieces say together.
-  struct Summary {
-    std::array<double, Quantities> upper{};
-    bool has_plane = false;  ///< on some piece
-    bool may_fold = false;
-    std::optional<double> fold_at, unknown_at;
-    bool isFoldOpen() const { return may_fold && !fold_at; }
-  };
-  Summary summary() const;
-  void addFigures(const Summary& sum, SeamFigures& figures) const;
-  std::string whyUncertified(const Summary& sum, const SeamFigures& figures,
-                             bool is_crease_known) const;
-  SeamFigures figures();
-  std::optional<Figure> figure(Quantity quantity, double upper) const;
-  Interval belowCreaseShare() const;
 
   SideEvaluator a_;
   SideEvaluator b_;
@@ -422,57 +387,13 @@ void Enclosure::leaveOutCurvatureNearDegenerate() {
   for (const Piece& piece : pieces_) see(piece);
 }
 
-/// Whether the piece is too near a point without tangent plane or without curvature to be
-/// distinguished from it.
-bool Enclosure::isAtPole(const Piece& piece) const {
-  if (piece.left_out) return true;
-  const auto is_near = [&](double pole) {
-    return length_a_.isShort(std::min(piece.from, pole), std::max(piece.to, pole), pole_piece);
-  };
-  return std::ranges::any_of(degenerate_,
-                             [&](const DegeneratePoint& point) { return is_near(point.at); });
-}
-
-void Enclosure::addLeftOut(SeamFigures& figures) {
-  std::ranges::sort(pieces_, {}, &Piece::from);
-  const auto add = [&](LeftOut& left_out, const Piece& piece, double upper) {
-    if (!left_out.intervals.empty() && piece.from <= left_out.intervals.back().upper)
-      left_out.intervals.back().upper = piece.to;
-    else
-      left_out.intervals.push_back({piece.from, piece.to});
-    if (upper > left_out.upper.value_or(infinite)) left_out.upper = upper;
-    if (left_out.upper == infinite) left_out.upper.reset();
-  };
-  const Interval& range = options_.range;
-  for (const Piece& piece : pieces_) {
-    const bool in_range = piece.at(0) > range.lower && piece.at(0) < range.upper;
-    if (piece.left_out) add(figures.angle_left_out, piece, in_range ? 0 : infinite);
-    if (!figures.curvature_rel || !(piece.left_out || piece.curvature_left_out)) continue;
-    const auto& curvature = piece.figures.curvature_rel;
-    double upper = infinite;
-    if (in_range && isAtPole(piece))
-      upper = 0;
-    else if (in_range && curvature)
-      upper = curvature->upper;
-    add(figures.curvature_left_out, piece, upper);
-  }
-  for (LeftOut* left_out : {&figures.angle_left_out, &figures.curvature_left_out}) {
-    left_out->longest_mm = 0;
-    for (const Interval& interval : left_out->intervals)
-      left_out->longest_mm =
-          std::max({left_out->longest_mm, length_a_.of(interval.lower, interval.upper).upper,
-                    length_b_.of(interval.lower, interval.upper).upper});
-  }
-}
-
 /// The order:
 ///   1. The middle, for a first lower bound of the angle.
 ///   2. Poles at the ends, which determine curvature_range_.
 ///   3. A first measurement between breaks: knots, and the ends of both ranges.
 ///   4. refine(), which needs the lower bounds of the whole seam.
 ///   5. What lies near points without tangent plane is left out of the curvature.
-///   6. The figures.
-SeamFigures Enclosure::run() {
+SeamPieces Enclosure::run() {
   const Interval& range = options_.range;
   std::vector<double> breaks = {range.lower, range.upper, 1};
   a_.addBreaks(breaks);
@@ -499,123 +420,13 @@ SeamFigures Enclosure::run() {
   }
   refine();
   leaveOutCurvatureNearDegenerate();
-  return figures();
-}
-
-std::optional<Figure> Enclosure::figure(Quantity quantity, double upper) const {
-  Figure figure{lower_[quantity], std::nullopt, at_[quantity]};
-  if (std::isfinite(upper)) figure.upper = std::max(upper, figure.lower);
-  return figure;
-}
-
-double Enclosure::planeShare() const {
-  const Interval& range = options_.range;
-  double left_out = 0;
-  if (range.lower > 0) left_out += length_a_.of(0, range.lower).upper;
-  if (range.upper < 1) left_out += length_a_.of(range.upper, 1).upper;
-  for (const Piece& piece : pieces_)
-    if (piece.left_out && piece.from >= range.lower && piece.to <= range.upper)
-      left_out += length_a_.of(piece.from, piece.to).upper;
-  return left_out > 0 ? std::max(0.0, 1 - left_out / std::max(length_a_.whole_mm(), left_out)) : 1;
-}
-
-Interval Enclosure::belowCreaseShare() const {
-  if (std::ranges::none_of(pieces_, [&](const Piece& piece) {
-        return !piece.left_out &&
-               (piece.figures.angle_rad.upper > tolerance_.crease_rad || folds(piece));
-      }))
-    return {1, 1};
-  if (std::ranges::none_of(pieces_, [&](const Piece& piece) {
-        return !piece.left_out && piece.figures.smallest_angle_rad <= tolerance_.crease_rad;
-      }))
-    return {0, 0};
-  Interval below, other, either;
-  for (const Piece& piece : pieces_) {
-    const PieceFigures& f = piece.figures;
-    const bool is_above =
-        piece.left_out || f.smallest_angle_rad > tolerance_.crease_rad || folds(piece);
-    Interval& sum = is_above ? other : f.angle_rad.upper <= tolerance_.crease_rad ? below : either;
-    const Interval length = length_a_.of(piece.from, piece.to);
-    sum.lower += length.lower;
-    sum.upper += length.upper;
-  }
-  const double least = below.lower / std::max(below.lower + other.upper + either.upper, 1e-300);
-  const double most =
-      (below.upper + either.upper) / std::max(below.upper + either.upper + other.lower, 1e-300);
-  return {least, most};
-}
-
-Enclosure::Summary Enclosure::summary() const {
-  Summary sum;
-  for (const Piece& piece : pieces_) {
-    const PieceFigures& f = piece.figures;
-    sum.upper[Gap] = std::max(sum.upper[Gap], f.gap_mm.upper);
-    if (!std::isfinite(f.gap_mm.upper)) sum.unknown_at = piece.at(0);
-    if (piece.left_out) continue;
-    sum.has_plane = true;
-    sum.upper[Angle] = std::max(sum.upper[Angle], f.angle_rad.upper);
-    if (!piece.curvature_left_out) {
-      sum.upper[Curvature] =
-          std::max(sum.upper[Curvature], f.curvature_per_mm ? f.curvature_per_mm->upper : infinite);
-      sum.upper[RelativeCurvature] = std::max(sum.upper[RelativeCurvature],
-                                              f.curvature_rel ? f.curvature_rel->upper : infinite);
-    }
-    if (!std::isfinite(f.angle_rad.upper)) sum.unknown_at = piece.at(0);
-    if (!folds(piece)) continue;
-    if (f.angle_rad.upper <= tolerance_.crease_rad && !sum.fold_at) sum.fold_at = piece.at(0);
-    if (f.smallest_angle_rad <= tolerance_.crease_rad) sum.may_fold = true;
-  }
-  // The relative difference cannot be larger where the curvature has bounds at all.
-  if (std::isfinite(sum.upper[Curvature]))
-    sum.upper[RelativeCurvature] =
-        std::min(sum.upper[RelativeCurvature], largest_relative_difference);
-  return sum;
-}
-
-void Enclosure::addFigures(const Summary& sum, SeamFigures& figures) const {
-  figures.gap_mm = figure(Gap, sum.upper[Gap]);
-  figures.fold_at = sum.fold_at;
-  if (!sum.has_plane) return;
-  figures.angle_rad = figure(Angle, sum.upper[Angle]);
-  const bool sharp = lower_[Angle] > tolerance_.crease_rad;
-  if (sharp || sum.fold_at) return;
-  figures.curvature_per_mm = figure(Curvature, sum.upper[Curvature]);
-  figures.curvature_rel = figure(RelativeCurvature, sum.upper[RelativeCurvature]);
-}
-
-/// The most important reason comes first.
-std::string Enclosure::whyUncertified(const Summary& sum, const SeamFigures& figures,
-                                      bool is_crease_known) const {
-  if (sum.unknown_at) {
-    const std::string pieces = exhausted_ ? fmt::format(" with {} pieces", looks_) : "";
-    return fmt::format("no bound was found at {:.6g}{}", *sum.unknown_at, pieces);
-  }
-  if (sum.isFoldOpen()) return "the faces may fold back on one another";
-  if (!is_crease_known) return "the crease angle is passed near the middle of its length";
-  if (figures.curvature_rel && !figures.curvature_rel->upper) return "the curvature is not bounded";
-  if (exhausted_) return fmt::format("the enclosures are still wide after {} pieces", looks_);
-  return "";
-}
-
-SeamFigures Enclosure::figures() {
-  const Summary sum = summary();
-  SeamFigures figures;
-  addFigures(sum, figures);
-  const Interval share = belowCreaseShare();
-  // The judge asks whether half of the length is below the crease angle.
-  const bool is_crease_known = !(share.lower <= 0.5 && share.upper > 0.5);
-  figures.below_crease_share = share.middle();
-  figures.plane_share = planeShare();
-  figures.shares_known = is_crease_known && !sum.isFoldOpen();
-  figures.degenerate = degenerate_;
-  addLeftOut(figures);
-  figures.points = looks_;
-  figures.uncertified = whyUncertified(sum, figures, is_crease_known);
-  const auto known = [](const std::optional<Figure>& figure) { return !figure || figure->upper; };
-  figures.certified =
-      known(figures.gap_mm) && known(figures.angle_rad) &&
-      (figures.fold_at || (known(figures.curvature_per_mm) && known(figures.curvature_rel)));
-  return figures;
+  return {.pieces = std::move(pieces_),
+          .lower = lower_,
+          .at = at_,
+          .degenerate = std::move(degenerate_),
+          .faces_on_one_side = a_.faceOnLeft() == b_.faceOnLeft(),
+          .looks = looks_,
+          .exhausted = exhausted_};
 }
 
 }  // namespace
@@ -623,7 +434,10 @@ SeamFigures Enclosure::figures() {
 SeamFigures encloseSeam(const SeamSide& a, const SeamSide& b, const ContinuityTolerance& tolerance,
                         const EncloseOptions& options) {
   tolerance.validate();
-  return Enclosure(a, b, tolerance, options).run();
+  Enclosure enclosure(a, b, tolerance, options);
+  SeamPieces pieces = enclosure.run();
+  return figuresOf(std::move(pieces), enclosure.length_a(), enclosure.length_b(),
+                   {.tolerance = tolerance, .range = options.range});
 }
 
 }  // namespace seamwright
