@@ -79,7 +79,7 @@ inline void requireUnit(double parameter) {
 inline void requireUnit(const Interval& domain) {
   if (!(0 <= domain.lower && domain.lower <= domain.upper && domain.upper <= 1))
     throw std::invalid_argument("[" + text(domain.lower) + ", " + text(domain.upper) +
-                                "] is no interval in [0, 1]");
+                                "] is not an interval in [0, 1]");
 }
 
 /// C(n, 0..n). Exact for n <= 56; above, each number has binomialRoundings(n) roundings.

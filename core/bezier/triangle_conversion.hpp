@@ -53,7 +53,7 @@ struct TriangleRecognition {
   std::optional<BezierTriangle> triangle;  ///< of the lowest degree that fits
   PatchEdge apex = PatchEdge::U0;  ///< the edge of the patch that is P0; the natural normals agree
   /// Bound of the distance of patch and triangle at equal parameters, except for rounding. If there
-  /// is no triangle, the distance to the nearest one that was tried.
+  /// is not a triangle, the distance to the nearest one that was tried.
   double deviation_mm = 0;
   double tolerance_mm = 0;  ///< the accepted deviation
 };

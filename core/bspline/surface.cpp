@@ -107,7 +107,7 @@ BezierPatch bezierPatch(const BSplineSurface& surface) {
   requireValid(surface);
   for (const SurfaceDirection direction : {SurfaceDirection::U, SurfaceDirection::V})
     if (hasInnerKnots(directionOf(surface, direction)))
-      refuse("a surface with inner knots is no Bezier patch");
+      refuse("a surface with inner knots is not a Bezier patch");
   return {surface.degree_u, surface.degree_v, affinePoles(surface.poles), surface.poles.col(3)};
 }
 

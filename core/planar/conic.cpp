@@ -86,7 +86,7 @@ PlanarConic conicOf(const PlanarArc& arc) {
   const double half_rad = arc.sweep_rad() / 2;
   if (!(std::abs(half_rad) < std::numbers::pi / 2)) {
     throw std::domain_error(fmt::format(
-        "an arc that turns by {} rad is no single conic segment: it turns by pi or more",
+        "an arc that turns by {} rad is not a single conic segment: it turns by pi or more",
         arc.sweep_rad()));
   }
   const Vector2d end = arc.end();

@@ -165,7 +165,7 @@ InteriorPoint leastEnergy(const MovablePoints& problem, double negligible, int m
     double step = std::min(stepToBound(below, change.array()), stepToBound(above, -change.array()));
     const double value = barrierValue(problem, result.shares, barrier);
     const double slope = barrier_gradient.dot(change);
-    // Armijo's rule; 2^-40 of a step is no step.
+    // Armijo's rule; 2^-40 of a step is not a step.
     while (step > 0x1p-40 && barrierValue(problem, result.shares + step * change, barrier) >
                                  value + 1e-4 * step * slope)
       step /= 2;

@@ -72,7 +72,7 @@ Verdict verdictAt(const SeamFigures& figures, const ContinuityTolerance& toleran
 }
 
 /// A remark on a sharp spot, which the class does not show: a seam that is below the crease angle
-/// over more than half of its length is no crease.
+/// over more than half of its length is not a crease.
 std::string sharpSpotRemark(const SeamFigures& figures, const ContinuityTolerance& tolerance) {
   if (!figures.angle_rad || figures.angle_rad->lower <= tolerance.crease_rad ||
       figures.below_crease_share <= 0.5)

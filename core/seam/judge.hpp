@@ -43,8 +43,8 @@ struct Verdict {
 ///
 /// Class: Crease iff G0 holds and the angle is above crease_rad or the seam folds, unless the angle
 /// is within crease_rad over more than half of the length. In that case the seam has a sharp spot
-/// and is not a crease. A seam that is no crease is Smooth iff the level reaches \p required, else
-/// Defect.
+/// and is not a crease. A seam that is not a crease is Smooth iff the level reaches \p required,
+/// else Defect.
 ///
 /// Level and class are those of the lower ends of the enclosures. The verdict is certain iff the
 /// upper ends give the same level and class, and nothing else on which these depend is only

@@ -259,7 +259,7 @@ Poles alphaSlidingRows(const AlphaSurface& given, double next_a_u, double next_a
   const double spread = alpha * given.a_u + std::abs(beta0) + std::abs(beta1);
   if (given.a_v != next_a_v && edge_miss > slack * size)
     throw std::invalid_argument(
-        "a_v and next_a_v differ, and the edge is no curve of both shapes: it misses that by " +
+        "a_v and next_a_v differ, and the edge is not a curve of both shapes: it misses that by " +
         text(edge_miss) + " mm, rounding " + text(slack * size));
   if (miss > 10 * slack * size * spread)
     throw std::invalid_argument(

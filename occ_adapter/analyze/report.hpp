@@ -54,7 +54,7 @@ struct Report {
   double read_s = 0;
   double analyze_s = 0;
 
-  /// All seams meet the level; creases are no defects.
+  /// All seams meet the level; creases are not defects.
   bool passed() const;
 };
 

@@ -188,7 +188,7 @@ handle<Geom_BezierSurface> toBezierSurface(const BezierPatch& patch) {
 BezierCurve bezierCurve(const Geom_Curve& curve) {
   if (const auto* bezier = dynamic_cast<const Geom_BezierCurve*>(&curve)) return curveOf(*bezier);
   const auto* spline = dynamic_cast<const Geom_BSplineCurve*>(&curve);
-  if (!spline) refuse(curve, "is no Bezier curve");
+  if (!spline) refuse(curve, "is not a Bezier curve");
   requireOneSpan(curve, "", spline->Degree(), spline->NbKnots(), spline->Multiplicity(1),
                  spline->Multiplicity(spline->NbKnots()));
   return curveOf(*spline);
@@ -198,7 +198,7 @@ BezierPatch bezierPatch(const Geom_Surface& surface) {
   if (const auto* bezier = dynamic_cast<const Geom_BezierSurface*>(&surface))
     return patchOf(*bezier);
   const auto* spline = dynamic_cast<const Geom_BSplineSurface*>(&surface);
-  if (!spline) refuse(surface, "is no Bezier surface");
+  if (!spline) refuse(surface, "is not a Bezier surface");
   requireOneSpan(surface, " in u", spline->UDegree(), spline->NbUKnots(), spline->UMultiplicity(1),
                  spline->UMultiplicity(spline->NbUKnots()));
   requireOneSpan(surface, " in v", spline->VDegree(), spline->NbVKnots(), spline->VMultiplicity(1),

@@ -120,7 +120,7 @@ BSplineCurve coreCurve(const Geom_Curve& curve, double first, double last) {
   const auto* bezier = dynamic_cast<const Geom_BezierCurve*>(&curve);
   if (!bezier)
     throw std::domain_error(std::string(curve.DynamicType()->Name()) +
-                            " is no Bezier or B-spline curve");
+                            " is not a Bezier or B-spline curve");
   const BSplineCurve whole = splineCurve(bezierCurve(curve));
   const int ends = whole.degree + 1;
   return clampedCurve({whole.degree, {0, 1}, {ends, ends}, whole.poles}, first, last);

@@ -83,7 +83,7 @@ CornerReason ballStays(double ball_mm);
 CornerReason ballDividesSolid(double ball_mm);
 /// OpenCASCADE makes no fillets of the edges that are left.
 CornerReason notRounded(double ball_mm);
-/// The result of OpenCASCADE's fillets is no solid.
+/// The result of OpenCASCADE's fillets is not a solid.
 CornerReason noSolid(double ball_mm);
 /// No face of the ball is left after the fillets.
 CornerReason ballIsGone(double ball_mm);
@@ -142,7 +142,7 @@ CornerReason notFilled(const std::string& why);
 CornerReason checksFail();
 /// No proof that the patches are regular.
 CornerReason mayFold();
-/// A new face meets another one where they are no neighbours.
+/// A new face meets another one where they are not neighbours.
 /// \param face 0: another new face.
 CornerReason runsIntoFace(int face);
 /// A new seam does not reach the target.

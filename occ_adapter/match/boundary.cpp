@@ -72,8 +72,9 @@ std::vector<Seam>::iterator chosen(std::vector<Seam>& seams, int edge) {
   if (found != seams.end()) return found;
   std::vector<int> common;
   for (const Seam& seam : seams) common.insert(common.end(), seam.edges.begin(), seam.edges.end());
-  throw std::invalid_argument(fmt::format(
-      "edge {} is no common boundary of the faces; these are: {}", edge, fmt::join(common, ", ")));
+  throw std::invalid_argument(
+      fmt::format("edge {} is not a common boundary of the faces; these are: {}", edge,
+                  fmt::join(common, ", ")));
 }
 
 /// Smallest box of the parameter plane that holds points.
@@ -250,7 +251,7 @@ CommonBoundary commonBoundary(const TopoDS_Shape& model, const std::array<TopoDS
 
 MatchReason whyApart(const Seam& seam, const FaceMatchOptions& options) {
   const double near_mm = std::max(options.match_mm, options.tolerance.gap_mm);
-  // What is shorter is no seam by itself, and may be left out: see shortestSeam_mm().
+  // What is shorter is not a seam by itself, and may be left out: see shortestSeam_mm().
   constexpr double left_out = 4;
   for (const int which : {0, 1}) {
     const std::vector<double>& shares = which == 0 ? seam.correspondence.a : seam.correspondence.b;

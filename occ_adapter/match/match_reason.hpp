@@ -30,7 +30,7 @@ enum class MatchFault {
   PathNotFitted,    ///< the path on the face that stays can't be brought to the other parameter
   // A face can't move.
   FaceWithoutPoles,       ///< a plane, cylinder and the like
-  FaceTrimmed,            ///< the boundary is no parameter line
+  FaceTrimmed,            ///< the boundary is not a parameter line
   FaceGoesOn,             ///< the face does not end at the boundary
   FaceSideLonger,         ///< the boundary is a part of a side
   FaceBeyondSurface,      ///< the face reaches beyond its surface

@@ -186,7 +186,7 @@ MatchReason hasNoPoles(const std::string& kind) {
 
 MatchReason isTrimmed() {
   return {.fault = MatchFault::FaceTrimmed,
-          .text = "is trimmed along the boundary, which is no parameter line of its surface"};
+          .text = "is trimmed along the boundary, which is not a parameter line of its surface"};
 }
 
 MatchReason goesOn() {

@@ -61,7 +61,7 @@ MatchReason pathNotFitted(int face, int pieces, double stray_mm, double limit_mm
 
 /// \param kind of the surface, such as "a plane".
 MatchReason hasNoPoles(const std::string& kind);
-/// The boundary is no parameter line of the surface.
+/// The boundary is not a parameter line of the surface.
 MatchReason isTrimmed();
 /// The face has points on both sides of the boundary's parameter line.
 MatchReason goesOn();

@@ -111,7 +111,7 @@ Format detectFormat(const std::filesystem::path& path) {
                        "is truncated: its terminate record (T in column 73) is missing");
     return Format::Iges;
   }
-  throw ModelError(ModelErrc::UnknownFormat, path, "is no STEP, IGES or BREP file");
+  throw ModelError(ModelErrc::UnknownFormat, path, "is not a STEP, IGES or BREP file");
 }
 
 }  // namespace seamwright::occ

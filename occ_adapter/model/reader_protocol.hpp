@@ -36,12 +36,12 @@ class FrameParser {
   std::string pending_;
 };
 
-/// All members of the model except the shape. Bytes that are no UTF-8 are replaced.
+/// All members of the model except the shape. Bytes that are not UTF-8 are replaced.
 std::string factsToJson(const Model& model);
 /// Sets all members except the shape. \throws nlohmann::json::exception
 void factsFromJson(const std::string& text, Model& model);
 
-/// All members of the report. Bytes that are no UTF-8 are replaced.
+/// All members of the report. Bytes that are not UTF-8 are replaced.
 std::string reportToJson(const WriteReport& report);
 /// \throws nlohmann::json::exception
 WriteReport reportFromJson(const std::string& text);

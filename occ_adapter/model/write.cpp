@@ -155,7 +155,7 @@ Format targetFormat(const std::filesystem::path& path) {
   throw ModelError(
       ModelErrc::UnknownTarget, path,
       "can't be written: '" + extension +
-          "' is no known extension; use .step, .stp, .iges, .igs, .brep, .brp or .bin");
+          "' is not a known extension; use .step, .stp, .iges, .igs, .brep, .brp or .bin");
 }
 
 void requireTarget(const std::filesystem::path& source, const std::filesystem::path& target,

@@ -286,7 +286,7 @@ std::vector<ChainCurve> planarCurves(const Geom2d_Curve& curve, double first, do
   if (!dynamic_cast<const Geom2d_BSplineCurve*>(&curve) &&
       !dynamic_cast<const Geom2d_BezierCurve*>(&curve))
     throw std::domain_error(std::string(curve.DynamicType()->Name()) +
-                            " is no line, conic or spline");
+                            " is not a line, conic or spline");
   return {inPlane(splineOver(*inSpace(curve), range), PlaneFrame())};
 }
 

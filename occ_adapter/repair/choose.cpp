@@ -38,7 +38,7 @@ void requireSeams(const std::vector<int>& edges, const Report& report) {
     });
     if (!is_seam)
       throw std::invalid_argument("edge " + std::to_string(edge) +
-                                  " is no seam: it has not a face on both sides");
+                                  " is not a seam: it does not have a face on both sides");
   }
 }
 

@@ -541,7 +541,7 @@ double missedShareOf(const Joint& joint, const JointSample& sample) {
   missed = larger(missed, missing.slide.norm() / sample.limits.slide_mm);
   missed = larger(missed, missing.overlap.norm() / sample.limits.overlap_mm);
   // Faces must turn to close the gap of a short sharp edge, so the turn of a joint that is to meet
-  // is no miss. addConditions() keeps it small.
+  // is not a miss. addConditions() keeps it small.
   if (joint.order < 1)
     return joint.ask == Ask::Join ? missed
                                   : larger(missed, creaseChange_rad(sample) / joint.turn_rad);

@@ -32,8 +32,8 @@ struct SeamGraph {
 /// no edges see matchFreeEdges(). Sides that can't be computed with have a fault. The shape is not
 /// changed.
 ///
-/// Not included are degenerated edges (the pole of a sphere is no seam), edges that bound no face,
-/// and edges inside a face that do not bound it (orientation INTERNAL or EXTERNAL). IsSame
+/// Not included are degenerated edges (the pole of a sphere is not a seam), edges that bound no
+/// face, and edges inside a face that do not bound it (orientation INTERNAL or EXTERNAL). IsSame
 /// distinguishes faces and edges: a face that two solids share counts once, and two instances of a
 /// part count twice.
 SeamGraph findSeams(const TopoDS_Shape& shape);

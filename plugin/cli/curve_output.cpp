@@ -142,7 +142,7 @@ CurveFormat curveFormat(const fs::path& path) {
     return CurveFormat::Model;
   throw std::runtime_error(
       path.string() + ": can't be written: '" + extension +
-      "' is no known extension; use .step, .stp, .iges, .igs, .brep, .brp, .bin, .dxf, "
+      "' is not a known extension; use .step, .stp, .iges, .igs, .brep, .brp, .bin, .dxf, "
       ".svg or .csv");
 }
 

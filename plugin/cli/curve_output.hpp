@@ -19,7 +19,7 @@ CurveFormat curveFormat(const std::filesystem::path& path);
 /// Checks the files before the input is read. \throws std::runtime_error, occ::ModelError.
 void requireCurveOutputs(const std::string& input, const OutputArguments& arguments);
 
-/// The lines of a drawing or table; curves that are no arcs become arcs within \p drawn_mm.
+/// The lines of a drawing or table; curves that are not arcs become arcs within \p drawn_mm.
 struct CurveText {
   std::string text;
   double distance_mm = 0;  ///< of the arcs from the result

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Nothing if the word is no decimal number; also of "inf" and "nan".
+/// Nothing if the word is not a decimal number; also of "inf" and "nan".
 std::optional<double> numberFrom(std::string_view word) {
   if (word.starts_with('+')) word.remove_prefix(1);
   double number = 0;

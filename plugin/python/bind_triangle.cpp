@@ -79,7 +79,7 @@ BezierTriangle fromPatch(const py::object& patch, const py::object& tolerance_mm
                         optionalNumber("tolerance_mm", tolerance_mm));
   if (found.triangle) return *found.triangle;
   std::ostringstream text;
-  text << "the patch is no triangle: it is up to " << found.deviation_mm
+  text << "the patch is not a triangle: it is up to " << found.deviation_mm
        << " mm away from the nearest that was tried, accepted are " << found.tolerance_mm << " mm";
   throw py::value_error(text.str());
 }
@@ -156,7 +156,7 @@ void bindParts(py::class_<BezierTriangle>& type) {
           "The triangle of lowest degree that a BezierPatch with a collapsed edge is; that edge is "
           "its corner P0.\n\n"
           "tolerance_mm is how far it may be away at equal parameters; None: the rounding of the "
-          "conversion. ValueError, with the distance, if the patch is no triangle.");
+          "conversion. ValueError, with the distance, if the patch is not a triangle.");
 }
 
 }  // namespace

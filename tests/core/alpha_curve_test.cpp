@@ -410,7 +410,7 @@ TEST(AlphaCurve, Identity6NoShapeHasLess) {
                  down = energyByPoints(poles, optimum.free_a - 1, k);
     EXPECT_NEAR(up - down, 0, 1e-11 * (up + down));
     EXPECT_GT(up, free_least);
-    // [TuYanXu2022] has the other sign, which is no minimum.
+    // [TuYanXu2022] has the other sign, which is not a minimum.
     const double printed = energyByPoints(poles, -optimum.free_a, k);
     if (std::abs(optimum.free_a) > 0.01) {
       EXPECT_GT(printed, free_least * (1 + 1e-9)) << "C8.7: the sign in print";

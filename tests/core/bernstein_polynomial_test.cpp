@@ -458,7 +458,7 @@ TEST(BernsteinPolynomial, BadInputIsRefusedWithItsNumbers) {
   for (const double t : {-5e-324, 1 + kUnit, kNaN, kInfinity}) {
     EXPECT_THAT([&] { p.evaluate(t); }, refused("is not in [0, 1]"));
     EXPECT_THAT([&] { p.split(t); }, refused("is not in [0, 1]"));
-    EXPECT_THAT([&] { p.restricted({t, 1}); }, refused("is no interval in [0, 1]"));
+    EXPECT_THAT([&] { p.restricted({t, 1}); }, refused("is not an interval in [0, 1]"));
   }
   EXPECT_THAT([&] { p.evaluate(-0.25); }, refused("parameter -0.25"));
   EXPECT_THAT([&] { p.restricted({0.5, 0.25}); }, refused("[0.5, 0.25]"));

@@ -51,7 +51,7 @@ TEST(ConnectionFit, Identity2RationalAlphaIsSaid) {
     const ConnectionFit fit = fitConnection(endingAtU1(test::patch(entry["input"]["P"])),
                                             beginningAtU0(test::patch(entry["input"]["Q"])));
     EXPECT_FALSE(fit.found);
-    EXPECT_THAT(fit.note, HasSubstr("the join is G1, but alpha and beta are no polynomials"));
+    EXPECT_THAT(fit.note, HasSubstr("the join is G1, but alpha and beta are not polynomials"));
     EXPECT_GT(fit.residual, 1e3 * fit.noise);
     return;
   }

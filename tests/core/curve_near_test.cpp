@@ -144,7 +144,7 @@ TEST(ClothoidFit, Identity1NoPointIsFurtherThanTheBound) {
     const bool closed = trial % 2 == 0;
     const BezierSpline curve = wave(random, closed);
     for (const double tolerance : {0.2, 0.01}) {
-      // The cubics meet G1, so the joints are no corners.
+      // The cubics meet G1, so the joints are not corners.
       const ClothoidFit fit = fitClothoids(curve, {.tolerance_mm = tolerance});
       EXPECT_LE(fit.distance_mm, tolerance);
       EXPECT_LE(sampledDistance(samplesOf(curve), samplesByLength(fit.pieces)),

@@ -179,7 +179,7 @@ TEST(Length, BracketsHoldAnotherQuadrature) {
     EXPECT_LE(length.lower_mm, wanted * (1 + 1e-15)) << i;
     EXPECT_GE(length.upper_mm, wanted * (1 - 1e-15)) << i;
     loose += length.upper_mm - length.lower_mm > 0.1 * tolerance;
-    // The bracket is no decoration: the curve with a pole moved by 1e-6 is not in a tight one.
+    // The bracket is not a decoration: the curve with a pole moved by 1e-6 is not in a tight one.
     Poles poles = curve.poles();
     poles.row(0) += 1e-6 * (poles.row(0) - poles.row(1));
     const ArcLength tight = arcLength(curve, 1e-11 * wanted, a, b);

@@ -64,7 +64,7 @@ TEST(PointCurvature, FollowsMotionScaleAndReversal) {
 TEST(PointCurvature, AnEllipseHasFourExtremaAndASineWaveItsInflections) {
   std::mt19937_64 random(testSeed());
   EXPECT_EQ(fairnessOf(ellipse(3, 1, 200, random, 0), true).extrema.size(), 4u);
-  // Half of it, from the end of one axis: the ends of a sequence are no extrema.
+  // Half of it, from the end of one axis: the ends of a sequence are not extrema.
   const PlanarPoints half = ellipse(3, 1, 200, random, 0).topRows(101);
   EXPECT_THAT(fairnessOf(half).extrema, ElementsAre(50));
   PlanarPoints wave(401, 2);

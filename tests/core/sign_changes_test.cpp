@@ -83,7 +83,7 @@ TEST(SignChanges, OfZeroAreUndecidedEverywhere) {
   }
 }
 
-// Identity (4): also a root of order 3, which is no simple one.
+// Identity (4): also a root of order 3, which is not a simple one.
 TEST(SignChanges, MultipleRootsAreUndecided) {
   for (const double root : {0.5, 1.0 / 3, 0.875}) {
     for (const std::vector<double>& roots :

@@ -402,7 +402,7 @@ TEST(TriangleConversion, WhatIsNoTriangleIsRefused) {
   square << 0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0;
   const TriangleRecognition plane = recogniseTriangle(BezierPatch(1, 1, square));
   EXPECT_FALSE(plane.triangle);
-  EXPECT_NEAR(plane.deviation_mm, 0.5, 1e-15);  // half of the edge that is no point
+  EXPECT_NEAR(plane.deviation_mm, 0.5, 1e-15);  // half of the edge that is not a point
 
   // An octant of a sphere: one edge is a point, but the homogeneous poles on it differ by their
   // weights.

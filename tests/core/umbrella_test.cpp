@@ -146,7 +146,7 @@ TEST(Umbrella, MembersMeetWithCertainty) {
     const Fan fan = randomFan(random, 6);
     Umbrella found = umbrellaAround(fan.spokes, fan.options);
     EXPECT_LE(test::certifiedAngle(found), 1e-9) << run;
-    // A pole of the first row behind spoke 1 that is no part of it: the verdict changes.
+    // A pole of the first row behind spoke 1 that is not part of it: the verdict changes.
     const auto verdict = [&] {
       return joinCondition(test::ribbonBefore(found.members[0]),
                            test::ribbonAfter(found.members[1]))

@@ -145,9 +145,9 @@ TEST(BezierSurface, SplinesOfOneSpanAreBezier) {
 
 TEST(BezierSurface, OtherKindsAndDegreesAreNamed) {
   EXPECT_THAT(complaint([] { occ::bezierPatch(*handle<Geom_Plane>(new Geom_Plane(gp::XOY()))); }),
-              HasSubstr("Geom_Plane is no Bezier surface"));
+              HasSubstr("Geom_Plane is not a Bezier surface"));
   EXPECT_THAT(complaint([] { occ::bezierCurve(*handle<Geom_Line>(new Geom_Line(gp::OX()))); }),
-              HasSubstr("Geom_Line is no Bezier curve"));
+              HasSubstr("Geom_Line is not a Bezier curve"));
   EXPECT_THAT(complaint([] { occ::toBezierCurve(BezierCurve(Poles::Zero(27, 3))); }),
               HasSubstr("degree 26"));
   EXPECT_THAT(complaint([] { occ::toBezierSurface(BezierPatch(0, 1, Poles::Zero(2, 3))); }),

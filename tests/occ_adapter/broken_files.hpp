@@ -18,7 +18,7 @@ std::string blobStep(std::mt19937& random);
 std::string withDanglingReference(std::string step);
 /// The STEP file with a first spline surface of degree 30, which its poles do not allow.
 std::string withWrongDegree(std::string step);
-/// The STEP file with an inner pole of the first edge that is no number.
+/// The STEP file with an inner pole of the first edge that is not a number.
 std::string withoutANumber(std::string step);
 
 /// The files of tests/data/broken, and in the folder the ones above, one in UTF-16, and one that

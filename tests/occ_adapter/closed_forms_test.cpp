@@ -71,7 +71,7 @@ TEST(ClosedForms, BoxHasTwelveRightAngles) {
   }
   EXPECT_NEAR(length, 4 * (10 + 20 + 30), 1e-9);
   EXPECT_TRUE(report.open.empty());
-  EXPECT_TRUE(report.passed()) << "creases are no defects";
+  EXPECT_TRUE(report.passed()) << "creases are not defects";
 }
 
 TEST(ClosedForms, CylinderHasASmoothSeamAndTwoRims) {

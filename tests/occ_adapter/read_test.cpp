@@ -144,7 +144,7 @@ TEST(Read, StreamsWithoutAShapeGiveANullShape) {
     try {
       EXPECT_TRUE(occ::readBinaryShape(stream).IsNull());
     } catch (const std::exception&) {
-    } catch (...) {  // OpenCASCADE's own failure is no std::exception
+    } catch (...) {  // OpenCASCADE's own failure is not a std::exception
     }
   }
 }

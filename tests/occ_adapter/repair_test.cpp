@@ -396,7 +396,7 @@ TEST(Repair, RefusesBadOptions) {
   options.edges = {1, 8};
   refused(options, "edge 8: the model has edges 1 to 7");
   options.edges = {1};
-  refused(options, "edge 1 is no seam");
+  refused(options, "edge 1 is not a seam");
   options = {};
   options.fixed_faces = {3};
   refused(options, "face 3: the model has faces 1 to 2");

@@ -105,7 +105,7 @@ TEST(SplineCurve, BezierCurvesBothWays) {
   }
   EXPECT_THAT(
       [&] { coreCurve(Geom_Line(gp::OX())); },
-      ThrowsMessage<std::domain_error>(HasSubstr("Geom_Line is no Bezier or B-spline curve")));
+      ThrowsMessage<std::domain_error>(HasSubstr("Geom_Line is not a Bezier or B-spline curve")));
 }
 
 G2Polygon star(int vertices) {

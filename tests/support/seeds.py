@@ -16,7 +16,7 @@ def seed_of_test(index=0):
     printed, which pytest shows when the test fails. Generators of one test have different
     indices."""
     given = os.environ.get("SEAMWRIGHT_SEED")
-    # "folder/test_file.py::test_name[parameters] (call)": the phase is no part of the name.
+    # "folder/test_file.py::test_name[parameters] (call)": the phase is not part of the name.
     name = os.environ["PYTEST_CURRENT_TEST"].rsplit("/", 1)[-1].rpartition(" ")[0]
     seed = int(given) if given else fnv1a(name)
     print(f"Random numbers began with SEAMWRIGHT_SEED={seed}")

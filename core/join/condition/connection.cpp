@@ -195,8 +195,8 @@ class Recognition {
   std::string whyNoTangents(int last) const {
     if (verdict() != JoinVerdict::G1) return "the join is " + std::string(name(verdict()));
     if (options_.alpha_degree || options_.beta_degree)
-      return "the join is G1, but alpha and beta are no polynomials of these degrees";
-    return "the join is G1, but alpha and beta are no polynomials of degrees up to " +
+      return "the join is G1, but alpha and beta are not polynomials of these degrees";
+    return "the join is G1, but alpha and beta are not polynomials of degrees up to " +
            std::to_string(last) + " and " + std::to_string(last + 1);
   }
 

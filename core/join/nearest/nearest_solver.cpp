@@ -323,7 +323,8 @@ Solution Search::run(int max_iterations) {
     return stationarity * moveSize(i) <= noise_ + 1e-14 * moveSize(i);
   };
   // Above this Newton's method is still far from quadratic convergence, and a step that makes the
-  // stationarity larger is no stall. Below 1e-10 the square of it is below the rounding of a cost.
+  // stationarity larger is not a stall. Below 1e-10 the square of it is below the rounding of
+  // a cost.
   constexpr double far = 1e-7, stationary = 1e-10;
   int stalls = 0;
   while (free && result.iterations < max_iterations && stalls < 3) {

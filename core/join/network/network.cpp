@@ -309,7 +309,7 @@ bool Attempt::improve(const ConnectionModel& model) {
 
 /// Whether each normal of a side keeps a share of its length and turns by less than a right angle.
 bool Attempt::keepsNormals(const Member& member) const {
-  // Shares of lengths. A given normal below the first one is no normal; a component below the
+  // Shares of lengths. A given normal below the first one is not a normal; a component below the
   // second one stands for an angle of nearly 90 degrees or for a collapsed row. nearestJoin() has
   // the same limits.
   constexpr double none = 1e-6, lost = 1e-3;

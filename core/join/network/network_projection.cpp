@@ -67,8 +67,8 @@ Projection refined(const Sparse& a, const Eigen::VectorXd& weights, const Eigen:
   // A pass must remove a tenth of the rest. A system without dependent rows needs two or three; the
   // shift slows those down whose singular values are near it.
   constexpr int max_passes = 20;
-  // What is left of an unsolvable system is no rounding: its rest stays near the given one. What is
-  // within a few roundings need not be solved again.
+  // What is left of an unsolvable system is not rounding: its rest stays near the given one. What
+  // is within a few roundings need not be solved again.
   constexpr double nearly = 1e-6, near_rounding = 4;
   // In rows. An orthogonal factorisation of more rows takes seconds.
   constexpr Eigen::Index most_independent = 2000;

@@ -328,7 +328,7 @@ def test_bad_points(tmp_path, method, text, options, message):
 @pytest.mark.parametrize(
     "arguments, message",
     [
-        (["arcs", "points.csv", "-o", "out.pdf"], "'.pdf' no known extension"),
+        (["arcs", "points.csv", "-o", "out.pdf"], "'.pdf' is not a known extension"),
         (["arcs", "points.csv", "-o", "points.csv"], "is the input itself"),
         (["arcs", "points.csv", "-o", "old.dxf"], "already exists; use --overwrite"),
         (["arcs", "points.csv", "-o", "missing/out.dxf"], "missing does not exist"),

@@ -100,7 +100,7 @@ def test_a_real_reader_at_work_and_several_models(tmp_path):
 
 
 def test_the_terminal_sends_it_to_the_whole_group(tmp_path):
-    """The reader gets Ctrl-C too; its end is no crash to complain of."""
+    """The reader gets Ctrl-C too; its end is not a crash to complain of."""
     model, reader, pid = (tmp_path / name for name in ("box.step", "reader", "pid"))
     model.write_text(box_text())
     reader.write_text(SLOW_READER.format(pid=pid))

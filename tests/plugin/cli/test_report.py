@@ -36,7 +36,7 @@ TEXTS = {
     "sheet": sheet_text(count_x=3, count_y=2),
     "loose sheet": sheet_text(count_x=3, count_y=2, shared=False),
     "box in metres": box_text(unit=_METRE),
-    "a vertex is no number": without_a_number(sheet_text()),
+    "a vertex is not a number": without_a_number(sheet_text()),
     "a surface is missing": re.sub(
         r"(ADVANCED_FACE\('',\(#\d+\),)#\d+", r"\1#99999999", box_text(), count=1
     ),

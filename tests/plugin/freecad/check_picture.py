@@ -54,7 +54,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         broken = os.path.join(folder, "broken.step")
         with open(broken, "w", encoding="utf-8") as file:
-            file.write("this is no model\n")
+            file.write("this is not a model\n")
         nothing = os.path.join(folder, "nothing.png")
         assert run(program, broken, nothing, "--mod", addon).returncode == 1
         assert run(program, STEP, nothing).returncode == 2

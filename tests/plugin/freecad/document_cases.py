@@ -84,7 +84,7 @@ class DocumentCase(unittest.TestCase):
         self.assertIn(text, analysis.error_text(obj))
 
     def assertOutdated(self, obj):
-        """The last run was cancelled, which is no error, and the next recompute runs it again."""
+        """A run was cancelled, which is not an error. The next recompute runs it again."""
         self.assertNotIn("Invalid", obj.State)
         self.assertEqual(
             analysis.error_text(obj), "Cancelled; the results are those of the last complete run."

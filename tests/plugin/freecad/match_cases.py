@@ -138,7 +138,7 @@ class Results(MatchCase):
         obj.CommonEdge = (self.right, ["Edge%d" % away])
         self.doc.recompute()
         self.assertNotMatched(
-            obj, "Right.Edge%d is no common boundary of the faces; these are: Left.Edge" % away
+            obj, "Right.Edge%d is not a common boundary of the faces; these are: Left.Edge" % away
         )
         other = models.add(self.doc, Part.makeBox(1, 1, 1), "Box")
         obj.CommonEdge = (other, ["Edge1"])

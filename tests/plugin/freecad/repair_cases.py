@@ -260,7 +260,7 @@ class Options(RepairCase):
             self.assertEqual(obj.Report, "")
             self.doc.recompute()
             done = repair.report_of(obj)
-            if repair.error_text(obj):  # an edge of the border is no seam
+            if repair.error_text(obj):  # an edge of the border is not a seam
                 continue
             self.assertEqual(
                 [seam["before"] for seam in report["seams"]],

@@ -186,7 +186,7 @@ class Analysing(WindowCase):
 
 
 class Outcomes(WindowCase):
-    """What did not come about is no failure: no traceback, no "Recompute failed!"."""
+    """What did not come about is not a failure: no traceback, no "Recompute failed!"."""
 
     def setUp(self):
         super().setUp()

@@ -505,8 +505,8 @@ def test_sentences_of_the_kernel_get_the_names_of_the_document():
     assert name("face 2 is a plane; face 12 and surface 1 are not meant") == (
         "Right.Face4 is a plane; face 12 and surface 1 are not meant"
     )
-    assert name("edge 7 is no common boundary; these are: 1, 5") == (
-        "Left.Edge8 is no common boundary; these are: Left.Edge2, Left.Edge6"
+    assert name("edge 7 is not a common boundary; these are: 1, 5") == (
+        "Left.Edge8 is not a common boundary; these are: Left.Edge2, Left.Edge6"
     )
 
 

@@ -182,7 +182,7 @@ def test_tolerances_are_those_of_the_profile_or_given(bent):
         ((1, 2, {"max_move_mm": -1}), "largest move is -1 mm"),
         ((1, 2, {"match_mm": float("nan")}), "distance to match is nan mm"),
         ((1, 2, {"edge": -1}), "edge is -1"),
-        ((1, 2, {"edge": 99}), "edge 99 is no common boundary of the faces; these are: "),
+        ((1, 2, {"edge": 99}), "edge 99 is not a common boundary of the faces; these are: "),
         ((1, 2, {"gap_mm": -1}), "gap tolerance is -1 mm"),
         ((1, 2, {"profile": "best"}), "profile 'best'"),
     ],

@@ -206,7 +206,7 @@ def test_what_is_left_says_why(tmp_path):
         ({"max_move_mm": "far"}, "max_move_mm is 'far'"),
         ({"edges": [0]}, "edge 0: the model has edges 1 to 7"),
         ({"edges": [2, 8]}, "edge 8"),
-        ({"edges": [1]}, "edge 1 is no seam"),
+        ({"edges": [1]}, "edge 1 is not a seam"),
         ({"edges": []}, r"edges is \[\]"),
         ({"edges": 3}, "edges is 3"),
         ({"edges": "3"}, "edges is '3'"),

@@ -103,8 +103,8 @@ def test_refusals_name_the_file(box, tmp_path):
     before = (tmp_path / "box.step").read_bytes()
     (tmp_path / "old.step").write_text("old")
     for path, words in (
-        ("a.stl", "no known extension"),
-        ("a", "no known extension"),
+        ("a.stl", "not a known extension"),
+        ("a", "not a known extension"),
         ("none/a.step", "no folder"),
         ("old.step", "overwrite"),
         ("box.step", "overwrite_source"),

@@ -218,7 +218,7 @@ TEST(Csv, HasLowerUpperAndPlaceOfEachFigure) {
   std::vector<std::vector<std::string>> cells;
   for (std::string row; std::getline(rows, row);) cells.push_back(fields(row));
   ASSERT_EQ(cells.size(), 3U);
-  cells[1].resize(names.size());  // the comma in the quoted note is no separator
+  cells[1].resize(names.size());  // the comma in the quoted note is not a separator
   const auto cell = [&](std::size_t row, const std::string& name) {
     return cells[row].at(static_cast<std::size_t>(std::ranges::find(names, name) - names.begin()));
   };

@@ -87,7 +87,7 @@ def checked(given, table, choices):
     """Return {property: value} for tolerances that are given as arguments of the kernel.
 
     ``given`` may also have the key ``profile``. ``choices``: {argument: (property, allowed values)}
-    of the arguments that are no numbers. Raises TypeError for another name, ValueError for another
+    of the arguments that are not numbers. Raises TypeError for another name, ValueError for another
     value.
     """
     given = dict(given)

@@ -191,7 +191,7 @@ def create(source, *, edges=(), fixed_faces=(), target="G1", max_move_mm=0.0, **
     angle_deg, curvature_rel, flat_radius_mm, crease_deg, match_mm, profile, as for an analysis.
     Raises TypeError and ValueError for bad arguments, kernel.KernelUnavailable when the compiled
     part is missing. When nothing can be repaired, the object has no shape and ``error_text`` says
-    why. Seams that could not be repaired are no error; the report has the reasons.
+    why. Seams that could not be repaired are not errors; the report has the reasons.
     """
     obj = prepare(
         source,

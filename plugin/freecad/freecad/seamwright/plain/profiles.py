@@ -31,7 +31,7 @@ LABELS = {
 def name_of(tolerances):
     """Return the first profile that has the given tolerances, or None.
 
-    Tolerances that are not given, and keys that are no tolerances, are ignored.
+    Tolerances that are not given, and keys that are not tolerances, are ignored.
     """
     for name, figures in PROFILES.items():
         known = [(tolerances[key], value) for key, value in figures.items() if key in tolerances]

@@ -26,7 +26,7 @@ def edge_classes(report):
 
 
 def largest(report, name):
-    """Return the largest lower bound of a figure over the seams that are no creases, or None."""
+    """Return the largest lower bound of a figure over the seams that are not creases, or None."""
     figures = [seam[name] for seam in report.get("seams", ()) if seam["class"] != "crease"]
     return max((figure["lower"] for figure in figures if figure is not None), default=None)
 
@@ -100,7 +100,7 @@ def _largest_text(report):
 
 
 def _largest_enclosed(report, name):
-    """Return the largest figure over the seams that are no creases as text; "" without figures."""
+    """Return the largest figure over the seams that are not creases as text; "" without figures."""
     figures = [seam[name] for seam in report["seams"] if seam["class"] != "crease" and seam[name]]
     if not figures:
         return ""

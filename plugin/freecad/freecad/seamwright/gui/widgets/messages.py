@@ -18,7 +18,7 @@ def show_error(text):
 
 
 def show_notice(text):
-    """Show a result that is no error, such as a hole that is not filled."""
+    """Show a result that is not an error, such as a hole that is not filled."""
     App.Console.PrintMessage("%s: %s\n" % (TITLE, text))
     _show(QtWidgets.QMessageBox.Information, text)
 
