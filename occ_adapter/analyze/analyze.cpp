@@ -15,6 +15,7 @@
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
 #include <seamwright/occ_adapter/analyze/measure_seam.hpp>
 #include <seamwright/occ_adapter/analyze/workers.hpp>
+#include <seamwright/occ_adapter/model/parts.hpp>
 #include <seamwright/occ_adapter/seams/pair_free_edges.hpp>
 
 namespace seamwright::occ {
@@ -44,10 +45,7 @@ void requireAboveNoise(const char* what, double mm, double noise_mm) {
 }
 
 void requireFaces(const Model& model, const std::vector<int>& faces) {
-  for (const int face : faces)
-    if (face < 1 || face > model.faceCount())
-      throw std::invalid_argument(
-          fmt::format("face {}: the model has faces 1 to {}", face, model.faceCount()));
+  for (const int face : faces) requireFace(face, model.faceCount());
 }
 
 /// Leaves seams of these faces.

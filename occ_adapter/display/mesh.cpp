@@ -177,10 +177,7 @@ class DisplayMeshBuilder {
     if (before_.Extent() != faces_.Extent())
       throw std::invalid_argument(fmt::format("the shape before has {} faces, the model {}",
                                               before_.Extent(), faces_.Extent()));
-    for (const int face : moved.faces)
-      if (face < 1 || face > faces_.Extent())
-        throw std::invalid_argument(
-            fmt::format("face {}: the model has faces 1 to {}", face, faces_.Extent()));
+    for (const int face : moved.faces) requireFace(face, faces_.Extent());
   }
 
   DisplayMesh run(const TopoDS_Shape& shape, const Progress& progress) {

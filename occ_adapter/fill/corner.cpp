@@ -25,6 +25,7 @@
 #include <seamwright/occ_adapter/convert/points.hpp>
 #include <seamwright/occ_adapter/fill/corner.hpp>
 #include <seamwright/occ_adapter/fill/corner_reasons.hpp>
+#include <seamwright/occ_adapter/model/parts.hpp>
 
 namespace seamwright::occ {
 
@@ -86,11 +87,8 @@ class Surroundings {
 };
 
 TopoDS_Vertex vertexOf(const TopoDS_Shape& shape, int number) {
-  TopTools_IndexedMapOfShape vertices;
-  TopExp::MapShapes(shape, TopAbs_VERTEX, vertices);
-  if (number < 1 || number > vertices.Extent())
-    throw std::invalid_argument(
-        fmt::format("vertex {}: the model has {}", number, vertices.Extent()));
+  const TopTools_IndexedMapOfShape vertices = partsOf(shape, TopAbs_VERTEX);
+  requirePart("vertex", "vertices", number, vertices.Extent());
   return TopoDS::Vertex(vertices(number));
 }
 

@@ -7,7 +7,6 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <set>
-#include <stdexcept>
 
 #include <seamwright/occ_adapter/fill/fill.hpp>
 #include <seamwright/occ_adapter/fill/fill_names.hpp>
@@ -89,9 +88,7 @@ FillReason inGivenNumbers(FillReason reason, const Numbers& edges) {
 FillHoleReport replaceFace(const Model& model, int face, const FillHoleOptions& options,
                            const Progress& progress) {
   options.validate();
-  if (face < 1 || face > model.faceCount())
-    throw std::invalid_argument("the model has no face " + std::to_string(face) +
-                                ": they count from 1 to " + std::to_string(model.faceCount()));
+  requireFace(face, model.faceCount());
   FillHoleReport report;
   try {
     const Model whole = modelOfOwnParts(model);

@@ -17,6 +17,7 @@
 #include <seamwright/occ_adapter/geometry_error.hpp>
 #include <seamwright/occ_adapter/match/candidate.hpp>
 #include <seamwright/occ_adapter/match/match_reasons.hpp>
+#include <seamwright/occ_adapter/model/parts.hpp>
 #include <seamwright/occ_adapter/model/usable.hpp>
 
 namespace seamwright::occ {
@@ -26,10 +27,7 @@ namespace {
 std::array<TopoDS_Face, 2> facesOf(const TopoDS_Shape& model, int face_a, int face_b) {
   TopTools_IndexedMapOfShape faces;
   if (!model.IsNull()) TopExp::MapShapes(model, TopAbs_FACE, faces);
-  for (const int face : {face_a, face_b})
-    if (face < 1 || face > faces.Extent())
-      throw std::invalid_argument(
-          fmt::format("face {}: the model has faces 1 to {}", face, faces.Extent()));
+  for (const int face : {face_a, face_b}) requireFace(face, faces.Extent());
   if (face_a == face_b)
     throw std::invalid_argument(
         fmt::format("face {} is given twice: two faces are needed", face_a));

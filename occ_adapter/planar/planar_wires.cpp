@@ -23,6 +23,7 @@
 #include <seamwright/core/disjoint_sets.hpp>
 #include <seamwright/occ_adapter/convert/points.hpp>
 #include <seamwright/occ_adapter/geometry_error.hpp>
+#include <seamwright/occ_adapter/model/parts.hpp>
 #include <seamwright/occ_adapter/model/usable.hpp>
 #include <seamwright/occ_adapter/planar/planar_curves.hpp>
 #include <seamwright/occ_adapter/planar/planar_wires.hpp>
@@ -95,8 +96,7 @@ std::vector<SpaceEdge> chosenEdges(const TopoDS_Shape& shape, const PlanarWireOp
   std::ranges::sort(numbers);
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   for (const int number : numbers) {
-    if (number < 1 || number > edges.Extent())
-      throw std::invalid_argument(fmt::format("edge {}: the model has {}", number, edges.Extent()));
+    requireEdge(number, edges.Extent());
     result.push_back(spaceEdge(edge(number), number));
   }
   return result;

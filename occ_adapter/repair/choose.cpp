@@ -15,6 +15,7 @@
 #include <seamwright/occ_adapter/convert/face_strip.hpp>
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
 #include <seamwright/occ_adapter/convert/surface_kind.hpp>
+#include <seamwright/occ_adapter/model/parts.hpp>
 #include <seamwright/occ_adapter/model/usable.hpp>
 #include <seamwright/occ_adapter/repair/choose.hpp>
 #include <seamwright/occ_adapter/repair/reasons.hpp>
@@ -23,13 +24,6 @@
 namespace seamwright::occ {
 
 namespace {
-
-void requireNumbers(const char* kind, const std::vector<int>& numbers, int count) {
-  for (const int number : numbers)
-    if (number < 1 || number > count)
-      throw std::invalid_argument(std::string(kind) + " " + std::to_string(number) +
-                                  ": the model has " + kind + "s 1 to " + std::to_string(count));
-}
 
 void requireSeams(const std::vector<int>& edges, const Report& report) {
   for (const int edge : edges) {
@@ -198,9 +192,9 @@ bool isOfGapAlone(const SeamResult& seam, bool sharp, const ContinuityTolerance&
 }
 
 Choice choose(const Model& model, const Report& before, const RepairOptions& options) {
-  requireNumbers("face", options.fixed_faces, model.faceCount());
-  requireNumbers("face", options.held_faces, model.faceCount());
-  requireNumbers("edge", options.edges, model.edgeCount());
+  for (const int face : options.fixed_faces) requireFace(face, model.faceCount());
+  for (const int face : options.held_faces) requireFace(face, model.faceCount());
+  for (const int edge : options.edges) requireEdge(edge, model.edgeCount());
   requireSeams(options.edges, before);
   Choice choice{{}, {}, {}, {}, chooseFaces(model.shape, before, options)};
   for (const SeamResult& seam : before.seams) {

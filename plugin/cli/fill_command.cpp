@@ -110,7 +110,6 @@ void addFillOptions(CLI::App& command, FillArguments& arguments) {
       ->type_name("N")
       ->check(wholeNumber());
   addOutputOptions(command, "filled", arguments.output);
-  command.footer("");
   exitStatus(command, "the new seams meet the target, also in OUT",
              "some fall short (OUT is written only with --keep-anyway)");
 }

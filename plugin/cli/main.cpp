@@ -47,9 +47,6 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version",
                        "seamwright " SEAMWRIGHT_VERSION " (OpenCASCADE " OCC_VERSION_COMPLETE ")");
   app.require_subcommand(1);
-  app.footer(
-      "Exit status: 0 every seam reaches its target, 1 some seams fall short, 2 bad usage or "
-      "input, 130 stopped by Ctrl-C; see 'seamwright COMMAND --help'.");
   CLI::App* analyze =
       app.add_subcommand("analyze", "Measure and judge every seam of STEP, IGES or BREP models");
   AnalyzeArguments to_analyze;
@@ -70,6 +67,10 @@ int run(int argc, char** argv) {
       "curve", "Turn planar points or curves into arcs, clothoids or conics, or make them fair");
   CurveArguments to_curve;
   addCurveOptions(*curve, to_curve);
+  // Commands inherit a footer that is set before them.
+  app.footer(
+      "Exit status: 0 the result meets its target, 1 it falls short, 2 bad usage or "
+      "input, 130 stopped by Ctrl-C; see 'seamwright COMMAND --help'.");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

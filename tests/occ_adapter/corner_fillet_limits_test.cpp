@@ -91,7 +91,7 @@ TEST(CornerFilletLimits, EdgesAndVertexHaveToBelongTogether) {
   for (const int vertex : {-1, 0, 9}) {
     cube.vertex = vertex;
     EXPECT_THAT(cube.message<std::invalid_argument>(),
-                HasSubstr("vertex " + std::to_string(vertex) + ": the model has 8"));
+                HasSubstr("vertex " + std::to_string(vertex) + ": the model has vertices 1 to 8"));
   }
 }
 

@@ -86,7 +86,7 @@ def test_what_falls_short_is_not_written(box):
     [
         (["--radius", "0.2"], "--vertex"),
         (["--vertex", "1"], "--radius"),
-        (["--vertex", "9", "--radius", "0.2"], "vertex 9: the model has 8"),
+        (["--vertex", "9", "--radius", "0.2"], "vertex 9: the model has vertices 1 to 8"),
         (
             ["--vertex", "0", "--radius", "0.2"],
             "--vertex: invalid Vertex number '0': numbers start at 1 (see ",

@@ -184,7 +184,7 @@ def test_setbacks_of_zero_are_chosen(box):
     "vertex, radii, keywords, words",
     [
         (1.5, 1, {}, "vertex is 1.5: the number of a vertex"),
-        (99, 1, {}, "vertex 99: the model has 8"),
+        (99, 1, {}, "vertex 99: the model has vertices 1 to 8"),
         (1, "wide", {}, "radii_mm is 'wide': a number or a dict"),
         (1, True, {}, "radii_mm is True"),
         (1, {"a": 1}, {}, "radii_mm is 'a': the number of an edge"),
