@@ -1,6 +1,34 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Standard_Version.hxx>
+#include <algorithm>
 #include <seamwright/plugin/python/bindings.hpp>
+
+namespace seamwright::python {
+
+namespace {
+
+namespace py = pybind11;
+
+/// Protocols 0 and 1 of pickle construct the base type of pybind11, which ends the process. So they
+/// store what protocol 2 stores.
+py::object reduced(const py::object& value, int protocol) {
+  const py::handle base(reinterpret_cast<PyObject*>(&PyBaseObject_Type));
+  return base.attr("__reduce_ex__")(value, std::max(protocol, 2));
+}
+
+/// Types that define __reduce_ex__ themselves keep it.
+void defineReduction(const py::module_& module) {
+  const py::type metaclass = py::type::of(module.attr("BezierCurve"));
+  for (const auto& [name, value] : py::dict(module.attr("__dict__")))
+    if (py::type::of(value).is(metaclass) && !value.attr("__dict__").contains("__reduce_ex__"))
+      py::setattr(value, "__reduce_ex__",
+                  py::cpp_function(&reduced, py::name("__reduce_ex__"), py::is_method(value),
+                                   py::arg("protocol")));
+}
+
+}  // namespace
+
+}  // namespace seamwright::python
 
 PYBIND11_MODULE(_core, module) {
   using namespace seamwright::python;
@@ -36,4 +64,5 @@ PYBIND11_MODULE(_core, module) {
   bindRepair(module);
   bindHole(module);
   bindPointerBridge(module);
+  defineReduction(module);
 }

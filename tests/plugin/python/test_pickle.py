@@ -72,7 +72,7 @@ COPIES = [
     copy.deepcopy,
     *(
         lambda thing, protocol=protocol: pickle.loads(pickle.dumps(thing, protocol))
-        for protocol in range(2, pickle.HIGHEST_PROTOCOL + 1)
+        for protocol in range(pickle.HIGHEST_PROTOCOL + 1)
     ),
 ]
 
