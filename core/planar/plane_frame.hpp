@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <seamwright/core/bezier/curve.hpp>
 #include <seamwright/core/planar/biarc_spline.hpp>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <seamwright/core/linear/dense.hpp>
 #include <seamwright/core/umbrella/twists.hpp>
 #include <stdexcept>

@@ -3,6 +3,7 @@
 // integrals by quadrature. C8.1 to C8.7 are statements of docs/theory/curves.md.
 #include <gmock/gmock.h>
 
+#include <Eigen/Geometry>
 #include <array>
 #include <limits>
 #include <seamwright/core/spline/alpha_curve.hpp>

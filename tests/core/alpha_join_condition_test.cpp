@@ -3,6 +3,7 @@
 // and the data of 60 digits.
 #include <gmock/gmock.h>
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <Eigen/QR>
 #include <Eigen/SVD>

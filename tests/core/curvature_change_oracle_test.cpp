@@ -3,6 +3,7 @@
 // order.
 #include <gmock/gmock.h>
 
+#include <Eigen/Geometry>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <seamwright/core/bezier/patch.hpp>

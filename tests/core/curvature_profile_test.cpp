@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Eigen/Geometry>
+
 #include <seamwright/core/fair/curvature_profile.hpp>
 
 #include "planar.hpp"

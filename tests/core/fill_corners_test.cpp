@@ -3,6 +3,8 @@
 // normals by cross products, at many points.
 #include <gmock/gmock.h>
 
+#include <Eigen/Geometry>
+
 #include <seamwright/core/fill/fill_corners.hpp>
 
 #include "fills.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gmock/gmock.h>
 
+#include <Eigen/Geometry>
 #include <limits>
 #include <seamwright/core/differential/fundamental_forms.hpp>
 

@@ -3,6 +3,7 @@
 // arithmetic).
 #include <gmock/gmock.h>
 
+#include <Eigen/Geometry>
 #include <Eigen/QR>
 #include <seamwright/core/fill/fill_space.hpp>
 

@@ -2,6 +2,8 @@
 // Holes in surfaces that are known.
 #include <gmock/gmock.h>
 
+#include <Eigen/Geometry>
+
 #include <seamwright/core/differential/fundamental_forms.hpp>
 #include <seamwright/core/fill/fill_fairing.hpp>
 

@@ -2,6 +2,8 @@
 // The laws of nSidedFill(), numbered as there.
 #include <gmock/gmock.h>
 
+#include <Eigen/Geometry>
+
 #include "fills.hpp"
 #include "support/random.hpp"
 

@@ -2,6 +2,8 @@
 // Round holes, lenses and others with smooth and reflex corners, in surfaces that are known.
 #include <gmock/gmock.h>
 
+#include <Eigen/Geometry>
+
 #include "ring_holes.hpp"
 #include "support/random.hpp"
 

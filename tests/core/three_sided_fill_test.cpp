@@ -2,6 +2,8 @@
 // The laws of threeSidedFill(), numbered as there.
 #include <gmock/gmock.h>
 
+#include <Eigen/Geometry>
+
 #include "support/random.hpp"
 #include "three_sided_fills.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <Eigen/Geometry>
 #include <map>
 #include <seamwright/core/fill/three_sided_fill.hpp>
 #include <seamwright/core/seam/triangle_side.hpp>

@@ -2,6 +2,8 @@
 // Umbrellas inside a boundary.
 #include <gmock/gmock.h>
 
+#include <Eigen/Geometry>
+
 #include "support/random.hpp"
 #include "umbrellas.hpp"
 

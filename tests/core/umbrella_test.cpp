@@ -2,6 +2,8 @@
 // Umbrellas around given spokes: against nets known to 20 digits, and against what they promise.
 #include <gmock/gmock.h>
 
+#include <Eigen/Geometry>
+
 #include "support/random.hpp"
 #include "umbrellas.hpp"
 

@@ -50,9 +50,6 @@ EXPECTED = {
     ("occ_adapter/fill/corner_fillet.cpp", "std::domain_error"): (
         "the construction refuses the sides of a corner: throws CornerRefused"
     ),
-    ("occ_adapter/fill/fill_faces.cpp", "std::runtime_error"): (
-        "the joins of a ring contradict each other: throws NotFilled; around this call only"
-    ),
     ("occ_adapter/fill/filling.cpp", "std::domain_error"): (
         "a construction of core has no result for the sides: the reason of the fill"
     ),
@@ -186,3 +183,26 @@ def test_no_test_is_skipped_where_the_packages_are_installed():
         if name != "tests/house/test_style.py" and re.search(pattern, text)
     ]
     assert set(files) == MAY_SKIP
+
+
+#: Functions and classes that Eigen declares everywhere and defines in its module Geometry alone.
+GEOMETRY = re.compile(
+    r"\.cross\(|unitOrthogonal|Quaternion|AngleAxis|\bhomogeneous\(\)|hnormalized|Hyperplane"
+    r"|AlignedBox|Isometry3|Affine3|Eigen::Translation"
+)
+
+
+def test_files_that_use_eigens_geometry_include_it():
+    """Without it a build links only if another file of the program has the function."""
+    users = {
+        name: text
+        for name, text in texts(("core", "occ_adapter", "plugin", "tests", "benchmarks"), CPP)
+        if GEOMETRY.search(text)
+    }
+    assert len(users) > 50
+    without = [
+        name
+        for name, text in users.items()
+        if not re.search(r"#include <Eigen/(Geometry|Dense)>", text)
+    ]
+    assert not without, "\n".join(without)
