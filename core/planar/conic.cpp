@@ -121,7 +121,7 @@ std::array<PlanarConic, 2> twoConics(const TwoConicsEnds& ends) {
     refuse("two conics: start, apex and end lie on a line");
   if (!(k0 * turn_rad > 0 && k1 * turn_rad > 0)) {
     refuse(fmt::format(
-        "two conics: the curvatures {} and {} /mm have not the sign of the turn, {} rad", k0, k1,
+        "two conics: the curvatures {} and {} /mm do not have the sign of the turn, {} rad", k0, k1,
         turn_rad));
   }
   for (const double share : {ends.start_share, ends.end_share}) {

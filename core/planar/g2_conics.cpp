@@ -78,7 +78,7 @@ void requireChain(const std::vector<PlanarConic>& chain, const G2ConicOptions& o
   if (options.closed) refuse("a closed chain takes no start curvature");
   if (!(curvature * turnSign(chain.front()) > 0 && std::isfinite(curvature)))
     refuse(
-        fmt::format("the start curvature {} /mm has not the sign of the first segment's turn,"
+        fmt::format("the start curvature {} /mm does not have the sign of the first segment's turn,"
                     " {} rad",
                     curvature, chain.front().turn_rad()));
 }

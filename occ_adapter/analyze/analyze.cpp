@@ -39,9 +39,9 @@ double coordinateNoise(const TopoDS_Shape& shape) {
 
 void requireAboveNoise(const char* what, double mm, double noise_mm) {
   if (mm >= noise_mm) return;
-  throw std::invalid_argument(
-      fmt::format("{} is {:.6g} mm: below {:.6g} mm the coordinates of this model are rounding",
-                  what, mm, noise_mm));
+  throw std::invalid_argument(fmt::format(
+      "{} is {:.6g} mm: it must be at least {:.6g} mm, the rounding of this model's coordinates",
+      what, mm, noise_mm));
 }
 
 void requireFaces(const Model& model, const std::vector<int>& faces) {

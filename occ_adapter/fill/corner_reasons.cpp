@@ -170,7 +170,7 @@ CornerReason facesTurned(int edge) {
 
 CornerReason faceTwice(int face, int visits) {
   CornerReason reason = ofFace(CornerFault::FaceTwice, face,
-                               fmt::format("comes {} times to the vertex: once is needed", visits));
+                               fmt::format("touches the vertex {} times: once is needed", visits));
   reason.numbers = {{"visits", visits}};
   return reason;
 }
@@ -274,7 +274,7 @@ CornerReason filletsCross(const std::array<int, 2>& edges,
 }
 
 CornerReason ballStays(double ball_mm) {
-  return ofBall(CornerFault::OpenCascadeFailed, ball_mm, "OpenCASCADE can't take it away");
+  return ofBall(CornerFault::OpenCascadeFailed, ball_mm, "OpenCASCADE can't cut it out");
 }
 
 CornerReason ballDividesSolid(double ball_mm) {

@@ -66,7 +66,7 @@ void add(std::vector<MatchReason>& reasons, MatchReason reason) {
 
 MatchReason oneOfSeveralEdges(const std::vector<int>& common, int taken, bool is_longest) {
   return {.fault = MatchFault::OneOfSeveralEdges,
-          .text = fmt::format("of the common edges {} number {}{} was taken",
+          .text = fmt::format("of the common edges {}, edge {}{} was taken",
                               fmt::join(common, ", "), taken, is_longest ? ", the longest," : ""),
           .edges = {taken}};
 }
@@ -79,7 +79,7 @@ MatchReason faceStays(MatchReason obstacle) {
 
 MatchReason hasLevel() {
   return {.fault = MatchFault::HasLevel,
-          .text = "the faces have the level already; nothing had to move"};
+          .text = "the faces already reach the target; nothing had to move"};
 }
 
 MatchReason joinedInPoles(int repeated) {
@@ -190,7 +190,7 @@ MatchReason isTrimmed() {
 }
 
 MatchReason goesOn() {
-  return {.fault = MatchFault::FaceGoesOn, .text = "goes on beyond the boundary"};
+  return {.fault = MatchFault::FaceGoesOn, .text = "continues beyond the boundary"};
 }
 
 MatchReason sideIsLonger() {

@@ -81,12 +81,13 @@ std::string recordOf(const gp_Trsf& placement) {
   return bytes.str();
 }
 
-/// The placements of two sides as the same steps: OpenCASCADE distinguishes steps by identity,
-/// and a journey makes new ones. Steps with one transformation are one, also where a file has them
-/// twice.
+/// Expresses the placements of the shape that was read back by the elementary placements (steps) of
+/// the shape that is changed in place. OpenCASCADE compares steps by identity, and reading makes
+/// new ones, so they are compared by transformation. Steps with equal transformations count as one,
+/// even if the file has them twice.
 class Steps {
  public:
-  /// Notes what the steps of the shape that is changed in place come back as.
+  /// Notes what the steps of the shape that is changed in place become when they are read back.
   void note(TopLoc_Location into, TopLoc_Location unchanged) {
     for (; !into.IsIdentity() && !unchanged.IsIdentity();
          into = into.NextLocation(), unchanged = unchanged.NextLocation()) {
@@ -267,10 +268,10 @@ bool sameVertex(const Placed& a, const Placed& b) {
 /// One face, edge or vertex in its three states.
 struct Part {
   TopoDS_Shape into;  ///< to be changed in place
-  Placed unchanged;   ///< what it would have come back as
-  Placed changed;     ///< what it came back as
+  Placed unchanged;   ///< as it is read back if nothing is changed
+  Placed changed;     ///< as it was read back
   std::vector<Placed>
-      elsewhere;  ///< what it came back as at further locations, where those are not shared
+      elsewhere;  ///< as it was read back at further locations, where those are not shared
 };
 
 /// The faces, edges and vertices of three graphs that are the same, side by side.
@@ -279,8 +280,8 @@ struct PairedParts {
   std::vector<Part> faces, edges, vertices;
 };
 
-/// Walks the shape that is changed in place, what it would have come back as, and what it came back
-/// as.
+/// Walks three shapes side by side: the one that is changed in place, the one that is read back if
+/// nothing is changed, and the one that was read back.
 class GraphWalk {
  public:
   /// \returns nothing if the graphs differ.
@@ -521,7 +522,7 @@ bool carryVertex(const Part& part) {
 }  // namespace
 
 std::optional<Carried> carryGeometry(const TopoDS_Shape& changed, const TopoDS_Shape& into) {
-  // The shape as it comes back if nothing is changed: a journey rounds the axes of placements.
+  // The shape as it comes back if nothing is changed: the round trip rounds the axes of placements.
   const TopoDS_Shape unchanged = throughBinary(throughBinary(into));
   const std::optional<PairedParts> parts = GraphWalk().paired(into, unchanged, changed);
   if (!parts) return std::nullopt;

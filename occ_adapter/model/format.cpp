@@ -22,6 +22,8 @@ struct Ends {
 };
 
 Ends readEnds(const std::filesystem::path& path) {
+  if (path.empty())
+    throw ModelError(ModelErrc::NotFound, path, "has an empty path: the name of a file is needed");
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) throw ModelError(ModelErrc::NotFound, path, "no such file");

@@ -63,7 +63,7 @@ RepairReason isFixed() {
 
 RepairReason isHeld() {
   return {.fault = RepairFault::FaceHeld,
-          .text = "stays, as its move makes a seam worse in the file"};
+          .text = "stays, because its move makes a seam worse in the file"};
 }
 
 RepairReason isUnusable(const std::string& fault) {
@@ -79,13 +79,13 @@ RepairReason hasUnusableNeighbour(int edge, int face, const std::string& fault) 
 
 RepairReason hasInstances(int count) {
   return {.fault = RepairFault::FaceInstances,
-          .text = fmt::format("stands in the model {} times", count),
+          .text = fmt::format("occurs in the model {} times", count),
           .numbers = {{"count", count}}};
 }
 
 RepairReason hasEdgeWithInstances(int edge, int count) {
   return {.fault = RepairFault::FaceInstances,
-          .text = fmt::format("has edge {}, which stands in the model {} times", edge, count),
+          .text = fmt::format("has edge {}, which occurs in the model {} times", edge, count),
           .numbers = {{"count", count}},
           .edges = {edge}};
 }
@@ -120,7 +120,7 @@ RepairReason notMeasured(const std::string& note) {
 }
 
 RepairReason hasLevel() {
-  return {.fault = RepairFault::HasLevel, .text = "it has the level already"};
+  return {.fault = RepairFault::HasLevel, .text = "it already reaches the target"};
 }
 
 RepairReason facesFold(double at) {
@@ -165,7 +165,7 @@ RepairReason surfacesApart() {
 
 RepairReason pathNotEnough() {
   return {.fault = RepairFault::PathNotEnough,
-          .text = "another path of the edge alone does not make it smooth"};
+          .text = "new pcurves of the edge alone do not make it smooth"};
 }
 
 RepairReason timeLimit() {
@@ -280,7 +280,7 @@ RepairReason onFace(int face, RepairReason reason) {
 }
 
 RepairReason pathSpoils(RepairReason reason) {
-  return prefixed("its new path would spoil ", std::move(reason));
+  return prefixed("its new pcurve would make worse: ", std::move(reason));
 }
 
 RepairReason ofInstance(int first_edge, RepairReason reason) {

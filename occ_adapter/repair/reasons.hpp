@@ -97,7 +97,7 @@ RepairReason instanceLessCertain();
 RepairReason onFace(int face, RepairReason reason);
 /// "it would be less fair: ..."
 RepairReason wouldBe(RepairReason less_fair);
-/// "its new path would spoil ..."
+/// "its new pcurve would make worse: ..."
 RepairReason pathSpoils(RepairReason reason);
 /// "instance of edge 3: ..."
 RepairReason ofInstance(int first_edge, RepairReason reason);

@@ -16,7 +16,7 @@ enum class RepairFault {
   FaceFixed,         ///< none of its faces can move; the fault is that of the first one
   FaceHeld,          ///< its move makes a seam worse in the written file
   FaceUnusable,      ///< a face has numbers that are not finite, or shares an edge with such a face
-  FaceInstances,     ///< a face, or an edge of it, stands in the model several times
+  FaceInstances,     ///< a face, or an edge of it, occurs in the model several times
   FaceNonManifold,   ///< an edge of a face has more than two faces
   FaceWithoutPoles,  ///< a plane, cylinder and the like
   FacesFold,         ///< the faces fold back on one another

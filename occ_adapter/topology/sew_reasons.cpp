@@ -44,7 +44,7 @@ SewReason gapTooLarge(const std::string& figures) {
 
 SewReason faceInstances(int face, const std::string& name, int count) {
   return {.fault = SewFault::FaceInstances,
-          .text = fmt::format("{} stands in the model {} times", name, count),
+          .text = fmt::format("{} occurs in the model {} times", name, count),
           .numbers = {{"count", count}},
           .faces = {face}};
 }

@@ -12,7 +12,7 @@ namespace seamwright::cli {
 /// What a command on curves writes.
 enum class CurveFormat { Dxf, Svg, Csv, Model };
 
-/// The format that the name of an output tells: .dxf, .svg, .csv, or that of a model.
+/// The format that the extension of an output names: .dxf, .svg, .csv, or that of a model.
 /// \throws std::runtime_error for any other name.
 CurveFormat curveFormat(const std::filesystem::path& path);
 

@@ -106,9 +106,7 @@ void addFillOptions(CLI::App& command, FillArguments& arguments) {
       ->capture_default_str();
   command.add_flag("--keep-anyway", arguments.keep_anyway,
                    "Write OUT even if the fill misses the target");
-  command.add_option("--jobs", arguments.jobs, "Number of threads; 0: one per processor")
-      ->type_name("N")
-      ->check(wholeNumber());
+  addJobsOption(command, arguments.jobs);
   addOutputOptions(command, "filled", arguments.output);
   exitStatus(command, "the new seams meet the target, also in OUT",
              "some fall short (OUT is written only with --keep-anyway)");

@@ -89,7 +89,9 @@ bool hasNameOfModel(const std::string& file) {
 
 }  // namespace
 
-void addG1Options(CLI::App& command, MeasureArguments& arguments) {
+namespace {
+
+void addGapAndAngle(CLI::App& command, MeasureArguments& arguments) {
   command.add_option("--profile", arguments.profile, "Named set of tolerances (see below)")
       ->check(CLI::IsMember(profileNames()))
       ->capture_default_str();
@@ -101,14 +103,25 @@ void addG1Options(CLI::App& command, MeasureArguments& arguments) {
                   "G1: largest angle between the tangent planes, degrees")
       ->type_name("DEG")
       ->check(numberIn(Range::NotNegative));
-  command.add_option("--jobs", arguments.jobs, "Number of threads; 0: one per processor")
-      ->check(wholeNumber())
-      ->capture_default_str();
   command.footer(profilesHelp());
 }
 
+}  // namespace
+
+void addJobsOption(CLI::App& command, int& jobs) {
+  command.add_option("--jobs", jobs, "Number of threads; 0: one per processor")
+      ->type_name("N")
+      ->check(wholeNumber())
+      ->capture_default_str();
+}
+
+void addG1Options(CLI::App& command, MeasureArguments& arguments) {
+  addGapAndAngle(command, arguments);
+  addJobsOption(command, arguments.jobs);
+}
+
 void addToleranceOptions(CLI::App& command, MeasureArguments& arguments) {
-  addG1Options(command, arguments);
+  addGapAndAngle(command, arguments);
   command
       .add_option("--curvature", arguments.curvature_rel,
                   "G2: largest relative difference of normal curvature; 0.02 is 2 %")
@@ -124,6 +137,7 @@ void addToleranceOptions(CLI::App& command, MeasureArguments& arguments) {
                   "A seam above this angle is an intended crease, degrees")
       ->type_name("DEG")
       ->check(numberIn(Range::NotNegative));
+  addJobsOption(command, arguments.jobs);
 }
 
 void addMeasureOptions(CLI::App& command, MeasureArguments& arguments) {

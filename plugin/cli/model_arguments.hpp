@@ -78,6 +78,9 @@ void requireOutputs(const std::string& model, const OutputArguments& arguments);
 /// \throws std::runtime_error
 void requireReportBeside(const std::string& model, const OutputArguments& arguments);
 
+/// Adds --jobs, the number of threads.
+void addJobsOption(CLI::App& command, int& jobs);
+
 /// Adds profile, gap, angle and threads to a command, and the profiles to its help. Parsing stores
 /// the values in \p arguments.
 void addG1Options(CLI::App& command, MeasureArguments& arguments);

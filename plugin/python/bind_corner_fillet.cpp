@@ -136,7 +136,7 @@ void bindCornerResult(py::module_& module) {
   const std::string write_corner_doc =
       std::string(write_result_doc) +
       " ValueError for a corner that is not met, unless keep_anyway.";
-  const std::string doc = std::string("What came of Model.corner_fillet().") + copies_doc;
+  const std::string doc = std::string("The result of Model.corner_fillet().") + copies_doc;
   py::class_<CornerFilletResult> type(module, "CornerFillet", py::module_local(), doc.c_str());
   bindCopies(type);
   type.def_property_readonly(

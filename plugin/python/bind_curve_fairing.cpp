@@ -143,15 +143,15 @@ curve: polynomial, of any class, planar or in space. The integral of |D - C|^2 p
 the energy is least; smoothing is the largest one that tolerance_mm allows, up to 1 % of it. ends:
 'nothing', 'position', 'tangent' (position and first derivative) or 'curvature' (up to the second)
 stay, bitwise. The energy does not grow; a tolerance of 0 returns the curve. ValueError for a
-tolerance that is negative or not finite, and as of curve_fairness(). Source: docs/theory/planar.md
+tolerance that is negative or not finite, and as for curve_fairness(). Source: docs/theory/planar.md
 P11.1.
 )");
   module.def("fair_at_knots", &fairKnotsOf, py::arg("curve"), py::arg("tolerance_mm"),
              py::kw_only(), py::arg("ends") = "position",
              R"(A cubic curve faired at its worst knots, one after the other: a FairedCurve.
 
-No pole, and so no point, moves by more than tolerance_mm. ends: as of fair_curve(). ValueError for
-another degree, and as of fair_curve(). Source: docs/theory/planar.md P11.2; [Farin2002].
+No pole, and so no point, moves by more than tolerance_mm. ends: as for fair_curve(). ValueError for
+another degree, and as for fair_curve(). Source: docs/theory/planar.md P11.2; [Farin2002].
 )");
   module.def(
       "fair_at_knot", &fairedAtKnotOf, py::arg("curve"), py::arg("index"),

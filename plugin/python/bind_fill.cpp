@@ -220,9 +220,9 @@ constexpr const char* three_sided_fill_doc =
     R"(Fills a hole of three sides with three triangles around a centre, which meet each other and
 the surroundings with G1, exactly.
 
-sides: as of n_sided_fill().
+sides: as for n_sided_fill().
 fairness_order: order 2 or 3 of the derivatives whose sum of squares, over their poles, is least.
-corner_tolerance_rad: as of n_sided_fill().
+corner_tolerance_rad: as for n_sided_fill().
 
 Returns a ThreeSidedFill:
   triangles        BezierTriangles of degree 5 for cubic sides with cubic fields; triangle k has
@@ -231,18 +231,18 @@ Returns a ThreeSidedFill:
                    spokes
   sides            for each side None, or {alpha, beta}: the connection of the fill, in the
                    direction to the centre, to the neighbour
-  corners          as of n_sided_fill(); neighbours need not agree about their mixed derivatives,
+  corners          as for n_sided_fill(); neighbours need not agree about their mixed derivatives,
                    twist_defect_mm is 0
   fairness_mm2     the sum
   regular          it is proved that no normal vanishes or turns back
 
-ValueError, with side or corner and number, as of n_sided_fill().)";
+ValueError, with side or corner and number, as for n_sided_fill().)";
 
 constexpr const char* ring_fill_doc =
     R"(Fills a hole of four sides, of which corners may be smooth or reflex, with five patches: a
 ring of four around a fifth.
 
-Arguments are as of n_sided_fill(), the default of fairness_order excepted.
+Arguments are as for n_sided_fill(), the default of fairness_order excepted.
 
 Returns a RingFill:
   patches          BezierPatches; patch k < 4 has side k as edge u1, spokes to corners k and k + 1
@@ -250,11 +250,11 @@ Returns a RingFill:
                    patch 4: v0, u1, v1 and u0, those two against their sense
   corners          for each {angle_rad, plane_angle_rad, twist_defect_mm, exact, angle_bound_rad};
                    angles are within 0 and 2 pi
-  fairness_mm2, regular, curvature_jump_per_mm   as of n_sided_fill()
+  fairness_mm2, regular, curvature_jump_per_mm   as for n_sided_fill()
   spoke_scale      the length of the ends of spokes that was taken, 1 unless only others gave
                    regular patches
 
-ValueError, with side or corner and number, as of n_sided_fill(), and for corners that turn by
+ValueError, with side or corner and number, as for n_sided_fill(), and for corners that turn by
 less than 0.01 rad but more than rounding.)";
 
 }  // namespace

@@ -180,8 +180,9 @@ corner_deg: sides end where the tangent turns by more. gap_mm: ends of edges nea
 one.)";
 
 constexpr const char* fill_doc =
-    R"(Fills a hole of 3 to 12 sides with as many spline faces, tangent to its surroundings: a
-FillReport.
+    R"(Fills a hole with faces that are tangent to their surroundings: a FillReport.
+
+One face fills the hole if one surface continues across it; otherwise patches do. See docs/fill.md.
 
 The faces are sewn in and every new seam is measured. The model is not changed.
 
@@ -193,7 +194,7 @@ jobs and progress as in analyze(). ValueError for bad arguments, with name and v
 }  // namespace
 
 void bindHole(py::module_& module) {
-  const std::string doc = std::string("What came of Model.fill().") + copies_doc;
+  const std::string doc = std::string("The result of Model.fill().") + copies_doc;
   FillClass type(module, "FillReport", py::module_local(), doc.c_str());
   bindFillOutcome(type);
   bindFillFigures(type);

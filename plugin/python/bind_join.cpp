@@ -305,7 +305,7 @@ Returns poles (order+1, n+1, 3) in mm and weights (order+1, n+1), counted from t
 alpha, beta, p, q: each a number or the Bernstein coefficients of a polynomial along the seam,
 None: 1, 0, 0, 0. Q_s = alpha P_s + beta P_t, and for order 2 Q_ss = alpha^2 P_ss + 2 alpha beta
 P_st + beta^2 P_tt + p P_s + q P_t. e0, e1, e2, None: 1, 0, 0, scale homogeneous poles.
-connection: a dict of these functions, or a result that has them, as of nearest_join() or
+connection: a dict of these functions, or a result that has them, as for nearest_join() or
 fit_connection(); single ones replace its own.
 order: 1 or 2. degree_across: of the new patch, None: that of the given one. degree: along the seam,
 None: the lowest that always does. reversed: the edge is run backwards.
@@ -315,19 +315,19 @@ constexpr const char* continuation_doc =
     R"(The BezierPatch beyond an edge of a BezierPatch or BezierTriangle.
 
 It joins along u = 0, with v along the edge, and has no derivatives by u above the order.
-Arguments as of join_rows.)";
+Arguments as for join_rows.)";
 
 constexpr const char* triangle_continuation_doc =
     R"(The BezierTriangle beyond an edge of a BezierPatch or BezierTriangle.
 
-It joins G1 along its edge 'l0', P1 to P2. Arguments as of join_rows.)";
+It joins G1 along its edge 'l0', P1 to P2. Arguments as for join_rows.)";
 
 constexpr const char* joined_doc =
     R"(A BezierPatch or BezierTriangle with the rows behind its edge replaced by those that join
 another.
 
 The other poles stay, unless the join needs a higher degree: then the surface is raised first.
-Further arguments as of join_rows; reversed: the surface's edge is run backwards.)";
+Further arguments as for join_rows; reversed: the surface's edge is run backwards.)";
 
 void bindRows(py::module_& module) {
   module.def("join_rows", &ribbonRowsOf, join_rows_doc, py::arg("surface"), py::arg("edge"),

@@ -95,7 +95,7 @@ auto reported() {
 
 void bindMatchResult(py::module_& module) {
   using Report = occ::MatchReport;
-  const std::string doc = std::string("What came of Model.match_faces().") + copies_doc;
+  const std::string doc = std::string("The result of Model.match_faces().") + copies_doc;
   py::class_<MatchResult> type(module, "MatchResult", py::module_local(), doc.c_str());
   bindCopies(type);
   type.def_property_readonly("matched", reported<&Report::matched>(),

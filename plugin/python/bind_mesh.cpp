@@ -46,7 +46,7 @@ occ::DisplayMesh meshOf(const occ::Model& model, const py::object& curvatures,
   occ::MovedFaces moved;
   moved.faces = wholeNumbers("moved_faces", moved_faces);
   if (before.is_none() && !moved.faces.empty())
-    throw py::value_error("moved_faces is given without the shape before");
+    throw py::value_error("moved_faces is given without before");
   if (!before.is_none())
     moved.before = objectOf<occ::Model>("before", before, "a Model or None").shape;
   moved.rough_mm = numberOf("rough_mm", rough_mm);

@@ -113,7 +113,7 @@ first). ValueError for bad arguments, and where the equations are singular.)");
 
 Each segment runs over an interval of length 1. At each joint X'(-) = bias X'(+), X''(-) = bias^2
 X''(+) + tension X'(+). bias, tension: a number or one a point. It tightens for tension to minus
-infinity. Ends as of nu_spline; natural ones have X'' = start_nu X' and X'' = -end_nu X', 0 for
+infinity. Ends as for nu_spline; natural ones have X'' = start_nu X' and X'' = -end_nu X', 0 for
 None.)");
   module.def("spline_knots", &splineKnots, py::arg("points"), py::arg("exponent") = 0.5,
              "Knots that grow by the distance of neighbours to that exponent: 0 uniform, 1/2 "

@@ -126,8 +126,8 @@ large angles, with the index. Source: docs/theory/planar.md P3.1 to P3.3.
              py::arg("end_direction_rad") = py::none(), py::arg("rule") = "equal chords",
              R"(The G1 spline of two arcs between neighbouring points: a BiarcSpline.
 
-points: (count, 2) in mm. rule: as of biarc(); the others: as of planar_tangents(). ValueError as of
-both. Source: docs/theory/planar.md P2.1, P3.1 to P3.3.
+points: (count, 2) in mm. rule: as for biarc(); the others: as for planar_tangents(). ValueError as
+for both. Source: docs/theory/planar.md P2.1, P3.1 to P3.3.
 )");
 }
 

@@ -188,7 +188,7 @@ docs/theory/planar.md P4.2; [BertolazziFrego2015].
              R"(The G2 spline of one clothoid between neighbouring points: a ClothoidSpline.
 
 points: (count, 2) in mm. At an open end a direction or a curvature may be given; None: curvature 0.
-The curvature is continuous and linear between the points. ValueError as of planar_tangents(), and
+The curvature is continuous and linear between the points. ValueError as for planar_tangents(), and
 if the steps do not converge, with the jump of curvature that is left: then points have to be
 inserted. Source: docs/theory/planar.md P4.4.
 )");

@@ -129,14 +129,14 @@ docs/theory/planar.md P6.2; [Yang2014].
 
 start, end: (2,) in mm. count: of the arcs, at least 2; 1 for ends on a circle. For many arcs the
 chain approaches the clothoid of the ends, with an error of order 1 / count^2. ValueError where no
-such arcs exist near the clothoid, and as of clothoid(). Source: docs/theory/planar.md P5.1.
+such arcs exist near the clothoid, and as for clothoid(). Source: docs/theory/planar.md P5.1.
 )");
   module.def("log_arcs", &logArcsOf, py::arg("start"), py::arg("start_direction_rad"),
              py::arg("end"), py::arg("end_direction_rad"), py::arg("count") = py::none(),
              R"(Arcs of one sweep whose radii are a geometric progression: an ArcChain, G1.
 
 start, end: (2,) in mm, with directions of a C-shape. count: of the arcs; None: the fewest possible.
-ValueError for fewer, with the least number, and as of log_spiral(). Source: docs/theory/planar.md
+ValueError for fewer, with the least number, and as for log_spiral(). Source: docs/theory/planar.md
 P6.3; [Yang2014].
 )");
 }

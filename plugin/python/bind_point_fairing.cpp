@@ -87,14 +87,14 @@ two equal points among three neighbours, with the indices. Source: docs/theory/p
              py::arg("closed") = false,
              R"(Indices of points whose curvature has another sign than that of both neighbours.
 
-points: (count, 2) in mm. Such a point is most often a misread digit. ValueError as of
+points: (count, 2) in mm. Such a point is most often a misread digit. ValueError as for
 point_curvatures(). Source: docs/theory/planar.md P10.2.
 )");
   module.def("point_fairness", &pointFairnessOf, py::arg("points"), py::kw_only(),
              py::arg("closed") = false,
              R"(How fair a sequence of points is: a PointFairness.
 
-points: (count, 2) in mm. ValueError as of point_curvatures(). Source: docs/theory/planar.md P10.1.
+points: (count, 2) in mm. ValueError as for point_curvatures(). Source: docs/theory/planar.md P10.1.
 )");
   module.def("fair_points", &fairPointsOf, py::arg("points"), py::arg("tolerance_mm"),
              py::kw_only(), py::arg("closed") = false, py::arg("ends_fixed") = true,
@@ -105,7 +105,7 @@ points: (count, 2) in mm. tolerance_mm: a number or one for each point, 0 fixes 
 the first and the last point of an open sequence stay. The energy approximates the integral of
 (dk/ds)^2 and never grows; each point moves along the normal of the chord of its neighbours. The
 time of a step is linear in count. ValueError for tolerances that are negative or not finite, with
-the index, and as of point_curvatures(). Source: docs/theory/planar.md P10.3.
+the index, and as for point_curvatures(). Source: docs/theory/planar.md P10.3.
 )");
   module.def("filter_curvature", &filterCurvatureOf, py::arg("points"), py::arg("tolerance_mm"),
              py::kw_only(), py::arg("closed") = false, py::arg("strength") = 0.25,
@@ -114,7 +114,7 @@ the index, and as of point_curvatures(). Source: docs/theory/planar.md P10.3.
 
 points: (count, 2) in mm. No point moves by more than tolerance_mm. strength, above 0 and at most
 1/4: 1/4 extinguishes the shortest waves in one pass. It minimises nothing; fair_points() finds
-fairer points. ValueError for a bad tolerance or strength, and as of planar_tangents(). Source:
+fairer points. ValueError for a bad tolerance or strength, and as for planar_tangents(). Source:
 docs/theory/planar.md P10.4.
 )");
 }

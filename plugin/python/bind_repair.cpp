@@ -174,7 +174,7 @@ splines where they have to move. ValueError for bad arguments, with name and val
 }  // namespace
 
 void bindRepair(py::module_& module) {
-  const std::string doc = std::string("What came of Model.repair().") + copies_doc;
+  const std::string doc = std::string("The result of Model.repair().") + copies_doc;
   ReportClass type(module, "RepairReport", py::module_local(), doc.c_str());
   bindOutcome(type);
   bindDetails(type);

@@ -184,7 +184,7 @@ void bindSegments(py::class_<BezierSpline>& type) {
            py::arg("angle_deg") = py::none(), py::arg("curvature_rel") = py::none(),
            py::arg("flat_radius_mm") = py::none(),
            "To an order of at most 100. The joints at the inner knots, then that of a closed "
-           "spline's end with its beginning: CurveJoints as of measure_joint.")
+           "spline's end with its beginning: CurveJoints as for measure_joint.")
       .def(
           "continuity",
           [](const BezierSpline& s, const py::object& around) {

@@ -80,7 +80,7 @@ BezierTriangle fromPatch(const py::object& patch, const py::object& tolerance_mm
   if (found.triangle) return *found.triangle;
   std::ostringstream text;
   text << "the patch is not a triangle: it is up to " << found.deviation_mm
-       << " mm away from the nearest that was tried, accepted are " << found.tolerance_mm << " mm";
+       << " mm away from the nearest one tried; the tolerance is " << found.tolerance_mm << " mm";
   throw py::value_error(text.str());
 }
 

@@ -46,7 +46,7 @@ py::dict writeItems(const occ::WriteReport& written);
 /// A changed model, and the criteria for its file.
 struct ResultToWrite {
   const occ::Model& model;
-  bool unchanged = false;  ///< as of occ::WriteOptions
+  bool unchanged = false;  ///< as for occ::WriteOptions
   report::FileJudge judge;
 };
 
@@ -63,8 +63,8 @@ constexpr const char* write_result_doc =
 takes its place.
 
 The analysis is the one by which the result was judged. Returns a CheckedWriteResult: what
-Model.write() returns, output, what was found in the file, and differences: a line of what is
-otherwise there than in the model, mostly empty. Raises ModelError also where the file can't be
+Model.write() returns; output, what was found in the file; and differences, one line that says how
+the file differs from the model, or an empty string. Raises ModelError also if the file can't be
 read back; nothing is written then.)";
 
 /// Does what write_result_doc describes.

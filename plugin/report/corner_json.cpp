@@ -74,7 +74,7 @@ ordered_json toJson(const occ::CornerFillet& fillet, const ContinuityTolerance& 
   ordered_json json = headJson("seamwright.corner/1", given);
   json["vertex"] = vertex;
   json["gap_mm"] = tolerance.gap_mm;
-  json["angle_deg"] = degrees_per_radian * tolerance.angle_rad;
+  json["angle_deg"] = givenDegrees(tolerance.angle_rad);
   json["met"] = fillet.met();
   json["shortfall"] = fillet.shortfall.text;
   json["shortfall_code"] = codeOf(fillet.shortfall.fault);

@@ -161,9 +161,9 @@ ordered_json toJson(const occ::FillHoleReport& report, const occ::FillHoleOption
   ordered_json json = headJson("seamwright.fill/1", given);
   json["target"] = name(options.target);
   json["gap_mm"] = options.tolerance.gap_mm;
-  json["angle_deg"] = degrees(options.tolerance.angle_rad);
+  json["angle_deg"] = givenDegrees(options.tolerance.angle_rad);
   json["curvature_rel"] = options.tolerance.curvature_rel;
-  json["corner_deg"] = degrees(options.corner_rad);
+  json["corner_deg"] = givenDegrees(options.corner_rad);
   json["filled"] = report.filled;
   json["reached"] = report.reached;
   json["reason"] = textOf(report.reason);

@@ -45,10 +45,10 @@ ordered_json modelJson(const occ::ModelFacts& model) {
 ordered_json toleranceJson(const occ::Report& report) {
   const ContinuityTolerance& tolerance = report.tolerance;
   return {{"gap_mm", tolerance.gap_mm},
-          {"angle_deg", degrees_per_radian * tolerance.angle_rad},
+          {"angle_deg", givenDegrees(tolerance.angle_rad)},
           {"curvature_rel", tolerance.curvature_rel},
           {"flat_radius_mm", tolerance.flat_radius_mm},
-          {"crease_deg", degrees_per_radian * tolerance.crease_rad},
+          {"crease_deg", givenDegrees(tolerance.crease_rad)},
           {"level", name(report.level)}};
 }
 

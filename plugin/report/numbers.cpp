@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <seamwright/plugin/report/enclosure.hpp>
 #include <seamwright/plugin/report/numbers.hpp>
+#include <string>
 
 namespace seamwright::report {
 
@@ -72,6 +73,10 @@ std::string joinedNotes(std::initializer_list<std::string> notes) {
 }
 
 }  // namespace
+
+double givenDegrees(double angle_rad) {
+  return std::stod(fmt::format("{:.14g}", degrees_per_radian * angle_rad));
+}
 
 std::string_view name(occ::SeamKind kind) {
   switch (kind) {

@@ -26,6 +26,10 @@ struct Summary {
 
 Summary summarize(const occ::Report& report);
 
+/// An angle that was given in degrees, without the rounding of its conversion to radians and back:
+/// its nearest number of 14 digits.
+double givenDegrees(double angle_rad);
+
 /// The remarks on a seam: its own note, and why its verdict is not certain or a bound up to G2 is
 /// missing.
 std::string noteOf(const occ::SeamResult& seam, const ContinuityTolerance& tolerance);

@@ -127,9 +127,9 @@ std::string toTable(const occ::RepairReport& report, const std::optional<Written
   if (summary.wants_conversion > 0)
     out << '\n'
         << counted(static_cast<std::size_t>(summary.wants_conversion), "seam")
-        << " left at planes, cylinders and the like: these can move as splines, with --convert (in "
-           "Python "
-           "convert_analytic=True)\n";
+        << " between faces that have no poles (planes, cylinders and the like): --convert lets "
+           "such "
+           "faces move as splines (in Python convert_analytic=True)\n";
   for (const occ::FaceMove& move : report.moves)
     if (!move.less_fair.empty())
       out << "\nface " << move.face << " is less fair: " << move.less_fair.text << '\n';

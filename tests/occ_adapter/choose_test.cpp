@@ -48,7 +48,7 @@ TEST(Choose, WhatIsPickedIsTreatedUnlessItHasTheLevel) {
   ASSERT_EQ(choice.reasons.size(), 3);
   EXPECT_TRUE(choice.reasons[0].empty() && choice.reasons[1].empty());
   EXPECT_EQ(choice.reasons[2].fault, occ::RepairFault::HasLevel);
-  EXPECT_EQ(choice.reasons[2].text, "it has the level already");
+  EXPECT_EQ(choice.reasons[2].text, "it already reaches the target");
 }
 
 TEST(Choose, WhatWouldBeACreaseIsSharpUnlessItIsPicked) {
@@ -119,9 +119,9 @@ TEST(Choose, NoPartThatStandsTwiceAndNoFaceAtAnEdgeOfThree) {
   away.SetTranslation(gp_Vec(0, 100, 0));
   const Choice twice = chosen(loose(part, located(part, away)));
   for (int f = 1; f <= 4; ++f)
-    expectChoice(twice.faces[f], "stands in the model 2 times", false, false);
+    expectChoice(twice.faces[f], "occurs in the model 2 times", false, false);
   EXPECT_EQ(twice.reasons[0].text,
-            "face 1 stands in the model 2 times; face 2 stands in the model 2 times");
+            "face 1 occurs in the model 2 times; face 2 occurs in the model 2 times");
   Report report = analyzed(part);
   report.non_manifold = {{7, {2, 5, 6}}};
   const Choice crowded = choose(modelFromShape(part), report, {});

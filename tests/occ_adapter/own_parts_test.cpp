@@ -187,7 +187,7 @@ TEST(OwnParts, FacesWithEdgesThatStandElsewhereStay) {
   for (const occ::SeamRepair& seam : report.seams)
     if (seam.before.verdict.seam_class == SeamClass::Defect) {
       EXPECT_THAT(seam.reason.text, HasSubstr("has edge " + std::to_string(kinked) +
-                                              ", which stands in the model 2 times"));
+                                              ", which occurs in the model 2 times"));
       ++told;
     }
   EXPECT_EQ(told, 1);

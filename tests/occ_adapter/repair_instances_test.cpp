@@ -137,7 +137,7 @@ TEST(RepairInstances, PartsThatShareWithOthersStay) {
   EXPECT_EQ(repairedSeams(report), 1) << reasonsOf(report);
   EXPECT_TRUE(report.seams.back().repaired);
   for (const std::size_t i : {0, 1})
-    EXPECT_THAT(report.seams[i].reason.text, HasSubstr("stands in the model 3 times"));
+    EXPECT_THAT(report.seams[i].reason.text, HasSubstr("occurs in the model 3 times"));
 }
 
 TEST(RepairInstances, OptionsAreCheckedAsEver) {
@@ -156,7 +156,7 @@ TEST(RepairInstances, AreLeftWhereOpenEdgesAreMatched) {
   const RepairReport report = repair(occ::modelFromShape(all), options);
   EXPECT_FALSE(report.changed());
   for (const occ::SeamRepair& seam : report.seams)
-    EXPECT_THAT(seam.reason.text, HasSubstr("stands in the model 3 times"));
+    EXPECT_THAT(seam.reason.text, HasSubstr("occurs in the model 3 times"));
 }
 
 }  // namespace

@@ -169,7 +169,7 @@ TEST(Repair, OnlyPickedEdgesAreTreated) {
   EXPECT_NE(one.moves.front().face, 1);
   const RepairReport again = repairedModel(one.model.shape, options);
   EXPECT_FALSE(again.changed());
-  EXPECT_EQ(again.seams[1].reason.text, "it has the level already");
+  EXPECT_EQ(again.seams[1].reason.text, "it already reaches the target");
 }
 
 TEST(Repair, NoMoveIsLargerThanAllowed) {

@@ -442,7 +442,7 @@ TEST(Sew, InstancesStayLoose) {
   const TopoDS_Shape one = plate(0, 10, 0, 10);
   const RepairReport report = sewn(compoundOf({one, located(one, away)}), matching(0.1));
   EXPECT_FALSE(report.changed());
-  EXPECT_NE(whyNot(report).find("stands in the model 2 times"), std::string::npos)
+  EXPECT_NE(whyNot(report).find("occurs in the model 2 times"), std::string::npos)
       << whyNot(report);
   EXPECT_EQ(faultsOf(report), std::set{occ::SewFault::FaceInstances});
 }

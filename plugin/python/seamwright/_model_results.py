@@ -301,7 +301,7 @@ class MeshFault(Result):
 
 
 class WriteResult(Result):
-    """What came of writing a file.
+    """The outcome of writing a file.
 
     format                            of the file
     followed_source                   structure, names and colours of the source were kept
@@ -318,8 +318,25 @@ class WriteResult(Result):
     notes: List[str]
 
 
+class FileSeam(Result):
+    """A seam that is a defect in a file and not in the model.
+
+    edges, faces  numbers in the model
+    """
+
+    edges: List[int]
+    faces: List[int]
+
+
 class WrittenFile(Result):
-    """What was found in a file that was read back."""
+    """What was found in a file that was read back.
+
+    only_in_file       a FileSeam for each seam that is a defect in the file alone
+    spoilt_by_writing  how many of them writing alone spoils, without a change of the model; None
+                       if that was not examined
+    """
+
+    _kinds = {"only_in_file": FileSeam}
 
     path: str
     format: str
@@ -327,16 +344,18 @@ class WrittenFile(Result):
     faces: int
     open_edges: int
     defects: int
+    only_in_file: List[FileSeam]
+    spoilt_by_writing: Optional[int]
 
 
 class CheckedWriteResult(WriteResult):
-    """What came of writing a file that was then read back and analysed.
+    """The outcome of writing a file that was then read back and analysed.
 
     output       a WrittenFile
-    differences  lines that say what is otherwise in the file than in the model
+    differences  one line that says how the file differs from the model, or ""
     """
 
     _kinds = {"output": WrittenFile}
 
     output: WrittenFile
-    differences: List[str]
+    differences: str

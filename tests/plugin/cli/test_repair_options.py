@@ -164,7 +164,7 @@ def test_only_the_edges_named_are_treated(tmp_path):
     assert result.returncode == 0
     assert (
         repair(out, "--edges", second, out=tmp_path / "again.step")[1]["seams"][1]["reason"]
-        == "it has the level already"
+        == "it already reaches the target"
     )
 
 

@@ -86,7 +86,7 @@ class RepairPanel(PreviewPanel):
         self.which = QtWidgets.QLabel()
         layout.addRow("Repair", self.which)
         layout.addRow("", self.lists["Edges"])
-        layout.addRow("Keep faces", self.lists["FixedFaces"])
+        layout.addRow("Fixed faces", self.lists["FixedFaces"])
         return box
 
     def _build_limits(self):
