@@ -43,8 +43,10 @@ SpokeEnd spokeEnd(const HoleCorner& corner, const FillCorner& figures, double le
   const Vector3d &in = corner.in(), &out = corner.out();
   const double speed = std::sqrt(in.norm() * out.norm());
   const double turn = figures.angle_rad - std::numbers::pi;
-  SpokeEnd end{std::nullopt, speed / out.norm(), speed / in.norm(), 0,
-               std::abs(turn) <= corner.noise_rad()};
+  SpokeEnd end{.derivative = std::nullopt,
+               .c = speed / out.norm(),
+               .d = speed / in.norm(),
+               .smooth = std::abs(turn) <= corner.noise_rad()};
   const Vector3d bend = end.c * out - end.d * in;
   if (!end.smooth) end.e = std::copysign(bend.norm() / length_mm, turn);
   if (corner.before() || corner.after()) {

@@ -41,10 +41,12 @@ struct Fineness {
 };
 /// Coarse, since triangles are split here until they meet the options: OpenCASCADE only has to find
 /// the topology of each face.
-constexpr Fineness first_fineness = {5e-3, 2e-2, 0.2, 0.4};
+constexpr Fineness first_fineness = {
+    .edge_rel = 5e-3, .inside_rel = 2e-2, .edge_rad = 0.2, .inside_rad = 0.4};
 /// For a face that came out wrong, alone. A choice: at least ten times as fine in distance, which
 /// one face may cost.
-constexpr Fineness second_fineness = {5e-4, 1e-3, 0.1, 0.1};
+constexpr Fineness second_fineness = {
+    .edge_rel = 5e-4, .inside_rel = 1e-3, .edge_rad = 0.1, .inside_rad = 0.1};
 /// What the area of the triangles may differ by from that of the face: triangles that meet the
 /// options are off by less than half of it (see sag_by_width), a missing triangle mostly by more.
 constexpr double area_share = 0.01;

@@ -120,7 +120,7 @@ void FillHoleOptions::setAngle(double angle_rad) {
 
 void FillHoleOptions::validate() const {
   tolerance.validate();
-  HoleOptions{corner_rad, tolerance.gap_mm}.validate();
+  HoleOptions{.corner_rad = corner_rad, .gap_mm = tolerance.gap_mm}.validate();
   if (!(tolerance.angle_rad > 0))
     throw std::invalid_argument("angle tolerance is 0 deg: a fill needs more, 0.01 say");
   if (target != Level::G0 && target != Level::G1 && target != Level::G2)

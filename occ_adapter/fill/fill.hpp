@@ -15,7 +15,7 @@ namespace seamwright::occ {
 struct FillHoleOptions {
   /// What every new seam has to reach. Fills are built for G1 with small jumps of curvature.
   Level target = Level::G1;
-  ContinuityTolerance tolerance{.gap_mm = 0.001, .angle_rad = 0.01 * 0.017453292519943295};
+  ContinuityTolerance tolerance{.gap_mm = 0.001, .angle_rad = 0.01 * radians_per_degree};
   /// A fill that misses the target is kept too.
   bool keep_anyway = false;
   /// A surface beside the hole may continue through it; false: always patches.

@@ -248,7 +248,8 @@ FairStart startOf(const Part& part, const std::vector<FairComponent>& before,
       if (part.faces.count(face) > 0) {
         movers.emplace(face, mover);
         start.is_new = false;
-        if (Restraint{mover.stiffness, mover.restraint_mm} != restraintOf(face, restraints))
+        if (Restraint{.stiffness = mover.stiffness, .move_mm = mover.restraint_mm} !=
+            restraintOf(face, restraints))
           start.relaxed.insert(face);
       }
     for (const Joint& joint : part.joints) {

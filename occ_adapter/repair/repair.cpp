@@ -196,7 +196,7 @@ void RepairOptions::validate() const {
   analyzeOptions(*this).validate();
   if (order != 1 && order != 2)
     throw std::invalid_argument(fmt::format("order is {}: it must be 1 or 2", order));
-  SurfaceTolerance{fairness, 0}.validate();
+  SurfaceTolerance{.fairness = fairness}.validate();
   const auto requirePositive = [](const char* name, double value, const char* unit) {
     if (value > 0) return;
     throw std::invalid_argument(

@@ -54,7 +54,8 @@ class Slide {
     while (samples.size() <= most) {
       const handle<Geom2d_Curve> curve = interpolated(samples);
       std::vector<double> denser = withMissed(samples, *curve);
-      if (denser.size() == samples.size()) return PathChange{0, 0, curve, largest_mm};
+      if (denser.size() == samples.size())
+        return PathChange{.path = curve, .largest_move_mm = largest_mm};
       samples = std::move(denser);
     }
     return {};

@@ -65,7 +65,7 @@ EdgePath::EdgePath(const Coedge& use, int edge, double gap_mm)
 
 void EdgePath::addPieces(double from, double to, const PathPoint& start, const PathPoint& end,
                          int depth) {
-  PathPiece piece{from, to, start.p, end.p, 0};
+  PathPiece piece{.from = from, .to = to, .start = start.p, .end = end.p};
   const double chord = (end.p - start.p).norm();
   if (!std::isfinite(chord)) throw GeometryError("its path is not finite");
   // Unequally spaced, so that a wave does not vanish at all of them. Twice the largest, for what

@@ -11,7 +11,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-constexpr double degree = 0.017453292519943295;
+constexpr double degree = radians_per_degree;
 
 SeamFigures figures(double gap_mm, double angle_deg, double curvature_rel) {
   SeamFigures f;

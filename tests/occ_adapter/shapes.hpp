@@ -15,7 +15,7 @@
 /// Shapes made for the tests, and short ways to ask for their seams.
 namespace seamwright::test {
 
-constexpr double degree = 0.017453292519943295;
+constexpr double degree = radians_per_degree;
 
 /// In the order of TopExp::MapShapes, from 1.
 TopTools_IndexedMapOfShape partsOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind);
