@@ -8,8 +8,10 @@
 #include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
 #include <seamwright/plugin/python/model_calls.hpp>
+#include <seamwright/plugin/python/results.hpp>
 #include <seamwright/plugin/report/corner_json.hpp>
 #include <seamwright/plugin/report/json.hpp>
+#include <seamwright/plugin/report/reason_json.hpp>
 #include <string>
 
 namespace seamwright::python {
@@ -148,13 +150,19 @@ void bindCornerResult(py::module_& module) {
       .def_property_readonly(
           "shortfall",
           [](const CornerFilletResult& result) { return result.fillet.shortfall.text; },
-          "What is not, with numbers; empty where met.")
+          "Which of these does not hold, with numbers; empty where met.")
       .def_property_readonly(
           "shortfall_code",
           [](const CornerFilletResult& result) {
             return occ::codeOf(result.fillet.shortfall.fault);
           },
           "Code of the shortfall: see docs/corner_fillet.md. Empty where met.")
+      .def_property_readonly(
+          "shortfall_facts",
+          [](const CornerFilletResult& result) {
+            return resultOf("ReasonFacts", plainObject(report::factsJson(result.fillet.shortfall)));
+          },
+          "Numbers and location of the shortfall: ReasonFacts.")
       .def_property_readonly(
           "patches", [](const CornerFilletResult& result) { return result.fillet.fill.patches; },
           "BezierPatches of the corner, as n_sided_fill() orders them.")

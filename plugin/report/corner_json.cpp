@@ -6,6 +6,7 @@
 #include <seamwright/plugin/report/corner_json.hpp>
 #include <seamwright/plugin/report/json.hpp>
 #include <seamwright/plugin/report/numbers.hpp>
+#include <seamwright/plugin/report/reason_json.hpp>
 #include <seamwright/plugin/report/text.hpp>
 #include <set>
 #include <sstream>
@@ -78,6 +79,7 @@ ordered_json toJson(const occ::CornerFillet& fillet, const ContinuityTolerance& 
   json["met"] = fillet.met();
   json["shortfall"] = fillet.shortfall.text;
   json["shortfall_code"] = codeOf(fillet.shortfall.fault);
+  json["shortfall_facts"] = factsJson(fillet.shortfall);
   json["valid"] = fillet.valid;
   json["regular"] = fillet.fill.regular;
   json["largest_gap_mm"] = bound(fillet.largestGap_mm());

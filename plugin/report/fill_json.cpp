@@ -9,6 +9,7 @@
 #include <seamwright/plugin/report/fill_json.hpp>
 #include <seamwright/plugin/report/json.hpp>
 #include <seamwright/plugin/report/numbers.hpp>
+#include <seamwright/plugin/report/reason_json.hpp>
 #include <seamwright/plugin/report/text.hpp>
 #include <sstream>
 #include <utility>
@@ -38,12 +39,10 @@ ordered_json sideJson(const occ::FilledSide& side) {
 }
 
 ordered_json causeJson(const occ::FillReason& cause) {
-  ordered_json numbers = ordered_json::object();
-  for (const auto& [name, value] : cause.numbers) numbers[name] = value;
   ordered_json point_mm = nullptr;
   if (const auto& point = cause.point_mm) point_mm = {point->x(), point->y(), point->z()};
   return {{"code", codeOf(cause.fault)},
-          {"numbers", std::move(numbers)},
+          {"numbers", numbersJson(cause.numbers)},
           {"edges", cause.edges},
           {"point_mm", std::move(point_mm)}};
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <seamwright/plugin/report/json.hpp>
 #include <seamwright/plugin/report/numbers.hpp>
+#include <seamwright/plugin/report/reason_json.hpp>
 #include <seamwright/plugin/report/repair_json.hpp>
 #include <set>
 #include <utility>
@@ -131,10 +132,12 @@ ordered_json toJson(const occ::SeamRepair& seam, const ContinuityTolerance& tole
           {"repaired", seam.repaired},
           {"reason", seam.reason.text},
           {"reason_code", codeOf(seam.reason.fault)},
+          {"reason_facts", factsJson(seam.reason)},
           {"wants_conversion", seam.wants_conversion},
           {"sewn", seam.sewn},
           {"not_sewn", seam.not_sewn.text},
-          {"not_sewn_code", codeOf(seam.not_sewn.fault)}};
+          {"not_sewn_code", codeOf(seam.not_sewn.fault)},
+          {"not_sewn_facts", factsJson(seam.not_sewn)}};
 }
 
 namespace {

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import List, Optional
+from typing import Dict, List, Optional
 
 from ._result import Result
 
@@ -109,19 +109,37 @@ class Seam(Result):
     note: str
 
 
+class ReasonFacts(Result):
+    """Numbers and location of a reason.
+
+    numbers       by name with the unit, such as {"move_mm": 0.3}
+    faces, edges  of the given model
+    """
+
+    numbers: Dict[str, float]
+    faces: List[int]
+    edges: List[int]
+
+
 class SeamRepair(Result):
     """What a repair did with a seam.
 
     before, after     the seam as it was and as it is
     treated           the repair was to improve it
     repaired          it meets the target now
-    reason            why it is left, or ""; reason_code: the code of the reason, see docs/repair.md
+    reason            why it is left, or ""; reason_code: the code of the reason, see docs/repair.md;
+                      reason_facts: its numbers and location
     wants_conversion  it can be treated if analytic faces may become splines
-    sewn, not_sewn    its two edges became one; why they did not, or ""; not_sewn_code: the code of
-                      that reason
+    sewn, not_sewn    its two edges became one; why they did not, or ""; not_sewn_code and
+                      not_sewn_facts as for the reason
     """
 
-    _kinds = {"before": Seam, "after": Seam}
+    _kinds = {
+        "before": Seam,
+        "after": Seam,
+        "reason_facts": ReasonFacts,
+        "not_sewn_facts": ReasonFacts,
+    }
 
     before: Seam
     after: Seam
@@ -129,10 +147,12 @@ class SeamRepair(Result):
     repaired: bool
     reason: str
     reason_code: str
+    reason_facts: ReasonFacts
     wants_conversion: bool
     sewn: bool
     not_sewn: str
     not_sewn_code: str
+    not_sewn_facts: ReasonFacts
 
 
 class Bounds(Result):

@@ -163,6 +163,7 @@ def test_a_corner_that_is_not_regular_is_written_and_said_so(box, tmp_path):
     assert (result.met, report["met"], report["regular"]) == (False, False, False)
     assert "regular" in result.shortfall == report["shortfall"]
     assert result.shortfall_code == report["shortfall_code"] == "may_fold"
+    assert result.shortfall_facts.to_dict() == report["shortfall_facts"]
     schema = json.loads((HERE.parents[2] / "docs" / "corner-1.schema.json").read_text())
     jsonschema.validate(report, schema)
     result.write(tmp_path / "rounded.brep", keep_anyway=True)

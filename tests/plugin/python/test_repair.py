@@ -45,6 +45,20 @@ def test_a_sheet_flows_again(tmp_path, target):
     assert repr(report) == f"<RepairReport: {done} of {done} seams repaired, 0 defects left>"
 
 
+def test_a_reason_has_its_numbers_and_its_location(tmp_path):
+    model = sheet(tmp_path)
+    needed_mm = model.repair().summary.largest_move_mm
+    (seam,) = [seam for seam in model.repair(max_move_mm=1e-6).seams if seam.treated]
+    assert seam.reason_code == "moves_too_far"
+    facts = seam.reason_facts
+    assert facts.numbers["limit_mm"] == 1e-6 and f"{facts.numbers['move_mm']:.6g}" in seam.reason
+    assert 1e-6 < facts.numbers["move_mm"] < 2 * needed_mm
+    assert facts.faces and set(facts.faces) <= set(seam.before.faces)
+    held = model.repair(fixed_faces=seam.before.faces).seams[0]
+    assert (held.reason_code, held.reason_facts.faces) == ("face_fixed", seam.before.faces)
+    assert held.not_sewn_facts.to_dict() == {"numbers": {}, "faces": [], "edges": []}
+
+
 def test_the_report_follows_the_schema(tmp_path):
     report = sheet(tmp_path, count_x=3).repair(fixed_faces=[1], max_move_mm=None, edges=None)
     found = report.to_dict()
