@@ -50,13 +50,31 @@ void take(const FillTask& task, const FillFaces& made, FillHoleReport& report) {
   report.curvature_jump_per_mm = made.curvature_jump_per_mm;
 }
 
+using Begin = std::function<void(const char*)>;
+using Make = std::function<FillFaces(const Begin&)>;
+
+/// The faces of a construction of core. It refuses sides by std::invalid_argument and
+/// std::domain_error, and by std::overflow_error if their numbers leave its range.
+/// \throws NotFilled for these, and what else \p make throws.
+FillFaces constructed(const Make& make, const Begin& begin) {
+  const auto refused = [](const std::exception& error) {
+    return NotFilled({.fault = FillFault::ConstructionRefused, .detail = error.what()});
+  };
+  try {
+    return make(begin);
+  } catch (const std::invalid_argument& error) {
+    throw refused(error);
+  } catch (const std::domain_error& error) {
+    throw refused(error);
+  } catch (const std::overflow_error& error) {
+    throw refused(error);
+  }
+}
+
 /// Runs the stages. What geometry can cause becomes a reason: a hole that no fill has (NotFilled),
-/// sides that a construction of core refuses (std::invalid_argument, std::domain_error), or whose
-/// numbers leave its range (std::overflow_error), an edge or a face that can't be evaluated
-/// (GeometryError), and a failure of OpenCASCADE. Other exceptions are faults of the program, and
-/// pass.
-FillHoleReport run(const FillTask& task, const Progress& progress,
-                   const std::function<FillFaces(const std::function<void(const char*)>&)>& make) {
+/// an edge or a face that can't be evaluated (GeometryError), and a failure of OpenCASCADE. Other
+/// exceptions are faults of the program, and pass.
+FillHoleReport run(const FillTask& task, const Progress& progress, const Make& make) {
   FillHoleReport report;
   report.model = task.model;
   FillFaces made;
@@ -64,7 +82,7 @@ FillHoleReport run(const FillTask& task, const Progress& progress,
   const auto begin = [&doing](const char* stage) { doing = stage; };
   try {
     const auto start = std::chrono::steady_clock::now();
-    made = make(begin);
+    made = constructed(make, begin);
     take(task, made, report);
     report.build_s = secondsSince(start);
     complete(task, made, progress, begin, report);
@@ -75,12 +93,6 @@ FillHoleReport run(const FillTask& task, const Progress& progress,
     report.reason.causes = causesOfDistance(task, made.cut);
   } catch (const NotFilled& why) {
     report.reason = why.reason();
-  } catch (const std::invalid_argument& error) {
-    report.reason = {.fault = FillFault::ConstructionRefused, .detail = error.what()};
-  } catch (const std::domain_error& error) {
-    report.reason = {.fault = FillFault::ConstructionRefused, .detail = error.what()};
-  } catch (const std::overflow_error& error) {
-    report.reason = {.fault = FillFault::ConstructionRefused, .detail = error.what()};
   } catch (const GeometryError& error) {
     report.reason = {.fault = FillFault::ConstructionRefused, .detail = error.what()};
   }

@@ -188,7 +188,7 @@ class AlphaSeamCondition(Result):
     any_net: bool
     order: int
     g1: bool
-    defects_mm: Array
+    defects_mm: List[float]
     noise_mm: float
     first_rows: Array
     singular: Array
@@ -202,7 +202,7 @@ class AlphaSeamFit(Result):
     beta1, beta2                       of the best fit
     gap_mm                             largest gap
     first, second, c_first, c_second   relative residuals of G1, G2, C1, C2
-    noise                              what rounding makes of 0
+    noise                              up to these three, gap_mm, first and second count as rounding
     """
 
     parametric_order: int
@@ -214,7 +214,7 @@ class AlphaSeamFit(Result):
     second: float
     c_first: float
     c_second: float
-    noise: float
+    noise: List[float]
 
 
 class AlphaNearestJoin(Result):

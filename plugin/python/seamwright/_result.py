@@ -95,6 +95,9 @@ class Result(Dict[str, Any]):
             return self[self._keys[key]]
         raise KeyError(key)
 
+    def __setattr__(self, name: str, value: Any) -> None:
+        raise AttributeError(f"{name} of a {type(self).__name__} can't be assigned")
+
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, dict):
             return NotImplemented
@@ -118,6 +121,13 @@ class Result(Dict[str, Any]):
         return _plain(self)
 
     @classmethod
+    def _plain_type(cls, key):
+        """str or bool for items of that type, also where there are none; None for numbers."""
+        names = {item: name for name, item in cls._keys.items()}
+        annotation = str(inspect.get_annotations(cls)[names.get(key, key)])
+        return next((kind for kind in (str, bool) if f"[{kind.__name__}," in annotation), None)
+
+    @classmethod
     def _stacked(cls, results, shape):
         """One result whose items are arrays, from the results at an array of parameters.
 
@@ -127,11 +137,9 @@ class Result(Dict[str, Any]):
         for key in cls._shapes:
             trailing = cls._shapes[key]
             values = [result[key] for result in results]
-            if any(isinstance(value, str) for value in values):
-                items[key] = np.array(values, dtype=str).reshape(shape)
-                continue
-            if any(isinstance(value, bool) for value in values):
-                items[key] = np.array(values, dtype=bool).reshape(shape)
+            plain = cls._plain_type(key)
+            if plain is not None:
+                items[key] = np.array(values, dtype=plain).reshape(shape)
                 continue
             missing = np.full(trailing, np.nan)
             rows = [missing if value is None else value for value in values]

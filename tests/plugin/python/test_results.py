@@ -2,6 +2,7 @@
 """Results: attributes and items are the same values, also after copies; results are arguments."""
 
 import copy
+import inspect
 import json
 import pickle
 
@@ -162,10 +163,61 @@ def test_results_tell_their_values(every):
     )
 
 
+def arguments_of(annotation):
+    """Of "Union[str, List[int]]": "Union" and ["str", "List[int]"]; of "int": "int" and []."""
+    name, _, rest = annotation.partition("[")
+    parts, depth = [""], 0
+    for letter in rest[:-1]:
+        depth += (letter == "[") - (letter == "]")
+        if letter == "," and depth == 0:
+            parts.append("")
+        else:
+            parts[-1] += letter
+    return name, [part.strip() for part in parts if part]
+
+
+def is_of(value, annotation):
+    """Whether a value has the type that an annotation of a result states."""
+    name, parts = arguments_of(annotation)
+    plain = {"int": int, "bool": bool, "str": str, "Dict": dict, "Tuple": tuple}
+    if name in ("Optional", "Union"):
+        return (name == "Optional" and value is None) or any(is_of(value, part) for part in parts)
+    if name == "List":
+        return type(value) is list and all(is_of(item, parts[0]) for item in value)
+    if name == "float":
+        return isinstance(value, (int, float)) and not isinstance(value, bool)
+    if name in ("Array", "npt.NDArray"):
+        return isinstance(value, np.ndarray)
+    if name == "Number":
+        return isinstance(value, (float, np.ndarray))
+    if name == "int":
+        return isinstance(value, int) and not isinstance(value, bool)
+    return isinstance(value, plain[name]) if name in plain else type(value).__name__ == name
+
+
+def test_annotations_state_the_types_of_values(every):
+    wrong = [
+        f"{type(result).__name__}.{name}: {annotation} is {type(getattr(result, name))}"
+        for result in every
+        for name, annotation in inspect.get_annotations(type(result)).items()
+        if not name.startswith("_") and not is_of(getattr(result, name), annotation)
+    ]
+    assert not wrong, "\n".join(wrong)
+    assert not is_of([1], "float") and is_of([1, None], "List[Optional[int]]")
+
+
+def test_values_at_no_parameter_have_the_type_of_others():
+    frames, lengths = seamwright.frenet_frame(PARABOLA, []), seamwright.arc_length(LINE, 1e-9, [], 1)
+    assert frames.kind.dtype.kind == "U" and lengths.reached.dtype == bool
+    assert frames.tangent.shape == (0, 3) and lengths.value_mm.dtype == float
+
+
 def test_attributes_cannot_be_assigned_and_unknown_ones_are_named():
     figure = Figure(lower=1.0, upper=None, at=0.5)
     with pytest.raises(AttributeError, match="lower of a Figure can't be assigned"):
         figure.lower = 2
+    with pytest.raises(AttributeError, match="lowr of a Figure can't be assigned"):
+        figure.lowr = 2
     with pytest.raises(AttributeError, match="this Figure has no upper"):
         Figure(lower=1.0).upper
     with pytest.raises(AttributeError):
