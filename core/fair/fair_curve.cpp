@@ -238,6 +238,9 @@ BSplineCurve smoothingSpline(int degree, const std::vector<double>& knots,
         fmt::format("the equations of the smoothing spline are singular: {} points for {} poles",
                     points.rows(), poles.rows()));
   poles.middleRows(free.first, free.count) = factor.solve(right.middleRows(free.first, free.count));
+  if (!poles.allFinite())
+    throw std::domain_error(
+        fmt::format("the smoothing is {}: it is too large for these points", smoothing));
   BSplineCurve result{degree, knots, HomogeneousPoles(poles.rows(), 4)};
   result.poles << poles, Eigen::VectorXd::Ones(poles.rows());
   return result;

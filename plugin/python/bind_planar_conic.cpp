@@ -56,11 +56,17 @@ py::list conicsOfArcs(const py::object& arcs) {
   return conicList(conicsOf(arcsOf("arcs", arcs)));
 }
 
-/// Conics of a sequence; arcs of a chain, or of a result with one, as conics.
+bool areArcs(const py::object& value) {
+  if (py::isinstance<ArcChain>(value)) return true;
+  return py::isinstance<py::sequence>(value) && py::len(value) > 0 &&
+         py::isinstance<PlanarArc>(value[py::int_(0)]);
+}
+
+/// Conics of a sequence; arcs of a sequence or a chain, or of a result with one, as conics.
 std::vector<PlanarConic> conicChainOf(const py::object& value) {
   const py::object conics = itemOrSelf(value, "conics");
   const py::object chain = itemOrSelf(conics, "chain");
-  if (py::isinstance<ArcChain>(chain)) return conicsOf(arcsOf("chain", chain));
+  if (areArcs(chain)) return conicsOf(arcsOf("chain", chain));
   return piecesOf<PlanarConic>("chain", conics, "a PlanarConic");
 }
 

@@ -125,6 +125,8 @@ def test_inflections_stay_g1():
     for i, (before, after) in enumerate(zip(found.conics, found.conics[1:]), 1):
         if i not in found.g1_joints:
             expect_g2(before, after)
+    arcs = list(seamwright.biarc_spline(points).chain.arcs)
+    assert seamwright.g2_conics(arcs).conics == found.conics
     given = seamwright.g2_conics(seamwright.biarc_spline(points), start_curvature_per_mm=-0.2)
     assert given.conics[0].curvature_at_per_mm(0) == pytest.approx(-0.2, rel=1e-12)
 
