@@ -18,6 +18,7 @@
 #include <seamwright/occ_adapter/convert/seam_side.hpp>
 #include <seamwright/occ_adapter/convert/seam_strips.hpp>
 #include <seamwright/occ_adapter/geometry_error.hpp>
+#include <seamwright/occ_adapter/model/failure_text.hpp>
 
 namespace seamwright::occ {
 
@@ -230,8 +231,20 @@ Eigen::Vector3d pointOnFirstSide(const Seam& seam, const Pcurve& pcurve, double 
   return vector(surface->Value(uv.X(), uv.Y()).Transformed(location.Transformation()));
 }
 
+/// \throws GeometryError if an edge has an empty parameter range: it has no curve to measure.
+void requireRanges(const Seam& seam) {
+  for (const Coedge& side : seam.sides) {
+    double first = 0, last = 0;
+    BRep_Tool::Range(side.edge, first, last);
+    if (!(first < last))
+      throw GeometryError(
+          fmt::format("its edge has the parameter range {:.6g} to {:.6g}", first, last));
+  }
+}
+
 void measure(const Seam& seam, const AnalyzeOptions& options, SeamResult& result) {
   addNote(result.note, seam.note);
+  requireRanges(seam);
   result.length_mm = lengthOf(seam);
   std::array<Pcurve, 2> pcurves;
   for (const int side : {0, 1}) {
@@ -271,7 +284,7 @@ SeamResult measureSeam(const Seam& seam, const AnalyzeOptions& options) {
   try {
     measure(seam, options, result);
   } catch (const Standard_Failure& failure) {
-    fail(std::string(failure.DynamicType()->Name()) + " " + failure.GetMessageString());
+    fail("OpenCASCADE stopped at " + failureText(failure));
   } catch (const GeometryError& error) {
     fail(error.what());
   } catch (const std::logic_error& fault) {

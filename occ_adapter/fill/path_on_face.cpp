@@ -53,7 +53,7 @@ handle<Geom2d_Curve> pathOnFace(const TopoDS_Face& face, const BezierCurve& curv
   for (int k = 1; k + 1 < count; ++k) {
     const Vector3d p = curve.point(parameters->Value(k + 1));
     const gp_Pnt2d before = path->Value(k);
-    const gp_Pnt2d at = nearest.NextValueOfUV(before, gp_Pnt(p.x(), p.y(), p.z()), 1e-9);
+    const gp_Pnt2d at = nearest.NextValueOfUV(before, pointOf(p), 1e-9);
     path->SetValue(k + 1,
                    {beside(at.X(), before.X(), surface.IsUPeriodic() ? surface.UPeriod() : 0),
                     beside(at.Y(), before.Y(), surface.IsVPeriodic() ? surface.VPeriod() : 0)});

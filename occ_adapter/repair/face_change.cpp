@@ -17,6 +17,7 @@
 #include <utility>
 
 #include <seamwright/occ_adapter/analyze/workers.hpp>
+#include <seamwright/occ_adapter/convert/adaptor_jet.hpp>
 #include <seamwright/occ_adapter/convert/points.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
 #include <seamwright/occ_adapter/repair/face_change.hpp>
@@ -83,20 +84,6 @@ class SpanScale {
  private:
   std::vector<double> ends_;
 };
-
-SurfaceJet jetOn(const Adaptor3d_Surface& surface, double u, double v) {
-  gp_Pnt p;
-  gp_Vec along_u, along_v, uu, vv, uv;
-  surface.D2(u, v, p, along_u, along_v, uu, vv, uv);
-  SurfaceJet jet;
-  jet.p = vector(p);
-  jet.u = vector(along_u);
-  jet.v = vector(along_v);
-  jet.uu = vector(uu);
-  jet.uv = vector(uv);
-  jet.vv = vector(vv);
-  return jet;
-}
 
 /// Adds the mean curvature, and the normal curvature along the line. Both are NaN where there is no
 /// normal.

@@ -9,6 +9,7 @@
 #include <array>
 #include <vector>
 
+#include <seamwright/occ_adapter/convert/adaptor_jet.hpp>
 #include <seamwright/occ_adapter/convert/points.hpp>
 #include <seamwright/occ_adapter/repair/slide.hpp>
 
@@ -155,17 +156,7 @@ gp_Pnt2d StayingSurface::within(const gp_Pnt2d& uv) const {
 }
 
 SurfaceJet StayingSurface::jet(const gp_Pnt2d& uv) const {
-  gp_Pnt p;
-  gp_Vec du, dv, duu, dvv, duv;
-  surface_.D2(uv.X(), uv.Y(), p, du, dv, duu, dvv, duv);
-  SurfaceJet jet;
-  jet.p = vector(p);
-  jet.u = vector(du);
-  jet.v = vector(dv);
-  jet.uu = vector(duu);
-  jet.uv = vector(duv);
-  jet.vv = vector(dvv);
-  return jet;
+  return jetOn(surface_, uv.X(), uv.Y());
 }
 
 bool StayingSurface::surrounds(const Pcurve& path) const {

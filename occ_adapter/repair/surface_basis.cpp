@@ -8,6 +8,7 @@
 
 #include <seamwright/core/bspline/basis.hpp>
 #include <seamwright/core/differential/fundamental_forms.hpp>
+#include <seamwright/occ_adapter/convert/points.hpp>
 #include <seamwright/occ_adapter/repair/surface_basis.hpp>
 
 namespace seamwright::occ {
@@ -152,8 +153,7 @@ PointRows polesOf(const Geom_BSplineSurface& surface) {
   PointRows poles(surface.NbUPoles() * surface.NbVPoles(), 3);
   for (int i = 1; i <= surface.NbUPoles(); ++i)
     for (int j = 1; j <= surface.NbVPoles(); ++j) {
-      const gp_Pnt pole = surface.Pole(i, j);
-      poles.row((i - 1) * surface.NbVPoles() + j - 1) << pole.X(), pole.Y(), pole.Z();
+      poles.row((i - 1) * surface.NbVPoles() + j - 1) = vector(surface.Pole(i, j)).transpose();
     }
   return poles;
 }

@@ -193,6 +193,21 @@ TEST(Analyze, BadOptionsAreRefusedWithTheirNumber) {
   expectRefused([](auto& o) { o.tolerance.gap_mm = 1e-18; }, "1e-18");
 }
 
+TEST(Analyze, AnEdgeWithAnEmptyRangeIsNamed) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 1, 1).Shape();
+  TopTools_IndexedMapOfShape edges;
+  TopExp::MapShapes(box, TopAbs_EDGE, edges);
+  BRep_Builder().Range(TopoDS::Edge(edges(1)), 0.25, 0.25);
+  const occ::Report report = analyzed(box);
+  ASSERT_EQ(report.seams.size(), 12u);
+  for (const SeamResult& seam : report.seams) {
+    const bool is_empty = seam.edges.front() == 1;
+    EXPECT_EQ(seam.figures.gap_mm.has_value(), !is_empty);
+    const std::string note = "not measured: its edge has the parameter range 0.25 to 0.25";
+    EXPECT_EQ(seam.note, is_empty ? note : "");
+  }
+}
+
 TEST(ModelFromShape, NullAndFacelessShapesAreRefused) {
   TopExp_Explorer edges(BRepPrimAPI_MakeBox(1, 1, 1).Shape(), TopAbs_EDGE);
   for (const TopoDS_Shape& shape : {TopoDS_Shape(), edges.Current()}) try {

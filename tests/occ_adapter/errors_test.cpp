@@ -24,13 +24,13 @@ void expectError(const std::filesystem::path& path, ModelErrc code, const std::s
   EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << "one line";
 }
 
-TEST(ReadErrors, TellsAFileThatIsNotThere) {
+TEST(ReadErrors, NamesAFileThatIsNotThere) {
   const Folder folder;
   expectError(folder / "none.step", ModelErrc::NotFound, "no such file");
   expectError(folder / "no-folder/none.step", ModelErrc::NotFound, "no such file");
 }
 
-TEST(ReadErrors, TellsAFolder) {
+TEST(ReadErrors, NamesAFolder) {
   const Folder folder;
   expectError(folder / "", ModelErrc::NotAFile, "folder");
   expectError("/dev/null", ModelErrc::NotAFile, "not a regular file");
@@ -38,7 +38,7 @@ TEST(ReadErrors, TellsAFolder) {
   expectError(folder / "pipe", ModelErrc::NotAFile, "not a regular file");
 }
 
-TEST(ReadErrors, TellsAFileThatMayNotBeRead) {
+TEST(ReadErrors, NamesAFileThatMayNotBeRead) {
   const Folder folder;
   writeStep(box(), folder / "box.step");
   ASSERT_EQ(chmod((folder / "box.step").c_str(), 0), 0);
@@ -54,31 +54,31 @@ TEST(ReadErrors, NotReadableUnderRoot) {
       << error.what();
 }
 
-TEST(ReadErrors, TellsAnEmptyFile) {
+TEST(ReadErrors, NamesAnEmptyFile) {
   const Folder folder;
   setContent(folder / "empty.step", "");
   expectError(folder / "empty.step", ModelErrc::Empty, "empty");
 }
 
-TEST(ReadErrors, TellsAnUnknownFormat) {
+TEST(ReadErrors, NamesAnUnknownFormat) {
   const Folder folder;
   const std::vector<std::pair<std::string, std::string>> contents = {
-      {"Dear all, this is a letter.", "no STEP, IGES or BREP"},
-      {"\n", "no STEP, IGES or BREP"},
+      {"Dear all, this is a letter.", "not a STEP, IGES or BREP"},
+      {"\n", "not a STEP, IGES or BREP"},
       {std::string("PK\x03\x04 and so on", 14), "zip"},
       {"\x1f\x8b\x08 and so on", "gzip"},
       {"\xff\xfeI\x01", "UTF-16"},
       {std::string("I\0S\0O\0-\0001\0000\0", 12), "UTF-16"},
       {"version https://git-lfs.github.com/spec/v1\noid sha256:0\n", "Git LFS"},
-      {"solid cube\nfacet normal 0 0 1\n", "no STEP, IGES or BREP"},
-      {std::string(5000, '\0'), "no STEP, IGES or BREP"}};
+      {"solid cube\nfacet normal 0 0 1\n", "not a STEP, IGES or BREP"},
+      {std::string(5000, '\0'), "not a STEP, IGES or BREP"}};
   for (const auto& [content, said] : contents) {
     setContent(folder / "odd.step", content);
     expectError(folder / "odd.step", ModelErrc::UnknownFormat, said);
   }
 }
 
-TEST(ReadErrors, TellsATruncatedFile) {
+TEST(ReadErrors, NamesATruncatedFile) {
   const Folder folder;
   writeStep(box(), folder / "box.step");
   const std::string step = contentOf(folder / "box.step");
@@ -111,7 +111,7 @@ TEST(ReadErrors, TruncatedBrepIsMalformed) {
   }
 }
 
-TEST(ReadErrors, TellsAMalformedFile) {
+TEST(ReadErrors, NamesAMalformedFile) {
   const Folder folder;
   setContent(folder / "bad.step",
              "ISO-10303-21;\nHEADER;\nnothing of the kind\nEND-ISO-10303-21;\n");
@@ -123,7 +123,7 @@ TEST(ReadErrors, TellsAMalformedFile) {
   expectError(folder / "bad.brep", ModelErrc::Malformed, "BREP");
 }
 
-TEST(ReadErrors, TellsAFileWithoutShapes) {
+TEST(ReadErrors, NamesAFileWithoutShapes) {
   const Folder folder;
   const TopoDS_Shape edge = BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0)).Shape();
   writeStep(edge, folder / "edge.step");
