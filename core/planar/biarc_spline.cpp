@@ -231,7 +231,9 @@ int minimiseEnergy(const Polygon& polygon, const EndAngles& ends, Eigen::VectorX
 
 void requireOptions(const TangentOptions& options) {
   if (!(options.lambda >= 0 && std::isfinite(options.lambda)))
-    refuse(fmt::format("lambda is {}: it must be finite and at least 0", options.lambda));
+    refuse(
+        fmt::format("the weight of the variation (lambda) is {}: it must be finite and at least 0",
+                    options.lambda));
   for (const std::optional<double>& direction :
        {options.start_direction_rad, options.end_direction_rad}) {
     if (!direction) continue;

@@ -268,6 +268,8 @@ Poles alphaSlidingRows(const AlphaSurface& given, double next_a_u, double next_a
   const Row row = given.a_v == next_a_v ? rowOf(given, 3) : alphaRow(edge, next_a_v);
   Poles rows(8, 3);
   rows << row, row + alphaRow(first, next_a_v) / (5 * next_a_u);
+  if (!rows.allFinite())
+    throw std::invalid_argument("a pole is not finite: alpha or beta is too large");
   return rows;
 }
 

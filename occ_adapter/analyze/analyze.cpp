@@ -79,8 +79,8 @@ void AnalyzeOptions::validate() const {
     throw std::invalid_argument("level " + std::string(name(level)) +
                                 ": it must be G0, G1, G2 or G3");
   if (!std::isfinite(match_mm) || match_mm < 0)
-    throw std::invalid_argument("distance to match is " + std::to_string(match_mm) +
-                                " mm: it must be finite and not negative");
+    throw std::invalid_argument(fmt::format(
+        "distance to match is {:.6g} mm: it must be finite and not negative", match_mm));
   if (jobs < 0)
     throw std::invalid_argument("jobs is " + std::to_string(jobs) + ": it must not be negative");
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
 #include <Eigen/Geometry>
 #include <Geom2d_BezierCurve.hxx>
 #include <Geom2d_Circle.hxx>
@@ -221,7 +222,7 @@ BSplineCurve inPlane(BSplineCurve spline, const PlaneFrame& frame) {
 
 handle<Geom2d_Curve> arcCurve(const PlanarArc& arc) {
   if (!(arc.length_mm > 0))
-    throw std::invalid_argument("an arc has the length " + std::to_string(arc.length_mm) + " mm");
+    throw std::invalid_argument(fmt::format("an arc has the length {:.6g} mm", arc.length_mm));
   const Vector2d tangent = unitVector(arc.direction_rad);
   const gp_Dir2d direction(tangent.x(), tangent.y());
   const double k = arc.curvature_per_mm;

@@ -311,11 +311,16 @@ std::vector<PlanarWire> planarWires(const TopoDS_Shape& shape, const PlanarWireO
   const std::vector<SpaceEdge> edges = chosenEdges(shape, options);
   std::vector<PlanarWire> wires;
   for (const EdgeChain& chain : chainsOf(edges, options.each_alone)) {
+    const auto refused = [&](const std::exception& error) {
+      return GeometryError(
+          fmt::format("Edge{}: {}", edges[chain.steps.front().edge].number, error.what()));
+    };
     try {
       wires.push_back(planarWire(edges, chain, options.flatness_mm, wires));
-    } catch (const std::logic_error& error) {  // a kind of curve, or numbers, core does not take
-      throw GeometryError(
-          fmt::format("Edge{}: {}", edges[chain.steps.front().edge].number, error.what()));
+    } catch (const std::invalid_argument& error) {  // numbers that core refuses
+      throw refused(error);
+    } catch (const std::domain_error& error) {  // a kind of curve that core does not know
+      throw refused(error);
     }
   }
   return wires;

@@ -3,6 +3,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <cmath>
+#include <regex>
 
 #include <seamwright/plugin/python/arguments.hpp>
 
@@ -27,6 +28,15 @@ char singleKind(const py::handle& value) {
 }
 
 }  // namespace
+
+std::string shown(const py::object& value) {
+  std::string text = py::cast<std::string>(py::repr(value));
+  text = std::regex_replace(text, std::regex("\\s+"), " ");
+  // A choice: what fits on a line of a terminal beside the rest of a message.
+  constexpr std::size_t longest = 120, part = 50;
+  if (text.size() <= longest) return text;
+  return text.substr(0, part) + " ... " + text.substr(text.size() - part);
+}
 
 bool isFlag(const py::handle& value) {
   return PyBool_Check(value.ptr()) || singleKind(value) == 'b';

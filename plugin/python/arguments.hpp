@@ -16,9 +16,8 @@ namespace seamwright::python {
 
 namespace py = pybind11;
 
-inline std::string shown(const py::object& value) {
-  return py::cast<std::string>(py::repr(value));
-}
+/// The repr of a value on one line, shortened in the middle if it is long.
+std::string shown(const py::object& value);
 
 /// Whether the value may be a real number: not complex, not a boolean, not text, not an array of
 /// one or more dimensions.

@@ -65,8 +65,11 @@ EXPECTED = {
     ("occ_adapter/model/reader_main.cpp", "std::exception"): (
         "the end of a process: tells its parent what went wrong, whatever it was"
     ),
-    ("occ_adapter/planar/planar_wires.cpp", "std::logic_error"): (
-        "a kind of curve or numbers that core refuses: throws GeometryError with the edge"
+    ("occ_adapter/planar/planar_wires.cpp", "std::domain_error"): (
+        "a kind of curve that core refuses: throws GeometryError with the edge"
+    ),
+    ("occ_adapter/planar/planar_wires.cpp", "std::invalid_argument"): (
+        "numbers that core refuses: throws GeometryError with the edge"
     ),
     ("occ_adapter/repair/improve.cpp", "std::domain_error"): (
         "a curve or a surface that can't be evaluated: the reason of all seams"

@@ -64,14 +64,19 @@ void requireLowestDegree(int degree, int lowest) {
                                 std::to_string(bernstein::kMaxDegree));
 }
 
-void requirePositiveWeights(const JoinRows& rows) {
-  for (std::size_t r = 0; r < rows.rows.size(); ++r)
+void requireUsable(const JoinRows& rows) {
+  for (std::size_t r = 0; r < rows.rows.size(); ++r) {
+    if (!rows.rows[r].allFinite())
+      throw std::invalid_argument("row " + std::to_string(r) +
+                                  " has a pole that is not finite: the connection functions are "
+                                  "too large");
     for (Eigen::Index k = 0; k < rows.rows[r].rows(); ++k)
       if (const double weight = rows.rows[r](k, 3); !(weight > 0))
         throw std::invalid_argument(
             "row " + std::to_string(r) + ", pole " + std::to_string(k) + " has weight " +
             text(weight) + ": it must be positive; " +
             (r == 0 ? "e0 controls it" : "e1 and, behind row 1, e2 control it"));
+  }
 }
 
 /// Rows 0..count - 1 of the polynomial Q + u Q_u + u^2 Q_uu / 2 in degree l across.
@@ -91,7 +96,7 @@ JoinRows tensorRowsOf(const Ribbon& q, int order, int l, int count, std::optiona
       row += static_cast<double>(i * (i - 1)) / (2.0 * l * (l - 1)) * second;
     result.rows.push_back(std::move(row));
   }
-  requirePositiveWeights(result);
+  requireUsable(result);
   return result;
 }
 
@@ -158,7 +163,7 @@ JoinRows triangleRows(const Ribbon& given, const ConnectionFunctions& connection
   const HomogeneousPoles seam = written(q.position, n, magnitude, "Q");
   const HomogeneousPoles next = seam.topRows(n) + written(q.first, n - 1, magnitude, "Q_s") / n;
   JoinRows result{{seam, next}, n};
-  requirePositiveWeights(result);
+  requireUsable(result);
   return result;
 }
 
@@ -171,7 +176,7 @@ BezierTriangle triangleContinuation(const Ribbon& given, const ConnectionFunctio
   const HomogeneousPoles seam = all.rows[0], step = all.rows[1] - seam.topRows(n);
   for (int r = 2; r <= n; ++r)
     all.rows.emplace_back(seam.topRows(n + 1 - r) + r * step.topRows(n + 1 - r));
-  requirePositiveWeights(all);
+  requireUsable(all);
   const HomogeneousPoles net =
       triangleNet(HomogeneousPoles((n + 1) * (n + 2) / 2, 4), TriangleEdge::L0, false, all);
   return {affinePoles(net), net.col(3)};

@@ -51,7 +51,8 @@ def _short(value):
 def _same(a, b):
     if isinstance(a, np.ndarray) or isinstance(b, np.ndarray):
         a, b = np.asarray(a), np.asarray(b)
-        return a.shape == b.shape and bool(np.all(a == b))
+        is_float = a.dtype.kind == b.dtype.kind == "f"
+        return bool(np.array_equal(a, b, equal_nan=is_float))
     if isinstance(a, (list, tuple)) and isinstance(b, type(a)):
         return len(a) == len(b) and all(map(_same, a, b))
     return bool(a == b)
@@ -94,6 +95,13 @@ class Result(Dict[str, Any]):
         if key in self._keys:
             return self[self._keys[key]]
         raise KeyError(key)
+
+    def __contains__(self, key: object) -> bool:
+        return super().__contains__(self._keys.get(key, key) if isinstance(key, str) else key)
+
+    def get(self, key: str, default: Any = None) -> Any:  # type: ignore[override]
+        """The item of that name, also by the name of its attribute; default if there is none."""
+        return super().get(self._keys.get(key, key), default)
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError(f"{name} of a {type(self).__name__} can't be assigned")

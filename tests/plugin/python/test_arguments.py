@@ -289,3 +289,17 @@ def test_names_of_files_are_checked():
     for bad in (3, None, LINE):
         with pytest.raises(TypeError, match="^path is .*: the name of a file is needed"):
             seamwright.read(bad)
+
+
+def test_messages_show_a_long_value_on_one_line():
+    with pytest.raises(ValueError) as error:
+        seamwright.arc_through(np.zeros((300, 3)), 0, [1, 1])
+    assert "\n" not in str(error.value) and len(str(error.value)) < 300
+    assert " ... " in str(error.value)
+
+
+def test_joins_that_leave_the_range_of_numbers_are_refused():
+    x, y = np.meshgrid([0.0, 1, 2, 3], [0.0, 1, 2, 3], indexing="ij")
+    patch = seamwright.BezierPatch(np.stack([x, y, x * y], axis=-1))
+    with pytest.raises(ValueError, match="not finite"):
+        seamwright.join_rows(patch, "u1", alpha=1, beta=1e308)

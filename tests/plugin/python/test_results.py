@@ -212,6 +212,19 @@ def test_values_at_no_parameter_have_the_type_of_others():
     assert frames.tangent.shape == (0, 3) and lengths.value_mm.dtype == float
 
 
+def test_values_that_do_not_exist_are_equal_in_copies():
+    frames = seamwright.frenet_frame(LINE, [0.1, 0.2])
+    assert np.isnan(frames.normal).all()
+    assert pickle.loads(pickle.dumps(frames)) == frames == copy.deepcopy(frames)
+
+
+def test_items_have_the_names_of_attributes_too():
+    frame = seamwright.frenet_frame(PARABOLA, 0.5)
+    assert frame["speed"] == frame["speed_mm"] == frame.get("speed_mm") == frame.speed_mm
+    assert "speed_mm" in frame and "speed" in frame and "sped" not in frame
+    assert frame.get("sped") is None and frame.get("sped", 3) == 3
+
+
 def test_attributes_cannot_be_assigned_and_unknown_ones_are_named():
     figure = Figure(lower=1.0, upper=None, at=0.5)
     with pytest.raises(AttributeError, match="lower of a Figure can't be assigned"):
