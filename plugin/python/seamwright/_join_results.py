@@ -317,7 +317,8 @@ class Umbrella(Result):
     normal            of the vertex, unit vector (3,)
     angles_rad        between neighbouring spokes
     condition         of the equations at the vertex
-    regular           four spokes, opposite ones continue each other; item "crossing"
+    regular_vertex    four spokes, opposite ones continue each other; item "crossing"
+    regular           the same: an earlier name. ``regular`` of a fill is about its normals
     spoke_move_mm     largest move of a pole of a spoke
     second_change_mm  largest change of a second derivative of a spoke
     slope_change      largest change of a slope, without unit
@@ -325,7 +326,7 @@ class Umbrella(Result):
     free_vectors      how many poles might have been chosen otherwise
     """
 
-    _keys = {"regular": "crossing"}
+    _keys = {"regular": "crossing", "regular_vertex": "crossing"}  # repr() shows the last name
     _kinds = {"connections": G1Connection}
 
     members: List[Union[BezierPatch, BezierTriangle]]
@@ -334,6 +335,7 @@ class Umbrella(Result):
     normal: Array
     angles_rad: Array
     condition: float
+    regular_vertex: bool
     regular: bool
     spoke_move_mm: float
     second_change_mm: float

@@ -313,4 +313,4 @@ def test_an_umbrella_gives_its_members():
     first = seamwright.umbrella(spokes)
     again = seamwright.umbrella(spokes, members=first)
     assert again == seamwright.umbrella(spokes, members=first.members)
-    assert first.regular == first["crossing"]
+    assert not first.regular_vertex and "regular_vertex=False" in repr(first)

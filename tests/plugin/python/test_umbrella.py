@@ -127,6 +127,26 @@ def test_spokes_of_a_sphere_make_the_normal_of_the_sphere():
     assert curvatures == pytest.approx([-umbrella["normal"][2] / 20] * 6)
 
 
+def test_a_regular_vertex_has_four_spokes_that_continue_each_other():
+    """The item is `crossing`; `regular` is an earlier name of the attribute."""
+
+    def crossing_at(angle):
+        turns = [0, np.pi / 2, np.pi, angle]
+        return seamwright.umbrella(
+            [np.linspace([0, 0, 0], [np.cos(t), np.sin(t), 0], 4) for t in turns]
+        )
+
+    for umbrella, expected in (
+        (crossing_at(3 * np.pi / 2), True),
+        (crossing_at(3 * np.pi / 2 + 0.1), False),
+        (seamwright.umbrella(spokes_of(5)), False),
+    ):
+        assert umbrella.regular_vertex is expected
+        for name in ("regular_vertex", "crossing", "regular"):
+            assert umbrella[name] is expected
+        assert umbrella.regular is expected
+
+
 def test_inside_a_boundary():
     for n in range(3, 9):
         turn = 2 * np.pi * np.arange(n + 1) / n
