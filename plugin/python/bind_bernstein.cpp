@@ -75,12 +75,14 @@ void bindBernstein(py::module_& module) {
       "A polynomial on [0, 1] by its Bernstein coefficients, each known to within padding; "
       "padding grows with rounding, so the true polynomial stays inside.");
   type.def(py::init(&makePolynomial), py::arg("coefficients"), py::arg("padding") = 0.0)
-      .def_property_readonly("degree", &Polynomial::degree)
+      .def_property_readonly("degree", &Polynomial::degree, "The number of coefficients minus 1.")
       .def_property_readonly("coefficients", &Polynomial::coefficients, "(degree+1,).")
-      .def_property_readonly("padding", &Polynomial::padding)
+      .def_property_readonly(
+          "padding", &Polynomial::padding,
+          "No true coefficient, and so no true value on [0, 1], is further from the stored one.")
       .def("evaluate", &boundsAt, py::arg("t"),
            "(lower, upper) around the value at t in [0, 1]; two arrays for an array.")
-      .def("derivative", &Polynomial::derivative)
+      .def("derivative", &Polynomial::derivative, "The derivative by t, one degree lower.")
       .def(
           "elevated",
           [](const Polynomial& p, const py::object& by) {

@@ -116,16 +116,16 @@ void bindJet(py::module_& module) {
            [](const SurfaceJet& jet) {
              return "<SurfaceJet at " + py::cast<std::string>(py::str(py::cast(jet.p))) + ">";
            })
-      .def_readwrite("p", &SurfaceJet::p)
-      .def_readwrite("u", &SurfaceJet::u)
-      .def_readwrite("v", &SurfaceJet::v)
-      .def_readwrite("uu", &SurfaceJet::uu)
-      .def_readwrite("uv", &SurfaceJet::uv)
-      .def_readwrite("vv", &SurfaceJet::vv)
-      .def_readwrite("uuu", &SurfaceJet::uuu)
-      .def_readwrite("uuv", &SurfaceJet::uuv)
-      .def_readwrite("uvv", &SurfaceJet::uvv)
-      .def_readwrite("vvv", &SurfaceJet::vvv);
+      .def_readwrite("p", &SurfaceJet::p, "The point X(u, v), (3,) in mm.")
+      .def_readwrite("u", &SurfaceJet::u, "The derivative of X by u, (3,).")
+      .def_readwrite("v", &SurfaceJet::v, "The derivative of X by v, (3,).")
+      .def_readwrite("uu", &SurfaceJet::uu, "The second derivative of X by u, (3,).")
+      .def_readwrite("uv", &SurfaceJet::uv, "The twist: the derivative of X by u and v, (3,).")
+      .def_readwrite("vv", &SurfaceJet::vv, "The second derivative of X by v, (3,).")
+      .def_readwrite("uuu", &SurfaceJet::uuu, "The third derivative of X by u, (3,).")
+      .def_readwrite("uuv", &SurfaceJet::uuv, "The derivative of X twice by u and once by v, (3,).")
+      .def_readwrite("uvv", &SurfaceJet::uvv, "The derivative of X once by u and twice by v, (3,).")
+      .def_readwrite("vvv", &SurfaceJet::vvv, "The third derivative of X by v, (3,).");
 }
 
 void bindCurve(py::module_& module) {
@@ -136,7 +136,7 @@ void bindCurve(py::module_& module) {
 ValueError, with index and value, for a pole that is not finite and a weight that is not
 positive.)")
       .def(py::init(&makeCurve), py::arg("poles"), py::arg("weights") = py::none())
-      .def_property_readonly("degree", &BezierCurve::degree)
+      .def_property_readonly("degree", &BezierCurve::degree, "n: the number of poles minus 1.")
       .def_property_readonly("is_rational", &BezierCurve::isRational, "Whether the weights differ.")
       .def_property_readonly("poles", &BezierCurve::poles, "(n+1, 3), in mm.")
       .def_property_readonly("weights", &BezierCurve::weights, "(n+1,).")
@@ -171,8 +171,8 @@ void bindPatch(py::module_& module) {
 ValueError, with index and value, for a pole that is not finite and a weight that is not
 positive.)")
       .def(py::init(&makePatch), py::arg("poles"), py::arg("weights") = py::none())
-      .def_property_readonly("degree_u", &BezierPatch::degreeU)
-      .def_property_readonly("degree_v", &BezierPatch::degreeV)
+      .def_property_readonly("degree_u", &BezierPatch::degreeU, "m: in the direction u.")
+      .def_property_readonly("degree_v", &BezierPatch::degreeV, "n: in the direction v.")
       .def_property_readonly("is_rational", &BezierPatch::isRational, "Whether the weights differ.")
       .def_property_readonly("poles", &netPoles, "(m+1, n+1, 3), in mm.")
       .def_property_readonly("weights", &netWeights, "(m+1, n+1).")

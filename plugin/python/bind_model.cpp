@@ -111,6 +111,9 @@ std::string written(const Write& write, const occ::Model& model) {
 /// bytes.
 void bindModelError(py::module_& module) {
   static py::handle type = py::exception<occ::ModelError>(module, "ModelError").release();
+  type.attr("__doc__") =
+      "A file or shape that can't be read, used or written. The message names the file, and says "
+      "what is wrong and what to do.";
   py::register_local_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
@@ -183,13 +186,19 @@ void bindFacts(py::class_<occ::Model>& type) {
   type.def_property_readonly(
           "path", [](const occ::Model& model) { return fileName(model.path); },
           "The file as it was named; empty for a shape from memory.")
-      .def_readonly("format", &occ::Model::format)
+      .def_readonly("format", &occ::Model::format,
+                    "'STEP', 'IGES', 'BREP' (text), 'binary BREP', or 'memory' for a shape that "
+                    "was not read.")
       .def_readonly("length_unit", &occ::Model::length_unit,
                     "The unit of the file; the shape is in mm.")
-      .def_readonly("notes", &occ::Model::notes)
+      .def_readonly("notes", &occ::Model::notes,
+                    "What a user should know of the file, such as faces that could not be made: a "
+                    "list of texts.")
       .def_readonly("read_s", &occ::Model::read_s, "Seconds that reading took.")
-      .def_property_readonly("face_count", &occ::Model::faceCount)
-      .def_property_readonly("edge_count", &occ::Model::edgeCount)
+      .def_property_readonly("face_count", &occ::Model::faceCount,
+                             "How many faces there are; they are numbered from 1.")
+      .def_property_readonly("edge_count", &occ::Model::edgeCount,
+                             "How many edges there are; they are numbered from 1.")
       .def_property_readonly("attributes", &attributes,
                              "Names, colours and layers of the file: a list of ShapeAttributes.")
       .def("__copy__", [](const occ::Model& model) { return model; })
@@ -257,7 +266,9 @@ void bindExchange(py::module_& module) {
 
 void bindModel(py::module_& module) {
   bindModelError(module);
-  py::register_local_exception<occ::Cancelled>(module, "Cancelled");
+  py::register_local_exception<occ::Cancelled>(module, "Cancelled").attr("__doc__") =
+      "A call was stopped: its callable progress returned a value that is false in Python, other "
+      "than None. Nothing was changed or written.";
   bindReport(module);
   module.attr("PROFILES") = profiles();
   py::class_<occ::Model> type(module, "Model", py::module_local(),

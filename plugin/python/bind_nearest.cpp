@@ -241,10 +241,17 @@ ValueError, with index and value, for numbers that make no surface.)")
             return splineSurface(objectOf<BezierPatch>("patch", patch, "a BezierPatch"));
           },
           py::arg("patch"), "The same patch with knots 0 and 1.")
-      .def_property_readonly("degree_u", [](const BSplineSurface& s) { return s.degree_u; })
-      .def_property_readonly("degree_v", [](const BSplineSurface& s) { return s.degree_v; })
-      .def_property_readonly("knots_u", [](const BSplineSurface& s) { return s.knots_u; })
-      .def_property_readonly("knots_v", [](const BSplineSurface& s) { return s.knots_v; })
+      .def_property_readonly(
+          "degree_u", [](const BSplineSurface& s) { return s.degree_u; }, "In the direction u.")
+      .def_property_readonly(
+          "degree_v", [](const BSplineSurface& s) { return s.degree_v; }, "In the direction v.")
+      .def_property_readonly(
+          "knots_u", [](const BSplineSurface& s) { return s.knots_u; },
+          "In the direction u, flat: each knot is repeated by its multiplicity, degree + 1 times "
+          "at both ends.")
+      .def_property_readonly(
+          "knots_v", [](const BSplineSurface& s) { return s.knots_v; },
+          "In the direction v, flat like knots_u.")
       .def_property_readonly("poles", &splineNetPoles, "(nu, nv, 3), in mm.")
       .def_property_readonly("weights", &splineNetWeights, "(nu, nv).")
       .def("point", &splinePoint, py::arg("u"), py::arg("v"),

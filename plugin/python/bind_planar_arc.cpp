@@ -84,11 +84,16 @@ Source: docs/theory/planar.md P1.1.
       .def_property_readonly(
           "start", [](const PlanarArc& a) { return a.start; }, "(2,), in mm.")
       .def_property_readonly("end", &PlanarArc::end, "(2,), in mm.")
-      .def_property_readonly("direction_rad", [](const PlanarArc& a) { return a.direction_rad; })
-      .def_property_readonly("end_direction_rad", &PlanarArc::endDirection_rad)
-      .def_property_readonly("curvature_per_mm",
-                             [](const PlanarArc& a) { return a.curvature_per_mm; })
-      .def_property_readonly("length_mm", [](const PlanarArc& a) { return a.length_mm; })
+      .def_property_readonly(
+          "direction_rad", [](const PlanarArc& a) { return a.direction_rad; },
+          "Of the tangent at the start, against the first axis.")
+      .def_property_readonly("end_direction_rad", &PlanarArc::endDirection_rad,
+                             "Of the tangent at the end; direction_rad plus sweep_rad.")
+      .def_property_readonly(
+          "curvature_per_mm", [](const PlanarArc& a) { return a.curvature_per_mm; },
+          "Above 0 it turns to the left; 0: a line.")
+      .def_property_readonly(
+          "length_mm", [](const PlanarArc& a) { return a.length_mm; }, "The arc length.")
       .def_property_readonly("sweep_rad", &PlanarArc::sweep_rad,
                              "The angle by which the tangent turns, above 0 to the left.")
       .def(
@@ -124,10 +129,16 @@ corner. gap_mm: how far an arc may begin from the end of the one before. ValueEr
 gap, with the index; TypeError for other items.)");
   type.def(py::init(&makeArcChain), py::arg("arcs"), py::arg("closed") = false,
            py::arg("corners") = py::tuple(), py::arg("gap_mm") = 1e-9)
-      .def_property_readonly("arcs", [](const ArcChain& c) { return c.pieces(); })
-      .def_property_readonly("closed", [](const ArcChain& c) { return c.closed(); })
-      .def_property_readonly("corners", [](const ArcChain& c) { return c.corners(); })
-      .def_property_readonly("length_mm", [](const ArcChain& c) { return c.length_mm(); })
+      .def_property_readonly(
+          "arcs", [](const ArcChain& c) { return c.pieces(); }, "The PlanarArcs, in order.")
+      .def_property_readonly(
+          "closed", [](const ArcChain& c) { return c.closed(); }, "The end is the start.")
+      .def_property_readonly(
+          "corners", [](const ArcChain& c) { return c.corners(); },
+          "Indices of arcs that begin at a corner.")
+      .def_property_readonly(
+          "length_mm", [](const ArcChain& c) { return c.length_mm(); },
+          "The sum of the arc lengths.")
       .def_property_readonly(
           "energy_per_mm", [](const ArcChain& c) { return bendingEnergy_per_mm(c.pieces()); },
           "The integral of the squared curvature by arc length.")

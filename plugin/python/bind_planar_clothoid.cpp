@@ -105,16 +105,23 @@ Source: docs/theory/planar.md P4.1.
       .def_property_readonly(
           "start", [](const Clothoid& c) { return c.start; }, "(2,), in mm.")
       .def_property_readonly("end", &Clothoid::end, "(2,), in mm.")
-      .def_property_readonly("direction_rad", [](const Clothoid& c) { return c.direction_rad; })
-      .def_property_readonly("end_direction_rad",
-                             [](const Clothoid& c) { return c.directionAt_rad(c.length_mm); })
-      .def_property_readonly("curvature_per_mm",
-                             [](const Clothoid& c) { return c.curvature_per_mm; })
-      .def_property_readonly("end_curvature_per_mm",
-                             [](const Clothoid& c) { return c.curvatureAt_per_mm(c.length_mm); })
-      .def_property_readonly("curvature_slope_per_mm2",
-                             [](const Clothoid& c) { return c.curvature_slope_per_mm2; })
-      .def_property_readonly("length_mm", [](const Clothoid& c) { return c.length_mm; })
+      .def_property_readonly(
+          "direction_rad", [](const Clothoid& c) { return c.direction_rad; },
+          "Of the tangent at the start, against the first axis.")
+      .def_property_readonly(
+          "end_direction_rad", [](const Clothoid& c) { return c.directionAt_rad(c.length_mm); },
+          "Of the tangent at the end; turns of 2 pi count.")
+      .def_property_readonly(
+          "curvature_per_mm", [](const Clothoid& c) { return c.curvature_per_mm; },
+          "At the start; above 0 it turns to the left.")
+      .def_property_readonly(
+          "end_curvature_per_mm",
+          [](const Clothoid& c) { return c.curvatureAt_per_mm(c.length_mm); }, "At the end.")
+      .def_property_readonly(
+          "curvature_slope_per_mm2", [](const Clothoid& c) { return c.curvature_slope_per_mm2; },
+          "Change of the curvature by arc length.")
+      .def_property_readonly(
+          "length_mm", [](const Clothoid& c) { return c.length_mm; }, "The arc length.")
       .def(
           "reversed", [](const Clothoid& c) { return reversed(c); }, "The same points backwards.")
       .def(
@@ -149,9 +156,13 @@ the end of the one before. ValueError for a larger gap, with the index;
 TypeError for other items.)");
   type.def(py::init(&makeClothoidChain), py::arg("pieces"), py::arg("closed") = false,
            py::arg("gap_mm") = 1e-9)
-      .def_property_readonly("pieces", [](const ClothoidChain& c) { return c.pieces(); })
-      .def_property_readonly("closed", [](const ClothoidChain& c) { return c.closed(); })
-      .def_property_readonly("length_mm", [](const ClothoidChain& c) { return c.length_mm(); })
+      .def_property_readonly(
+          "pieces", [](const ClothoidChain& c) { return c.pieces(); }, "The Clothoids, in order.")
+      .def_property_readonly(
+          "closed", [](const ClothoidChain& c) { return c.closed(); }, "The end is the start.")
+      .def_property_readonly(
+          "length_mm", [](const ClothoidChain& c) { return c.length_mm(); },
+          "The sum of the arc lengths.")
       .def("bezier_spline", &quinticsOf, py::arg("tolerance_mm"), quintics_doc)
       .def("__len__", [](const ClothoidChain& c) { return c.pieces().size(); })
       .def(py::pickle([](const ClothoidChain& c) { return py::make_tuple(c.pieces(), c.closed()); },

@@ -124,7 +124,10 @@ positive, and a corner at an end. Source: docs/theory/planar.md P7.1 to P7.3.
           "corner", [](const PlanarConic& c) { return c.corner; }, "(2,), in mm.")
       .def_property_readonly(
           "end", [](const PlanarConic& c) { return c.end; }, "(2,), in mm.")
-      .def_property_readonly("weight", [](const PlanarConic& c) { return c.weight; })
+      .def_property_readonly(
+          "weight", [](const PlanarConic& c) { return c.weight; },
+          "Of the corner, beside 1 at both ends: below 1 an ellipse, 1 a parabola, above 1 a "
+          "hyperbola.")
       .def_property_readonly("turn_rad", &PlanarConic::turn_rad,
                              "The angle by which the tangent turns, above 0 to the left.")
       .def_property_readonly(

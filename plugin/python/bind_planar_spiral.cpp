@@ -73,15 +73,22 @@ turn that is not in (0, 10000]. Source: docs/theory/planar.md P6.1.
       .def_property_readonly("end", &LogSpiral::end, "(2,), in mm.")
       .def_property_readonly("pole", &LogSpiral::pole,
                              "(2,), in mm: the point around which it turns.")
-      .def_property_readonly("direction_rad", [](const LogSpiral& s) { return s.direction_rad; })
-      .def_property_readonly("end_direction_rad",
-                             [](const LogSpiral& s) { return s.directionAt_rad(s.turn_rad); })
-      .def_property_readonly("radius_mm", [](const LogSpiral& s) { return s.radius_mm; })
+      .def_property_readonly(
+          "direction_rad", [](const LogSpiral& s) { return s.direction_rad; },
+          "Of the tangent at the start, against the first axis.")
+      .def_property_readonly(
+          "end_direction_rad", [](const LogSpiral& s) { return s.directionAt_rad(s.turn_rad); },
+          "Of the tangent at the end; turns of 2 pi count.")
+      .def_property_readonly(
+          "radius_mm", [](const LogSpiral& s) { return s.radius_mm; },
+          "The radius of curvature at the start; above 0 it turns to the left.")
       .def_property_readonly(
           "growth", [](const LogSpiral& s) { return s.growth; },
           "Change of the logarithm of the radius, per radian.")
-      .def_property_readonly("turn_rad", [](const LogSpiral& s) { return s.turn_rad; })
-      .def_property_readonly("length_mm", &LogSpiral::length_mm)
+      .def_property_readonly(
+          "turn_rad", [](const LogSpiral& s) { return s.turn_rad; },
+          "The angle by which the tangent turns, above 0 in either sense.")
+      .def_property_readonly("length_mm", &LogSpiral::length_mm, "The arc length.")
       .def(
           "bezier_spline",
           [](const LogSpiral& s, const py::object& tolerance_mm) {

@@ -117,9 +117,11 @@ BezierSpline gammaOf(const py::object& vertices, const py::object& lengths, cons
 
 /// Members that both types of curve have.
 template <class Curve>
-void bindNumbers(py::class_<Curve>& type) {
-  type.def_property_readonly("degree", [](const Curve& c) { return c.degree; })
-      .def_property_readonly("knots", [](const Curve& c) { return c.knots; })
+void bindNumbers(py::class_<Curve>& type, const char* knots_doc) {
+  type.def_property_readonly(
+          "degree", [](const Curve& c) { return c.degree; }, "Of the polynomials between knots.")
+      .def_property_readonly(
+          "knots", [](const Curve& c) { return c.knots; }, knots_doc)
       .def_property_readonly(
           "poles", [](const Curve& c) { return affinePoles(c.poles); }, "(count, 3), in mm.")
       .def_property_readonly(
@@ -167,11 +169,14 @@ void bindBSplineCurve(py::class_<BSplineCurve>& type) {
         return "<BSplineCurve of degree " + std::to_string(c.degree) + " with " +
                std::to_string(c.count()) + " poles>";
       });
-  bindNumbers(type);
+  bindNumbers(type,
+              "Flat: each knot is repeated by its multiplicity, degree + 1 times at both ends.");
 }
 
 void bindSegments(py::class_<BezierSpline>& type) {
-  type.def_property_readonly("closed", [](const BezierSpline& s) { return s.closed; })
+  type.def_property_readonly(
+          "closed", [](const BezierSpline& s) { return s.closed; },
+          "The end is the beginning, and a joint.")
       .def_property_readonly("segments", &BezierSpline::segments, "How many there are.")
       .def(
           "segment",
@@ -222,7 +227,8 @@ void bindBezierSpline(py::class_<BezierSpline>& type) {
                std::to_string(s.segments()) + " segments" + (s.closed ? ", closed>" : ">");
       });
   bindSegments(type);
-  bindNumbers(type);
+  bindNumbers(type,
+              "The ends of the segments, each once: segment i runs from knots[i] to knots[i + 1].");
 }
 
 }  // namespace

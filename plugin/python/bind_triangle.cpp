@@ -86,7 +86,7 @@ BezierTriangle fromPatch(const py::object& patch, const py::object& tolerance_mm
 
 void bindMembers(py::class_<BezierTriangle>& type) {
   type.def(py::init(&makeTriangle), py::arg("poles"), py::arg("weights") = py::none())
-      .def_property_readonly("degree", &BezierTriangle::degree)
+      .def_property_readonly("degree", &BezierTriangle::degree, "n: an edge has n + 1 poles.")
       .def_property_readonly("is_rational", &BezierTriangle::isRational,
                              "Whether the weights differ.")
       .def_property_readonly("poles", &BezierTriangle::poles, "((n+1)(n+2)/2, 3), in mm.")

@@ -6,7 +6,7 @@ import re
 
 import pytest
 import seamwright
-from seamwright import results
+from seamwright import _core, results
 
 TOPICS = (
     "curves",
@@ -78,3 +78,12 @@ def test_every_function_has_a_docstring_with_its_units_or_result():
                 continue
             doc = value.__doc__
             assert doc and len(doc.split("\n\n", 1)[-1].strip()) > 20, name
+
+
+def test_every_class_and_attribute_of_the_compiled_module_has_a_docstring():
+    classes = [value for value in vars(_core).values() if isinstance(value, type)]
+    assert seamwright.ModelError in classes and seamwright.BezierCurve in classes
+    for kind in classes:
+        assert vars(kind).get("__doc__"), kind  # not that of Exception
+        for name, value in vars(kind).items():
+            assert not isinstance(value, property) or value.__doc__, f"{kind.__name__}.{name}"
