@@ -127,7 +127,7 @@ class SeamRepair(Result):
     before, after     the seam as it was and as it is
     treated           the repair was to improve it
     repaired          it meets the target now
-    reason            why it is left, or ""; reason_code: the code of the reason, see docs/repair.md;
+    reason            why it is left, or ""; reason_code: its code, see docs/repair.md;
                       reason_facts: its numbers and location
     wants_conversion  it can be treated if analytic faces may become splines
     sewn, not_sewn    its two edges became one; why they did not, or ""; not_sewn_code and

@@ -207,7 +207,8 @@ def test_annotations_state_the_types_of_values(every):
 
 
 def test_values_at_no_parameter_have_the_type_of_others():
-    frames, lengths = seamwright.frenet_frame(PARABOLA, []), seamwright.arc_length(LINE, 1e-9, [], 1)
+    frames = seamwright.frenet_frame(PARABOLA, [])
+    lengths = seamwright.arc_length(LINE, 1e-9, [], 1)
     assert frames.kind.dtype.kind == "U" and lengths.reached.dtype == bool
     assert frames.tangent.shape == (0, 3) and lengths.value_mm.dtype == float
 
