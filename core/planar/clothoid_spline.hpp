@@ -13,6 +13,9 @@ namespace seamwright {
 struct ClothoidEnd {
   std::optional<double> direction_rad = {};
   double curvature_per_mm = 0;
+  /// Instead of a curvature: the piece at the end is an arc, so the curvature there is free. It
+  /// needs at least 3 points.
+  bool arc = false;
 };
 
 struct ClothoidSplineOptions {
@@ -34,6 +37,7 @@ struct ClothoidSpline {
 ///   (1) Neighbours agree in position, tangent and curvature; the end conditions hold.
 ///   (2) Points of a circle, with ends of this circle, give the circle.
 ///   (3) Reversed points give the reversed spline; rigid motion and scaling move it along.
+///   (4) Points of a circle, with arcs at the ends, give the circle.
 /// The directions are found by Newton's method from TangentRule::LinearEnergy, with exact
 /// derivatives, in O(n) for each step.
 /// \throws std::invalid_argument as tangentsAt() does, and for a curvature that is not finite.

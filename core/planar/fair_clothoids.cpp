@@ -1,0 +1,431 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <seamwright/core/numeric.hpp>
+#include <seamwright/core/planar/clothoid_curvatures.hpp>
+#include <seamwright/core/planar/clothoid_spline.hpp>
+#include <seamwright/core/planar/curvature_program.hpp>
+#include <seamwright/core/planar/fair_clothoids.hpp>
+#include <seamwright/core/planar/fair_points.hpp>
+#include <seamwright/core/planar/planar_chain.hpp>
+#include <seamwright/core/planar/point_move.hpp>
+
+namespace seamwright {
+
+namespace {
+
+using Eigen::Index;
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+/// The part of a curve between corners, or all of it.
+struct FairingRun {
+  PlanarPoints points;
+  Eigen::VectorXd tolerances_mm;
+  bool closed = false;
+
+  Index count() const { return points.rows(); }
+  Index segments() const { return closed ? count() : count() - 1; }
+  Index next(Index i) const { return (i + 1) % count(); }
+};
+
+struct FairedRun {
+  PlanarPoints points;
+  std::vector<Clothoid> pieces;
+  std::optional<ClothoidFigures> before;
+  ClothoidFigures after;
+  int point_inflections = 0;
+  int steps = 0;
+};
+
+using Chain = std::vector<Clothoid>;
+
+/// The curve through the points; two points have a line.
+Chain chainThrough(const PlanarPoints& points, bool closed) {
+  ClothoidSplineOptions options{.closed = closed, .start = {}, .end = {}};
+  if (!closed && points.rows() > 2) options.start.arc = options.end.arc = true;
+  return clothoidSpline(points, options).pieces;
+}
+
+std::optional<Chain> triedChain(const PlanarPoints& points, bool closed) {
+  try {
+    return chainThrough(points, closed);
+  } catch (const std::domain_error&) {  // the points are too few for their turns
+    return std::nullopt;
+  } catch (const std::invalid_argument&) {  // moves made neighbours equal
+    return std::nullopt;
+  }
+}
+
+/// Curvatures at the points. They are continuous, so that each is that of the piece after it.
+Eigen::VectorXd curvaturesAt(const Chain& chain, bool closed) {
+  const auto count = static_cast<Index>(chain.size());
+  Eigen::VectorXd result(count + (closed ? 0 : 1));
+  for (Index s = 0; s < count; ++s)
+    result(s) = chain[static_cast<std::size_t>(s)].curvature_per_mm;
+  if (!closed) result(count) = chain.back().curvatureAt_per_mm(chain.back().length_mm);
+  return result;
+}
+
+double variationOf(const Chain& chain) {
+  double sum = 0;
+  for (const Clothoid& piece : chain)
+    sum += piece.curvature_slope_per_mm2 * piece.curvature_slope_per_mm2 * piece.length_mm;
+  return sum;
+}
+
+/// Units that make curvatures and energies about 1.
+struct FairingUnits {
+  double curvature_per_mm = 1, variation_per_mm3 = 1;
+};
+
+/// Points, their moves as shares of the tolerances, and the curve.
+struct FairingState {
+  Eigen::VectorXd shares;
+  PlanarPoints points;
+  Chain chain;
+};
+
+class RunFairing {
+ public:
+  explicit RunFairing(const FairingRun& run) : run_(run) {
+    const Index n = run.count();
+    tolerances_mm_ = run.tolerances_mm;
+    if (!run.closed) tolerances_mm_(0) = tolerances_mm_(n - 1) = 0;
+    normals_.resize(n, 2);
+    for (Index i = 0; i < n; ++i) {
+      const Index before = run.closed ? (i + n - 1) % n : std::max<Index>(i - 1, 0);
+      const Index after = run.closed ? (i + 1) % n : std::min(i + 1, n - 1);
+      const Eigen::RowVector2d chord = (run.points.row(after) - run.points.row(before)).normalized();
+      normals_.row(i) << -chord.y(), chord.x();
+    }
+    sides_ = margins_ = Eigen::VectorXd::Zero(n);
+  }
+
+  /// Curvatures that keep their sides, by the circles through three points.
+  void takeSides(const PlanarPoints& points) {
+    // Rounding of the curvature of the spline is far below this part of that of the points.
+    constexpr double margin = 0.01;
+    const Eigen::VectorXd circles = pointCurvatures_per_mm(points, run_.closed);
+    const double largest = circles.cwiseAbs().maxCoeff();
+    const Index first = run_.closed ? 0 : 1;
+    for (Index i = 0; i < circles.size(); ++i) {
+      if (std::abs(circles(i)) < 1e-9 * largest) continue;
+      sides_(first + i) = circles(i) > 0 ? 1 : -1;
+      margins_(first + i) = margin * std::abs(circles(i));
+    }
+  }
+
+  std::optional<FairingState> stateAt(const Eigen::VectorXd& shares) const {
+    PlanarPoints points = run_.points;
+    for (Index i = 0; i < run_.count(); ++i)
+      if (tolerances_mm_(i) > 0 && shares(i) != 0)
+        points.row(i) =
+            withinDistance(points.row(i) + shares(i) * tolerances_mm_(i) * normals_.row(i),
+                           run_.points.row(i), tolerances_mm_(i));
+    std::optional<Chain> chain = triedChain(points, run_.closed);
+    if (!chain) return std::nullopt;
+    return FairingState{.shares = shares, .points = std::move(points), .chain = std::move(*chain)};
+  }
+  std::optional<FairingState> stateAt(const PlanarPoints& points) const {
+    Eigen::VectorXd shares = Eigen::VectorXd::Zero(run_.count());
+    for (Index i = 0; i < run_.count(); ++i)
+      if (tolerances_mm_(i) > 0)
+        shares(i) = std::clamp(
+            (points.row(i) - run_.points.row(i)).dot(normals_.row(i)) / tolerances_mm_(i), -1.0,
+            1.0);
+    return stateAt(shares);
+  }
+
+  /// What is left to the wrong side of the margins, summed up.
+  double wrongSides_per_mm(const Chain& chain) const {
+    const Eigen::ArrayXd curvatures = curvaturesAt(chain, run_.closed).array();
+    const Eigen::ArrayXd slack = sides_.array() * curvatures - margins_.array();
+    return (sides_.array().abs() * (-slack).max(0)).sum();
+  }
+
+  /// Sequential quadratic programming. \returns the number of programs.
+  int improve(FairingState& now) const {
+    constexpr int most_steps = 15;
+    // A share of the tolerance that is negligible.
+    constexpr double still = 1e-3;
+    double penalty = 0;
+    int steps = 0;
+    while (steps < most_steps) {
+      ++steps;
+      const FairingUnits units = unitsOf(now.chain);
+      const CurvatureSolution found =
+          solve(programAt(now, units), curvaturesAt(now.chain, run_.closed) / units.curvature_per_mm,
+                now.shares);
+      if (!found.moves.allFinite()) break;
+      const Eigen::VectorXd change = found.moves.cwiseMax(-1).cwiseMin(1) - now.shares;
+      // A wrong side of one unit of curvature outweighs all variation.
+      penalty = std::max(penalty, 10 * units.variation_per_mm3 / units.curvature_per_mm);
+      if (!takeStep(now, change, penalty)) break;
+      if (change.cwiseAbs().maxCoeff() < still) break;
+    }
+    return steps;
+  }
+
+ private:
+  double meritOf(const Chain& chain, double penalty) const {
+    return variationOf(chain) + penalty * wrongSides_per_mm(chain);
+  }
+
+  bool takeStep(FairingState& now, const Eigen::VectorXd& change, double penalty) const {
+    const double merit = meritOf(now.chain, penalty);
+    for (double part = 1; part > 0x1p-8; part /= 2) {
+      std::optional<FairingState> tried = stateAt(Eigen::VectorXd(now.shares + part * change));
+      if (!tried || !(meritOf(tried->chain, penalty) < merit)) continue;
+      now = std::move(*tried);
+      return true;
+    }
+    return false;
+  }
+
+  FairingUnits unitsOf(const Chain& chain) const {
+    double length_mm = 0;
+    for (const Clothoid& piece : chain) length_mm += piece.length_mm;
+    const double largest = curvaturesAt(chain, run_.closed).cwiseAbs().maxCoeff();
+    FairingUnits units{.curvature_per_mm = std::max(largest, 1e-9 / length_mm)};
+    units.variation_per_mm3 =
+        std::max(variationOf(chain), 1e-9 * std::pow(units.curvature_per_mm, 2) / length_mm);
+    return units;
+  }
+
+  /// The directions at the ends of a segment by curvatures and moves, to first order:
+  ///   change = by_curvatures * (changes of the curvatures) + by_moves * (shares of both ends).
+  struct SegmentSlopes {
+    Eigen::Matrix2d by_curvatures, by_moves;
+  };
+
+  SegmentSlopes slopesOf(const FairingState& now, Index s) const {
+    const Clothoid& piece = now.chain[static_cast<std::size_t>(s)];
+    const Index next = run_.next(s);
+    const ChordAngles angles =
+        chordAngles({.start = now.points.row(s).transpose(),
+                     .start_direction_rad = piece.direction_rad,
+                     .end = now.points.row(next).transpose(),
+                     .end_direction_rad = piece.directionAt_rad(piece.length_mm)});
+    const EndCurvatures ends = endCurvatures(piece, angles);
+    const Eigen::Vector2d along = unitVector(angles.chord_direction_rad);
+    const Eigen::Vector2d across(-along.y(), along.x());
+    SegmentSlopes result;
+    result.by_curvatures = ends.slope.inverse();
+    // A turn of the chord turns the directions with it; a longer chord has smaller curvatures.
+    const Eigen::Vector2d of_length =
+        result.by_curvatures * ends.value_per_mm / angles.chord_mm;
+    const Eigen::Vector2d of_turn = Eigen::Vector2d::Constant(1 / angles.chord_mm);
+    for (int end = 0; end < 2; ++end) {
+      const Index point = end == 0 ? s : next;
+      const Eigen::Vector2d move =
+          (end == 0 ? -1 : 1) * tolerances_mm_(point) * normals_.row(point).transpose();
+      result.by_moves.col(end) = of_length * along.dot(move) + of_turn * across.dot(move);
+    }
+    return result;
+  }
+
+  /// At each point between segments the directions of both agree; at an open end the curvature is
+  /// that of the neighbour.
+  CurvatureProgram programAt(const FairingState& now, const FairingUnits& units) const {
+    const Index n = run_.count();
+    Triplets curvatures, moves, energy;
+    const auto add = [&](Index row, Index s, const SegmentSlopes& slopes, int end, double sign) {
+      const double scale = units.curvature_per_mm;
+      const Index next = run_.next(s);
+      curvatures.emplace_back(row, s, sign * scale * slopes.by_curvatures(end, 0));
+      curvatures.emplace_back(row, next, sign * scale * slopes.by_curvatures(end, 1));
+      moves.emplace_back(row, s, -sign * slopes.by_moves(end, 0));
+      moves.emplace_back(row, next, -sign * slopes.by_moves(end, 1));
+    };
+    for (Index s = 0; s < run_.segments(); ++s) {
+      const SegmentSlopes slopes = slopesOf(now, s);
+      const Index next = run_.next(s);
+      if (run_.closed || s > 0) add(s, s, slopes, 0, -1);
+      if (run_.closed || next < n - 1) add(next, s, slopes, 1, 1);
+      const double weight = std::pow(units.curvature_per_mm, 2) / units.variation_per_mm3 /
+                            now.chain[static_cast<std::size_t>(s)].length_mm;
+      for (const auto& [i, j, sign] :
+           {std::tuple{s, s, 1.0}, {next, next, 1.0}, {s, next, -1.0}, {next, s, -1.0}})
+        energy.emplace_back(i, j, sign * weight);
+    }
+    if (!run_.closed)
+      for (const auto& [row, column, sign] : {std::tuple{Index{0}, Index{0}, 1.0},
+                                              {Index{0}, Index{1}, -1.0},
+                                              {n - 1, n - 1, 1.0},
+                                              {n - 1, n - 2, -1.0}})
+        curvatures.emplace_back(row, column, sign);
+    return scaledProgram(now, units, curvatures, moves, energy);
+  }
+
+  CurvatureProgram scaledProgram(const FairingState& now, const FairingUnits& units,
+                                 const Triplets& curvatures, const Triplets& moves,
+                                 const Triplets& energy) const {
+    const Index n = run_.count();
+    CurvatureProgram program;
+    program.energy.resize(n, n);
+    program.curvatures.resize(n, n);
+    program.moves.resize(n, n);
+    program.energy.setFromTriplets(energy.begin(), energy.end());
+    program.curvatures.setFromTriplets(curvatures.begin(), curvatures.end());
+    program.moves.setFromTriplets(moves.begin(), moves.end());
+    // Rows of size 1.
+    Eigen::VectorXd scale(n);
+    for (Index i = 0; i < n; ++i) scale(i) = 1 / std::abs(program.curvatures.coeff(i, i));
+    program.curvatures = scale.asDiagonal() * program.curvatures;
+    program.moves = scale.asDiagonal() * program.moves;
+    program.right = program.curvatures * (curvaturesAt(now.chain, run_.closed) /
+                                          units.curvature_per_mm) -
+                    program.moves * now.shares;
+    program.sides = sides_;
+    program.margins = margins_ / units.curvature_per_mm;
+    return program;
+  }
+
+  const FairingRun& run_;
+  PlanarPoints normals_;
+  Eigen::VectorXd tolerances_mm_;
+  Eigen::VectorXd sides_, margins_;
+};
+
+FairedRun unmovedRun(const FairingRun& run) {
+  FairedRun result{.points = run.points, .pieces = chainThrough(run.points, run.closed)};
+  result.after = figuresOf(result.pieces, run.closed);
+  result.before = result.after;
+  return result;
+}
+
+FairedRun fairRun(const FairingRun& run) {
+  if (run.count() < 3) return unmovedRun(run);
+  const FairedPoints faired =
+      fairPoints(run.points, run.tolerances_mm, {.closed = run.closed, .max_steps = 200});
+  FairedRun result{.point_inflections = static_cast<int>(faired.after.inflections.size())};
+  RunFairing fairing(run);
+  fairing.takeSides(faired.points);
+  const std::optional<FairingState> given = fairing.stateAt(run.points);
+  std::optional<FairingState> best = fairing.stateAt(faired.points);
+  if (given) result.before = figuresOf(given->chain, run.closed);
+  if (!best) best = given;
+  if (!best) chainThrough(faired.points, run.closed);  // throws
+  if (faired.moved_mm > 0 || !given) result.steps = fairing.improve(*best);
+  result.after = figuresOf(best->chain, run.closed);
+  const auto worse = [&](const ClothoidFigures& a, const ClothoidFigures& b) {
+    return a.inflections != b.inflections ? a.inflections > b.inflections
+                                          : a.variation_per_mm3 >= b.variation_per_mm3;
+  };
+  if (result.before && worse(result.after, *result.before)) {
+    best = given;
+    result.after = *result.before;
+  }
+  result.points = best->points;
+  result.pieces = std::move(best->chain);
+  return result;
+}
+
+void addFigures(ClothoidFigures& sum, const ClothoidFigures& part) {
+  sum.length_mm += part.length_mm;
+  sum.energy_per_mm += part.energy_per_mm;
+  sum.variation_per_mm3 += part.variation_per_mm3;
+  sum.extrema += part.extrema;
+  sum.inflections += part.inflections;
+}
+
+void requireCorners(const std::vector<Index>& corners, Index count, bool closed) {
+  Index last = closed ? -1 : 0;
+  for (const Index corner : corners) {
+    if (corner <= last || corner >= count - (closed ? 0 : 1))
+      refuse(fmt::format("corner {} of {} points: corners must be ascending, and inside", corner,
+                         count));
+    last = corner;
+  }
+}
+
+/// The indices of the points of each run; a run between corners has both of them.
+std::vector<std::vector<Index>> runsOf(Index count, const ClothoidFairingOptions& options) {
+  std::vector<Index> cuts = options.corners;
+  if (!options.closed) {
+    cuts.insert(cuts.begin(), 0);
+    cuts.push_back(count - 1);
+  } else if (!cuts.empty()) {
+    cuts.push_back(cuts.front() + count);
+  }
+  std::vector<std::vector<Index>> runs;
+  if (cuts.empty()) {
+    runs.emplace_back();
+    for (Index i = 0; i < count; ++i) runs.back().push_back(i);
+  }
+  for (std::size_t k = 1; k < cuts.size(); ++k) {
+    runs.emplace_back();
+    for (Index i = cuts[k - 1]; i <= cuts[k]; ++i) runs.back().push_back(i % count);
+  }
+  return runs;
+}
+
+}  // namespace
+
+ClothoidFigures figuresOf(const std::vector<Clothoid>& chain, bool closed) {
+  ClothoidFigures result;
+  double largest = 0;
+  std::vector<double> curvatures;
+  for (const Clothoid& piece : chain) {
+    const double k = piece.curvature_per_mm, s = piece.curvature_slope_per_mm2, l = piece.length_mm;
+    result.length_mm += l;
+    result.energy_per_mm += l * (k * k + k * s * l + s * s * l * l / 3);
+    for (const double end : {k, piece.curvatureAt_per_mm(l)}) {
+      curvatures.push_back(end);
+      largest = std::max(largest, std::abs(end));
+    }
+  }
+  result.variation_per_mm3 = variationOf(chain);
+  // As for ChainFigures.
+  constexpr double negligible = 1e-9;
+  const SequenceTurns turns =
+      turnsOf(curvatures, closed, negligible * std::max(largest, 1 / result.length_mm));
+  result.extrema = turns.extrema;
+  result.inflections = turns.inflections;
+  return result;
+}
+
+FairedClothoids fairClothoids(const PlanarPoints& points, const Eigen::VectorXd& tolerances_mm,
+                              const ClothoidFairingOptions& options) {
+  const Index count = points.rows();
+  if (count < 3) refuse(fmt::format("{} points: at least 3 are needed", count));
+  if (tolerances_mm.size() != count)
+    refuse(fmt::format("{} tolerances for {} points", tolerances_mm.size(), count));
+  requireCorners(options.corners, count, options.closed);
+  FairedClothoids result{.points = points, .corners = options.corners, .before = ClothoidFigures{}};
+  const bool smooth = options.closed && options.corners.empty();
+  // A closed curve begins at its first point, which may be inside of a run.
+  const auto first = static_cast<std::size_t>(
+      options.closed && !options.corners.empty() ? options.corners.front() : 0);
+  for (const std::vector<Index>& indices : runsOf(count, options)) {
+    const auto size = static_cast<Index>(indices.size());
+    FairingRun run{.points = PlanarPoints(size, 2),
+                   .tolerances_mm = Eigen::VectorXd(size),
+                   .closed = smooth};
+    for (Index i = 0; i < size; ++i) {
+      run.points.row(i) = points.row(indices[static_cast<std::size_t>(i)]);
+      run.tolerances_mm(i) = tolerances_mm(indices[static_cast<std::size_t>(i)]);
+    }
+    FairedRun faired = fairRun(run);
+    for (Index i = 0; i < size; ++i)
+      result.points.row(indices[static_cast<std::size_t>(i)]) = faired.points.row(i);
+    result.pieces.insert(result.pieces.end(), faired.pieces.begin(), faired.pieces.end());
+    addFigures(result.after, faired.after);
+    if (result.before && faired.before)
+      addFigures(*result.before, *faired.before);
+    else
+      result.before.reset();
+    result.point_inflections += faired.point_inflections;
+    result.steps += faired.steps;
+  }
+  std::ranges::rotate(result.pieces, result.pieces.end() - static_cast<std::ptrdiff_t>(first));
+  result.moved_mm = (result.points - points).rowwise().norm().maxCoeff();
+  return result;
+}
+
+}  // namespace seamwright
