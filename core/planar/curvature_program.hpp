@@ -8,14 +8,14 @@
 namespace seamwright {
 
 /// Curvatures k at the joints of a spline, and moves x of its points, both without a unit:
-///   minimise k' D k / 2 with A k - J x = b, -1 <= x <= 1 and, where sides(i) is not 0,
-///   sides(i) k(i) >= margins(i).
+///   minimise k' D k / 2 with A k - J x = b, -1 <= x <= 1 and S k >= margins.
 struct CurvatureProgram {
   Eigen::SparseMatrix<double> energy;      ///< D: symmetric, not negative
   Eigen::SparseMatrix<double> curvatures;  ///< A: square and regular
   Eigen::SparseMatrix<double> moves;       ///< J
   Eigen::VectorXd right;                   ///< b
-  Eigen::VectorXd sides, margins;
+  Eigen::SparseMatrix<double> shape;       ///< S
+  Eigen::VectorXd margins;
 };
 
 struct CurvatureSolution {

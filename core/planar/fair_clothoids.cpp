@@ -90,6 +90,50 @@ struct FairingState {
   Chain chain;
 };
 
+/// Bounds of curvatures at points, which keep the curve from turning to the other side, and of
+/// their differences, which keep the curvature monotone.
+class CurvatureShape {
+ public:
+  /// sign * curvature >= margin
+  void keepSide(Index point, double sign, double margin_per_mm) {
+    add({{point, sign}}, margin_per_mm);
+  }
+  /// sign * (curvature at next - curvature at point) >= margin
+  void keepSlope(Index point, Index next, double sign, double margin_per_mm) {
+    add({{next, sign}, {point, -sign}}, margin_per_mm);
+  }
+  Eigen::SparseMatrix<double> rows(Index points) const {
+    Eigen::SparseMatrix<double> result(std::ssize(margins_per_mm_), points);
+    result.setFromTriplets(entries_.begin(), entries_.end());
+    return result;
+  }
+  Eigen::VectorXd margins_per_mm() const {
+    return Eigen::VectorXd::Map(margins_per_mm_.data(), std::ssize(margins_per_mm_));
+  }
+  /// What is missing, summed up.
+  double miss(const Eigen::VectorXd& curvatures_per_mm) const {
+    const Eigen::VectorXd slack = rows(curvatures_per_mm.size()) * curvatures_per_mm -
+                                  margins_per_mm();
+    return (-slack.array()).max(0).sum();
+  }
+
+ private:
+  void add(std::initializer_list<std::pair<Index, double>> terms, double margin_per_mm) {
+    for (const auto& [point, factor] : terms)
+      entries_.emplace_back(std::ssize(margins_per_mm_), point, factor);
+    margins_per_mm_.push_back(margin_per_mm);
+  }
+
+  Triplets entries_;
+  std::vector<double> margins_per_mm_;
+};
+
+struct FairingSearch {
+  FairingState state;
+  int steps = 0;
+  bool feasible = false;  ///< the last program had a solution
+};
+
 class RunFairing {
  public:
   explicit RunFairing(const FairingRun& run) : run_(run) {
@@ -102,21 +146,6 @@ class RunFairing {
       const Index after = run.closed ? (i + 1) % n : std::min(i + 1, n - 1);
       const Eigen::RowVector2d chord = (run.points.row(after) - run.points.row(before)).normalized();
       normals_.row(i) << -chord.y(), chord.x();
-    }
-    sides_ = margins_ = Eigen::VectorXd::Zero(n);
-  }
-
-  /// Curvatures that keep their sides, by the circles through three points.
-  void takeSides(const PlanarPoints& points) {
-    // Rounding of the curvature of the spline is far below this part of that of the points.
-    constexpr double margin = 0.01;
-    const Eigen::VectorXd circles = pointCurvatures_per_mm(points, run_.closed);
-    const double largest = circles.cwiseAbs().maxCoeff();
-    const Index first = run_.closed ? 0 : 1;
-    for (Index i = 0; i < circles.size(); ++i) {
-      if (std::abs(circles(i)) < 1e-9 * largest) continue;
-      sides_(first + i) = circles(i) > 0 ? 1 : -1;
-      margins_(first + i) = margin * std::abs(circles(i));
     }
   }
 
@@ -141,46 +170,46 @@ class RunFairing {
     return stateAt(shares);
   }
 
-  /// What is left to the wrong side of the margins, summed up.
-  double wrongSides_per_mm(const Chain& chain) const {
-    const Eigen::ArrayXd curvatures = curvaturesAt(chain, run_.closed).array();
-    const Eigen::ArrayXd slack = sides_.array() * curvatures - margins_.array();
-    return (sides_.array().abs() * (-slack).max(0)).sum();
-  }
-
-  /// Sequential quadratic programming. \returns the number of programs.
-  int improve(FairingState& now) const {
+  /// Sequential quadratic programming.
+  FairingSearch improved(FairingState now, const CurvatureShape& shape) const {
     constexpr int most_steps = 15;
-    // A share of the tolerance that is negligible.
-    constexpr double still = 1e-3;
+    // Moves by this share of the tolerance, and this relative gain, are negligible.
+    constexpr double still = 1e-3, gain = 1e-4;
+    FairingSearch search{.state = std::move(now)};
     double penalty = 0;
-    int steps = 0;
-    while (steps < most_steps) {
-      ++steps;
-      const FairingUnits units = unitsOf(now.chain);
+    while (search.steps < most_steps) {
+      ++search.steps;
+      const Chain& chain = search.state.chain;
+      const FairingUnits units = unitsOf(chain);
       const CurvatureSolution found =
-          solve(programAt(now, units), curvaturesAt(now.chain, run_.closed) / units.curvature_per_mm,
-                now.shares);
-      if (!found.moves.allFinite()) break;
-      const Eigen::VectorXd change = found.moves.cwiseMax(-1).cwiseMin(1) - now.shares;
-      // A wrong side of one unit of curvature outweighs all variation.
+          solve(programAt(search.state, units, shape),
+                curvaturesAt(chain, run_.closed) / units.curvature_per_mm, search.state.shares);
+      search.feasible = found.converged;
+      if (!found.converged || !found.moves.allFinite()) break;
+      const Eigen::VectorXd change =
+          found.moves.cwiseMax(-1).cwiseMin(1) - search.state.shares;
+      // A miss of one unit of curvature outweighs all variation.
       penalty = std::max(penalty, 10 * units.variation_per_mm3 / units.curvature_per_mm);
-      if (!takeStep(now, change, penalty)) break;
-      if (change.cwiseAbs().maxCoeff() < still) break;
+      const double before = meritOf(chain, shape, penalty);
+      if (!takeStep(search.state, change, shape, penalty)) break;
+      if (change.cwiseAbs().maxCoeff() < still ||
+          meritOf(search.state.chain, shape, penalty) > (1 - gain) * before)
+        break;
     }
-    return steps;
+    return search;
   }
 
  private:
-  double meritOf(const Chain& chain, double penalty) const {
-    return variationOf(chain) + penalty * wrongSides_per_mm(chain);
+  double meritOf(const Chain& chain, const CurvatureShape& shape, double penalty) const {
+    return variationOf(chain) + penalty * shape.miss(curvaturesAt(chain, run_.closed));
   }
 
-  bool takeStep(FairingState& now, const Eigen::VectorXd& change, double penalty) const {
-    const double merit = meritOf(now.chain, penalty);
+  bool takeStep(FairingState& now, const Eigen::VectorXd& change, const CurvatureShape& shape,
+                double penalty) const {
+    const double merit = meritOf(now.chain, shape, penalty);
     for (double part = 1; part > 0x1p-8; part /= 2) {
       std::optional<FairingState> tried = stateAt(Eigen::VectorXd(now.shares + part * change));
-      if (!tried || !(meritOf(tried->chain, penalty) < merit)) continue;
+      if (!tried || !(meritOf(tried->chain, shape, penalty) < merit)) continue;
       now = std::move(*tried);
       return true;
     }
@@ -231,7 +260,8 @@ class RunFairing {
 
   /// At each point between segments the directions of both agree; at an open end the curvature is
   /// that of the neighbour.
-  CurvatureProgram programAt(const FairingState& now, const FairingUnits& units) const {
+  CurvatureProgram programAt(const FairingState& now, const FairingUnits& units,
+                             const CurvatureShape& shape) const {
     const Index n = run_.count();
     Triplets curvatures, moves, energy;
     const auto add = [&](Index row, Index s, const SegmentSlopes& slopes, int end, double sign) {
@@ -259,7 +289,10 @@ class RunFairing {
                                               {n - 1, n - 1, 1.0},
                                               {n - 1, n - 2, -1.0}})
         curvatures.emplace_back(row, column, sign);
-    return scaledProgram(now, units, curvatures, moves, energy);
+    CurvatureProgram program = scaledProgram(now, units, curvatures, moves, energy);
+    program.shape = shape.rows(n);
+    program.margins = shape.margins_per_mm() / units.curvature_per_mm;
+    return program;
   }
 
   CurvatureProgram scaledProgram(const FairingState& now, const FairingUnits& units,
@@ -281,44 +314,193 @@ class RunFairing {
     program.right = program.curvatures * (curvaturesAt(now.chain, run_.closed) /
                                           units.curvature_per_mm) -
                     program.moves * now.shares;
-    program.sides = sides_;
-    program.margins = margins_ / units.curvature_per_mm;
     return program;
   }
 
   const FairingRun& run_;
   PlanarPoints normals_;
   Eigen::VectorXd tolerances_mm_;
-  Eigen::VectorXd sides_, margins_;
 };
 
 FairedRun unmovedRun(const FairingRun& run) {
-  FairedRun result{.points = run.points, .pieces = chainThrough(run.points, run.closed)};
+  FairedRun result;
+  result.points = run.points;
+  result.pieces = chainThrough(run.points, run.closed);
   result.after = figuresOf(result.pieces, run.closed);
   result.before = result.after;
   return result;
 }
 
+/// The curve keeps to the side of the circles through three points.
+CurvatureShape sidesOf(const PlanarPoints& points, bool closed) {
+  // Far above what linearisation misses near the solution, and far below the curvature.
+  constexpr double margin = 0.01;
+  // As for ChainFigures.
+  constexpr double negligible = 1e-9;
+  CurvatureShape shape;
+  const Eigen::VectorXd circles = pointCurvatures_per_mm(points, closed);
+  const double least = negligible * circles.cwiseAbs().maxCoeff();
+  const Index first = closed ? 0 : 1;
+  for (Index i = 0; i < circles.size(); ++i)
+    if (std::abs(circles(i)) > least)
+      shape.keepSide(first + i, circles(i) > 0 ? 1 : -1, margin * std::abs(circles(i)));
+  return shape;
+}
+
+/// The curve turns to one side.
+CurvatureShape oneSideOf(const PlanarPoints& points, bool closed) {
+  constexpr double margin = 0.01;
+  CurvatureShape shape;
+  const Eigen::VectorXd circles = pointCurvatures_per_mm(points, closed);
+  const double sign = circles.sum() > 0 ? 1 : -1;
+  // The curvature that is left where points turn to the other side: that of the flattest points.
+  const double least = margin * circles.cwiseAbs().minCoeff();
+  const Index first = closed ? 0 : 1;
+  for (Index i = 0; i < circles.size(); ++i)
+    shape.keepSide(first + i, sign, std::max(least, margin * sign * circles(i)));
+  return shape;
+}
+
+/// Indices of the extrema that rise above those beside them by more than the height.
+std::vector<Index> highExtrema(const Eigen::VectorXd& values, bool closed, double height) {
+  const Index n = values.size();
+  Index start = 0;
+  if (closed) values.maxCoeff(&start);
+  int direction = closed ? -1 : 0;
+  std::vector<Index> found;
+  if (closed) found.push_back(start);
+  Index high = start, low = start;
+  for (Index step = 1; step < n + (closed ? 1 : 0); ++step) {
+    const Index i = (start + step) % n;
+    if (values(i) > values(high)) high = i;
+    if (values(i) < values(low)) low = i;
+    if (direction <= 0 && values(i) > values(low) + height) {
+      if (direction < 0) found.push_back(low);
+      direction = 1;
+      high = i;
+    } else if (direction >= 0 && values(i) < values(high) - height) {
+      if (direction > 0) found.push_back(high);
+      direction = -1;
+      low = i;
+    }
+    if (direction > 0) low = i;
+    if (direction < 0) high = i;
+  }
+  return found;
+}
+
+/// Between the extrema the curvature is monotone.
+void keepMonotone(CurvatureShape& shape, const FairingRun& run, const Chain& chain,
+                  const std::vector<Index>& extrema) {
+  const Eigen::VectorXd values = curvaturesAt(chain, run.closed);
+  const double length_mm = figuresOf(chain, run.closed).length_mm;
+  // Far above the rounding of curvatures, and far below any slope that is seen.
+  constexpr double margin = 1e-4;
+  const double slope = margin * (values.maxCoeff() - values.minCoeff()) / length_mm;
+  std::vector<Index> ends = extrema;
+  if (run.closed) {
+    ends.push_back(extrema.front() + run.count());
+  } else {
+    ends.insert(ends.begin(), 0);
+    ends.push_back(run.count() - 1);
+  }
+  for (std::size_t k = 1; k < ends.size(); ++k) {
+    Index to = ends[k];
+    if (to < ends[k - 1]) to += run.count();
+    const double sign =
+        values(to % run.count()) > values(ends[k - 1] % run.count()) ? 1 : -1;
+    for (Index i = ends[k - 1]; i < to; ++i) {
+      const Index s = i % run.count();
+      // The pieces at open ends are arcs.
+      if (!run.closed && (s == 0 || s + 2 == run.count())) continue;
+      shape.keepSlope(s, run.next(s), sign,
+                      slope * chain[static_cast<std::size_t>(s)].length_mm);
+    }
+  }
+}
+
+/// Whether a curve has fewer inflections, or as many and fewer extrema.
+bool hasFewerTurns(const ClothoidFigures& one, const ClothoidFigures& other) {
+  return std::pair(one.inflections, one.extrema) < std::pair(other.inflections, other.extrema);
+}
+
+/// Looks for a curve with fewer inflections and extrema that costs little variation.
+class TurnReduction {
+ public:
+  TurnReduction(const FairingRun& run, const RunFairing& fairing, double most_variation_per_mm3)
+      : run_(run), fairing_(fairing), most_variation_per_mm3_(most_variation_per_mm3) {}
+
+  bool tryShape(const CurvatureShape& shape, FairingState& best, int& steps) const {
+    FairingSearch search = fairing_.improved(best, shape);
+    steps += search.steps;
+    if (!search.feasible) return false;
+    const ClothoidFigures found = figuresOf(search.state.chain, run_.closed);
+    if (!hasFewerTurns(found, figuresOf(best.chain, run_.closed)) ||
+        found.variation_per_mm3 > most_variation_per_mm3_)
+      return false;
+    best = std::move(search.state);
+    return true;
+  }
+
+  /// Without extrema below a height, from high to low.
+  void flatten(const CurvatureShape& sides, FairingState& best, int& steps) const {
+    const Chain chain = best.chain;
+    const Eigen::VectorXd values = curvaturesAt(chain, run_.closed);
+    const double range = values.maxCoeff() - values.minCoeff();
+    std::size_t tried = 0;
+    for (const double share : {0.3, 0.1, 0.03, 0.01, 0.003}) {
+      const std::vector<Index> extrema = highExtrema(values, run_.closed, share * range);
+      if (std::ssize(extrema) >= figuresOf(chain, run_.closed).extrema) return;
+      if (extrema.size() % 2 != 0 && run_.closed) continue;
+      if (share < 0.3 && extrema.size() == tried) continue;
+      tried = extrema.size();
+      CurvatureShape shape = sides;
+      keepMonotone(shape, run_, chain, extrema);
+      if (tryShape(shape, best, steps)) return;
+    }
+  }
+
+ private:
+  const FairingRun& run_;
+  const RunFairing& fairing_;
+  double most_variation_per_mm3_;
+};
+
+/// The least variation, then fewer turns at up to twice that variation.
+void fairState(const FairingRun& run, const RunFairing& fairing, const PlanarPoints& faired,
+               FairedRun& result, FairingState& best) {
+  constexpr double most_times = 2;
+  CurvatureShape sides = sidesOf(faired, run.closed);
+  FairingSearch search = fairing.improved(best, sides);
+  result.steps = search.steps;
+  best = std::move(search.state);
+  double most = most_times * variationOf(best.chain);
+  if (result.before) most = std::min(most, result.before->variation_per_mm3);
+  const TurnReduction reduction(run, fairing, most);
+  if (figuresOf(best.chain, run.closed).inflections > 0) {
+    const CurvatureShape one_side = oneSideOf(faired, run.closed);
+    if (reduction.tryShape(one_side, best, result.steps)) sides = one_side;
+  }
+  reduction.flatten(sides, best, result.steps);
+}
+
 FairedRun fairRun(const FairingRun& run) {
   if (run.count() < 3) return unmovedRun(run);
-  const FairedPoints faired =
-      fairPoints(run.points, run.tolerances_mm, {.closed = run.closed, .max_steps = 200});
-  FairedRun result{.point_inflections = static_cast<int>(faired.after.inflections.size())};
-  RunFairing fairing(run);
-  fairing.takeSides(faired.points);
-  const std::optional<FairingState> given = fairing.stateAt(run.points);
+  const FairedPoints faired = fairPoints(run.points, run.tolerances_mm, {.closed = run.closed});
+  FairedRun result;
+  result.point_inflections = static_cast<int>(faired.after.inflections.size());
+  const RunFairing fairing(run);
+  std::optional<FairingState> given = fairing.stateAt(run.points);
   std::optional<FairingState> best = fairing.stateAt(faired.points);
   if (given) result.before = figuresOf(given->chain, run.closed);
   if (!best) best = given;
   if (!best) chainThrough(faired.points, run.closed);  // throws
-  if (faired.moved_mm > 0 || !given) result.steps = fairing.improve(*best);
+  if (faired.moved_mm > 0 || !given)
+    fairState(run, fairing, faired.points, result, *best);
   result.after = figuresOf(best->chain, run.closed);
-  const auto worse = [&](const ClothoidFigures& a, const ClothoidFigures& b) {
-    return a.inflections != b.inflections ? a.inflections > b.inflections
-                                          : a.variation_per_mm3 >= b.variation_per_mm3;
-  };
-  if (result.before && worse(result.after, *result.before)) {
-    best = given;
+  if (result.before && (result.after.inflections > result.before->inflections ||
+                        result.after.variation_per_mm3 >= result.before->variation_per_mm3)) {
+    best = std::move(given);
     result.after = *result.before;
   }
   result.points = best->points;
@@ -397,7 +579,10 @@ FairedClothoids fairClothoids(const PlanarPoints& points, const Eigen::VectorXd&
   if (tolerances_mm.size() != count)
     refuse(fmt::format("{} tolerances for {} points", tolerances_mm.size(), count));
   requireCorners(options.corners, count, options.closed);
-  FairedClothoids result{.points = points, .corners = options.corners, .before = ClothoidFigures{}};
+  FairedClothoids result;
+  result.points = points;
+  result.corners = options.corners;
+  result.before = ClothoidFigures{};
   const bool smooth = options.closed && options.corners.empty();
   // A closed curve begins at its first point, which may be inside of a run.
   const auto first = static_cast<std::size_t>(

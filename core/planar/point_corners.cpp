@@ -30,13 +30,8 @@ struct TurningPolygon {
   Eigen::Vector2d vector(Index from, Index to) const {
     return (points.row(to) - points.row(from)).transpose();
   }
-  double turn_rad(Index i) const {
-    const auto before = at(i, -1), after = at(i, 1);
-    if (!before || !after) return 0;
-    return std::abs(angleFromTo(vector(*before, i), vector(i, *after)));
-  }
   /// The first point in a direction that is at least so far away, or the last one there.
-  Index beyond(Index i, int direction, double distance_mm) const {
+  Index beyond(Index i, Index direction, double distance_mm) const {
     Index found = i;
     for (Index steps = direction;; steps += direction) {
       const auto next = at(i, steps);
@@ -45,22 +40,40 @@ struct TurningPolygon {
       if (vector(i, found).norm() >= distance_mm) return found;
     }
   }
-  /// The turn between points that are so far away.
-  double wideTurn_rad(Index i, double distance_mm) const {
-    const Index before = beyond(i, -1, distance_mm), after = beyond(i, 1, distance_mm);
-    return std::abs(angleFromTo(vector(before, i), vector(i, after)));
+  /// The turn between points that are at least so far away.
+  double turn_rad(Index i, double distance_mm) const {
+    if (!at(i, -1) || !at(i, 1)) return 0;
+    return std::abs(angleFromTo(vector(beyond(i, -1, distance_mm), i),
+                                vector(i, beyond(i, 1, distance_mm))));
   }
 };
 
-/// The turn at the nearest point in a direction that turns by no more than the angle.
+/// The turn at the nearest point in a direction that is so far away and turns by no more than the
+/// angle.
 std::optional<double> smoothTurn(const TurningPolygon& polygon, const std::vector<double>& turns,
-                                 Index i, int direction, double most_rad) {
+                                 Index i, Index direction, double distance_mm, double most_rad) {
   for (Index steps = direction;; steps += direction) {
     const auto next = polygon.at(i, steps);
     if (!next) return std::nullopt;
     const double turn_rad = turns[static_cast<std::size_t>(*next)];
-    if (turn_rad <= most_rad) return turn_rad;
+    if (turn_rad <= most_rad && polygon.vector(i, *next).norm() >= distance_mm) return turn_rad;
   }
+}
+
+/// Without those that errors beside a corner make.
+std::vector<Index> sharpest(const TurningPolygon& polygon, const std::vector<double>& turns,
+                            const std::vector<Index>& corners, double distance_mm) {
+  // Both corners of a blunt end turn by much the same.
+  constexpr double least = 0.75;
+  std::vector<Index> result;
+  for (const Index i : corners) {
+    const auto isSharper = [&](Index other) {
+      return polygon.vector(i, other).norm() <= distance_mm &&
+             turns[static_cast<std::size_t>(i)] < least * turns[static_cast<std::size_t>(other)];
+    };
+    if (std::ranges::none_of(corners, isSharper)) result.push_back(i);
+  }
+  return result;
 }
 
 }  // namespace
@@ -72,24 +85,29 @@ std::vector<Index> pointCorners(const PlanarPoints& points, const PointCornerOpt
     if (points.row(i) == points.row((i + n - 1) % n))
       refuse(fmt::format("points {} and {} are equal", (i + n - 1) % n, i));
   const TurningPolygon polygon{.points = points, .closed = options.closed};
-  std::vector<double> turns;
-  for (Index i = 0; i < n; ++i) turns.push_back(polygon.turn_rad(i));
-  // Between the turns at a corner and those beside it, which samples of a smooth curve do not
-  // reach: a nose that three points show turns by less than three times its neighbours.
-  constexpr double times = 3, errors_away = 4;
+  // Secants of that length are turned by errors by no more than 30 degrees.
+  constexpr double errors_away = 4;
+  const double away_mm = errors_away * options.error_mm;
+  std::vector<double> turns, wide_turns;
+  for (Index i = 0; i < n; ++i) {
+    turns.push_back(polygon.turn_rad(i, 0));
+    wide_turns.push_back(away_mm > 0 ? polygon.turn_rad(i, away_mm) : turns.back());
+  }
+  // Between the turns at a corner and those beside it. A nose of which one point and its neighbours
+  // are known turns by up to four times as much as its neighbours.
+  constexpr double times = 5;
   std::vector<Index> corners;
   for (Index i = 0; i < n; ++i) {
-    const double turn_rad = turns[static_cast<std::size_t>(i)];
-    if (!(turn_rad > options.corner_rad)) continue;
-    const auto before = smoothTurn(polygon, turns, i, -1, options.corner_rad);
-    const auto after = smoothTurn(polygon, turns, i, 1, options.corner_rad);
-    if (!before || !after || turn_rad < times * std::max(*before, *after)) continue;
-    if (options.error_mm > 0 &&
-        polygon.wideTurn_rad(i, errors_away * options.error_mm) <= options.corner_rad)
-      continue;
-    corners.push_back(i);
+    const double wide_rad = wide_turns[static_cast<std::size_t>(i)];
+    if (!(turns[static_cast<std::size_t>(i)] > options.corner_rad)) continue;
+    if (!(wide_rad > options.corner_rad)) continue;
+    const auto beside = [&](Index direction) {
+      return smoothTurn(polygon, wide_turns, i, direction, 2 * away_mm, options.corner_rad);
+    };
+    const auto before = beside(-1), after = beside(1);
+    if (before && after && wide_rad > times * std::max(*before, *after)) corners.push_back(i);
   }
-  return corners;
+  return sharpest(polygon, turns, corners, away_mm);
 }
 
 }  // namespace seamwright
