@@ -575,9 +575,8 @@ ClothoidFigures figuresOf(const std::vector<Clothoid>& chain, bool closed) {
 FairedClothoids fairClothoids(const PlanarPoints& points, const Eigen::VectorXd& tolerances_mm,
                               const ClothoidFairingOptions& options) {
   const Index count = points.rows();
-  if (count < 3) refuse(fmt::format("{} points: at least 3 are needed", count));
-  if (tolerances_mm.size() != count)
-    refuse(fmt::format("{} tolerances for {} points", tolerances_mm.size(), count));
+  fairnessOf(points, options.closed);  // throws for points without curvatures
+  requireTolerances(tolerances_mm, count);
   requireCorners(options.corners, count, options.closed);
   FairedClothoids result;
   result.points = points;

@@ -193,15 +193,6 @@ InteriorPoint leastEnergy(const MovablePoints& problem, double negligible, int m
   return result;
 }
 
-void requireTolerances(const Eigen::VectorXd& tolerances_mm, Index count) {
-  if (tolerances_mm.size() != count)
-    refuse(fmt::format("{} tolerances for {} points", tolerances_mm.size(), count));
-  for (Index i = 0; i < count; ++i)
-    if (!(tolerances_mm(i) >= 0) || tolerances_mm(i) == infinite)
-      refuse(fmt::format("the tolerance of point {} is {} mm: it must be at least 0 and finite", i,
-                         tolerances_mm(i)));
-}
-
 FairedPoints compared(const PlanarPoints& before, const PlanarPoints& after, bool closed) {
   FairedPoints result{
       .points = after, .before = fairnessOf(before, closed), .after = fairnessOf(after, closed)};
@@ -210,6 +201,15 @@ FairedPoints compared(const PlanarPoints& before, const PlanarPoints& after, boo
 }
 
 }  // namespace
+
+void requireTolerances(const Eigen::VectorXd& tolerances_mm, Index count) {
+  if (tolerances_mm.size() != count)
+    refuse(fmt::format("{} tolerances for {} points", tolerances_mm.size(), count));
+  for (Index i = 0; i < count; ++i)
+    if (!(tolerances_mm(i) >= 0) || tolerances_mm(i) == infinite)
+      refuse(fmt::format("the tolerance of point {} is {} mm: it must be at least 0 and finite", i,
+                         tolerances_mm(i)));
+}
 
 FairedPoints fairPoints(const PlanarPoints& points, const Eigen::VectorXd& tolerances_mm,
                         const PointFairingOptions& options) {

@@ -9,7 +9,7 @@
 #include <seamwright/core/planar/arc_fit.hpp>
 #include <seamwright/core/planar/clothoid_fit.hpp>
 #include <seamwright/core/planar/clothoid_spline.hpp>
-#include <seamwright/core/planar/fair_points.hpp>
+#include <seamwright/core/planar/fair_clothoids.hpp>
 #include <seamwright/plugin/cli/curve_methods.hpp>
 #include <stdexcept>
 
@@ -30,34 +30,15 @@ PlanarChain chainOf(const std::vector<PlanarArc>& arcs, bool closed) {
   return {.curves = {arcs.begin(), arcs.end()}, .closed = closed};
 }
 
-CurveFigures figuresFrom(const std::vector<Clothoid>& chain, bool closed) {
-  CurveFigures result;
-  double energy = 0, largest = 0;
-  std::vector<double> curvatures;
-  for (const Clothoid& piece : chain) {
-    const double k = piece.curvature_per_mm, s = piece.curvature_slope_per_mm2, l = piece.length_mm;
-    result.length_mm += l;
-    energy += l * (k * k + k * s * l + s * s * l * l / 3);
-    for (const double end : {k, piece.curvatureAt_per_mm(l)}) {
-      curvatures.push_back(end);
-      largest = std::max(largest, std::abs(end));
-    }
-  }
-  result.energy_per_mm = energy;
-  // As for ChainFigures.
-  constexpr double negligible = 1e-9;
-  const SequenceTurns turns =
-      turnsOf(curvatures, closed, negligible * std::max(largest, 1 / result.length_mm));
-  result.extrema = turns.extrema;
-  result.inflections = turns.inflections;
-  return result;
+CurveFigures figuresFrom(const ClothoidFigures& figures) {
+  return {.length_mm = figures.length_mm,
+          .energy_per_mm = figures.energy_per_mm,
+          .extrema = figures.extrema,
+          .inflections = figures.inflections};
 }
 
-double polygonLength(const PlanarPoints& points, bool closed) {
-  double length = 0;
-  for (Eigen::Index i = 1; i < points.rows(); ++i)
-    length += (points.row(i) - points.row(i - 1)).norm();
-  return closed ? length + (points.row(0) - points.row(points.rows() - 1)).norm() : length;
+CurveFigures figuresFrom(const std::vector<Clothoid>& chain, bool closed) {
+  return figuresFrom(figuresOf(chain, closed));
 }
 
 /// The curve that is approximated, and its distance from the one that was asked for.
@@ -231,27 +212,69 @@ MadeCurve madeConics(const GivenCurve& given, const CurveTask& task) {
   return made;
 }
 
-CurveFigures figuresFrom(const PlanarPoints& points, const PointFairness& fairness, bool closed) {
-  return {.length_mm = polygonLength(points, closed),
-          .variation_per_mm3 = fairness.energy_per_mm3,
-          .extrema = static_cast<int>(fairness.extrema.size()),
-          .inflections = static_cast<int>(fairness.inflections.size())};
+CurveFigures withVariation(const ClothoidFigures& figures) {
+  CurveFigures result = figuresFrom(figures);
+  result.variation_per_mm3 = figures.variation_per_mm3;
+  return result;
+}
+
+/// A spline from corner to corner.
+void takeRuns(MadeCurve& made, const FairedClothoids& faired, double tolerance_mm) {
+  // As for takeClothoids().
+  const double spline_mm = tolerance_mm > 0 ? 0.1 * tolerance_mm : 1e-9 * faired.after.length_mm;
+  const bool closed = made.record.closed;
+  std::vector<Clothoid> pieces = faired.pieces;
+  std::vector<std::ptrdiff_t> cuts(faired.corners.begin(), faired.corners.end());
+  if (closed && !cuts.empty()) {  // a closed curve begins at a corner
+    const std::ptrdiff_t first = cuts.front();
+    std::ranges::rotate(pieces, pieces.begin() + first);
+    for (std::ptrdiff_t& cut : cuts) cut -= first;
+  } else {
+    cuts.insert(cuts.begin(), 0);
+  }
+  cuts.push_back(std::ssize(pieces));
+  made.chain.closed = closed;
+  for (std::size_t k = 1; k < cuts.size(); ++k) {
+    const std::vector<Clothoid> run(pieces.begin() + cuts[k - 1], pieces.begin() + cuts[k]);
+    SmoothCurve spline = splineOf(run, closed && faired.corners.empty(), spline_mm);
+    made.chain.curves.push_back(std::move(spline.chain.curves.front()));
+    made.chain_distance_mm = std::max(made.chain_distance_mm, spline.distance_mm);
+  }
+  made.clothoids = faired.pieces;
+}
+
+/// What the points let expect and the curve does not keep.
+void noteTurns(report::CurveRecord& record, const FairedClothoids& faired) {
+  const int more = faired.after.inflections - faired.point_inflections;
+  if (more > 0)
+    record.notes.push_back(
+        fmt::format("{} more inflection{} than the circles through three faired points", more,
+                    more == 1 ? "" : "s"));
 }
 
 MadeCurve madeFairPoints(const GivenCurve& given, const CurveTask& task) {
   const bool closed = given.record.closed;
   const Eigen::VectorXd tolerances =
       Eigen::VectorXd::Constant(given.points.rows(), task.tolerance_mm);
-  const FairedPoints faired = fairPoints(given.points, tolerances, {.closed = closed});
+  const FairedClothoids faired = fairClothoids(
+      given.points, tolerances,
+      {.closed = closed,
+       .corners = pointCorners(given.points, {.closed = closed, .error_mm = task.tolerance_mm})});
   MadeCurve made{.record = given.record};
   made.points = faired.points;
+  takeRuns(made, faired, task.tolerance_mm);
   made.record.pieces = static_cast<int>(faired.points.rows());
+  made.record.corners = static_cast<int>(faired.corners.size());
   made.record.distance_mm = made.record.moved_mm = faired.moved_mm;
-  const std::vector<Clothoid> pieces = clothoidSpline(faired.points, {.closed = closed}).pieces;
-  takeClothoids(made, pieces, task.tolerance_mm);
-  made.record.pieces = static_cast<int>(faired.points.rows());
-  made.record.before = figuresFrom(given.points, faired.before, closed);
-  made.record.after = figuresFrom(faired.points, faired.after, closed);
+  made.record.after = withVariation(faired.after);
+  if (faired.before) {
+    made.record.before = withVariation(*faired.before);
+  } else {
+    made.record.before = biarcsThrough(given).figures;
+    made.record.notes.push_back(
+        "no clothoids pass through the points as read: the figures before are those of biarcs");
+  }
+  noteTurns(made.record, faired);
   return made;
 }
 
