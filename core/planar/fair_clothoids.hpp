@@ -50,13 +50,12 @@ struct ClothoidFairingOptions {
 /// The spline of clothoids with the least variation of the curvature that moves of the points within
 /// the tolerances allow, each point along the normal of the chord of its neighbours. Where the
 /// circles through three points of fairPoints() turn to one side, so does the spline, if the
-/// tolerances allow it. Pieces at ends and corners are arcs (ClothoidEnd::arc). Each step
+/// tolerances allow it. Fewer inflections and extrema may cost up to twice the least variation.
+/// Pieces at ends and corners are arcs (ClothoidEnd::arc). Each step
 /// linearises the curvatures, exactly, and costs O(n). Identities (each has a test of its number):
 ///   (2) No point moves by more than its tolerance, and a tolerance of 0 fixes a point bitwise.
 ///   (3) Neither variation nor inflections grow. Points of a circle stay.
 ///   (4) Corners stay bitwise, and the curve has one there.
-///   (5) No move of one point within its tolerance brings less variation at the same inflections,
-///       up to the precision of the method.
 /// \param tolerances_mm one for each point; at least 0 and finite.
 /// \throws as fairPoints() and clothoidSpline() do; std::invalid_argument for corners that are not
 /// ascending or not inside. Source: docs/theory/planar.md P10.5.
