@@ -132,12 +132,14 @@ struct Smoothed {
 };
 
 /// Bisection for the logarithm of the smoothing. The distance grows with the smoothing.
-Smoothed largestSmoothing(Smoother& smoother, const BSplineCurve& curve, double tolerance_mm) {
+Smoothed largestSmoothing(Smoother& smoother, const BSplineCurve& curve, double tolerance_mm,
+                          const Progress& progress) {
   // Beyond 2^40 times the middle rounding of the energy comes near to the mass, below 2^-40 the
   // moves are rounding.
   double low = -40, high = 40;
   Smoothed best{.moves = Poles::Zero(curve.poles.rows(), 3)};
   const auto attempt = [&](double exponent) {
+    checkProgress(progress, shareAfter(best.steps));
     const double smoothing = smoother.middle() * std::exp2(exponent);
     ++best.steps;
     const std::optional<Poles> moves = smoother.moves(smoothing);
@@ -157,7 +159,7 @@ Smoothed largestSmoothing(Smoother& smoother, const BSplineCurve& curve, double 
 
 }  // namespace
 
-CurveFairness fairnessOf(const BSplineCurve& curve) {
+CurveFairness fairnessOf(const BSplineCurve& curve, const Progress& progress) {
   requirePolynomial(curve);
   const Poles poles = polesOf(curve);
   CurveFairness result{
@@ -168,6 +170,7 @@ CurveFairness fairnessOf(const BSplineCurve& curve) {
   const int count = static_cast<int>(spline.knots.size()) - 1;
   double before = 0;
   for (int i = 0; i < count; ++i) {
+    checkProgress(progress, static_cast<double>(i) / count);
     const BezierCurve piece = segment(spline, i);
     try {
       const CurvatureProfile profile =
@@ -187,22 +190,25 @@ CurveFairness fairnessOf(const BSplineCurve& curve) {
 }
 
 FairedCurve fairCurve(const BSplineCurve& curve, double tolerance_mm,
-                      const CurveFairingOptions& options) {
+                      const CurveFairingOptions& options, const Progress& progress) {
+  // Choices: about the shares of the time that curves of many spans need.
+  constexpr double measured = 0.3, smoothed = 0.7;
   FairedCurve result;
-  result.before = fairnessOf(curve);
+  result.before = fairnessOf(curve, partOf(progress, 0, measured));
   requireTolerance(tolerance_mm);
   result.curve = curve;
   result.after = result.before;
   Smoother smoother(curve, options.ends);
   if (tolerance_mm == 0 || smoother.freeCount() == 0) return result;
-  const Smoothed found = largestSmoothing(smoother, curve, tolerance_mm);
+  const Smoothed found =
+      largestSmoothing(smoother, curve, tolerance_mm, partOf(progress, measured, smoothed));
   result.steps = found.steps;
   const Poles poles = polesOf(curve) + found.moves;
   if (!(energyOf(smoother.energy(), poles) < result.before.energy)) return result;
   result.curve = withPoles(curve, poles);
   result.moved_mm = found.moved_mm;
   result.smoothing = found.smoothing;
-  result.after = fairnessOf(result.curve);
+  result.after = fairnessOf(result.curve, partOf(progress, smoothed, 1));
   return result;
 }
 

@@ -235,10 +235,12 @@ void append(FittedPart& to, const FittedPart& part) {
   to.distance_mm = std::max(to.distance_mm, part.distance_mm);
 }
 
-FittedPart fitRun(const PlanarCurve& curve, const SmoothRun& run, double tolerance_mm) {
+FittedPart fitRun(const PlanarCurve& curve, const SmoothRun& run, double tolerance_mm,
+                  const Progress& progress) {
   FittedPart result;
   double u = run.begin, direction_rad = run.begin_direction_rad, guess = 1;
   while (u < run.end) {
+    checkProgress(progress, u / curve.count());
     const FittedStep step = longestStep(curve, run, u, direction_rad, guess, tolerance_mm);
     append(result, step.part);
     guess = step.end - u;
@@ -287,7 +289,7 @@ double turnAt(const CurveFrame& before, const CurveFrame& after) {
 
 }  // namespace
 
-ArcFit fitArcs(const BezierSpline& spline, const ArcFitOptions& options) {
+ArcFit fitArcs(const BezierSpline& spline, const ArcFitOptions& options, const Progress& progress) {
   requireValid(spline);
   if (!(options.tolerance_mm > 0 && std::isfinite(options.tolerance_mm)))
     refuse(fmt::format("the tolerance is {} mm: it must be positive and finite",
@@ -303,7 +305,10 @@ ArcFit fitArcs(const BezierSpline& spline, const ArcFitOptions& options) {
   if (spline.closed) turns_rad[0] = turns_rad[n] = turnAt(curve.endOf(n - 1), curve.startOf(0));
   const auto isCorner = [&](int joint) { return std::abs(turns_rad[joint]) > options.corner_rad; };
   std::vector<std::optional<FittedPart>> exact;
-  for (int i = 0; i < n; ++i) exact.push_back(exactArc(curve, i, options.tolerance_mm));
+  for (int i = 0; i < n; ++i) {
+    checkProgress(progress, 0);
+    exact.push_back(exactArc(curve, i, options.tolerance_mm));
+  }
 
   FittedPart fitted;
   ArcFit result = {.arcs = {}, .corners = {}, .closed = spline.closed};
@@ -327,7 +332,7 @@ ArcFit fitArcs(const BezierSpline& spline, const ArcFitOptions& options) {
                                                   share(i, i > 0 && exact[i - 1].has_value()),
                            .end_direction_rad = curve.endOf(end - 1).direction_rad +
                                                 share(end, end < n && exact[end].has_value())};
-    append(fitted, fitRun(curve, run, options.tolerance_mm));
+    append(fitted, fitRun(curve, run, options.tolerance_mm, progress));
     i = end;
   }
   result.arcs = std::move(fitted.arcs);

@@ -119,7 +119,8 @@ struct FittedRun {
 };
 
 std::optional<ClothoidSpline> splineThrough(const FittedCurve& curve, const ClothoidRun& run,
-                                            const std::vector<double>& parameters) {
+                                            const std::vector<double>& parameters,
+                                            const Progress& progress) {
   const std::size_t count = parameters.size() - (run.closed ? 1 : 0);
   PlanarPoints points(static_cast<Eigen::Index>(count), 2);
   for (std::size_t i = 0; i < count; ++i)
@@ -132,24 +133,27 @@ std::optional<ClothoidSpline> splineThrough(const FittedCurve& curve, const Clot
     options.end.direction_rad = curve.direction_rad(run.end - 1, 1);
   }
   try {
-    return clothoidSpline(points, options);
+    return clothoidSpline(points, options, progress);
   } catch (const std::domain_error&) {  // points are too far apart for the turn between them
     return std::nullopt;
   }
 }
 
-FittedRun fitClothoidRun(const FittedCurve& curve, const ClothoidRun& run, double tolerance_mm) {
+FittedRun fitClothoidRun(const FittedCurve& curve, const ClothoidRun& run, double tolerance_mm,
+                         const Progress& progress) {
   // Four pieces of a closed run turn by a right angle each.
   const int first_pieces = run.closed ? 4 : 1;
   std::vector<double> parameters;
   for (int i = 0; i <= first_pieces; ++i)
     parameters.push_back(run.begin + static_cast<double>(i) * (run.end - run.begin) / first_pieces);
   constexpr double shortest = 0x1p-20;
-  while (true) {
-    const std::optional<ClothoidSpline> spline = splineThrough(curve, run, parameters);
+  for (int round = 0;; ++round) {
+    const Progress of_round = partOf(progress, shareAfter(round), shareAfter(round));
+    const std::optional<ClothoidSpline> spline = splineThrough(curve, run, parameters, of_round);
     FittedRun result;
     std::vector<double> finer = {parameters.front()};
     for (std::size_t i = 0; i + 1 < parameters.size(); ++i) {
+      checkProgress(of_round, 0);
       const Interval range = {parameters[i], parameters[i + 1]};
       std::optional<double> distance_mm;
       if (spline) distance_mm = clothoidDistance(curve, range, spline->pieces[i], tolerance_mm);
@@ -175,7 +179,8 @@ FittedRun fitClothoidRun(const FittedCurve& curve, const ClothoidRun& run, doubl
 
 }  // namespace
 
-ClothoidFit fitClothoids(const BezierSpline& spline, const ClothoidFitOptions& options) {
+ClothoidFit fitClothoids(const BezierSpline& spline, const ClothoidFitOptions& options,
+                         const Progress& progress) {
   requireValid(spline);
   if (!(options.tolerance_mm > 0 && std::isfinite(options.tolerance_mm)))
     refuse(fmt::format("the tolerance is {} mm: it must be positive and finite",
@@ -201,8 +206,10 @@ ClothoidFit fitClothoids(const BezierSpline& spline, const ClothoidFitOptions& o
     // A closed curve without a corner at its beginning gets none: both runs there have its tangent.
     if (i > 1 || (spline.closed && !smooth && isCorner(0)))
       result.corners.push_back(static_cast<int>(result.pieces.size()));
+    const double whole = n;
     const FittedRun fitted = fitClothoidRun(
-        curve, {.begin = cuts[i - 1], .end = cuts[i], .closed = smooth}, options.tolerance_mm);
+        curve, {.begin = cuts[i - 1], .end = cuts[i], .closed = smooth}, options.tolerance_mm,
+        partOf(progress, cuts[i - 1] / whole, cuts[i] / whole));
     result.pieces.insert(result.pieces.end(), fitted.pieces.begin(), fitted.pieces.end());
     result.distance_mm = std::max(result.distance_mm, fitted.distance_mm);
   }

@@ -143,7 +143,8 @@ EndCurvatures endCurvatures(const Clothoid& piece, const ChordAngles& angles) {
   return result;
 }
 
-ClothoidSpline clothoidSpline(const PlanarPoints& points, const ClothoidSplineOptions& options) {
+ClothoidSpline clothoidSpline(const PlanarPoints& points, const ClothoidSplineOptions& options,
+                              const Progress& progress) {
   for (const ClothoidEnd& end : {options.start, options.end}) {
     if (!std::isfinite(end.curvature_per_mm))
       refuse(fmt::format("the curvature at an end is {} per mm", end.curvature_per_mm));
@@ -158,6 +159,7 @@ ClothoidSpline clothoidSpline(const PlanarPoints& points, const ClothoidSplineOp
   spline.closed = options.closed;
   spline.directions_rad = firstDirections(points, options);
   const SplineEquations equations(points, options);
+  checkProgress(progress, 0);
   Attempt now = equations.attempt(spline.directions_rad);
   // Bounds against endless loops: Newton's method doubles the digits near the solution, and a step
   // that must be halved more than ten times makes no progress.
@@ -165,10 +167,12 @@ ClothoidSpline clothoidSpline(const PlanarPoints& points, const ClothoidSplineOp
   // Jumps times chords are differences of angles, which have a rounding of some eps each.
   const double rounding = std::pow(64 * machine_epsilon, 2) * static_cast<double>(points.rows());
   while (now.miss > rounding && spline.steps < most_steps) {
+    checkProgress(progress, shareAfter(spline.steps));
     Eigen::VectorXd change = equations.step(now);
     std::vector<double> next = plus(spline.directions_rad, change);
     Attempt tried = equations.attempt(next);
     for (int halvings = 0; tried.miss >= now.miss && halvings < most_halvings; ++halvings) {
+      checkProgress(progress, shareAfter(spline.steps));
       change /= 2;
       next = plus(spline.directions_rad, change);
       tried = equations.attempt(next);

@@ -6,6 +6,7 @@
 
 #include <seamwright/core/planar/biarc_spline.hpp>
 #include <seamwright/core/planar/clothoid.hpp>
+#include <seamwright/core/progress.hpp>
 
 namespace seamwright {
 
@@ -42,9 +43,10 @@ struct ClothoidSpline {
 /// derivatives, in O(n) for each step.
 /// \throws std::invalid_argument as tangentsAt() does, and for a curvature that is not finite.
 /// Throws std::domain_error as tangentsAt() and clothoid() do, and if the steps do not converge,
-/// with the curvature jump that is left: then points have to be inserted.
+/// with the curvature jump that is left: then points have to be inserted. Throws Cancelled, see
+/// Progress; it is called before each step.
 /// Source: docs/theory/planar.md P4.4.
-ClothoidSpline clothoidSpline(const PlanarPoints& points,
-                              const ClothoidSplineOptions& options = {});
+ClothoidSpline clothoidSpline(const PlanarPoints& points, const ClothoidSplineOptions& options = {},
+                              const Progress& progress = {});
 
 }  // namespace seamwright

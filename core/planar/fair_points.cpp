@@ -135,7 +135,8 @@ double stepToBound(const Eigen::ArrayXd& values, const Eigen::ArrayXd& changes) 
 /// A primal-dual interior-point method: lower and upper are the multipliers of share >= -1 and
 /// share <= 1, and the barrier falls with their complementarity. At the minimum of the linearised
 /// problem the energy is at most twice the complementarity above the least one.
-InteriorPoint leastEnergy(const MovablePoints& problem, double negligible, int max_steps) {
+InteriorPoint leastEnergy(const MovablePoints& problem, double negligible, int max_steps,
+                          const Progress& progress) {
   // The energy is computed to at least six digits of its least value.
   constexpr double precision = 1e-6;
   // By how much the barrier falls in each step.
@@ -148,6 +149,7 @@ InteriorPoint leastEnergy(const MovablePoints& problem, double negligible, int m
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>>
       factor;
   while (result.steps < max_steps) {
+    checkProgress(progress, shareAfter(result.steps));
     const PlanarPoints points = moved(problem, result.shares);
     const Eigen::SparseMatrix<double> slopes = jacobian(problem, points);
     const Eigen::ArrayXd below = 1 + result.shares.array(), above = 1 - result.shares.array();
@@ -167,8 +169,10 @@ InteriorPoint leastEnergy(const MovablePoints& problem, double negligible, int m
     const double slope = barrier_gradient.dot(change);
     // Armijo's rule; 2^-40 of a step is not a step.
     while (step > 0x1p-40 && barrierValue(problem, result.shares + step * change, barrier) >
-                                 value + 1e-4 * step * slope)
+                                 value + 1e-4 * step * slope) {
+      checkProgress(progress, shareAfter(result.steps));
       step /= 2;
+    }
     if (step <= 0x1p-40) step = 0;
     result.shares += step * change;
 
@@ -212,14 +216,14 @@ void requireTolerances(const Eigen::VectorXd& tolerances_mm, Index count) {
 }
 
 FairedPoints fairPoints(const PlanarPoints& points, const Eigen::VectorXd& tolerances_mm,
-                        const PointFairingOptions& options) {
+                        const PointFairingOptions& options, const Progress& progress) {
   const PointFairness before = fairnessOf(points, options.closed);
   requireTolerances(tolerances_mm, points.rows());
   const MovablePoints problem = movablePoints(points, tolerances_mm, options);
   InteriorPoint found;
   found.converged = true;
   if (problem.count() > 0 && before.energy_per_mm3 > before.rounding_per_mm3)
-    found = leastEnergy(problem, before.rounding_per_mm3 / 2, options.max_steps);
+    found = leastEnergy(problem, before.rounding_per_mm3 / 2, options.max_steps, progress);
   FairedPoints result =
       compared(points, found.steps > 0 ? moved(problem, found.shares) : points, options.closed);
   if (!(result.after.energy_per_mm3 < before.energy_per_mm3))

@@ -92,12 +92,14 @@ py::object fairedCurveResult(const py::object& curve, const py::object& toleranc
 
 py::object fairCurveOf(const py::object& curve, const py::object& tolerance_mm,
                        const py::object& ends) {
-  return fairedCurveResult(curve, tolerance_mm, ends, fairCurve);
+  return fairedCurveResult(curve, tolerance_mm, ends,
+                           [](const auto&... arguments) { return fairCurve(arguments...); });
 }
 
 py::object fairKnotsOf(const py::object& curve, const py::object& tolerance_mm,
                        const py::object& ends) {
-  return fairedCurveResult(curve, tolerance_mm, ends, fairKnots);
+  return fairedCurveResult(curve, tolerance_mm, ends,
+                           [](const auto&... arguments) { return fairKnots(arguments...); });
 }
 
 BSplineCurve fairedAtKnotOf(const py::object& curve, const py::object& index,
