@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <seamwright/core/fair/fair_curve.hpp>
 #include <seamwright/core/planar/arc_conics.hpp>
 #include <seamwright/core/planar/arc_fit.hpp>
@@ -68,14 +67,14 @@ SmoothCurve splineOf(const std::vector<Clothoid>& pieces, bool closed, double to
 
 /// That of the model; of points with a tolerance the clothoids through them, which are smoother
 /// than biarcs, so that fewer arcs are near; of points without one the biarcs through them.
-SmoothCurve curveOf(const GivenCurve& given, double tolerance_mm) {
+SmoothCurve curveOf(const GivenCurve& given, double tolerance_mm, const Progress& progress) {
   if (given.points.rows() == 0)
-    return {.chain = given.chain, .figures = figuresFrom(figuresOf(given.chain))};
+    return {.chain = given.chain, .figures = figuresFrom(figuresOf(given.chain, progress))};
   if (tolerance_mm == 0 || given.points.rows() < 3) return biarcsThrough(given);
   constexpr double share = 0.05;
   const bool closed = given.record.closed;
   try {
-    return splineOf(clothoidSpline(given.points, {.closed = closed}).pieces, closed,
+    return splineOf(clothoidSpline(given.points, {.closed = closed}, progress).pieces, closed,
                     share * tolerance_mm);
   } catch (const std::domain_error&) {  // the points are too few for their turns
     return biarcsThrough(given);
@@ -96,25 +95,30 @@ int linesIn(const std::vector<PlanarArc>& arcs) {
 }
 
 /// Arcs near the curve; with a tolerance of 0 the biarcs through points themselves.
-ArcFit arcsNear(const GivenCurve& given, const SmoothCurve& curve, double tolerance_mm) {
+ArcFit arcsNear(const GivenCurve& given, const SmoothCurve& curve, double tolerance_mm,
+                const Progress& progress) {
   if (given.points.rows() > 0 && tolerance_mm == 0) {
     ArcFit fit{.arcs = {}, .corners = {}, .closed = curve.chain.closed};
     for (const ChainCurve& arc : curve.chain.curves) fit.arcs.push_back(std::get<PlanarArc>(arc));
     return fit;
   }
   ArcFit fit = fitArcs(bezierSpline(curve.chain, gapOf(given, curve.chain)),
-                       {.tolerance_mm = tolerance_mm - curve.distance_mm});
+                       {.tolerance_mm = tolerance_mm - curve.distance_mm}, progress);
   fit.distance_mm += curve.distance_mm;
   return fit;
 }
 
 MadeCurve madeArcs(const GivenCurve& given, const CurveTask& task) {
-  SmoothCurve curve = curveOf(given, task.tolerance_mm);
-  ArcFit fit = arcsNear(given, curve, task.tolerance_mm);
+  // Choices of shares: the clothoids take about a tenth of the time, two chains of arcs the rest.
+  constexpr double curve_share = 0.1, first_share = 0.55;
+  SmoothCurve curve = curveOf(given, task.tolerance_mm, partOf(task.progress, 0, curve_share));
+  ArcFit fit =
+      arcsNear(given, curve, task.tolerance_mm, partOf(task.progress, curve_share, first_share));
   if (given.points.rows() > 0 && task.tolerance_mm > 0) {
     // Points of a circle or a line are on one arc, which biarcs find.
     SmoothCurve biarcs = biarcsThrough(given);
-    ArcFit other = arcsNear(given, biarcs, task.tolerance_mm);
+    ArcFit other =
+        arcsNear(given, biarcs, task.tolerance_mm, partOf(task.progress, first_share, 1));
     if (other.arcs.size() < fit.arcs.size()) {
       curve = std::move(biarcs);
       fit = std::move(other);
@@ -150,15 +154,16 @@ MadeCurve madeClothoids(const GivenCurve& given, const CurveTask& task) {
   if (given.points.rows() > 0) {
     made.record.distance_mm = 0;
     made.record.before = biarcsThrough(given).figures;
-    takeClothoids(made, clothoidSpline(given.points, {.closed = given.record.closed}).pieces,
-                  task.tolerance_mm);
+    takeClothoids(
+        made, clothoidSpline(given.points, {.closed = given.record.closed}, task.progress).pieces,
+        task.tolerance_mm);
     return made;
   }
   const ClothoidFit fit = fitClothoids(bezierSpline(given.chain, gapOf(given, given.chain)),
-                                       {.tolerance_mm = task.tolerance_mm});
+                                       {.tolerance_mm = task.tolerance_mm}, task.progress);
   made.record.corners = static_cast<int>(fit.corners.size());
   made.record.distance_mm = fit.distance_mm;
-  made.record.before = figuresFrom(figuresOf(given.chain));
+  made.record.before = figuresFrom(figuresOf(given.chain, partOf(task.progress, 1, 1)));
   takeClothoids(made, fit.pieces, task.tolerance_mm);
   return made;
 }
@@ -171,13 +176,13 @@ void noteJoints(report::CurveRecord& record, std::size_t g1_joints) {
 }
 
 /// Conics near arcs, with a bound of their distance even if it is above the tolerance.
-ArcConics conicsNear(const ArcFit& fit, double tolerance_mm) {
+ArcConics conicsNear(const ArcFit& fit, double tolerance_mm, const Progress& progress) {
   ArcConics conics;
   constexpr double factor = 16;
   double limit_mm = tolerance_mm;
   for (int attempt = 0; attempt < 5; ++attempt, limit_mm *= factor) {
-    conics =
-        g2ConicsNear({.arcs = fit.arcs, .corners = fit.corners, .closed = fit.closed}, limit_mm);
+    conics = g2ConicsNear({.arcs = fit.arcs, .corners = fit.corners, .closed = fit.closed},
+                          limit_mm, progress);
     if (std::isfinite(conics.distance_mm)) break;
   }
   return conics;
@@ -185,16 +190,19 @@ ArcConics conicsNear(const ArcFit& fit, double tolerance_mm) {
 
 /// The conics of arcs that leave room for the distance that G2 costs.
 MadeCurve madeConics(const GivenCurve& given, const CurveTask& task) {
-  const SmoothCurve curve = curveOf(given, task.tolerance_mm);
+  const SmoothCurve curve = curveOf(given, task.tolerance_mm, partOf(task.progress, 0, 0));
   MadeCurve made{.record = given.record};
   made.record.before = curve.figures;
   const bool through_points = task.tolerance_mm == 0;
   // Closer arcs bring closer conics; the last attempt is kept with the distance it has.
+  int attempts = 0;
   for (double share = 0.5; share >= 0x1p-9; share /= 4) {
-    task.check();
-    const ArcFit fit = arcsNear(given, curve, share * task.tolerance_mm + curve.distance_mm);
-    const ArcConics conics =
-        conicsNear(fit, through_points ? 1e-3 * made.record.before.length_mm : task.tolerance_mm);
+    const Progress progress = partOf(task.progress, shareAfter(attempts), shareAfter(attempts));
+    ++attempts;
+    const ArcFit fit =
+        arcsNear(given, curve, share * task.tolerance_mm + curve.distance_mm, progress);
+    const ArcConics conics = conicsNear(
+        fit, through_points ? 1e-3 * made.record.before.length_mm : task.tolerance_mm, progress);
     const double distance_mm = conics.distance_mm + fit.distance_mm;
     made.chain = {.curves = {conics.conics.begin(), conics.conics.end()}, .closed = fit.closed};
     made.record.pieces = static_cast<int>(conics.conics.size());
@@ -208,7 +216,7 @@ MadeCurve madeConics(const GivenCurve& given, const CurveTask& task) {
   }
   if (!made.record.reached)
     made.record.notes.push_back("the conics are not certainly within the tolerance");
-  made.record.after = figuresFrom(figuresOf(made.chain));
+  made.record.after = figuresFrom(figuresOf(made.chain, partOf(task.progress, 1, 1)));
   return made;
 }
 
@@ -253,6 +261,7 @@ void noteTurns(report::CurveRecord& record, const FairedClothoids& faired) {
 }
 
 MadeCurve madeFairPoints(const GivenCurve& given, const CurveTask& task) {
+  constexpr double fair_share = 0.8;  // a choice: of the time
   const bool closed = given.record.closed;
   const Eigen::VectorXd tolerances =
       Eigen::VectorXd::Constant(given.points.rows(), task.tolerance_mm);
@@ -284,22 +293,24 @@ bool isPolynomial(const BSplineCurve& curve) {
 
 MadeCurve madeFairSplines(const GivenCurve& given, const CurveTask& task) {
   MadeCurve made{.record = given.record};
-  made.record.before = figuresFrom(figuresOf(given.chain));
+  made.record.before = figuresFrom(figuresOf(given.chain, partOf(task.progress, 0, 0)));
   made.chain.closed = given.chain.closed;
+  const auto whole = static_cast<double>(given.chain.curves.size());
   double moved_mm = 0;
   int kept = 0;
   // Neighbours meet in position and tangent, and so do the ends of a closed chain.
   const bool joins = given.chain.closed || given.chain.curves.size() > 1;
   const CurveFairingOptions options{.ends = joins ? HeldEnds::Tangent : HeldEnds::Position};
   for (const ChainCurve& curve : given.chain.curves) {
-    task.check();
+    const double done = static_cast<double>(made.chain.curves.size()) / whole;
     const auto* spline = std::get_if<BSplineCurve>(&curve);
     if (!spline || spline->degree < 2 || !isPolynomial(*spline)) {
       made.chain.curves.push_back(curve);
       ++kept;
       continue;
     }
-    const FairedCurve faired = fairCurve(*spline, task.tolerance_mm, options);
+    const FairedCurve faired = fairCurve(*spline, task.tolerance_mm, options,
+                                         partOf(task.progress, done, done + 1 / whole));
     moved_mm = std::max(moved_mm, faired.moved_mm);
     made.chain.curves.emplace_back(faired.curve);
     made.record.pieces += bezierSpline(faired.curve).segments();
@@ -309,7 +320,7 @@ MadeCurve madeFairSplines(const GivenCurve& given, const CurveTask& task) {
     made.record.notes.push_back(fmt::format(
         "{} curve{} as given: only polynomial B-splines of degree 2 and more are faired", kept,
         kept == 1 ? " stays" : "s stay"));
-  made.record.after = figuresFrom(figuresOf(made.chain));
+  made.record.after = figuresFrom(figuresOf(made.chain, partOf(task.progress, 1, 1)));
   return made;
 }
 
@@ -341,7 +352,7 @@ const std::vector<std::string>& curveMethods() {
 }
 
 MadeCurve madeCurve(const std::string& method, const GivenCurve& given, const CurveTask& task) {
-  task.check();
+  checkProgress(task.progress, 0);
   if (given.points.rows() == 0 && method != "fair" && !(task.tolerance_mm > 0))
     throw std::invalid_argument("--tolerance is 0 mm: curves of a model need more");
   MadeCurve made = madeBy(method, given, task);

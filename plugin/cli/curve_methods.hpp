@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <functional>
 #include <seamwright/core/planar/clothoid.hpp>
 #include <seamwright/core/planar/planar_chain.hpp>
+#include <seamwright/core/progress.hpp>
 #include <seamwright/plugin/report/curve_json.hpp>
 #include <string>
 #include <vector>
@@ -30,14 +30,13 @@ struct MadeCurve {
 
 struct CurveTask {
   double tolerance_mm = 0;
-  bool closed = false;
-  std::function<void()> check = [] {};  ///< called often; throws if the work has to stop
+  Progress progress = {};
 };
 
 /// Names of the methods: "arcs", "clothoid", "conic", "fair".
 const std::vector<std::string>& curveMethods();
 
-/// \throws std::domain_error and std::invalid_argument as the functions of core do.
+/// \throws std::domain_error, std::invalid_argument and Cancelled as the functions of core do.
 MadeCurve madeCurve(const std::string& method, const GivenCurve& given, const CurveTask& task);
 
 }  // namespace seamwright::cli

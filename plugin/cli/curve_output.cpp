@@ -44,7 +44,7 @@ struct DrawnOutline {
   double distance_mm = 0;
 };
 
-DrawnOutline drawn(const MadeCurve& curve, double drawn_mm) {
+DrawnOutline drawn(const MadeCurve& curve, double drawn_mm, const Progress& progress) {
   if (areArcs(curve.chain)) {
     DrawnOutline result{{{}, curve.chain.closed}, 0};
     for (const ChainCurve& arc : curve.chain.curves)
@@ -52,7 +52,8 @@ DrawnOutline drawn(const MadeCurve& curve, double drawn_mm) {
     return result;
   }
   const double gap_mm = 1e-9 * (1 + curve.record.after.length_mm);
-  const ArcFit fit = fitArcs(bezierSpline(curve.chain, gap_mm), {.tolerance_mm = drawn_mm});
+  const ArcFit fit =
+      fitArcs(bezierSpline(curve.chain, gap_mm), {.tolerance_mm = drawn_mm}, progress);
   return {{fit.arcs, fit.closed}, fit.distance_mm + curve.chain_distance_mm};
 }
 
@@ -157,13 +158,16 @@ void requireCurveOutputs(const std::string& input, const OutputArguments& argume
 }
 
 CurveText curveText(CurveFormat format, const std::string& method,
-                    const std::vector<MadeCurve>& curves, double drawn_mm) {
+                    const std::vector<MadeCurve>& curves, double drawn_mm,
+                    const Progress& progress) {
   requireOnePlane(curves);
   CurveText result;
   std::vector<ArcOutline> outlines;
   if (format != CurveFormat::Csv || method == "arcs")
     for (const MadeCurve& curve : curves) {
-      DrawnOutline one = drawn(curve, drawn_mm);
+      const auto done = static_cast<double>(outlines.size()),
+                 whole = static_cast<double>(curves.size());
+      DrawnOutline one = drawn(curve, drawn_mm, partOf(progress, done / whole, (done + 1) / whole));
       result.distance_mm = std::max(result.distance_mm, one.distance_mm);
       outlines.push_back(std::move(one.outline));
     }
