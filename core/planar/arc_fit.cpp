@@ -287,6 +287,20 @@ double turnAt(const CurveFrame& before, const CurveFrame& after) {
   return wrapped(after.direction_rad - before.direction_rad);
 }
 
+/// With a tolerance near the rounding that alongCircle() adds to each bound, pieces become ever
+/// shorter before one is refused.
+void requireAboveNoise(const BezierSpline& spline, double tolerance_mm) {
+  double size_mm = 0;
+  for (const auto& pole : spline.poles.rowwise())
+    size_mm = std::max(size_mm, pole.head<2>().cwiseAbs().maxCoeff() / pole(3));
+  // Two points and their distance, and an eighth of the tolerance at most.
+  const double noise_mm = 8 * 3 * machine_epsilon * size_mm;
+  if (tolerance_mm < noise_mm)
+    throw std::domain_error(fmt::format(
+        "the tolerance {:.3g} mm is below {:.3g} mm, the rounding of coordinates of {:.3g} mm",
+        tolerance_mm, noise_mm, size_mm));
+}
+
 }  // namespace
 
 ArcFit fitArcs(const BezierSpline& spline, const ArcFitOptions& options, const Progress& progress) {
@@ -297,6 +311,7 @@ ArcFit fitArcs(const BezierSpline& spline, const ArcFitOptions& options, const P
   if (!(options.corner_rad > 0 && options.corner_rad < std::numbers::pi))
     refuse(
         fmt::format("the corner angle is {} rad: it must be between 0 and pi", options.corner_rad));
+  requireAboveNoise(spline, options.tolerance_mm);
   const PlanarCurve curve = planarCurve(spline);
   const int n = curve.count();
   // Turns at the joints 0 to n; an open end has none.

@@ -6,6 +6,7 @@
 #include <map>
 #include <seamwright/core/angle.hpp>
 #include <seamwright/core/planar/arc_fit.hpp>
+#include <seamwright/core/planar/local_origin.hpp>
 #include <seamwright/occ_adapter/model/write.hpp>
 #include <seamwright/plugin/cli/curve_drawing.hpp>
 #include <seamwright/plugin/cli/curve_output.hpp>
@@ -51,10 +52,14 @@ DrawnOutline drawn(const MadeCurve& curve, double drawn_mm, const Progress& prog
       result.outline.arcs.push_back(std::get<PlanarArc>(arc));
     return result;
   }
-  const double gap_mm = 1e-9 * (1 + curve.record.after.length_mm);
-  const ArcFit fit =
-      fitArcs(bezierSpline(curve.chain, gap_mm), {.tolerance_mm = drawn_mm}, progress);
-  return {{fit.arcs, fit.closed}, fit.distance_mm + curve.chain_distance_mm};
+  const Eigen::Vector2d origin = localOrigin(curve.chain);
+  const double rounding_mm = roundingAt_mm(origin);
+  const double gap_mm = 1e-9 * (1 + curve.record.after.length_mm) + 2 * rounding_mm;
+  ArcFit fit = fitArcs(bezierSpline(moved(curve.chain, -origin), gap_mm),
+                       {.tolerance_mm = drawn_mm}, progress);
+  for (PlanarArc& arc : fit.arcs) arc.start += origin;
+  return {{std::move(fit.arcs), fit.closed},
+          fit.distance_mm + 2 * rounding_mm + curve.chain_distance_mm};
 }
 
 void requireOnePlane(const std::vector<MadeCurve>& curves) {
