@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
@@ -10,8 +9,8 @@
 
 #include <seamwright/core/bezier/homogeneous.hpp>
 #include <seamwright/core/bspline/basis.hpp>
-#include <seamwright/core/fair/curvature_profile.hpp>
 #include <seamwright/core/fair/fair_curve.hpp>
+#include <seamwright/core/fair/profile_sum.hpp>
 #include <seamwright/core/fair/spline_energy.hpp>
 #include <seamwright/core/numeric.hpp>
 #include <seamwright/core/spline/bezier_spline.hpp>
@@ -59,16 +58,6 @@ double largestPole_mm(const BSplineCurve& knots, const Poles& poles) {
   BSplineCurve difference{knots.degree, knots.knots, HomogeneousPoles(poles.rows(), 4)};
   difference.poles << poles, Eigen::VectorXd::Ones(poles.rows());
   return bezierSpline(difference).poles.leftCols<3>().rowwise().norm().maxCoeff();
-}
-
-/// The derivative of the signed curvature or, in space, of its size by the parameter, from the
-/// derivatives up to order 3.
-double curvatureSlope(const CurveDerivatives& at, bool planar) {
-  const Eigen::RowVector3d first = at.row(1), second = at.row(2), third = at.row(3);
-  const Eigen::RowVector3d turn = first.cross(second), change = first.cross(third);
-  const double square = first.squaredNorm(), along = first.dot(second);
-  if (planar) return change.z() * square - 3 * along * turn.z();
-  return turn.dot(change) * square - 3 * along * turn.squaredNorm();
 }
 
 /// The poles that are free if the ends are held.
@@ -165,27 +154,17 @@ CurveFairness fairnessOf(const BSplineCurve& curve, const Progress& progress) {
   CurveFairness result{
       .energy = energyOf(derivativeProducts(curve.degree, curve.knots, energyOrder(curve.degree)),
                          poles)};
-  const bool planar = (poles.col(2).array() == 0).all();
+  ProfileSum profiles{.planar = (poles.col(2).array() == 0).all()};
   const BezierSpline spline = bezierSpline(curve);
   const int count = static_cast<int>(spline.knots.size()) - 1;
-  double before = 0;
   for (int i = 0; i < count; ++i) {
     checkProgress(progress, static_cast<double>(i) / count);
-    const BezierCurve piece = segment(spline, i);
-    try {
-      const CurvatureProfile profile =
-          planar ? planarCurvatureProfile(piece) : spaceCurvatureProfile(piece);
-      result.extrema += static_cast<int>(profile.extrema.size());
-      result.inflections += static_cast<int>(profile.inflections.size());
-      if (!profile.undecided_extrema.empty() || !profile.undecided_inflections.empty())
-        ++result.undecided_spans;
-    } catch (const std::domain_error&) {
-      ++result.undecided_spans;  // it may stop: the curvature has no certain sign
-    }
-    const double after = curvatureSlope(piece.derivatives(0, 3), planar);
-    if (before * after < 0) ++result.extrema_at_knots;
-    before = curvatureSlope(piece.derivatives(1, 3), planar);
+    profiles.add(segment(spline, i));
   }
+  result.extrema = profiles.extrema;
+  result.extrema_at_knots = profiles.extrema_at_joints;
+  result.inflections = profiles.inflections;
+  result.undecided_spans = profiles.undecided;
   return result;
 }
 

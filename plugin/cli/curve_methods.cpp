@@ -420,6 +420,18 @@ void moveBack(MadeCurve& made, const LocalCurve& local) {
     if (*distance_mm && **distance_mm > 0) **distance_mm += local.rounding_mm;
 }
 
+/// Curves through points have the extrema of the curvature that rounding of the points made.
+void noteRounding(report::CurveRecord& record, const GivenCurve& given) {
+  constexpr Eigen::Index least_points = 3;
+  if (given.rounding_mm == 0 || given.points.rows() < least_points) return;
+  const PointFairness certain = fairnessOf(given.points, record.closed, given.rounding_mm);
+  const auto extrema = static_cast<int>(certain.extrema.size());
+  if (extrema < record.before.extrema)
+    record.notes.push_back(fmt::format(
+        "{} of {} extrema before exceed what the digits of the points can make ({:.2g} mm)",
+        extrema, record.before.extrema, given.rounding_mm));
+}
+
 MadeCurve madeBy(const std::string& method, const GivenCurve& given, const CurveTask& task) {
   if (method == "arcs") return madeArcs(given, task);
   if (method == "clothoid") return madeClothoids(given, task);
@@ -443,6 +455,7 @@ MadeCurve madeCurve(const std::string& method, const GivenCurve& given, const Cu
   MadeCurve made = madeBy(method, local.given, taskOf(local, task));
   if (!local.origin.isZero(0)) moveBack(made, local);
   noteAdded(made.record);
+  noteRounding(made.record, local.given);
   return made;
 }
 

@@ -16,7 +16,8 @@ struct GivenCurve {
   report::CurveRecord record;
   PlanarPoints points;
   PlanarChain chain;
-  double gap_mm = 0;  ///< the largest gap between curves of the chain
+  double gap_mm = 0;       ///< the largest gap between curves of the chain
+  double rounding_mm = 0;  ///< of the points, by the digits of their file
 };
 
 /// What a method made of a curve.
