@@ -10,6 +10,7 @@
 #include <seamwright/core/bezier/homogeneous.hpp>
 #include <seamwright/core/bspline/basis.hpp>
 #include <seamwright/core/fair/fair_curve.hpp>
+#include <seamwright/core/fair/polynomial_curve.hpp>
 #include <seamwright/core/fair/profile_sum.hpp>
 #include <seamwright/core/fair/spline_energy.hpp>
 #include <seamwright/core/numeric.hpp>
@@ -17,12 +18,7 @@
 
 namespace seamwright {
 
-namespace {
-
 using Eigen::Index;
-
-using Band = Eigen::SparseMatrix<double>;
-using BandCholesky = Eigen::SimplicialLDLT<Band, Eigen::Lower, Eigen::NaturalOrdering<int>>;
 
 void requirePolynomial(const BSplineCurve& curve) {
   requireValid(curve);
@@ -30,12 +26,12 @@ void requirePolynomial(const BSplineCurve& curve) {
   if (curve.degree < 2) refuse("a curve of degree 1 can't be faired");
 }
 
-void requireTolerance(double tolerance_mm) {
+void requireFairingTolerance(double tolerance_mm) {
   if (!(tolerance_mm >= 0) || tolerance_mm == infinite)
     refuse(fmt::format("the tolerance is {} mm: it must be at least 0 and finite", tolerance_mm));
 }
 
-Poles polesOf(const BSplineCurve& curve) {
+Poles polynomialPoles(const BSplineCurve& curve) {
   return curve.poles.leftCols<3>() / curve.poles(0, 3);
 }
 
@@ -45,6 +41,21 @@ BSplineCurve withPoles(const BSplineCurve& curve, const Poles& poles) {
   return result;
 }
 
+double largestPole_mm(const BSplineCurve& knots, const Poles& poles) {
+  BSplineCurve difference{knots.degree, knots.knots, HomogeneousPoles(poles.rows(), 4)};
+  difference.poles << poles, Eigen::VectorXd::Ones(poles.rows());
+  return bezierSpline(difference).poles.leftCols<3>().rowwise().norm().maxCoeff();
+}
+
+FreePoles::FreePoles(Index poles, HeldEnds ends)
+    : first(std::min<Index>(static_cast<Index>(ends), (poles + 1) / 2)),
+      count(std::max<Index>(poles - 2 * first, 0)) {}
+
+namespace {
+
+using Band = Eigen::SparseMatrix<double>;
+using BandCholesky = Eigen::SimplicialLDLT<Band, Eigen::Lower, Eigen::NaturalOrdering<int>>;
+
 int energyOrder(int degree) {
   return std::min(3, degree);
 }
@@ -53,29 +64,12 @@ double energyOf(const Band& products, const Poles& poles) {
   return poles.cwiseProduct(products * poles).sum();
 }
 
-/// The largest distance of a Bézier pole of the spline with these poles from the origin.
-double largestPole_mm(const BSplineCurve& knots, const Poles& poles) {
-  BSplineCurve difference{knots.degree, knots.knots, HomogeneousPoles(poles.rows(), 4)};
-  difference.poles << poles, Eigen::VectorXd::Ones(poles.rows());
-  return bezierSpline(difference).poles.leftCols<3>().rowwise().norm().maxCoeff();
-}
-
-/// The poles that are free if the ends are held.
-struct FreePoles {
-  Index first = 0, count = 0;
-
-  FreePoles(Index poles, HeldEnds ends) {
-    first = std::min<Index>(static_cast<Index>(ends), (poles + 1) / 2);
-    count = std::max<Index>(poles - 2 * first, 0);
-  }
-};
-
 /// Moves of the poles for a smoothing: (mass + smoothing energy) x = -smoothing energy poles, for
 /// the free poles.
 class Smoother {
  public:
   Smoother(const BSplineCurve& curve, HeldEnds ends)
-      : poles_(polesOf(curve)),
+      : poles_(polynomialPoles(curve)),
         free_(poles_.rows(), ends),
         energy_(derivativeProducts(curve.degree, curve.knots, energyOrder(curve.degree))),
         mass_(block(derivativeProducts(curve.degree, curve.knots, 0))),
@@ -150,7 +144,7 @@ Smoothed largestSmoothing(Smoother& smoother, const BSplineCurve& curve, double 
 
 CurveFairness fairnessOf(const BSplineCurve& curve, const Progress& progress) {
   requirePolynomial(curve);
-  const Poles poles = polesOf(curve);
+  const Poles poles = polynomialPoles(curve);
   CurveFairness result{
       .energy = energyOf(derivativeProducts(curve.degree, curve.knots, energyOrder(curve.degree)),
                          poles)};
@@ -174,7 +168,7 @@ FairedCurve fairCurve(const BSplineCurve& curve, double tolerance_mm,
   constexpr double measured = 0.3, smoothed = 0.7;
   FairedCurve result;
   result.before = fairnessOf(curve, partOf(progress, 0, measured));
-  requireTolerance(tolerance_mm);
+  requireFairingTolerance(tolerance_mm);
   result.curve = curve;
   result.after = result.before;
   Smoother smoother(curve, options.ends);
@@ -182,7 +176,7 @@ FairedCurve fairCurve(const BSplineCurve& curve, double tolerance_mm,
   const Smoothed found =
       largestSmoothing(smoother, curve, tolerance_mm, partOf(progress, measured, smoothed));
   result.steps = found.steps;
-  const Poles poles = polesOf(curve) + found.moves;
+  const Poles poles = polynomialPoles(curve) + found.moves;
   if (!(energyOf(smoother.energy(), poles) < result.before.energy)) return result;
   result.curve = withPoles(curve, poles);
   result.moved_mm = found.moved_mm;

@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seamwright/core/fair/curvature_profile.hpp>
-#include <seamwright/core/fair/fair_curve.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
 #include <seamwright/plugin/python/curves.hpp>
-#include <seamwright/plugin/python/planar.hpp>
+#include <seamwright/plugin/python/fairness.hpp>
 #include <seamwright/plugin/python/results.hpp>
 
 namespace seamwright::python {
 
 namespace {
-
-constexpr NamedValue<HeldEnds> held_ends[] = {{"nothing", HeldEnds::Nothing},
-                                              {"position", HeldEnds::Position},
-                                              {"tangent", HeldEnds::Tangent},
-                                              {"curvature", HeldEnds::Curvature}};
 
 bool isPlanar(const CurveSegments& curve) {
   return (curve.poles().col(2).array() == 0).all();
@@ -53,16 +47,6 @@ py::object curvatureProfileOf(const py::object& given) {
   dict["monotone"] = extrema.empty() && undecided_extrema.empty();
   dict["signed"] = planar;
   return resultOf("CurvatureProfile", dict);
-}
-
-py::object curveFairnessResult(const CurveFairness& fairness) {
-  py::dict dict;
-  dict["energy"] = fairness.energy;
-  dict["extrema"] = fairness.extrema;
-  dict["extrema_at_knots"] = fairness.extrema_at_knots;
-  dict["inflections"] = fairness.inflections;
-  dict["undecided_spans"] = fairness.undecided_spans;
-  return resultOf("CurveFairness", dict);
 }
 
 py::object curveFairnessOf(const py::object& curve) {

@@ -106,8 +106,7 @@ void bindConic(py::module_& module) {
                                R"(A segment of a conic: the quadratic with the weights 1, weight, 1.
 
 start, corner, end: (2,) in mm; the tangents at the ends meet at the corner. A weight below 1 gives
-an ellipse, 1 a parabola, above 1 a hyperbola. The parameter is t, 0 .. 1; arc_length() of
-bezier_curve() measures the length. ValueError for numbers that are not finite, a weight that is not
+an ellipse, 1 a parabola, above 1 a hyperbola. The parameter is t, 0 .. 1. ValueError for numbers that are not finite, a weight that is not
 positive, and a corner at an end. Source: docs/theory/planar.md P7.1 to P7.3.
 )");
   type.def(py::init(&makeConic), py::arg("start"), py::arg("corner"), py::arg("end"),
@@ -130,6 +129,9 @@ positive, and a corner at an end. Source: docs/theory/planar.md P7.1 to P7.3.
           "hyperbola.")
       .def_property_readonly("turn_rad", &PlanarConic::turn_rad,
                              "The angle by which the tangent turns, above 0 to the left.")
+      .def_property_readonly("length_mm", &PlanarConic::length_mm,
+                             R"(The arc length, enclosed to 1e-10 of it. arc_length() of
+bezier_curve() states bounds. Source: docs/theory/curves.md C1.5.)")
       .def_property_readonly(
           "curvature_kind", [](const PlanarConic& c) { return kindName(curvatureKind(c)); },
           R"(The extrema of the size of the curvature inside, up to rounding.
