@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seamwright/core/fair/curvature_profile.hpp>
+#include <seamwright/core/fair/polish_curve.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
 #include <seamwright/plugin/python/curves.hpp>
 #include <seamwright/plugin/python/fairness.hpp>
@@ -86,6 +87,27 @@ py::object fairKnotsOf(const py::object& curve, const py::object& tolerance_mm,
                            [](const auto&... arguments) { return fairKnots(arguments...); });
 }
 
+py::object polishCurveOf(const py::object& curve, const py::object& tolerance_mm,
+                         const py::object& ends) {
+  const BSplineCurve spline = bsplineCurveOf("curve", curve);
+  const double tolerance = numberOf("tolerance_mm", tolerance_mm);
+  const CurveFairingOptions options{.ends = choiceOf("ends", ends, held_ends)};
+  const PolishedCurve polished = [&] {
+    const py::gil_scoped_release release;
+    return polishCurve(spline, tolerance, options);
+  }();
+  py::dict dict;
+  dict["curve"] = polished.curve;
+  dict["moved_mm"] = polished.moved_mm;
+  dict["before"] = curveFairnessResult(polished.before);
+  dict["after"] = curveFairnessResult(polished.after);
+  dict["variation_before_per_mm3"] = polished.variation_before_per_mm3;
+  dict["variation_after_per_mm3"] = polished.variation_after_per_mm3;
+  dict["weight_per_mm5"] = polished.weight_per_mm5;
+  dict["steps"] = polished.steps;
+  return resultOf("PolishedCurve", dict);
+}
+
 BSplineCurve fairedAtKnotOf(const py::object& curve, const py::object& index,
                             const py::object& limit_mm) {
   const BSplineCurve spline = bsplineCurveOf("curve", curve);
@@ -131,6 +153,18 @@ the energy is least; smoothing is the largest one that tolerance_mm allows, up t
 stay, bitwise. The energy does not grow; a tolerance of 0 returns the curve. ValueError for a
 tolerance that is negative or not finite, and as for curve_fairness(). Source: docs/theory/planar.md
 P11.1.
+)");
+  module.def("polish_curve", &polishCurveOf, py::arg("curve"), py::arg("tolerance_mm"),
+             py::kw_only(), py::arg("ends") = "position",
+             R"(The curve with the same knots whose curvature varies least: a PolishedCurve.
+
+curve: polynomial, of any class and of degree 3 or more, planar or in space, with continuous
+curvature. Unlike that of fair_curve() the energy, the integral of (dk/ds)^2 + (k t)^2 by arc
+length, does not depend on the parametrisation: arcs and lines have 0. No point moves by more than
+tolerance_mm, the energy does not grow, and a tolerance of 0 returns the curve. ends: as of
+fair_curve(); they join G0, G1 or G2 as before. It is a local minimum. ValueError for a tolerance
+that is negative or not finite, rational curves, lower degrees, knots at which the curvature may
+jump, and curves that stop. Source: docs/theory/planar.md P11.3, P13.4.
 )");
   module.def("fair_at_knots", &fairKnotsOf, py::arg("curve"), py::arg("tolerance_mm"),
              py::kw_only(), py::arg("ends") = "position",

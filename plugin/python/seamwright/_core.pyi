@@ -41,6 +41,7 @@ Curve = Union[
     _r.SplineWithin,
     _r.G2Conics,
     _r.FairedCurve,
+    _r.PolishedCurve,
     _r.FunctionSpline,
     _r.FairedFunction,
     _r.MatrixFit,
@@ -664,6 +665,9 @@ def curve_fairness(curve: Curve) -> _r.CurveFairness: ...
 def fair_curve(
     curve: Curve, tolerance_mm: Number, *, ends: str = "position"
 ) -> _r.FairedCurve: ...
+def polish_curve(
+    curve: Curve, tolerance_mm: Number, *, ends: str = "position"
+) -> _r.PolishedCurve: ...
 def fair_at_knots(
     curve: Curve, tolerance_mm: Number, *, ends: str = "position"
 ) -> _r.FairedCurve: ...

@@ -280,6 +280,30 @@ class FairedCurve(Result):
     steps: int
 
 
+class PolishedCurve(Result):
+    """A curve whose curvature varies less; an argument ``curve`` of others.
+
+    curve                     a BSplineCurve with the knots of the given one
+    moved_mm                  bound of the distance of points of the same parameter
+    before, after             CurveFairness
+    variation_before_per_mm3  integral of (dk/ds)^2 + (k t)^2 by arc length, with the torsion t
+    variation_after_per_mm3   likewise
+    weight_per_mm5            of the squared distance against the variation
+    steps                     of Gauss-Newton
+    """
+
+    _kinds = {"before": CurveFairness, "after": CurveFairness}
+
+    curve: BSplineCurve
+    moved_mm: float
+    before: CurveFairness
+    after: CurveFairness
+    variation_before_per_mm3: float
+    variation_after_per_mm3: float
+    weight_per_mm5: float
+    steps: int
+
+
 class CurvatureVariation(Result):
     """How much the curvature of a curve varies.
 

@@ -19,6 +19,7 @@ from ._core import (
     isolated_inflections,
     point_curvatures,
     point_fairness,
+    polish_curve,
     polish_function,
     polished_poles,
     rebound_function,
@@ -37,6 +38,7 @@ from .results import (
     FunctionSpline,
     MatrixFit,
     PointFairness,
+    PolishedCurve,
 )
 
 __all__ = [
@@ -52,6 +54,7 @@ __all__ = [
     "FunctionSpline",
     "MatrixFit",
     "PointFairness",
+    "PolishedCurve",
     "correct_function",
     "correct_function_at",
     "curvature_profile",
@@ -69,6 +72,7 @@ __all__ = [
     "isolated_inflections",
     "point_curvatures",
     "point_fairness",
+    "polish_curve",
     "polish_function",
     "polished_poles",
     "rebound_function",
