@@ -5,11 +5,14 @@ import csv
 import json
 import math
 import re
+import signal
+import subprocess
+import time
 import xml.etree.ElementTree
 
 import pytest
 
-from command import contents, expect_one_line, run
+from command import PROGRAM, contents, expect_one_line, run
 from schemas import expect_every_key_matters, expect_valid, validator
 
 VALIDATOR = validator("curve")
@@ -346,6 +349,87 @@ def test_bad_usage(tmp_path, arguments, message):
     before = contents(tmp_path)
     expect_one_line(run("curve", *arguments, cwd=tmp_path), message)
     assert contents(tmp_path) == before
+
+
+def long_input(folder):
+    """Points whose arcs take many seconds."""
+    return points_file(
+        folder, [(0.01 * i, 10 * math.sin(0.01 * i)) for i in range(30_000)], "long.csv"
+    )
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_the_time_limit_stops_a_single_curve(tmp_path, method):
+    given = long_input(tmp_path)
+    before = contents(tmp_path)
+    options = ["-o", tmp_path / "out.dxf", "--json", tmp_path / "curve.json"]
+    result = run("curve", method, given, *options, "--max-time", "0.01")
+    expect_one_line(result, "--max-time 0.01 s is over")
+    assert contents(tmp_path) == before
+
+
+def test_ctrl_c_stops_a_single_curve(tmp_path):
+    given = long_input(tmp_path)
+    before = contents(tmp_path)
+    process = subprocess.Popen(
+        [PROGRAM, "curve", "arcs", given, "-o", tmp_path / "out.dxf", "--tolerance", "1e-6"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    time.sleep(1)
+    process.send_signal(signal.SIGINT)
+    out, error = process.communicate(timeout=60)
+    assert process.returncode == 130 and out == "" and "stopped" in error
+    assert contents(tmp_path) == before
+
+
+def test_far_points_become_as_many_arcs(tmp_path):
+    near = [(x, round(y * 2**20) / 2**20) for x, y in WAVE]
+    far = [(x + 2.0**30, y + 2.0**30) for x, y in near]
+    counts = [
+        curve("arcs", points_file(tmp_path, points), out="out.csv")[1]["curves"][0]["pieces"]
+        for points in (near, [(x - 2.0**30, y - 2.0**30) for x, y in far], far)
+    ]
+    assert counts[1] == counts[2] and abs(counts[0] - counts[1]) <= 1
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize(
+    "size, options, message",
+    [
+        (1e90, [], "e+91 mm, and products of lengths above"),
+        (1e-160, [], "mm, and products of lengths below"),
+    ],
+)
+def test_sizes_beyond_the_range_are_refused(tmp_path, method, size, options, message):
+    given = points_file(tmp_path, [(size * x, size * y) for x, y in WAVE])
+    expect_one_line(run("curve", method, given, "-o", tmp_path / "out.dxf", *options), message)
+
+
+def test_a_tolerance_below_the_rounding_is_refused(tmp_path):
+    given = points_file(tmp_path, [(x + 1e9, y) for x, y in WAVE])
+    result = run("curve", "arcs", given, "-o", tmp_path / "out.dxf", "--tolerance", "1e-7")
+    expect_one_line(result, "is too small for coordinates of 1e+09 mm")
+
+
+def test_a_name_that_begins_with_a_number(tmp_path):
+    given = tmp_path / "foil.dat"
+    given.write_text("2412 airfoil\n4 0\n2 .5\n0 0\n2 -.5\n")
+    result, report, _ = curve("arcs", given)
+    assert report["curves"][0]["points"] == 4
+    assert "line 1 is taken for a name" in result.stderr
+
+
+def test_extrema_of_rounded_digits_do_not_count(tmp_path):
+    given = points_file(
+        tmp_path,
+        [(round(x, 6), round(y, 6)) for x, y in
+         ((10 * math.cos(3 * i / 2000), 10 * math.sin(3 * i / 2000)) for i in range(2000))],
+    )
+    assert curve("fair", given, "--tolerance", "0")[1]["curves"][0]["before"]["extrema"] == 0
+    notes = curve("clothoid", given)[1]["curves"][0]["notes"]
+    assert any("exceed what the digits of the points can make" in note for note in notes)
 
 
 def test_curves_of_a_model_need_a_tolerance(box):
