@@ -8,6 +8,7 @@
 #include <seamwright/core/planar/arc_fit.hpp>
 #include <seamwright/core/planar/clothoid_fit.hpp>
 #include <seamwright/core/planar/clothoid_spline.hpp>
+#include <seamwright/core/planar/conic_spline.hpp>
 #include <seamwright/core/planar/fair_clothoids.hpp>
 #include <seamwright/core/planar/local_origin.hpp>
 #include <seamwright/plugin/cli/curve_methods.hpp>
@@ -189,12 +190,28 @@ ArcConics conicsNear(const ArcFit& fit, double tolerance_mm, const Progress& pro
   return conics;
 }
 
+MadeCurve conicsThrough(const GivenCurve& given) {
+  const ConicSpline spline = conicSpline(given.points, given.record.closed);
+  MadeCurve made{.record = given.record};
+  made.chain = {.curves = {spline.conics.begin(), spline.conics.end()}, .closed = spline.closed};
+  made.record.pieces = static_cast<int>(spline.conics.size());
+  made.record.corners = static_cast<int>(spline.corners.size());
+  made.record.distance_mm = 0;
+  made.record.before = biarcsThrough(given).figures;
+  made.record.after = figuresFrom(figuresOf(made.chain));
+  noteJoints(made.record, spline.g1_joints.size());
+  if (!spline.corners.empty())
+    made.record.notes.push_back(fmt::format(
+        "{} corner{}: there are points on a line on both sides", spline.corners.size(),
+        spline.corners.size() == 1 ? "" : "s"));
+  return made;
+}
+
 /// The conics of arcs that leave room for the distance that G2 costs.
-MadeCurve madeConics(const GivenCurve& given, const CurveTask& task) {
+MadeCurve conicsNearCurve(const GivenCurve& given, const CurveTask& task) {
   const SmoothCurve curve = curveOf(given, task.tolerance_mm, partOf(task.progress, 0, 0));
   MadeCurve made{.record = given.record};
   made.record.before = curve.figures;
-  const bool through_points = task.tolerance_mm == 0;
   // Closer arcs bring closer conics; the last attempt is kept with the distance it has.
   int attempts = 0;
   for (double share = 0.5; share >= 0x1p-9; share /= 4) {
@@ -202,8 +219,7 @@ MadeCurve madeConics(const GivenCurve& given, const CurveTask& task) {
     ++attempts;
     const ArcFit fit =
         arcsNear(given, curve, share * task.tolerance_mm + curve.distance_mm, progress);
-    const ArcConics conics = conicsNear(
-        fit, through_points ? 1e-3 * made.record.before.length_mm : task.tolerance_mm, progress);
+    const ArcConics conics = conicsNear(fit, task.tolerance_mm, progress);
     const double distance_mm = conics.distance_mm + fit.distance_mm;
     made.chain = {.curves = {conics.conics.begin(), conics.conics.end()}, .closed = fit.closed};
     made.record.pieces = static_cast<int>(conics.conics.size());
@@ -212,13 +228,17 @@ MadeCurve madeConics(const GivenCurve& given, const CurveTask& task) {
         std::isfinite(distance_mm) ? std::optional(distance_mm) : std::nullopt;
     made.record.notes.clear();
     noteJoints(made.record, conics.g1_joints.size());
-    made.record.reached = through_points || distance_mm <= task.tolerance_mm;
+    made.record.reached = distance_mm <= task.tolerance_mm;
     if (made.record.reached) break;
   }
   if (!made.record.reached)
     made.record.notes.push_back("the conics are not certainly within the tolerance");
   made.record.after = figuresFrom(figuresOf(made.chain, partOf(task.progress, 1, 1)));
   return made;
+}
+
+MadeCurve madeConics(const GivenCurve& given, const CurveTask& task) {
+  return given.points.rows() > 0 ? conicsThrough(given) : conicsNearCurve(given, task);
 }
 
 CurveFigures withVariation(const ClothoidFigures& figures) {
@@ -455,6 +475,7 @@ MadeCurve madeCurve(const std::string& method, const GivenCurve& given, const Cu
   MadeCurve made = madeBy(method, local.given, taskOf(local, task));
   if (!local.origin.isZero(0)) moveBack(made, local);
   noteAdded(made.record);
+  made.record.with_reservations = method == "conic" && !made.record.notes.empty();
   noteRounding(made.record, local.given);
   return made;
 }

@@ -37,6 +37,8 @@ struct CurveRecord {
   CurveFigures before = {}, after = {};
   std::vector<std::string> notes = {};
   bool reached = true;  ///< the distance is within the tolerance, and the joints are as asked for
+  /// The notes say what falls short of the promise of the method although the distance is kept.
+  bool with_reservations = false;
 };
 
 /// The file that was written.
@@ -55,6 +57,7 @@ struct CurveReport {
   std::optional<CurveOutput> output = {};
 
   bool reached() const;
+  bool withReservations() const;
 };
 
 /// The object "seamwright.curve/1" (docs/curve-1.schema.json), lengths in mm.
