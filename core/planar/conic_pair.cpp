@@ -19,7 +19,7 @@ using Eigen::Vector2d;
 
 /// The C-shape on the chord from (0, 0) to (1, 0), turning to the left.
 struct UnitPair {
-  double alpha = 0, beta = 0;        ///< angles at start and end against the chord
+  double alpha = 0, beta = 0;           ///< angles at start and end against the chord
   double start_edge = 0, end_edge = 0;  ///< from the ends to the apex
   double start_curvature = 0, end_curvature = 0;
 
@@ -40,8 +40,8 @@ struct JointTangent {
 /// cuts off are those of a biarc: the edges beside the joint are as long as the outer ones.
 JointTangent jointTangent(const UnitPair& pair, double turn, double scale) {
   const double rest = pair.turn() - turn, whole = std::sin(pair.turn());
-  const double edge = scale * (pair.start_edge + pair.end_edge) /
-                      (1 + (std::sin(turn) + std::sin(rest)) / whole);
+  const double edge =
+      scale * (pair.start_edge + pair.end_edge) / (1 + (std::sin(turn) + std::sin(rest)) / whole);
   return {.start_share = 1 - edge * std::sin(rest) / whole / pair.start_edge,
           .end_share = 1 - edge * std::sin(turn) / whole / pair.end_edge};
 }
@@ -90,10 +90,18 @@ struct CurvatureCourse {
     if (largest - least <= same * largest) return;
     const int trend = before > start ? 1 : -1;
     switch (curvatureKind(conic)) {
-      case ConicCurvature::Monotone: go(trend); break;
-      case ConicCurvature::OneMaximum: go(1), go(-1); break;
-      case ConicCurvature::OneMinimum: go(-1), go(1); break;
-      case ConicCurvature::MaximumAndMinimum: go(trend), go(-trend), go(trend); break;
+      case ConicCurvature::Monotone:
+        go(trend);
+        break;
+      case ConicCurvature::OneMaximum:
+        go(1), go(-1);
+        break;
+      case ConicCurvature::OneMinimum:
+        go(-1), go(1);
+        break;
+      case ConicCurvature::MaximumAndMinimum:
+        go(trend), go(-trend), go(trend);
+        break;
     }
   }
 };
@@ -175,8 +183,7 @@ ConicPair fairConics(const ConicPairEnds& given) {
                     alpha, beta));
   const bool right = alpha < 0;
   // The curvature grows along the unit pair: so a pair and the reversed one are found alike.
-  const bool falls =
-      std::abs(given.start_curvature_per_mm) > std::abs(given.end_curvature_per_mm);
+  const bool falls = std::abs(given.start_curvature_per_mm) > std::abs(given.end_curvature_per_mm);
   const double sine = std::sin(std::abs(alpha + beta)), sign = right ? -1 : 1;
   UnitPair pair{.alpha = std::abs(alpha),
                 .beta = std::abs(beta),
@@ -192,8 +199,7 @@ ConicPair fairConics(const ConicPairEnds& given) {
   ConicPair result = bestPair(pair);
   const UnitChord back{.ends = given.ends, .mirrored = right, .reversed = falls};
   for (PlanarConic& conic : result.conics) conic = back.conic(conic);
-  if (falls)
-    result.conics = {reversed(result.conics[1]), reversed(result.conics[0])};
+  if (falls) result.conics = {reversed(result.conics[1]), reversed(result.conics[0])};
   return result;
 }
 

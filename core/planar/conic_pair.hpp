@@ -27,7 +27,8 @@ struct ConicPair {
 ///   (1) The pair has the points, directions and curvatures given, and joins G2. Its control
 ///       polygon is convex, so it has no inflection.
 ///   (2) Ends with the curvature of one circle give this circle.
-///   (3) With the curvatures of pairCurvature_per_mm() and a turn of at most 1.4 rad, and angles that
+///   (3) With the curvatures of pairCurvature_per_mm() and a turn of at most 1.4 rad, and angles
+///   that
 ///       differ by at most the factor 10, the curvature is monotone.
 ///   (4) Mirrored, reversed, moved and scaled ends give the mirrored, reversed, moved and scaled
 ///       pair.

@@ -175,8 +175,7 @@ void insertInflections(NodeChain& chain) {
     if (start.is_line || start.turn_sign * end.turn_sign >= 0) continue;
     // Where a curvature is 0 that is linear along the chord.
     const double before = circleCurvature(chain, s), after = circleCurvature(chain, s + 1);
-    places.emplace_back(s + 1,
-                        start.point + before / (before + after) * (end.point - start.point));
+    places.emplace_back(s + 1, start.point + before / (before + after) * (end.point - start.point));
   }
   for (auto place = places.rbegin(); place != places.rend(); ++place)
     chain.insert(place->first,
@@ -285,11 +284,10 @@ int divideWideSpans(NodeChain& chain) {
     if (start + end <= most_pair_turn_rad) continue;
     const int side = chain.side(s);
     const double way_mm = node.chord_mm * std::sin(end / 2) / std::sin((start + end) / 2);
-    chain.insert(s + 1,
-                 {.point = node.point + way_mm * unitVector(node.chord_direction_rad -
-                                                            side * start / 2),
-                  .turn_sign = side,
-                  .inserted = true});
+    chain.insert(s + 1, {.point = node.point +
+                                  way_mm * unitVector(node.chord_direction_rad - side * start / 2),
+                         .turn_sign = side,
+                         .inserted = true});
     ++divided;
   }
   if (divided > 0) measureChords(chain);
@@ -325,7 +323,8 @@ double curvatureAt(const NodeChain& chain, Index i, bool after) {
       return circle * circle / curvatureAt(chain, after ? i + 1 : i - 1, !after);
     }
     case NodeKind::Line:
-    case NodeKind::Inflection: break;
+    case NodeKind::Inflection:
+      break;
   }
   return pairCurvature_per_mm({.chord_mm = chord_mm, .own_rad = own, .other_rad = other});
 }

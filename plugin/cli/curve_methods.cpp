@@ -201,9 +201,9 @@ MadeCurve conicsThrough(const GivenCurve& given) {
   made.record.after = figuresFrom(figuresOf(made.chain));
   noteJoints(made.record, spline.g1_joints.size());
   if (!spline.corners.empty())
-    made.record.notes.push_back(fmt::format(
-        "{} corner{}: there are points on a line on both sides", spline.corners.size(),
-        spline.corners.size() == 1 ? "" : "s"));
+    made.record.notes.push_back(fmt::format("{} corner{}: there are points on a line on both sides",
+                                            spline.corners.size(),
+                                            spline.corners.size() == 1 ? "" : "s"));
   return made;
 }
 

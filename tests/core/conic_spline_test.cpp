@@ -100,7 +100,8 @@ TEST(ConicSpline, Identity1PassesThroughThePointsG2) {
     EXPECT_THAT(spline.g1_joints, IsEmpty());
     std::size_t met = 0;
     for (std::size_t i = closed ? 0 : 1; i < spline.conics.size(); ++i) {
-      const PlanarConic& left = spline.conics[(i + spline.conics.size() - 1) % spline.conics.size()];
+      const PlanarConic& left =
+          spline.conics[(i + spline.conics.size() - 1) % spline.conics.size()];
       const PlanarConic& right = spline.conics[i];
       EXPECT_EQ(left.end, right.start);
       EXPECT_NEAR(left.endCurvature_per_mm() / right.startCurvature_per_mm(), 1, 1e-7);
