@@ -80,6 +80,32 @@ TEST(ConicPair, Identity1MeetsTheEndsG2) {
   }
 }
 
+TEST(ConicPair, Identity2CirclesStay) {
+  for (const double half : {0.05, 0.4, 1.1}) {
+    const double radius = 2.5 / std::sin(half);
+    const Vector2d middle = Vector2d(1, 2) + 2.5 * unitVector(0.3) +
+                            radius * std::cos(half) * unitVector(0.3 + pi / 2);
+    for (const PlanarConic& conic : fairConics(pairEnds(half, half)).conics)
+      for (const double t : {0.0, 0.3, 0.8})
+        EXPECT_NEAR((conic.point(t) - middle).norm() / radius, 1, 1e-10);
+  }
+}
+
+TEST(ConicPair, Identity4ReversedEndsGiveTheReversedPair) {
+  const ConicPairEnds ends = pairEnds(0.3, 0.7);
+  const ConicPairEnds back{.ends = {.start = ends.ends.end,
+                                    .start_direction_rad = ends.ends.end_direction_rad + pi,
+                                    .end = ends.ends.start,
+                                    .end_direction_rad = ends.ends.start_direction_rad + pi},
+                           .start_curvature_per_mm = -ends.end_curvature_per_mm,
+                           .end_curvature_per_mm = -ends.start_curvature_per_mm};
+  const auto forward = fairConics(ends).conics, other = fairConics(back).conics;
+  for (const std::size_t i : {0U, 1U}) {
+    EXPECT_LT((forward[i].corner - other[1 - i].corner).norm(), 1e-10);
+    EXPECT_NEAR(forward[i].weight, other[1 - i].weight, 1e-10);
+  }
+}
+
 TEST(ConicPair, Identity3NarrowPairsAreMonotone) {
   std::mt19937_64 random(testSeed());
   for (int i = 0; i < 200; ++i) {
