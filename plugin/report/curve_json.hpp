@@ -15,7 +15,7 @@ namespace seamwright::report {
 struct CurveFigures {
   double length_mm = 0;
   std::optional<double> energy_per_mm = {};      ///< integral of the squared curvature
-  std::optional<double> variation_per_mm3 = {};  ///< of points: PointFairness::energy_per_mm3
+  std::optional<double> variation_per_mm3 = {};  ///< of points made fair: ClothoidFigures
   int extrema = 0;
   int inflections = 0;
 };

@@ -291,6 +291,99 @@ def test_fair_points_move_within_the_tolerance(tmp_path):
     assert curve("fair", out, "--tolerance", "0", out="again.csv")[1]["curves"][0]["moved_mm"] == 0
 
 
+def naca(thickness, count, *, sharp=True, chord=100):
+    """An outline of a symmetric airfoil, rounded to 3 decimals; a sharp end is one point."""
+    last = -0.1036 if sharp else -0.1015
+    sides = []
+    for i in range(count):
+        x = (1 - math.cos(math.pi * i / (count - 1))) / 2
+        y = 0.2969 * math.sqrt(x) + x * (-0.126 + x * (-0.3516 + x * (0.2843 + x * last)))
+        sides.append((round(chord * x, 3), round(5 * chord * thickness * y, 3)))
+    upper, lower = sides[::-1], [(x, -y) for x, y in sides[1:]]
+    return [*upper, *(lower[:-1] if sharp else lower)]
+
+
+def step_splines(text):
+    """Degree, knots and poles of the B-splines of a STEP file, in its order."""
+    text = re.sub(r"\s", "", text)
+    poles = {
+        name: tuple(float(x) for x in values.split(","))
+        for name, values in re.findall(r"(#\d+)=CARTESIAN_POINT\('[^']*',\(([^)]*)\)\)", text)
+    }
+    for degree, names, counts, knots in re.findall(
+        r"B_SPLINE_CURVE_WITH_KNOTS\('[^']*',(\d+),\(([^)]*)\),[^(]*\(([^)]*)\),\(([^)]*)\)", text
+    ):
+        repeated = [
+            float(knot)
+            for count, knot in zip(counts.split(","), knots.split(","))
+            for _ in range(int(count))
+        ]
+        yield int(degree), repeated, [poles[name][:2] for name in names.split(",")]
+
+
+def de_boor(degree, knots, poles, t):
+    span = max(i for i in range(degree, len(poles)) if knots[i] <= t)
+    d = [poles[i] for i in range(span - degree, span + 1)]
+    for r in range(1, degree + 1):
+        for j in range(degree, r - 1, -1):
+            low, high = knots[j + span - degree], knots[j + 1 + span - r]
+            a = (t - low) / (high - low)
+            d[j] = tuple((1 - a) * p + a * q for p, q in zip(d[j - 1], d[j]))
+    return d[degree]
+
+
+def sides_of(points):
+    """The signs of the turns of a polygon, without repetition; turns that are rounding skipped."""
+    signs = []
+    for (ax, ay), (bx, by), (cx, cy) in zip(points, points[1:], points[2:]):
+        turn = (bx - ax) * (cy - by) - (by - ay) * (cx - bx)
+        size = math.dist((ax, ay), (bx, by)) * math.dist((bx, by), (cx, cy))
+        if abs(turn) > 1e-9 * size and (not signs or (turn > 0) != signs[-1]):
+            signs.append(turn > 0)
+    return signs
+
+
+@pytest.mark.parametrize(
+    "thickness, count, tolerance, chord", [(0.12, 35, 0.05, 100), (0.08, 61, 0.5, 200)]
+)
+def test_a_faired_airfoil_turns_to_one_side(tmp_path, thickness, count, tolerance, chord):
+    outline = naca(thickness, count, chord=chord)
+    given = points_file(tmp_path, outline)
+    _, report, out = curve("fair", given, "--closed", "--tolerance", tolerance, out="out.step")
+    (found,) = report["curves"]
+    assert found["after"]["inflections"] == 0 and found["corners"] == 1 and not found["notes"]
+    assert found["after"]["extrema"] <= 3
+    assert found["after"]["variation_per_mm3"] < found["before"]["variation_per_mm3"]
+    assert found["moved_mm"] <= tolerance
+    ((degree, knots, poles),) = step_splines(out.read_text())
+    samples = []
+    for low, high in zip(sorted(set(knots)), sorted(set(knots))[1:]):
+        samples += [
+            de_boor(degree, knots, poles, low + (high - low) * (k + 0.5) / 8) for k in range(8)
+        ]
+    assert len(sides_of(samples)) == 1
+    # The sharp end stays.
+    start, end = poles[0], poles[-1]
+    assert math.dist(start, outline[0]) < 1e-6 and math.dist(end, outline[0]) < 1e-6
+
+
+def test_a_tolerance_of_0_returns_the_points(tmp_path):
+    outline = naca(0.12, 20, sharp=False)
+    given = points_file(tmp_path, outline)
+    _, report, out = curve("fair", given, "--closed", "--tolerance", "0", out="out.csv")
+    assert [(float(row["x"]), float(row["y"])) for row in rows_of(out)] == outline
+    (found,) = report["curves"]
+    assert found["before"] == found["after"] and found["moved_mm"] == 0 and found["corners"] == 2
+
+
+def test_inflections_that_the_points_do_not_have_are_noted(tmp_path):
+    points = [(4, -1), (9, 0), (10, 4), (6, 7), (1, 5), (0, 0)]
+    _, report, _ = curve("fair", points_file(tmp_path, points), "--closed", "--tolerance", "0.02")
+    (found,) = report["curves"]
+    assert found["after"]["inflections"] == 2 and found["corners"] == 0
+    assert found["notes"] == ["2 more inflections than the circles through three faired points"]
+
+
 def test_points_of_space_stay_in_their_plane(tmp_path):
     points = [(1 + x, 2 + 0.6 * y, 3 + 0.8 * y) for x, y in WAVE]
     given = points_file(tmp_path, points)
