@@ -89,8 +89,7 @@ class ProgramSteps {
     const VectorXd change = solved(right);
     if (!change.allFinite()) return false;
     const VectorXd curvatures = change.head(n), equations = change.tail(n);
-    const ArrayXd moves =
-        free_moves + (program_.moves.transpose() * equations).array() / stiff;
+    const ArrayXd moves = free_moves + (program_.moves.transpose() * equations).array() / stiff;
     const ArrayXd slacks = slack_miss + (program_.shape * curvatures).array();
     take(curvatures, moves, slacks, equations, barrier);
     return true;

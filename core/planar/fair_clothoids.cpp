@@ -65,8 +65,7 @@ std::optional<Chain> triedChain(const PlanarPoints& points, bool closed) {
 Eigen::VectorXd curvaturesAt(const Chain& chain, bool closed) {
   const auto count = static_cast<Index>(chain.size());
   Eigen::VectorXd result(count + (closed ? 0 : 1));
-  for (Index s = 0; s < count; ++s)
-    result(s) = chain[static_cast<std::size_t>(s)].curvature_per_mm;
+  for (Index s = 0; s < count; ++s) result(s) = chain[static_cast<std::size_t>(s)].curvature_per_mm;
   if (!closed) result(count) = chain.back().curvatureAt_per_mm(chain.back().length_mm);
   return result;
 }
@@ -112,8 +111,8 @@ class CurvatureShape {
   }
   /// What is missing, summed up.
   double miss(const Eigen::VectorXd& curvatures_per_mm) const {
-    const Eigen::VectorXd slack = rows(curvatures_per_mm.size()) * curvatures_per_mm -
-                                  margins_per_mm();
+    const Eigen::VectorXd slack =
+        rows(curvatures_per_mm.size()) * curvatures_per_mm - margins_per_mm();
     return (-slack.array()).max(0).sum();
   }
 
@@ -144,7 +143,8 @@ class RunFairing {
     for (Index i = 0; i < n; ++i) {
       const Index before = run.closed ? (i + n - 1) % n : std::max<Index>(i - 1, 0);
       const Index after = run.closed ? (i + 1) % n : std::min(i + 1, n - 1);
-      const Eigen::RowVector2d chord = (run.points.row(after) - run.points.row(before)).normalized();
+      const Eigen::RowVector2d chord =
+          (run.points.row(after) - run.points.row(before)).normalized();
       normals_.row(i) << -chord.y(), chord.x();
     }
   }
@@ -186,8 +186,7 @@ class RunFairing {
                 curvaturesAt(chain, run_.closed) / units.curvature_per_mm, search.state.shares);
       search.feasible = found.converged;
       if (!found.converged || !found.moves.allFinite()) break;
-      const Eigen::VectorXd change =
-          found.moves.cwiseMax(-1).cwiseMin(1) - search.state.shares;
+      const Eigen::VectorXd change = found.moves.cwiseMax(-1).cwiseMin(1) - search.state.shares;
       // A miss of one unit of curvature outweighs all variation.
       penalty = std::max(penalty, 10 * units.variation_per_mm3 / units.curvature_per_mm);
       const double before = meritOf(chain, shape, penalty);
@@ -246,8 +245,7 @@ class RunFairing {
     SegmentSlopes result;
     result.by_curvatures = ends.slope.inverse();
     // A turn of the chord turns the directions with it; a longer chord has smaller curvatures.
-    const Eigen::Vector2d of_length =
-        result.by_curvatures * ends.value_per_mm / angles.chord_mm;
+    const Eigen::Vector2d of_length = result.by_curvatures * ends.value_per_mm / angles.chord_mm;
     const Eigen::Vector2d of_turn = Eigen::Vector2d::Constant(1 / angles.chord_mm);
     for (int end = 0; end < 2; ++end) {
       const Index point = end == 0 ? s : next;
@@ -311,9 +309,9 @@ class RunFairing {
     for (Index i = 0; i < n; ++i) scale(i) = 1 / std::abs(program.curvatures.coeff(i, i));
     program.curvatures = scale.asDiagonal() * program.curvatures;
     program.moves = scale.asDiagonal() * program.moves;
-    program.right = program.curvatures * (curvaturesAt(now.chain, run_.closed) /
-                                          units.curvature_per_mm) -
-                    program.moves * now.shares;
+    program.right =
+        program.curvatures * (curvaturesAt(now.chain, run_.closed) / units.curvature_per_mm) -
+        program.moves * now.shares;
     return program;
   }
 
@@ -407,14 +405,12 @@ void keepMonotone(CurvatureShape& shape, const FairingRun& run, const Chain& cha
   for (std::size_t k = 1; k < ends.size(); ++k) {
     Index to = ends[k];
     if (to < ends[k - 1]) to += run.count();
-    const double sign =
-        values(to % run.count()) > values(ends[k - 1] % run.count()) ? 1 : -1;
+    const double sign = values(to % run.count()) > values(ends[k - 1] % run.count()) ? 1 : -1;
     for (Index i = ends[k - 1]; i < to; ++i) {
       const Index s = i % run.count();
       // The pieces at open ends are arcs.
       if (!run.closed && (s == 0 || s + 2 == run.count())) continue;
-      shape.keepSlope(s, run.next(s), sign,
-                      slope * chain[static_cast<std::size_t>(s)].length_mm);
+      shape.keepSlope(s, run.next(s), sign, slope * chain[static_cast<std::size_t>(s)].length_mm);
     }
   }
 }
@@ -495,8 +491,7 @@ FairedRun fairRun(const FairingRun& run) {
   if (given) result.before = figuresOf(given->chain, run.closed);
   if (!best) best = given;
   if (!best) chainThrough(faired.points, run.closed);  // throws
-  if (faired.moved_mm > 0 || !given)
-    fairState(run, fairing, faired.points, result, *best);
+  if (faired.moved_mm > 0 || !given) fairState(run, fairing, faired.points, result, *best);
   result.after = figuresOf(best->chain, run.closed);
   if (result.before && (result.after.inflections > result.before->inflections ||
                         result.after.variation_per_mm3 >= result.before->variation_per_mm3)) {
@@ -588,9 +583,8 @@ FairedClothoids fairClothoids(const PlanarPoints& points, const Eigen::VectorXd&
       options.closed && !options.corners.empty() ? options.corners.front() : 0);
   for (const std::vector<Index>& indices : runsOf(count, options)) {
     const auto size = static_cast<Index>(indices.size());
-    FairingRun run{.points = PlanarPoints(size, 2),
-                   .tolerances_mm = Eigen::VectorXd(size),
-                   .closed = smooth};
+    FairingRun run{
+        .points = PlanarPoints(size, 2), .tolerances_mm = Eigen::VectorXd(size), .closed = smooth};
     for (Index i = 0; i < size; ++i) {
       run.points.row(i) = points.row(indices[static_cast<std::size_t>(i)]);
       run.tolerances_mm(i) = tolerances_mm(indices[static_cast<std::size_t>(i)]);

@@ -47,9 +47,9 @@ struct ClothoidFairingOptions {
   std::vector<Eigen::Index> corners = {};
 };
 
-/// The spline of clothoids with the least variation of the curvature that moves of the points within
-/// the tolerances allow, each point along the normal of the chord of its neighbours. Where the
-/// circles through three points of fairPoints() turn to one side, so does the spline, if the
+/// The spline of clothoids with the least variation of the curvature that moves of the points
+/// within the tolerances allow, each point along the normal of the chord of its neighbours. Where
+/// the circles through three points of fairPoints() turn to one side, so does the spline, if the
 /// tolerances allow it. Fewer inflections and extrema may cost up to twice the least variation.
 /// Pieces at ends and corners are arcs (ClothoidEnd::arc). Each step
 /// linearises the curvatures, exactly, and costs O(n). Identities (each has a test of its number):

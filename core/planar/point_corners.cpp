@@ -43,8 +43,8 @@ struct TurningPolygon {
   /// The turn between points that are at least so far away.
   double turn_rad(Index i, double distance_mm) const {
     if (!at(i, -1) || !at(i, 1)) return 0;
-    return std::abs(angleFromTo(vector(beyond(i, -1, distance_mm), i),
-                                vector(i, beyond(i, 1, distance_mm))));
+    return std::abs(
+        angleFromTo(vector(beyond(i, -1, distance_mm), i), vector(i, beyond(i, 1, distance_mm))));
   }
 };
 

@@ -19,8 +19,8 @@ struct PointCornerOptions {
 /// Points at which a sampled curve has a corner. There the polygon turns by more than the corner
 /// angle, and five times as much as at the nearest points before and after it that turn by less.
 /// With errors the turns are those between points that are four errors away, so that errors make no
-/// corner. If all points turn by more, none is a corner: they are few points of a smooth curve. Ends
-/// of open curves do not count. Identities (each has a test of its number):
+/// corner. If all points turn by more, none is a corner: they are few points of a smooth curve.
+/// Ends of open curves do not count. Identities (each has a test of its number):
 ///   (1) Points of a smooth curve have no corner if the polygon turns by at most the corner angle
 ///       at each of them.
 ///   (2) The sharp end of an outline is one corner, a blunt one is two.

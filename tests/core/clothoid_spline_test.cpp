@@ -101,7 +101,8 @@ TEST(ClothoidSpline, ArcsAtTheEndsFollowACircle) {
   for (const Eigen::Index count : {3, 4, 9}) {
     ClothoidSplineOptions options;
     options.start.arc = options.end.arc = true;
-    for (const Clothoid& piece : clothoidSpline(ring(12, 0, random).topRows(count), options).pieces) {
+    for (const Clothoid& piece :
+         clothoidSpline(ring(12, 0, random).topRows(count), options).pieces) {
       EXPECT_NEAR(piece.curvature_per_mm, 0.2, 1e-11);
       EXPECT_NEAR(piece.curvature_slope_per_mm2, 0, 1e-11);
     }

@@ -28,12 +28,11 @@ struct Foil {
 
 Eigen::RowVector2d foilPoint(const Foil& foil, double x, double side) {
   const double last = foil.sharp ? -0.1036 : -0.1015, p = foil.camber_at, m = foil.camber;
-  const double y = 5 * foil.thickness *
-                   (0.2969 * std::sqrt(x) +
-                    x * (-0.1260 + x * (-0.3516 + x * (0.2843 + x * last))));
-  const double mean =
-      x < p ? m / (p * p) * (2 * p * x - x * x)
-            : m / ((1 - p) * (1 - p)) * (1 - 2 * p + 2 * p * x - x * x);
+  const double y =
+      5 * foil.thickness *
+      (0.2969 * std::sqrt(x) + x * (-0.1260 + x * (-0.3516 + x * (0.2843 + x * last))));
+  const double mean = x < p ? m / (p * p) * (2 * p * x - x * x)
+                            : m / ((1 - p) * (1 - p)) * (1 - 2 * p + 2 * p * x - x * x);
   const double slope = x < p ? 2 * m / (p * p) * (p - x) : 2 * m / ((1 - p) * (1 - p)) * (p - x);
   const double turn = std::atan(slope);
   const Eigen::RowVector2d point(x - side * y * std::sin(turn), mean + side * y * std::cos(turn));
@@ -140,7 +139,8 @@ TEST(FairClothoids, StayWithinTheTolerancesAndAreFairer) {
   for (int i = 0; i < 12; ++i) {
     const Index count = 20 + Index(random() % 60);
     const bool closed = i % 2 == 0;
-    const PlanarPoints points = noisyEllipse(count, 0.02, random).topRows(closed ? count : count / 2);
+    const PlanarPoints points =
+        noisyEllipse(count, 0.02, random).topRows(closed ? count : count / 2);
     Eigen::VectorXd tolerances(points.rows());
     for (double& tolerance : tolerances)
       tolerance = random() % 5 == 0 ? 0 : uniform(random, 0.5, 2) * 0.02;
@@ -202,8 +202,8 @@ TEST(FairClothoids, KeepCorners) {
 
 // An airfoil of 200 mm with a tolerance of 0.5 mm, which is more than the distance of points.
 TEST(FairClothoids, MayHaveAToleranceAboveTheSpacing) {
-  const Foil foil = {.camber = 0.02, .camber_at = 0.35, .thickness = 0.08, .points = 61,
-                     .chord_mm = 200};
+  const Foil foil = {
+      .camber = 0.02, .camber_at = 0.35, .thickness = 0.08, .points = 61, .chord_mm = 200};
   const FairedClothoids found = fairAll(foilPoints(foil), 0.5, true);
   EXPECT_EQ(found.corners, Corners{0});
   EXPECT_EQ(found.after.inflections, 0);
