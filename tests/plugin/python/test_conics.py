@@ -6,8 +6,8 @@ import math
 import numpy as np
 import pytest
 import seamwright
-from planar_samples import circle_points, moved, wrapped
-from seamwright import PlanarConic
+from planar_samples import circle_points, moved, quadrature, wrapped
+from seamwright import PlanarArc, PlanarConic
 
 T = np.linspace(0, 1, 11)
 
