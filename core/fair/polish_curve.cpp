@@ -24,8 +24,8 @@ using Normal = Eigen::SparseMatrix<double>;
 
 void requireContinuousCurvature(const BSplineCurve& curve) {
   if (curve.degree < 3)
-    refuse(fmt::format("the degree is {}: the curvature varies continuously from 3 on",
-                       curve.degree));
+    refuse(
+        fmt::format("the degree is {}: the curvature varies continuously from 3 on", curve.degree));
   const std::vector<double>& u = curve.knots;
   const std::size_t degree = curve.degree, last = u.size() - degree - 1;
   for (std::size_t i = degree + 1; i + degree - 2 < last; ++i)
@@ -55,8 +55,7 @@ VariationRoot linearisedRoot(const Vector3d& a, const Vector3d& b, const Vector3
   const Matrix3d across = identity - a * a.transpose() / s;
   const Matrix3d u_by_first = -3 / s * b * b.transpose() + 6 * m / (s * s) * b * a.transpose();
   const Matrix3d u_by_second = -3 / s * (b * a.transpose() + m * identity);
-  const Matrix3d w_by_first = across * u_by_first -
-                              (a * u.transpose() + a.dot(u) * identity) / s +
+  const Matrix3d w_by_first = across * u_by_first - (a * u.transpose() + a.dot(u) * identity) / s +
                               2 * a.dot(u) / (s * s) * a * a.transpose();
   return {.root = factor * w,
           .by_first = factor * (w_by_first - 2.5 / s * w * a.transpose()),
@@ -274,8 +273,7 @@ struct Polished {
 
 /// The bound of the distance, for poles as they are stored.
 double boundOfMoves_mm(const BSplineCurve& curve, const Poles& poles) {
-  const Poles moves =
-      polynomialPoles(withPoles(curve, poles)) - polynomialPoles(curve);
+  const Poles moves = polynomialPoles(withPoles(curve, poles)) - polynomialPoles(curve);
   // A Bézier pole is a mean that at most degree^2 insertions make, each with an error of 8 eps.
   const double rounding = 8 * curve.degree * curve.degree * 0x1p-52;
   return largestPole_mm(curve, moves) * (1 + rounding);

@@ -125,9 +125,10 @@ least. The bending does not grow, no value changes by more than tolerance_mm, an
 changes nothing. ValueError for a tolerance that is negative or not finite. Source:
 docs/theory/planar.md P12.2.
 )");
-  module.def("rebound_function", &reboundFunctionOf, py::arg("points"), py::arg("tolerance_mm"),
-             py::kw_only(), py::arg("slopes") = py::none(), py::arg("most_rebounds") = 3,
-             R"(A spline y(x) after rebounds, through its own values between points: a FairedFunction.
+  module.def(
+      "rebound_function", &reboundFunctionOf, py::arg("points"), py::arg("tolerance_mm"),
+      py::kw_only(), py::arg("slopes") = py::none(), py::arg("most_rebounds") = 3,
+      R"(A spline y(x) after rebounds, through its own values between points: a FairedFunction.
 
 points, slopes: as of function_spline(). Rebounds end with their number or the tolerance; many of
 them leave a single cubic or a line. The bending does not grow. ValueError for a tolerance that is

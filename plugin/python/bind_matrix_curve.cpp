@@ -194,9 +194,10 @@ py::object curvatureVariationOf(const py::object& curve) {
 
 void bindMatrixCurve(py::module_& module) {
   bindMatrixCurveClass(module);
-  module.def("fit_hermite", &fitHermiteOf, py::arg("points"), py::arg("tangents"), py::kw_only(),
-             py::arg("degree") = 3, py::arg("stiffness") = 1.0,
-             R"(A MatrixCurve through points, whose poles have the tangents of the points: a MatrixFit.
+  module.def(
+      "fit_hermite", &fitHermiteOf, py::arg("points"), py::arg("tangents"), py::kw_only(),
+      py::arg("degree") = 3, py::arg("stiffness") = 1.0,
+      R"(A MatrixCurve through points, whose poles have the tangents of the points: a MatrixFit.
 
 points, tangents: (count, 3), points in mm, tangents of any length. Points are met up to rounding,
 tangents approximately. stiffness: 0 ignores the tangents; with 1 points of circles are met best.

@@ -114,8 +114,7 @@ py::object turnThroughOf(const py::object& start, const py::object& end, const p
   // The turn depends on the positions of the ends alone.
   const HermiteEnds ends{.start = planarPointOf("start", start), .end = planarPointOf("end", end)};
   const Array given = arrayOf("points", points);
-  if (given.ndim() == 1)
-    return py::float_(turnThrough_rad(ends, planarPointOf("points", points)));
+  if (given.ndim() == 1) return py::float_(turnThrough_rad(ends, planarPointOf("points", points)));
   const PlanarPoints rows = planarPointsOf("points", points);
   Eigen::VectorXd turns(rows.rows());
   for (Eigen::Index i = 0; i < rows.rows(); ++i) turns(i) = turnThrough_rad(ends, rows.row(i));
@@ -140,9 +139,9 @@ P8.4, P8.5; [Kurnosenko2010].
 start, end: (2,) in mm. Every point of a short spiral has a turn_through_rad() between them. ValueError
 for numbers that are not finite and equal points. Source: docs/theory/planar.md P8.6.
 )");
-  module.def("turn_through_rad", &turnThroughOf, py::arg("start"), py::arg("end"),
-             py::arg("points"),
-             R"(The turn from the direction start to point to the direction point to end, in [-pi, pi].
+  module.def(
+      "turn_through_rad", &turnThroughOf, py::arg("start"), py::arg("end"), py::arg("points"),
+      R"(The turn from the direction start to point to the direction point to end, in [-pi, pi].
 
 start, end: (2,) in mm. points: one, (2,), or (count, 2) for an array. It is half of the turn of the
 arc through the three points. ValueError for numbers that are not finite, equal ends, and a point

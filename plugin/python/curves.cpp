@@ -12,8 +12,9 @@ Curve curveOf(const std::string& name, const py::object& value) {
   if (py::isinstance<BSplineCurve>(curve)) return curve.cast<const BSplineCurve&>();
   if (py::isinstance<BezierSpline>(curve)) return curve.cast<const BezierSpline&>();
   if (py::isinstance<MatrixCurve>(curve)) return bsplineCurve(curve.cast<const MatrixCurve&>());
-  throw py::type_error(name + " is " + shown(value) +
-                       ": a BezierCurve, a BSplineCurve, a BezierSpline or a MatrixCurve is needed");
+  throw py::type_error(
+      name + " is " + shown(value) +
+      ": a BezierCurve, a BSplineCurve, a BezierSpline or a MatrixCurve is needed");
 }
 
 BezierCurve bezierCurveOf(const std::string& name, const py::object& value) {

@@ -26,7 +26,7 @@ inline std::vector<double> randomKnots(int degree, int count, std::mt19937_64& r
 
 /// A helix, or an arm of a spiral in the plane, with noise at its poles.
 inline BSplineCurve noisyCurve(int degree, int count, bool planar, double noise_mm,
-                        std::mt19937_64& random) {
+                               std::mt19937_64& random) {
   const std::vector<double> knots = randomKnots(degree, count, random);
   Poles poles(count, 3);
   for (int i = 0; i < count; ++i) {

@@ -115,8 +115,7 @@ TEST(PolishCurve, FollowsMotionAndScale) {
     const double scale = std::exp2(static_cast<int>(random() % 9) - 4);
     const Eigen::Vector3d axis =
         planar ? Eigen::Vector3d(0, 0, 1) : Eigen::Vector3d(1, 2, 3).normalized();
-    const Eigen::Matrix3d turn =
-        Eigen::AngleAxisd(uniform(random, -3, 3), axis).toRotationMatrix();
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(uniform(random, -3, 3), axis).toRotationMatrix();
     const Eigen::RowVector3d shift(1, -2, planar ? 0 : 0.5);
     BSplineCurve other = curve;
     other.poles.leftCols<3>() = scale * curve.poles.leftCols<3>() * turn;
@@ -198,10 +197,16 @@ TEST(PolishCurve, InvalidInputIsNamed) {
               ThrowsMessage<std::invalid_argument>(HasSubstr("the degree is 2")));
   Poles poles(6, 3);
   poles << 0, 0, 0, 1, 1, 0, 2, 0, 0, 3, 1, 0, 4, 0, 0, 5, 1, 0;
-  EXPECT_THAT([&] { polishCurve(splineOf(3, {0, 0, 0, 0, 2, 2, 3, 3, 3, 3}, poles), 1); },
-              ThrowsMessage<std::invalid_argument>(HasSubstr("knot 2, of a multiplicity above 1")));
-  EXPECT_THAT([&] { polishCurve(splineOf(3, {0, 0, 0, 0, 1, 2, 3, 3, 3, 3}, Poles::Zero(6, 3)), 1); },
-              ThrowsMessage<std::domain_error>(HasSubstr("the curve stops")));
+  EXPECT_THAT(
+      [&] {
+        polishCurve(splineOf(3, {0, 0, 0, 0, 2, 2, 3, 3, 3, 3}, poles), 1);
+      },
+      ThrowsMessage<std::invalid_argument>(HasSubstr("knot 2, of a multiplicity above 1")));
+  EXPECT_THAT(
+      [&] {
+        polishCurve(splineOf(3, {0, 0, 0, 0, 1, 2, 3, 3, 3, 3}, Poles::Zero(6, 3)), 1);
+      },
+      ThrowsMessage<std::domain_error>(HasSubstr("the curve stops")));
 }
 
 }  // namespace
