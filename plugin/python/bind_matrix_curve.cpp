@@ -113,7 +113,8 @@ for weights that differ by many orders of magnitude. Source: docs/theory/planar.
           "to_bspline", [](const MatrixCurve& c) { return bsplineCurve(c); },
           R"(The same points as a rational BSplineCurve.
 
-ValueError as of bezier_spline(). Source: docs/theory/planar.md P13.2.)")
+ValueError as of bezier_spline(). Source: docs/theory/planar.md P13.2.
+)")
       .def(py::pickle(
           [](const MatrixCurve& c) {
             return py::make_tuple(c.degree, c.knots, pointRows(c, &MatrixPole::point),

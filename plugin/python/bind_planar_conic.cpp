@@ -130,8 +130,10 @@ positive, and a corner at an end. Source: docs/theory/planar.md P7.1 to P7.3.
       .def_property_readonly("turn_rad", &PlanarConic::turn_rad,
                              "The angle by which the tangent turns, above 0 to the left.")
       .def_property_readonly("length_mm", &PlanarConic::length_mm,
-                             R"(The arc length, enclosed to 1e-10 of it. arc_length() of
-bezier_curve() states bounds. Source: docs/theory/curves.md C1.5.)")
+                             R"(The arc length, enclosed to 1e-10 of it. arc_length() of bezier_curve() states bounds.
+
+Source: docs/theory/curves.md C1.5.
+)")
       .def_property_readonly(
           "curvature_kind", [](const PlanarConic& c) { return kindName(curvatureKind(c)); },
           R"(The extrema of the size of the curvature inside, up to rounding.

@@ -136,8 +136,8 @@ P8.4, P8.5; [Kurnosenko2010].
              py::arg("end"), py::arg("end_direction_rad"),
              R"(The turns through points of short spirals between two ends: (lower, upper).
 
-start, end: (2,) in mm. Every point of a short spiral has a turn_through_rad() between them. ValueError
-for numbers that are not finite and equal points. Source: docs/theory/planar.md P8.6.
+start, end: (2,) in mm. Every point of a short spiral has a turn_through_rad() between them.
+ValueError for numbers that are not finite and equal points. Source: docs/theory/planar.md P8.6.
 )");
   module.def(
       "turn_through_rad", &turnThroughOf, py::arg("start"), py::arg("end"), py::arg("points"),

@@ -175,7 +175,10 @@ def test_lengths_of_conics():
     arc = PlanarArc([1, 2], 0.3, 0.5, 4)
     assert PlanarConic.from_arc(arc).length_mm == pytest.approx(4, rel=1e-10)
     conic = PlanarConic([0, 0], [3, 4], [7, 1], 0.6)
-    speed = lambda t: np.linalg.norm(conic.bezier_curve().derivatives(t, 1)[..., 1, :], axis=-1)  # noqa: E731
+
+    def speed(t):
+        return np.linalg.norm(conic.bezier_curve().derivatives(t, 1)[..., 1, :], axis=-1)
+
     assert conic.length_mm == pytest.approx(quadrature(speed, 0, 1), rel=1e-10)
     first, second = conic.halves()
     assert first.length_mm + second.length_mm == pytest.approx(conic.length_mm, rel=1e-10)
