@@ -57,34 +57,9 @@ Eigen::VectorXd poleValues(const MatrixCurve& curve, double MatrixPole::*member)
   return values;
 }
 
-void bindMatrixCurveClass(py::module_& module) {
-  py::class_<MatrixCurve> type(module, "MatrixCurve", py::module_local(),
-                               R"(A B-spline curve whose weights are matrices.
-
-knots: flat, as of a BSplineCurve. points: (count, 3) in mm. tangents: (count, 3) of any length;
-None: without stiffness. weights, stiffness: a number, or one for each point. A pole draws the curve
-to its point with its weight, and across its tangent with 1 + stiffness times the weight. With
-stiffness 0 it is the rational B-spline of the weights. It is accepted where a curve is, as its
-to_bspline(). ValueError for counts that do not match, weights that are not positive, a stiffness
-outside of 0 .. 1e8, and tangents that are 0. Source: docs/theory/planar.md P13.1; [Yang2016].
-)");
-  type.def(py::init(&makeMatrixCurve), py::arg("degree"), py::arg("knots"), py::arg("points"),
-           py::arg("tangents") = py::none(), py::arg("weights") = 1.0, py::arg("stiffness") = 0.0)
-      .def_property_readonly("degree", [](const MatrixCurve& c) { return c.degree; })
-      .def_property_readonly("knots", [](const MatrixCurve& c) { return c.knots; })
-      .def_property_readonly(
-          "points", [](const MatrixCurve& c) { return pointRows(c, &MatrixPole::point); },
-          "(count, 3), in mm.")
-      .def_property_readonly(
-          "tangents", [](const MatrixCurve& c) { return pointRows(c, &MatrixPole::tangent); },
-          "(count, 3), as given.")
-      .def_property_readonly(
-          "weights", [](const MatrixCurve& c) { return poleValues(c, &MatrixPole::weight); },
-          "(count,).")
-      .def_property_readonly(
-          "stiffness", [](const MatrixCurve& c) { return poleValues(c, &MatrixPole::stiffness); },
-          "(count,).")
-      .def(
+/// What a curve can do.
+void bindMatrixMembers(py::class_<MatrixCurve>& type) {
+  type.def(
           "point",
           [](const MatrixCurve& c, const py::object& t) {
             const Parameters at("t", t);
@@ -130,6 +105,36 @@ ValueError as of bezier_spline(). Source: docs/theory/planar.md P13.2.
                std::to_string(c.poles.size()) + " poles>";
       });
   bindEquality(type);
+}
+
+void bindMatrixCurveClass(py::module_& module) {
+  py::class_<MatrixCurve> type(module, "MatrixCurve", py::module_local(),
+                               R"(A B-spline curve whose weights are matrices.
+
+knots: flat, as of a BSplineCurve. points: (count, 3) in mm. tangents: (count, 3) of any length;
+None: without stiffness. weights, stiffness: a number, or one for each point. A pole draws the curve
+to its point with its weight, and across its tangent with 1 + stiffness times the weight. With
+stiffness 0 it is the rational B-spline of the weights. It is accepted where a curve is, as its
+to_bspline(). ValueError for counts that do not match, weights that are not positive, a stiffness
+outside of 0 .. 1e8, and tangents that are 0. Source: docs/theory/planar.md P13.1; [Yang2016].
+)");
+  type.def(py::init(&makeMatrixCurve), py::arg("degree"), py::arg("knots"), py::arg("points"),
+           py::arg("tangents") = py::none(), py::arg("weights") = 1.0, py::arg("stiffness") = 0.0)
+      .def_property_readonly("degree", [](const MatrixCurve& c) { return c.degree; })
+      .def_property_readonly("knots", [](const MatrixCurve& c) { return c.knots; })
+      .def_property_readonly(
+          "points", [](const MatrixCurve& c) { return pointRows(c, &MatrixPole::point); },
+          "(count, 3), in mm.")
+      .def_property_readonly(
+          "tangents", [](const MatrixCurve& c) { return pointRows(c, &MatrixPole::tangent); },
+          "(count, 3), as given.")
+      .def_property_readonly(
+          "weights", [](const MatrixCurve& c) { return poleValues(c, &MatrixPole::weight); },
+          "(count,).")
+      .def_property_readonly(
+          "stiffness", [](const MatrixCurve& c) { return poleValues(c, &MatrixPole::stiffness); },
+          "(count,).");
+  bindMatrixMembers(type);
 }
 
 HermitePoints hermitePointsOf(const py::object& points, const py::object& tangents) {
