@@ -160,6 +160,7 @@ TEST(MatchFaces, OnlyAWholeSideCanBeJoined) {
   EXPECT_FALSE(report.matched);
   EXPECT_NE(report.text().find("the ends of the boundaries are"), std::string::npos)
       << report.text();
+  EXPECT_EQ(report.code(), "ends_apart");
 }
 
 // The boundaries have their ends in common and bulge apart between them.
