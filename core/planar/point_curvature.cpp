@@ -24,7 +24,7 @@ struct NoisyCurvatures {
 };
 
 /// How much moves of the three points by a small distance change the curvature.
-/// Source: docs/theory/planar.md P10.5.
+/// Source: docs/theory/planar.md P10.7.
 double changeByMoves(const PointTriple& triple, double distance_mm) {
   const double a = triple.before.norm(), b = triple.after.norm(),
                c = (triple.before + triple.after).norm();

@@ -41,7 +41,7 @@ struct PointFairness {
 /// \param rounding_mm the largest distance of a point from where it is meant to be, for instance by
 /// the digits of a file; 0: that of doubles. Bounds are of first order in it.
 /// \throws as pointCurvatures_per_mm() does, and std::invalid_argument for a rounding that is
-/// negative or not finite. Source: docs/theory/planar.md P10.1, P10.5.
+/// negative or not finite. Source: docs/theory/planar.md P10.1, P10.7.
 PointFairness fairnessOf(const PlanarPoints& points, bool closed = false, double rounding_mm = 0);
 
 }  // namespace seamwright
