@@ -27,6 +27,7 @@ struct FairingRun {
   PlanarPoints points;
   Eigen::VectorXd tolerances_mm;
   bool closed = false;
+  Progress progress = {};
 
   Index count() const { return points.rows(); }
   Index segments() const { return closed ? count() : count() - 1; }
@@ -171,13 +172,15 @@ class RunFairing {
   }
 
   /// Sequential quadratic programming.
-  FairingSearch improved(FairingState now, const CurvatureShape& shape) const {
+  /// \param steps_before of other searches, for the progress.
+  FairingSearch improved(FairingState now, const CurvatureShape& shape, int steps_before) const {
     constexpr int most_steps = 15;
     // Moves by this share of the tolerance, and this relative gain, are negligible.
     constexpr double still = 1e-3, gain = 1e-4;
     FairingSearch search{.state = std::move(now)};
     double penalty = 0;
     while (search.steps < most_steps) {
+      checkProgress(run_.progress, shareAfter(steps_before + search.steps));
       ++search.steps;
       const Chain& chain = search.state.chain;
       const FairingUnits units = unitsOf(chain);
@@ -427,7 +430,7 @@ class TurnReduction {
       : run_(run), fairing_(fairing), most_variation_per_mm3_(most_variation_per_mm3) {}
 
   bool tryShape(const CurvatureShape& shape, FairingState& best, int& steps) const {
-    FairingSearch search = fairing_.improved(best, shape);
+    FairingSearch search = fairing_.improved(best, shape, steps);
     steps += search.steps;
     if (!search.feasible) return false;
     const ClothoidFigures found = figuresOf(search.state.chain, run_.closed);
@@ -467,7 +470,7 @@ void fairState(const FairingRun& run, const RunFairing& fairing, const PlanarPoi
                FairedRun& result, FairingState& best) {
   constexpr double most_times = 2;
   CurvatureShape sides = sidesOf(faired, run.closed);
-  FairingSearch search = fairing.improved(best, sides);
+  FairingSearch search = fairing.improved(best, sides, 0);
   result.steps = search.steps;
   best = std::move(search.state);
   double most = most_times * variationOf(best.chain);
@@ -482,7 +485,8 @@ void fairState(const FairingRun& run, const RunFairing& fairing, const PlanarPoi
 
 FairedRun fairRun(const FairingRun& run) {
   if (run.count() < 3) return unmovedRun(run);
-  const FairedPoints faired = fairPoints(run.points, run.tolerances_mm, {.closed = run.closed});
+  const FairedPoints faired =
+      fairPoints(run.points, run.tolerances_mm, {.closed = run.closed}, partOf(run.progress, 0, 0));
   FairedRun result;
   result.point_inflections = static_cast<int>(faired.after.inflections.size());
   const RunFairing fairing(run);
@@ -568,7 +572,7 @@ ClothoidFigures figuresOf(const std::vector<Clothoid>& chain, bool closed) {
 }
 
 FairedClothoids fairClothoids(const PlanarPoints& points, const Eigen::VectorXd& tolerances_mm,
-                              const ClothoidFairingOptions& options) {
+                              const ClothoidFairingOptions& options, const Progress& progress) {
   const Index count = points.rows();
   fairnessOf(points, options.closed);  // throws for points without curvatures
   requireTolerances(tolerances_mm, count);
@@ -581,10 +585,15 @@ FairedClothoids fairClothoids(const PlanarPoints& points, const Eigen::VectorXd&
   // A closed curve begins at its first point, which may be inside of a run.
   const auto first = static_cast<std::size_t>(
       options.closed && !options.corners.empty() ? options.corners.front() : 0);
+  double done = 0;
   for (const std::vector<Index>& indices : runsOf(count, options)) {
     const auto size = static_cast<Index>(indices.size());
-    FairingRun run{
-        .points = PlanarPoints(size, 2), .tolerances_mm = Eigen::VectorXd(size), .closed = smooth};
+    const double share = static_cast<double>(size) / static_cast<double>(count + 1);
+    FairingRun run{.points = PlanarPoints(size, 2),
+                   .tolerances_mm = Eigen::VectorXd(size),
+                   .closed = smooth,
+                   .progress = partOf(progress, done, std::min(1.0, done + share))};
+    done = std::min(1.0, done + share);
     for (Index i = 0; i < size; ++i) {
       run.points.row(i) = points.row(indices[static_cast<std::size_t>(i)]);
       run.tolerances_mm(i) = tolerances_mm(indices[static_cast<std::size_t>(i)]);

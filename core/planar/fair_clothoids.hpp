@@ -8,6 +8,7 @@
 #include <seamwright/core/planar/biarc_spline.hpp>
 #include <seamwright/core/planar/clothoid.hpp>
 #include <seamwright/core/planar/point_corners.hpp>
+#include <seamwright/core/progress.hpp>
 
 /// Fairing of the curve through points: the clothoids are judged, not the points.
 namespace seamwright {
@@ -51,15 +52,17 @@ struct ClothoidFairingOptions {
 /// within the tolerances allow, each point along the normal of the chord of its neighbours. Where
 /// the circles through three points of fairPoints() turn to one side, so does the spline, if the
 /// tolerances allow it. Fewer inflections and extrema may cost up to twice the least variation.
-/// Pieces at ends and corners are arcs (ClothoidEnd::arc). Each step
-/// linearises the curvatures, exactly, and costs O(n). Identities (each has a test of its number):
+/// Pieces at ends and corners are arcs (ClothoidEnd::arc). Each step linearises the curvatures,
+/// exactly. Identities (each has a test of its number):
 ///   (2) No point moves by more than its tolerance, and a tolerance of 0 fixes a point bitwise.
 ///   (3) Neither variation nor inflections grow. Points of a circle stay.
 ///   (4) Corners stay bitwise, and the curve has one there.
 /// \param tolerances_mm one for each point; at least 0 and finite.
-/// \throws as fairPoints() and clothoidSpline() do; std::invalid_argument for corners that are not
-/// ascending or not inside. Source: docs/theory/planar.md P10.5.
+/// \param progress called once for each step.
+/// \throws as fairPoints() and clothoidSpline() do; Cancelled; std::invalid_argument for corners
+/// that are not ascending or not inside. Source: docs/theory/planar.md P10.5.
 FairedClothoids fairClothoids(const PlanarPoints& points, const Eigen::VectorXd& tolerances_mm,
-                              const ClothoidFairingOptions& options = {});
+                              const ClothoidFairingOptions& options = {},
+                              const Progress& progress = {});
 
 }  // namespace seamwright

@@ -282,14 +282,14 @@ void noteTurns(report::CurveRecord& record, const FairedClothoids& faired) {
 }
 
 MadeCurve madeFairPoints(const GivenCurve& given, const CurveTask& task) {
-  constexpr double fair_share = 0.8;  // a choice: of the time
   const bool closed = given.record.closed;
   const Eigen::VectorXd tolerances =
       Eigen::VectorXd::Constant(given.points.rows(), task.tolerance_mm);
   const FairedClothoids faired = fairClothoids(
       given.points, tolerances,
       {.closed = closed,
-       .corners = pointCorners(given.points, {.closed = closed, .error_mm = task.tolerance_mm})});
+       .corners = pointCorners(given.points, {.closed = closed, .error_mm = task.tolerance_mm})},
+      task.progress);
   MadeCurve made{.record = given.record};
   made.points = faired.points;
   takeRuns(made, faired, task.tolerance_mm);
