@@ -101,6 +101,11 @@ py::object g2ConicsOf(const py::object& chain, const py::object& closed,
   return resultOf("G2Conics", dict);
 }
 
+std::string shownConic(const PlanarConic& c) {
+  return "<PlanarConic of weight " + shown(py::float_(c.weight)) + " that turns by " +
+         shown(py::float_(c.turn_rad())) + " rad>";
+}
+
 void bindConic(py::module_& module) {
   py::class_<PlanarConic> type(module, "PlanarConic", py::module_local(),
                                R"(A segment of a conic: the quadratic with the weights 1, weight, 1.
@@ -159,10 +164,7 @@ minimum' or 'maximum and minimum'.)")
             return py::make_tuple(pair(c.start), pair(c.corner), pair(c.end), c.weight);
           },
           [](const py::tuple& state) { return makeConic(state[0], state[1], state[2], state[3]); }))
-      .def("__repr__", [](const PlanarConic& c) {
-        return "<PlanarConic of weight " + shown(py::float_(c.weight)) + " that turns by " +
-               shown(py::float_(c.turn_rad())) + " rad>";
-      });
+      .def("__repr__", &shownConic);
   bindEvaluation(type, "t");
   bindEquality(type);
 }

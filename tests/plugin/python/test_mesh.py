@@ -64,7 +64,7 @@ def test_bad_arguments_and_stopping(box, tmp_path):
         seamwright.read(path).display_mesh(before=box)
     with pytest.raises(ValueError, match="face 7"):
         box.display_mesh(before=box, moved_faces=[7])
-    with pytest.raises(ValueError, match="without the shape before"):
+    with pytest.raises(ValueError, match="without before"):
         box.display_mesh(moved_faces=[3])
     with pytest.raises(ValueError, match="jobs is -1"):
         box.display_mesh(jobs=-1)
