@@ -99,7 +99,7 @@ class Result(Dict[str, Any]):
     def __contains__(self, key: object) -> bool:
         return super().__contains__(self._keys.get(key, key) if isinstance(key, str) else key)
 
-    def get(self, key: str, default: Any = None) -> Any:  # type: ignore[override]
+    def get(self, key: str, default: Any = None) -> Any:
         """The item of that name, also by the name of its attribute; default if there is none."""
         return super().get(self._keys.get(key, key), default)
 

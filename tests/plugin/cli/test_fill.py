@@ -224,7 +224,7 @@ def test_what_cannot_be_read_back_is_not_written(box, tmp_path):
 @pytest.mark.parametrize(
     "options, message",
     [
-        (["--face", "7"], "no face 7"),
+        (["--face", "7"], "face 7: the model has faces 1 to "),
         ([], "has no hole"),
         (["--face", "1", "--hole", "1"], "excludes"),
         (["--face", "0"], "--face: invalid Face number '0': numbers start at 1 (see "),

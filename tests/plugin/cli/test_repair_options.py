@@ -22,7 +22,7 @@ def test_planes_stay_and_the_reason_says_so(tmp_path):
     assert (
         seam["wants_conversion"]
         and report["summary"]["wants_conversion"] == 1
-        and "with --convert" in result.stdout
+        and "--convert lets such faces" in result.stdout
     )
 
 
