@@ -95,7 +95,7 @@ TEST(ConnectionFit, FunctionsThatVanishComeBack) {
   EXPECT_GT(tried, 200);
 }
 
-TEST(ConnectionFit, WhatStandsInTheWayIsSaid) {
+TEST(ConnectionFit, TheObstacleIsNamed) {
   std::mt19937_64 random(testSeed());
   const Ribbon a = endingAtU1(gentlePatch(3, 3, false, random));
   const Ribbon other = beginningAtU0(gentlePatch(3, 3, false, random));
@@ -108,7 +108,7 @@ TEST(ConnectionFit, WhatStandsInTheWayIsSaid) {
   const ConnectionFit low = fitConnection(a, beginningAtU0(continuation(a, quadratic, 1, 2)),
                                           {.alpha_degree = 0, .beta_degree = 1});
   EXPECT_FALSE(low.found);
-  EXPECT_THAT(low.note, HasSubstr("no polynomials of these degrees"));
+  EXPECT_THAT(low.note, HasSubstr("not polynomials of these degrees"));
   Ribbon back = beginningAtU0(continuation(a, quadratic, 1, 2));
   back.first = -back.first;
   const ConnectionFit fold = fitConnection(a, back);
