@@ -12,6 +12,7 @@
 #include <seamwright/core/planar/arc_distance.hpp>
 #include <seamwright/core/planar/arc_fit.hpp>
 #include <seamwright/core/planar/biarc.hpp>
+#include <seamwright/core/planar/planar_curve.hpp>
 
 namespace seamwright {
 
@@ -21,60 +22,6 @@ using Eigen::Vector2d;
 
 /// The largest turn of one arc. It leaves room below 2 pi, where ends meet and chords vanish.
 constexpr double most_turn_rad = 1.5 * std::numbers::pi;
-
-/// Point, direction and curvature of a curve at a parameter.
-struct CurveFrame {
-  Vector2d point;
-  double direction_rad = 0;
-  double curvature_slope_per_mm2 = 0;  ///< change of the curvature by arc length
-};
-
-CurveFrame frameAt(const BezierCurve& segment, double t, int index) {
-  const CurveDerivatives d = segment.derivatives(t, 3);
-  const Vector2d first = d.row(1).head<2>(), second = d.row(2).head<2>(),
-                 third = d.row(3).head<2>();
-  const double speed = first.norm();
-  if (!(speed > 0)) {
-    throw std::domain_error(fmt::format(
-        "the curve stops in segment {} at the parameter {}: it has no tangent there", index, t));
-  }
-  // docs/theory/planar.md P8.1.
-  const double slope =
-      cross(first, third) * speed * speed - 3 * first.dot(second) * cross(first, second);
-  return {.point = d.row(0).head<2>(),
-          .direction_rad = directionOf(first),
-          .curvature_slope_per_mm2 = slope / std::pow(speed, 6)};
-}
-
-/// A curve of N segments with the parameter u from 0 to N; segment i runs from i to i + 1.
-struct PlanarCurve {
-  std::vector<BezierCurve> segments;
-  std::vector<CurvePolynomials> polynomials;
-  std::vector<Vector2d> origins;
-
-  int count() const { return static_cast<int>(segments.size()); }
-  CurveFrame startOf(int i) const { return frameAt(segments[i], 0, i); }
-  CurveFrame endOf(int i) const { return frameAt(segments[i], 1, i); }
-  CurveFrame at(double u) const {
-    const int i = std::min(static_cast<int>(u), count() - 1);
-    return frameAt(segments[i], u - i, i);
-  }
-};
-
-PlanarCurve planarCurve(const BezierSpline& spline) {
-  PlanarCurve curve;
-  for (int i = 0; i < spline.segments(); ++i) {
-    const BezierCurve one = segment(spline, i);
-    const Poles poles = one.poles();
-    if (poles.col(2).any())
-      refuse(fmt::format("segment {} is outside of the plane z = 0: it has a pole at z = {} mm", i,
-                         poles.col(2).cwiseAbs().maxCoeff()));
-    curve.segments.push_back(one);
-    curve.polynomials.push_back(curvePolynomials(one, poles.row(0)));
-    curve.origins.emplace_back(poles.row(0).head<2>());
-  }
-  return curve;
-}
 
 /// Arcs beside a part of the curve.
 struct FittedPart {
