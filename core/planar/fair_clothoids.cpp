@@ -525,27 +525,6 @@ void requireCorners(const std::vector<Index>& corners, Index count, bool closed)
   }
 }
 
-/// The indices of the points of each run; a run between corners has both of them.
-std::vector<std::vector<Index>> runsOf(Index count, const ClothoidFairingOptions& options) {
-  std::vector<Index> cuts = options.corners;
-  if (!options.closed) {
-    cuts.insert(cuts.begin(), 0);
-    cuts.push_back(count - 1);
-  } else if (!cuts.empty()) {
-    cuts.push_back(cuts.front() + count);
-  }
-  std::vector<std::vector<Index>> runs;
-  if (cuts.empty()) {
-    runs.emplace_back();
-    for (Index i = 0; i < count; ++i) runs.back().push_back(i);
-  }
-  for (std::size_t k = 1; k < cuts.size(); ++k) {
-    runs.emplace_back();
-    for (Index i = cuts[k - 1]; i <= cuts[k]; ++i) runs.back().push_back(i % count);
-  }
-  return runs;
-}
-
 }  // namespace
 
 ClothoidFigures figuresOf(const std::vector<Clothoid>& chain, bool closed) {
@@ -586,7 +565,7 @@ FairedClothoids fairClothoids(const PlanarPoints& points, const Eigen::VectorXd&
   const auto first = static_cast<std::size_t>(
       options.closed && !options.corners.empty() ? options.corners.front() : 0);
   double done = 0;
-  for (const std::vector<Index>& indices : runsOf(count, options)) {
+  for (const std::vector<Index>& indices : runsBetween(count, options.corners, options.closed)) {
     const auto size = static_cast<Index>(indices.size());
     const double share = static_cast<double>(size) / static_cast<double>(count + 1);
     FairingRun run{.points = PlanarPoints(size, 2),

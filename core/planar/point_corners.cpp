@@ -110,4 +110,25 @@ std::vector<Index> pointCorners(const PlanarPoints& points, const PointCornerOpt
   return sharpest(polygon, turns, corners, away_mm);
 }
 
+std::vector<std::vector<Index>> runsBetween(Index points, const std::vector<Index>& corners,
+                                            bool closed) {
+  std::vector<Index> cuts = corners;
+  if (!closed) {
+    cuts.insert(cuts.begin(), 0);
+    cuts.push_back(points - 1);
+  } else if (!cuts.empty()) {
+    cuts.push_back(cuts.front() + points);
+  }
+  std::vector<std::vector<Index>> runs;
+  if (cuts.empty()) {
+    runs.emplace_back();
+    for (Index i = 0; i < points; ++i) runs.back().push_back(i);
+  }
+  for (std::size_t k = 1; k < cuts.size(); ++k) {
+    runs.emplace_back();
+    for (Index i = cuts[k - 1]; i <= cuts[k]; ++i) runs.back().push_back(i % points);
+  }
+  return runs;
+}
+
 }  // namespace seamwright

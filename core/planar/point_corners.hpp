@@ -30,4 +30,11 @@ struct PointCornerOptions {
 std::vector<Eigen::Index> pointCorners(const PlanarPoints& points,
                                        const PointCornerOptions& options = {});
 
+/// The points of each run from corner to corner, by index, with both ends. A closed curve with
+/// corners begins at the first one; one without is a single run, without its first point at the
+/// end. \param corners ascending and not the ends of an open curve.
+std::vector<std::vector<Eigen::Index>> runsBetween(Eigen::Index points,
+                                                   const std::vector<Eigen::Index>& corners,
+                                                   bool closed);
+
 }  // namespace seamwright

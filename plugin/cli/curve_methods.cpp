@@ -10,7 +10,9 @@
 #include <seamwright/core/planar/clothoid_spline.hpp>
 #include <seamwright/core/planar/conic_spline.hpp>
 #include <seamwright/core/planar/fair_clothoids.hpp>
+#include <seamwright/core/planar/fair_points.hpp>
 #include <seamwright/core/planar/local_origin.hpp>
+#include <seamwright/core/planar/point_corners.hpp>
 #include <seamwright/plugin/cli/curve_methods.hpp>
 #include <stdexcept>
 
@@ -190,20 +192,41 @@ ArcConics conicsNear(const ArcFit& fit, double tolerance_mm, const Progress& pro
   return conics;
 }
 
+void addFigures(CurveFigures& sum, const CurveFigures& part) {
+  sum.length_mm += part.length_mm;
+  sum.energy_per_mm = sum.energy_per_mm.value_or(0) + part.energy_per_mm.value_or(0);
+  sum.extrema += part.extrema;
+  sum.inflections += part.inflections;
+}
+
+/// Conics from corner to corner of the points.
 MadeCurve conicsThrough(const GivenCurve& given) {
-  const ConicSpline spline = conicSpline(given.points, given.record.closed);
+  const bool closed = given.record.closed;
+  const std::vector<Eigen::Index> corners =
+      given.points.rows() < 3
+          ? std::vector<Eigen::Index>{}
+          : pointCorners(given.points, {.closed = closed, .error_mm = given.rounding_mm});
   MadeCurve made{.record = given.record};
-  made.chain = {.curves = {spline.conics.begin(), spline.conics.end()}, .closed = spline.closed};
-  made.record.pieces = static_cast<int>(spline.conics.size());
-  made.record.corners = static_cast<int>(spline.corners.size());
+  made.chain.closed = closed;
+  std::size_t g1_joints = 0, between_lines = 0;
+  for (const std::vector<Eigen::Index>& run : runsBetween(given.points.rows(), corners, closed)) {
+    GivenCurve part;
+    part.points = given.points(run, Eigen::indexing::all);
+    part.record.closed = closed && corners.empty();
+    const ConicSpline spline = conicSpline(part.points, part.record.closed);
+    made.chain.curves.insert(made.chain.curves.end(), spline.conics.begin(), spline.conics.end());
+    g1_joints += spline.g1_joints.size();
+    between_lines += spline.corners.size();
+    addFigures(made.record.before, biarcsThrough(part).figures);
+  }
+  made.record.pieces = static_cast<int>(made.chain.curves.size());
+  made.record.corners = static_cast<int>(corners.size() + between_lines);
   made.record.distance_mm = 0;
-  made.record.before = biarcsThrough(given).figures;
   made.record.after = figuresFrom(figuresOf(made.chain));
-  noteJoints(made.record, spline.g1_joints.size());
-  if (!spline.corners.empty())
+  noteJoints(made.record, g1_joints);
+  if (between_lines > 0)
     made.record.notes.push_back(fmt::format("{} corner{}: there are points on a line on both sides",
-                                            spline.corners.size(),
-                                            spline.corners.size() == 1 ? "" : "s"));
+                                            between_lines, between_lines == 1 ? "" : "s"));
   return made;
 }
 

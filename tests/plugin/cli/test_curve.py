@@ -367,6 +367,15 @@ def test_a_faired_airfoil_turns_to_one_side(tmp_path, thickness, count, toleranc
     assert math.dist(start, outline[0]) < 1e-6 and math.dist(end, outline[0]) < 1e-6
 
 
+def test_conics_of_an_airfoil_have_a_corner_at_its_sharp_end(tmp_path):
+    outline = naca(0.12, 40, chord=100)
+    _, report, _ = curve("conic", points_file(tmp_path, outline), "--closed", out="out.step")
+    (found,) = report["curves"]
+    assert found["closed"] and found["corners"] == 1 and found["distance_mm"] == 0
+    assert found["after"]["inflections"] == 0
+    assert found["after"]["length_mm"] == pytest.approx(found["before"]["length_mm"], rel=1e-4)
+
+
 def test_a_tolerance_of_0_returns_the_points(tmp_path):
     outline = naca(0.12, 20, sharp=False)
     given = points_file(tmp_path, outline)
