@@ -29,7 +29,8 @@ struct PolishedCurve {
 ///       curve in the plane z = 0 stays there.
 ///   (4) Rigid motion and scaling of poles and tolerance move the result along, up to where the
 ///       steps end.
-///   (5) A curve near an arc, held at its tangents, becomes the arc, as near as its knots allow.
+///   (5) The result for a curve near an arc, held at its tangents, has at most the variation of the
+///       arc as a spline with these knots.
 /// The cost of a step is O(poles).
 /// \throws std::invalid_argument as fairCurve() does, for a degree below 3, and for an inner knot
 /// of a multiplicity above degree - 2 (with the knot), where the curvature may jump. Throws

@@ -371,7 +371,7 @@ double NodeChain::endAngle(Index span) const {
   return node.kind == NodeKind::End ? startAngle(span) : inflectionAngle(*this, span + 1);
 }
 
-ConicSpline conicSpline(const PlanarPoints& points, bool closed) {
+ConicSpline conicSpline(const PlanarPoints& points, bool closed, const Progress& progress) {
   NodeChain chain = chainOf(points, closed);
   findLines(chain);
   insertInflections(chain);
@@ -392,7 +392,11 @@ ConicSpline conicSpline(const PlanarPoints& points, bool closed) {
     result.inserted += divided;
     findTangents(chain);
   }
+  // A choice: most of the time goes into the pairs.
+  constexpr double tangents_found = 0.1;
   for (Index s = 0; s < chain.spans(); ++s) {
+    const double share = static_cast<double>(s) / static_cast<double>(chain.spans());
+    checkProgress(progress, tangents_found + (1 - tangents_found) * share);
     noteJoint(chain, s, result);
     if (chain.at(s).is_line) {
       const Vector2d start = chain.at(s).point, end = chain.at(s + 1).point;

@@ -5,6 +5,7 @@
 
 #include <seamwright/core/planar/biarc_spline.hpp>
 #include <seamwright/core/planar/conic.hpp>
+#include <seamwright/core/progress.hpp>
 
 namespace seamwright {
 
@@ -29,15 +30,17 @@ struct ConicSpline {
 ///       control polygons of the conics turn as the polygon of the points does, so points in convex
 ///       position give a convex curve.
 ///   (3) Points of a circle give the circle, those of a line the line.
-///   (4) Reversed points give the reversed spline; rigid motion and scaling move it along.
+///   (4) Reversed points, rigid motion and scaling keep the tangents and curvatures at the points.
+///       Inside of a span the joint of a pair is the best of a grid, where rounding may decide.
 ///   (5) Three neighbours on a line, with turns to the same side before and after them, stay on a
 ///       line: no convex curve passes otherwise.
 /// The tangents are such that pairs of conics with monotone curvature have one curvature from both
 /// sides at each point. Few extrema are an aim, not a promise.
 /// \throws std::invalid_argument for fewer than 2 points (closed: 3), numbers that are not finite
 /// and neighbours that are equal. Throws std::domain_error if the polygon reverses its direction at
-/// a point (with its index).
+/// a point (with its index). Throws Cancelled.
 /// Source: docs/theory/planar.md P7.4, P7.5.
-ConicSpline conicSpline(const PlanarPoints& points, bool closed = false);
+ConicSpline conicSpline(const PlanarPoints& points, bool closed = false,
+                        const Progress& progress = {});
 
 }  // namespace seamwright

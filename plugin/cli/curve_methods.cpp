@@ -200,7 +200,7 @@ void addFigures(CurveFigures& sum, const CurveFigures& part) {
 }
 
 /// Conics from corner to corner of the points.
-MadeCurve conicsThrough(const GivenCurve& given) {
+MadeCurve conicsThrough(const GivenCurve& given, const Progress& progress) {
   const bool closed = given.record.closed;
   const std::vector<Eigen::Index> corners =
       given.points.rows() < 3
@@ -209,11 +209,16 @@ MadeCurve conicsThrough(const GivenCurve& given) {
   MadeCurve made{.record = given.record};
   made.chain.closed = closed;
   std::size_t g1_joints = 0, between_lines = 0;
+  double done = 0;
   for (const std::vector<Eigen::Index>& run : runsBetween(given.points.rows(), corners, closed)) {
+    const double end = std::min(
+        1.0, done + static_cast<double>(run.size()) / static_cast<double>(given.points.rows()));
     GivenCurve part;
     part.points = given.points(run, Eigen::indexing::all);
     part.record.closed = closed && corners.empty();
-    const ConicSpline spline = conicSpline(part.points, part.record.closed);
+    const ConicSpline spline =
+        conicSpline(part.points, part.record.closed, partOf(progress, done, end));
+    done = end;
     made.chain.curves.insert(made.chain.curves.end(), spline.conics.begin(), spline.conics.end());
     g1_joints += spline.g1_joints.size();
     between_lines += spline.corners.size();
@@ -261,7 +266,8 @@ MadeCurve conicsNearCurve(const GivenCurve& given, const CurveTask& task) {
 }
 
 MadeCurve madeConics(const GivenCurve& given, const CurveTask& task) {
-  return given.points.rows() > 0 ? conicsThrough(given) : conicsNearCurve(given, task);
+  return given.points.rows() > 0 ? conicsThrough(given, task.progress)
+                                 : conicsNearCurve(given, task);
 }
 
 CurveFigures withVariation(const ClothoidFigures& figures) {

@@ -83,8 +83,8 @@ TEST(ConicPair, Identity1MeetsTheEndsG2) {
 TEST(ConicPair, Identity2CirclesStay) {
   for (const double half : {0.05, 0.4, 1.1}) {
     const double radius = 2.5 / std::sin(half);
-    const Vector2d middle = Vector2d(1, 2) + 2.5 * unitVector(0.3) +
-                            radius * std::cos(half) * unitVector(0.3 + pi / 2);
+    const Vector2d middle =
+        Vector2d(1, 2) + 2.5 * unitVector(0.3) + radius * std::cos(half) * unitVector(0.3 + pi / 2);
     for (const PlanarConic& conic : fairConics(pairEnds(half, half)).conics)
       for (const double t : {0.0, 0.3, 0.8})
         EXPECT_NEAR((conic.point(t) - middle).norm() / radius, 1, 1e-10);
@@ -193,11 +193,18 @@ TEST(ConicSpline, Identity4MovesAlong) {
   const ConicSpline after = conicSpline(moved), back = conicSpline(points.colwise().reverse());
   ASSERT_EQ(after.conics.size(), spline.conics.size());
   ASSERT_EQ(back.conics.size(), spline.conics.size());
-  for (std::size_t i = 0; i < spline.conics.size(); ++i) {
-    EXPECT_LT((after.conics[i].corner - 8 * turn * spline.conics[i].corner).norm(), 1e-7);
-    const PlanarConic& mirror = back.conics[spline.conics.size() - 1 - i];
-    EXPECT_LT((mirror.corner - spline.conics[i].corner).norm(), 1e-7);
-    EXPECT_NEAR(mirror.weight, spline.conics[i].weight, 1e-7);
+  const auto tangent = [](const PlanarConic& conic) {
+    return Eigen::Vector2d((conic.corner - conic.start).normalized());
+  };
+  for (std::size_t i = 0; i < spline.conics.size(); i += 2) {
+    const PlanarConic &one = spline.conics[i], &moved_one = after.conics[i];
+    EXPECT_LT((moved_one.start - 8 * turn * one.start).norm(), 1e-12 * points.norm());
+    EXPECT_LT((tangent(moved_one) - turn * tangent(one)).norm(), 1e-7);
+    EXPECT_NEAR(8 * moved_one.startCurvature_per_mm() / one.startCurvature_per_mm(), 1, 1e-6);
+    const PlanarConic mirror = reversed(back.conics[spline.conics.size() - 1 - i]);
+    EXPECT_EQ(mirror.start, one.start);
+    EXPECT_LT((tangent(mirror) - tangent(one)).norm(), 1e-7);
+    EXPECT_NEAR(mirror.startCurvature_per_mm() / one.startCurvature_per_mm(), 1, 1e-6);
   }
 }
 
