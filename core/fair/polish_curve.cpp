@@ -297,15 +297,16 @@ Polished smallestWeight(const BSplineCurve& curve, const VariationProblem& probl
     return true;
   };
   // Waves of the lowest frequency in n poles have n^-6 of the energy of the highest: 2^-80 for
-  // 10000 poles. Above 2^8 the moves are small beside the waves of the highest frequency.
-  double low = -80, high = 8, exponent = high;
+  // 10000 poles. Above 2^8 the moves are small beside the waves of the highest frequency, and above
+  // 2^64 they are rounding.
+  constexpr double least = -80, first = 8, most = 64;
   constexpr double stride = 4;  // weights whose minima are near enough for a warm start
-  while (exponent >= low && attempt(exponent)) {
-    high = exponent;
-    exponent -= stride;
-  }
-  if (exponent < low) return best;
-  low = exponent;
+  double high = first;
+  while (!attempt(high))
+    if ((high += stride) > most) return best;
+  double low = high - stride;
+  for (; low >= least && attempt(low); low -= stride) high = low;
+  if (low < least) return best;
   while (high - low > 0x1p-6 && best.moved_mm < 0.99 * tolerance_mm) {
     const double middle = (low + high) / 2;
     (attempt(middle) ? high : low) = middle;

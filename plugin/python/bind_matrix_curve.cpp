@@ -120,8 +120,11 @@ outside of 0 .. 1e8, and tangents that are 0. Source: docs/theory/planar.md P13.
 )");
   type.def(py::init(&makeMatrixCurve), py::arg("degree"), py::arg("knots"), py::arg("points"),
            py::arg("tangents") = py::none(), py::arg("weights") = 1.0, py::arg("stiffness") = 0.0)
-      .def_property_readonly("degree", [](const MatrixCurve& c) { return c.degree; })
-      .def_property_readonly("knots", [](const MatrixCurve& c) { return c.knots; })
+      .def_property_readonly(
+          "degree", [](const MatrixCurve& c) { return c.degree; }, "Of the B-spline basis.")
+      .def_property_readonly(
+          "knots", [](const MatrixCurve& c) { return c.knots; },
+          "Flat: each is repeated by its multiplicity.")
       .def_property_readonly(
           "points", [](const MatrixCurve& c) { return pointRows(c, &MatrixPole::point); },
           "(count, 3), in mm.")
