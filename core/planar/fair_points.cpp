@@ -4,6 +4,7 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <seamwright/core/numeric.hpp>
 #include <seamwright/core/planar/fair_points.hpp>
@@ -132,6 +133,20 @@ double stepToBound(const Eigen::ArrayXd& values, const Eigen::ArrayXd& changes) 
   return step;
 }
 
+struct LineSearch {
+  double longest = 1;
+  double slope = 0;  ///< of the value at the start, below 0
+};
+
+/// The longest halved step that keeps Armijo's rule; 0 if there is none.
+double stepLength(const LineSearch& search, const std::function<double(double)>& valueAt) {
+  const double value = valueAt(0);
+  // 2^-40 of a step is not a step.
+  for (double step = search.longest; step > 0x1p-40; step /= 2)
+    if (!(valueAt(step) > value + 1e-4 * step * search.slope)) return step;
+  return 0;
+}
+
 /// A primal-dual interior-point method: lower and upper are the multipliers of share >= -1 and
 /// share <= 1, and the barrier falls with their complementarity. At the minimum of the linearised
 /// problem the energy is at most twice the complementarity above the least one.
@@ -164,16 +179,15 @@ InteriorPoint leastEnergy(const MovablePoints& problem, double negligible, int m
     const Eigen::VectorXd change = -factor.solve(barrier_gradient);
     ++result.steps;
 
-    double step = std::min(stepToBound(below, change.array()), stepToBound(above, -change.array()));
-    const double value = barrierValue(problem, result.shares, barrier);
     const double slope = barrier_gradient.dot(change);
-    // Armijo's rule; 2^-40 of a step is not a step.
-    while (step > 0x1p-40 && barrierValue(problem, result.shares + step * change, barrier) >
-                                 value + 1e-4 * step * slope) {
-      checkProgress(progress, shareAfter(result.steps));
-      step /= 2;
-    }
-    if (step <= 0x1p-40) step = 0;
+    const double step =
+        stepLength({.longest = std::min(stepToBound(below, change.array()),
+                                        stepToBound(above, -change.array())),
+                    .slope = slope},
+                   [&](double share) {
+                     checkProgress(progress, shareAfter(result.steps));
+                     return barrierValue(problem, result.shares + share * change, barrier);
+                   });
     result.shares += step * change;
 
     const Eigen::ArrayXd lower_change = (barrier - lower * change.array()) / below - lower;

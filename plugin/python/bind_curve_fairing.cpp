@@ -128,9 +128,7 @@ BSplineCurve smoothingSplineOf(const py::object& points, const py::object& param
   return smoothingSpline(order, flat, at, rows, weight, fixed);
 }
 
-}  // namespace
-
-void bindCurveFairing(py::module_& module) {
+void bindWholeCurves(py::module_& module) {
   module.def("curvature_profile", &curvatureProfileOf, py::arg("curve"),
              R"(Where the curvature of a curve has extrema and changes its sign: a CurvatureProfile.
 
@@ -161,11 +159,17 @@ P11.1.
 curve: polynomial, of any class and of degree 3 or more, planar or in space, with continuous
 curvature. Unlike that of fair_curve() the energy, the integral of (dk/ds)^2 + (k t)^2 by arc
 length, does not depend on the parametrisation: arcs and lines have 0. No point moves by more than
-tolerance_mm, the energy does not grow, and a tolerance of 0 returns the curve. ends: as of
+tolerance_mm, the energy does not grow, and a tolerance of 0 returns the curve. ends: as for
 fair_curve(); they join G0, G1 or G2 as before. It is a local minimum. ValueError for a tolerance
 that is negative or not finite, rational curves, lower degrees, knots at which the curvature may
 jump, and curves that stop. Source: docs/theory/planar.md P11.3, P13.4.
 )");
+}
+
+}  // namespace
+
+void bindCurveFairing(py::module_& module) {
+  bindWholeCurves(module);
   module.def("fair_at_knots", &fairKnotsOf, py::arg("curve"), py::arg("tolerance_mm"),
              py::kw_only(), py::arg("ends") = "position",
              R"(A cubic curve faired at its worst knots, one after the other: a FairedCurve.

@@ -75,7 +75,7 @@ Rows rowsWithoutSolution() {
       {"opencascade_failed",
        why::failed(StdFail_NotDone("a test")),
        {.says = "OpenCASCADE failed: StdFail_NotDone a test"}},
-      {"failed", why::failed("no normal"), {.says = "no normal"}},
+      {"failed", why::failed(std::string("no normal")), {.says = "no normal"}},
   };
 }
 
