@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
@@ -10,20 +9,16 @@
 
 #include <seamwright/core/bezier/homogeneous.hpp>
 #include <seamwright/core/bspline/basis.hpp>
-#include <seamwright/core/fair/curvature_profile.hpp>
 #include <seamwright/core/fair/fair_curve.hpp>
+#include <seamwright/core/fair/polynomial_curve.hpp>
+#include <seamwright/core/fair/profile_sum.hpp>
 #include <seamwright/core/fair/spline_energy.hpp>
 #include <seamwright/core/numeric.hpp>
 #include <seamwright/core/spline/bezier_spline.hpp>
 
 namespace seamwright {
 
-namespace {
-
 using Eigen::Index;
-
-using Band = Eigen::SparseMatrix<double>;
-using BandCholesky = Eigen::SimplicialLDLT<Band, Eigen::Lower, Eigen::NaturalOrdering<int>>;
 
 void requirePolynomial(const BSplineCurve& curve) {
   requireValid(curve);
@@ -31,12 +26,12 @@ void requirePolynomial(const BSplineCurve& curve) {
   if (curve.degree < 2) refuse("a curve of degree 1 can't be faired");
 }
 
-void requireTolerance(double tolerance_mm) {
+void requireFairingTolerance(double tolerance_mm) {
   if (!(tolerance_mm >= 0) || tolerance_mm == infinite)
     refuse(fmt::format("the tolerance is {} mm: it must be at least 0 and finite", tolerance_mm));
 }
 
-Poles polesOf(const BSplineCurve& curve) {
+Poles polynomialPoles(const BSplineCurve& curve) {
   return curve.poles.leftCols<3>() / curve.poles(0, 3);
 }
 
@@ -46,6 +41,21 @@ BSplineCurve withPoles(const BSplineCurve& curve, const Poles& poles) {
   return result;
 }
 
+double largestPole_mm(const BSplineCurve& knots, const Poles& poles) {
+  BSplineCurve difference{knots.degree, knots.knots, HomogeneousPoles(poles.rows(), 4)};
+  difference.poles << poles, Eigen::VectorXd::Ones(poles.rows());
+  return bezierSpline(difference).poles.leftCols<3>().rowwise().norm().maxCoeff();
+}
+
+FreePoles::FreePoles(Index poles, HeldEnds ends)
+    : first(std::min<Index>(static_cast<Index>(ends), (poles + 1) / 2)),
+      count(std::max<Index>(poles - 2 * first, 0)) {}
+
+namespace {
+
+using Band = Eigen::SparseMatrix<double>;
+using BandCholesky = Eigen::SimplicialLDLT<Band, Eigen::Lower, Eigen::NaturalOrdering<int>>;
+
 int energyOrder(int degree) {
   return std::min(3, degree);
 }
@@ -54,39 +64,12 @@ double energyOf(const Band& products, const Poles& poles) {
   return poles.cwiseProduct(products * poles).sum();
 }
 
-/// The largest distance of a Bézier pole of the spline with these poles from the origin.
-double largestPole_mm(const BSplineCurve& knots, const Poles& poles) {
-  BSplineCurve difference{knots.degree, knots.knots, HomogeneousPoles(poles.rows(), 4)};
-  difference.poles << poles, Eigen::VectorXd::Ones(poles.rows());
-  return bezierSpline(difference).poles.leftCols<3>().rowwise().norm().maxCoeff();
-}
-
-/// The derivative of the signed curvature or, in space, of its size by the parameter, from the
-/// derivatives up to order 3.
-double curvatureSlope(const CurveDerivatives& at, bool planar) {
-  const Eigen::RowVector3d first = at.row(1), second = at.row(2), third = at.row(3);
-  const Eigen::RowVector3d turn = first.cross(second), change = first.cross(third);
-  const double square = first.squaredNorm(), along = first.dot(second);
-  if (planar) return change.z() * square - 3 * along * turn.z();
-  return turn.dot(change) * square - 3 * along * turn.squaredNorm();
-}
-
-/// The poles that are free if the ends are held.
-struct FreePoles {
-  Index first = 0, count = 0;
-
-  FreePoles(Index poles, HeldEnds ends) {
-    first = std::min<Index>(static_cast<Index>(ends), (poles + 1) / 2);
-    count = std::max<Index>(poles - 2 * first, 0);
-  }
-};
-
 /// Moves of the poles for a smoothing: (mass + smoothing energy) x = -smoothing energy poles, for
 /// the free poles.
 class Smoother {
  public:
   Smoother(const BSplineCurve& curve, HeldEnds ends)
-      : poles_(polesOf(curve)),
+      : poles_(polynomialPoles(curve)),
         free_(poles_.rows(), ends),
         energy_(derivativeProducts(curve.degree, curve.knots, energyOrder(curve.degree))),
         mass_(block(derivativeProducts(curve.degree, curve.knots, 0))),
@@ -132,12 +115,14 @@ struct Smoothed {
 };
 
 /// Bisection for the logarithm of the smoothing. The distance grows with the smoothing.
-Smoothed largestSmoothing(Smoother& smoother, const BSplineCurve& curve, double tolerance_mm) {
+Smoothed largestSmoothing(Smoother& smoother, const BSplineCurve& curve, double tolerance_mm,
+                          const Progress& progress) {
   // Beyond 2^40 times the middle rounding of the energy comes near to the mass, below 2^-40 the
   // moves are rounding.
   double low = -40, high = 40;
   Smoothed best{.moves = Poles::Zero(curve.poles.rows(), 3)};
   const auto attempt = [&](double exponent) {
+    checkProgress(progress, shareAfter(best.steps));
     const double smoothing = smoother.middle() * std::exp2(exponent);
     ++best.steps;
     const std::optional<Poles> moves = smoother.moves(smoothing);
@@ -157,52 +142,46 @@ Smoothed largestSmoothing(Smoother& smoother, const BSplineCurve& curve, double 
 
 }  // namespace
 
-CurveFairness fairnessOf(const BSplineCurve& curve) {
+CurveFairness fairnessOf(const BSplineCurve& curve, const Progress& progress) {
   requirePolynomial(curve);
-  const Poles poles = polesOf(curve);
+  const Poles poles = polynomialPoles(curve);
   CurveFairness result{
       .energy = energyOf(derivativeProducts(curve.degree, curve.knots, energyOrder(curve.degree)),
                          poles)};
-  const bool planar = (poles.col(2).array() == 0).all();
+  ProfileSum profiles{.planar = (poles.col(2).array() == 0).all()};
   const BezierSpline spline = bezierSpline(curve);
   const int count = static_cast<int>(spline.knots.size()) - 1;
-  double before = 0;
   for (int i = 0; i < count; ++i) {
-    const BezierCurve piece = segment(spline, i);
-    try {
-      const CurvatureProfile profile =
-          planar ? planarCurvatureProfile(piece) : spaceCurvatureProfile(piece);
-      result.extrema += static_cast<int>(profile.extrema.size());
-      result.inflections += static_cast<int>(profile.inflections.size());
-      if (!profile.undecided_extrema.empty() || !profile.undecided_inflections.empty())
-        ++result.undecided_spans;
-    } catch (const std::domain_error&) {
-      ++result.undecided_spans;  // it may stop: the curvature has no certain sign
-    }
-    const double after = curvatureSlope(piece.derivatives(0, 3), planar);
-    if (before * after < 0) ++result.extrema_at_knots;
-    before = curvatureSlope(piece.derivatives(1, 3), planar);
+    checkProgress(progress, static_cast<double>(i) / count);
+    profiles.add(segment(spline, i));
   }
+  result.extrema = profiles.extrema;
+  result.extrema_at_knots = profiles.extrema_at_joints;
+  result.inflections = profiles.inflections;
+  result.undecided_spans = profiles.undecided;
   return result;
 }
 
 FairedCurve fairCurve(const BSplineCurve& curve, double tolerance_mm,
-                      const CurveFairingOptions& options) {
+                      const CurveFairingOptions& options, const Progress& progress) {
+  // Choices: about the shares of the time that curves of many spans need.
+  constexpr double measured = 0.3, smoothed = 0.7;
   FairedCurve result;
-  result.before = fairnessOf(curve);
-  requireTolerance(tolerance_mm);
+  result.before = fairnessOf(curve, partOf(progress, 0, measured));
+  requireFairingTolerance(tolerance_mm);
   result.curve = curve;
   result.after = result.before;
   Smoother smoother(curve, options.ends);
   if (tolerance_mm == 0 || smoother.freeCount() == 0) return result;
-  const Smoothed found = largestSmoothing(smoother, curve, tolerance_mm);
+  const Smoothed found =
+      largestSmoothing(smoother, curve, tolerance_mm, partOf(progress, measured, smoothed));
   result.steps = found.steps;
-  const Poles poles = polesOf(curve) + found.moves;
+  const Poles poles = polynomialPoles(curve) + found.moves;
   if (!(energyOf(smoother.energy(), poles) < result.before.energy)) return result;
   result.curve = withPoles(curve, poles);
   result.moved_mm = found.moved_mm;
   result.smoothing = found.smoothing;
-  result.after = fairnessOf(result.curve);
+  result.after = fairnessOf(result.curve, partOf(progress, smoothed, 1));
   return result;
 }
 

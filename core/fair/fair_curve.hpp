@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <seamwright/core/bspline/curve.hpp>
+#include <seamwright/core/progress.hpp>
 
 /// Fairing of polynomial B-spline curves, planar and spatial. Knots and parametrisation stay.
 namespace seamwright {
@@ -27,8 +28,8 @@ struct CurveFairness {
 
 /// \param curve polynomial; in space the profile is that of spaceCurvatureProfile().
 /// \throws std::invalid_argument as requireValid(BSplineCurve) does, for a rational curve and for a
-/// degree of 1.
-CurveFairness fairnessOf(const BSplineCurve& curve);
+/// degree of 1. Throws Cancelled, see Progress; it is called before each span.
+CurveFairness fairnessOf(const BSplineCurve& curve, const Progress& progress = {});
 
 struct FairedCurve {
   BSplineCurve curve;
@@ -53,9 +54,10 @@ struct CurveFairingOptions {
 ///   (5) A curve with a larger tolerance has an energy that is at most as large.
 /// The cost of a step is O(poles).
 /// \throws std::invalid_argument as fairnessOf() does, and for a tolerance that is negative or not
-/// finite. Source: docs/theory/planar.md P11.1.
+/// finite. Throws Cancelled, see Progress; it is called before each step and each span.
+/// Source: docs/theory/planar.md P11.1.
 FairedCurve fairCurve(const BSplineCurve& curve, double tolerance_mm,
-                      const CurveFairingOptions& options = {});
+                      const CurveFairingOptions& options = {}, const Progress& progress = {});
 
 /// The spline that makes half the sum of |P(t_k) - Q_k|^2 plus half of \p smoothing times the
 /// integral of |P'''|^2 least.
@@ -83,8 +85,9 @@ BSplineCurve fairedAtKnot(const BSplineCurve& curve, int index, double limit_mm 
 /// Fairs a cubic curve at the knots with the largest jumps of |P'''| / |P'|^3, one after the other,
 /// as long as the sum of the jumps at the knots that a pole influences falls.
 ///   (8) No pole moves by more than the tolerance, so neither does a point of the curve.
-/// \throws as fairedAtKnot() and fairCurve() do. Source: docs/theory/planar.md P11.2.
+/// \throws as fairedAtKnot() and fairCurve() do; the progress is called before each knot.
+/// Source: docs/theory/planar.md P11.2.
 FairedCurve fairKnots(const BSplineCurve& curve, double tolerance_mm,
-                      const CurveFairingOptions& options = {});
+                      const CurveFairingOptions& options = {}, const Progress& progress = {});
 
 }  // namespace seamwright

@@ -157,8 +157,8 @@ BSplineCurve fairedAtKnot(const BSplineCurve& curve, int index, double limit_mm)
 }
 
 FairedCurve fairKnots(const BSplineCurve& curve, double tolerance_mm,
-                      const CurveFairingOptions& options) {
-  FairedCurve result = fairCurve(curve, 0);
+                      const CurveFairingOptions& options, const Progress& progress) {
+  FairedCurve result = fairCurve(curve, 0, {}, progress);
   requireCubic(curve);
   if (!(tolerance_mm >= 0) || tolerance_mm == infinite)
     refuse(fmt::format("the tolerance is {} mm: it must be at least 0 and finite", tolerance_mm));
@@ -169,6 +169,7 @@ FairedCurve fairKnots(const BSplineCurve& curve, double tolerance_mm,
   // Each success puts six neighbours back; five rounds over all knots are enough in practice.
   const int max_steps = 5 * count;
   while (!queue.empty() && result.steps < max_steps) {
+    checkProgress(progress, static_cast<double>(result.steps) / max_steps);
     const int j = queue.takeLargest(), pole = j - 2;
     if (pole < held || pole >= count - held) continue;
     ++result.steps;

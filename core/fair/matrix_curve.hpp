@@ -21,6 +21,8 @@ struct MatrixPole {
 
   /// w (I + m (I - T T')) with the unit tangent T.
   Eigen::Matrix3d matrix() const;
+
+  bool operator==(const MatrixPole& other) const = default;
 };
 
 /// A matrix-weighted B-spline curve Q(t) = (sum of M_i N_i(t))^-1 (sum of M_i P_i N_i(t)), where
@@ -30,6 +32,8 @@ struct MatrixCurve {
   int degree = 0;
   std::vector<double> knots;
   std::vector<MatrixPole> poles;
+
+  bool operator==(const MatrixCurve& other) const = default;
 };
 
 /// \throws std::invalid_argument, with the index and the value, as requireValid(BSplineCurve) does,

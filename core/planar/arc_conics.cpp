@@ -43,10 +43,12 @@ std::vector<PlanarConic> takeUpTo(const PlanarConic& piece,
 }
 
 double distanceFromRun(const std::vector<PlanarConic>& conics, const std::vector<PlanarArc>& run,
-                       double limit_mm) {
+                       double limit_mm, const Progress& progress) {
   double distance_mm = 0;
   auto next = conics.begin();
+  std::size_t done = 0;
   for (const PlanarArc& arc : run) {
+    checkProgress(progress, static_cast<double>(done++) / static_cast<double>(run.size()));
     std::vector<PlanarConic> beside;
     for (const PlanarConic& piece : conicsOf({arc})) {
       const std::vector<PlanarConic> taken = takeUpTo(piece, next, conics.end());
@@ -83,10 +85,12 @@ std::vector<SmoothArcs> smoothRuns(const ArcChain& chain) {
 
 }  // namespace
 
-ArcConics g2ConicsNear(const ArcChain& chain, double limit_mm) {
+ArcConics g2ConicsNear(const ArcChain& chain, double limit_mm, const Progress& progress) {
   if (chain.arcs.empty()) refuse("a chain of arcs is empty");
   ArcConics result;
   result.closed = chain.closed;
+  const auto whole = static_cast<double>(chain.arcs.size());
+  double done = 0;
   for (const SmoothArcs& run : smoothRuns(chain)) {
     // Arcs meet in position and direction up to the rounding of their ends.
     double size_mm = 0;
@@ -99,8 +103,11 @@ ArcConics g2ConicsNear(const ArcChain& chain, double limit_mm) {
     const int begin = static_cast<int>(result.conics.size());
     if (begin > 0 || (chain.closed && !run.closed)) result.corners.push_back(begin);
     for (const int joint : made.g1_joints) result.g1_joints.push_back(begin + joint);
+    const double end = done + static_cast<double>(run.arcs.size()) / whole;
     result.distance_mm =
-        std::max(result.distance_mm, distanceFromRun(made.conics, run.arcs, limit_mm));
+        std::max(result.distance_mm,
+                 distanceFromRun(made.conics, run.arcs, limit_mm, partOf(progress, done, end)));
+    done = end;
     result.conics.insert(result.conics.end(), made.conics.begin(), made.conics.end());
   }
   return result;

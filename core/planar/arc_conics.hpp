@@ -5,6 +5,7 @@
 
 #include <seamwright/core/planar/arc.hpp>
 #include <seamwright/core/planar/conic.hpp>
+#include <seamwright/core/progress.hpp>
 
 namespace seamwright {
 
@@ -33,8 +34,8 @@ struct ArcConics {
 ///   (1) Points of a dense sample are not further from the arcs than distance_mm.
 ///   (2) One arc, or one line, is returned as it is.
 /// \param limit_mm bounds above it are not computed. \throws as g2Conics() does, and
-/// std::invalid_argument for an empty chain.
-/// Source: docs/theory/planar.md P7.2, P9.1.
-ArcConics g2ConicsNear(const ArcChain& chain, double limit_mm);
+/// std::invalid_argument for an empty chain. Throws Cancelled, see Progress; it is called before
+/// the bound of each arc. Source: docs/theory/planar.md P7.2, P9.1.
+ArcConics g2ConicsNear(const ArcChain& chain, double limit_mm, const Progress& progress = {});
 
 }  // namespace seamwright

@@ -12,6 +12,7 @@
 #include <seamwright/core/planar/arc_distance.hpp>
 #include <seamwright/core/planar/arc_fit.hpp>
 #include <seamwright/core/planar/biarc.hpp>
+#include <seamwright/core/planar/planar_curve.hpp>
 
 namespace seamwright {
 
@@ -21,60 +22,6 @@ using Eigen::Vector2d;
 
 /// The largest turn of one arc. It leaves room below 2 pi, where ends meet and chords vanish.
 constexpr double most_turn_rad = 1.5 * std::numbers::pi;
-
-/// Point, direction and curvature of a curve at a parameter.
-struct CurveFrame {
-  Vector2d point;
-  double direction_rad = 0;
-  double curvature_slope_per_mm2 = 0;  ///< change of the curvature by arc length
-};
-
-CurveFrame frameAt(const BezierCurve& segment, double t, int index) {
-  const CurveDerivatives d = segment.derivatives(t, 3);
-  const Vector2d first = d.row(1).head<2>(), second = d.row(2).head<2>(),
-                 third = d.row(3).head<2>();
-  const double speed = first.norm();
-  if (!(speed > 0)) {
-    throw std::domain_error(fmt::format(
-        "the curve stops in segment {} at the parameter {}: it has no tangent there", index, t));
-  }
-  // docs/theory/planar.md P8.1.
-  const double slope =
-      cross(first, third) * speed * speed - 3 * first.dot(second) * cross(first, second);
-  return {.point = d.row(0).head<2>(),
-          .direction_rad = directionOf(first),
-          .curvature_slope_per_mm2 = slope / std::pow(speed, 6)};
-}
-
-/// A curve of N segments with the parameter u from 0 to N; segment i runs from i to i + 1.
-struct PlanarCurve {
-  std::vector<BezierCurve> segments;
-  std::vector<CurvePolynomials> polynomials;
-  std::vector<Vector2d> origins;
-
-  int count() const { return static_cast<int>(segments.size()); }
-  CurveFrame startOf(int i) const { return frameAt(segments[i], 0, i); }
-  CurveFrame endOf(int i) const { return frameAt(segments[i], 1, i); }
-  CurveFrame at(double u) const {
-    const int i = std::min(static_cast<int>(u), count() - 1);
-    return frameAt(segments[i], u - i, i);
-  }
-};
-
-PlanarCurve planarCurve(const BezierSpline& spline) {
-  PlanarCurve curve;
-  for (int i = 0; i < spline.segments(); ++i) {
-    const BezierCurve one = segment(spline, i);
-    const Poles poles = one.poles();
-    if (poles.col(2).any())
-      refuse(fmt::format("segment {} is outside of the plane z = 0: it has a pole at z = {} mm", i,
-                         poles.col(2).cwiseAbs().maxCoeff()));
-    curve.segments.push_back(one);
-    curve.polynomials.push_back(curvePolynomials(one, poles.row(0)));
-    curve.origins.emplace_back(poles.row(0).head<2>());
-  }
-  return curve;
-}
 
 /// Arcs beside a part of the curve.
 struct FittedPart {
@@ -235,10 +182,12 @@ void append(FittedPart& to, const FittedPart& part) {
   to.distance_mm = std::max(to.distance_mm, part.distance_mm);
 }
 
-FittedPart fitRun(const PlanarCurve& curve, const SmoothRun& run, double tolerance_mm) {
+FittedPart fitRun(const PlanarCurve& curve, const SmoothRun& run, double tolerance_mm,
+                  const Progress& progress) {
   FittedPart result;
   double u = run.begin, direction_rad = run.begin_direction_rad, guess = 1;
   while (u < run.end) {
+    checkProgress(progress, u / curve.count());
     const FittedStep step = longestStep(curve, run, u, direction_rad, guess, tolerance_mm);
     append(result, step.part);
     guess = step.end - u;
@@ -285,9 +234,23 @@ double turnAt(const CurveFrame& before, const CurveFrame& after) {
   return wrapped(after.direction_rad - before.direction_rad);
 }
 
+/// With a tolerance near the rounding that alongCircle() adds to each bound, pieces become ever
+/// shorter before one is refused.
+void requireAboveNoise(const BezierSpline& spline, double tolerance_mm) {
+  double size_mm = 0;
+  for (const auto& pole : spline.poles.rowwise())
+    size_mm = std::max(size_mm, pole.head<2>().cwiseAbs().maxCoeff() / pole(3));
+  // Two points and their distance, and an eighth of the tolerance at most.
+  const double noise_mm = 8 * 3 * machine_epsilon * size_mm;
+  if (tolerance_mm < noise_mm)
+    throw std::domain_error(fmt::format(
+        "the tolerance {:.3g} mm is below {:.3g} mm, the rounding of coordinates of {:.3g} mm",
+        tolerance_mm, noise_mm, size_mm));
+}
+
 }  // namespace
 
-ArcFit fitArcs(const BezierSpline& spline, const ArcFitOptions& options) {
+ArcFit fitArcs(const BezierSpline& spline, const ArcFitOptions& options, const Progress& progress) {
   requireValid(spline);
   if (!(options.tolerance_mm > 0 && std::isfinite(options.tolerance_mm)))
     refuse(fmt::format("the tolerance is {} mm: it must be positive and finite",
@@ -295,6 +258,7 @@ ArcFit fitArcs(const BezierSpline& spline, const ArcFitOptions& options) {
   if (!(options.corner_rad > 0 && options.corner_rad < std::numbers::pi))
     refuse(
         fmt::format("the corner angle is {} rad: it must be between 0 and pi", options.corner_rad));
+  requireAboveNoise(spline, options.tolerance_mm);
   const PlanarCurve curve = planarCurve(spline);
   const int n = curve.count();
   // Turns at the joints 0 to n; an open end has none.
@@ -303,7 +267,10 @@ ArcFit fitArcs(const BezierSpline& spline, const ArcFitOptions& options) {
   if (spline.closed) turns_rad[0] = turns_rad[n] = turnAt(curve.endOf(n - 1), curve.startOf(0));
   const auto isCorner = [&](int joint) { return std::abs(turns_rad[joint]) > options.corner_rad; };
   std::vector<std::optional<FittedPart>> exact;
-  for (int i = 0; i < n; ++i) exact.push_back(exactArc(curve, i, options.tolerance_mm));
+  for (int i = 0; i < n; ++i) {
+    checkProgress(progress, 0);
+    exact.push_back(exactArc(curve, i, options.tolerance_mm));
+  }
 
   FittedPart fitted;
   ArcFit result = {.arcs = {}, .corners = {}, .closed = spline.closed};
@@ -327,7 +294,7 @@ ArcFit fitArcs(const BezierSpline& spline, const ArcFitOptions& options) {
                                                   share(i, i > 0 && exact[i - 1].has_value()),
                            .end_direction_rad = curve.endOf(end - 1).direction_rad +
                                                 share(end, end < n && exact[end].has_value())};
-    append(fitted, fitRun(curve, run, options.tolerance_mm));
+    append(fitted, fitRun(curve, run, options.tolerance_mm, progress));
     i = end;
   }
   result.arcs = std::move(fitted.arcs);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <seamwright/core/planar/arc.hpp>
+#include <seamwright/core/progress.hpp>
 #include <seamwright/core/spline/bezier_spline.hpp>
 
 namespace seamwright {
@@ -40,9 +41,10 @@ struct ArcFit {
 /// \throws std::invalid_argument if the curve is not valid, a pole is outside of the plane, the
 /// tolerance is not positive and finite, or the corner angle is not in (0, pi). Throws
 /// std::domain_error if the curve stops or turns back (with the parameter), or if the tolerance is
-/// too small for the rounding of the curve.
-/// Source: docs/theory/planar.md P9.1, P9.2.
-ArcFit fitArcs(const BezierSpline& curve, const ArcFitOptions& options = {});
+/// too small for the rounding of the curve. Throws Cancelled, see Progress; it is called before
+/// each pair of arcs. Source: docs/theory/planar.md P9.1, P9.2.
+ArcFit fitArcs(const BezierSpline& curve, const ArcFitOptions& options = {},
+               const Progress& progress = {});
 
 /// The chain at a distance to its left (below 0: to its right). The arc at a corner on the outside
 /// is an arc around the corner.

@@ -11,48 +11,13 @@
 #include <seamwright/core/planar/arc_distance.hpp>
 #include <seamwright/core/planar/clothoid_fit.hpp>
 #include <seamwright/core/planar/clothoid_spline.hpp>
+#include <seamwright/core/planar/planar_curve.hpp>
 
 namespace seamwright {
 
 namespace {
 
 using Eigen::Vector2d;
-
-/// A curve of N segments with the parameter u from 0 to N; segment i runs from i to i + 1.
-struct FittedCurve {
-  std::vector<BezierCurve> segments;
-  std::vector<CurvePolynomials> polynomials;
-  std::vector<Vector2d> origins;
-
-  int count() const { return static_cast<int>(segments.size()); }
-  Vector2d point(double u) const {
-    const int i = std::min(static_cast<int>(u), count() - 1);
-    return segments[i].point(u - i).head<2>();
-  }
-  double direction_rad(int segment, double t) const {
-    const Vector2d first = segments[segment].derivatives(t, 1).row(1).head<2>();
-    if (!(first.norm() > 0))
-      throw std::domain_error(
-          fmt::format("the curve stops in segment {} at the parameter {}: it has no tangent there",
-                      segment, t));
-    return directionOf(first);
-  }
-};
-
-FittedCurve fittedCurve(const BezierSpline& spline) {
-  FittedCurve curve;
-  for (int i = 0; i < spline.segments(); ++i) {
-    const BezierCurve one = segment(spline, i);
-    const Poles poles = one.poles();
-    if (poles.col(2).any())
-      refuse(fmt::format("segment {} is outside of the plane z = 0: it has a pole at z = {} mm", i,
-                         poles.col(2).cwiseAbs().maxCoeff()));
-    curve.segments.push_back(one);
-    curve.polynomials.push_back(curvePolynomials(one, poles.row(0)));
-    curve.origins.emplace_back(poles.row(0).head<2>());
-  }
-  return curve;
-}
 
 /// The circle through three points, as an arc that begins at the first one. It is a line if they
 /// are on one.
@@ -63,7 +28,7 @@ PlanarArc circleThrough(const Vector2d& start, const Vector2d& middle, const Vec
 }
 
 /// Upper bound of the distance of the curve from an arc over [u0, u1].
-std::optional<double> ofCurve(const FittedCurve& curve, const Interval& range, const PlanarArc& arc,
+std::optional<double> ofCurve(const PlanarCurve& curve, const Interval& range, const PlanarArc& arc,
                               double tolerance_mm) {
   double distance_mm = 0;
   for (int i = static_cast<int>(range.lower); i < curve.count() && i < range.upper; ++i) {
@@ -83,7 +48,7 @@ std::optional<double> ofClothoid(const Clothoid& clothoid, const PlanarArc& arc,
   // The quintic form costs little of the tolerance.
   constexpr double share = 1e-3;
   const SplineWithin quintics = bezierSpline({clothoid}, share * tolerance_mm, false, 0);
-  const FittedCurve curve = fittedCurve(quintics.curve);
+  const PlanarCurve curve = planarCurve(quintics.curve);
   const auto distance_mm = ofCurve(curve, {0, static_cast<double>(curve.count())}, arc,
                                    tolerance_mm - quintics.distance_mm);
   if (!distance_mm) return std::nullopt;
@@ -91,7 +56,7 @@ std::optional<double> ofClothoid(const Clothoid& clothoid, const PlanarArc& arc,
 }
 
 /// Upper bound of the distance of a clothoid from the part of the curve between the same points.
-std::optional<double> clothoidDistance(const FittedCurve& curve, const Interval& range,
+std::optional<double> clothoidDistance(const PlanarCurve& curve, const Interval& range,
                                        const Clothoid& clothoid, double tolerance_mm) {
   const Vector2d start = curve.point(range.lower), middle = curve.point(range.middle()),
                  end = curve.point(range.upper);
@@ -118,8 +83,9 @@ struct FittedRun {
   double distance_mm = 0;
 };
 
-std::optional<ClothoidSpline> splineThrough(const FittedCurve& curve, const ClothoidRun& run,
-                                            const std::vector<double>& parameters) {
+std::optional<ClothoidSpline> splineThrough(const PlanarCurve& curve, const ClothoidRun& run,
+                                            const std::vector<double>& parameters,
+                                            const Progress& progress) {
   const std::size_t count = parameters.size() - (run.closed ? 1 : 0);
   PlanarPoints points(static_cast<Eigen::Index>(count), 2);
   for (std::size_t i = 0; i < count; ++i)
@@ -132,24 +98,27 @@ std::optional<ClothoidSpline> splineThrough(const FittedCurve& curve, const Clot
     options.end.direction_rad = curve.direction_rad(run.end - 1, 1);
   }
   try {
-    return clothoidSpline(points, options);
+    return clothoidSpline(points, options, progress);
   } catch (const std::domain_error&) {  // points are too far apart for the turn between them
     return std::nullopt;
   }
 }
 
-FittedRun fitClothoidRun(const FittedCurve& curve, const ClothoidRun& run, double tolerance_mm) {
+FittedRun fitClothoidRun(const PlanarCurve& curve, const ClothoidRun& run, double tolerance_mm,
+                         const Progress& progress) {
   // Four pieces of a closed run turn by a right angle each.
   const int first_pieces = run.closed ? 4 : 1;
   std::vector<double> parameters;
   for (int i = 0; i <= first_pieces; ++i)
     parameters.push_back(run.begin + static_cast<double>(i) * (run.end - run.begin) / first_pieces);
   constexpr double shortest = 0x1p-20;
-  while (true) {
-    const std::optional<ClothoidSpline> spline = splineThrough(curve, run, parameters);
+  for (int round = 0;; ++round) {
+    const Progress of_round = partOf(progress, shareAfter(round), shareAfter(round));
+    const std::optional<ClothoidSpline> spline = splineThrough(curve, run, parameters, of_round);
     FittedRun result;
     std::vector<double> finer = {parameters.front()};
     for (std::size_t i = 0; i + 1 < parameters.size(); ++i) {
+      checkProgress(of_round, 0);
       const Interval range = {parameters[i], parameters[i + 1]};
       std::optional<double> distance_mm;
       if (spline) distance_mm = clothoidDistance(curve, range, spline->pieces[i], tolerance_mm);
@@ -175,7 +144,8 @@ FittedRun fitClothoidRun(const FittedCurve& curve, const ClothoidRun& run, doubl
 
 }  // namespace
 
-ClothoidFit fitClothoids(const BezierSpline& spline, const ClothoidFitOptions& options) {
+ClothoidFit fitClothoids(const BezierSpline& spline, const ClothoidFitOptions& options,
+                         const Progress& progress) {
   requireValid(spline);
   if (!(options.tolerance_mm > 0 && std::isfinite(options.tolerance_mm)))
     refuse(fmt::format("the tolerance is {} mm: it must be positive and finite",
@@ -183,7 +153,7 @@ ClothoidFit fitClothoids(const BezierSpline& spline, const ClothoidFitOptions& o
   if (!(options.corner_rad > 0 && options.corner_rad < std::numbers::pi))
     refuse(
         fmt::format("the corner angle is {} rad: it must be between 0 and pi", options.corner_rad));
-  const FittedCurve curve = fittedCurve(spline);
+  const PlanarCurve curve = planarCurve(spline);
   const int n = curve.count();
   const auto isCorner = [&](int joint) {
     const double turn_rad =
@@ -201,8 +171,10 @@ ClothoidFit fitClothoids(const BezierSpline& spline, const ClothoidFitOptions& o
     // A closed curve without a corner at its beginning gets none: both runs there have its tangent.
     if (i > 1 || (spline.closed && !smooth && isCorner(0)))
       result.corners.push_back(static_cast<int>(result.pieces.size()));
+    const double whole = n;
     const FittedRun fitted = fitClothoidRun(
-        curve, {.begin = cuts[i - 1], .end = cuts[i], .closed = smooth}, options.tolerance_mm);
+        curve, {.begin = cuts[i - 1], .end = cuts[i], .closed = smooth}, options.tolerance_mm,
+        partOf(progress, cuts[i - 1] / whole, cuts[i] / whole));
     result.pieces.insert(result.pieces.end(), fitted.pieces.begin(), fitted.pieces.end());
     result.distance_mm = std::max(result.distance_mm, fitted.distance_mm);
   }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <seamwright/core/planar/clothoid.hpp>
+#include <seamwright/core/progress.hpp>
 #include <seamwright/core/spline/bezier_spline.hpp>
 
 namespace seamwright {
@@ -35,8 +36,9 @@ struct ClothoidFit {
 /// \throws std::invalid_argument if the curve is not valid, a pole is outside of the plane, the
 /// tolerance is not positive and finite, or the corner angle is not in (0, pi). Throws
 /// std::domain_error if the curve stops, and if pieces of 2^-20 of a segment do not keep the
-/// tolerance.
+/// tolerance. Throws Cancelled, see Progress; it is called before each clothoid.
 /// Source: docs/theory/planar.md P4.4, P9.1.
-ClothoidFit fitClothoids(const BezierSpline& curve, const ClothoidFitOptions& options = {});
+ClothoidFit fitClothoids(const BezierSpline& curve, const ClothoidFitOptions& options = {},
+                         const Progress& progress = {});
 
 }  // namespace seamwright

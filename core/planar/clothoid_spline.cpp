@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include <seamwright/core/numeric.hpp>
+#include <seamwright/core/planar/clothoid_curvatures.hpp>
 #include <seamwright/core/planar/clothoid_phase.hpp>
 #include <seamwright/core/planar/clothoid_spline.hpp>
 #include <seamwright/core/planar/tridiagonal.hpp>
@@ -16,45 +17,6 @@ namespace seamwright {
 namespace {
 
 using Eigen::Index;
-
-/// The curvatures at both ends of a piece, and their derivatives by the directions there.
-struct EndCurvatures {
-  Eigen::Vector2d value_per_mm;
-  Eigen::Matrix2d slope;  ///< row: end; column: direction at the start, at the end
-};
-
-/// With the phase of clothoid() and h = integral of cos(phase), the curvatures are (d - a) h /
-/// chord and (d + a) h / chord. a follows from integral of sin(phase) = 0 by implicit
-/// differentiation.
-EndCurvatures curvaturesOf(const Clothoid& piece, const ChordAngles& angles) {
-  const double change = angles.alpha_rad + angles.beta_rad;
-  const double a = piece.curvature_slope_per_mm2 * piece.length_mm * piece.length_mm / 2;
-  const Phase phase{.start = -angles.alpha_rad, .change = change};
-  // Integrals of t^k cos(phase) and t^k sin(phase).
-  using Moments = Eigen::Array<double, 6, 1>;
-  const Moments moments = integral(
-      [&](double t) {
-        const double c = std::cos(phase.at(a, t)), s = std::sin(phase.at(a, t));
-        Moments values;
-        values << c, t * c, t * t * c, s, t * s, t * t * s;
-        return values;
-      },
-      phase.turn(a));
-  const double height_by_a = moments(2) - moments(1), width = moments(0);
-  // The phase changes by 1 - t for the direction at the start, and by t for that at the end.
-  const Eigen::RowVector2d height_slope(moments(0) - moments(1), moments(1));
-  const Eigen::RowVector2d a_slope = -height_slope / height_by_a;
-  const Eigen::RowVector2d width_slope = -(moments(5) - moments(4)) * a_slope -
-                                         Eigen::RowVector2d(moments(3) - moments(4), moments(4));
-  const Eigen::RowVector2d change_slope(-1, 1);
-  EndCurvatures result;
-  result.value_per_mm << (change - a) * width, (change + a) * width;
-  result.slope.row(0) = (change_slope - a_slope) * width + (change - a) * width_slope;
-  result.slope.row(1) = (change_slope + a_slope) * width + (change + a) * width_slope;
-  result.value_per_mm /= angles.chord_mm;
-  result.slope /= angles.chord_mm;
-  return result;
-}
 
 /// The spline with given directions.
 struct Attempt {
@@ -79,7 +41,7 @@ class SplineEquations {
                              .end = points_.row((s + 1) % count).transpose(),
                              .end_direction_rad = directions_rad[(s + 1) % count]};
       result.pieces.push_back(clothoid(ends));
-      result.curvatures.push_back(curvaturesOf(result.pieces.back(), chordAngles(ends)));
+      result.curvatures.push_back(endCurvatures(result.pieces.back(), chordAngles(ends)));
     }
     result.jumps_per_mm = Eigen::VectorXd::Zero(count);
     for (Index s = 0; s < segments; ++s) {
@@ -89,6 +51,9 @@ class SplineEquations {
     if (!options_.closed) {
       result.jumps_per_mm(0) -= options_.start.curvature_per_mm;
       result.jumps_per_mm(count - 1) += options_.end.curvature_per_mm;
+      if (options_.start.arc) result.jumps_per_mm(0) -= result.curvatures.front().value_per_mm(1);
+      if (options_.end.arc)
+        result.jumps_per_mm(count - 1) += result.curvatures.back().value_per_mm(0);
       if (options_.start.direction_rad) result.jumps_per_mm(0) = 0;
       if (options_.end.direction_rad) result.jumps_per_mm(count - 1) = 0;
     }
@@ -107,6 +72,14 @@ class SplineEquations {
       const Eigen::Matrix2d& slope = now.curvatures[s].slope;
       equations.add(s, 0, slope(0, 0), slope(0, 1), 0);
       equations.add((s + 1) % count, -slope(1, 0), -slope(1, 1), 0, 0);
+    }
+    if (options_.start.arc) {
+      const Eigen::Matrix2d& slope = now.curvatures.front().slope;
+      equations.add(0, 0, -slope(1, 0), -slope(1, 1), 0);
+    }
+    if (options_.end.arc) {
+      const Eigen::Matrix2d& slope = now.curvatures.back().slope;
+      equations.add(count - 1, slope(0, 0), slope(0, 1), 0, 0);
     }
     for (Index i = 0; i < count; ++i) equations.add(i, 0, 0, 0, -now.jumps_per_mm(i));
     if (!options_.closed && options_.start.direction_rad) equations.give(0, 0);
@@ -137,17 +110,56 @@ std::vector<double> firstDirections(const PlanarPoints& points,
 
 }  // namespace
 
-ClothoidSpline clothoidSpline(const PlanarPoints& points, const ClothoidSplineOptions& options) {
+/// With the phase of clothoid() and h = integral of cos(phase), the curvatures are (d - a) h /
+/// chord and (d + a) h / chord. a follows from integral of sin(phase) = 0 by implicit
+/// differentiation.
+EndCurvatures endCurvatures(const Clothoid& piece, const ChordAngles& angles) {
+  const double change = angles.alpha_rad + angles.beta_rad;
+  const double a = piece.curvature_slope_per_mm2 * piece.length_mm * piece.length_mm / 2;
+  const Phase phase{.start = -angles.alpha_rad, .change = change};
+  // Integrals of t^k cos(phase) and t^k sin(phase).
+  using Moments = Eigen::Array<double, 6, 1>;
+  const Moments moments = integral(
+      [&](double t) {
+        const double c = std::cos(phase.at(a, t)), s = std::sin(phase.at(a, t));
+        Moments values;
+        values << c, t * c, t * t * c, s, t * s, t * t * s;
+        return values;
+      },
+      phase.turn(a));
+  const double height_by_a = moments(2) - moments(1), width = moments(0);
+  // The phase changes by 1 - t for the direction at the start, and by t for that at the end.
+  const Eigen::RowVector2d height_slope(moments(0) - moments(1), moments(1));
+  const Eigen::RowVector2d a_slope = -height_slope / height_by_a;
+  const Eigen::RowVector2d width_slope = -(moments(5) - moments(4)) * a_slope -
+                                         Eigen::RowVector2d(moments(3) - moments(4), moments(4));
+  const Eigen::RowVector2d change_slope(-1, 1);
+  EndCurvatures result;
+  result.value_per_mm << (change - a) * width, (change + a) * width;
+  result.slope.row(0) = (change_slope - a_slope) * width + (change - a) * width_slope;
+  result.slope.row(1) = (change_slope + a_slope) * width + (change + a) * width_slope;
+  result.value_per_mm /= angles.chord_mm;
+  result.slope /= angles.chord_mm;
+  return result;
+}
+
+ClothoidSpline clothoidSpline(const PlanarPoints& points, const ClothoidSplineOptions& options,
+                              const Progress& progress) {
   for (const ClothoidEnd& end : {options.start, options.end}) {
     if (!std::isfinite(end.curvature_per_mm))
       refuse(fmt::format("the curvature at an end is {} per mm", end.curvature_per_mm));
-    if (options.closed && (end.direction_rad || end.curvature_per_mm != 0))
+    if (options.closed && (end.direction_rad || end.curvature_per_mm != 0 || end.arc))
       refuse("a closed curve has no conditions at its ends");
+    if (end.arc && (end.direction_rad || end.curvature_per_mm != 0))
+      refuse("an end has an arc, or a direction, or a curvature");
+    if (end.arc && points.rows() < 3)
+      refuse(fmt::format("{} points: arcs at the ends need at least 3", points.rows()));
   }
   ClothoidSpline spline;
   spline.closed = options.closed;
   spline.directions_rad = firstDirections(points, options);
   const SplineEquations equations(points, options);
+  checkProgress(progress, 0);
   Attempt now = equations.attempt(spline.directions_rad);
   // Bounds against endless loops: Newton's method doubles the digits near the solution, and a step
   // that must be halved more than ten times makes no progress.
@@ -155,10 +167,12 @@ ClothoidSpline clothoidSpline(const PlanarPoints& points, const ClothoidSplineOp
   // Jumps times chords are differences of angles, which have a rounding of some eps each.
   const double rounding = std::pow(64 * machine_epsilon, 2) * static_cast<double>(points.rows());
   while (now.miss > rounding && spline.steps < most_steps) {
+    checkProgress(progress, shareAfter(spline.steps));
     Eigen::VectorXd change = equations.step(now);
     std::vector<double> next = plus(spline.directions_rad, change);
     Attempt tried = equations.attempt(next);
     for (int halvings = 0; tried.miss >= now.miss && halvings < most_halvings; ++halvings) {
+      checkProgress(progress, shareAfter(spline.steps));
       change /= 2;
       next = plus(spline.directions_rad, change);
       tried = equations.attempt(next);

@@ -6,6 +6,7 @@
 
 #include <seamwright/core/planar/biarc_spline.hpp>
 #include <seamwright/core/planar/clothoid.hpp>
+#include <seamwright/core/progress.hpp>
 
 namespace seamwright {
 
@@ -13,6 +14,9 @@ namespace seamwright {
 struct ClothoidEnd {
   std::optional<double> direction_rad = {};
   double curvature_per_mm = 0;
+  /// Instead of a curvature: the piece at the end is an arc, so the curvature there is free. It
+  /// needs at least 3 points.
+  bool arc = false;
 };
 
 struct ClothoidSplineOptions {
@@ -34,13 +38,15 @@ struct ClothoidSpline {
 ///   (1) Neighbours agree in position, tangent and curvature; the end conditions hold.
 ///   (2) Points of a circle, with ends of this circle, give the circle.
 ///   (3) Reversed points give the reversed spline; rigid motion and scaling move it along.
+///   (4) Points of a circle, with arcs at the ends, give the circle.
 /// The directions are found by Newton's method from TangentRule::LinearEnergy, with exact
 /// derivatives, in O(n) for each step.
 /// \throws std::invalid_argument as tangentsAt() does, and for a curvature that is not finite.
 /// Throws std::domain_error as tangentsAt() and clothoid() do, and if the steps do not converge,
-/// with the curvature jump that is left: then points have to be inserted.
+/// with the curvature jump that is left: then points have to be inserted. Throws Cancelled, see
+/// Progress; it is called before each step.
 /// Source: docs/theory/planar.md P4.4.
-ClothoidSpline clothoidSpline(const PlanarPoints& points,
-                              const ClothoidSplineOptions& options = {});
+ClothoidSpline clothoidSpline(const PlanarPoints& points, const ClothoidSplineOptions& options = {},
+                              const Progress& progress = {});
 
 }  // namespace seamwright

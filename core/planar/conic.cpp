@@ -5,6 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include <seamwright/core/bezier/length.hpp>
 #include <seamwright/core/numeric.hpp>
 #include <seamwright/core/planar/conic.hpp>
 
@@ -60,6 +61,15 @@ double PlanarConic::curvatureAt_per_mm(double t) const {
   const double weight_at = (1 - t) * (1 - t) + 2 * weight * t * (1 - t) + t * t;
   return 4 * weight * cross(corner - start, end - corner) *
          std::pow(weight_at / weightedVelocity(*this, t).norm(), 3);
+}
+
+double PlanarConic::length_mm() const {
+  const BezierCurve curve = bezierCurve(*this);
+  // No segment is longer than its polygon, so the first enclosure needs no division.
+  const double polygon_mm = (corner - start).norm() + (end - corner).norm();
+  if (polygon_mm == 0) return 0;
+  const double rough_mm = arcLength(curve, polygon_mm).value_mm;
+  return rough_mm > 0 ? arcLength(curve, 1e-10 * rough_mm).value_mm : 0;
 }
 
 PlanarConic reversed(const PlanarConic& conic) {

@@ -30,6 +30,13 @@ struct PlanarConic {
   double directionAt_rad(double t) const;
   /// With the sign of the turn. Source: docs/theory/planar.md P7.3, P8.2.
   double curvatureAt_per_mm(double t) const;
+  /// Enclosed by arcLength(BezierCurve) to 1e-10 of it, unless rounding of weights that are far
+  /// from 1 hides more.
+  ///   (7) It is that of circles and parabolas in closed form; reversal keeps it, and the halves
+  ///       add up to it.
+  /// \throws std::invalid_argument for numbers that are not finite and a weight that is not
+  /// positive. Source: docs/theory/curves.md C1.5.
+  double length_mm() const;
   bool operator==(const PlanarConic& other) const = default;
 };
 

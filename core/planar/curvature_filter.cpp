@@ -93,7 +93,7 @@ PlanarPoints curvatureFilterPass(const PlanarPoints& points, const PlanarPoints&
 }
 
 FairedPoints filterCurvature(const PlanarPoints& points, double tolerance_mm,
-                             const CurvatureFilterOptions& options) {
+                             const CurvatureFilterOptions& options, const Progress& progress) {
   FairedPoints result;
   result.points = points;
   result.before = fairnessOf(points, options.closed);
@@ -112,6 +112,7 @@ FairedPoints filterCurvature(const PlanarPoints& points, double tolerance_mm,
   result.converged = tolerance_mm == 0;
   result.after = result.before;
   while (!result.converged && result.steps < options.max_passes) {
+    checkProgress(progress, static_cast<double>(result.steps) / options.max_passes);
     const PlanarPoints before = result.points;
     pass();
     pass();

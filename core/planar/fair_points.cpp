@@ -4,6 +4,7 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <seamwright/core/numeric.hpp>
 #include <seamwright/core/planar/fair_points.hpp>
@@ -132,10 +133,25 @@ double stepToBound(const Eigen::ArrayXd& values, const Eigen::ArrayXd& changes) 
   return step;
 }
 
+struct LineSearch {
+  double longest = 1;
+  double slope = 0;  ///< of the value at the start, below 0
+};
+
+/// The longest halved step that keeps Armijo's rule; 0 if there is none.
+double stepLength(const LineSearch& search, const std::function<double(double)>& valueAt) {
+  const double value = valueAt(0);
+  // 2^-40 of a step is not a step.
+  for (double step = search.longest; step > 0x1p-40; step /= 2)
+    if (!(valueAt(step) > value + 1e-4 * step * search.slope)) return step;
+  return 0;
+}
+
 /// A primal-dual interior-point method: lower and upper are the multipliers of share >= -1 and
 /// share <= 1, and the barrier falls with their complementarity. At the minimum of the linearised
 /// problem the energy is at most twice the complementarity above the least one.
-InteriorPoint leastEnergy(const MovablePoints& problem, double negligible, int max_steps) {
+InteriorPoint leastEnergy(const MovablePoints& problem, double negligible, int max_steps,
+                          const Progress& progress) {
   // The energy is computed to at least six digits of its least value.
   constexpr double precision = 1e-6;
   // By how much the barrier falls in each step.
@@ -148,6 +164,7 @@ InteriorPoint leastEnergy(const MovablePoints& problem, double negligible, int m
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>>
       factor;
   while (result.steps < max_steps) {
+    checkProgress(progress, shareAfter(result.steps));
     const PlanarPoints points = moved(problem, result.shares);
     const Eigen::SparseMatrix<double> slopes = jacobian(problem, points);
     const Eigen::ArrayXd below = 1 + result.shares.array(), above = 1 - result.shares.array();
@@ -162,14 +179,15 @@ InteriorPoint leastEnergy(const MovablePoints& problem, double negligible, int m
     const Eigen::VectorXd change = -factor.solve(barrier_gradient);
     ++result.steps;
 
-    double step = std::min(stepToBound(below, change.array()), stepToBound(above, -change.array()));
-    const double value = barrierValue(problem, result.shares, barrier);
     const double slope = barrier_gradient.dot(change);
-    // Armijo's rule; 2^-40 of a step is not a step.
-    while (step > 0x1p-40 && barrierValue(problem, result.shares + step * change, barrier) >
-                                 value + 1e-4 * step * slope)
-      step /= 2;
-    if (step <= 0x1p-40) step = 0;
+    const double step =
+        stepLength({.longest = std::min(stepToBound(below, change.array()),
+                                        stepToBound(above, -change.array())),
+                    .slope = slope},
+                   [&](double share) {
+                     checkProgress(progress, shareAfter(result.steps));
+                     return barrierValue(problem, result.shares + share * change, barrier);
+                   });
     result.shares += step * change;
 
     const Eigen::ArrayXd lower_change = (barrier - lower * change.array()) / below - lower;
@@ -193,15 +211,6 @@ InteriorPoint leastEnergy(const MovablePoints& problem, double negligible, int m
   return result;
 }
 
-void requireTolerances(const Eigen::VectorXd& tolerances_mm, Index count) {
-  if (tolerances_mm.size() != count)
-    refuse(fmt::format("{} tolerances for {} points", tolerances_mm.size(), count));
-  for (Index i = 0; i < count; ++i)
-    if (!(tolerances_mm(i) >= 0) || tolerances_mm(i) == infinite)
-      refuse(fmt::format("the tolerance of point {} is {} mm: it must be at least 0 and finite", i,
-                         tolerances_mm(i)));
-}
-
 FairedPoints compared(const PlanarPoints& before, const PlanarPoints& after, bool closed) {
   FairedPoints result{
       .points = after, .before = fairnessOf(before, closed), .after = fairnessOf(after, closed)};
@@ -211,15 +220,24 @@ FairedPoints compared(const PlanarPoints& before, const PlanarPoints& after, boo
 
 }  // namespace
 
+void requireTolerances(const Eigen::VectorXd& tolerances_mm, Index count) {
+  if (tolerances_mm.size() != count)
+    refuse(fmt::format("{} tolerances for {} points", tolerances_mm.size(), count));
+  for (Index i = 0; i < count; ++i)
+    if (!(tolerances_mm(i) >= 0) || tolerances_mm(i) == infinite)
+      refuse(fmt::format("the tolerance of point {} is {} mm: it must be at least 0 and finite", i,
+                         tolerances_mm(i)));
+}
+
 FairedPoints fairPoints(const PlanarPoints& points, const Eigen::VectorXd& tolerances_mm,
-                        const PointFairingOptions& options) {
+                        const PointFairingOptions& options, const Progress& progress) {
   const PointFairness before = fairnessOf(points, options.closed);
   requireTolerances(tolerances_mm, points.rows());
   const MovablePoints problem = movablePoints(points, tolerances_mm, options);
   InteriorPoint found;
   found.converged = true;
   if (problem.count() > 0 && before.energy_per_mm3 > before.rounding_per_mm3)
-    found = leastEnergy(problem, before.rounding_per_mm3 / 2, options.max_steps);
+    found = leastEnergy(problem, before.rounding_per_mm3 / 2, options.max_steps, progress);
   FairedPoints result =
       compared(points, found.steps > 0 ? moved(problem, found.shares) : points, options.closed);
   if (!(result.after.energy_per_mm3 < before.energy_per_mm3))

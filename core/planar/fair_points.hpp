@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include <seamwright/core/planar/point_curvature.hpp>
+#include <seamwright/core/progress.hpp>
 
 namespace seamwright {
 
@@ -35,9 +36,10 @@ struct PointFairingOptions {
 /// If the result is not fairer than the input, the input is returned.
 /// \param tolerances_mm one for each point; at least 0 and finite.
 /// \throws std::invalid_argument as fairnessOf() does, for a wrong number of tolerances and for an
-/// invalid one (with its index). Source: docs/theory/planar.md P10.3.
+/// invalid one (with its index). Throws Cancelled, see Progress; it is called before each step.
+/// Source: docs/theory/planar.md P10.3.
 FairedPoints fairPoints(const PlanarPoints& points, const Eigen::VectorXd& tolerances_mm,
-                        const PointFairingOptions& options = {});
+                        const PointFairingOptions& options = {}, const Progress& progress = {});
 
 struct CurvatureFilterOptions {
   bool closed = false;
@@ -55,10 +57,12 @@ struct CurvatureFilterOptions {
 ///   (6) Points of a circle with equal spacing stay.
 ///   (7) A pass multiplies small zigzags on equally spaced points of a line by 1 - 4 strength.
 /// \throws std::invalid_argument as fairnessOf() does, for a tolerance that is negative or not
-/// finite, and for an invalid strength. Throws std::domain_error as tangentsAt() does.
+/// finite, and for an invalid strength. Throws std::domain_error as tangentsAt() does, and
+/// Cancelled, see Progress; it is called before each pair of passes.
 /// Source: docs/theory/planar.md P10.4.
 FairedPoints filterCurvature(const PlanarPoints& points, double tolerance_mm,
-                             const CurvatureFilterOptions& options = {});
+                             const CurvatureFilterOptions& options = {},
+                             const Progress& progress = {});
 
 /// One forward pass of filterCurvature() with given tangents. Of n points of an open sequence the
 /// points 1 to n - 3 move. A point stays if its new angle would be a right angle or more.

@@ -148,13 +148,23 @@ BezierSpline bezierSpline(const PlanarChain& chain, double gap_mm) {
   return bezierSpline(segments, knots, chain.closed, gap_mm);
 }
 
-ChainFigures figuresOf(const PlanarChain& chain) {
+ChainFigures figuresOf(const PlanarChain& chain, const Progress& progress) {
   Course course;
+  const auto whole = static_cast<double>(chain.curves.size());
+  double done = 0;
   for (const ChainCurve& curve : chain.curves) {
-    if (const auto* arc = std::get_if<PlanarArc>(&curve))
+    checkProgress(progress, done / whole);
+    if (const auto* arc = std::get_if<PlanarArc>(&curve)) {
       course.add(*arc);
-    else
-      for (const BezierCurve& one : bezierCurves(curve)) course.add(one);
+    } else {
+      const std::vector<BezierCurve> spans = bezierCurves(curve);
+      for (std::size_t i = 0; i < spans.size(); ++i) {
+        checkProgress(progress,
+                      (done + static_cast<double>(i) / static_cast<double>(spans.size())) / whole);
+        course.add(spans[i]);
+      }
+    }
+    ++done;
   }
   double largest_per_mm = course.figures.length_mm > 0 ? 1 / course.figures.length_mm : 0;
   for (const double k : course.curvatures_per_mm)

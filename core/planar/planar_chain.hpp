@@ -8,6 +8,7 @@
 #include <seamwright/core/bspline/curve.hpp>
 #include <seamwright/core/planar/arc.hpp>
 #include <seamwright/core/planar/conic.hpp>
+#include <seamwright/core/progress.hpp>
 #include <seamwright/core/spline/bezier_spline.hpp>
 
 /// Planar curves of several kinds end to end: an outline of lines, arcs, conics and splines.
@@ -51,8 +52,9 @@ struct ChainFigures {
 /// Length and energy of arcs are in closed form, those of other curves by Gauss' quadrature.
 ///   (3) A circle has the length 2 pi r, the energy 2 pi / r, no extremum and no inflection.
 ///   (4) An ellipse has 4 extrema.
-/// \throws std::domain_error if a curve may stop, as planarCurvatureProfile().
-ChainFigures figuresOf(const PlanarChain& chain);
+/// \throws std::domain_error if a curve may stop, as planarCurvatureProfile(). Throws Cancelled,
+/// see Progress; it is called before each curve and each span of a spline.
+ChainFigures figuresOf(const PlanarChain& chain, const Progress& progress = {});
 
 /// Local extrema and changes of sign of a sequence of curvatures. Differences and curvatures up to
 /// \p negligible do not count.

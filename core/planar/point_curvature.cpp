@@ -23,7 +23,17 @@ struct NoisyCurvatures {
   Index count() const { return values.size(); }
 };
 
-NoisyCurvatures noisyCurvatures(const PlanarPoints& points, bool closed) {
+/// How much moves of the three points by a small distance change the curvature.
+/// Source: docs/theory/planar.md P10.7.
+double changeByMoves(const PointTriple& triple, double distance_mm) {
+  const double a = triple.before.norm(), b = triple.after.norm(),
+               c = (triple.before + triple.after).norm();
+  return 2 * distance_mm * (1 / (a * b) + 1 / (a * c) + 1 / (b * c)) +
+         2 * distance_mm * std::abs(triple.curvature_per_mm()) * (1 / a + 1 / b + 1 / c);
+}
+
+NoisyCurvatures noisyCurvatures(const PlanarPoints& points, bool closed,
+                                double given_rounding_mm = 0) {
   const PointTriples triples(points, closed);
   NoisyCurvatures result{.values = Eigen::VectorXd(triples.count()),
                          .noise = Eigen::VectorXd(triples.count()),
@@ -38,6 +48,8 @@ NoisyCurvatures noisyCurvatures(const PlanarPoints& points, bool closed) {
     const double least_mm = std::min(
         {triple.before.norm(), triple.after.norm(), (triple.before + triple.after).norm()});
     result.noise(i) = 24 * (rounding_mm / least_mm + machine_epsilon) / least_mm;
+    if (given_rounding_mm > 0)
+      result.noise(i) = std::max(result.noise(i), changeByMoves(triple, given_rounding_mm));
   }
   return result;
 }
@@ -118,8 +130,10 @@ std::vector<Index> isolatedInflections(const PlanarPoints& points, bool closed) 
   return found;
 }
 
-PointFairness fairnessOf(const PlanarPoints& points, bool closed) {
-  const NoisyCurvatures curvatures = noisyCurvatures(points, closed);
+PointFairness fairnessOf(const PlanarPoints& points, bool closed, double rounding_mm) {
+  if (!(rounding_mm >= 0) || rounding_mm == infinite)
+    refuse(fmt::format("the rounding is {} mm: it must be at least 0 and finite", rounding_mm));
+  const NoisyCurvatures curvatures = noisyCurvatures(points, closed, rounding_mm);
   PointFairness result{.extrema = extremaOf(curvatures), .inflections = inflectionsOf(curvatures)};
   const Index n = curvatures.count();
   for (Index i = 0; i < n - (closed ? 0 : 1); ++i) {

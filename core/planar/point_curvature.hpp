@@ -37,8 +37,11 @@ struct PointFairness {
   std::vector<Eigen::Index> extrema, inflections;
 };
 
-///   (4) Points of a circle have no extremum and no inflection.
-/// \throws as pointCurvatures_per_mm() does. Source: docs/theory/planar.md P10.1.
-PointFairness fairnessOf(const PlanarPoints& points, bool closed = false);
+///   (4) Points of a circle have no extremum and no inflection, also if they are rounded.
+/// \param rounding_mm the largest distance of a point from where it is meant to be, for instance by
+/// the digits of a file; 0: that of doubles. Bounds are of first order in it.
+/// \throws as pointCurvatures_per_mm() does, and std::invalid_argument for a rounding that is
+/// negative or not finite. Source: docs/theory/planar.md P10.1, P10.7.
+PointFairness fairnessOf(const PlanarPoints& points, bool closed = false, double rounding_mm = 0);
 
 }  // namespace seamwright

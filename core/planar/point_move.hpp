@@ -15,4 +15,7 @@ inline Eigen::RowVector2d withinDistance(Eigen::RowVector2d point,
   return (point - original).norm() <= tolerance_mm ? point : original;
 }
 
+/// \throws std::invalid_argument unless there is a tolerance for each point, at least 0 and finite.
+void requireTolerances(const Eigen::VectorXd& tolerances_mm, Eigen::Index count);
+
 }  // namespace seamwright

@@ -62,6 +62,7 @@ struct CornerReason {
 };
 
 /// The name of a fault in reports: "smooth_edge".
+/// \throws std::out_of_range for a value that is not of the enum.
 std::string codeOf(CornerFault fault);
 
 /// A corner that is not rounded. The message is the text of the reason.

@@ -126,7 +126,7 @@ CornerReason setBack(const corner_why::SetBackFillet& fillet, const std::string&
 
 std::string codeOf(CornerFault fault) {
   static_assert(corner_codes.size() == static_cast<std::size_t>(CornerFault::MissesTarget) + 1);
-  return corner_codes[static_cast<std::size_t>(fault)];
+  return corner_codes.at(static_cast<std::size_t>(fault));
 }
 
 namespace corner_why {
@@ -138,14 +138,14 @@ std::string lengthText(double length_mm) {
 CornerReason notInOneShell(int vertex, int shells) {
   return {.fault = CornerFault::NotInOneShell,
           .text = fmt::format("vertex {} is in {} shells of solids: one is needed", vertex, shells),
-          .numbers = {{"shells", shells}}};
+          .numbers = {{"vertex", vertex}, {"shells", shells}}};
 }
 
 CornerReason edgeCount(int edges, int least, int most) {
   return {
       .fault = CornerFault::EdgeCount,
       .text = fmt::format("{} edges meet at the vertex: {} to {} are needed", edges, least, most),
-      .numbers = {{"edges", edges}}};
+      .numbers = {{"edges", edges}, {"least", least}, {"most", most}}};
 }
 
 CornerReason notOneFan(int faces, int edges) {
@@ -295,11 +295,14 @@ CornerReason ballIsGone(double ball_mm) {
 }
 
 CornerReason ballNotSurrounded(double ball_mm, std::size_t edges, std::size_t of_corner) {
-  return ofBall(
-      CornerFault::BallNotSurrounded, ball_mm,
-      fmt::format("its boundary has {} edges, only {} of them on fillets and faces of the "
-                  "corner",
-                  edges, of_corner));
+  CornerReason reason =
+      ofBall(CornerFault::BallNotSurrounded, ball_mm,
+             fmt::format("its boundary has {} edges, only {} of them on fillets and faces of the "
+                         "corner",
+                         edges, of_corner));
+  reason.numbers.emplace_back("edges", static_cast<double>(edges));
+  reason.numbers.emplace_back("of_corner", static_cast<double>(of_corner));
+  return reason;
 }
 
 CornerReason filletInSeveralFaces(double ball_mm) {
@@ -313,7 +316,9 @@ CornerReason ballFailed(double ball_mm, const Standard_Failure& failure) {
 }
 
 CornerReason edgeInParts(const EdgeOutside& at, int parts) {
-  return outsideBall(at, fmt::format("{} parts of it are left, not one", parts));
+  CornerReason reason = outsideBall(at, fmt::format("{} parts of it are left, not one", parts));
+  reason.numbers.emplace_back("parts", parts);
+  return reason;
 }
 
 CornerReason edgeContinues(const EdgeOutside& at) {

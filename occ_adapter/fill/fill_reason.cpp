@@ -183,7 +183,7 @@ double FillReason::number(const std::string& name) const {
 
 std::string codeOf(FillFault fault) {
   static_assert(codes.size() == static_cast<std::size_t>(FillFault::PositionOnly) + 1);
-  return codes[static_cast<std::size_t>(fault)];
+  return codes.at(static_cast<std::size_t>(fault));
 }
 
 std::string textOf(const FillReason& reason) {

@@ -59,6 +59,7 @@ struct FillReason {
 };
 
 /// The name of a fault in reports: "corner_above_180".
+/// \throws std::out_of_range for a value that is not of the enum.
 std::string codeOf(FillFault fault);
 /// One line for the user; empty for FillFault::None.
 std::string textOf(const FillReason& reason);

@@ -67,6 +67,7 @@ struct MatchReason {
 };
 
 /// The name of a fault in reports: "moves_too_far".
+/// \throws std::out_of_range for a value that is not of the enum.
 std::string codeOf(MatchFault fault);
 
 }  // namespace seamwright::occ

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include <seamwright/occ_adapter/match/match_reasons.hpp>
 
@@ -54,7 +55,7 @@ constexpr std::array match_codes = {"",
 
 std::string codeOf(MatchFault fault) {
   static_assert(match_codes.size() == static_cast<std::size_t>(MatchFault::Failed) + 1);
-  return match_codes[static_cast<std::size_t>(fault)];
+  return match_codes.at(static_cast<std::size_t>(fault));
 }
 
 namespace match_why {
@@ -65,10 +66,13 @@ void add(std::vector<MatchReason>& reasons, MatchReason reason) {
 }
 
 MatchReason oneOfSeveralEdges(const std::vector<int>& common, int taken, bool is_longest) {
-  return {.fault = MatchFault::OneOfSeveralEdges,
-          .text = fmt::format("of the common edges {}, edge {}{} was taken",
-                              fmt::join(common, ", "), taken, is_longest ? ", the longest," : ""),
-          .edges = {taken}};
+  MatchReason reason{
+      .fault = MatchFault::OneOfSeveralEdges,
+      .text = fmt::format("of the common edges {}, edge {}{} was taken", fmt::join(common, ", "),
+                          taken, is_longest ? ", the longest," : ""),
+      .edges = {taken}};
+  std::ranges::remove_copy(common, std::back_inserter(reason.edges), taken);
+  return reason;
 }
 
 MatchReason faceStays(MatchReason obstacle) {
@@ -279,24 +283,29 @@ MatchReason sideMoves(int face, double move_mm) {
 MatchReason foldsOver(const MatchReason& how, int face) {
   return {.fault = MatchFault::FoldsOver,
           .text = fmt::format("{}: face {} would fold over", how.text, face),
+          .numbers = how.numbers,
           .faces = {face}};
 }
 
 MatchReason stillMisses(const MatchReason& how, const std::string& figures) {
   return {.fault = MatchFault::StillMisses,
-          .text = fmt::format("{}, but then {}", how.text, figures)};
+          .text = fmt::format("{}, but then {}", how.text, figures),
+          .numbers = how.numbers};
 }
 
 MatchReason edgesStray(const MatchReason& how, double stray_mm) {
-  return {.fault = MatchFault::EdgesStray,
-          .text = fmt::format("{}, but then edges are {:.6g} mm away from their faces", how.text,
-                              stray_mm),
-          .numbers = {{"stray_mm", stray_mm}}};
+  MatchReason reason{.fault = MatchFault::EdgesStray,
+                     .text = fmt::format("{}, but then edges are {:.6g} mm away from their faces",
+                                         how.text, stray_mm),
+                     .numbers = how.numbers};
+  reason.numbers.emplace_back("stray_mm", stray_mm);
+  return reason;
 }
 
 MatchReason checksFail(const MatchReason& how) {
   return {.fault = MatchFault::ChecksFail,
-          .text = how.text + ", but OpenCASCADE's checks do not pass"};
+          .text = how.text + ", but OpenCASCADE's checks do not pass",
+          .numbers = how.numbers};
 }
 
 MatchReason openCascadeFailed(const Standard_Failure& failure) {

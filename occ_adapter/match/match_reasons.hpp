@@ -15,7 +15,7 @@ void add(std::vector<MatchReason>& reasons, MatchReason reason);
 
 // Remarks.
 
-/// The faces share several edges.
+/// The faces share several edges. The one that was taken is the first edge of the reason.
 /// \param is_longest whether that is why the edge was taken; else it was asked for.
 MatchReason oneOfSeveralEdges(const std::vector<int>& common, int taken, bool is_longest);
 /// A face that may move can't.
@@ -92,7 +92,7 @@ MatchReason sideEndsTilted(double angle_deg);
 /// Normal curvatures.
 MatchReason sideEndsCurved(double own_per_mm, double other_per_mm);
 
-// Why a join is not kept. \p how is joinedInPoles() or joinedToTolerance().
+// Why a join is not kept. \p how is joinedInPoles() or joinedToTolerance(); its numbers stay.
 
 /// The largest move of a pole is above the limit.
 MatchReason movesTooFar(double move_mm, double limit_mm);

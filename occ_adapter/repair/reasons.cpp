@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include <seamwright/occ_adapter/repair/reasons.hpp>
 
@@ -52,7 +54,7 @@ RepairReason prefixed(const std::string& prefix, RepairReason reason) {
 std::string codeOf(RepairFault fault) {
   static_assert(repair_codes.size() ==
                 static_cast<std::size_t>(RepairFault::InstanceLessCertain) + 1);
-  return repair_codes[static_cast<std::size_t>(fault)];
+  return repair_codes.at(static_cast<std::size_t>(fault));
 }
 
 namespace why {
@@ -274,6 +276,7 @@ RepairReason instanceLessCertain() {
 }
 
 RepairReason onFace(int face, RepairReason reason) {
+  if (reason.empty()) return reason;
   reason = prefixed(fmt::format("face {}: ", face), std::move(reason));
   reason.faces.insert(reason.faces.begin(), face);
   return reason;
@@ -284,7 +287,10 @@ RepairReason pathSpoils(RepairReason reason) {
 }
 
 RepairReason ofInstance(int first_edge, RepairReason reason) {
-  return prefixed(fmt::format("instance of edge {}: ", first_edge), std::move(reason));
+  if (reason.empty()) return reason;
+  reason = prefixed(fmt::format("instance of edge {}: ", first_edge), std::move(reason));
+  reason.edges.insert(reason.edges.begin(), first_edge);
+  return reason;
 }
 
 RepairReason asSplines(RepairReason reason) {
@@ -295,7 +301,13 @@ RepairReason joined(RepairReason first, const RepairReason& second) {
   if (first.empty()) return second;
   if (second.empty()) return first;
   first.text += "; " + second.text;
+  const auto has = [&first](const std::string& name) {
+    return std::ranges::count(first.numbers, name, &std::pair<std::string, double>::first) > 0;
+  };
+  std::ranges::copy_if(second.numbers, std::back_inserter(first.numbers),
+                       [&has](const auto& number) { return !has(number.first); });
   first.faces.insert(first.faces.end(), second.faces.begin(), second.faces.end());
+  first.edges.insert(first.edges.end(), second.edges.begin(), second.edges.end());
   return first;
 }
 

@@ -93,17 +93,18 @@ RepairReason instanceLessCertain();
 
 // Reasons of reasons. The fault stays.
 
-/// "face 3: ..."
+/// "face 3: ...", with that face as the first one.
 RepairReason onFace(int face, RepairReason reason);
 /// "it would be less fair: ..."
 RepairReason wouldBe(RepairReason less_fair);
 /// "its new pcurve would make worse: ..."
 RepairReason pathSpoils(RepairReason reason);
-/// "instance of edge 3: ..."
+/// "instance of edge 3: ...", with that edge as the first one.
 RepairReason ofInstance(int first_edge, RepairReason reason);
 /// "with its faces as splines: ..."
 RepairReason asSplines(RepairReason reason);
-/// "...; ...". The fault is that of the first one, unless that is empty.
+/// "...; ...". The fault is that of the first one, unless that is empty. Both have their location
+/// in the result; of numbers with one name, that of the first one is there.
 RepairReason joined(RepairReason first, const RepairReason& second);
 /// The reason with a remark behind it.
 RepairReason withRemark(RepairReason reason, const std::string& remark);

@@ -56,6 +56,7 @@ struct RepairReason {
 };
 
 /// The name of a fault in reports: "moves_too_far".
+/// \throws std::out_of_range for a value that is not of the enum.
 std::string codeOf(RepairFault fault);
 
 }  // namespace seamwright::occ

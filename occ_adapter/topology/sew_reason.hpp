@@ -43,6 +43,7 @@ struct SewReason {
 };
 
 /// The name of a fault in reports: "vertex_too_wide".
+/// \throws std::out_of_range for a value that is not of the enum.
 std::string codeOf(SewFault fault);
 
 }  // namespace seamwright::occ

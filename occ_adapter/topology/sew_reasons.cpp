@@ -32,7 +32,7 @@ constexpr std::array sew_codes = {"",
 
 std::string codeOf(SewFault fault) {
   static_assert(sew_codes.size() == static_cast<std::size_t>(SewFault::LosesLevel) + 1);
-  return sew_codes[static_cast<std::size_t>(fault)];
+  return sew_codes.at(static_cast<std::size_t>(fault));
 }
 
 namespace why_not_sewn {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cmath>
@@ -23,18 +25,21 @@ namespace {
 /// Stops the work at the user's wish, and when its time is over.
 class WorkLimit {
  public:
-  WorkLimit(ProgressBar& bar, double max_time_s) : bar_(bar), max_time_s_(max_time_s) {}
+  explicit WorkLimit(double max_time_s) : max_time_s_(max_time_s) {}
 
-  void check(double share) {
-    if (!bar_.progress()(share)) throw occ::Cancelled();
-    const double spent_s =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    if (spent_s > max_time_s_)
-      throw std::runtime_error("--max-time is over before the curves are done: nothing is written");
+  /// The progress of a part of the work, under a bar. It throws when the time is over.
+  Progress progress(ProgressBar& bar) const {
+    return [this, draw = bar.progress()](double share) {
+      const double spent_s =
+          std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+      if (spent_s > max_time_s_)
+        throw std::runtime_error(fmt::format(
+            "--max-time {} s is over before the curves are done: nothing is written", max_time_s_));
+      return draw(share);
+    };
   }
 
  private:
-  ProgressBar& bar_;
   double max_time_s_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
@@ -45,15 +50,16 @@ std::string nameOf(const GivenCurve& given, const std::string& path) {
   return path + ": Edge" + std::to_string(given.record.edges.front());
 }
 
-std::vector<MadeCurve> madeCurves(const CurveInput& input, const CurveArguments& arguments) {
+std::vector<MadeCurve> madeCurves(const CurveInput& input, const CurveArguments& arguments,
+                                  const WorkLimit& limit) {
   ProgressBar bar(doing("working on", arguments.input));
-  WorkLimit limit(bar, arguments.max_time_s);
+  const Progress progress = limit.progress(bar);
+  const auto whole = static_cast<double>(input.curves.size());
   std::vector<MadeCurve> result;
   for (const GivenCurve& given : input.curves) {
-    const double share =
-        static_cast<double>(result.size()) / static_cast<double>(input.curves.size());
+    const auto done = static_cast<double>(result.size());
     const CurveTask task{.tolerance_mm = arguments.tolerance_mm,
-                         .check = [&limit, share] { limit.check(share); }};
+                         .progress = partOf(progress, done / whole, (done + 1) / whole)};
     try {
       result.push_back(madeCurve(arguments.method, given, task));
     } catch (const std::logic_error& error) {
@@ -93,6 +99,13 @@ double drawnWithin(double tolerance_mm, const std::vector<MadeCurve>& curves) {
   constexpr double share = 0.1, of_length = 1e-6;
   if (tolerance_mm > 0) return share * tolerance_mm;
   return of_length * curves.front().record.after.length_mm;
+}
+
+CurveText drawnCurves(CurveFormat format, const CurveArguments& arguments,
+                      const std::vector<MadeCurve>& curves, const WorkLimit& limit) {
+  ProgressBar bar(doing("drawing", arguments.output.model));
+  return curveText(format, arguments.method, curves, drawnWithin(arguments.tolerance_mm, curves),
+                   limit.progress(bar));
 }
 
 /// "all", or numbers of edges.
@@ -155,8 +168,8 @@ void addCurveOptions(CLI::App& command, CurveArguments& arguments) {
       ->required();
   command
       .add_option("--tolerance", arguments.tolerance_mm,
-                  "Largest distance from the curve, mm; fair: largest move of a point. 0: arcs, "
-                  "clothoids and conics through all points")
+                  "Largest distance from the curve, mm; fair: largest move of a point. 0: arcs "
+                  "through all points; clothoids and conics always pass through them")
       ->type_name("MM")
       ->check(numberIn(Range::NotNegative))
       ->capture_default_str();
@@ -197,15 +210,15 @@ int runCurve(const CurveArguments& arguments) {
   requireCurveOutputs(arguments.input, arguments.output);
   const CurveFormat format = curveFormat(arguments.output.model);
   const CurveInput input = curveInput(arguments);
-  const std::vector<MadeCurve> curves = madeCurves(input, arguments);
+  const WorkLimit limit(arguments.max_time_s);
+  const std::vector<MadeCurve> curves = madeCurves(input, arguments, limit);
   report::CurveReport report = reportOf(input, arguments, curves);
   report.output = {.path = arguments.output.model, .format = nameOf(format, arguments.output)};
   std::vector<std::string> notes;
   if (format == CurveFormat::Model) {
     notes = writeCurves(curves, report, arguments.output);
   } else {
-    const CurveText text =
-        curveText(format, arguments.method, curves, drawnWithin(arguments.tolerance_mm, curves));
+    const CurveText text = drawnCurves(format, arguments, curves, limit);
     report.output->distance_mm = text.distance_mm;
     writeTexts(text, report, arguments.output);
   }

@@ -28,6 +28,7 @@ CurveInput pointInput(const CurveArguments& arguments) {
         arguments.input, file.lines[plane.most_distant], plane.distance_mm, arguments.flatness_mm));
   GivenCurve curve;
   curve.points = coordinatesIn(plane.frame, file.points);
+  curve.rounding_mm = file.rounding_mm;
   curve.record.points = file.points.rows();
   curve.record.closed = arguments.closed;
   curve.record.plane = plane.frame;
@@ -36,6 +37,7 @@ CurveInput pointInput(const CurveArguments& arguments) {
   input.facts.path = arguments.input;
   input.facts.format = "points";
   input.facts.length_unit = "mm (assumed)";
+  input.notes = file.notes;
   input.curves.push_back(std::move(curve));
   return input;
 }

@@ -3,13 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <seamwright/core/fair/fair_curve.hpp>
 #include <seamwright/core/planar/arc_conics.hpp>
 #include <seamwright/core/planar/arc_fit.hpp>
 #include <seamwright/core/planar/clothoid_fit.hpp>
 #include <seamwright/core/planar/clothoid_spline.hpp>
+#include <seamwright/core/planar/conic_spline.hpp>
+#include <seamwright/core/planar/fair_clothoids.hpp>
 #include <seamwright/core/planar/fair_points.hpp>
+#include <seamwright/core/planar/local_origin.hpp>
+#include <seamwright/core/planar/point_corners.hpp>
 #include <seamwright/plugin/cli/curve_methods.hpp>
 #include <stdexcept>
 
@@ -30,34 +33,15 @@ PlanarChain chainOf(const std::vector<PlanarArc>& arcs, bool closed) {
   return {.curves = {arcs.begin(), arcs.end()}, .closed = closed};
 }
 
-CurveFigures figuresFrom(const std::vector<Clothoid>& chain, bool closed) {
-  CurveFigures result;
-  double energy = 0, largest = 0;
-  std::vector<double> curvatures;
-  for (const Clothoid& piece : chain) {
-    const double k = piece.curvature_per_mm, s = piece.curvature_slope_per_mm2, l = piece.length_mm;
-    result.length_mm += l;
-    energy += l * (k * k + k * s * l + s * s * l * l / 3);
-    for (const double end : {k, piece.curvatureAt_per_mm(l)}) {
-      curvatures.push_back(end);
-      largest = std::max(largest, std::abs(end));
-    }
-  }
-  result.energy_per_mm = energy;
-  // As for ChainFigures.
-  constexpr double negligible = 1e-9;
-  const SequenceTurns turns =
-      turnsOf(curvatures, closed, negligible * std::max(largest, 1 / result.length_mm));
-  result.extrema = turns.extrema;
-  result.inflections = turns.inflections;
-  return result;
+CurveFigures figuresFrom(const ClothoidFigures& figures) {
+  return {.length_mm = figures.length_mm,
+          .energy_per_mm = figures.energy_per_mm,
+          .extrema = figures.extrema,
+          .inflections = figures.inflections};
 }
 
-double polygonLength(const PlanarPoints& points, bool closed) {
-  double length = 0;
-  for (Eigen::Index i = 1; i < points.rows(); ++i)
-    length += (points.row(i) - points.row(i - 1)).norm();
-  return closed ? length + (points.row(0) - points.row(points.rows() - 1)).norm() : length;
+CurveFigures figuresFrom(const std::vector<Clothoid>& chain, bool closed) {
+  return figuresFrom(figuresOf(chain, closed));
 }
 
 /// The curve that is approximated, and its distance from the one that was asked for.
@@ -87,14 +71,14 @@ SmoothCurve splineOf(const std::vector<Clothoid>& pieces, bool closed, double to
 
 /// That of the model; of points with a tolerance the clothoids through them, which are smoother
 /// than biarcs, so that fewer arcs are near; of points without one the biarcs through them.
-SmoothCurve curveOf(const GivenCurve& given, double tolerance_mm) {
+SmoothCurve curveOf(const GivenCurve& given, double tolerance_mm, const Progress& progress) {
   if (given.points.rows() == 0)
-    return {.chain = given.chain, .figures = figuresFrom(figuresOf(given.chain))};
+    return {.chain = given.chain, .figures = figuresFrom(figuresOf(given.chain, progress))};
   if (tolerance_mm == 0 || given.points.rows() < 3) return biarcsThrough(given);
   constexpr double share = 0.05;
   const bool closed = given.record.closed;
   try {
-    return splineOf(clothoidSpline(given.points, {.closed = closed}).pieces, closed,
+    return splineOf(clothoidSpline(given.points, {.closed = closed}, progress).pieces, closed,
                     share * tolerance_mm);
   } catch (const std::domain_error&) {  // the points are too few for their turns
     return biarcsThrough(given);
@@ -115,25 +99,30 @@ int linesIn(const std::vector<PlanarArc>& arcs) {
 }
 
 /// Arcs near the curve; with a tolerance of 0 the biarcs through points themselves.
-ArcFit arcsNear(const GivenCurve& given, const SmoothCurve& curve, double tolerance_mm) {
+ArcFit arcsNear(const GivenCurve& given, const SmoothCurve& curve, double tolerance_mm,
+                const Progress& progress) {
   if (given.points.rows() > 0 && tolerance_mm == 0) {
     ArcFit fit{.arcs = {}, .corners = {}, .closed = curve.chain.closed};
     for (const ChainCurve& arc : curve.chain.curves) fit.arcs.push_back(std::get<PlanarArc>(arc));
     return fit;
   }
   ArcFit fit = fitArcs(bezierSpline(curve.chain, gapOf(given, curve.chain)),
-                       {.tolerance_mm = tolerance_mm - curve.distance_mm});
+                       {.tolerance_mm = tolerance_mm - curve.distance_mm}, progress);
   fit.distance_mm += curve.distance_mm;
   return fit;
 }
 
 MadeCurve madeArcs(const GivenCurve& given, const CurveTask& task) {
-  SmoothCurve curve = curveOf(given, task.tolerance_mm);
-  ArcFit fit = arcsNear(given, curve, task.tolerance_mm);
+  // Choices of shares: the clothoids take about a tenth of the time, two chains of arcs the rest.
+  constexpr double curve_share = 0.1, first_share = 0.55;
+  SmoothCurve curve = curveOf(given, task.tolerance_mm, partOf(task.progress, 0, curve_share));
+  ArcFit fit =
+      arcsNear(given, curve, task.tolerance_mm, partOf(task.progress, curve_share, first_share));
   if (given.points.rows() > 0 && task.tolerance_mm > 0) {
     // Points of a circle or a line are on one arc, which biarcs find.
     SmoothCurve biarcs = biarcsThrough(given);
-    ArcFit other = arcsNear(given, biarcs, task.tolerance_mm);
+    ArcFit other =
+        arcsNear(given, biarcs, task.tolerance_mm, partOf(task.progress, first_share, 1));
     if (other.arcs.size() < fit.arcs.size()) {
       curve = std::move(biarcs);
       fit = std::move(other);
@@ -169,15 +158,16 @@ MadeCurve madeClothoids(const GivenCurve& given, const CurveTask& task) {
   if (given.points.rows() > 0) {
     made.record.distance_mm = 0;
     made.record.before = biarcsThrough(given).figures;
-    takeClothoids(made, clothoidSpline(given.points, {.closed = given.record.closed}).pieces,
-                  task.tolerance_mm);
+    takeClothoids(
+        made, clothoidSpline(given.points, {.closed = given.record.closed}, task.progress).pieces,
+        task.tolerance_mm);
     return made;
   }
   const ClothoidFit fit = fitClothoids(bezierSpline(given.chain, gapOf(given, given.chain)),
-                                       {.tolerance_mm = task.tolerance_mm});
+                                       {.tolerance_mm = task.tolerance_mm}, task.progress);
   made.record.corners = static_cast<int>(fit.corners.size());
   made.record.distance_mm = fit.distance_mm;
-  made.record.before = figuresFrom(figuresOf(given.chain));
+  made.record.before = figuresFrom(figuresOf(given.chain, partOf(task.progress, 1, 1)));
   takeClothoids(made, fit.pieces, task.tolerance_mm);
   return made;
 }
@@ -190,30 +180,74 @@ void noteJoints(report::CurveRecord& record, std::size_t g1_joints) {
 }
 
 /// Conics near arcs, with a bound of their distance even if it is above the tolerance.
-ArcConics conicsNear(const ArcFit& fit, double tolerance_mm) {
+ArcConics conicsNear(const ArcFit& fit, double tolerance_mm, const Progress& progress) {
   ArcConics conics;
   constexpr double factor = 16;
   double limit_mm = tolerance_mm;
   for (int attempt = 0; attempt < 5; ++attempt, limit_mm *= factor) {
-    conics =
-        g2ConicsNear({.arcs = fit.arcs, .corners = fit.corners, .closed = fit.closed}, limit_mm);
+    conics = g2ConicsNear({.arcs = fit.arcs, .corners = fit.corners, .closed = fit.closed},
+                          limit_mm, progress);
     if (std::isfinite(conics.distance_mm)) break;
   }
   return conics;
 }
 
+void addFigures(CurveFigures& sum, const CurveFigures& part) {
+  sum.length_mm += part.length_mm;
+  sum.energy_per_mm = sum.energy_per_mm.value_or(0) + part.energy_per_mm.value_or(0);
+  sum.extrema += part.extrema;
+  sum.inflections += part.inflections;
+}
+
+/// Conics from corner to corner of the points.
+MadeCurve conicsThrough(const GivenCurve& given, const Progress& progress) {
+  const bool closed = given.record.closed;
+  const std::vector<Eigen::Index> corners =
+      given.points.rows() < 3
+          ? std::vector<Eigen::Index>{}
+          : pointCorners(given.points, {.closed = closed, .error_mm = given.rounding_mm});
+  MadeCurve made{.record = given.record};
+  made.chain.closed = closed;
+  std::size_t g1_joints = 0, between_lines = 0;
+  double done = 0;
+  for (const std::vector<Eigen::Index>& run : runsBetween(given.points.rows(), corners, closed)) {
+    const double end = std::min(
+        1.0, done + static_cast<double>(run.size()) / static_cast<double>(given.points.rows()));
+    GivenCurve part;
+    part.points = given.points(run, Eigen::indexing::all);
+    part.record.closed = closed && corners.empty();
+    const ConicSpline spline =
+        conicSpline(part.points, part.record.closed, partOf(progress, done, end));
+    done = end;
+    made.chain.curves.insert(made.chain.curves.end(), spline.conics.begin(), spline.conics.end());
+    g1_joints += spline.g1_joints.size();
+    between_lines += spline.corners.size();
+    addFigures(made.record.before, biarcsThrough(part).figures);
+  }
+  made.record.pieces = static_cast<int>(made.chain.curves.size());
+  made.record.corners = static_cast<int>(corners.size() + between_lines);
+  made.record.distance_mm = 0;
+  made.record.after = figuresFrom(figuresOf(made.chain));
+  noteJoints(made.record, g1_joints);
+  if (between_lines > 0)
+    made.record.notes.push_back(fmt::format("{} corner{}: there are points on a line on both sides",
+                                            between_lines, between_lines == 1 ? "" : "s"));
+  return made;
+}
+
 /// The conics of arcs that leave room for the distance that G2 costs.
-MadeCurve madeConics(const GivenCurve& given, const CurveTask& task) {
-  const SmoothCurve curve = curveOf(given, task.tolerance_mm);
+MadeCurve conicsNearCurve(const GivenCurve& given, const CurveTask& task) {
+  const SmoothCurve curve = curveOf(given, task.tolerance_mm, partOf(task.progress, 0, 0));
   MadeCurve made{.record = given.record};
   made.record.before = curve.figures;
-  const bool through_points = task.tolerance_mm == 0;
   // Closer arcs bring closer conics; the last attempt is kept with the distance it has.
+  int attempts = 0;
   for (double share = 0.5; share >= 0x1p-9; share /= 4) {
-    task.check();
-    const ArcFit fit = arcsNear(given, curve, share * task.tolerance_mm + curve.distance_mm);
-    const ArcConics conics =
-        conicsNear(fit, through_points ? 1e-3 * made.record.before.length_mm : task.tolerance_mm);
+    const Progress progress = partOf(task.progress, shareAfter(attempts), shareAfter(attempts));
+    ++attempts;
+    const ArcFit fit =
+        arcsNear(given, curve, share * task.tolerance_mm + curve.distance_mm, progress);
+    const ArcConics conics = conicsNear(fit, task.tolerance_mm, progress);
     const double distance_mm = conics.distance_mm + fit.distance_mm;
     made.chain = {.curves = {conics.conics.begin(), conics.conics.end()}, .closed = fit.closed};
     made.record.pieces = static_cast<int>(conics.conics.size());
@@ -222,36 +256,84 @@ MadeCurve madeConics(const GivenCurve& given, const CurveTask& task) {
         std::isfinite(distance_mm) ? std::optional(distance_mm) : std::nullopt;
     made.record.notes.clear();
     noteJoints(made.record, conics.g1_joints.size());
-    made.record.reached = through_points || distance_mm <= task.tolerance_mm;
+    made.record.reached = distance_mm <= task.tolerance_mm;
     if (made.record.reached) break;
   }
   if (!made.record.reached)
     made.record.notes.push_back("the conics are not certainly within the tolerance");
-  made.record.after = figuresFrom(figuresOf(made.chain));
+  made.record.after = figuresFrom(figuresOf(made.chain, partOf(task.progress, 1, 1)));
   return made;
 }
 
-CurveFigures figuresFrom(const PlanarPoints& points, const PointFairness& fairness, bool closed) {
-  return {.length_mm = polygonLength(points, closed),
-          .variation_per_mm3 = fairness.energy_per_mm3,
-          .extrema = static_cast<int>(fairness.extrema.size()),
-          .inflections = static_cast<int>(fairness.inflections.size())};
+MadeCurve madeConics(const GivenCurve& given, const CurveTask& task) {
+  return given.points.rows() > 0 ? conicsThrough(given, task.progress)
+                                 : conicsNearCurve(given, task);
+}
+
+CurveFigures withVariation(const ClothoidFigures& figures) {
+  CurveFigures result = figuresFrom(figures);
+  result.variation_per_mm3 = figures.variation_per_mm3;
+  return result;
+}
+
+/// A spline from corner to corner.
+void takeRuns(MadeCurve& made, const FairedClothoids& faired, double tolerance_mm) {
+  // As for takeClothoids().
+  const double spline_mm = tolerance_mm > 0 ? 0.1 * tolerance_mm : 1e-9 * faired.after.length_mm;
+  const bool closed = made.record.closed;
+  std::vector<Clothoid> pieces = faired.pieces;
+  std::vector<std::ptrdiff_t> cuts(faired.corners.begin(), faired.corners.end());
+  if (closed && !cuts.empty()) {  // a closed curve begins at a corner
+    const std::ptrdiff_t first = cuts.front();
+    std::ranges::rotate(pieces, pieces.begin() + first);
+    for (std::ptrdiff_t& cut : cuts) cut -= first;
+  } else {
+    cuts.insert(cuts.begin(), 0);
+  }
+  cuts.push_back(std::ssize(pieces));
+  made.chain.closed = closed;
+  for (std::size_t k = 1; k < cuts.size(); ++k) {
+    const std::vector<Clothoid> run(pieces.begin() + cuts[k - 1], pieces.begin() + cuts[k]);
+    SmoothCurve spline = splineOf(run, closed && faired.corners.empty(), spline_mm);
+    made.chain.curves.push_back(std::move(spline.chain.curves.front()));
+    made.chain_distance_mm = std::max(made.chain_distance_mm, spline.distance_mm);
+  }
+  made.clothoids = faired.pieces;
+}
+
+/// What the points let expect and the curve does not keep.
+void noteTurns(report::CurveRecord& record, const FairedClothoids& faired) {
+  const int more = faired.after.inflections - faired.point_inflections;
+  if (more > 0)
+    record.notes.push_back(
+        fmt::format("{} more inflection{} than the circles through three faired points", more,
+                    more == 1 ? "" : "s"));
 }
 
 MadeCurve madeFairPoints(const GivenCurve& given, const CurveTask& task) {
   const bool closed = given.record.closed;
   const Eigen::VectorXd tolerances =
       Eigen::VectorXd::Constant(given.points.rows(), task.tolerance_mm);
-  const FairedPoints faired = fairPoints(given.points, tolerances, {.closed = closed});
+  const FairedClothoids faired = fairClothoids(
+      given.points, tolerances,
+      {.closed = closed,
+       .corners = pointCorners(given.points, {.closed = closed, .error_mm = task.tolerance_mm})},
+      task.progress);
   MadeCurve made{.record = given.record};
   made.points = faired.points;
+  takeRuns(made, faired, task.tolerance_mm);
   made.record.pieces = static_cast<int>(faired.points.rows());
+  made.record.corners = static_cast<int>(faired.corners.size());
   made.record.distance_mm = made.record.moved_mm = faired.moved_mm;
-  const std::vector<Clothoid> pieces = clothoidSpline(faired.points, {.closed = closed}).pieces;
-  takeClothoids(made, pieces, task.tolerance_mm);
-  made.record.pieces = static_cast<int>(faired.points.rows());
-  made.record.before = figuresFrom(given.points, faired.before, closed);
-  made.record.after = figuresFrom(faired.points, faired.after, closed);
+  made.record.after = withVariation(faired.after);
+  if (faired.before) {
+    made.record.before = withVariation(*faired.before);
+  } else {
+    made.record.before = biarcsThrough(given).figures;
+    made.record.notes.push_back(
+        "no clothoids pass through the points as read: the figures before are those of biarcs");
+  }
+  noteTurns(made.record, faired);
   return made;
 }
 
@@ -261,22 +343,24 @@ bool isPolynomial(const BSplineCurve& curve) {
 
 MadeCurve madeFairSplines(const GivenCurve& given, const CurveTask& task) {
   MadeCurve made{.record = given.record};
-  made.record.before = figuresFrom(figuresOf(given.chain));
+  made.record.before = figuresFrom(figuresOf(given.chain, partOf(task.progress, 0, 0)));
   made.chain.closed = given.chain.closed;
+  const auto whole = static_cast<double>(given.chain.curves.size());
   double moved_mm = 0;
   int kept = 0;
   // Neighbours meet in position and tangent, and so do the ends of a closed chain.
   const bool joins = given.chain.closed || given.chain.curves.size() > 1;
   const CurveFairingOptions options{.ends = joins ? HeldEnds::Tangent : HeldEnds::Position};
   for (const ChainCurve& curve : given.chain.curves) {
-    task.check();
+    const double done = static_cast<double>(made.chain.curves.size()) / whole;
     const auto* spline = std::get_if<BSplineCurve>(&curve);
     if (!spline || spline->degree < 2 || !isPolynomial(*spline)) {
       made.chain.curves.push_back(curve);
       ++kept;
       continue;
     }
-    const FairedCurve faired = fairCurve(*spline, task.tolerance_mm, options);
+    const FairedCurve faired = fairCurve(*spline, task.tolerance_mm, options,
+                                         partOf(task.progress, done, done + 1 / whole));
     moved_mm = std::max(moved_mm, faired.moved_mm);
     made.chain.curves.emplace_back(faired.curve);
     made.record.pieces += bezierSpline(faired.curve).segments();
@@ -286,7 +370,7 @@ MadeCurve madeFairSplines(const GivenCurve& given, const CurveTask& task) {
     made.record.notes.push_back(fmt::format(
         "{} curve{} as given: only polynomial B-splines of degree 2 and more are faired", kept,
         kept == 1 ? " stays" : "s stay"));
-  made.record.after = figuresFrom(figuresOf(made.chain));
+  made.record.after = figuresFrom(figuresOf(made.chain, partOf(task.progress, 1, 1)));
   return made;
 }
 
@@ -301,6 +385,100 @@ void noteAdded(report::CurveRecord& record) {
   };
   note(record.after.extrema - record.before.extrema, "extrema of the curvature");
   note(record.after.inflections - record.before.inflections, "inflections");
+}
+
+/// Lengths in mm for which no formula overflows or vanishes: the highest power of a length is the
+/// eighth, in products of derivatives, and 2^800 is in the range of doubles.
+constexpr double smallest_mm = 0x1p-100, largest_mm = 0x1p100;
+
+/// Points, or ends of curves and poles, one a row.
+PlanarPoints controlPoints(const GivenCurve& given) {
+  if (given.points.rows() > 0) return given.points;
+  std::vector<Eigen::Vector2d> found;
+  for (const ChainCurve& curve : given.chain.curves)
+    for (const BezierCurve& one : bezierCurves(curve)) {
+      const Poles poles = one.poles();
+      for (Eigen::Index i = 0; i < poles.rows(); ++i) found.emplace_back(poles.row(i).head<2>());
+    }
+  PlanarPoints points(static_cast<Eigen::Index>(found.size()), 2);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    points.row(static_cast<Eigen::Index>(i)) = found[i].transpose();
+  return points;
+}
+
+void requireSize(const GivenCurve& given) {
+  const PlanarPoints points = controlPoints(given);
+  const double size_mm = points.cwiseAbs().maxCoeff();
+  if (!(size_mm <= largest_mm))
+    throw std::domain_error(
+        fmt::format("the coordinates reach {:.3g} mm, and products of lengths above {:.3g} mm "
+                    "overflow: scale the curve",
+                    size_mm, largest_mm));
+  const double extent_mm = (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
+  double least_mm = extent_mm;
+  for (Eigen::Index i = 1; i < given.points.rows(); ++i)
+    least_mm = std::min(least_mm, (points.row(i) - points.row(i - 1)).lpNorm<Eigen::Infinity>());
+  if (!(least_mm >= smallest_mm))
+    throw std::domain_error(fmt::format(
+        "{} {:.3g} mm, and products of lengths below {:.3g} mm vanish: scale the curve",
+        least_mm < extent_mm ? "two neighbours are apart by" : "the curve has a size of", least_mm,
+        smallest_mm));
+}
+
+/// A curve far from the origin, in coordinates from a point of it.
+struct LocalCurve {
+  GivenCurve given;
+  Eigen::Vector2d origin = Eigen::Vector2d::Zero();
+  double rounding_mm = 0;  ///< of the way there and back
+};
+
+LocalCurve localCurve(const GivenCurve& given) {
+  const bool has_points = given.points.rows() > 0;
+  LocalCurve local{.given = given,
+                   .origin = has_points ? localOrigin(given.points) : localOrigin(given.chain)};
+  // Points are moved to the origin without rounding, poles of rational splines with one.
+  local.rounding_mm = (has_points ? 1 : 2) * roundingAt_mm(local.origin);
+  local.given.points.rowwise() -= local.origin.transpose();
+  local.given.chain = moved(given.chain, -local.origin);
+  local.given.gap_mm += local.rounding_mm;
+  return local;
+}
+
+/// The tolerance without what the rounding of the result takes.
+CurveTask taskOf(const LocalCurve& local, const CurveTask& task) {
+  // A choice: below it the rounding would take more than an eighth of the tolerance.
+  constexpr double least_ratio = 8;
+  CurveTask result = task;
+  if (task.tolerance_mm == 0 || local.rounding_mm == 0) return result;
+  if (task.tolerance_mm < least_ratio * local.rounding_mm)
+    throw std::domain_error(fmt::format(
+        "the tolerance {:.3g} mm is too small for coordinates of {:.3g} mm, which are "
+        "rounded by {:.3g} mm: give at least {:.3g} mm, or move the curve to the origin",
+        task.tolerance_mm, local.origin.cwiseAbs().maxCoeff(), local.rounding_mm,
+        least_ratio * local.rounding_mm));
+  result.tolerance_mm -= local.rounding_mm;
+  return result;
+}
+
+void moveBack(MadeCurve& made, const LocalCurve& local) {
+  made.chain = moved(made.chain, local.origin);
+  made.points.rowwise() += local.origin.transpose();
+  for (Clothoid& piece : made.clothoids) piece.start += local.origin;
+  made.chain_distance_mm += local.rounding_mm;
+  for (std::optional<double>* distance_mm : {&made.record.distance_mm, &made.record.moved_mm})
+    if (*distance_mm && **distance_mm > 0) **distance_mm += local.rounding_mm;
+}
+
+/// Curves through points have the extrema of the curvature that rounding of the points made.
+void noteRounding(report::CurveRecord& record, const GivenCurve& given) {
+  constexpr Eigen::Index least_points = 3;
+  if (given.rounding_mm == 0 || given.points.rows() < least_points) return;
+  const PointFairness certain = fairnessOf(given.points, record.closed, given.rounding_mm);
+  const auto extrema = static_cast<int>(certain.extrema.size());
+  if (extrema < record.before.extrema)
+    record.notes.push_back(fmt::format(
+        "{} of {} extrema before exceed what the digits of the points can make ({:.2g} mm)",
+        extrema, record.before.extrema, given.rounding_mm));
 }
 
 MadeCurve madeBy(const std::string& method, const GivenCurve& given, const CurveTask& task) {
@@ -318,11 +496,16 @@ const std::vector<std::string>& curveMethods() {
 }
 
 MadeCurve madeCurve(const std::string& method, const GivenCurve& given, const CurveTask& task) {
-  task.check();
+  checkProgress(task.progress, 0);
   if (given.points.rows() == 0 && method != "fair" && !(task.tolerance_mm > 0))
     throw std::invalid_argument("--tolerance is 0 mm: curves of a model need more");
-  MadeCurve made = madeBy(method, given, task);
+  requireSize(given);
+  const LocalCurve local = localCurve(given);
+  MadeCurve made = madeBy(method, local.given, taskOf(local, task));
+  if (!local.origin.isZero(0)) moveBack(made, local);
   noteAdded(made.record);
+  made.record.with_reservations = method == "conic" && !made.record.notes.empty();
+  noteRounding(made.record, local.given);
   return made;
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <functional>
 #include <seamwright/core/planar/clothoid.hpp>
 #include <seamwright/core/planar/planar_chain.hpp>
+#include <seamwright/core/progress.hpp>
 #include <seamwright/plugin/report/curve_json.hpp>
 #include <string>
 #include <vector>
@@ -16,7 +16,8 @@ struct GivenCurve {
   report::CurveRecord record;
   PlanarPoints points;
   PlanarChain chain;
-  double gap_mm = 0;  ///< the largest gap between curves of the chain
+  double gap_mm = 0;       ///< the largest gap between curves of the chain
+  double rounding_mm = 0;  ///< of the points, by the digits of their file
 };
 
 /// What a method made of a curve.
@@ -30,14 +31,13 @@ struct MadeCurve {
 
 struct CurveTask {
   double tolerance_mm = 0;
-  bool closed = false;
-  std::function<void()> check = [] {};  ///< called often; throws if the work has to stop
+  Progress progress = {};
 };
 
 /// Names of the methods: "arcs", "clothoid", "conic", "fair".
 const std::vector<std::string>& curveMethods();
 
-/// \throws std::domain_error and std::invalid_argument as the functions of core do.
+/// \throws std::domain_error, std::invalid_argument and Cancelled as the functions of core do.
 MadeCurve madeCurve(const std::string& method, const GivenCurve& given, const CurveTask& task);
 
 }  // namespace seamwright::cli

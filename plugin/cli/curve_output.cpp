@@ -6,6 +6,7 @@
 #include <map>
 #include <seamwright/core/angle.hpp>
 #include <seamwright/core/planar/arc_fit.hpp>
+#include <seamwright/core/planar/local_origin.hpp>
 #include <seamwright/occ_adapter/model/write.hpp>
 #include <seamwright/plugin/cli/curve_drawing.hpp>
 #include <seamwright/plugin/cli/curve_output.hpp>
@@ -44,16 +45,21 @@ struct DrawnOutline {
   double distance_mm = 0;
 };
 
-DrawnOutline drawn(const MadeCurve& curve, double drawn_mm) {
+DrawnOutline drawn(const MadeCurve& curve, double drawn_mm, const Progress& progress) {
   if (areArcs(curve.chain)) {
     DrawnOutline result{{{}, curve.chain.closed}, 0};
     for (const ChainCurve& arc : curve.chain.curves)
       result.outline.arcs.push_back(std::get<PlanarArc>(arc));
     return result;
   }
-  const double gap_mm = 1e-9 * (1 + curve.record.after.length_mm);
-  const ArcFit fit = fitArcs(bezierSpline(curve.chain, gap_mm), {.tolerance_mm = drawn_mm});
-  return {{fit.arcs, fit.closed}, fit.distance_mm + curve.chain_distance_mm};
+  const Eigen::Vector2d origin = localOrigin(curve.chain);
+  const double rounding_mm = roundingAt_mm(origin);
+  const double gap_mm = 1e-9 * (1 + curve.record.after.length_mm) + 2 * rounding_mm;
+  ArcFit fit = fitArcs(bezierSpline(moved(curve.chain, -origin), gap_mm),
+                       {.tolerance_mm = drawn_mm}, progress);
+  for (PlanarArc& arc : fit.arcs) arc.start += origin;
+  return {{std::move(fit.arcs), fit.closed},
+          fit.distance_mm + 2 * rounding_mm + curve.chain_distance_mm};
 }
 
 void requireOnePlane(const std::vector<MadeCurve>& curves) {
@@ -157,13 +163,16 @@ void requireCurveOutputs(const std::string& input, const OutputArguments& argume
 }
 
 CurveText curveText(CurveFormat format, const std::string& method,
-                    const std::vector<MadeCurve>& curves, double drawn_mm) {
+                    const std::vector<MadeCurve>& curves, double drawn_mm,
+                    const Progress& progress) {
   requireOnePlane(curves);
   CurveText result;
   std::vector<ArcOutline> outlines;
   if (format != CurveFormat::Csv || method == "arcs")
     for (const MadeCurve& curve : curves) {
-      DrawnOutline one = drawn(curve, drawn_mm);
+      const auto done = static_cast<double>(outlines.size()),
+                 whole = static_cast<double>(curves.size());
+      DrawnOutline one = drawn(curve, drawn_mm, partOf(progress, done / whole, (done + 1) / whole));
       result.distance_mm = std::max(result.distance_mm, one.distance_mm);
       outlines.push_back(std::move(one.outline));
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <seamwright/core/progress.hpp>
 #include <seamwright/plugin/cli/curve_methods.hpp>
 #include <seamwright/plugin/cli/model_arguments.hpp>
 #include <string>
@@ -26,8 +27,9 @@ struct CurveText {
 };
 
 /// \param format Dxf, Svg or Csv.
-/// \throws std::runtime_error if the curves lie in several planes.
+/// \throws std::runtime_error if the curves lie in several planes; Cancelled.
 CurveText curveText(CurveFormat format, const std::string& method,
-                    const std::vector<MadeCurve>& curves, double drawn_mm);
+                    const std::vector<MadeCurve>& curves, double drawn_mm,
+                    const Progress& progress);
 
 }  // namespace seamwright::cli

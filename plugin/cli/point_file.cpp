@@ -15,6 +15,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace seamwright::cli {
 
@@ -30,6 +31,14 @@ std::optional<double> numberFrom(std::string_view word) {
   if (rest != word.data() + word.size() || word.empty()) return std::nullopt;
   if (error == std::errc::result_out_of_range) return HUGE_VAL;
   return error == std::errc{} ? std::optional(number) : std::nullopt;
+}
+
+/// Digits of a number without leading zeros and exponent.
+int digitsOf(std::string_view word) {
+  int digits = 0;
+  for (const char c : word.substr(0, word.find_first_of("eE")))
+    if (std::isdigit(static_cast<unsigned char>(c)) != 0 && (digits > 0 || c != '0')) ++digits;
+  return digits;
 }
 
 std::vector<std::string> wordsOf(std::string line) {
@@ -53,6 +62,10 @@ class PointRows {
 
   void add(const std::vector<std::string>& words, int line) {
     if (rows_.empty() && !numberFrom(words.front())) return;  // a header
+    if (!std::exchange(begun_, true) && isName(words)) {
+      notes_.push_back(fmt::format("line {} is taken for a name, because it has words", line));
+      return;
+    }
     const auto columns = words.size();
     if (columns != 2 && columns != 3)
       fail(line, fmt::format("has {} numbers: 2 or 3 are needed", columns));
@@ -69,7 +82,11 @@ class PointRows {
     if (rows_.empty())
       throw std::runtime_error(path_ + ": has no points: a line has two or three numbers");
     orderAirfoil();
-    PointFile file{Poles(static_cast<Eigen::Index>(rows_.size()), 3), columns_ == 3, lines_};
+    PointFile file{.points = Poles(static_cast<Eigen::Index>(rows_.size()), 3),
+                   .has_z = columns_ == 3,
+                   .lines = lines_,
+                   .rounding_mm = rounding_mm(),
+                   .notes = notes_};
     for (std::size_t i = 0; i < rows_.size(); ++i)
       file.points.row(static_cast<Eigen::Index>(i)) << rows_[i][0], rows_[i][1], rows_[i][2];
     return file;
@@ -93,20 +110,38 @@ class PointRows {
     rows_.erase(rows_.begin() + nose);
     lines_.erase(lines_.begin() + nose);
   }
+  /// "2412 airfoil"
+  static bool isName(const std::vector<std::string>& words) {
+    return std::ranges::any_of(words, [](const std::string& word) { return !numberFrom(word); });
+  }
+  /// Half a unit of the last digit of the largest coordinate, on each axis.
+  double rounding_mm() const {
+    // With fewer digits the points are those of a drawing; with more they are doubles.
+    constexpr int least = 5, most = 15;
+    if (digits_ < least || digits_ > most || largest_ == 0) return 0;
+    const double unit = std::pow(10, std::floor(std::log10(largest_)) + 1 - digits_);
+    return unit / 2 * std::sqrt(static_cast<double>(columns_));
+  }
   [[noreturn]] void fail(int line, const std::string& what) const {
     throw std::runtime_error(fmt::format("{}: line {} {}", path_, line, what));
   }
-  double coordinate(const std::string& word, int line) const {
+  double coordinate(const std::string& word, int line) {
     const std::optional<double> number = numberFrom(word);
     if (!number) fail(line, fmt::format("has '{}' where a number is needed", word));
     // OpenCASCADE takes such numbers for infinite.
     constexpr double too_large = 1e100;
     if (!(std::abs(*number) < too_large))
       fail(line, fmt::format("has the number {}, which is not finite or too large", word));
+    digits_ = std::max(digits_, digitsOf(word));
+    largest_ = std::max(largest_, std::abs(*number));
     return *number;
   }
 
   std::string path_;
+  bool begun_ = false;
+  int digits_ = 0;
+  double largest_ = 0;
+  std::vector<std::string> notes_;
   std::size_t columns_ = 0;
   std::vector<std::array<double, 3>> rows_;
   std::vector<int> lines_;

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <seamwright/core/bezier/curve.hpp>
+#include <string>
 #include <vector>
 
 namespace seamwright::cli {
@@ -12,6 +13,10 @@ struct PointFile {
   Poles points;            ///< z = 0 if the file has two columns
   bool has_z = false;      ///< the file has three columns
   std::vector<int> lines;  ///< of each point, from 1
+  /// The largest distance of a point from where it was before its coordinates were rounded to the
+  /// digits given; 0 if they have fewer than 5 digits or more than 15, and count as exact.
+  double rounding_mm = 0;
+  std::vector<std::string> notes = {};
 };
 
 /// Whether the name of a file is that of a file of points: .csv, .txt, .dat, .xy or .xyz.
@@ -19,7 +24,8 @@ bool isPointFile(const std::filesystem::path& path);
 
 /// Reads points: a line has two or three numbers, separated by commas, semicolons, blanks or tabs.
 /// Empty lines and what follows a # are skipped, and so are the lines before the first point that
-/// begin with anything but a number: a header, the name of an airfoil.
+/// begin with anything but a number: a header, the name of an airfoil. The first line is also a
+/// name, with a note, if it begins with a number and has words that are none.
 /// \throws std::runtime_error, in one line with the number of the line: no file, no point, a word,
 /// a number that is not finite, another count of columns.
 PointFile readPoints(const std::filesystem::path& path);

@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seamwright/core/fair/curvature_profile.hpp>
-#include <seamwright/core/fair/fair_curve.hpp>
+#include <seamwright/core/fair/polish_curve.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
 #include <seamwright/plugin/python/curves.hpp>
-#include <seamwright/plugin/python/planar.hpp>
+#include <seamwright/plugin/python/fairness.hpp>
 #include <seamwright/plugin/python/results.hpp>
 
 namespace seamwright::python {
 
 namespace {
-
-constexpr NamedValue<HeldEnds> held_ends[] = {{"nothing", HeldEnds::Nothing},
-                                              {"position", HeldEnds::Position},
-                                              {"tangent", HeldEnds::Tangent},
-                                              {"curvature", HeldEnds::Curvature}};
 
 bool isPlanar(const CurveSegments& curve) {
   return (curve.poles().col(2).array() == 0).all();
@@ -55,16 +50,6 @@ py::object curvatureProfileOf(const py::object& given) {
   return resultOf("CurvatureProfile", dict);
 }
 
-py::object curveFairnessResult(const CurveFairness& fairness) {
-  py::dict dict;
-  dict["energy"] = fairness.energy;
-  dict["extrema"] = fairness.extrema;
-  dict["extrema_at_knots"] = fairness.extrema_at_knots;
-  dict["inflections"] = fairness.inflections;
-  dict["undecided_spans"] = fairness.undecided_spans;
-  return resultOf("CurveFairness", dict);
-}
-
 py::object curveFairnessOf(const py::object& curve) {
   return curveFairnessResult(fairnessOf(bsplineCurveOf("curve", curve)));
 }
@@ -92,12 +77,35 @@ py::object fairedCurveResult(const py::object& curve, const py::object& toleranc
 
 py::object fairCurveOf(const py::object& curve, const py::object& tolerance_mm,
                        const py::object& ends) {
-  return fairedCurveResult(curve, tolerance_mm, ends, fairCurve);
+  return fairedCurveResult(curve, tolerance_mm, ends,
+                           [](const auto&... arguments) { return fairCurve(arguments...); });
 }
 
 py::object fairKnotsOf(const py::object& curve, const py::object& tolerance_mm,
                        const py::object& ends) {
-  return fairedCurveResult(curve, tolerance_mm, ends, fairKnots);
+  return fairedCurveResult(curve, tolerance_mm, ends,
+                           [](const auto&... arguments) { return fairKnots(arguments...); });
+}
+
+py::object polishCurveOf(const py::object& curve, const py::object& tolerance_mm,
+                         const py::object& ends) {
+  const BSplineCurve spline = bsplineCurveOf("curve", curve);
+  const double tolerance = numberOf("tolerance_mm", tolerance_mm);
+  const CurveFairingOptions options{.ends = choiceOf("ends", ends, held_ends)};
+  const PolishedCurve polished = [&] {
+    const py::gil_scoped_release release;
+    return polishCurve(spline, tolerance, options);
+  }();
+  py::dict dict;
+  dict["curve"] = polished.curve;
+  dict["moved_mm"] = polished.moved_mm;
+  dict["before"] = curveFairnessResult(polished.before);
+  dict["after"] = curveFairnessResult(polished.after);
+  dict["variation_before_per_mm3"] = polished.variation_before_per_mm3;
+  dict["variation_after_per_mm3"] = polished.variation_after_per_mm3;
+  dict["weight_per_mm5"] = polished.weight_per_mm5;
+  dict["steps"] = polished.steps;
+  return resultOf("PolishedCurve", dict);
 }
 
 BSplineCurve fairedAtKnotOf(const py::object& curve, const py::object& index,
@@ -120,9 +128,7 @@ BSplineCurve smoothingSplineOf(const py::object& points, const py::object& param
   return smoothingSpline(order, flat, at, rows, weight, fixed);
 }
 
-}  // namespace
-
-void bindCurveFairing(py::module_& module) {
+void bindWholeCurves(py::module_& module) {
   module.def("curvature_profile", &curvatureProfileOf, py::arg("curve"),
              R"(Where the curvature of a curve has extrema and changes its sign: a CurvatureProfile.
 
@@ -146,6 +152,24 @@ stay, bitwise. The energy does not grow; a tolerance of 0 returns the curve. Val
 tolerance that is negative or not finite, and as for curve_fairness(). Source: docs/theory/planar.md
 P11.1.
 )");
+  module.def("polish_curve", &polishCurveOf, py::arg("curve"), py::arg("tolerance_mm"),
+             py::kw_only(), py::arg("ends") = "position",
+             R"(The curve with the same knots whose curvature varies least: a PolishedCurve.
+
+curve: polynomial, of any class and of degree 3 or more, planar or in space, with continuous
+curvature. Unlike that of fair_curve() the energy, the integral of (dk/ds)^2 + (k t)^2 by arc
+length, does not depend on the parametrisation: arcs and lines have 0. No point moves by more than
+tolerance_mm, the energy does not grow, and a tolerance of 0 returns the curve. ends: as for
+fair_curve(); they join G0, G1 or G2 as before. It is a local minimum. ValueError for a tolerance
+that is negative or not finite, rational curves, lower degrees, knots at which the curvature may
+jump, and curves that stop. Source: docs/theory/planar.md P11.3, P13.4.
+)");
+}
+
+}  // namespace
+
+void bindCurveFairing(py::module_& module) {
+  bindWholeCurves(module);
   module.def("fair_at_knots", &fairKnotsOf, py::arg("curve"), py::arg("tolerance_mm"),
              py::kw_only(), py::arg("ends") = "position",
              R"(A cubic curve faired at its worst knots, one after the other: a FairedCurve.

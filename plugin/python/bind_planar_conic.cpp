@@ -101,6 +101,15 @@ py::object g2ConicsOf(const py::object& chain, const py::object& closed,
   return resultOf("G2Conics", dict);
 }
 
+py::tuple conicState(const PlanarConic& c) {
+  const auto pair = [](const Eigen::Vector2d& v) { return py::make_tuple(v.x(), v.y()); };
+  return py::make_tuple(pair(c.start), pair(c.corner), pair(c.end), c.weight);
+}
+
+PlanarConic conicFrom(const py::tuple& state) {
+  return makeConic(state[0], state[1], state[2], state[3]);
+}
+
 std::string shownConic(const PlanarConic& c) {
   return "<PlanarConic of weight " + shown(py::float_(c.weight)) + " that turns by " +
          shown(py::float_(c.turn_rad())) + " rad>";
@@ -111,9 +120,9 @@ void bindConic(py::module_& module) {
                                R"(A segment of a conic: the quadratic with the weights 1, weight, 1.
 
 start, corner, end: (2,) in mm; the tangents at the ends meet at the corner. A weight below 1 gives
-an ellipse, 1 a parabola, above 1 a hyperbola. The parameter is t, 0 .. 1; arc_length() of
-bezier_curve() measures the length. ValueError for numbers that are not finite, a weight that is not
-positive, and a corner at an end. Source: docs/theory/planar.md P7.1 to P7.3.
+an ellipse, 1 a parabola, above 1 a hyperbola. The parameter is t, 0 .. 1. ValueError for numbers
+that are not finite, a weight that is not positive, and a corner at an end. Source:
+docs/theory/planar.md P7.1 to P7.3.
 )");
   type.def(py::init(&makeConic), py::arg("start"), py::arg("corner"), py::arg("end"),
            py::arg("weight") = 1.0)
@@ -135,6 +144,11 @@ positive, and a corner at an end. Source: docs/theory/planar.md P7.1 to P7.3.
           "hyperbola.")
       .def_property_readonly("turn_rad", &PlanarConic::turn_rad,
                              "The angle by which the tangent turns, above 0 to the left.")
+      .def_property_readonly("length_mm", &PlanarConic::length_mm,
+                             R"(The arc length, enclosed to 1e-10 of it.
+
+arc_length() of bezier_curve() states bounds. Source: docs/theory/curves.md C1.5.
+)")
       .def_property_readonly(
           "curvature_kind", [](const PlanarConic& c) { return kindName(curvatureKind(c)); },
           R"(The extrema of the size of the curvature inside, up to rounding.
@@ -154,12 +168,7 @@ minimum' or 'maximum and minimum'.)")
       .def(
           "bezier_curve", [](const PlanarConic& c) { return bezierCurve(c); },
           "The same points as a BezierCurve in the plane z = 0.")
-      .def(py::pickle(
-          [](const PlanarConic& c) {
-            const auto pair = [](const Eigen::Vector2d& v) { return py::make_tuple(v.x(), v.y()); };
-            return py::make_tuple(pair(c.start), pair(c.corner), pair(c.end), c.weight);
-          },
-          [](const py::tuple& state) { return makeConic(state[0], state[1], state[2], state[3]); }))
+      .def(py::pickle(&conicState, &conicFrom))
       .def("__repr__", &shownConic);
   bindEvaluation(type, "t");
   bindEquality(type);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cmath>
 #include <seamwright/core/planar/spiral.hpp>
+#include <seamwright/core/planar/spiral_ends.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
 #include <seamwright/plugin/python/planar.hpp>
 #include <seamwright/plugin/python/results.hpp>
@@ -55,6 +56,97 @@ ArcChain logArcsOf(const py::object& start, const py::object& start_direction_ra
                    const py::object& count) {
   const HermiteEnds ends = hermiteEndsOf(start, start_direction_rad, end, end_direction_rad);
   return {logArcs(ends, count.is_none() ? leastLogArcs(ends) : arcCount(count)), false};
+}
+
+const char* spiralKindName(SpiralKind kind) {
+  switch (kind) {
+    case SpiralKind::Undecided:
+      return "undecided";
+    case SpiralKind::Nothing:
+      return "nothing";
+    case SpiralKind::Arc:
+      return "arc";
+    case SpiralKind::Biarc:
+      return "biarc";
+    case SpiralKind::Rising:
+      return "rising";
+    case SpiralKind::Falling:
+      break;
+  }
+  return "falling";
+}
+
+py::object signedFigureResult(const SignedFigure& figure) {
+  py::dict dict;
+  dict["value"] = figure.value;
+  dict["rounding"] = figure.rounding;
+  dict["sign"] = figure.sign();
+  return resultOf("SignedFigure", dict);
+}
+
+py::object spiralCertificateOf(const py::object& start, const py::object& start_direction_rad,
+                               const py::object& start_curvature_per_mm, const py::object& end,
+                               const py::object& end_direction_rad,
+                               const py::object& end_curvature_per_mm) {
+  const SpiralCertificate found = spiralCertificate(
+      {.ends = hermiteEndsOf(start, start_direction_rad, end, end_direction_rad),
+       .start_curvature_per_mm = parameter("start_curvature_per_mm", start_curvature_per_mm),
+       .end_curvature_per_mm = parameter("end_curvature_per_mm", end_curvature_per_mm)});
+  py::dict dict;
+  dict["kind"] = spiralKindName(found.kind);
+  dict["start_angle_rad"] = found.start_angle_rad;
+  dict["end_angle_rad"] = found.end_angle_rad;
+  dict["turn_rad"] = signedFigureResult(found.turn_rad);
+  dict["start_excess"] = signedFigureResult(found.start_excess);
+  dict["end_excess"] = signedFigureResult(found.end_excess);
+  dict["separation"] = signedFigureResult(found.separation);
+  return resultOf("SpiralCertificate", dict);
+}
+
+py::tuple bilensOf(const py::object& start, const py::object& start_direction_rad,
+                   const py::object& end, const py::object& end_direction_rad) {
+  const Interval bounds =
+      bilens_rad(hermiteEndsOf(start, start_direction_rad, end, end_direction_rad));
+  return py::make_tuple(bounds.lower, bounds.upper);
+}
+
+py::object turnThroughOf(const py::object& start, const py::object& end, const py::object& points) {
+  // The turn depends on the positions of the ends alone.
+  const HermiteEnds ends{.start = planarPointOf("start", start), .end = planarPointOf("end", end)};
+  const Array given = arrayOf("points", points);
+  if (given.ndim() == 1) return py::float_(turnThrough_rad(ends, planarPointOf("points", points)));
+  const PlanarPoints rows = planarPointsOf("points", points);
+  Eigen::VectorXd turns(rows.rows());
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) turns(i) = turnThrough_rad(ends, rows.row(i));
+  return py::cast(turns);
+}
+
+void bindSpiralEnds(py::module_& module) {
+  module.def("spiral_certificate", &spiralCertificateOf, py::arg("start"),
+             py::arg("start_direction_rad"), py::arg("start_curvature_per_mm"), py::arg("end"),
+             py::arg("end_direction_rad"), py::arg("end_curvature_per_mm"),
+             R"(Which spirals, curves of monotone curvature, join two ends: a SpiralCertificate.
+
+start, end: (2,) in mm. Curvatures above 0 turn to the left. It is about short spirals, whose
+tangents are nowhere opposite to the chord. The signs of Vogt and Kneser decide, and each states its
+rounding. ValueError for numbers that are not finite and equal points. Source: docs/theory/planar.md
+P8.4, P8.5; [Kurnosenko2010].
+)");
+  module.def("bilens_rad", &bilensOf, py::arg("start"), py::arg("start_direction_rad"),
+             py::arg("end"), py::arg("end_direction_rad"),
+             R"(The turns through points of short spirals between two ends: (lower, upper).
+
+start, end: (2,) in mm. Every point of a short spiral has a turn_through_rad() between them.
+ValueError for numbers that are not finite and equal points. Source: docs/theory/planar.md P8.6.
+)");
+  module.def(
+      "turn_through_rad", &turnThroughOf, py::arg("start"), py::arg("end"), py::arg("points"),
+      R"(The turn from the direction start to point to the direction point to end, in [-pi, pi].
+
+start, end: (2,) in mm. points: one, (2,), or (count, 2) for an array. It is half of the turn of the
+arc through the three points. ValueError for numbers that are not finite, equal ends, and a point
+that is an end. Source: docs/theory/planar.md P8.6.
+)");
 }
 
 void bindLogSpiral(py::module_& module) {
@@ -122,6 +214,7 @@ segments would be needed. Source: docs/theory/planar.md P6.4.
 
 void bindPlanarSpiral(py::module_& module) {
   bindLogSpiral(module);
+  bindSpiralEnds(module);
   module.def("log_spiral", &logSpiralOf, py::arg("start"), py::arg("start_direction_rad"),
              py::arg("end"), py::arg("end_direction_rad"),
              R"(The LogSpiral between two points with directions that form a C-shape.

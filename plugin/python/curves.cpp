@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
+#include <seamwright/core/fair/matrix_curve.hpp>
 #include <seamwright/plugin/python/curves.hpp>
 #include <seamwright/plugin/python/results.hpp>
 
@@ -10,8 +11,10 @@ Curve curveOf(const std::string& name, const py::object& value) {
   if (py::isinstance<BezierCurve>(curve)) return curve.cast<const BezierCurve&>();
   if (py::isinstance<BSplineCurve>(curve)) return curve.cast<const BSplineCurve&>();
   if (py::isinstance<BezierSpline>(curve)) return curve.cast<const BezierSpline&>();
-  throw py::type_error(name + " is " + shown(value) +
-                       ": a BezierCurve, a BSplineCurve or a BezierSpline is needed");
+  if (py::isinstance<MatrixCurve>(curve)) return bsplineCurve(curve.cast<const MatrixCurve&>());
+  throw py::type_error(
+      name + " is " + shown(value) +
+      ": a BezierCurve, a BSplineCurve, a BezierSpline or a MatrixCurve is needed");
 }
 
 BezierCurve bezierCurveOf(const std::string& name, const py::object& value) {

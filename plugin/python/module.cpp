@@ -57,6 +57,8 @@ PYBIND11_MODULE(_core, module) {
   bindPlanarSpiral(module);
   bindPointFairing(module);
   bindCurveFairing(module);
+  bindFunctionSpline(module);
+  bindMatrixCurve(module);
   bindModel(module);
   bindMesh(module);
   bindMatch(module);

@@ -109,6 +109,10 @@ bool CurveReport::reached() const {
   return std::ranges::all_of(curves, &CurveRecord::reached);
 }
 
+bool CurveReport::withReservations() const {
+  return std::ranges::any_of(curves, &CurveRecord::with_reservations);
+}
+
 ordered_json toJson(const CurveReport& report) {
   ordered_json json = headJson("seamwright.curve/1", report.input);
   json["method"] = report.method;
@@ -129,7 +133,9 @@ std::string toText(const CurveReport& report) {
                  ? fmt::format(", within {:.3g} mm of the result", report.output->distance_mm)
                  : std::string()) +
             '\n';
-  text += report.reached() ? "REACHED\n" : "NOT REACHED\n";
+  text += !report.reached()           ? "NOT REACHED\n"
+          : report.withReservations() ? "REACHED WITH RESERVATIONS\n"
+                                      : "REACHED\n";
   return text;
 }
 

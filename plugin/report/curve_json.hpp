@@ -15,7 +15,7 @@ namespace seamwright::report {
 struct CurveFigures {
   double length_mm = 0;
   std::optional<double> energy_per_mm = {};      ///< integral of the squared curvature
-  std::optional<double> variation_per_mm3 = {};  ///< of points: PointFairness::energy_per_mm3
+  std::optional<double> variation_per_mm3 = {};  ///< of points made fair: ClothoidFigures
   int extrema = 0;
   int inflections = 0;
 };
@@ -37,6 +37,8 @@ struct CurveRecord {
   CurveFigures before = {}, after = {};
   std::vector<std::string> notes = {};
   bool reached = true;  ///< the distance is within the tolerance, and the joints are as asked for
+  /// The notes say what falls short of the promise of the method although the distance is kept.
+  bool with_reservations = false;
 };
 
 /// The file that was written.
@@ -55,6 +57,7 @@ struct CurveReport {
   std::optional<CurveOutput> output = {};
 
   bool reached() const;
+  bool withReservations() const;
 };
 
 /// The object "seamwright.curve/1" (docs/curve-1.schema.json), lengths in mm.

@@ -20,9 +20,8 @@ inline nlohmann::ordered_json numbersJson(
 /// "faces": [3], "edges": []}.
 template <class Reason>
 nlohmann::ordered_json factsJson(const Reason& reason) {
-  return {{"numbers", numbersJson(reason.numbers)},
-          {"faces", reason.faces},
-          {"edges", reason.edges}};
+  return {
+      {"numbers", numbersJson(reason.numbers)}, {"faces", reason.faces}, {"edges", reason.edges}};
 }
 
 }  // namespace seamwright::report

@@ -275,7 +275,7 @@ TEST(ArcFit, InvalidInputIsNamed) {
   EXPECT_THAT(message(good, {.tolerance_mm = 0}), HasSubstr("tolerance is 0 mm"));
   EXPECT_THAT(message(good, {.tolerance_mm = std::nan("")}), HasSubstr("tolerance is nan"));
   EXPECT_THAT(message(good, {.corner_rad = 4}), HasSubstr("corner angle is 4 rad"));
-  EXPECT_THAT(message(good, {.tolerance_mm = 1e-17}), HasSubstr("no arc keeps the tolerance"));
+  EXPECT_THAT(message(good, {.tolerance_mm = 1e-17}), HasSubstr("the tolerance 1e-17 mm is below"));
   BezierSpline outside = good;
   outside.poles(1, 2) = 0.5;
   EXPECT_THAT(message(outside), HasSubstr("outside of the plane"));

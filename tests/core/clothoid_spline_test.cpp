@@ -95,6 +95,23 @@ TEST(ClothoidSpline, PointsOfACircleGiveTheCircle) {
     EXPECT_NEAR(piece.curvature_per_mm, 0.2, 1e-10);
 }
 
+// Identity (4).
+TEST(ClothoidSpline, ArcsAtTheEndsFollowACircle) {
+  std::mt19937_64 random(testSeed());
+  for (const Eigen::Index count : {3, 4, 9}) {
+    ClothoidSplineOptions options;
+    options.start.arc = options.end.arc = true;
+    for (const Clothoid& piece :
+         clothoidSpline(ring(12, 0, random).topRows(count), options).pieces) {
+      EXPECT_NEAR(piece.curvature_per_mm, 0.2, 1e-11);
+      EXPECT_NEAR(piece.curvature_slope_per_mm2, 0, 1e-11);
+    }
+    const ClothoidSpline other = clothoidSpline(randomWalk(count, random), options);
+    EXPECT_NEAR(other.pieces.front().curvature_slope_per_mm2, 0, 1e-8);
+    EXPECT_NEAR(other.pieces.back().curvature_slope_per_mm2, 0, 1e-8);
+  }
+}
+
 // Identity (3).
 TEST(ClothoidSpline, ReversedAndMovedPointsGiveReversedAndMovedSplines) {
   std::mt19937_64 random(testSeed());
@@ -134,6 +151,11 @@ TEST(ClothoidSpline, InvalidInputIsNamed) {
   options.closed = true;
   EXPECT_THROW(clothoidSpline(points, options), std::invalid_argument);
   EXPECT_THROW(clothoidSpline(points.topRows(1)), std::invalid_argument);
+  options = {};
+  options.start.arc = true;
+  EXPECT_THROW(clothoidSpline(points.topRows(2), options), std::invalid_argument);
+  options.start.curvature_per_mm = 0.1;
+  EXPECT_THROW(clothoidSpline(points, options), std::invalid_argument);
 }
 
 }  // namespace

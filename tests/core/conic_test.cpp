@@ -437,6 +437,34 @@ TEST(PlanarConic, OfAnArcIsOnItsCircle) {
   EXPECT_THROW(conicOf({.curvature_per_mm = 1, .length_mm = 3.2}), std::domain_error);
 }
 
+// Identity (7).
+TEST(PlanarConic, LengthsOfCirclesAndParabolas) {
+  std::mt19937_64 random(testSeed());
+  for (int i = 0; i < 50; ++i) {
+    const double sweep_rad = i % 2 == 0 ? uniform(random, -3.1, 3.1) : uniform(random, -0.1, 0.1);
+    const PlanarArc arc = {.start = {uniform(random, -5, 5), uniform(random, -5, 5)},
+                           .direction_rad = uniform(random, -3, 3),
+                           .curvature_per_mm = sweep_rad / 2,
+                           .length_mm = 2};
+    EXPECT_NEAR(conicOf(arc).length_mm(), 2, 2e-10);
+  }
+  // y = x^2 over [0, a] with the slope m = 2 a at its end.
+  const double a = 1.5, m = 2 * a;
+  const PlanarConic parabola = {.start = {0, 0}, .corner = {a / 2, 0}, .end = {a, a * a}};
+  const double expected = (m * std::sqrt(1 + m * m) + std::asinh(m)) / 4;
+  EXPECT_NEAR(parabola.length_mm(), expected, 1e-10 * expected);
+  for (int i = 0; i < 50; ++i) {
+    const PlanarConic conic = randomConic(random);
+    const double length_mm = conic.length_mm();
+    const auto [first, second] = halves(conic);
+    EXPECT_NEAR(first.length_mm() + second.length_mm(), length_mm, 2e-10 * length_mm);
+    EXPECT_NEAR(reversed(conic).length_mm(), length_mm, 2e-10 * length_mm);
+  }
+  EXPECT_EQ(PlanarConic{}.length_mm(), 0);
+  EXPECT_THROW(static_cast<void>(PlanarConic{.corner = {1, 0}, .weight = -1}.length_mm()),
+               std::invalid_argument);
+}
+
 TEST(PlanarConic, AChainIsASpline) {
   std::mt19937_64 random(testSeed());
   const std::vector<PlanarConic> chain = g2Conics(closedChain(random, 5), {.closed = true}).conics;

@@ -3,57 +3,21 @@
 
 #include <seamwright/core/fair/fair_curve.hpp>
 
+#include "noisy_curves.hpp"
 #include "planar.hpp"
 
 namespace seamwright {
 namespace {
 
 using std::numbers::pi;
+using test::largestDistance_mm;
+using test::noisyCurve;
 using test::number;
+using test::randomKnots;
+using test::splineOf;
 using test::uniform;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
-
-BSplineCurve splineOf(int degree, const std::vector<double>& knots, const Poles& poles) {
-  BSplineCurve curve{degree, knots, HomogeneousPoles(poles.rows(), 4)};
-  curve.poles << poles, Eigen::VectorXd::Ones(poles.rows());
-  return curve;
-}
-
-std::vector<double> randomKnots(int degree, int count, std::mt19937_64& random) {
-  std::vector<double> knots(static_cast<std::size_t>(degree) + 1, 0.0);
-  double at = 0;
-  for (int i = 0; i < count - degree - 1; ++i) knots.push_back(at += uniform(random, 0.5, 1.5));
-  at += 1;
-  for (int i = 0; i <= degree; ++i) knots.push_back(at);
-  return knots;
-}
-
-/// A helix, or an arm of a spiral in the plane, with noise at its poles.
-BSplineCurve noisyCurve(int degree, int count, bool planar, double noise_mm,
-                        std::mt19937_64& random) {
-  const std::vector<double> knots = randomKnots(degree, count, random);
-  Poles poles(count, 3);
-  for (int i = 0; i < count; ++i) {
-    // The Greville abscissa, so that without noise the speed is even.
-    double greville = 0;
-    for (int k = 1; k <= degree; ++k) greville += knots[i + k] / degree;
-    const double t = 4 * greville / knots.back();
-    poles.row(i) << (5 + t) * std::cos(t) + uniform(random, -noise_mm, noise_mm),
-        (5 + t) * std::sin(t) + uniform(random, -noise_mm, noise_mm),
-        planar ? 0 : t + uniform(random, -noise_mm, noise_mm);
-  }
-  return splineOf(degree, knots, poles);
-}
-
-double largestDistance_mm(const BSplineCurve& a, const BSplineCurve& b, int samples = 1000) {
-  double largest = 0;
-  for (int i = 0; i <= samples; ++i) {
-    const double t = a.knots.front() + (a.knots.back() - a.knots.front()) * i / samples;
-    largest = std::max(largest, (derivatives(a, t, 0) - derivatives(b, t, 0)).norm());
-  }
-  return largest;
-}
 
 // Identities (1) and (2).
 TEST(FairCurve, MovesWithinTheToleranceAndIsFairer) {

@@ -263,6 +263,7 @@ TEST(RoundHoles, ACuspIsNamed) {
   EXPECT_FALSE(report.filled);
   EXPECT_THAT(textOf(report.reason),
               HasSubstr(" at (0, 0, 0) mm: it is a cusp, with an angle of "));
+  EXPECT_EQ(codeOf(report.reason.fault), "cusp");
 }
 
 // A corner of 270 degrees between five others.
@@ -273,6 +274,7 @@ TEST(RoundHoles, AReflexCornerAmongManyIsRefused) {
   EXPECT_THAT(textOf(report.reason), testing::StartsWith("corner "));
   EXPECT_THAT(textOf(report.reason),
               HasSubstr(" at (0, 0, 20) mm: its angle is 270 degrees, above 180: "));
+  EXPECT_EQ(codeOf(report.reason.fault), "corner_above_180");
 }
 
 }  // namespace

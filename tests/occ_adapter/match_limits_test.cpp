@@ -68,6 +68,7 @@ TEST(MatchFaces, TrimmedSidesThatWouldMoveAreNotCalledHeld) {
   EXPECT_FALSE(report.matched);
   EXPECT_NE(report.text().find("that ends at the seam would move by 0."), std::string::npos)
       << report.text();
+  EXPECT_EQ(report.code(), "side_moves");
 }
 
 // With weights that change, points move further than poles.
@@ -141,9 +142,11 @@ TEST(MatchFaces, ClosedAndMissingBoundariesAreRefusedWithReasons) {
   const MatchReport closed = matchFaces(loose(ring(0), spline_ring(5)), 1, 2);
   EXPECT_FALSE(closed.matched);
   EXPECT_NE(closed.text().find("closed loop"), std::string::npos) << closed.text();
+  EXPECT_EQ(closed.code(), "closed_boundary");
   const MatchReport apart = matchFaces(loose(ring(0), spline_ring(8)), 1, 2);
   EXPECT_FALSE(apart.matched);
   EXPECT_NE(apart.text().find("3 mm apart"), std::string::npos) << apart.text();
+  EXPECT_EQ(apart.code(), "no_common_boundary");
   EXPECT_EQ(apart.before.id, 0);
 }
 
@@ -157,6 +160,7 @@ TEST(MatchFaces, OnlyAWholeSideCanBeJoined) {
   EXPECT_FALSE(report.matched);
   EXPECT_NE(report.text().find("the ends of the boundaries are"), std::string::npos)
       << report.text();
+  EXPECT_EQ(report.code(), "ends_apart");
 }
 
 // The boundaries have their ends in common and bulge apart between them.

@@ -112,19 +112,23 @@ TEST(SewProof, NoFigureThatWasWithinItsToleranceLeavesIt) {
   apart.before().verdict.certain = false;
   EXPECT_THAT(apart.sewn().reasons.at(0).text,
               HasSubstr("its gap is not certainly within the tolerance"));
+  EXPECT_EQ(codeOf(apart.sewn().reasons.at(0).fault), "gap_too_large");
   apart.before().figures.gap_mm = Figure{0, 0.001, 0};
   EXPECT_THAT(apart.sewn().reasons.at(0).text,
               HasSubstr("as one edge it would have level none, gap 0.015 mm"));
+  EXPECT_EQ(codeOf(apart.sewn().reasons.at(0).fault), "loses_level");
   LoosePair both(0.015, 0.3 * degree);
   both.before().verdict.certain = false;
   both.before().figures.gap_mm = Figure{0, 0.001, 0};
   EXPECT_THAT(both.sewn().reasons.at(0).text,
               HasSubstr("as one edge it would have level none, gap 0.015 mm"));
+  EXPECT_EQ(codeOf(both.sewn().reasons.at(0).fault), "loses_level");
   LoosePair kinked(0, 0.3 * degree);
   kinked.before().verdict.certain = false;
   EXPECT_THAT(kinked.sewn().reasons, IsEmpty());
   kinked.before().figures.angle_rad = Figure{0, 0.0001, 0};
   EXPECT_THAT(kinked.sewn().reasons.at(0).text, HasSubstr("as one edge it would have level G0"));
+  EXPECT_EQ(codeOf(kinked.sewn().reasons.at(0).fault), "loses_level");
 }
 
 /// Sectors of a disc, each a little higher than the one before.

@@ -34,13 +34,20 @@ Curve = Union[
     BezierCurve,
     BSplineCurve,
     BezierSpline,
+    MatrixCurve,
     _r.InterpolatingSpline,
     _r.BiarcSpline,
     _r.ArcFit,
     _r.SplineWithin,
     _r.G2Conics,
     _r.FairedCurve,
+    _r.PolishedCurve,
+    _r.FunctionSpline,
+    _r.FairedFunction,
+    _r.MatrixFit,
+    _r.FairedHermite,
 ]
+FunctionPoints = Union[Numbers, _r.FunctionSpline, _r.FairedFunction]
 Arcs = Union[Sequence[PlanarArc], ArcChain, _r.Biarc, _r.BiarcSpline, _r.ArcFit]
 Surface = Union[BezierPatch, BezierTriangle]
 Betas = Union[Numbers, _r.BetaFit, _r.NearestCurveJoin]
@@ -243,6 +250,37 @@ class BezierSpline:
     ) -> List[_r.CurveJoint]: ...
     def continuity(self, around: Flag = False) -> int: ...
     def to_bspline(self, continuity: Optional[Whole] = None) -> BSplineCurve: ...
+    def __eq__(self, arg0: object) -> bool: ...
+    __hash__: None  # type: ignore[assignment]
+    def __getstate__(self) -> Tuple[Any, ...]: ...
+    def __setstate__(self, arg0: Tuple[Any, ...]) -> None: ...
+
+class MatrixCurve:
+    def __init__(
+        self,
+        degree: Whole,
+        knots: Sequence[Number],
+        points: Numbers,
+        tangents: Optional[Numbers] = None,
+        weights: Union[Number, Numbers] = 1.0,
+        stiffness: Union[Number, Numbers] = 0.0,
+    ) -> None: ...
+    @property
+    def degree(self) -> int: ...
+    @property
+    def knots(self) -> List[float]: ...
+    @property
+    def points(self) -> Array: ...
+    @property
+    def tangents(self) -> Array: ...
+    @property
+    def weights(self) -> Array: ...
+    @property
+    def stiffness(self) -> Array: ...
+    def point(self, t: Parameter) -> Array: ...
+    def derivative(self, t: Parameter) -> Array: ...
+    def bezier_spline(self) -> BezierSpline: ...
+    def to_bspline(self) -> BSplineCurve: ...
     def __eq__(self, arg0: object) -> bool: ...
     __hash__: None  # type: ignore[assignment]
     def __getstate__(self) -> Tuple[Any, ...]: ...
@@ -482,6 +520,8 @@ class PlanarConic:
     @property
     def turn_rad(self) -> float: ...
     @property
+    def length_mm(self) -> float: ...
+    @property
     def curvature_kind(self) -> str: ...
     def point(self, t: Parameter) -> Array: ...
     @overload
@@ -567,6 +607,18 @@ def log_arcs(
     end_direction_rad: Number,
     count: Optional[Whole] = None,
 ) -> ArcChain: ...
+def spiral_certificate(
+    start: Numbers,
+    start_direction_rad: Number,
+    start_curvature_per_mm: Number,
+    end: Numbers,
+    end_direction_rad: Number,
+    end_curvature_per_mm: Number,
+) -> _r.SpiralCertificate: ...
+def bilens_rad(
+    start: Numbers, start_direction_rad: Number, end: Numbers, end_direction_rad: Number
+) -> Tuple[float, float]: ...
+def turn_through_rad(start: Numbers, end: Numbers, points: Numbers) -> Union[float, Array]: ...
 def two_conics(
     start: Numbers,
     apex: Numbers,
@@ -613,6 +665,9 @@ def curve_fairness(curve: Curve) -> _r.CurveFairness: ...
 def fair_curve(
     curve: Curve, tolerance_mm: Number, *, ends: str = "position"
 ) -> _r.FairedCurve: ...
+def polish_curve(
+    curve: Curve, tolerance_mm: Number, *, ends: str = "position"
+) -> _r.PolishedCurve: ...
 def fair_at_knots(
     curve: Curve, tolerance_mm: Number, *, ends: str = "position"
 ) -> _r.FairedCurve: ...
@@ -628,6 +683,45 @@ def smoothing_spline(
     degree: Whole = 3,
     ends_fixed: Flag = False,
 ) -> BSplineCurve: ...
+def function_spline(
+    points: FunctionPoints, *, slopes: Optional[Numbers] = None
+) -> _r.FunctionSpline: ...
+def function_fairness(
+    points: FunctionPoints, *, slopes: Optional[Numbers] = None
+) -> _r.FunctionFairness: ...
+def correct_function_at(
+    points: FunctionPoints,
+    index: Whole,
+    limit_mm: Optional[Number] = None,
+    *,
+    slopes: Optional[Numbers] = None,
+) -> _r.FunctionSpline: ...
+def correct_function(
+    points: FunctionPoints, tolerance_mm: Number, *, slopes: Optional[Numbers] = None
+) -> _r.FairedFunction: ...
+def rebound_function(
+    points: FunctionPoints,
+    tolerance_mm: Number,
+    *,
+    slopes: Optional[Numbers] = None,
+    most_rebounds: Whole = 3,
+) -> _r.FairedFunction: ...
+def polish_function(points: FunctionPoints, tolerance_mm: Number) -> _r.FairedFunction: ...
+def polished_poles(ordinates_mm: Numbers, steps: Whole) -> Array: ...
+def fit_hermite(
+    points: Numbers, tangents: Numbers, *, degree: Whole = 3, stiffness: Number = 1.0
+) -> _r.MatrixFit: ...
+def fair_hermite(
+    points: Numbers,
+    tangents: Numbers,
+    tolerance_mm: Number,
+    *,
+    most_passes: Whole = 10,
+    fair_tangents: Flag = True,
+    degree: Whole = 3,
+    stiffness: Number = 1.0,
+) -> _r.FairedHermite: ...
+def curvature_variation(curve: Curve) -> _r.CurvatureVariation: ...
 
 # Measures
 

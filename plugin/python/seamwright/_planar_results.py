@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, List, Tuple
+from typing import TYPE_CHECKING, List, Optional, Tuple
 
 from ._result import Result
 
@@ -11,7 +11,14 @@ if TYPE_CHECKING:
     import numpy as np
     import numpy.typing as npt
 
-    from ._core import ArcChain, BezierSpline, BSplineCurve, ClothoidChain, PlanarConic
+    from ._core import (
+        ArcChain,
+        BezierSpline,
+        BSplineCurve,
+        ClothoidChain,
+        MatrixCurve,
+        PlanarConic,
+    )
 
     Array = npt.NDArray[np.float64]
 
@@ -97,6 +104,47 @@ class ClothoidSpline(Result):
     directions_rad: Array
     steps: int
     curvature_jump_per_mm: float
+
+
+class SignedFigure(Result):
+    """A computed number without a unit, or in rad, and a bound of its rounding.
+
+    sign  1 or -1 if it is certain, otherwise 0
+    """
+
+    value: float
+    rounding: float
+    sign: int
+
+
+class SpiralCertificate(Result):
+    """Which short spirals join two ends, and the figures that decide.
+
+    kind             "rising" or "falling": spirals exist, and the curvature of all of them grows
+                     or falls; "arc" or "biarc": up to rounding it is the only one; "nothing": there
+                     is none; "undecided": rounding hides a sign
+    start_angle_rad  a, of the tangent against the chord, to the left above 0
+    end_angle_rad    b, likewise
+    turn_rad         a + b: SignedFigure; it has the sign of the change of the curvature (Vogt)
+    start_excess     k l / 2 + sin a: SignedFigure, with the curvature k and the chord l
+    end_excess       k l / 2 - sin b: SignedFigure
+    separation       SignedFigure; below 0 the circles of curvature are nested, or apart (Kneser)
+    """
+
+    _kinds = {
+        "turn_rad": SignedFigure,
+        "start_excess": SignedFigure,
+        "end_excess": SignedFigure,
+        "separation": SignedFigure,
+    }
+
+    kind: str
+    start_angle_rad: float
+    end_angle_rad: float
+    turn_rad: SignedFigure
+    start_excess: SignedFigure
+    end_excess: SignedFigure
+    separation: SignedFigure
 
 
 class G2Conics(Result):
@@ -230,3 +278,148 @@ class FairedCurve(Result):
     before: CurveFairness
     after: CurveFairness
     steps: int
+
+
+class PolishedCurve(Result):
+    """A curve whose curvature varies less; an argument ``curve`` of others.
+
+    curve                     a BSplineCurve with the knots of the given one
+    moved_mm                  bound of the distance of points of the same parameter
+    before, after             CurveFairness
+    variation_before_per_mm3  integral of (dk/ds)^2 + (k t)^2 by arc length, with the torsion t
+    variation_after_per_mm3   likewise
+    weight_per_mm5            of the squared distance against the variation
+    steps                     of Gauss-Newton
+    """
+
+    _kinds = {"before": CurveFairness, "after": CurveFairness}
+
+    curve: BSplineCurve
+    moved_mm: float
+    before: CurveFairness
+    after: CurveFairness
+    variation_before_per_mm3: float
+    variation_after_per_mm3: float
+    weight_per_mm5: float
+    steps: int
+
+
+class CurvatureVariation(Result):
+    """How much the curvature of a curve varies.
+
+    energy_per_mm3      integral of (dk/ds)^2 + (k t)^2 by arc length, with the torsion t
+    extrema             of the curvature, inside of the segments
+    extrema_at_joints   where the slope of the curvature changes its sign
+    inflections         of planar curves
+    undecided_segments  in which rounding hides a sign, or the curve may stop
+    """
+
+    energy_per_mm3: float
+    extrema: int
+    extrema_at_joints: int
+    inflections: int
+    undecided_segments: int
+
+
+# Splines y(x)
+
+
+class FunctionSpline(Result):
+    """A cubic spline y(x); an argument ``points`` and ``curve`` of others.
+
+    points_mm            (count, 2)
+    slopes               dy/dx at both ends; None: natural ends, y'' = 0
+    second_per_mm        (count,), y'' at the points
+    third_jumps_per_mm2  (count - 2,), jumps of y''' at the points between the ends
+    curve                a BSplineCurve (x, y, 0) with the parameter x
+    """
+
+    points_mm: Array
+    slopes: Optional[Tuple[float, float]]
+    second_per_mm: Array
+    third_jumps_per_mm2: Array
+    curve: BSplineCurve
+
+
+class FunctionFairness(Result):
+    """How fair a spline y(x) is.
+
+    bending_per_mm  integral of y''^2
+    jumps_per_mm2   sum of the sizes of the jumps of y'''
+    curvature       CurveFairness: the integral of y'''^2, extrema and inflections
+    """
+
+    _kinds = {"curvature": CurveFairness}
+
+    bending_per_mm: float
+    jumps_per_mm2: float
+    curvature: CurveFairness
+
+
+class FairedFunction(Result):
+    """A spline y(x) that was made fair; an argument ``points`` and ``curve`` of others.
+
+    spline             FunctionSpline
+    curve              a BSplineCurve (x, y, 0) with the parameter x
+    moved_mm           bound of the change of y
+    before, after      FunctionFairness
+    steps              corrections that were tried; rebounds; iterations
+    added_extrema      by how much the number of extrema of the curvature grew
+    added_inflections  by how much the number of inflections grew
+    """
+
+    _kinds = {"spline": FunctionSpline, "before": FunctionFairness, "after": FunctionFairness}
+
+    spline: FunctionSpline
+    curve: BSplineCurve
+    moved_mm: float
+    before: FunctionFairness
+    after: FunctionFairness
+    steps: int
+    added_extrema: int
+    added_inflections: int
+
+
+# Matrix weights
+
+
+class MatrixFit(Result):
+    """A matrix-weighted curve through points; an argument ``curve`` of others.
+
+    curve               a MatrixCurve
+    parameters          (count,), of the points
+    missed_mm           the largest distance of a point from its point of the curve: rounding
+    missed_tangent_rad  the largest angle between a tangent and that of the curve
+    """
+
+    curve: MatrixCurve
+    parameters: Array
+    missed_mm: float
+    missed_tangent_rad: float
+
+
+class FairedHermite(Result):
+    """Points with tangents that were made fair; an argument ``curve`` of others.
+
+    points_mm, tangents  (count, 3)
+    fit                  MatrixFit through them
+    curve                the MatrixCurve of fit
+    moved_mm             the largest move of a point
+    before, after        CurvatureVariation of the curves through the points
+    passes               that were made
+    added_extrema        by how much the number of extrema grew, with those at joints
+    added_inflections    by how much the number of inflections grew
+    """
+
+    _kinds = {"fit": MatrixFit, "before": CurvatureVariation, "after": CurvatureVariation}
+
+    points_mm: Array
+    tangents: Array
+    fit: MatrixFit
+    curve: MatrixCurve
+    moved_mm: float
+    before: CurvatureVariation
+    after: CurvatureVariation
+    passes: int
+    added_extrema: int
+    added_inflections: int

@@ -7,8 +7,8 @@
 >>> drawing.curve(spline, comb=True)
 >>> drawing.write("spline.svg")
 
-Curves are BezierCurve, BezierSpline or BSplineCurve; points are arrays (n, 3), or (n, 2) in the
-plane z = 0.
+Curves are of any class, also of the plane, or results that have a curve or a chain; points are
+arrays (n, 3), or (n, 2) in the plane z = 0.
 """
 
 import math
@@ -17,9 +17,13 @@ from xml.sax.saxutils import escape
 
 import numpy as np
 
+from ._core import Clothoid, ClothoidChain, LogSpiral, PlanarConic
+from ._result import Result
+
 COLORS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000")
 SAMPLES = 2400  # of a curve, over all its segments
 TEETH = 400  # of a comb, over all segments
+SHARE_MISSED = 1e-6  # of its length, by the spline drawn for a clothoid or a spiral
 LONGEST_TOOTH = 0.18  # of the diagonal, if the scale of combs is automatic
 MARGIN = 24
 LEGEND_LINE = 18
@@ -37,11 +41,16 @@ def _words_of(text):
 
 
 def _segments(curve):
+    given = curve
+    if isinstance(given, Result):
+        curve = getattr(given, "curve", getattr(given, "chain", None))
     if not hasattr(curve, "point"):
-        raise ValueError(
-            f"curve is {curve!r}: a BezierCurve, BezierSpline or BSplineCurve is needed"
-        )
-    if hasattr(curve, "bezier_spline"):
+        raise ValueError(f"curve is {given!r}: a curve, or a result with one, is needed")
+    if isinstance(curve, (Clothoid, ClothoidChain, LogSpiral)):
+        curve = curve.bezier_spline(SHARE_MISSED * curve.length_mm).curve
+    elif isinstance(curve, PlanarConic):
+        curve = curve.bezier_curve()
+    elif hasattr(curve, "bezier_spline"):
         curve = curve.bezier_spline()
     if hasattr(curve, "segment"):
         return [curve.segment(i) for i in range(curve.segments)]

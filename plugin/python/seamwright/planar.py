@@ -11,6 +11,7 @@ from ._core import (
     arc_through,
     biarc,
     biarc_spline,
+    bilens_rad,
     clothoid,
     clothoid_spline,
     conics_of_arcs,
@@ -20,6 +21,8 @@ from ._core import (
     log_arcs,
     log_spiral,
     planar_tangents,
+    spiral_certificate,
+    turn_through_rad,
     two_conics,
 )
 from .results import (
@@ -29,6 +32,8 @@ from .results import (
     ClothoidSpline,
     G2Conics,
     PlanarTangents,
+    SignedFigure,
+    SpiralCertificate,
     SplineWithin,
 )
 
@@ -45,10 +50,13 @@ __all__ = [
     "PlanarArc",
     "PlanarConic",
     "PlanarTangents",
+    "SignedFigure",
+    "SpiralCertificate",
     "SplineWithin",
     "arc_through",
     "biarc",
     "biarc_spline",
+    "bilens_rad",
     "clothoid",
     "clothoid_spline",
     "conics_of_arcs",
@@ -58,5 +66,7 @@ __all__ = [
     "log_arcs",
     "log_spiral",
     "planar_tangents",
+    "spiral_certificate",
+    "turn_through_rad",
     "two_conics",
 ]

@@ -4,6 +4,7 @@
 from ._core import (
     BSplineCurve,
     BezierSpline,
+    MatrixCurve,
     alpha_basis,
     alpha_curve,
     alpha_spline,
@@ -22,6 +23,7 @@ __all__ = [
     "BSplineCurve",
     "BezierSpline",
     "InterpolatingSpline",
+    "MatrixCurve",
     "alpha_basis",
     "alpha_curve",
     "alpha_spline",

@@ -217,7 +217,8 @@ CALLS = {
 @pytest.mark.parametrize("name", CALLS)
 def test_other_arguments_are_named(name, bad):
     for call in CALLS[name]:
-        with pytest.raises(TypeError, match=f"^{name} is .*: a BezierCurve, a BSplineCurve or a"):
+        kinds = "a BezierCurve, a BSplineCurve, a BezierSpline or a MatrixCurve"
+        with pytest.raises(TypeError, match=f"^{name} is .*: {kinds}"):
             call(bad)
 
 

@@ -6,8 +6,8 @@ import math
 import numpy as np
 import pytest
 import seamwright
-from planar_samples import circle_points, moved, wrapped
-from seamwright import PlanarConic
+from planar_samples import circle_points, moved, quadrature, wrapped
+from seamwright import PlanarArc, PlanarConic
 
 T = np.linspace(0, 1, 11)
 
@@ -169,3 +169,16 @@ def test_inflections_stay_g1():
 def test_bad_conics(call, kind, text):
     with pytest.raises(kind, match=text):
         call()
+
+
+def test_lengths_of_conics():
+    arc = PlanarArc([1, 2], 0.3, 0.5, 4)
+    assert PlanarConic.from_arc(arc).length_mm == pytest.approx(4, rel=1e-10)
+    conic = PlanarConic([0, 0], [3, 4], [7, 1], 0.6)
+
+    def speed(t):
+        return np.linalg.norm(conic.bezier_curve().derivatives(t, 1)[..., 1, :], axis=-1)
+
+    assert conic.length_mm == pytest.approx(quadrature(speed, 0, 1), rel=1e-10)
+    first, second = conic.halves()
+    assert first.length_mm + second.length_mm == pytest.approx(conic.length_mm, rel=1e-10)

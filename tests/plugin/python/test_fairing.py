@@ -259,6 +259,27 @@ def test_a_smoothing_spline_is_between_interpolation_and_a_parabola():
     assert np.array_equal(fixed.poles[[0, -1]], noisy[[0, -1]])
 
 
+def test_a_polished_curve_varies_less():
+    curve = rough_curve()
+    t = np.linspace(0, 9, 2001)
+    variation = seamwright.curvature_variation(curve).energy_per_mm3
+    last = variation
+    for tolerance in (1e-3, 1e-2, 0.1):
+        found = seamwright.polish_curve(curve, tolerance, ends="tangent")
+        moves = np.linalg.norm(found.curve.point(t) - curve.point(t), axis=1)
+        assert moves.max() <= found.moved_mm <= tolerance and found.curve.knots == curve.knots
+        assert np.array_equal(found.curve.poles[[0, 1, -2, -1]], curve.poles[[0, 1, -2, -1]])
+        assert found.variation_before_per_mm3 == pytest.approx(variation, rel=1e-9)
+        assert found.variation_after_per_mm3 == pytest.approx(
+            seamwright.curvature_variation(found).energy_per_mm3, rel=1e-6
+        )
+        assert found.variation_after_per_mm3 < last
+        last = found.variation_after_per_mm3
+        assert found.after == seamwright.curve_fairness(found)
+    same = seamwright.polish_curve(curve, 0)
+    assert same.curve == curve and same.moved_mm == 0
+
+
 RATIONAL = BezierCurve([[0, 0, 0], [1, 1, 0], [2, 0, 0]], [1, 2, 1])
 LINE = BezierCurve([[0, 0, 0], [1, 1, 0]])
 
@@ -276,6 +297,9 @@ LINE = BezierCurve([[0, 0, 0], [1, 1, 0]])
             "ends is 'all': k",
         ),
         (lambda: seamwright.fair_curve(ROUGH, 1), TypeError, "curve is"),
+        (lambda: seamwright.polish_curve(RATIONAL, 1), ValueError, "rational"),
+        (lambda: seamwright.polish_curve(rough_curve(), -1), ValueError, "tolerance is -1"),
+        (lambda: seamwright.polish_curve(rough_curve(), 1, ends="x"), ValueError, "ends is 'x'"),
         (lambda: seamwright.fair_at_knots(RATIONAL, 1), ValueError, "rational|degree"),
         (lambda: seamwright.fair_at_knot(rough_curve(), 2), ValueError, "2"),
         (lambda: seamwright.fair_at_knot(rough_curve(), 99), ValueError, "99"),

@@ -59,6 +59,13 @@ def planar_objects():
         clothoids.pieces[2],
         clothoids,
         seamwright.log_spiral([1, 2], -0.4, [9, 3], 1.1),
+        seamwright.MatrixCurve(
+            2,
+            [0, 0, 0, 1 / 3, 1, 1, 1],
+            *RANDOM.normal(size=(2, 4, 3)),
+            RANDOM.uniform(0.1, 9, 4),
+            RANDOM.uniform(0, 9, 4),
+        ),
         seamwright.PlanarConic(*RANDOM.normal(size=(3, 2)), 0.7).halves()[1],
     ]
 

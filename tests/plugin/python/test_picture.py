@@ -6,6 +6,7 @@ import xml.etree.ElementTree as ElementTree
 
 import numpy as np
 import pytest
+import seamwright
 
 from seamwright import BezierCurve
 from seamwright.picture import Picture, curvature_vectors
@@ -68,6 +69,38 @@ def test_the_comb_of_a_circle_is_a_circle():
         0.125, abs=1e-3
     )
     assert comb[0, 0] > curve[0, 0]  # outwards
+
+
+def drawn(curve, **options):
+    picture = Picture()
+    picture.curve(curve, **options)
+    return polylines(picture)
+
+
+def test_results_and_curves_of_the_plane_are_drawn():
+    """As the curve that they hold, or that has their points."""
+    s = BezierCurve([[0, 0, 0], [1, 2, 0], [2, -2, 0], [4, 0, 0]])
+    ends = [0, 0], 0.3, [4, 1], -0.2
+    clothoid = seamwright.clothoid(*ends)
+    conic = seamwright.PlanarConic([0, 0], [2, 2], [4, 0], 0.7)
+    for given, same in (
+        (seamwright.fit_arcs(s, 0.1), seamwright.fit_arcs(s, 0.1).curve),
+        (clothoid.bezier_spline(0.01), clothoid.bezier_spline(0.01).curve),
+        (seamwright.biarc(*ends), seamwright.biarc(*ends).chain),
+        (seamwright.fair_curve(s, 0.1), seamwright.fair_curve(s, 0.1).curve),
+        (conic, conic.bezier_curve()),
+        (clothoid, clothoid.bezier_spline(1e-6 * clothoid.length_mm).curve),
+    ):
+        for one, other in zip(drawn(given, comb=True), drawn(same, comb=True), strict=True):
+            assert np.array_equal(one, other)
+    spiral = seamwright.log_spiral([0, 0], 0.0, [40, 12], 1.2)
+    assert len(drawn(spiral)) == 1
+
+
+@pytest.mark.parametrize("bad", [{"curve": 3}, seamwright.point_fairness([[0, 0], [1, 0], [2, 1]])])
+def test_what_is_no_curve_is_named(bad):
+    with pytest.raises(ValueError, match="a curve, or a result with one, is needed"):
+        drawn(bad)
 
 
 def test_space_curves_are_seen_from_the_side_asked_or_face_on():

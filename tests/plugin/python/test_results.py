@@ -68,6 +68,13 @@ def every_result():
     ]
 
 
+def hermite_data():
+    """Points of a helix with their tangents."""
+    t = np.linspace(0, 3, 9)
+    points = np.stack([np.cos(t), np.sin(t), t / 2], axis=1)
+    return points, np.stack([-np.sin(t), np.cos(t), np.full(9, 0.5)], axis=1)
+
+
 def planar_results():
     """A result of each function for curves of the plane and for fairing."""
     points = np.array([[0, 0], [4, 3], [9, 4], [13, 1], [18, 2], [22, 7.0]])
@@ -85,6 +92,15 @@ def planar_results():
         seamwright.curvature_profile(s),
         seamwright.curve_fairness(s),
         seamwright.fair_curve(s, 0.01),
+        seamwright.polish_curve(s, 0.01),
+        seamwright.curvature_variation(s),
+        seamwright.spiral_certificate([0, 0], -0.2, 0, [4, 1], 1, 0.5),
+        seamwright.function_spline(points, slopes=(0, 1)),
+        seamwright.function_fairness(points),
+        seamwright.correct_function(points, 0.1, slopes=(0, 1)),
+        seamwright.rebound_function(points, 0.1),
+        seamwright.fit_hermite(*hermite_data()),
+        seamwright.fair_hermite(*hermite_data(), 0.1),
     ]
 
 
