@@ -169,17 +169,18 @@ double circleCurvature(const NodeChain& chain, Index i) {
 
 /// A node on the chord of each span whose ends turn to different sides.
 void insertInflections(NodeChain& chain) {
-  std::vector<std::pair<Index, Vector2d>> places;
+  std::vector<std::pair<Index, Vector2d>> inserted;
   for (Index s = 0; s < chain.spans(); ++s) {
     const SplineNode &start = chain.at(s), &end = chain.at(s + 1);
     if (start.is_line || start.turn_sign * end.turn_sign >= 0) continue;
     // Where a curvature is 0 that is linear along the chord.
     const double before = circleCurvature(chain, s), after = circleCurvature(chain, s + 1);
-    places.emplace_back(s + 1, start.point + before / (before + after) * (end.point - start.point));
+    inserted.emplace_back(s + 1,
+                          start.point + before / (before + after) * (end.point - start.point));
   }
-  for (auto place = places.rbegin(); place != places.rend(); ++place)
-    chain.insert(place->first,
-                 {.point = place->second, .kind = NodeKind::Inflection, .inserted = true});
+  for (auto node = inserted.rbegin(); node != inserted.rend(); ++node)
+    chain.insert(node->first,
+                 {.point = node->second, .kind = NodeKind::Inflection, .inserted = true});
   measureChords(chain);
 }
 
@@ -283,9 +284,9 @@ int divideWideSpans(NodeChain& chain) {
     const double start = chain.startAngle(s), end = chain.endAngle(s);
     if (start + end <= most_pair_turn_rad) continue;
     const int side = chain.side(s);
-    const double way_mm = node.chord_mm * std::sin(end / 2) / std::sin((start + end) / 2);
-    chain.insert(s + 1, {.point = node.point +
-                                  way_mm * unitVector(node.chord_direction_rad - side * start / 2),
+    const double along_mm = node.chord_mm * std::sin(end / 2) / std::sin((start + end) / 2);
+    chain.insert(s + 1, {.point = node.point + along_mm * unitVector(node.chord_direction_rad -
+                                                                     side * start / 2),
                          .turn_sign = side,
                          .inserted = true});
     ++divided;

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include <seamwright/core/angle.hpp>
 #include <seamwright/core/planar/biarc_spline.hpp>
 
 namespace seamwright {
@@ -11,7 +12,7 @@ namespace seamwright {
 struct PointCornerOptions {
   bool closed = false;
   /// Smooth curves are sampled with smaller turns, except at a nose that few points show.
-  double corner_rad = 1.0471975511965976;  // 60 degrees
+  double corner_rad = 60 * radians_per_degree;
   /// By how much points may be off.
   double error_mm = 0;
 };

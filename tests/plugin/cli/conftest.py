@@ -8,8 +8,8 @@ import pytest
 
 from models import box_text
 
-# A failure in this helper shows its values, as one in a test does.
-pytest.register_assert_rewrite("repairs")
+# A failure in these helpers shows its values, as one in a test does.
+pytest.register_assert_rewrite("repairs", "curves")
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "support"))
 

@@ -1,43 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The command curve: what it writes, says and refuses."""
+"""The command curve: what it writes."""
 
-import csv
-import json
 import math
 import random
 import re
-import signal
-import subprocess
-import time
 import xml.etree.ElementTree
 
 import pytest
 
-from command import PROGRAM, contents, expect_one_line, run
-from schemas import expect_every_key_matters, expect_valid, validator
-
-VALIDATOR = validator("curve")
-METHODS = ["arcs", "clothoid", "conic", "fair"]
-WAVE = [(5 * i, 10 * math.sin(0.5 * i)) for i in range(20)]
-CIRCLE = [
-    (3 + 10 * math.cos(math.tau * i / 12), 4 + 10 * math.sin(math.tau * i / 12)) for i in range(12)
-]
-
-
-def points_file(folder, points, name="points.csv", header=""):
-    path = folder / name
-    path.write_text(header + "".join(",".join(map(repr, point)) + "\n" for point in points))
-    return path
-
-
-def curve(method, given, *options, out="out.dxf"):
-    """The result, the report and the file written."""
-    out, report = given.parent / out, given.parent / "curve.json"
-    result = run("curve", method, given, "-o", out, "--json", report, "--overwrite", *options)
-    assert result.returncode in (0, 1), result.stderr
-    report = json.loads(report.read_text())
-    expect_valid(report, VALIDATOR)
-    return result, report, out
+from command import expect_one_line, run
+from curves import CIRCLE, METHODS, VALIDATOR, WAVE, curve, points_file, rows_of
+from schemas import expect_every_key_matters
 
 
 def dxf_entities(text):
@@ -94,11 +67,6 @@ def dxf_samples(text):
 
 def distance(point, samples):
     return min(math.dist(point, sample) for sample in samples)
-
-
-def rows_of(path):
-    with path.open(newline="") as file:
-        return list(csv.DictReader(file))
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -439,183 +407,3 @@ def test_every_key_of_the_report_matters(tmp_path):
     expect_every_key_matters(
         {**report, "curves": [{**report["curves"][0], "edges": [1]}]}, VALIDATOR
     )
-
-
-def test_files_of_points_have_many_forms(tmp_path):
-    forms = {
-        "a.csv": "x,y\n# by hand\n0,0\n1,2 # digitised\n\n3,3\n",
-        "b.dat": "NACA 0012\n 0.0  0.0\n 1.0\t2.0\n 3.0  3.0\n",
-        "c.txt": "0;0\r\n1;2\r\n3;3\r\n",
-        "d.xyz": "0,0,7\n+1,2e0,7\n3,3,7\n",
-    }
-    reports = []
-    for name, text in forms.items():
-        (tmp_path / name).write_bytes(text.encode())
-        reports.append(curve("arcs", tmp_path / name)[1]["curves"][0])
-    assert len({json.dumps([r["after"], r["pieces"]]) for r in reports}) == 1
-    assert reports[3]["plane"]["origin"] == [0, 0, 7]
-
-
-@pytest.mark.parametrize(
-    "name, data",
-    [
-        ("mark.csv", b"\xef\xbb\xbf4,0\n2,0.5\n0,0\n2,-0.5\n4,-0.25\n"),
-        ("comma.csv", b"4;0\n2;0,5\n0;0\n2;-0,5\n4;-0,25\n"),
-        ("lednicer.dat", b"Foil\n 3.0 3.0\n\n0 0\n2 .5\n4 0\n\n0 0\n2 -.5\n4 -.25\n"),
-    ],
-)
-def test_points_of_spreadsheets_and_airfoils(tmp_path, name, data):
-    (tmp_path / name).write_bytes(data)
-    rows = rows_of(curve("fair", tmp_path / name, "--tolerance", "0", out="out.csv")[2])
-    points = [(float(row["x"]), float(row["y"])) for row in rows]
-    assert points == [(4, 0), (2, 0.5), (0, 0), (2, -0.5), (4, -0.25)]
-
-
-@pytest.mark.parametrize(
-    "text, options, message",
-    [
-        ("", [], "has no points"),
-        ("x,y\n# nothing\n", [], "has no points"),
-        ("1,2\n", [], "has 1 point: a curve needs at least 2"),
-        ("1,2\n3,4\n", ["--closed"], "has 2 points: a closed curve needs at least 3"),
-        ("0,0\n1,1\n1,1\n2,0\n", [], "the points of lines 2 and 3 are equal"),
-        ("0,0\n1,nan\n", [], "line 2 has the number nan, which is not finite"),
-        ("0,0\n1,inf\n", [], "line 2 has the number inf, which is not finite"),
-        ("0,0\n1,1e999\n", [], "line 2 has the number 1e999, which is not finite"),
-        ("0,0\n5,0\n2,0\n", [], "turn back by 180 degrees at line 2"),
-        ("0,0\n1,one\n", [], "line 2 has 'one' where a number is needed"),
-        ("0,0\n1,1,1\n", [], "line 2 has 3 numbers, line 1 has 2"),
-        ("1\n", [], "line 1 has 1 numbers: 2 or 3 are needed"),
-        ("0,0,0\n9,0,0\n9,9,0\n0,9,3\n", [], "are not in a plane: that of line "),
-        ("0,0\n1,2\n3,3\n", ["--edge", "1"], "has no edges"),
-        ("0,0\n1,2\n3,3\n", ["--tolerance", "-1"], "--tolerance: -1 must not be negative"),
-        ("0,0\n1,2\n3,3\n", ["--edge", "0"], "--edge: invalid Edge number '0'"),
-    ],
-)
-@pytest.mark.parametrize("method", METHODS)
-def test_bad_points(tmp_path, method, text, options, message):
-    given = tmp_path / "points.csv"
-    given.write_text(text)
-    before = contents(tmp_path)
-    options = [*options, "--json", tmp_path / "curve.json"]
-    expect_one_line(run("curve", method, given, "-o", tmp_path / "out.svg", *options), message)
-    assert contents(tmp_path) == before
-
-
-@pytest.mark.parametrize(
-    "arguments, message",
-    [
-        (["arcs", "points.csv", "-o", "out.pdf"], "'.pdf' is not a known extension"),
-        (["arcs", "points.csv", "-o", "points.csv"], "is the input itself"),
-        (["arcs", "points.csv", "-o", "old.dxf"], "already exists; use --overwrite"),
-        (["arcs", "points.csv", "-o", "missing/out.dxf"], "missing does not exist"),
-        (["arcs", "none.csv", "-o", "out.dxf"], "none.csv: no such file"),
-        (["arcs", "none.step", "-o", "out.dxf"], "none.step"),
-        (["arcs", "points.csv"], "-o is required"),
-        (["spirals", "points.csv", "-o", "out.dxf"], "spirals"),
-        (["arcs", "points.csv", "-o", "out.dxf", "--json", "out.dxf"], "is the output"),
-        (["arcs", "points.csv", "-o", "out.dxf", "--max-time", "1e-9"], "is over before"),
-    ],
-)
-def test_bad_usage(tmp_path, arguments, message):
-    points_file(tmp_path, WAVE)
-    (tmp_path / "old.dxf").write_text("old")
-    before = contents(tmp_path)
-    expect_one_line(run("curve", *arguments, cwd=tmp_path), message)
-    assert contents(tmp_path) == before
-
-
-def long_input(folder):
-    """Points whose arcs take many seconds."""
-    return points_file(
-        folder, [(0.01 * i, 10 * math.sin(0.01 * i)) for i in range(30_000)], "long.csv"
-    )
-
-
-@pytest.mark.parametrize("method", METHODS)
-def test_the_time_limit_stops_a_single_curve(tmp_path, method):
-    given = long_input(tmp_path)
-    before = contents(tmp_path)
-    options = ["-o", tmp_path / "out.dxf", "--json", tmp_path / "curve.json"]
-    result = run("curve", method, given, *options, "--max-time", "0.01")
-    expect_one_line(result, "--max-time 0.01 s is over")
-    assert contents(tmp_path) == before
-
-
-def test_ctrl_c_stops_a_single_curve(tmp_path):
-    given = long_input(tmp_path)
-    before = contents(tmp_path)
-    process = subprocess.Popen(
-        [PROGRAM, "curve", "arcs", given, "-o", tmp_path / "out.dxf", "--tolerance", "1e-6"],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    )
-    time.sleep(1)
-    process.send_signal(signal.SIGINT)
-    out, error = process.communicate(timeout=60)
-    assert process.returncode == 130 and out == "" and "stopped" in error
-    assert contents(tmp_path) == before
-
-
-def test_far_points_become_as_many_arcs(tmp_path):
-    near = [(x, round(y * 2**20) / 2**20) for x, y in WAVE]
-    far = [(x + 2.0**30, y + 2.0**30) for x, y in near]
-    counts = [
-        curve("arcs", points_file(tmp_path, points), out="out.csv")[1]["curves"][0]["pieces"]
-        for points in (near, [(x - 2.0**30, y - 2.0**30) for x, y in far], far)
-    ]
-    assert counts[0] == counts[1] and abs(counts[1] - counts[2]) <= 2
-
-
-@pytest.mark.parametrize("method", METHODS)
-@pytest.mark.parametrize(
-    "size, options, message",
-    [
-        (1e90, [], "e+91 mm, and products of lengths above"),
-        (1e-160, [], "mm, and products of lengths below"),
-    ],
-)
-def test_sizes_beyond_the_range_are_refused(tmp_path, method, size, options, message):
-    given = points_file(tmp_path, [(size * x, size * y) for x, y in WAVE])
-    expect_one_line(run("curve", method, given, "-o", tmp_path / "out.dxf", *options), message)
-
-
-def test_a_tolerance_below_the_rounding_is_refused(tmp_path):
-    given = points_file(tmp_path, [(x + 1e9, y) for x, y in WAVE])
-    result = run("curve", "arcs", given, "-o", tmp_path / "out.dxf", "--tolerance", "1e-7")
-    expect_one_line(result, "is too small for coordinates of 1e+09 mm")
-
-
-def test_a_name_that_begins_with_a_number(tmp_path):
-    given = tmp_path / "foil.dat"
-    given.write_text("2412 airfoil\n4 0\n2 .5\n0 0\n2 -.5\n")
-    result, report, _ = curve("arcs", given)
-    assert report["curves"][0]["points"] == 4
-    assert "line 1 is taken for a name" in result.stderr
-
-
-def test_extrema_of_rounded_digits_do_not_count(tmp_path):
-    circle = [(10 * math.cos(0.0015 * i), 10 * math.sin(0.0015 * i)) for i in range(2000)]
-    given = points_file(tmp_path, [(round(x, 6), round(y, 6)) for x, y in circle])
-    (found,) = curve("fair", given, "--tolerance", "0")[1]["curves"]
-    assert any(note.startswith("0 of ") for note in found["notes"])
-    notes = curve("clothoid", given)[1]["curves"][0]["notes"]
-    assert any("exceed what the digits of the points can make" in note for note in notes)
-
-
-def test_curves_of_a_model_need_a_tolerance(box):
-    given = ("curve", "arcs", box, "--edge", "1", "--tolerance", "0")
-    result = run(*given, "-o", box.parent / "out.dxf")
-    expect_one_line(result, "--tolerance is 0 mm")
-
-
-def test_curves_of_several_planes_are_no_drawing(box):
-    result = run("curve", "arcs", box, "--edge", "all", "-o", box.parent / "out.dxf")
-    expect_one_line(result, "lie in several planes")
-
-
-def test_help_names_methods_and_statuses():
-    text = run("curve", "--help").stdout
-    for word in (*METHODS, "--tolerance", "--closed", "--edge", "Exit status: 0 every curve"):
-        assert word in text
