@@ -589,7 +589,8 @@ FairedClothoids fairClothoids(const PlanarPoints& points, const Eigen::VectorXd&
     result.point_inflections += faired.point_inflections;
     result.steps += faired.steps;
   }
-  std::ranges::rotate(result.pieces, result.pieces.end() - static_cast<std::ptrdiff_t>(first));
+  auto& pieces = result.pieces;
+  std::rotate(pieces.begin(), pieces.end() - static_cast<std::ptrdiff_t>(first), pieces.end());
   result.moved_mm = (result.points - points).rowwise().norm().maxCoeff();
   return result;
 }

@@ -285,7 +285,7 @@ void takeRuns(MadeCurve& made, const FairedClothoids& faired, double tolerance_m
   std::vector<std::ptrdiff_t> cuts(faired.corners.begin(), faired.corners.end());
   if (closed && !cuts.empty()) {  // a closed curve begins at a corner
     const std::ptrdiff_t first = cuts.front();
-    std::ranges::rotate(pieces, pieces.begin() + first);
+    std::rotate(pieces.begin(), pieces.begin() + first, pieces.end());
     for (std::ptrdiff_t& cut : cuts) cut -= first;
   } else {
     cuts.insert(cuts.begin(), 0);
