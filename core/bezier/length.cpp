@@ -192,6 +192,11 @@ void requireDegree(const BezierCurve& curve) {
 
 }  // namespace
 
+double polygonLength(const BezierCurve& curve) {
+  const Poles poles = curve.poles();
+  return (poles.bottomRows(curve.degree()) - poles.topRows(curve.degree())).rowwise().norm().sum();
+}
+
 ArcLength arcLength(const BezierCurve& curve, double tolerance_mm, double first, double last) {
   requirePositive(tolerance_mm);
   if (!(0 <= first && first <= last && last <= 1))

@@ -12,6 +12,9 @@ struct ArcLength {
   bool reached = true;  ///< upper - lower is at most the given tolerance
 };
 
+/// The length of the control polygon, an upper bound of the length of the curve.
+double polygonLength(const BezierCurve& curve);
+
 /// The length over [first, last]. The result has upper - lower <= tolerance_mm if rounding allows
 /// it. In general there is no closed form, and lines are the only rational curves of unit speed.
 ///

@@ -33,11 +33,6 @@ BSplineCurve reversedSpline(const BSplineCurve& curve) {
   return result;
 }
 
-double polygonLength(const BezierCurve& curve) {
-  const Poles poles = curve.poles();
-  return (poles.bottomRows(curve.degree()) - poles.topRows(curve.degree())).rowwise().norm().sum();
-}
-
 double signedCurvature(const BezierCurve& curve, double t) {
   const CurveDerivatives d = curve.derivatives(t, 2);
   const Vector2d first = d.row(1).head<2>(), second = d.row(2).head<2>();
@@ -137,15 +132,9 @@ std::vector<BezierCurve> bezierCurves(const ChainCurve& curve) {
 
 BezierSpline bezierSpline(const PlanarChain& chain, double gap_mm) {
   std::vector<BezierCurve> segments;
-  std::vector<double> knots = {0};
   for (const ChainCurve& curve : chain.curves)
-    for (BezierCurve& one : bezierCurves(curve)) {
-      const double length_mm = polygonLength(one);
-      if (length_mm == 0) continue;
-      knots.push_back(knots.back() + length_mm);
-      segments.push_back(std::move(one));
-    }
-  return bezierSpline(segments, knots, chain.closed, gap_mm);
+    for (BezierCurve& one : bezierCurves(curve)) segments.push_back(std::move(one));
+  return splineOverLengths(segments, chain.closed, gap_mm);
 }
 
 ChainFigures figuresOf(const PlanarChain& chain, const Progress& progress) {

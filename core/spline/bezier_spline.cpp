@@ -8,6 +8,7 @@
 #include <seamwright/core/bernstein/coefficients.hpp>
 #include <seamwright/core/bezier/casteljau.hpp>
 #include <seamwright/core/bezier/homogeneous.hpp>
+#include <seamwright/core/bezier/length.hpp>
 #include <seamwright/core/bspline/basis.hpp>
 #include <seamwright/core/bspline/blossom.hpp>
 #include <seamwright/core/numeric.hpp>
@@ -233,6 +234,19 @@ BezierSpline bezierSpline(const std::vector<BezierCurve>& segments,
   }
   requireValid(result);
   return result;
+}
+
+BezierSpline splineOverLengths(const std::vector<BezierCurve>& segments, bool closed,
+                               double gap_mm) {
+  std::vector<BezierCurve> kept;
+  std::vector<double> knots = {0};
+  for (const BezierCurve& one : segments) {
+    const double length_mm = polygonLength(one);
+    if (length_mm == 0) continue;
+    knots.push_back(knots.back() + length_mm);
+    kept.push_back(one);
+  }
+  return bezierSpline(kept, knots, closed, gap_mm);
 }
 
 CurveDerivatives derivatives(const BezierSpline& spline, double t, int order) {

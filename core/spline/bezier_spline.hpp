@@ -48,6 +48,12 @@ BezierCurve segment(const BezierSpline& spline, int i);
 BezierSpline bezierSpline(const std::vector<BezierCurve>& segments,
                           const std::vector<double>& knots, bool closed = false, double gap_mm = 0);
 
+/// The same over the lengths of the segments' control polygons: the knots are their sums from 0.
+/// Segments whose polygon has no length are left out.
+/// \throws std::invalid_argument as bezierSpline(), and if no segment is left.
+BezierSpline splineOverLengths(const std::vector<BezierCurve>& segments, bool closed = false,
+                               double gap_mm = 0);
+
 /// Point and derivatives by the spline's parameter, (order + 1) by 3. At a knot they belong to the
 /// segment after it; at the end and beyond the ends, to the outermost segment. The time is O(log
 /// segments + order^2). Values beyond the range of a double are infinite.

@@ -7,6 +7,7 @@
 
 #include <seamwright/core/planar/planar_chain.hpp>
 #include <seamwright/core/planar/plane_frame.hpp>
+#include <seamwright/occ_adapter/curves/edge_chain.hpp>
 
 /// Planar edges of a model as chains of planar curves, and back.
 namespace seamwright::occ {
@@ -22,18 +23,12 @@ struct PlanarWire {
 
 struct PlanarWireOptions {
   double flatness_mm = 1e-3;  ///< largest distance of an edge from the plane of its chain
-  /// Numbers of edges; empty: the free ones. Edges of no face and of one face are free, so the
-  /// outline and the holes of a face are, and the edges of a wire; a seam edge of a closed face is
-  /// not.
-  std::vector<int> edges = {};
-  bool each_alone = false;  ///< every edge is a chain of its own
+  EdgeChainOptions chains = {};
 };
 
-/// Edges joined to chains where their ends meet within the tolerances of their vertices, or 1e-6
-/// mm. A chain ends where one, or more than two, ends meet. Each is taken into its plane:
-/// fitPlane() of the poles of its curves, or the plane of an earlier chain if it lies in that up to
-/// rounding. Coordinates are exact as those of planarCurves(); heights above the plane are dropped.
-/// Identities (each has a test of its number):
+/// The chains of edgeChains(), each in its plane: fitPlane() of the poles of its curves, or the
+/// plane of an earlier chain if it lies in that up to rounding. Coordinates are exact as those of
+/// planarCurves(); heights above the plane are dropped. Identities (each has a test of its number):
 ///   (1) A planar face with holes gives one closed chain for its outline and each hole.
 ///   (2) The chain of a wire that wireOf() made is the chain it was made of, up to reversal, the
 ///       first curve and rounding.

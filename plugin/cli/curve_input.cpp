@@ -51,10 +51,10 @@ CurveInput modelInput(const CurveArguments& arguments) {
   input.facts = occ::factsOf(model);
   input.notes = model.notes;
   try {
-    for (occ::PlanarWire& wire :
-         occ::planarWires(model.shape, {.flatness_mm = arguments.flatness_mm,
-                                       .edges = arguments.edges,
-                                       .each_alone = arguments.all_edges})) {
+    for (occ::PlanarWire& wire : occ::planarWires(
+             model.shape,
+             {.flatness_mm = arguments.flatness_mm,
+             .chains = {.edges = arguments.edges, .each_alone = arguments.all_edges}})) {
       GivenCurve curve;
       curve.record.edges = wire.edges;
       curve.record.closed = wire.chain.closed;

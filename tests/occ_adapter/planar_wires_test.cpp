@@ -164,11 +164,11 @@ TEST(PlanarWires, OnlyFreeEdgesUnlessNamed) {
                      cylinder = BRepPrimAPI_MakeCylinder(2, 5).Shape();
   EXPECT_THAT(occ::planarWires(box), IsEmpty());
   EXPECT_THAT(occ::planarWires(cylinder), IsEmpty());
-  EXPECT_THAT(occ::planarWires(box, {.edges = {}, .each_alone = true}), SizeIs(12));
-  const std::vector<PlanarWire> one = occ::planarWires(box, {.edges = {3}});
+  EXPECT_THAT(occ::planarWires(box, {.chains = {.edges = {}, .each_alone = true}}), SizeIs(12));
+  const std::vector<PlanarWire> one = occ::planarWires(box, {.chains = {.edges = {3}}});
   ASSERT_THAT(one, SizeIs(1));
   EXPECT_THAT(one[0].edges, ElementsAre(3));
-  EXPECT_THROW(occ::planarWires(box, {.edges = {13}}), std::invalid_argument);
+  EXPECT_THROW(occ::planarWires(box, {.chains = {.edges = {13}}}), std::invalid_argument);
 }
 
 TEST(PlanarWires, RefusesCurvesOutOfPlane) {
