@@ -4,6 +4,7 @@
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_Curve.hxx>
 #include <TopLoc_Location.hxx>
+#include <TopoDS_Face.hxx>
 #include <vector>
 
 #include <seamwright/core/bspline/surface.hpp>
@@ -25,6 +26,10 @@ BSplineSurface coreSurface(const Geom_BSplineSurface& surface);
 /// \throws std::invalid_argument as requireValid(), for an inner knot with a multiplicity above the
 /// degree, and for inner knots that are too near to each other for OpenCASCADE.
 opencascade::handle<Geom_BSplineSurface> geomSurface(const BSplineSurface& surface);
+
+/// A face bounded by the sides of the surface. Sides that coincide are one edge.
+/// \throws std::invalid_argument as geomSurface(); GeometryError if OpenCASCADE makes no face.
+TopoDS_Face faceOf(const BSplineSurface& surface);
 
 /// The poles of a clamped spline surface as rows along one of its edges, counted from the edge, and
 /// columns across it. Columns and the parameter t in [0, 1] run in the edge's own sense, or against

@@ -9,6 +9,7 @@
 #include <Geom_Line.hxx>
 #include <Geom_TrimmedCurve.hxx>
 #include <Precision.hxx>
+#include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
@@ -170,6 +171,14 @@ TopoDS_Wire wireOf(const BezierSpline& spline) {
   }
   wire.Closed(spline.closed);
   return wire;
+}
+
+TopoDS_Shape wiresOf(const std::vector<BezierSpline>& splines) {
+  TopoDS_Compound compound;
+  const BRep_Builder builder;
+  builder.MakeCompound(compound);
+  for (const BezierSpline& spline : splines) builder.Add(compound, wireOf(spline));
+  return compound;
 }
 
 }  // namespace seamwright::occ

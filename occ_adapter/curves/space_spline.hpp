@@ -34,5 +34,7 @@ std::vector<SpaceSpline> spaceSplines(const TopoDS_Shape& shape,
 /// at least the first ones, are one edge; so each other joint is a vertex.
 /// \throws std::invalid_argument as requireValid(), and for a degree above 25.
 TopoDS_Wire wireOf(const BezierSpline& spline);
+/// A wire for each spline, in one compound.
+TopoDS_Shape wiresOf(const std::vector<BezierSpline>& splines);
 
 }  // namespace seamwright::occ

@@ -11,11 +11,11 @@
 #include <seamwright/plugin/cli/curve_input.hpp>
 #include <seamwright/plugin/cli/curve_methods.hpp>
 #include <seamwright/plugin/cli/curve_output.hpp>
+#include <seamwright/plugin/cli/edge_list.hpp>
 #include <seamwright/plugin/cli/output.hpp>
 #include <seamwright/plugin/cli/progress_bar.hpp>
 #include <seamwright/plugin/report/curve_json.hpp>
 #include <seamwright/plugin/report/json.hpp>
-#include <sstream>
 #include <stdexcept>
 
 namespace seamwright::cli {
@@ -77,23 +77,6 @@ report::CurveReport reportOf(const CurveInput& input, const CurveArguments& argu
   return report;
 }
 
-/// Half of the files stay unwritten if one of them can't be written.
-void writeTexts(const CurveText& text, report::CurveReport& report,
-                const OutputArguments& arguments) {
-  PendingFile drawing(arguments.model, text.text);
-  std::optional<PendingFile> json;
-  if (!arguments.report.empty())
-    json.emplace(arguments.report, report::toLine(report::toJson(report)) + '\n');
-  drawing.takePlace();
-  if (json) json->takePlace();
-}
-
-std::string nameOf(CurveFormat format, const OutputArguments& arguments) {
-  if (format == CurveFormat::Model)
-    return std::string(occ::name(occ::targetFormat(arguments.model)));
-  return format == CurveFormat::Dxf ? "DXF" : format == CurveFormat::Svg ? "SVG" : "CSV";
-}
-
 /// Arcs of a drawing are this near to curves of other kinds.
 double drawnWithin(double tolerance_mm, const std::vector<MadeCurve>& curves) {
   constexpr double share = 0.1, of_length = 1e-6;
@@ -106,21 +89,6 @@ CurveText drawnCurves(CurveFormat format, const CurveArguments& arguments,
   ProgressBar bar(doing("drawing", arguments.output.model));
   return curveText(format, arguments.method, curves, drawnWithin(arguments.tolerance_mm, curves),
                    limit.progress(bar));
-}
-
-/// "all", or numbers of edges.
-void takeEdges(const std::string& text, CurveArguments& arguments) {
-  if (text == "all") {
-    arguments.all_edges = true;
-    return;
-  }
-  const CLI::Validator number = numberOf("Edge");
-  std::istringstream list(text + ',');
-  for (std::string item; std::getline(list, item, ',');) {
-    if (const std::string fault = number(item); !fault.empty())
-      throw CLI::ValidationError("--edge", fault);
-    arguments.edges.push_back(std::stoi(item));
-  }
 }
 
 /// The curves in their planes as a model file. \returns what its format can't hold.
@@ -154,18 +122,21 @@ std::vector<std::string> writeCurves(const std::vector<MadeCurve>& curves,
 }  // namespace
 
 void addCurveOptions(CLI::App& command, CurveArguments& arguments) {
+  // Not marked as required, because a subcommand has options of its own.
+  command.final_callback([&command] {
+    if (!command.get_subcommands().empty()) return;
+    for (const char* name : {"METHOD", "INPUT", "-o"})
+      if (command.get_option(name)->count() == 0) throw CLI::RequiredError(name);
+  });
   command
       .add_option("METHOD", arguments.method,
                   "arcs: arcs and lines; clothoid: clothoids with continuous curvature; conic: "
                   "conics with continuous curvature; fair: the curve or the points made fair")
-      ->required()
       ->check(CLI::IsMember(curveMethods()));
-  command
-      .add_option(
-          "INPUT", arguments.input,
-          "Points (.csv, .txt, .dat, .xy, .xyz: x,y or x,y,z on each line), or a STEP, IGES "
-          "or BREP file with planar curves")
-      ->required();
+  command.add_option(
+      "INPUT", arguments.input,
+      "Points (.csv, .txt, .dat, .xy, .xyz: x,y or x,y,z on each line), or a STEP, IGES "
+      "or BREP file with planar curves");
   command
       .add_option("--tolerance", arguments.tolerance_mm,
                   "Largest distance from the curve, mm; fair: largest move of a point. 0: arcs "
@@ -182,7 +153,7 @@ void addCurveOptions(CLI::App& command, CurveArguments& arguments) {
   command.add_flag("--closed", arguments.closed, "Join the last point with the first one");
   command
       .add_option_function<std::string>(
-          "--edge", [&arguments](const std::string& text) { takeEdges(text, arguments); },
+          "--edge", [&arguments](const std::string& text) { arguments.edges = edgeList(text); },
           "Edges of the model: numbers as 3 or Edge3, separated by commas, or all, each alone; not "
           "given: the free edges, joined where they meet")
       ->type_name("N[,N...]");
@@ -196,8 +167,7 @@ void addCurveOptions(CLI::App& command, CurveArguments& arguments) {
           "-o", arguments.output.model,
           "The result: .dxf, .svg, .csv, or a model (.step, .stp, .iges, .igs, .brep, .brp, "
           ".bin)")
-      ->type_name("OUT")
-      ->required();
+      ->type_name("OUT");
   command.add_option("--json", arguments.output.report, "Write a JSON report to this file")
       ->type_name("FILE");
   command.add_flag("--overwrite", arguments.output.overwrite, "Replace OUT if it exists");
@@ -213,14 +183,15 @@ int runCurve(const CurveArguments& arguments) {
   const WorkLimit limit(arguments.max_time_s);
   const std::vector<MadeCurve> curves = madeCurves(input, arguments, limit);
   report::CurveReport report = reportOf(input, arguments, curves);
-  report.output = {.path = arguments.output.model, .format = nameOf(format, arguments.output)};
+  report.output = {.path = arguments.output.model,
+                   .format = formatName(format, arguments.output.model)};
   std::vector<std::string> notes;
   if (format == CurveFormat::Model) {
     notes = writeCurves(curves, report, arguments.output);
   } else {
     const CurveText text = drawnCurves(format, arguments, curves, limit);
     report.output->distance_mm = text.distance_mm;
-    writeTexts(text, report, arguments.output);
+    writeTexts(text.text, report::toLine(report::toJson(report)) + '\n', arguments.output);
   }
   warn(arguments.output.model, notes);
   writeStandardOutput(report::toText(report));

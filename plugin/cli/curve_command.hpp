@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <seamwright/plugin/cli/edge_list.hpp>
 #include <seamwright/plugin/cli/model_arguments.hpp>
 #include <string>
 #include <vector>
@@ -16,8 +17,7 @@ struct CurveArguments {
   double tolerance_mm = 0.01;
   double flatness_mm = 0.001;  ///< largest distance of the input from its plane
   bool closed = false;
-  std::vector<int> edges;  ///< of a model; empty: the free ones
-  bool all_edges = false;
+  EdgeList edges;  ///< of a model; not given: the free ones
   double max_time_s = HUGE_VAL;
 };
 

@@ -14,7 +14,7 @@ namespace seamwright::cli {
 namespace {
 
 CurveInput pointInput(const CurveArguments& arguments) {
-  if (!arguments.edges.empty() || arguments.all_edges)
+  if (arguments.edges.isGiven())
     throw std::runtime_error(arguments.input +
                              ": is a file of points, which has no edges: --edge "
                              "is for models");
@@ -54,7 +54,7 @@ CurveInput modelInput(const CurveArguments& arguments) {
     for (occ::PlanarWire& wire : occ::planarWires(
              model.shape,
              {.flatness_mm = arguments.flatness_mm,
-             .chains = {.edges = arguments.edges, .each_alone = arguments.all_edges}})) {
+             .chains = {.edges = arguments.edges.numbers, .each_alone = arguments.edges.all}})) {
       GivenCurve curve;
       curve.record.edges = wire.edges;
       curve.record.closed = wire.chain.closed;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <optional>
 #include <seamwright/core/angle.hpp>
 #include <seamwright/core/planar/arc_fit.hpp>
 #include <seamwright/core/planar/local_origin.hpp>
@@ -150,6 +151,20 @@ CurveFormat curveFormat(const fs::path& path) {
       path.string() + ": can't be written: '" + extension +
       "' is not a known extension; use .step, .stp, .iges, .igs, .brep, .brp, .bin, .dxf, "
       ".svg or .csv");
+}
+
+std::string formatName(CurveFormat format, const fs::path& path) {
+  if (format == CurveFormat::Model) return std::string(occ::name(occ::targetFormat(path)));
+  return format == CurveFormat::Dxf ? "DXF" : format == CurveFormat::Svg ? "SVG" : "CSV";
+}
+
+void writeTexts(const std::string& text, const std::string& report,
+                const OutputArguments& arguments) {
+  PendingFile drawing(arguments.model, text);
+  std::optional<PendingFile> json;
+  if (!arguments.report.empty()) json.emplace(arguments.report, report);
+  drawing.takePlace();
+  if (json) json->takePlace();
 }
 
 void requireCurveOutputs(const std::string& input, const OutputArguments& arguments) {

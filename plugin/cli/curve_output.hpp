@@ -17,6 +17,13 @@ enum class CurveFormat { Dxf, Svg, Csv, Model };
 /// \throws std::runtime_error for any other name.
 CurveFormat curveFormat(const std::filesystem::path& path);
 
+/// "STEP", "DXF", "SVG" and so on. \param path names the format of a model.
+std::string formatName(CurveFormat format, const std::filesystem::path& path);
+
+/// Writes OUT and, where it is asked for, the report: both files, or none.
+void writeTexts(const std::string& text, const std::string& report,
+                const OutputArguments& arguments);
+
 /// Checks the files before the input is read. \throws std::runtime_error, occ::ModelError.
 void requireCurveOutputs(const std::string& input, const OutputArguments& arguments);
 

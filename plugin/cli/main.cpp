@@ -7,6 +7,7 @@
 #include <iostream>
 #include <seamwright/occ_adapter/progress.hpp>
 #include <seamwright/plugin/cli/analyze_command.hpp>
+#include <seamwright/plugin/cli/blend_command.hpp>
 #include <seamwright/plugin/cli/corner_command.hpp>
 #include <seamwright/plugin/cli/curve_command.hpp>
 #include <seamwright/plugin/cli/fill_command.hpp>
@@ -67,6 +68,10 @@ int run(int argc, char** argv) {
       "curve", "Turn planar points or curves into arcs, clothoids or conics, or make them fair");
   CurveArguments to_curve;
   addCurveOptions(*curve, to_curve);
+  CLI::App* blend = curve->add_subcommand(
+      "blend", "Curves between key curves that keep the continuity of their joints, or a loft");
+  BlendArguments to_blend;
+  addBlendOptions(*blend, to_blend);
   // Commands inherit a footer that is set before them.
   app.footer(
       "Exit status: 0 the result meets its target, 1 it falls short, 2 bad usage or "
@@ -86,6 +91,7 @@ int run(int argc, char** argv) {
   }
   if (fill->parsed()) return runFill(to_fill);
   if (corner->parsed()) return runCorner(to_corner);
+  if (blend->parsed()) return runBlend(to_blend);
   if (curve->parsed()) return runCurve(to_curve);
   return repair->parsed() ? runRepair(to_repair) : runAnalyze(to_analyze);
 }

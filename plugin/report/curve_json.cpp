@@ -48,11 +48,6 @@ ordered_json recordJson(const CurveRecord& record) {
           {"reached", record.reached}};
 }
 
-ordered_json outputJson(const std::optional<CurveOutput>& output) {
-  if (!output) return nullptr;
-  return {{"path", output->path}, {"format", output->format}, {"distance_mm", output->distance_mm}};
-}
-
 std::string nameOf(const CurveRecord& record) {
   if (record.points > 0) return counted(static_cast<std::size_t>(record.points), "point");
   constexpr std::size_t shown = 4;
@@ -104,6 +99,11 @@ std::string line(const std::string& method, const CurveRecord& record) {
 }
 
 }  // namespace
+
+ordered_json outputJson(const std::optional<CurveOutput>& output) {
+  if (!output) return nullptr;
+  return {{"path", output->path}, {"format", output->format}, {"distance_mm", output->distance_mm}};
+}
 
 bool CurveReport::reached() const {
   return std::ranges::all_of(curves, &CurveRecord::reached);

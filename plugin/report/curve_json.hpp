@@ -60,6 +60,9 @@ struct CurveReport {
   bool withReservations() const;
 };
 
+/// Path, format and distance of a file; null without one.
+nlohmann::ordered_json outputJson(const std::optional<CurveOutput>& output);
+
 /// The object "seamwright.curve/1" (docs/curve-1.schema.json), lengths in mm.
 nlohmann::ordered_json toJson(const CurveReport& report);
 

@@ -9,13 +9,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json figureJson(const std::optional<Figure>& figure, double factor = 1) {
-  if (!figure) return nullptr;
-  return {{"lower", factor * figure->lower},
-          {"upper", figure->upper ? ordered_json(factor * *figure->upper) : ordered_json(nullptr)},
-          {"at", figure->at}};
-}
-
 ordered_json intervalsJson(const LeftOut& left_out) {
   ordered_json intervals = ordered_json::array();
   for (const Interval& interval : left_out.intervals)
@@ -35,11 +28,6 @@ ordered_json worstJson(const std::optional<occ::WorstPoint>& worst) {
   return {{"quantity", worst->quantity},
           {"at", worst->at},
           {"point", {worst->point.x(), worst->point.y(), worst->point.z()}}};
-}
-
-ordered_json modelJson(const occ::ModelFacts& model) {
-  return {{"path", model.path},   {"format", model.format}, {"length_unit", model.length_unit},
-          {"faces", model.faces}, {"edges", model.edges},   {"notes", model.notes}};
 }
 
 ordered_json toleranceJson(const occ::Report& report) {
@@ -71,6 +59,18 @@ ordered_json summaryJson(const occ::Report& report) {
 }
 
 }  // namespace
+
+ordered_json figureJson(const std::optional<Figure>& figure, double factor) {
+  if (!figure) return nullptr;
+  return {{"lower", factor * figure->lower},
+          {"upper", figure->upper ? ordered_json(factor * *figure->upper) : ordered_json(nullptr)},
+          {"at", figure->at}};
+}
+
+ordered_json modelJson(const occ::ModelFacts& model) {
+  return {{"path", model.path},   {"format", model.format}, {"length_unit", model.length_unit},
+          {"faces", model.faces}, {"edges", model.edges},   {"notes", model.notes}};
+}
 
 ordered_json toJson(const occ::SeamResult& seam, const ContinuityTolerance& tolerance) {
   return {{"id", seam.id},

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <seamwright/core/bezier/length.hpp>
+#include <seamwright/core/blend/frame_loft.hpp>
+#include <seamwright/core/blend/match_pieces.hpp>
+#include <seamwright/core/blend/spline_blend.hpp>
+#include <seamwright/occ_adapter/curves/space_spline.hpp>
+#include <seamwright/occ_adapter/model/write.hpp>
+#include <seamwright/plugin/cli/blend_command.hpp>
+#include <seamwright/plugin/cli/blend_drawing.hpp>
+#include <seamwright/plugin/cli/curve_output.hpp>
+#include <seamwright/plugin/cli/key_curves.hpp>
+#include <seamwright/plugin/cli/output.hpp>
+#include <seamwright/plugin/cli/progress_bar.hpp>
+#include <seamwright/plugin/report/blend_json.hpp>
+#include <seamwright/plugin/report/json.hpp>
+#include <stdexcept>
+
+namespace seamwright::cli {
+
+namespace {
+
+using report::BlendReport;
+
+const std::map<std::string, KeyInterpolation::Continuity>& continuities() {
+  using enum KeyInterpolation::Continuity;
+  static const std::map<std::string, KeyInterpolation::Continuity> names = {
+      {"C0", C0}, {"C1", C1}, {"C2", C2}};
+  return names;
+}
+
+/// The key curves at omega 0..1.
+std::vector<double> evenOmegas(std::size_t count) {
+  std::vector<double> omegas;
+  for (std::size_t i = 0; i < count; ++i)
+    omegas.push_back(static_cast<double>(i) / static_cast<double>(count - 1));
+  return omegas;
+}
+
+SplineBlend blendOf(const KeyCurves& input, const BlendArguments& arguments, BlendReport& report) {
+  std::vector<BezierSpline> curves;
+  for (const KeyCurve& key : input.curves) curves.push_back(key.curve);
+  const MatchedPieces matched = matchPieces(curves, matchOptions(arguments));
+  SplineBlendOptions options;
+  options.joint.order = arguments.order;
+  options.continuity = continuities().at(arguments.in_between);
+  options.keep_lower_orders = true;
+  return SplineBlend(matched.curves, evenOmegas(curves.size()), options);
+}
+
+/// The length of the curve to a millionth.
+double lengthOf(const BezierSpline& spline) {
+  constexpr double relative = 1e-6;
+  double length_mm = 0;
+  for (int i = 0; i < spline.segments(); ++i) {
+    const BezierCurve one = segment(spline, i);
+    const double polygon_mm = polygonLength(one);
+    if (polygon_mm > 0) length_mm += arcLength(one, relative * polygon_mm).value_mm;
+  }
+  return length_mm;
+}
+
+report::BlendFrameRecord recordOf(const SplineFrame& frame, double omega) {
+  report::BlendFrameRecord record{
+      .omega = omega, .length_mm = lengthOf(frame.spline), .joints = {}};
+  for (const SplineJoint& joint : frame.joints)
+    record.joints.push_back({.joint = joint.knot,
+                             .order = joint.order,
+                             .beta = {joint.beta.begin(), joint.beta.end()},
+                             .defects = joint.defects,
+                             .remedy = nameOf(joint.remedy),
+                             .moved_mm = joint.moved_mm});
+  return record;
+}
+
+std::vector<BezierSpline> framesOf(const SplineBlend& blend, const BlendArguments& arguments,
+                                   BlendReport& report) {
+  ProgressBar bar("blending");
+  const Progress progress = bar.progress();
+  std::vector<BezierSpline> frames;
+  const std::vector<double> omegas = evenOmegas(static_cast<std::size_t>(arguments.frames));
+  for (const double omega : omegas) {
+    checkProgress(progress, omega);
+    const SplineFrame frame = blend.frameAt(omega);
+    report.frames.push_back(recordOf(frame, omega));
+    frames.push_back(frame.spline);
+  }
+  return frames;
+}
+
+/// The surface through the frames, and what its lines of joints are proven to be.
+FrameLoft loftOf(const SplineBlend& blend, const BlendArguments& arguments, BlendReport& report) {
+  ProgressBar bar("lofting");
+  FrameLoftOptions options;
+  options.order = arguments.order;
+  options.tolerance_mm = arguments.tolerance_mm;
+  options.stations = evenOmegas(report.key_curves.size());
+  if (arguments.in_between == "C0")
+    options.kinks.assign(options.stations.begin() + 1, options.stations.end() - 1);
+  options.progress = bar.progress();
+  FrameLoft loft =
+      frameLoft([&](double omega) { return blend.frameAt(omega).spline; }, {0, 1}, options);
+  report::BlendLoftRecord record{.degree_u = loft.surface.degree_u,
+                                 .degree_v = loft.surface.degree_v,
+                                 .poles_u = loft.surface.countU(),
+                                 .poles_v = loft.surface.countV(),
+                                 .distance_mm = loft.distance_mm,
+                                 .reached = loft.reached && loft.ratios_positive};
+  int joint = 0;
+  for (const KnotLine& line :
+       encloseKnotLines(loft.surface, SurfaceDirection::U, {}, report.closed))
+    record.lines.push_back({.joint = ++joint, .figures = line.figures});
+  if (!loft.ratios_positive)
+    report.notes.emplace_back(
+        "the loft may fold at a line of joints: the ratio of the speeds of its sides may vanish");
+  report.loft = record;
+  return loft;
+}
+
+void addKeyCurves(const KeyCurves& input, BlendReport& report) {
+  const std::vector<double> omegas = evenOmegas(input.curves.size());
+  for (std::size_t i = 0; i < input.curves.size(); ++i) {
+    const KeyCurve& key = input.curves[i];
+    report.key_curves.push_back({.input = key.input,
+                                 .edges = key.edges,
+                                 .points = key.points,
+                                 .omega = omegas[i],
+                                 .segments = key.curve.segments(),
+                                 .gap_mm = key.gap_mm,
+                                 .polynomial_mm = key.polynomial_mm});
+  }
+  report.closed = input.curves.front().curve.closed;
+}
+
+/// Notes on joints whose order is lower than the one asked for, and whether all are the order that
+/// the key curves have there.
+bool noteOrders(const SplineBlend& blend, BlendReport& report) {
+  const std::vector<int> of_keys = blend.orders();
+  const auto lower = std::ranges::count_if(of_keys, [&](int n) { return n < report.order; });
+  if (lower > 0)
+    report.notes.push_back(
+        fmt::format("{} of the key curves: joints below G{} keep their own order in all frames",
+                    lower, report.order));
+  std::size_t lost = 0;
+  for (const report::BlendFrameRecord& frame : report.frames)
+    for (std::size_t i = 0; i < frame.joints.size(); ++i)
+      if (frame.joints[i].order < of_keys[i]) ++lost;
+  if (lost > 0)
+    report.notes.push_back(fmt::format(
+        "{} joints of frames have a lower order than the key curves: add a key curve between",
+        lost));
+  return lost == 0;
+}
+
+/// Both files, or none: the report is complete before the model replaces its target.
+std::vector<std::string> writeModel(const TopoDS_Shape& shape, const BlendReport& report,
+                                    const OutputArguments& arguments) {
+  occ::Model model;
+  model.shape = shape;
+  model.format = "memory";
+  model.length_unit = "mm (assumed)";
+  std::optional<PendingFile> json;
+  occ::WriteOptions options = arguments.writeOptions();
+  options.check = [&](const std::filesystem::path&) {
+    if (!arguments.report.empty())
+      json.emplace(arguments.report, report::toLine(report::toJson(report)) + '\n');
+  };
+  const occ::WriteReport written = writeUnderBar(model, arguments.model, options);
+  if (json) json->takePlace();
+  return written.notes;
+}
+
+void requireLoftFormat(const BlendArguments& arguments, CurveFormat format) {
+  if (arguments.loft && format != CurveFormat::Model)
+    throw std::runtime_error(arguments.output.model +
+                             ": a loft is a surface: write .step, .iges, .brep or .bin");
+}
+
+std::vector<std::string> writeBlend(CurveFormat format, const std::vector<BezierSpline>& frames,
+                                    const std::optional<FrameLoft>& loft, BlendReport& report,
+                                    const BlendArguments& arguments) {
+  report.output = {.path = arguments.output.model,
+                   .format = formatName(format, arguments.output.model)};
+  if (format == CurveFormat::Model)
+    return writeModel(loft ? occ::faceOf(loft->surface) : occ::wiresOf(frames), report,
+                      arguments.output);
+  const CurveText text =
+      framesText(format, frames, evenOmegas(frames.size()), arguments.tolerance_mm);
+  report.output->distance_mm = text.distance_mm;
+  writeTexts(text.text, report::toLine(report::toJson(report)) + '\n', arguments.output);
+  return {};
+}
+
+}  // namespace
+
+void addBlendOptions(CLI::App& command, BlendArguments& arguments) {
+  command
+      .add_option("INPUT", arguments.inputs,
+                  "Two or more files, a curve each: points (x,y or x,y,z on each line) or models "
+                  "(STEP, IGES, BREP); or one model with several curves")
+      ->required();
+  command
+      .add_option("--frames", arguments.frames,
+                  "Number of curves to write, the outer ones included")
+      ->type_name("N")
+      ->check(CLI::Range(2, 10000))
+      ->capture_default_str();
+  command.add_option("--order", arguments.order, "n of the G^n that every joint keeps, 1 to 4")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4))
+      ->capture_default_str();
+  command
+      .add_option("--match", arguments.match,
+                  "Which points of the curves correspond. features: corners and extrema of the "
+                  "curvature, and lengths between them; length: lengths from the beginning")
+      ->check(CLI::IsMember({"features", "length"}))
+      ->capture_default_str();
+  command
+      .add_option("--between", arguments.in_between,
+                  "Smoothness from frame to frame at key curves between the outer ones")
+      ->check(CLI::IsMember({"C0", "C1", "C2"}))
+      ->capture_default_str();
+  command.add_flag("--loft", arguments.loft,
+                   "Write the surface through the frames instead of the frames");
+  command
+      .add_option("--tolerance", arguments.tolerance_mm,
+                  "Largest distance of the loft from the frames, and of polynomial curves from "
+                  "rational ones of a model, mm")
+      ->type_name("MM")
+      ->check(numberIn(Range::Positive))
+      ->capture_default_str();
+  command.add_flag("--closed", arguments.closed, "Join the last point of each file with its first");
+  command
+      .add_option(
+          "--edge",
+          "Edges of the model: numbers as 3 or Edge3, separated by commas; give it once for "
+          "each INPUT. Not given: the free edges, joined where they meet")
+      ->type_name("N[,N...]")
+      ->allow_extra_args(false)
+      ->expected(1, -1)
+      ->each([&arguments](const std::string& text) { arguments.edges.push_back(edgeList(text)); });
+  command
+      .add_option("-o", arguments.output.model,
+                  "The frames: a model (.step, .stp, .iges, .igs, .brep, .brp, .bin), .csv, or of "
+                  "one plane .svg or .dxf")
+      ->type_name("OUT")
+      ->required();
+  command.add_option("--json", arguments.output.report, "Write a JSON report to this file")
+      ->type_name("FILE");
+  command.add_flag("--overwrite", arguments.output.overwrite, "Replace OUT if it exists");
+  command.add_flag("--overwrite-source", arguments.output.overwrite_source,
+                   "Allow OUT to replace an INPUT");
+  exitStatus(command, "every joint keeps the order of the key curves",
+             "some do not (OUT is written)");
+}
+
+int runBlend(const BlendArguments& arguments) {
+  for (const std::string& input : arguments.inputs) requireCurveOutputs(input, arguments.output);
+  const CurveFormat format = curveFormat(arguments.output.model);
+  requireLoftFormat(arguments, format);
+  const KeyCurves input = keyCurves(arguments);
+  BlendReport report{.inputs = input.facts,
+                     .order = arguments.order,
+                     .tolerance_mm = arguments.tolerance_mm,
+                     .match = arguments.match,
+                     .in_between = arguments.in_between};
+  addKeyCurves(input, report);
+  std::optional<FrameLoft> loft;
+  std::vector<BezierSpline> frames;
+  try {
+    const SplineBlend blend = blendOf(input, arguments, report);
+    frames = framesOf(blend, arguments, report);
+    report.reached = noteOrders(blend, report);
+    if (arguments.loft) loft = loftOf(blend, arguments, report);
+  } catch (const std::invalid_argument& error) {  // curves that core can't match or blend
+    throw std::runtime_error(arguments.inputs.front() + ": " + error.what());
+  }
+  if (loft) report.reached = report.reached && report.loft->reached;
+  const std::vector<std::string> notes = writeBlend(format, frames, loft, report, arguments);
+  warn(arguments.output.model, notes);
+  writeStandardOutput(report::toText(report));
+  warn(arguments.inputs.front(), input.notes);
+  return report.reached ? 0 : 1;
+}
+
+}  // namespace seamwright::cli

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <seamwright/plugin/cli/edge_list.hpp>
+#include <seamwright/plugin/cli/model_arguments.hpp>
+#include <string>
+#include <vector>
+
+namespace seamwright::cli {
+
+/// Arguments of `seamwright curve blend`.
+struct BlendArguments {
+  std::vector<std::string> inputs;
+  std::vector<EdgeList> edges;  ///< one for each input, or none
+  OutputArguments output;
+  int order = 2;
+  int frames = 9;
+  std::string match = "features";
+  std::string in_between = "C2";
+  double tolerance_mm = 0.001;
+  bool closed = false;
+  bool loft = false;
+};
+
+/// Adds the options to a command. Parsing stores them in \p arguments.
+void addBlendOptions(CLI::App& command, BlendArguments& arguments);
+
+/// \returns exit status 0 (every joint has the order asked for) or 1. Writes the output in both
+/// cases.
+int runBlend(const BlendArguments& arguments);
+
+}  // namespace seamwright::cli

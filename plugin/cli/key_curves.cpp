@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
+#include <seamwright/core/spline/nu_spline.hpp>
+#include <seamwright/core/spline/polynomial_spline.hpp>
+#include <seamwright/occ_adapter/analyze/analyze.hpp>
+#include <seamwright/occ_adapter/curves/space_spline.hpp>
+#include <seamwright/occ_adapter/geometry_error.hpp>
+#include <seamwright/plugin/cli/key_curves.hpp>
+#include <seamwright/plugin/cli/point_file.hpp>
+#include <stdexcept>
+
+namespace seamwright::cli {
+
+namespace {
+
+/// The C2 cubic spline through the points.
+BezierSpline splineThrough(const Poles& points, bool closed) {
+  NuSplineData data;
+  data.points = points;
+  if (closed) {
+    data.points.conservativeResize(points.rows() + 1, 3);
+    data.points.bottomRows<1>() = points.topRows<1>();
+    data.ends = SplineEnds::Periodic;
+  }
+  data.knots = knotsOf(data.points);
+  data.nu.assign(data.knots.size(), 0);
+  return nuSpline(data).curve;
+}
+
+occ::ModelFacts pointFacts(const std::string& path) {
+  occ::ModelFacts facts;
+  facts.path = path;
+  facts.format = "points";
+  facts.length_unit = "mm (assumed)";
+  return facts;
+}
+
+void addPoints(KeyCurves& result, const std::string& path, const EdgeList& edges, bool closed) {
+  if (edges.isGiven())
+    throw std::runtime_error(path +
+                             ": is a file of points, which has no edges: --edge is for models");
+  PointFile file = readPoints(path);
+  requireCurve(file, path, closed);
+  KeyCurve curve;
+  curve.input = result.facts.size();
+  curve.points = file.points.rows();
+  curve.curve = splineThrough(file.points, closed);
+  result.curves.push_back(std::move(curve));
+  result.facts.push_back(pointFacts(path));
+  result.notes.insert(result.notes.end(), file.notes.begin(), file.notes.end());
+}
+
+/// The curves of a model; \p only_input: all of them, else one.
+void addModel(KeyCurves& result, const std::string& path, const EdgeList& edges,
+              const BlendArguments& arguments) {
+  const occ::Model model = readUnderBar(path, occ::Needed::Edges);
+  const bool only_input = arguments.inputs.size() == 1;
+  std::vector<occ::SpaceSpline> splines =
+      occ::spaceSplines(model.shape, {.edges = edges.numbers, .each_alone = edges.all});
+  if (splines.empty())
+    throw std::runtime_error(path +
+                             ": has no free edges: name edges with --edge, or take --edge all");
+  if (!only_input && splines.size() > 1)
+    throw std::runtime_error(fmt::format(
+        "{}: has {} curves, and one of each file is blended: name its edges with --edge", path,
+        splines.size()));
+  for (const occ::SpaceSpline& spline : splines) {
+    const PolynomialSpline polynomial =
+        polynomialSpline(spline.spline, arguments.order, arguments.tolerance_mm);
+    result.curves.push_back({.input = result.facts.size(),
+                             .edges = spline.edges,
+                             .curve = polynomial.spline,
+                             .gap_mm = spline.gap_mm,
+                             .polynomial_mm = polynomial.distance_mm});
+  }
+  result.facts.push_back(occ::factsOf(model));
+  result.notes.insert(result.notes.end(), model.notes.begin(), model.notes.end());
+}
+
+void requireEdgeLists(const BlendArguments& arguments) {
+  if (arguments.edges.empty() || arguments.edges.size() == arguments.inputs.size()) return;
+  throw std::runtime_error(
+      fmt::format("--edge is given {} times for {} files: give it for none, or once for each in "
+                  "their order",
+                  arguments.edges.size(), arguments.inputs.size()));
+}
+
+}  // namespace
+
+KeyCurves keyCurves(const BlendArguments& arguments) {
+  requireEdgeLists(arguments);
+  KeyCurves result;
+  for (std::size_t i = 0; i < arguments.inputs.size(); ++i) {
+    const std::string& path = arguments.inputs[i];
+    const EdgeList edges = arguments.edges.empty() ? EdgeList{} : arguments.edges[i];
+    try {
+      if (isPointFile(path))
+        addPoints(result, path, edges, arguments.closed);
+      else
+        addModel(result, path, edges, arguments);
+    } catch (const occ::GeometryError& error) {
+      throw std::runtime_error(path + ": " + error.what());
+    } catch (
+        const std::invalid_argument& error) {  // a number without an edge, a spline without end
+      throw std::runtime_error(path + ": " + error.what());
+    } catch (const std::domain_error& error) {  // a curve that no polynomial comes near
+      throw std::runtime_error(path + ": " + error.what());
+    }
+  }
+  if (result.curves.size() < 2)
+    throw std::runtime_error(
+        fmt::format("{}: has one curve, and a blend needs two or more", arguments.inputs.front()));
+  return result;
+}
+
+}  // namespace seamwright::cli

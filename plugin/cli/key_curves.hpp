@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstddef>
+#include <seamwright/core/spline/bezier_spline.hpp>
+#include <seamwright/occ_adapter/analyze/report.hpp>
+#include <seamwright/plugin/cli/blend_command.hpp>
+#include <string>
+#include <vector>
+
+namespace seamwright::cli {
+
+/// A key curve of `seamwright curve blend` as it is given.
+struct KeyCurve {
+  std::size_t input = 0;      ///< index of its file
+  std::vector<int> edges;     ///< of a model, along the curve; empty for points
+  std::ptrdiff_t points = 0;  ///< of a file of points; 0 for edges
+  BezierSpline curve;         ///< polynomial
+  double gap_mm = 0;          ///< the largest gap between edges that was closed
+  double polynomial_mm = 0;   ///< bound of the distance from the rational curve of the model
+};
+
+/// Two or more curves in the order of the files.
+struct KeyCurves {
+  std::vector<occ::ModelFacts> facts;  ///< of each file
+  std::vector<KeyCurve> curves;
+  std::vector<std::string> notes;
+};
+
+/// Reads files of points, through which a C2 cubic spline with centripetal knots is laid, and
+/// models, whose edges are joined to curves. Each file has one curve; a single model has all of
+/// them, in the order of their edges.
+/// \throws std::runtime_error for a file that has no or several curves, and for fewer than two
+/// curves; occ::ModelError, occ::Cancelled.
+KeyCurves keyCurves(const BlendArguments& arguments);
+
+}  // namespace seamwright::cli

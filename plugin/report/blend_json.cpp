@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <seamwright/core/angle.hpp>
+#include <seamwright/plugin/report/blend_json.hpp>
+#include <seamwright/plugin/report/enclosure.hpp>
+#include <seamwright/plugin/report/json.hpp>
+#include <seamwright/plugin/report/text.hpp>
+
+namespace seamwright::report {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json keyCurveJson(const KeyCurveRecord& record) {
+  return {{"input", record.input},
+          {"edges", record.edges},
+          {"points", record.points},
+          {"omega", record.omega},
+          {"segments", record.segments},
+          {"gap_mm", record.gap_mm},
+          {"polynomial_mm", record.polynomial_mm}};
+}
+
+ordered_json jointJson(const BlendJointRecord& record) {
+  return {{"joint", record.joint},     {"order", record.order},   {"beta", record.beta},
+          {"defects", record.defects}, {"remedy", record.remedy}, {"moved_mm", record.moved_mm}};
+}
+
+ordered_json frameJson(const BlendFrameRecord& record) {
+  ordered_json joints = ordered_json::array();
+  for (const BlendJointRecord& joint : record.joints) joints.push_back(jointJson(joint));
+  return {{"omega", record.omega}, {"length_mm", record.length_mm}, {"joints", joints}};
+}
+
+ordered_json lineJson(const LoftLineRecord& record) {
+  return {{"joint", record.joint},
+          {"gap_mm", figureJson(record.figures.gap_mm)},
+          {"angle_deg", figureJson(record.figures.angle_rad, degrees_per_radian)},
+          {"curvature_per_mm", figureJson(record.figures.curvature_per_mm)},
+          {"curvature_rel", figureJson(record.figures.curvature_rel)},
+          {"certified", record.figures.certified}};
+}
+
+ordered_json loftJson(const std::optional<BlendLoftRecord>& loft) {
+  if (!loft) return nullptr;
+  ordered_json lines = ordered_json::array();
+  for (const LoftLineRecord& line : loft->lines) lines.push_back(lineJson(line));
+  return {{"degree_u", loft->degree_u},
+          {"degree_v", loft->degree_v},
+          {"poles_u", loft->poles_u},
+          {"poles_v", loft->poles_v},
+          {"distance_mm", loft->distance_mm},
+          {"reached", loft->reached},
+          {"lines", lines}};
+}
+
+/// What the joints of all frames between the key curves have in common.
+struct JointSummary {
+  std::size_t count = 0, short_of_order = 0;
+  std::map<std::string, std::size_t> remedies;
+  double defect = 0, moved_mm = 0;
+};
+
+JointSummary summaryOf(const BlendReport& report) {
+  JointSummary summary;
+  for (const BlendFrameRecord& frame : report.frames)
+    for (const BlendJointRecord& joint : frame.joints) {
+      ++summary.count;
+      if (joint.order < report.order) ++summary.short_of_order;
+      ++summary.remedies[joint.remedy];
+      summary.moved_mm = std::max(summary.moved_mm, joint.moved_mm);
+      for (const double defect : joint.defects) summary.defect = std::max(summary.defect, defect);
+    }
+  return summary;
+}
+
+std::string jointsText(const BlendReport& report) {
+  const JointSummary summary = summaryOf(report);
+  if (summary.count == 0) return "no joints\n";
+  std::string text = fmt::format("{} G{}: defect at most {:.2g}",
+                                 counted(summary.count - summary.short_of_order, "joint"),
+                                 report.order, summary.defect);
+  if (summary.short_of_order > 0)
+    text += fmt::format("; {} of a lower order", counted(summary.short_of_order, "joint"));
+  text += " (";
+  bool first = true;
+  for (const auto& [remedy, count] : summary.remedies) {
+    text += fmt::format("{}{} {}", first ? "" : ", ", remedy, count);
+    first = false;
+  }
+  return text + fmt::format("), poles up to {:.3g} mm from linear blending\n", summary.moved_mm);
+}
+
+double largest(const std::vector<LoftLineRecord>& lines,
+               std::optional<Figure> SeamFigures::*figure) {
+  double result = 0;
+  for (const LoftLineRecord& line : lines)
+    if (const std::optional<Figure>& found = line.figures.*figure)
+      result = std::max(result, found->upper.value_or(HUGE_VAL));
+  return result;
+}
+
+std::string loftText(const BlendLoftRecord& loft) {
+  std::string text =
+      fmt::format("loft: degree {} x {}, {} x {} poles, {:.3g} mm from the frames", loft.degree_u,
+                  loft.degree_v, loft.poles_u, loft.poles_v, loft.distance_mm);
+  if (!loft.lines.empty())
+    text += fmt::format(
+        "; across {} of joints: angle at most {:.2g} deg, curvature difference at most {:.2g} %",
+        counted(loft.lines.size(), "line"),
+        degrees_per_radian * largest(loft.lines, &SeamFigures::angle_rad),
+        100 * largest(loft.lines, &SeamFigures::curvature_rel));
+  return text + '\n';
+}
+
+}  // namespace
+
+ordered_json toJson(const BlendReport& report) {
+  ordered_json json = headJson("seamwright.blend/1", report.inputs.front());
+  json.erase("model");
+  json["models"] = ordered_json::array();
+  for (const occ::ModelFacts& model : report.inputs) json["models"].push_back(modelJson(model));
+  json["order"] = report.order;
+  json["tolerance_mm"] = report.tolerance_mm;
+  json["match"] = report.match;
+  json["in_between"] = report.in_between;
+  json["closed"] = report.closed;
+  json["reached"] = report.reached;
+  json["output"] = outputJson(report.output);
+  json["key_curves"] = ordered_json::array();
+  for (const KeyCurveRecord& record : report.key_curves)
+    json["key_curves"].push_back(keyCurveJson(record));
+  json["frames"] = ordered_json::array();
+  for (const BlendFrameRecord& record : report.frames) json["frames"].push_back(frameJson(record));
+  json["loft"] = loftJson(report.loft);
+  json["notes"] = report.notes;
+  return json;
+}
+
+std::string toText(const BlendReport& report) {
+  std::string text =
+      fmt::format("{}{}: {} with {} each\n", counted(report.key_curves.size(), "key curve"),
+                  report.closed ? ", closed" : "", counted(report.frames.size(), "frame"),
+                  counted(report.frames.front().joints.size(), "joint"));
+  text += jointsText(report);
+  if (report.loft) text += loftText(*report.loft);
+  for (const std::string& note : report.notes) text += "  " + note + '\n';
+  if (report.output) text += report.output->path + ": " + report.output->format + '\n';
+  return text + (report.reached ? "REACHED\n" : "NOT REACHED\n");
+}
+
+}  // namespace seamwright::report
