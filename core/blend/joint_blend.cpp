@@ -17,7 +17,6 @@ namespace seamwright {
 namespace {
 
 using bernstein::text;
-using blend::JointKey;
 
 /// beta_1..beta_n of a frame, checked.
 BetaFit checkedFit(const JointFrame& frame, const std::string& name,
@@ -31,14 +30,6 @@ BetaFit checkedFit(const JointFrame& frame, const std::string& name,
     refuse(name + " has no tangent at the joint, or turns back there: beta_" +
            std::to_string(fit.beta.size() + 1) + " does not exist");
   return fit;
-}
-
-JointKey keyOf(const JointFrame& frame, const BetaFit& fit) {
-  JointKey key{.poles = blend::polesBeside(frame, static_cast<int>(fit.beta.size())),
-               .beta = fit.beta,
-               .length_mm = fit.length_mm};
-  key.speed_mm = blend::jointJet(key.poles, frame.a.degree(), frame.b.degree()).a.row(1).norm();
-  return key;
 }
 
 BezierCurve plainCurve(const BezierCurve& x, const BezierCurve& y, double omega) {
@@ -56,7 +47,7 @@ BezierCurve withPoles(const BezierCurve& curve, const HomogeneousPoles& near, bo
 blend::JointPath pathOf(const JointFrame& first, const BetaFit& fit, const JointFrame& second,
                         const BetaFit& second_fit, const JointBlendOptions& options) {
   return {{KeyInterpolation({0, 1}, KeyInterpolation::Continuity::C0),
-           {keyOf(first, fit), keyOf(second, second_fit)}},
+           {blend::keyOf(first, fit), blend::keyOf(second, second_fit)}},
           {first.a.degree(), first.b.degree()},
           options};
 }

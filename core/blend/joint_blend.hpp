@@ -32,14 +32,14 @@ struct JointBlendOptions {
   /// Curves are raised up to this degree if that makes Balanced possible. Up to 25.
   int max_degree = 20;
   /// Tangents of accepted results are at least this share of the shorter one of the key frames.
-  double least_tangent = 1e-3;
+  double least_tangent = 0.05;
   /// Balanced is accepted if it moves no pole beside the joint farther from linear blending than
   /// this, in units of L. Infinite: no bound.
   double most_departure = 1;
   /// false: betas are blended as those of Balanced. true: SmallestMove looks for the betas of the
   /// smallest move (nearestJoin()); then poles can jump from one local minimum to another.
   bool free_betas = false;
-  BalanceGuards guards;
+  BalanceGuards guards = {};
 
   /// \throws std::invalid_argument, with the value, for a number out of its range.
   void validate() const;

@@ -39,4 +39,14 @@ HomogeneousPoles polesBeside(const JointFrame& frame, int order) {
   return result;
 }
 
+JointKey keyOf(const JointFrame& frame, const BetaFit& fit) {
+  JointKey key{.poles = polesBeside(frame, static_cast<int>(fit.beta.size())),
+               .beta = fit.beta,
+               .length_mm = fit.length_mm};
+  key.far.resize(2, 3);
+  key.far << frame.a.point(0).transpose(), frame.b.point(1).transpose();
+  key.speed_mm = jointJet(key.poles, frame.a.degree(), frame.b.degree()).a.row(1).norm();
+  return key;
+}
+
 }  // namespace seamwright::blend

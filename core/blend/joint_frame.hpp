@@ -3,7 +3,9 @@
 
 #include <string>
 
+#include <seamwright/core/blend/joint_path.hpp>
 #include <seamwright/core/blend/plain_blend.hpp>
+#include <seamwright/core/join/curve/beta.hpp>
 
 /// Checks and parts of a joint in a key frame; not a public header.
 namespace seamwright::blend {
@@ -17,5 +19,8 @@ void requireMeeting(const JointFrame& frame, const std::string& name);
 
 /// Rows -n..n, the pole of a between them. \pre both degrees are at least n.
 HomogeneousPoles polesBeside(const JointFrame& frame, int order);
+
+/// The poles beside the joint with these betas, of which there are n.
+JointKey keyOf(const JointFrame& frame, const BetaFit& fit);
 
 }  // namespace seamwright::blend

@@ -189,16 +189,31 @@ void JointPath::solvePoints() {
   if (!key_faults_.empty()) points_.clear();
 }
 
+/// L of the blended curves: the shorter chord, or that of the key frames if a curve is closed.
+double JointPath::lengthAt(const HomogeneousPoles& poles, double omega) const {
+  const auto [i, share] = keys_.in_omega.interval(omega);
+  const JointKey &x = keys_.keys[i], &y = keys_.keys[i + 1];
+  const double of_keys = (1 - share) * x.length_mm + share * y.length_mm;
+  const Index n = (poles.rows() - 1) / 2;
+  const Eigen::RowVector3d joint = poles.row(n).head<3>() / poles(n, 3);
+  const Poles far =
+      combined<Poles>(keys_, omega, [&](int k) -> const Poles& { return keys_.keys[k].far; });
+  const double shorter = (far.rowwise() - joint).rowwise().stableNorm().minCoeff();
+  return shorter > 1e-12 * of_keys ? shorter : of_keys;
+}
+
 bool JointPath::isAccepted(const JointState& state, double omega) const {
   if (!state.poles.allFinite()) return false;
-  const auto [i, share] = keys_.in_omega.interval(omega);
-  const double length = (1 - share) * keys_.keys[i].length_mm + share * keys_.keys[i + 1].length_mm;
+  const double length = lengthAt(state.poles, omega);
   const JointJet jet = jointJet(state.poles, degrees_.a, degrees_.b);
   const std::vector<double> defects = jointDefects(jet, length);
   const std::vector<double> rounding = roundingDefects(state.poles, jet, length);
   for (int k = 0; k <= state.order; ++k)
-    // Errors of a handful of roundings beside those of the poles.
-    if (defects.empty() || !(defects[k] <= std::max(options_.most_defect, 8 * rounding[k])))
+    // Errors of a handful of roundings beside those of the poles. Where rounding alone exceeds what
+    // key frames may have, the joint is too sharp for its order.
+    if (defects.empty() ||
+        !(defects[k] <=
+          std::max(options_.most_defect, std::min(8 * rounding[k], options_.frame_tolerance))))
       return false;
   return true;
 }
@@ -249,10 +264,9 @@ std::optional<JointState> JointPath::balanced(double omega, Faults& faults) cons
   }
   state.tangents = {legShare(state.poles, keys_, omega, -1, 1)};
   if (!hasTangents(state.tangents, faults)) return std::nullopt;
-  const auto [i, share] = keys_.in_omega.interval(omega);
-  const double length = (1 - share) * keys_.keys[i].length_mm + share * keys_.keys[i + 1].length_mm;
   state.moved_mm = largestDistance(state.poles, plainPoles(keys_, omega));
-  if (!(state.moved_mm <= options_.most_departure * length)) return std::nullopt;
+  if (!(state.moved_mm <= options_.most_departure * lengthAt(state.poles, omega)))
+    return std::nullopt;
   return state;
 }
 

@@ -17,6 +17,7 @@ struct JointKey {
   Eigen::VectorXd beta;    ///< beta_1..beta_n
   double length_mm = 0;    ///< L
   double speed_mm = 0;     ///< |a_1|
+  Poles far = {};          ///< the other ends of both curves
 };
 
 struct JointKeys {
@@ -53,6 +54,7 @@ class JointPath {
 
   BlendRemedy remedy() const { return remedy_; }
   bool isBalanced() const { return remedy_ <= BlendRemedy::Balanced; }
+  int order() const { return static_cast<int>(keys_.keys.front().beta.size()); }
   /// At the omega of a key its poles, bitwise.
   JointState at(double omega) const;
 
@@ -67,6 +69,7 @@ class JointPath {
                    std::vector<BalanceFault>& faults) const;
   JointState intrinsic(double omega) const;
   JointState key(int i) const;
+  double lengthAt(const HomogeneousPoles& poles, double omega) const;
   bool isAccepted(const JointState& state, double omega) const;
   /// In the interval of keys i and i + 1.
   bool holds(BlendRemedy remedy, int i) const;
