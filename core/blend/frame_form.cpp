@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include <seamwright/core/bernstein/coefficients.hpp>
+#include <seamwright/core/blend/frame_form.hpp>
+#include <seamwright/core/join/curve/beta.hpp>
+#include <seamwright/core/numeric.hpp>
+
+namespace seamwright::loft {
+
+namespace {
+
+/// Bernstein coefficients, one row each; a constant has one row.
+using Bern = Eigen::MatrixXd;
+
+Bern raisedTo(Bern p, Eigen::Index degree) {
+  while (p.rows() <= degree) {
+    const Eigen::Index n = p.rows();
+    Bern q(n + 1, p.cols());
+    q.row(0) = p.row(0);
+    q.row(n) = p.row(n - 1);
+    for (Eigen::Index i = 1; i < n; ++i) {
+      const double share = static_cast<double>(i) / static_cast<double>(n);
+      q.row(i) = share * p.row(i - 1) + (1 - share) * p.row(i);
+    }
+    p = std::move(q);
+  }
+  return p;
+}
+
+Bern plus(const Bern& p, const Bern& q) {
+  const Eigen::Index degree = std::max(p.rows(), q.rows()) - 1;
+  return raisedTo(p, degree) + raisedTo(q, degree);
+}
+
+/// The product of a function with one column and any function.
+Bern times(const Bern& factor, const Bern& p) {
+  if (factor.rows() == 1) return factor(0, 0) * p;
+  if (p.rows() == 1) return factor * p;
+  const Eigen::Index m = factor.rows() - 1, n = p.rows() - 1;
+  const Eigen::VectorXd &cm = bernstein::binomials(m), &cn = bernstein::binomials(n);
+  Bern result = Bern::Zero(m + n + 1, p.cols());
+  for (Eigen::Index i = 0; i <= m; ++i)
+    for (Eigen::Index j = 0; j <= n; ++j)
+      result.row(i + j) += cm(i) * cn(j) * factor(i, 0) * p.row(j);
+  const Eigen::VectorXd& all = bernstein::binomials(m + n);
+  for (Eigen::Index i = 0; i <= m + n; ++i) result.row(i) /= all(i);
+  return result;
+}
+
+/// d! / (d - k)!
+double falling(int d, int k) {
+  double result = 1;
+  for (int i = 0; i < k; ++i) result *= d - i;
+  return result;
+}
+
+/// A joint of the shape: between the pole rows of the segments before and after it.
+struct JointAt {
+  int before, after;  ///< segments
+  Eigen::Index pole;  ///< of the joint; at the joint of a closed frame, pole 0
+  double length_before, length_after;
+};
+
+std::vector<JointAt> jointsOf(const FrameShape& shape) {
+  std::vector<JointAt> result;
+  const auto length = [&](int i) { return shape.knots[i + 1] - shape.knots[i]; };
+  const int segments = shape.segments();
+  for (int i = shape.closed ? 0 : 1; i < segments; ++i) {
+    const int before = i > 0 ? i - 1 : segments - 1;
+    result.push_back(
+        {before, i, static_cast<Eigen::Index>(i) * shape.degree, length(before), length(i)});
+  }
+  return result;
+}
+
+Poles endDerivatives(const BezierSpline& frame, int segment_index, double t, int order) {
+  return segment(frame, segment_index).derivatives(t, order);
+}
+
+/// The parameter changes of both sides, from the common jet: the speeds have a given sum, and the
+/// higher coefficients, divided by powers of the speeds, are opposite.
+struct JointChanges {
+  Eigen::VectorXd before, after;
+};
+
+JointChanges balancedChanges(const Eigen::VectorXd& beta, double sum) {
+  const Eigen::Index n = beta.size();
+  JointChanges result{Eigen::VectorXd::Zero(n), {}};
+  result.before(0) = sum / (1 + beta(0));
+  double power = beta(0);
+  for (Eigen::Index k = 1; k < n; ++k) {
+    power *= beta(0);
+    result.before(k) = -composedBeta(beta, result.before)(k) / (2 * power);
+  }
+  result.after = composedBeta(beta, result.before);
+  return result;
+}
+
+/// The common jet W_0..W_n from the derivatives of both sides, each gives one.
+Poles commonJet(const Poles& before, const Poles& after, const JointChanges& changes) {
+  return 0.5 * (betaMatrix(inverseBeta(changes.before)) * before +
+                betaMatrix(inverseBeta(changes.after)) * after);
+}
+
+class SmoothForm : public FrameForm {
+ public:
+  explicit SmoothForm(const FrameShape& shape) : shape_(shape) {}
+
+  Row numbers(const BezierSpline& frame) const override {
+    return bsplineCurve(frame, shape_.order).poles.reshaped<Eigen::RowMajor>().transpose();
+  }
+  Row smoothNumbers(const BezierSpline& curve) const override { return numbers(curve); }
+  Row smoothDerivatives(const BezierSpline& field) const override {
+    HomogeneousPoles poles = bsplineCurve(field, shape_.order).poles;
+    poles.col(3).setZero();
+    return poles.reshaped<Eigen::RowMajor>().transpose();
+  }
+  FormPoles poles(const OmegaSpline& spline) const override { return {3, spline.rows, {}}; }
+  std::vector<double> knotsAlong() const override {
+    std::vector<double> knots(static_cast<std::size_t>(shape_.degree) + 1, shape_.knots.front());
+    for (int i = 1; i < shape_.segments(); ++i)
+      knots.insert(knots.end(), static_cast<std::size_t>(shape_.degree - shape_.order),
+                   shape_.knots[i]);
+    knots.insert(knots.end(), static_cast<std::size_t>(shape_.degree) + 1, shape_.knots.back());
+    return knots;
+  }
+
+ private:
+  FrameShape shape_;
+};
+
+/// Columns: 3 for every pole that no joint makes, in the order of the poles; then for each joint
+/// W_0..W_n, 3 each, and the n coefficients of the change before and of that after it.
+class JointForm : public FrameForm {
+ public:
+  explicit JointForm(const FrameShape& shape) : shape_(shape), joints_(jointsOf(shape)) {
+    const Eigen::Index poles = static_cast<Eigen::Index>(shape.segments()) * shape.degree + 1;
+    std::vector<bool> made(static_cast<std::size_t>(poles), false);
+    for (const JointAt& joint : joints_)
+      for (int k = 0; k <= shape.order; ++k) {
+        made[poleBefore(joint, k)] = true;
+        made[poleAfter(joint, k)] = true;
+      }
+    for (Eigen::Index i = 0; i < poles; ++i)
+      if (!made[i]) free_.push_back(i);
+    columns_ = 3 * static_cast<Eigen::Index>(free_.size()) +
+               static_cast<Eigen::Index>(joints_.size()) * jointColumns();
+  }
+
+  Row numbers(const BezierSpline& frame) const override {
+    Row result = freeNumbers(frame);
+    for (std::size_t j = 0; j < joints_.size(); ++j) jointNumbers(frame, j, result);
+    return result;
+  }
+  Row smoothNumbers(const BezierSpline& curve) const override { return smoothRow(curve, 1); }
+  Row smoothDerivatives(const BezierSpline& field) const override { return smoothRow(field, 0); }
+
+  FormPoles poles(const OmegaSpline& spline) const override {
+    const int pieces = static_cast<int>(spline.breaks.size()) - 1;
+    const std::vector<bool> constant = constantChanges(spline);
+    std::vector<std::vector<Bern>> of_piece;
+    FormPoles result;
+    for (int i = 0; i < pieces; ++i) {
+      bool safe = true;
+      of_piece.push_back(piecePoles(spline.rows.middleRows(3L * i, 4), constant, safe));
+      if (!safe) result.unsafe.push_back(i);
+      for (const Bern& pole : of_piece.back())
+        result.degree = std::max(result.degree, static_cast<int>(pole.rows()) - 1);
+    }
+    const auto count = static_cast<Eigen::Index>(of_piece.front().size());
+    result.rows.setOnes(static_cast<Eigen::Index>(pieces) * result.degree + 1, 4 * count);
+    for (int i = 0; i < pieces; ++i)
+      for (Eigen::Index j = 0; j < count; ++j)
+        result.rows.block(static_cast<Eigen::Index>(i) * result.degree, 4 * j, result.degree + 1,
+                          3) = raisedTo(of_piece[i][j], result.degree);
+    return result;
+  }
+
+  std::vector<double> knotsAlong() const override {
+    std::vector<double> knots(static_cast<std::size_t>(shape_.degree) + 1, shape_.knots.front());
+    for (int i = 1; i < shape_.segments(); ++i)
+      knots.insert(knots.end(), static_cast<std::size_t>(shape_.degree), shape_.knots[i]);
+    knots.insert(knots.end(), static_cast<std::size_t>(shape_.degree) + 1, shape_.knots.back());
+    return knots;
+  }
+
+ private:
+  Eigen::Index poleBefore(const JointAt& joint, int k) const {
+    return static_cast<Eigen::Index>(joint.before + 1) * shape_.degree - k;
+  }
+  Eigen::Index poleAfter(const JointAt& joint, int k) const { return joint.pole + k; }
+  Eigen::Index jointColumns() const { return 3 + 5 * shape_.order; }
+  Eigen::Index jointColumn(std::size_t j) const {
+    return 3 * static_cast<Eigen::Index>(free_.size()) +
+           static_cast<Eigen::Index>(j) * jointColumns();
+  }
+  /// The first column of the coefficients of the change before the joint.
+  Eigen::Index changeColumn(std::size_t j) const { return jointColumn(j) + 3 * (shape_.order + 1); }
+
+  Row freeNumbers(const BezierSpline& frame) const {
+    Row result = Row::Zero(columns_);
+    for (std::size_t i = 0; i < free_.size(); ++i)
+      result.segment(3 * static_cast<Eigen::Index>(i), 3) = frame.poles.row(free_[i]).head<3>();
+    return result;
+  }
+
+  void store(std::size_t j, const Poles& jet, const JointChanges& changes, Row& result) const {
+    const Eigen::Index n = shape_.order;
+    for (Eigen::Index k = 0; k <= n; ++k) result.segment(jointColumn(j) + 3 * k, 3) = jet.row(k);
+    result.segment(changeColumn(j), n) = changes.before.transpose();
+    result.segment(changeColumn(j) + n, n) = changes.after.transpose();
+  }
+
+  void jointNumbers(const BezierSpline& frame, std::size_t j, Row& result) const {
+    const JointAt& joint = joints_[j];
+    const int n = shape_.order;
+    if (n == 0) {
+      result.segment(jointColumn(j), 3) = frame.poles.row(joint.pole).head<3>();
+      return;
+    }
+    const BetaFit fit = fitBeta(segment(frame, joint.before), segment(frame, joint.after), n);
+    if (fit.beta.size() != n)
+      refuse(fmt::format("joint {}: the tangents of its sides give no positive ratio of speeds",
+                         joint.after));
+    const JointChanges changes =
+        balancedChanges(fit.beta, joint.length_before + joint.length_after);
+    Poles jet = commonJet(endDerivatives(frame, joint.before, 1, n),
+                          endDerivatives(frame, joint.after, 0, n), changes);
+    jet.row(0) = frame.poles.row(joint.pole).head<3>();
+    store(j, jet, changes, result);
+  }
+
+  /// \param factor 1 for a curve; 0 for a derivative by omega: the parameter changes are constant
+  /// there.
+  Row smoothRow(const BezierSpline& curve, double factor) const {
+    const Eigen::Index n = shape_.order;
+    Row result = freeNumbers(curve);
+    for (std::size_t j = 0; j < joints_.size(); ++j) {
+      const JointAt& joint = joints_[j];
+      JointChanges changes{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)};
+      Poles jet = Poles::Zero(n + 1, 3);
+      if (n > 0) {
+        changes.before(0) = joint.length_before;
+        changes.after(0) = joint.length_after;
+        jet = commonJet(endDerivatives(curve, joint.before, 1, shape_.order),
+                        endDerivatives(curve, joint.after, 0, shape_.order), changes);
+        changes.before *= factor;
+        changes.after *= factor;
+      }
+      jet.row(0) = curve.poles.row(joint.pole).head<3>();
+      store(j, jet, changes, result);
+    }
+    return result;
+  }
+
+  /// Which joints have changes that are constant except for rounding: what their variation can
+  /// move is below 2^-36 of the size of the jets, about what the measure of a ratio at a joint of
+  /// short tangents rounds.
+  std::vector<bool> constantChanges(const OmegaSpline& spline) const {
+    std::vector<bool> result;
+    const double share = std::ldexp(1, -36);
+    for (std::size_t j = 0; j < joints_.size(); ++j) {
+      const auto changes = spline.rows.middleCols(changeColumn(j), 2L * shape_.order);
+      bool constant = true;
+      for (Eigen::Index c = 0; c < changes.cols(); ++c) {
+        const double spread = changes.col(c).maxCoeff() - changes.col(c).minCoeff();
+        const double size = joints_[j].length_before + joints_[j].length_after;
+        constant = constant && spread <= share * size;
+      }
+      result.push_back(constant);
+    }
+    return result;
+  }
+
+  /// B_kl of the coefficients, for 1 <= l <= k <= n, by B_kl = sum_i C(k-1, i-1) b_i B_(k-i)(l-1).
+  std::vector<std::vector<Bern>> bell(const std::vector<Bern>& b) const {
+    const auto n = static_cast<int>(b.size());
+    std::vector<std::vector<Bern>> result(n + 1, std::vector<Bern>(n + 1, Bern::Zero(1, 1)));
+    result[0][0] = Bern::Ones(1, 1);
+    for (int k = 1; k <= n; ++k)
+      for (int l = 1; l <= k; ++l)
+        for (int i = 1; i <= k - l + 1; ++i)
+          result[k][l] = plus(result[k][l], bernstein::binomials(k - 1)(i - 1) *
+                                                times(b[i - 1], result[k - i][l - 1]));
+    return result;
+  }
+
+  /// The poles that a joint makes on one side, from the derivatives B(b) W.
+  void makePoles(const std::vector<Bern>& b, const std::vector<Bern>& jet, bool before,
+                 const JointAt& joint, std::vector<Bern>& poles) const {
+    const int n = shape_.order;
+    const std::vector<std::vector<Bern>> matrix = bell(b);
+    std::vector<Bern> derivative{jet[0]};
+    for (int k = 1; k <= n; ++k) {
+      Bern sum = Bern::Zero(1, 3);
+      for (int l = 1; l <= k; ++l) sum = plus(sum, times(matrix[k][l], jet[l]));
+      derivative.push_back(std::move(sum));
+    }
+    for (int k = 0; k <= n; ++k) {
+      Bern pole = derivative[0];
+      for (int i = 1; i <= k; ++i) {
+        const double sign = before && i % 2 == 1 ? -1 : 1;
+        pole = plus(pole,
+                    sign * bernstein::binomials(k)(i) / falling(shape_.degree, i) * derivative[i]);
+      }
+      poles[before ? poleBefore(joint, k) : poleAfter(joint, k)] = std::move(pole);
+    }
+  }
+
+  std::vector<Bern> piecePoles(const Eigen::Ref<const Eigen::MatrixXd>& rows,
+                               const std::vector<bool>& constant, bool& safe) const {
+    std::vector<Bern> poles(static_cast<std::size_t>(shape_.segments()) * shape_.degree + 1);
+    for (std::size_t i = 0; i < free_.size(); ++i)
+      poles[free_[i]] = rows.middleCols(3 * static_cast<Eigen::Index>(i), 3);
+    const int n = shape_.order;
+    for (std::size_t j = 0; j < joints_.size(); ++j) {
+      std::vector<Bern> jet, before, after;
+      for (int k = 0; k <= n; ++k) jet.push_back(rows.middleCols(jointColumn(j) + 3 * k, 3));
+      const auto change = [&](Eigen::Index column) -> Bern {
+        return constant[j] ? Bern(rows.col(column).topRows(1)) : Bern(rows.col(column));
+      };
+      for (int k = 0; k < n; ++k) {
+        before.push_back(change(changeColumn(j) + k));
+        after.push_back(change(changeColumn(j) + n + k));
+      }
+      if (n > 0) safe = safe && before[0].minCoeff() > 0 && after[0].minCoeff() > 0;
+      makePoles(before, jet, true, joints_[j], poles);
+      makePoles(after, jet, false, joints_[j], poles);
+    }
+    return poles;
+  }
+
+  FrameShape shape_;
+  std::vector<JointAt> joints_;
+  std::vector<Eigen::Index> free_;
+  Eigen::Index columns_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<FrameForm> smoothForm(const FrameShape& shape) {
+  return std::make_unique<SmoothForm>(shape);
+}
+
+std::unique_ptr<FrameForm> jointForm(const FrameShape& shape) {
+  return std::make_unique<JointForm>(shape);
+}
+
+BezierSpline raised(const BezierSpline& spline, int degree) {
+  if (spline.degree >= degree) return spline;
+  std::vector<BezierCurve> segments;
+  for (int i = 0; i < spline.segments(); ++i) {
+    segments.push_back(segment(spline, i));
+    while (segments.back().degree() < degree) segments.back() = segments.back().elevated();
+  }
+  return bezierSpline(segments, spline.knots, spline.closed);
+}
+
+}  // namespace seamwright::loft
