@@ -7,8 +7,8 @@
 #include <optional>
 #include <seamwright/core/bezier/length.hpp>
 #include <seamwright/core/blend/frame_loft.hpp>
-#include <seamwright/core/blend/match_pieces.hpp>
 #include <seamwright/core/blend/spline_blend.hpp>
+#include <seamwright/occ_adapter/convert/spline_surface.hpp>
 #include <seamwright/occ_adapter/curves/space_spline.hpp>
 #include <seamwright/occ_adapter/model/write.hpp>
 #include <seamwright/plugin/cli/blend_command.hpp>
@@ -42,15 +42,14 @@ std::vector<double> evenOmegas(std::size_t count) {
   return omegas;
 }
 
-SplineBlend blendOf(const KeyCurves& input, const BlendArguments& arguments, BlendReport& report) {
+SplineBlend blendOf(const KeyCurves& input, const BlendArguments& arguments) {
   std::vector<BezierSpline> curves;
   for (const KeyCurve& key : input.curves) curves.push_back(key.curve);
-  const MatchedPieces matched = matchPieces(curves, matchOptions(arguments));
   SplineBlendOptions options;
   options.joint.order = arguments.order;
   options.continuity = continuities().at(arguments.in_between);
   options.keep_lower_orders = true;
-  return SplineBlend(matched.curves, evenOmegas(curves.size()), options);
+  return SplineBlend(curves, evenOmegas(curves.size()), options);
 }
 
 /// The length of the curve to a millionth.
@@ -273,7 +272,7 @@ int runBlend(const BlendArguments& arguments) {
   std::optional<FrameLoft> loft;
   std::vector<BezierSpline> frames;
   try {
-    const SplineBlend blend = blendOf(input, arguments, report);
+    const SplineBlend blend = blendOf(input, arguments);
     frames = framesOf(blend, arguments, report);
     report.reached = noteOrders(blend, report);
     if (arguments.loft) loft = loftOf(blend, arguments, report);

@@ -15,7 +15,7 @@ namespace seamwright::report {
 /// A key curve of a blend.
 struct KeyCurveRecord {
   std::size_t input = 0;      ///< index of its file
-  std::vector<int> edges;     ///< of a model; empty for points
+  std::vector<int> edges = {};     ///< of a model; empty for points
   std::ptrdiff_t points = 0;  ///< of a file of points; 0 for edges
   double omega = 0;
   int segments = 0;          ///< before the curves were matched
@@ -27,22 +27,22 @@ struct KeyCurveRecord {
 struct BlendJointRecord {
   int joint = 0;                ///< from 1 along the frame; of a closed one the last is its start
   int order = 0;                ///< n of the G^n that holds
-  std::vector<double> beta;     ///< beta_1..beta_n
-  std::vector<double> defects;  ///< of derivatives by arc length, times powers of the length
-  std::string remedy;
+  std::vector<double> beta = {};     ///< beta_1..beta_n
+  std::vector<double> defects = {};  ///< of derivatives by arc length, times powers of the length
+  std::string remedy = {};
   double moved_mm = 0;  ///< of poles, from linear blending
 };
 
 struct BlendFrameRecord {
   double omega = 0;
   double length_mm = 0;
-  std::vector<BlendJointRecord> joints;
+  std::vector<BlendJointRecord> joints = {};
 };
 
 /// A line of joints of the loft, with proven figures.
 struct LoftLineRecord {
   int joint = 0;
-  SeamFigures figures;
+  SeamFigures figures = {};
 };
 
 struct BlendLoftRecord {
@@ -50,7 +50,7 @@ struct BlendLoftRecord {
   int poles_u = 0, poles_v = 0;
   double distance_mm = 0;  ///< of the iso-curves from the frames, measured between stations
   bool reached = false;    ///< the distance is within the tolerance
-  std::vector<LoftLineRecord> lines;
+  std::vector<LoftLineRecord> lines = {};
 };
 
 /// A run of `seamwright curve blend`.
@@ -59,13 +59,13 @@ struct BlendReport {
   int order = 0;
   double tolerance_mm = 0;
   std::string match;
-  std::string in_between;
+  std::string in_between = {};
   bool closed = false;
-  std::vector<KeyCurveRecord> key_curves;
-  std::vector<BlendFrameRecord> frames;
-  std::optional<BlendLoftRecord> loft;
-  std::vector<std::string> notes;
-  std::optional<CurveOutput> output;
+  std::vector<KeyCurveRecord> key_curves = {};
+  std::vector<BlendFrameRecord> frames = {};
+  std::optional<BlendLoftRecord> loft = {};
+  std::vector<std::string> notes = {};
+  std::optional<CurveOutput> output = {};
 
   /// Every joint has the order asked for, or that of the key curves where it is lower, and the loft
   /// is within the tolerance.
