@@ -165,14 +165,23 @@ JointPath::JointPath(JointKeys keys, JointDegrees degrees, const JointBlendOptio
   }
 }
 
+/// The largest defect of a result, from what rounding of its poles explains.
+double JointPath::allowed(double rounding) const {
+  // Errors of a handful of roundings beside those of the poles. Where rounding alone exceeds what
+  // key frames may have, the joint is too sharp for its order.
+  return std::max(options_.most_defect, std::min(8 * rounding, options_.frame_tolerance));
+}
+
 /// Whether one set of betas fits all keys. As the equations are linear in the poles, it then fits
 /// all their combinations.
 bool JointPath::isPlain() const {
   for (const JointKey& key : keys_.keys) {
     if (!isPolynomial(keys_) && weightFault(key, degrees_).value > most_weight_defect) return false;
-    const auto defects = rowDefects(jointJet(key.poles, degrees_.a, degrees_.b),
-                                    keys_.keys.front().beta, key.length_mm);
-    if (!(*std::max_element(defects.begin(), defects.end()) <= options_.most_defect)) return false;
+    const JointJet jet = jointJet(key.poles, degrees_.a, degrees_.b);
+    const auto defects = rowDefects(jet, keys_.keys.front().beta, key.length_mm);
+    const auto rounding = roundingDefects(key.poles, jet, key.length_mm);
+    for (std::size_t k = 0; k < defects.size(); ++k)
+      if (!(defects[k] <= allowed(rounding[k + 1]))) return false;
   }
   return true;
 }
@@ -292,7 +301,7 @@ std::optional<JointState> JointPath::moved(const JointKeys& keys, double omega,
 
 JointState JointPath::intrinsic(double omega) const {
   const auto [i, share] = keys_.in_omega.interval(omega);
-  JointState state{.poles = intrinsicPoles(keys_.keys[i].poles, keys_.keys[i + 1].poles, share)};
+  JointState state{.poles = intrinsicPoles(keys_.keys[i], keys_.keys[i + 1], share)};
   state.remedy = BlendRemedy::Intrinsic;
   state.order = 1;
   state.beta = projectedBetas(jointJet(state.poles, degrees_.a, degrees_.b)).head(1);
@@ -343,7 +352,7 @@ void JointPath::addIntermediateKeys() {
     const JointKey &x = keys_.keys[i], &y = keys_.keys[i + 1];
     const double omega = (omegas.back() + keys_.in_omega.omegas()[i + 1]) / 2;
     const std::optional<Snapped> snap =
-        snapped(halfTurned(x.poles, y.poles), degrees_, blendedBetas(keys_, omega));
+        snapped(halfTurned(x, y), degrees_, blendedBetas(keys_, omega));
     if (!snap) return;
     const double speed = jointJet(snap->poles, degrees_.a, degrees_.b).a.row(1).stableNorm();
     omegas.push_back(omega);

@@ -70,6 +70,7 @@ class JointPath {
   JointState intrinsic(double omega) const;
   JointState key(int i) const;
   double lengthAt(const HomogeneousPoles& poles, double omega) const;
+  double allowed(double rounding) const;
   bool isAccepted(const JointState& state, double omega) const;
   /// In the interval of keys i and i + 1.
   bool holds(BlendRemedy remedy, int i) const;

@@ -38,7 +38,8 @@ void expectRatios(const BalanceRatios& ratios, const json& expected) {
   for (std::size_t k = 0; k < expected.size(); ++k)
     for (std::size_t j = 0; j <= k; ++j) {
       const double delta = test::number(expected[k][j]);
-      EXPECT_NEAR(ratios.delta(k, j), delta, 1e-12 * std::max(1.0, std::abs(delta))) << k << ' ' << j;
+      EXPECT_NEAR(ratios.delta(k, j), delta, 1e-12 * std::max(1.0, std::abs(delta)))
+          << k << ' ' << j;
     }
 }
 

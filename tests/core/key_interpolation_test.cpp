@@ -14,8 +14,7 @@ using Continuity = KeyInterpolation::Continuity;
 constexpr std::array continuities = {Continuity::C0, Continuity::C1, Continuity::C2};
 
 Eigen::VectorXd asVector(const std::vector<double>& values) {
-  return Eigen::Map<const Eigen::VectorXd>(values.data(),
-                                           static_cast<Eigen::Index>(values.size()));
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
 TEST(KeyInterpolation, Identities1And2WeightsReproduceLines) {

@@ -131,7 +131,8 @@ TEST(PlainBlend, Identity4BetasAreBlendedByTheRatio) {
   std::mt19937_64 random(testSeed());
   for (int i = 0; i < 200; ++i) {
     const int order = 1 + i % 2;
-    const Pair pair = pairFor(order == 1 ? Case::ParallelTangents : Case::EqualBeta1, order, random);
+    const Pair pair =
+        pairFor(order == 1 ? Case::ParallelTangents : Case::EqualBeta1, order, random);
     const PlainBlend found = plainBlend(pair.first, pair.second, order);
     const Eigen::VectorXd one = fitBeta(pair.first.a, pair.first.b, order).beta,
                           two = fitBeta(pair.second.a, pair.second.b, order).beta;
@@ -164,8 +165,8 @@ TEST(PlainBlend, VanishingTangentsAreAlwaysFound) {
     const Vec along = test::randomVector(random).normalized();
     const auto curve = [&](double length) {
       const BezierCurve a = test::randomCurve(4, CurveKind::Space, true, 1, random);
-      return BezierCurve(size * endingAlong(a, (length < 0 ? -1 : 1) * along, std::abs(length), 0)
-                                    .poles());
+      return BezierCurve(
+          size * endingAlong(a, (length < 0 ? -1 : 1) * along, std::abs(length), 0).poles());
     };
     Eigen::VectorXd beta = test::randomBeta(order, random);
     const JointFrame first = test::frameFrom(curve(1), beta, 4, CurveKind::Space, random);
@@ -186,16 +187,15 @@ TEST(PlainBlend, BadInputIsRefused) {
                       "tolerance is nan");
   JointFrame apart = good;
   apart.b = test::withMove(good.b, 0, Vec(0, 0, 1e-3));
-  test::expectRefused([&] { plainBlend(good, apart, 1); }, "the second frame: the curves are 0.001");
+  test::expectRefused([&] { plainBlend(good, apart, 1); },
+                      "the second frame: the curves are 0.001");
   JointFrame cusp = good;
   cusp.a = test::withMove(good.a, 2, (good.a.poles().row(3) - good.a.poles().row(2)).transpose());
   test::expectRefused([&] { plainBlend(cusp, good, 1); }, "the first frame has no tangent");
   const JointFrame rational = test::randomFrame(2, 3, 3, random, CurveKind::Rational);
   test::expectRefused([&] { plainBlend(good, rational, 1); }, "the second frame");
   test::expectRefused(
-      [] {
-        shortestBlend(Vec(std::numeric_limits<double>::infinity(), 0, 0), Vec::UnitX());
-      },
+      [] { shortestBlend(Vec(std::numeric_limits<double>::infinity(), 0, 0), Vec::UnitX()); },
       "a coordinate is inf");
   test::expectRefused([] { shortestBlend(Vec::UnitY(), Vec::UnitX(), -1); }, "rounding_mm is -1");
 }
