@@ -54,7 +54,8 @@ struct BlendedJoint {
   std::vector<double> defects;  ///< D_0 .. D_order, measured
   BlendRemedy remedy = BlendRemedy::Plain;
   double moved_mm = 0;  ///< largest distance of a pole from that of linear blending
-  /// Why the means before the remedy failed, as far as Balanced is concerned.
+  /// Why the means before the remedy failed, for all omega or at this one. It may be empty where a
+  /// defect or a departure is too large.
   std::vector<BalanceFault> faults = {};
 };
 
