@@ -91,10 +91,12 @@ JointBlend::JointBlend(const JointFrame& first, const JointFrame& second,
                 second_fit = checkedFit(second_, "the second frame", options);
   auto path = pathOf(first_, fit, second_, second_fit, options);
   JointFrame raised = first_, second_raised = second_;
+  JointBlendOptions strict = options;
+  strict.frame_tolerance = options.most_defect;
   while (!path.isBalanced() && std::max(degree_a, degree_b) < options.max_degree) {
     raised = blend::raised(raised, ++degree_a, ++degree_b);
     second_raised = blend::raised(second_raised, degree_a, degree_b);
-    auto next = pathOf(raised, fit, second_raised, second_fit, options);
+    auto next = pathOf(raised, fit, second_raised, second_fit, strict);
     if (!next.isBalanced()) continue;
     path = std::move(next);
     first_ = std::move(raised);

@@ -206,6 +206,7 @@ SplineBlend::SplineBlend(const std::vector<BezierSpline>& keys, const std::vecto
   const int least = degreeApart(keys.front(), orders);
   best.prepare(least, fits);
   Prepared next = best;
+  next.options.joint.frame_tolerance = options.joint.most_defect;
   for (int degree = least + 1; !next.isBalanced() && degree <= options.joint.max_degree; ++degree)
     next.prepare(degree, fits);
   prepared_ =
