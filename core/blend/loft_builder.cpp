@@ -147,6 +147,7 @@ class Builder {
           const FrameLoftOptions& options)
       : omegas_(omegas), ends_(ends), options_(options), frames_(function, omegas, options.order) {
     prepareEnds();
+    prepareZones();
     firstStations();
     if (options_.closed) {
       const double gap = poleDistance(frames_.at(omegas.lower), frames_.at(omegas.upper));
@@ -202,20 +203,44 @@ class Builder {
       refuse("the ribbons of start and end have different knots");
   }
 
+  void prepareZones() {
+    const auto share = [](const std::optional<SheetEnd>& end) {
+      return end && end->order > 0 ? end->zone : 0;
+    };
+    const double before = share(ends_.start), after = share(ends_.end);
+    if (!(before >= 0) || !(after >= 0) || !(before + after <= 1))
+      refuse(fmt::format("zones are {} and {}: shares of omega whose sum is at most 1 are needed",
+                         before, after));
+    // Zones that cover everything meet at one station.
+    inside_.lower = omegas_.lower + before * omegas_.width();
+    inside_.upper = before + after == 1 ? inside_.lower : omegas_.upper - after * omegas_.width();
+    const auto outside = [&](const char* name, const std::vector<double>& values) {
+      for (const double value : values)
+        if (!inside_.contains(value) && value != omegas_.lower && value != omegas_.upper)
+          refuse(fmt::format("{} {} is in the zone of an end: the sheet is free from {} to {}",
+                             name, value, inside_.lower, inside_.upper));
+    };
+    outside("station", options_.stations);
+    outside("kink", options_.kinks);
+  }
+
+  bool inZone(const Interval& span) const { return !inside_.contains(span.middle()); }
+
   void firstStations() {
-    stations_ = {omegas_.lower, omegas_.upper};
+    stations_ = {omegas_.lower, inside_.lower, inside_.upper, omegas_.upper};
     stations_.insert(stations_.end(), options_.stations.begin(), options_.stations.end());
     stations_.insert(stations_.end(), options_.kinks.begin(), options_.kinks.end());
     std::sort(stations_.begin(), stations_.end());
     stations_.erase(std::unique(stations_.begin(), stations_.end()), stations_.end());
     while (spans() < options_.first_spans) {
-      std::size_t longest = 0;
-      for (std::size_t i = 1; i + 1 < stations_.size(); ++i)
-        if (stations_[i + 1] - stations_[i] > stations_[longest + 1] - stations_[longest])
-          longest = i;
-      const double middle = Interval{stations_[longest], stations_[longest + 1]}.middle();
-      if (!(middle > stations_[longest] && middle < stations_[longest + 1])) return;
-      stations_.insert(stations_.begin() + static_cast<std::ptrdiff_t>(longest) + 1, middle);
+      Interval longest;
+      for (std::size_t i = 0; i + 1 < stations_.size(); ++i)
+        if (const Interval span{stations_[i], stations_[i + 1]};
+            !inZone(span) && span.width() > longest.width())
+          longest = span;
+      const double middle = longest.middle();
+      if (!(middle > longest.lower && middle < longest.upper)) return;
+      stations_.insert(std::upper_bound(stations_.begin(), stations_.end(), middle), middle);
     }
   }
 
@@ -372,17 +397,23 @@ class Builder {
 
   /// Measures the spans; returns the stations to add.
   std::vector<double> faults() {
-    result_.distance_mm = 0;
+    result_.distance_mm = result_.zone_distance_mm = 0;
     result_.proven_mm.reset();
     const bool prove = options_.derivative_bound && !rational_;
     const int checks = prove ? options_.derivative_bound->order : options_.checks;
     double proven = 0;
-    for (const double omega : stations_) note(omega);
+    for (const double omega : stations_)
+      if (inside_.contains(omega)) note(omega);
     std::vector<double> added;
     for (std::size_t i = 0; i + 1 < breaks_.size(); ++i) {
       const auto piece = static_cast<int>(i);
       const Interval span{breaks_[i], breaks_[i + 1]};
       double worst = 0;
+      if (inZone(span)) {
+        for (const double omega : nodes(span, checks))
+          result_.zone_distance_mm = std::max(result_.zone_distance_mm, distanceAt(omega));
+        continue;
+      }
       for (const double omega : nodes(span, checks)) worst = std::max(worst, note(omega));
       if (prove) worst = provenOn(piece, worst);
       proven = std::max(proven, worst);
@@ -401,9 +432,12 @@ class Builder {
     return Interval{*(above - 1), *above}.middle();
   }
 
+  double distanceAt(double omega) {
+    return poleDistance(isoCurve(result_.surface, omega, shape_.closed), frames_.at(omega));
+  }
+
   double note(double omega) {
-    const BezierSpline& frame = frames_.at(omega);
-    const double distance = poleDistance(isoCurve(result_.surface, omega, shape_.closed), frame);
+    const double distance = distanceAt(omega);
     if (distance >= result_.distance_mm) {
       result_.distance_mm = distance;
       result_.distance_at = omega;
@@ -412,6 +446,7 @@ class Builder {
   }
 
   Interval omegas_;
+  Interval inside_;  ///< between the zones of the ends
   Ends ends_;
   const FrameLoftOptions& options_;
   Frames frames_;
