@@ -32,10 +32,10 @@ EXPECTED = {
     ("core/planar/conic_spline.cpp", "std::domain_error"): (
         "singular equations of the tangents: the step is left out"
     ),
-    ("core/planar/fair_clothoids.cpp", "std::domain_error"): (
+    ("core/planar/fairing_run.cpp", "std::domain_error"): (
         "no spline through moved points: the move is not made"
     ),
-    ("core/planar/fair_clothoids.cpp", "std::invalid_argument"): (
+    ("core/planar/fairing_run.cpp", "std::invalid_argument"): (
         "moves made neighbours equal: the move is not made"
     ),
     ("core/planar/clothoid_fit.cpp", "std::domain_error"): (
