@@ -238,7 +238,7 @@ void addBlendOptions(CLI::App& command, BlendArguments& arguments) {
       .add_option(
           "--edge",
           "Edges of the model: numbers as 3 or Edge3, separated by commas; give it once for "
-          "each INPUT. Not given: the free edges, joined where they meet")
+          "each INPUT that is a model. Not given: the free edges, joined where they meet")
       ->type_name("N[,N...]")
       ->allow_extra_args(false)
       ->expected(1, -1)

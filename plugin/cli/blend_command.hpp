@@ -11,7 +11,7 @@ namespace seamwright::cli {
 /// Arguments of `seamwright curve blend`.
 struct BlendArguments {
   std::vector<std::string> inputs;
-  std::vector<EdgeList> edges;  ///< one for each input, or none
+  std::vector<EdgeList> edges;  ///< one for each model among the inputs, or none
   OutputArguments output;
   int order = 2;
   int frames = 9;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <seamwright/core/spline/nu_spline.hpp>
 #include <seamwright/core/spline/polynomial_spline.hpp>
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
@@ -78,22 +79,33 @@ void addModel(KeyCurves& result, const std::string& path, const EdgeList& edges,
   result.notes.insert(result.notes.end(), model.notes.begin(), model.notes.end());
 }
 
-void requireEdgeLists(const BlendArguments& arguments) {
-  if (arguments.edges.empty() || arguments.edges.size() == arguments.inputs.size()) return;
-  throw std::runtime_error(
-      fmt::format("--edge is given {} times for {} files: give it for none, or once for each in "
-                  "their order",
-                  arguments.edges.size(), arguments.inputs.size()));
+/// The edges of each file. Files of points take no list, unless none of the files is a model.
+std::vector<EdgeList> edgesOfInputs(const BlendArguments& arguments) {
+  std::vector<EdgeList> lists(arguments.inputs.size());
+  if (arguments.edges.empty()) return lists;
+  const auto models = static_cast<std::size_t>(
+      std::ranges::count_if(arguments.inputs, [](const auto& path) { return !isPointFile(path); }));
+  if (models == 0) lists.front() = arguments.edges.front();
+  if (models == 0) return lists;
+  if (arguments.edges.size() != models)
+    throw std::runtime_error(
+        fmt::format("--edge is given {} times for {} models: give it for none, or once for each in "
+                    "their order",
+                    arguments.edges.size(), models));
+  auto next = arguments.edges.begin();
+  for (std::size_t i = 0; i < lists.size(); ++i)
+    if (!isPointFile(arguments.inputs[i])) lists[i] = *next++;
+  return lists;
 }
 
 }  // namespace
 
 KeyCurves keyCurves(const BlendArguments& arguments) {
-  requireEdgeLists(arguments);
+  const std::vector<EdgeList> edges_of_inputs = edgesOfInputs(arguments);
   KeyCurves result;
   for (std::size_t i = 0; i < arguments.inputs.size(); ++i) {
     const std::string& path = arguments.inputs[i];
-    const EdgeList edges = arguments.edges.empty() ? EdgeList{} : arguments.edges[i];
+    const EdgeList& edges = edges_of_inputs[i];
     try {
       if (isPointFile(path))
         addPoints(result, path, edges, arguments.closed);

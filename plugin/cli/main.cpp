@@ -40,6 +40,12 @@ void keepLinesOfFooters(auto& formatter) {
     formatter.enable_footer_formatting(false);
 }
 
+/// "seamwright curve blend"
+std::string parsedCommand(const CLI::App& app) {
+  const auto below = app.get_subcommands();
+  return app.get_name() + (below.empty() ? "" : ' ' + parsedCommand(*below.front()));
+}
+
 int run(int argc, char** argv) {
   CLI::App app(
       "Finds, measures and repairs the seams of CAD models, the edges along which faces meet.",
@@ -70,6 +76,7 @@ int run(int argc, char** argv) {
   addCurveOptions(*curve, to_curve);
   CLI::App* blend = curve->add_subcommand(
       "blend", "Curves between key curves that keep the continuity of their joints, or a loft");
+  blend->footer("");  // that of `curve`, which it inherits
   BlendArguments to_blend;
   addBlendOptions(*blend, to_blend);
   // Commands inherit a footer that is set before them.
@@ -85,9 +92,7 @@ int run(int argc, char** argv) {
           "unknown command '" + std::string(argv[1]) +
           "': the commands are 'analyze', 'repair', 'fill', 'corner' and 'curve' (see 'seamwright "
           "--help')");
-    const std::string command =
-        app.get_subcommands().empty() ? "" : ' ' + app.get_subcommands().front()->get_name();
-    return complain(std::string(error.what()) + " (see 'seamwright" + command + " --help')");
+    return complain(std::string(error.what()) + " (see '" + parsedCommand(app) + " --help')");
   }
   if (fill->parsed()) return runFill(to_fill);
   if (corner->parsed()) return runCorner(to_corner);

@@ -2,6 +2,7 @@
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
+#include <seamwright/core/blend/frame_loft.hpp>
 #include <seamwright/core/bspline/surface.hpp>
 #include <seamwright/core/differential/arc_length.hpp>
 #include <seamwright/core/seam/bspline_side.hpp>
@@ -14,6 +15,8 @@
 #include <seamwright/plugin/python/joint.hpp>
 #include <seamwright/plugin/python/poles.hpp>
 #include <seamwright/plugin/report/numbers.hpp>
+#include <string>
+#include <vector>
 
 namespace seamwright::python {
 
@@ -114,6 +117,42 @@ py::object encloseSeamOf(const py::object& a, const py::object& edge_a, const py
   return enclosedSeam(figures, tolerance, judge(figures, tolerance, required));
 }
 
+SurfaceDirection lineDirectionOf(const py::object& value) {
+  const auto name = argument<std::string>("direction", value, "u or v");
+  if (name == "u") return SurfaceDirection::U;
+  if (name == "v") return SurfaceDirection::V;
+  throw py::value_error("direction is " + shown(value) + ": u or v is needed");
+}
+
+py::list encloseKnotLinesOf(const py::object& given, const py::object& direction,
+                            const py::object& closed, const py::object& level,
+                            const py::object& profile, const py::object& gap_mm,
+                            const py::object& angle_deg, const py::object& curvature_rel,
+                            const py::object& flat_radius_mm, const py::object& crease_deg) {
+  const auto& surface =
+      objectOf<BSplineSurface>("surface", itemOrSelf(given, "surface"), "a BSplineSurface");
+  const SurfaceDirection along = lineDirectionOf(direction);
+  const bool around = flagOf("closed", closed);
+  const ContinuityTolerance tolerance =
+      toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg});
+  const Level required = levelOf(level);
+  if (required == Level::G3)
+    throw py::value_error(
+        "level 'G3': the change of curvature is not enclosed; known are G0, G1 and G2");
+  const std::vector<KnotLine> lines = [&] {
+    const py::gil_scoped_release release;
+    return encloseKnotLines(surface, along, tolerance, around);
+  }();
+  py::list list;
+  for (const KnotLine& line : lines) {
+    py::dict dict;
+    dict["knot"] = line.knot;
+    dict["seam"] = enclosedSeam(line.figures, tolerance, judge(line.figures, tolerance, required));
+    list.append(resultOf("KnotLine", dict));
+  }
+  return list;
+}
+
 py::object measureJointOf(const py::object& a, const py::object& b, const py::object& order,
                           const py::object& profile, const py::object& gap_mm,
                           const py::object& angle_deg, const py::object& curvature_rel,
@@ -146,6 +185,17 @@ Edges: 'u0', 'u1', 'v0' or 'v1' of a BezierPatch or a BSplineSurface, 'l0' (from
 to P0) or 'l2' (P0 to P1) of a BezierTriangle. Points correspond by the parameter along the edge;
 reversed: by 1 minus it on b. level, at most 'G2', and the tolerances are those of Model.analyze().
 TypeError for another class of surface; ValueError for other bad arguments.)");
+  module.def("enclose_knot_lines", &encloseKnotLinesOf, py::arg("surface"),
+             py::arg("direction") = "u", py::kw_only(), py::arg("closed") = false,
+             py::arg("level") = "G2", py::arg("profile") = "default",
+             py::arg("gap_mm") = py::none(), py::arg("angle_deg") = py::none(),
+             py::arg("curvature_rel") = py::none(), py::arg("flat_radius_mm") = py::none(),
+             py::arg("crease_deg") = py::none(),
+             R"(Encloses and judges a surface along each inner knot of a direction: KnotLines.
+
+surface: a BSplineSurface, or a result that has one, such as a FrameLoft. direction: 'u' or 'v'.
+closed: also where the end meets the beginning, as the last line. Other arguments as for
+enclose_seam().)");
   module.def("arc_length_derivatives", &arcLengthDerivativesOf, py::arg("derivatives"),
              py::arg("speed_noise") = 0.0,
              "Derivatives by arc length (n+1, 3) from those by any parameter, row k of order k in "

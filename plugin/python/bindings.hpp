@@ -8,10 +8,12 @@ namespace seamwright::python {
 void bindAlpha(pybind11::module_& module);
 void bindBernstein(pybind11::module_& module);
 void bindBezier(pybind11::module_& module);
+void bindBlend(pybind11::module_& module);
 void bindCornerFillet(pybind11::module_& module);
 void bindCurveJoin(pybind11::module_& module);
 void bindCurveFairing(pybind11::module_& module);
 void bindFill(pybind11::module_& module);
+void bindFrameLoft(pybind11::module_& module);
 void bindFunctionSpline(pybind11::module_& module);
 void bindHole(pybind11::module_& module);
 void bindJoin(pybind11::module_& module);

@@ -50,6 +50,8 @@ PYBIND11_MODULE(_core, module) {
   bindSpline(module);
   bindNuSpline(module);
   bindAlpha(module);
+  bindBlend(module);
+  bindFrameLoft(module);
   bindPlanarArc(module);
   bindPlanarBiarc(module);
   bindPlanarConic(module);

@@ -46,11 +46,13 @@ Curve = Union[
     _r.FairedFunction,
     _r.MatrixFit,
     _r.FairedHermite,
+    _r.SplineFrame,
 ]
 FunctionPoints = Union[Numbers, _r.FunctionSpline, _r.FairedFunction]
 Arcs = Union[Sequence[PlanarArc], ArcChain, _r.Biarc, _r.BiarcSpline, _r.ArcFit]
 Surface = Union[BezierPatch, BezierTriangle]
-Betas = Union[Numbers, _r.BetaFit, _r.NearestCurveJoin]
+Betas = Union[Numbers, _r.BetaFit, _r.NearestCurveJoin, _r.BlendedJoint, _r.SplineJoint]
+FramePair = Union[Tuple[Curve, Curve], List[Curve]]
 Functions = Union[Dict[str, Any], _r.G1Connection, _r.ConnectionFit]
 Shape = Union[Number, _r.AlphaOptimum]
 
@@ -741,6 +743,19 @@ def principal_curvatures(jet: SurfaceJet) -> Tuple[float, float, Array, Array]: 
 def surface_shape(
     patch: Surface, u: Parameter, v: Parameter, direction: Optional[Numbers] = None
 ) -> _r.SurfaceShape: ...
+def enclose_knot_lines(
+    surface: Union[BSplineSurface, _r.FrameLoft],
+    direction: str = "u",
+    *,
+    closed: Flag = False,
+    level: str = "G2",
+    profile: str = "default",
+    gap_mm: Optional[Number] = None,
+    angle_deg: Optional[Number] = None,
+    curvature_rel: Optional[Number] = None,
+    flat_radius_mm: Optional[Number] = None,
+    crease_deg: Optional[Number] = None,
+) -> List[_r.KnotLine]: ...
 def enclose_seam(
     patch_a: Union[BezierPatch, BezierTriangle, BSplineSurface],
     edge_a: str,
@@ -1061,6 +1076,138 @@ def alpha_nearest_join(
     length: Number = 1.0,
     next_length: Number = 1.0,
 ) -> Optional[_r.AlphaNearestJoin]: ...
+
+# Blends
+
+class JointBlend:
+    def __init__(
+        self,
+        first: FramePair,
+        second: FramePair,
+        *,
+        order: Whole = 2,
+        frame_tolerance: Number = 1e-6,
+        most_defect: Number = 1e-11,
+        max_degree: Whole = 20,
+        least_tangent: Number = 0.05,
+        most_departure: Number = 1.0,
+        free_betas: Flag = False,
+    ) -> None: ...
+    def at(self, omega: Number) -> _r.BlendedJoint: ...
+    @property
+    def remedy(self) -> str: ...
+    @property
+    def degree_a(self) -> int: ...
+    @property
+    def degree_b(self) -> int: ...
+    def __getstate__(self) -> Tuple[Any, ...]: ...
+    def __setstate__(self, arg0: Tuple[Any, ...]) -> None: ...
+
+class SplineBlend:
+    def __init__(
+        self,
+        keys: Sequence[Curve],
+        omegas: Optional[Numbers] = None,
+        *,
+        order: Whole = 2,
+        continuity: str = "C0",
+        keep_lower_orders: Flag = False,
+        frame_tolerance: Number = 1e-6,
+        most_defect: Number = 1e-11,
+        max_degree: Whole = 0,
+        least_tangent: Number = 0.05,
+        most_departure: Number = 1.0,
+        free_betas: Flag = False,
+    ) -> None: ...
+    def frame_at(self, omega: Number) -> _r.SplineFrame: ...
+    @property
+    def omegas(self) -> List[float]: ...
+    @property
+    def degree(self) -> int: ...
+    @property
+    def orders(self) -> List[int]: ...
+    @property
+    def remedies(self) -> List[str]: ...
+    def __getstate__(self) -> Tuple[Any, ...]: ...
+    def __setstate__(self, arg0: Tuple[Any, ...]) -> None: ...
+
+Frames = Union[SplineBlend, Callable[[float], Curve]]
+SheetEnd = Union[None, _r.FrameRibbon, Tuple[_r.FrameRibbon, Whole]]
+
+def blend_joint(
+    first: FramePair,
+    second: FramePair,
+    omega: Number,
+    *,
+    order: Whole = 2,
+    frame_tolerance: Number = 1e-6,
+    most_defect: Number = 1e-11,
+    max_degree: Whole = 20,
+    least_tangent: Number = 0.05,
+    most_departure: Number = 1.0,
+    free_betas: Flag = False,
+) -> _r.BlendedJoint: ...
+def plain_blend(
+    first: FramePair,
+    second: FramePair,
+    order: Whole = 2,
+    *,
+    tolerance: Number = 1e-11,
+    omegas: Numbers = (),
+) -> _r.PlainBlend: ...
+def balance_ratios(beta: Betas, degree_a: Whole, degree_b: Whole) -> _r.BalanceRatios: ...
+def balance_relations(beta: Betas, degree_a: Whole, degree_b: Whole) -> Array: ...
+def auxiliary_points(
+    poles: Numbers, beta: Betas, degree_a: Whole, degree_b: Whole
+) -> _r.AuxiliaryPoints: ...
+def balanced_poles(points: Numbers, beta: Betas, degree_a: Whole, degree_b: Whole) -> Array: ...
+def frame_loft(
+    frames: Frames,
+    omegas: Optional[Numbers] = None,
+    *,
+    order: Whole = 2,
+    tolerance_mm: Number = 1e-3,
+    stations: Optional[Numbers] = None,
+    kinks: Optional[Numbers] = None,
+    closed: Flag = False,
+    first_spans: Whole = 4,
+    max_spans: Whole = 256,
+    checks: Whole = 4,
+    derivative_bound: Optional[Tuple[Whole, Number]] = None,
+    progress: Progress = None,
+) -> _r.FrameLoft: ...
+def frame_sheet(
+    frames: Frames,
+    omegas: Optional[Numbers] = None,
+    *,
+    start: SheetEnd = None,
+    end: SheetEnd = None,
+    order: Whole = 2,
+    tolerance_mm: Number = 1e-3,
+    stations: Optional[Numbers] = None,
+    kinks: Optional[Numbers] = None,
+    first_spans: Whole = 4,
+    max_spans: Whole = 256,
+    checks: Whole = 4,
+    derivative_bound: Optional[Tuple[Whole, Number]] = None,
+    progress: Progress = None,
+) -> _r.FrameLoft: ...
+def edge_ribbon(
+    surface: Union[BezierPatch, BSplineSurface, _r.FrameLoft],
+    edge: str,
+    side: str,
+    rate: Number = 1.0,
+    *,
+    reversed: Flag = False,
+    closed: Flag = False,
+) -> _r.FrameRibbon: ...
+def even_rate(
+    frames: Frames,
+    omegas: Optional[Numbers],
+    ribbon: _r.FrameRibbon,
+    side: str,
+    share: Number = 0.125,
+) -> float: ...
 
 # Fills
 
