@@ -223,12 +223,7 @@ bool JointPath::isAccepted(const JointState& state, double omega) const {
   const std::vector<double> defects = jointDefects(jet, length);
   const std::vector<double> most = allowedDefects(state.poles, jet, length);
   for (int k = 0; k <= state.order; ++k)
-    // Errors of a handful of roundings beside those of the poles. Where rounding alone exceeds what
-    // key frames may have, the joint is too sharp for its order.
-    if (defects.empty() ||
-        !(defects[k] <=
-          std::max(options_.most_defect, std::min(8 * rounding[k], options_.frame_tolerance))))
-      return false;
+    if (defects.empty() || !(defects[k] <= most[k])) return false;
   return true;
 }
 
