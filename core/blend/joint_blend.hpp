@@ -59,7 +59,7 @@ struct BlendedJoint {
   std::vector<BalanceFault> faults = {};
 };
 
-namespace blend {
+namespace blending {
 class JointPath;
 }
 
@@ -112,7 +112,7 @@ class JointBlend {
 
  private:
   JointFrame first_, second_;
-  std::shared_ptr<const blend::JointPath> path_;  ///< never changes, so copies share it
+  std::shared_ptr<const blending::JointPath> path_;  ///< never changes, so copies share it
 };
 
 /// One omega only. \throws as JointBlend does.

@@ -9,7 +9,7 @@
 #include <seamwright/core/numeric.hpp>
 #include <seamwright/core/seam/curve_joint.hpp>
 
-namespace seamwright::blend {
+namespace seamwright::blending {
 
 namespace {
 
@@ -122,4 +122,4 @@ std::vector<double> roundingDefects(const HomogeneousPoles& poles, const JointJe
   return result;
 }
 
-}  // namespace seamwright::blend
+}  // namespace seamwright::blending

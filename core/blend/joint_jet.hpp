@@ -8,7 +8,7 @@
 #include <seamwright/core/differential/jet.hpp>
 
 /// The derivatives of both curves at a joint, from the 2n + 1 poles beside it; not a public header.
-namespace seamwright::blend {
+namespace seamwright::blending {
 
 /// Derivatives of orders 0..n by the curves' own parameters; the point is the origin.
 struct JointJet {
@@ -43,4 +43,4 @@ std::vector<double> roundingDefects(const HomogeneousPoles& poles, const JointJe
 /// Poles without their weights.
 Poles pointsOf(const HomogeneousPoles& poles);
 
-}  // namespace seamwright::blend
+}  // namespace seamwright::blending

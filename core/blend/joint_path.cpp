@@ -10,7 +10,7 @@
 #include <seamwright/core/join/curve/nearest_curve.hpp>
 #include <seamwright/core/numeric.hpp>
 
-namespace seamwright::blend {
+namespace seamwright::blending {
 
 namespace {
 
@@ -387,4 +387,4 @@ JointState JointPath::at(double omega) const {
   return state;
 }
 
-}  // namespace seamwright::blend
+}  // namespace seamwright::blending

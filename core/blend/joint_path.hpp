@@ -10,7 +10,7 @@
 
 /// One joint through all key frames: the poles beside it by omega; not a public header.
 /// Source: docs/theory/curves.md C11.5 to C11.8.
-namespace seamwright::blend {
+namespace seamwright::blending {
 
 /// A joint in a key frame.
 struct JointKey {
@@ -92,4 +92,4 @@ class JointPath {
   BlendRemedy remedy_ = BlendRemedy::Intrinsic;
 };
 
-}  // namespace seamwright::blend
+}  // namespace seamwright::blending

@@ -7,7 +7,7 @@
 #include <seamwright/core/blend/turning.hpp>
 #include <seamwright/core/linear/dense.hpp>
 
-namespace seamwright::blend {
+namespace seamwright::blending {
 
 namespace {
 
@@ -159,4 +159,4 @@ HomogeneousPoles intrinsicPoles(const JointKey& first, const JointKey& second, d
   return weighted(points, (1 - share) * first.poles.col(3) + share * second.poles.col(3));
 }
 
-}  // namespace seamwright::blend
+}  // namespace seamwright::blending

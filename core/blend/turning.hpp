@@ -5,7 +5,7 @@
 
 /// Blends of joints whose tangents turn far; not a public header.
 /// Source: docs/theory/curves.md C11.7.
-namespace seamwright::blend {
+namespace seamwright::blending {
 
 /// The turn that takes the tangent direction of one joint to that of another.
 struct Turn {
@@ -27,4 +27,4 @@ HomogeneousPoles halfTurned(const JointKey& first, const JointKey& second);
 /// rate. In a plane these are the lengths and turning angles of the polygon.
 HomogeneousPoles intrinsicPoles(const JointKey& first, const JointKey& second, double share);
 
-}  // namespace seamwright::blend
+}  // namespace seamwright::blending

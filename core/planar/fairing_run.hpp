@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include <seamwright/core/planar/biarc_spline.hpp>
 #include <seamwright/core/planar/clothoid.hpp>
 #include <seamwright/core/progress.hpp>
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <seamwright/core/bezier/length.hpp>
 #include <seamwright/core/blend/frame_loft.hpp>
+#include <seamwright/core/blend/match_pieces.hpp>
 #include <seamwright/core/blend/spline_blend.hpp>
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
 #include <seamwright/occ_adapter/curves/space_spline.hpp>
@@ -42,14 +43,35 @@ std::vector<double> evenOmegas(std::size_t count) {
   return omegas;
 }
 
-SplineBlend blendOf(const KeyCurves& input, const BlendArguments& arguments) {
+MatchOptions matchOptions(const BlendArguments& arguments, bool closed) {
+  return {.by = arguments.match == "features" ? MatchBy::Features : MatchBy::Length,
+          .find_start = closed,
+          .find_direction = true};
+}
+
+std::string matchNote(const MatchSummary& summary) {
+  const auto [fewest, most] = std::ranges::minmax(summary.pieces_before);
+  std::string note =
+      fmt::format("matched: {} to {} pieces each became {}", fewest, most, summary.pieces_after);
+  if (summary.matched_features > 0)
+    note += fmt::format(", {} corners or extrema of the curvature correspond",
+                        summary.matched_features);
+  if (const auto reversed = std::ranges::count(summary.reversed, true))
+    note += fmt::format(", {} run in the other direction", reversed);
+  return note +
+         fmt::format("; shares of the length differ up to {:.3g} times", summary.largest_ratio);
+}
+
+SplineBlend blendOf(const KeyCurves& input, const BlendArguments& arguments, BlendReport& report) {
   std::vector<BezierSpline> curves;
   for (const KeyCurve& key : input.curves) curves.push_back(key.curve);
+  const MatchedFrames matched = matchPieces(curves, matchOptions(arguments, report.closed));
+  report.notes.push_back(matchNote(matched.summary));
   SplineBlendOptions options;
   options.joint.order = arguments.order;
   options.continuity = continuities().at(arguments.in_between);
   options.keep_lower_orders = true;
-  return SplineBlend(curves, evenOmegas(curves.size()), options);
+  return SplineBlend(matched.frames, evenOmegas(curves.size()), options);
 }
 
 /// The length of the curve to a millionth.
@@ -272,7 +294,7 @@ int runBlend(const BlendArguments& arguments) {
   std::optional<FrameLoft> loft;
   std::vector<BezierSpline> frames;
   try {
-    const SplineBlend blend = blendOf(input, arguments);
+    const SplineBlend blend = blendOf(input, arguments, report);
     frames = framesOf(blend, arguments, report);
     report.reached = noteOrders(blend, report);
     if (arguments.loft) loft = loftOf(blend, arguments, report);
