@@ -16,12 +16,6 @@ namespace {
 /// all frames are cut at the same share.
 constexpr double length_share = 1e-9;
 
-double polygonLength(const BezierCurve& curve) {
-  const Poles poles = curve.poles();
-  const Eigen::Index edges = poles.rows() - 1;
-  return (poles.bottomRows(edges) - poles.topRows(edges)).rowwise().norm().sum();
-}
-
 /// The parts of a curve between increasing parameters inside of 0..1.
 std::vector<BezierCurve> parts(BezierCurve curve, const std::vector<double>& at) {
   std::vector<BezierCurve> result;
