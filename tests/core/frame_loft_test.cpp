@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include <numbers>
 
 #include <seamwright/core/blend/frame_loft.hpp>
