@@ -27,7 +27,7 @@ struct Features {
 /// \param planar take the signed curvature. \pre then the frame lies in z = 0.
 Features featuresOf(const Measured& frame, bool planar, double corner_rad);
 
-/// Pairs of indices in order that cost least. Source: docs/theory/curves.md C11.2.
+/// Pairs of indices in order that cost least. Source: docs/theory/curves.md C12.2.
 std::vector<std::pair<int, int>> matchedFeatures(const std::vector<Feature>& a,
                                                  const std::vector<Feature>& b, double reach);
 

@@ -20,14 +20,20 @@ namespace {
 
 using Splines = std::vector<BezierSpline>;
 
+/// Does the work; names the frame in what it refuses.
+template <class Work>
+auto naming(std::size_t frame, const Work& work) {
+  try {
+    return work();
+  } catch (const std::invalid_argument& fault) {
+    refuse(fmt::format("frame {}: {}", frame, fault.what()));
+  }
+}
+
 void requireFrames(const Splines& frames) {
   if (frames.size() < 2) refuse(fmt::format("frames {}: at least 2 are needed", frames.size()));
   for (std::size_t f = 0; f < frames.size(); ++f) {
-    try {
-      requireValid(frames[f]);
-    } catch (const std::invalid_argument& fault) {
-      refuse(fmt::format("frame {}: {}", f, fault.what()));
-    }
+    naming(f, [&] { requireValid(frames[f]); });
     if (frames[f].closed != frames[0].closed)
       refuse(fmt::format("frame {} is {}, frame 0 is {}", f, frames[f].closed ? "closed" : "open",
                          frames[0].closed ? "closed" : "open"));
@@ -69,20 +75,17 @@ void requireOptions(const Splines& frames, const MatchOptions& options) {
 }
 
 Measured measured(const BezierSpline& frame, std::size_t index) {
-  try {
-    return Measured(frame);
-  } catch (const std::invalid_argument& fault) {
-    refuse(fmt::format("frame {}: {}", index, fault.what()));
-  }
+  return naming(index, [&] { return Measured(frame); });
 }
 
-/// Points at equal shares of the length, about their mean.
+/// Points at equal shares of the length, about their mean. They are only compared, so that a
+/// thousandth of a piece is precise enough.
 Poles samples(const Measured& frame, int count) {
   const bool closed = frame.spline().closed;
   Poles result(count, 3);
   for (int i = 0; i < count; ++i)
     result.row(i) =
-        frame.point(frame.placeAt(static_cast<double>(i) / (closed ? count : count - 1)));
+        frame.point(frame.placeAt(static_cast<double>(i) / (closed ? count : count - 1), 1e-3));
   return result.rowwise() - result.colwise().mean();
 }
 

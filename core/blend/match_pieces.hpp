@@ -84,7 +84,7 @@ struct MatchedFrames {
 /// (with its index), open and closed frames together, a piece without length (with frame and
 /// piece), and options out of range: closeness and reach 0 to 1/2, counts, order and range of given
 /// parameters.
-/// Source: docs/theory/curves.md C11.1, C11.2.
+/// Source: docs/theory/curves.md C12.1, C12.2.
 MatchedFrames matchPieces(const std::vector<BezierSpline>& frames,
                           const MatchOptions& options = {});
 

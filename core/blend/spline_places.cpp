@@ -12,8 +12,7 @@ namespace seamwright::match {
 
 namespace {
 
-/// Share of a length to which it is measured. Places are chosen, so that more is not needed, and
-/// all frames are cut at the same share.
+/// Share of a length to which it is measured: places are a choice, so that more is not needed.
 constexpr double length_share = 1e-9;
 
 /// The parts of a curve between increasing parameters inside of 0..1.
@@ -40,25 +39,26 @@ Measured::Measured(BezierSpline spline) : spline_(std::move(spline)), sums_{0} {
     if (!(length > 0) || !(sums_.back() + length > sums_.back()))
       refuse(fmt::format("piece {} has the length {} mm", i, length));
     sums_.push_back(sums_.back() + length);
+    sizes_.push_back(size);
   }
 }
 
 double Measured::shareAt(const Place& place) const {
   if (place.t == 0) return share(place.piece);
   const BezierCurve& curve = pieces_[place.piece];
-  const double length = arcLength(curve, length_share * polygonLength(curve), 0, place.t).value_mm;
+  const double length = arcLength(curve, length_share * sizes_[place.piece], 0, place.t).value_mm;
   return std::min((sums_[place.piece] + length) / sums_.back(), share(place.piece + 1));
 }
 
-Place Measured::placeAt(double share) const {
+Place Measured::placeAt(double share, double precision) const {
   const double length = share * sums_.back();
   const auto above = std::upper_bound(sums_.begin() + 1, sums_.end() - 1, length);
   const auto piece = static_cast<int>(above - sums_.begin()) - 1;
-  const BezierCurve& curve = pieces_[piece];
-  const double tolerance = length_share * polygonLength(curve);
-  const double whole = arcLength(curve, tolerance).lower_mm;
+  const double tolerance = precision * sizes_[piece];
+  const double whole = arcLength(pieces_[piece], tolerance).value_mm;
   const double inside = std::clamp(length - sums_[piece], 0.0, whole);
-  return {piece, parameterAtLength(curve, inside, tolerance)};
+  if (inside == 0 || inside == whole) return {piece, inside == 0 ? 0.0 : 1.0};
+  return {piece, parameterAtLength(pieces_[piece], inside, tolerance)};
 }
 
 Place Measured::placeOf(double parameter) const {

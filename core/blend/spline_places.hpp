@@ -24,7 +24,8 @@ class Measured {
   /// The share of the length up to the beginning of piece i, i = 0 .. segments.
   double share(int i) const { return sums_[i] / sums_.back(); }
   double shareAt(const Place& place) const;
-  Place placeAt(double share) const;
+  /// \param precision share of the piece's length up to which the place is found.
+  Place placeAt(double share, double precision = 1e-9) const;
   /// The place of a parameter by the knots.
   Place placeOf(double parameter) const;
   Eigen::Vector3d point(const Place& place) const;
@@ -32,7 +33,8 @@ class Measured {
  private:
   BezierSpline spline_;
   std::vector<BezierCurve> pieces_;
-  std::vector<double> sums_;  ///< of lengths
+  std::vector<double> sums_;   ///< of lengths
+  std::vector<double> sizes_;  ///< lengths of the control polygons
 };
 
 /// The same curve with joints at these places, which increase; places at joints change nothing.
