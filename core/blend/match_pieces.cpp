@@ -6,6 +6,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include <seamwright/core/blend/correspondence.hpp>
 #include <seamwright/core/blend/frame_features.hpp>
 #include <seamwright/core/blend/frame_form.hpp>
 #include <seamwright/core/blend/match_pieces.hpp>
@@ -182,12 +183,6 @@ Splines turned(const Splines& frames, const MatchOptions& options, MatchSummary&
   return result;
 }
 
-/// A place that is the same in all frames.
-struct Anchor {
-  std::vector<Place> places;   ///< one for each frame
-  std::vector<double> shares;  ///< likewise
-};
-
 /// A feature beside a joint is at the joint.
 Feature snapped(const Measured& frame, Feature feature, double closeness) {
   for (int i = 1; i < frame.spline().segments(); ++i)
@@ -297,24 +292,6 @@ std::vector<CommonJoint> linked(const std::vector<OwnJoint>& joints, std::size_t
   return result;
 }
 
-/// The common places of anchors, with those of both ends, and in each frame.
-struct Scale {
-  std::vector<double> common;
-  std::vector<std::vector<double>> of_frame;
-};
-
-Scale scaleOf(const std::vector<Anchor>& anchors, std::size_t frames) {
-  Scale result{{0}, std::vector<std::vector<double>>(frames, {0})};
-  for (const Anchor& anchor : anchors) {
-    const double sum = std::accumulate(anchor.shares.begin(), anchor.shares.end(), 0.0);
-    result.common.push_back(sum / static_cast<double>(frames));
-    for (std::size_t f = 0; f < frames; ++f) result.of_frame[f].push_back(anchor.shares[f]);
-  }
-  result.common.push_back(1);
-  for (std::vector<double>& shares : result.of_frame) shares.push_back(1);
-  return result;
-}
-
 /// The joints that no anchor makes, between the anchors.
 std::vector<OwnJoint> ownJoints(const std::vector<Measured>& frames,
                                 const std::vector<Anchor>& anchors, const Scale& scale) {
@@ -385,26 +362,42 @@ double largestRatio(const Splines& frames) {
 
 }  // namespace
 
+Correspondence corresponding(const std::vector<BezierSpline>& frames, const MatchOptions& options,
+                             MatchSummary& summary) {
+  requireFrames(frames);
+  requireOptions(frames, options);
+  for (const BezierSpline& frame : frames) summary.pieces_before.push_back(frame.segments());
+  const Splines start = turned(frames, options, summary);
+  Correspondence result;
+  for (std::size_t f = 0; f < start.size(); ++f) result.frames.push_back(measured(start[f], f));
+  if (options.by == MatchBy::Features)
+    result.anchors = featureAnchors(result.frames, options, summary);
+  if (options.by == MatchBy::Given) result.anchors = givenAnchors(result.frames, frames, options);
+  summary.matched_features = static_cast<int>(result.anchors.size());
+  return result;
+}
+
+Scale scaleOf(const std::vector<Anchor>& anchors, std::size_t frames) {
+  Scale result{{0}, std::vector<std::vector<double>>(frames, {0})};
+  for (const Anchor& anchor : anchors) {
+    const double sum = std::accumulate(anchor.shares.begin(), anchor.shares.end(), 0.0);
+    result.common.push_back(sum / static_cast<double>(frames));
+    for (std::size_t f = 0; f < frames; ++f) result.of_frame[f].push_back(anchor.shares[f]);
+  }
+  result.common.push_back(1);
+  for (std::vector<double>& shares : result.of_frame) shares.push_back(1);
+  return result;
+}
+
 }  // namespace match
 
 MatchedFrames matchPieces(const std::vector<BezierSpline>& frames, const MatchOptions& options) {
   using namespace match;
-  match::requireFrames(frames);
-  match::requireOptions(frames, options);
   MatchedFrames result;
   MatchSummary& summary = result.summary;
+  const auto [all, anchors] = corresponding(frames, options, summary);
   int degree = 0;
-  for (const BezierSpline& frame : frames) {
-    summary.pieces_before.push_back(frame.segments());
-    degree = std::max(degree, frame.degree);
-  }
-  const Splines start = turned(frames, options, summary);
-  std::vector<Measured> all;
-  for (std::size_t f = 0; f < start.size(); ++f) all.push_back(measured(start[f], f));
-  std::vector<Anchor> anchors;
-  if (options.by == MatchBy::Features) anchors = featureAnchors(all, options, summary);
-  if (options.by == MatchBy::Given) anchors = givenAnchors(all, frames, options);
-  summary.matched_features = static_cast<int>(anchors.size());
+  for (const BezierSpline& frame : frames) degree = std::max(degree, frame.degree);
   const Scale scale = scaleOf(anchors, all.size());
   const std::vector<CommonJoint> joints =
       commonJoints(ownJoints(all, anchors, scale), scale, all.size(), options.closeness);

@@ -21,6 +21,7 @@ class Measured {
   explicit Measured(BezierSpline spline);
 
   const BezierSpline& spline() const { return spline_; }
+  double length_mm() const { return sums_.back(); }
   /// The share of the length up to the beginning of piece i, i = 0 .. segments.
   double share(int i) const { return sums_[i] / sums_.back(); }
   double shareAt(const Place& place) const;
