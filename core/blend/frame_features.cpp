@@ -31,25 +31,111 @@ void addCorners(const Measured& frame, double corner_rad, std::vector<Feature>& 
       all.push_back({FeatureKind::Corner, {i, 0}, frame.share(i)});
 }
 
-}  // namespace
+/// The curvature at a place of a run between corners.
+struct CurvaturePoint {
+  Place place;
+  double share = 0;
+  double curvature_per_mm = 0;
+};
 
-Features featuresOf(const Measured& frame, bool planar, double corner_rad) {
-  Features result;
-  addCorners(frame, corner_rad, result.all);
-  for (int i = 0; i < frame.spline().segments(); ++i) {
-    const BezierCurve curve = segment(frame.spline(), i);
-    try {
-      const CurvatureProfile profile =
-          planar ? planarCurvatureProfile(curve) : spaceCurvatureProfile(curve);
-      for (const CurvatureExtremum& extremum : profile.extrema) {
-        const Place place{i, extremum.parameters.middle()};
-        result.all.push_back({extremum.maximum ? FeatureKind::Maximum : FeatureKind::Minimum, place,
-                              frame.shareAt(place)});
+double curvatureAt(const BezierCurve& curve, double t, bool planar) {
+  const CurveDerivatives d = curve.derivatives(t, 2);
+  const Eigen::Vector3d first = d.row(1), second = d.row(2), normal = first.cross(second);
+  const double speed = first.norm();
+  return (planar ? normal.z() : normal.norm()) / (speed * speed * speed);
+}
+
+/// The curvature at both ends of piece i and at its extrema.
+std::vector<CurvaturePoint> pointsOf(const Measured& frame, int i, bool planar) {
+  const BezierCurve curve = segment(frame.spline(), i);
+  const CurvatureProfile profile =
+      planar ? planarCurvatureProfile(curve) : spaceCurvatureProfile(curve);
+  std::vector<CurvaturePoint> points = {{{i, 0}, frame.share(i), curvatureAt(curve, 0, planar)}};
+  for (const CurvatureExtremum& extremum : profile.extrema) {
+    const Place place{i, extremum.parameters.middle()};
+    points.push_back({place, frame.shareAt(place), extremum.curvature_per_mm});
+  }
+  points.push_back({{i + 1, 0}, frame.share(i + 1), curvatureAt(curve, 1, planar)});
+  return points;
+}
+
+/// The ends of a run and its local extrema.
+std::vector<CurvaturePoint> turningPoints(const std::vector<CurvaturePoint>& run) {
+  std::vector<CurvaturePoint> result;
+  for (const CurvaturePoint& point : run) {
+    const std::size_t n = result.size();
+    const double rise = n > 0 ? point.curvature_per_mm - result[n - 1].curvature_per_mm : 1;
+    if (rise == 0) continue;
+    const bool goes_on =
+        n > 1 && (result[n - 1].curvature_per_mm > result[n - 2].curvature_per_mm) == (rise > 0);
+    if (goes_on) result.pop_back();
+    result.push_back(point);
+  }
+  return result;
+}
+
+/// Leaves out extrema that differ from a neighbour by less than that, the least prominent first.
+void dropFaint(std::vector<CurvaturePoint>& turns, double prominence_per_mm) {
+  while (turns.size() > 2) {
+    std::size_t at = 1;
+    double least = infinite;
+    for (std::size_t k = 1; k < turns.size(); ++k)
+      if (const double step = std::abs(turns[k].curvature_per_mm - turns[k - 1].curvature_per_mm);
+          step < least) {
+        least = step;
+        at = k;
       }
+    if (!(least < prominence_per_mm)) return;
+    // The ends stay; beside an end only the extremum goes.
+    const std::size_t first = at > 1 ? at - 1 : at;
+    const std::size_t last = at + 1 < turns.size() ? at : at - 1;
+    if (first > last) return;
+    turns.erase(turns.begin() + static_cast<std::ptrdiff_t>(first),
+                turns.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+  }
+}
+
+/// The curvature along the runs between corners. Pieces of unknown curvature have none.
+std::vector<std::vector<CurvaturePoint>> runsOf(const Measured& frame, bool planar,
+                                                const std::vector<Feature>& corners,
+                                                int& unknown_pieces) {
+  std::vector<std::vector<CurvaturePoint>> runs(1);
+  for (int i = 0; i < frame.spline().segments(); ++i) {
+    const bool corner = std::any_of(corners.begin(), corners.end(), [&](const Feature& feature) {
+      return feature.place.piece == i;
+    });
+    if (corner) runs.emplace_back();
+    try {
+      for (const CurvaturePoint& point : pointsOf(frame, i, planar)) runs.back().push_back(point);
     } catch (const std::domain_error&) {
       // The curve may stop in this piece.
-      ++result.unknown_pieces;
+      ++unknown_pieces;
     }
+  }
+  return runs;
+}
+
+}  // namespace
+
+Features featuresOf(const Measured& frame, bool planar, const FeatureOptions& options) {
+  Features result;
+  addCorners(frame, options.corner_rad, result.all);
+  std::vector<std::vector<CurvaturePoint>> runs =
+      runsOf(frame, planar, result.all, result.unknown_pieces);
+  double least = infinite, most = -infinite;
+  for (const std::vector<CurvaturePoint>& run : runs)
+    for (const CurvaturePoint& point : run) {
+      least = std::min(least, point.curvature_per_mm);
+      most = std::max(most, point.curvature_per_mm);
+    }
+  for (const std::vector<CurvaturePoint>& run : runs) {
+    std::vector<CurvaturePoint> turns = turningPoints(run);
+    dropFaint(turns, options.prominence * (most - least));
+    for (std::size_t k = 1; k + 1 < turns.size(); ++k)
+      result.all.push_back({turns[k].curvature_per_mm > turns[k - 1].curvature_per_mm
+                                ? FeatureKind::Maximum
+                                : FeatureKind::Minimum,
+                            turns[k].place, turns[k].share});
   }
   std::stable_sort(result.all.begin(), result.all.end(),
                    [](const Feature& a, const Feature& b) { return a.share < b.share; });

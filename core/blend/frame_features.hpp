@@ -23,9 +23,14 @@ struct Features {
   int unknown_pieces = 0;
 };
 
-/// Corners, and the extrema of the curvature inside of pieces.
+struct FeatureOptions {
+  double corner_rad = 0;  ///< joints that turn by more are corners
+  double prominence = 0;  ///< share of the range of the curvature by which extrema stand out
+};
+
+/// Corners, and the extrema of the curvature between them, in pieces and at joints.
 /// \param planar take the signed curvature. \pre then the frame lies in z = 0.
-Features featuresOf(const Measured& frame, bool planar, double corner_rad);
+Features featuresOf(const Measured& frame, bool planar, const FeatureOptions& options);
 
 /// Pairs of indices in order that cost least. Source: docs/theory/curves.md C12.2.
 std::vector<std::pair<int, int>> matchedFeatures(const std::vector<Feature>& a,

@@ -64,8 +64,9 @@ void requireGiven(const Splines& frames, const MatchOptions& options) {
 }
 
 void requireOptions(const Splines& frames, const MatchOptions& options) {
-  for (const auto& [name, value] :
-       {std::pair{"closeness", options.closeness}, {"reach", options.reach}})
+  for (const auto& [name, value] : {std::pair{"closeness", options.closeness},
+                                    {"reach", options.reach},
+                                    {"prominence", options.prominence}})
     if (!(value >= 0 && value <= 0.5))
       refuse(fmt::format("{} is {}: 0 to 1/2 is possible", name, value));
   if (!(options.corner_rad > 0)) refuse(fmt::format("corner_rad is {}", options.corner_rad));
@@ -209,7 +210,7 @@ std::vector<Anchor> featureAnchors(const std::vector<Measured>& frames, const Ma
     planar = planar && (frame.spline().poles.col(2).array() == 0).all();
   std::vector<std::vector<Feature>> all;
   for (const Measured& frame : frames) {
-    Features features = featuresOf(frame, planar, options.corner_rad);
+    Features features = featuresOf(frame, planar, {options.corner_rad, options.prominence});
     summary.features.push_back(static_cast<int>(features.all.size()));
     summary.unknown_pieces += features.unknown_pieces;
     all.push_back(std::move(features.all));

@@ -29,6 +29,10 @@ struct MatchOptions {
   bool find_direction = false;
   /// MatchBy::Features: joints whose tangents turn by more are corners.
   double corner_rad = 10 * radians_per_degree;
+  /// MatchBy::Features: an extremum of the curvature counts if it differs from its neighbours by
+  /// this share of the range of the curvature of its frame. Fainter ones are left out in pairs, the
+  /// faintest first.
+  double prominence = 0.1;
   /// MatchBy::Features: features whose places differ by more than this share are not matched.
   double reach = 0.2;
 };
@@ -76,15 +80,14 @@ struct MatchedFrames {
 ///       frames reverses the result.
 /// Frames keep knots of their own; those of new joints divide the old interval.
 ///
-/// The features are joints that turn by more than corner_rad, and the certain extrema of the
-/// curvature inside of pieces: signed for frames that lie in z = 0, otherwise of the curvature in
-/// space. They are matched in order, and only of one kind, such that the sum of costs is least:
-/// displacement by reach for a pair, 1/2 for each feature that is left alone, 2 for a corner.
-/// \throws std::invalid_argument for fewer than two frames, a frame that requireValid() refuses
-/// (with its index), open and closed frames together, a piece without length (with frame and
-/// piece), and options out of range: closeness and reach 0 to 1/2, counts, order and range of given
-/// parameters.
-/// Source: docs/theory/curves.md C12.1, C12.2.
+/// The features are joints that turn by more than corner_rad, and the extrema of the curvature
+/// between them, in pieces and at joints: signed for frames that lie in z = 0, otherwise of the
+/// curvature in space. They are matched in order, and only of one kind, such that the sum of costs
+/// is least: displacement by reach for a pair, 1/2 for each feature that is left alone, 2 for a
+/// corner. \throws std::invalid_argument for fewer than two frames, a frame that requireValid()
+/// refuses (with its index), open and closed frames together, a piece without length (with frame
+/// and piece), and options out of range: closeness, reach and prominence 0 to 1/2, counts, order
+/// and range of given parameters. Source: docs/theory/curves.md C12.1, C12.2.
 MatchedFrames matchPieces(const std::vector<BezierSpline>& frames,
                           const MatchOptions& options = {});
 
