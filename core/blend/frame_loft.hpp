@@ -27,6 +27,9 @@ struct FrameDerivativeBound {
 struct FrameLoftOptions {
   /// n, 0 to 4: the surface is G^n across the lines of joints.
   int order = 2;
+  /// The order of each joint, up to \p order, as measureJoints() has them: corners of the frames
+  /// stay corners. Empty: \p order at all joints.
+  std::vector<int> joint_orders = {};
   /// A span is halved while the distance of a frame from its iso-curve is > tolerance_mm.
   double tolerance_mm = 1e-3;
   /// The iso-curves at these omegas, and those at the ends, are the frames except for rounding.

@@ -45,7 +45,7 @@ BezierCurve withPoles(const BezierCurve& curve, const HomogeneousPoles& near, bo
 }
 
 blending::JointPath pathOf(const JointFrame& first, const BetaFit& fit, const JointFrame& second,
-                        const BetaFit& second_fit, const JointBlendOptions& options) {
+                           const BetaFit& second_fit, const JointBlendOptions& options) {
   return {{KeyInterpolation({0, 1}, KeyInterpolation::Continuity::C0),
            {blending::keyOf(first, fit), blending::keyOf(second, second_fit)}},
           {first.a.degree(), first.b.degree()},
