@@ -399,6 +399,7 @@ std::optional<FairedCurve> fairerSpline(const BSplineCurve& spline, double toler
 }
 
 void noteKept(report::CurveRecord& record, int kept, int not_fairer) {
+  record.with_reservations = not_fairer > 0;
   if (kept > 0)
     record.notes.push_back(fmt::format(
         "{} curve{} as given: only polynomial B-splines of degree 2 and more are faired", kept,
@@ -589,7 +590,7 @@ MadeCurve madeCurve(const std::string& method, const GivenCurve& given, const Cu
   if (!local.origin.isZero(0)) moveBack(made, local);
   const bool has_notes = !made.record.notes.empty(), added = noteAdded(made.record);
   // Arcs have jumps of the curvature, which nobody takes for a fair curve.
-  made.record.with_reservations = method != "arcs" && (added || (method == "conic" && has_notes));
+  made.record.with_reservations |= method != "arcs" && (added || (method == "conic" && has_notes));
   noteRounding(made.record, local.given);
   return made;
 }
