@@ -178,10 +178,13 @@ std::vector<double> JointPath::allowedDefects(const HomogeneousPoles& poles, con
 }
 
 /// Whether one set of betas fits all keys. As the equations are linear in the poles, it then fits
-/// all their combinations.
+/// all their combinations: in the points if weights are equal, otherwise in the homogeneous poles.
 bool JointPath::isPlain() const {
+  const bool equal_weights = std::all_of(
+      keys_.keys.begin(), keys_.keys.end(),
+      [&](const JointKey& key) { return key.poles.col(3) == keys_.keys.front().poles.col(3); });
   for (const JointKey& key : keys_.keys) {
-    if (!isPolynomial(keys_) && weightFault(key, degrees_).value > most_weight_defect) return false;
+    if (!equal_weights && weightFault(key, degrees_).value > most_weight_defect) return false;
     const JointJet jet = jointJet(key.poles, degrees_.a, degrees_.b);
     const auto defects = rowDefects(jet, keys_.keys.front().beta, key.length_mm);
     const auto most = allowedDefects(key.poles, jet, key.length_mm);
