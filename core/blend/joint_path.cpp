@@ -146,12 +146,14 @@ double largestDistance(const HomogeneousPoles& x, const HomogeneousPoles& y) {
   return (pointsOf(x) - pointsOf(y)).rowwise().stableNorm().maxCoeff();
 }
 
-JointPath::JointPath(JointKeys keys, JointDegrees degrees, const JointBlendOptions& options)
+JointPath::JointPath(JointKeys keys, JointDegrees degrees, const JointBlendOptions& options,
+                     BlendRemedy last)
     : keys_(std::move(keys)), degrees_(degrees), options_(options) {
   plain_ = isPlain();
   solvePoints();
   for (const BlendRemedy remedy : {BlendRemedy::Plain, BlendRemedy::Balanced,
                                    BlendRemedy::SmallestMove, BlendRemedy::IntermediateFrame}) {
+    if (remedy > last) break;
     if (remedy == BlendRemedy::IntermediateFrame) addIntermediateKeys();
     Faults faults;
     if (holds(remedy, faults)) {
