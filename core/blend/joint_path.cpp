@@ -31,7 +31,7 @@ template <class Values, class Of>
 Values combined(const JointKeys& keys, double omega, Of of) {
   const Eigen::VectorXd weights = keys.in_omega.weights(omega);
   const int base = keys.in_omega.interval(omega).first;
-  const Values first = of(base);
+  const Values& first = of(base);
   Values result = first;
   for (int k = 0; k < keys.in_omega.keys(); ++k)
     if (k != base && weights(k) != 0) result += weights(k) * (of(k) - first);

@@ -131,12 +131,12 @@ TEST(JointBlend, Identity2JointsHaveTheOrder) {
   std::mt19937_64 random(testSeed());
   std::array<int, 5> remedies{};
   int above = 0, joints = 0;
-  for (int i = 0; i < 216; ++i) {
+  for (int i = 0; i < 396; ++i) {
     const int n = 1 + i % 6, m = n + i / 6 % 3, mb = n + i / 18 % 3;
     const CurveKind kind = i % 5 == 0 ? CurveKind::Planar : CurveKind::Space;
     JointBlend blend(cleanFrame(n, m, mb, random, kind), cleanFrame(n, m, mb, random, kind),
                      ofOrder(n));
-    for (const double omega : {0.11, 0.5, 0.73}) {
+    for (const double omega : {0.03, 0.11, 0.38, 0.5, 0.73}) {
       const BlendedJoint joint = blend.at(omega);
       ++joints;
       ++remedies.at(static_cast<std::size_t>(joint.remedy));
@@ -266,6 +266,26 @@ TEST(JointBlend, Identity7OppositeTangentsGetARemedy) {
     }
   }
   EXPECT_EQ(lost, 300);
+}
+
+/// With all means allowed, at many omegas.
+TEST(JointBlend, TangentsNeverVanish) {
+  std::mt19937_64 random(testSeed());
+  for (int i = 0; i < 60; ++i) {
+    const int n = 1 + i % 4, m = n + 1 + i % 3;
+    const JointFrame first = test::randomFrame(n, m, m, random);
+    const JointFrame second = opposite(first, test::logUniform(random, -0.5, 0.5), n, random);
+    const JointBlend blend(first, second, ofOrder(n));
+    const auto across = [](const BezierCurve& a, const BezierCurve& b) {
+      return (b.poles().row(1) - a.poles().row(a.degree() - 1)).norm();
+    };
+    const BlendedJoint begin = blend.at(0), end = blend.at(1);
+    const double least = 0.05 * std::min(across(begin.a, begin.b), across(end.a, end.b));
+    for (int k = 1; k < 25; ++k) {
+      const BlendedJoint joint = blend.at(k / 25.0);
+      EXPECT_GT(across(joint.a, joint.b), least) << i << ' ' << k << ' ' << nameOf(joint.remedy);
+    }
+  }
 }
 
 /// n = 1: the tangent is that from P_-1 to P_1, linear in omega.
