@@ -75,8 +75,15 @@ void expectJoined(const BlendedJoint& joint, int order) {
   const double bound = std::max(1e-11, test::defectOfRounding(joint.a, joint.b, order));
   EXPECT_LT(test::largestOf(fit.defects), bound) << nameOf(joint.remedy);
   EXPECT_EQ(fit.defects, joint.defects);
-  for (int k = 0; k < order; ++k)
-    EXPECT_NEAR(fit.beta(k), joint.beta(k), std::max(1e-9, 1e4 * bound) * joint.beta.norm()) << k;
+  // In units of the defect that a change of beta causes; lower orders add to higher ones.
+  const double unit = fit.length_mm / joint.b.derivatives(0, 1).row(1).norm();
+  double beta_unit = fit.length_mm / joint.a.derivatives(1, 1).row(1).norm();
+  for (int k = 0; k < order; ++k) {
+    beta_unit /= unit;
+    EXPECT_NEAR(fit.beta(k), joint.beta(k),
+                1e3 * bound * beta_unit + std::max(1e-9, 1e4 * bound) * joint.beta.norm())
+        << k;
+  }
 }
 
 TEST(JointBlend, PolesAreThoseOfTheData) {
