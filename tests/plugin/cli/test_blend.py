@@ -338,7 +338,7 @@ def test_runs_are_repeated_bitwise(tmp_path, pair):
         (["low.csv", "high.csv", "-o", "out.step", "--tolerance", "nan"], "--tolerance"),
         (["low.csv", "high.csv", "-o", "out.step", "--between", "C3"], "--between"),
         (["low.csv", "high.csv", "-o", "out.step", "--match", "near"], "--match"),
-        (["ring.step", "open.step", "-o", "out.step", "--edge", "1", "--edge", "1"], "closed"),
+        (["ring.step", "open.step", "-o", "out.step", "--edge", "1", "--edge", "1"], "open"),
     ],
 )
 def test_bad_usage(tmp_path, pair, box, arguments, message):
