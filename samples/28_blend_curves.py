@@ -50,7 +50,7 @@ def path(curve, left):
         for k in range(pieces):
             (a, da), (b, db) = (segment.derivatives((k + end) / pieces, 1) for end in (0, 1))
             corners = [a, a + da / (3 * pieces), b - db / (3 * pieces), b]
-            x, y = np.array(corners).T[:2] * 2.6
+            x, y = np.array(corners).T[:2] * 3.3
             x, y = left + WIDTH / 2 + x, HEIGHT / 2 + 25 - y
             if not words:
                 words.append(f"M{x[0]:.2f} {y[0]:.2f}")

@@ -24,7 +24,7 @@ if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
 OMEGA = 0.5
 WIDTH, HEIGHT = 300, 420  # pixels of a body
 PIXELS_PER_MM = 3.6
-STRIPES = 9  # per radian of the reflected ray
+STRIPES = 14  # half waves over the directions of the reflected ray
 BACK, PLAIN, KEPT = "#ffffff", "#d55e00", "#0072b2"
 
 
@@ -32,10 +32,10 @@ def profiles():
     """Two vases as curves (radius, 0, height) from the foot to the mouth."""
     foot = [[26, 0, 0], [36, 0, 8], [40, 0, 20], [38, 0, 32], [31, 0, 44], [25, 0, 54]]
     mouth = [[25, 0, 54], [22, 0, 60], [19, 0, 70], [19, 0, 84], [22, 0, 94], [28, 0, 104]]
-    first = joined(foot, mouth, [0.55, 0.6])
+    first = joined(foot, mouth, [0.7, 0.3])
     foot = [[14, 0, 0], [15, 0, 12], [17, 0, 24], [21, 0, 38], [27, 0, 48], [33, 0, 54]]
     mouth = [[33, 0, 54], [36, 0, 62], [39, 0, 74], [38, 0, 86], [33, 0, 97], [26, 0, 104]]
-    return first, joined(foot, mouth, [1.7, -0.9])
+    return first, joined(foot, mouth, [1.5, -0.4])
 
 
 def joined(lower, upper, beta):
@@ -75,7 +75,7 @@ def zebra(profile):
     normal = np.stack([x / radius, cosine, -rise]) / np.sqrt(1 + rise**2)
     # The eye looks along -y; its ray is reflected at the normal.
     ray = 2 * normal[1] * normal - np.array([0, 1, 0])[:, None, None]
-    stripe = np.sin(STRIPES * np.arctan2(ray[2], ray[1] + 1.2)) > 0
+    stripe = np.sin(STRIPES * (0.6 * ray[0] + 0.8 * ray[2])) > 0
     light = 0.55 + 0.45 * np.clip(0.8 * normal[1] - 0.4 * normal[0] + 0.3 * normal[2], 0, 1)
     grey = np.where(inside, 255 * light * np.where(stripe, 1, 0.25), 255)
     return png(grey.astype(np.uint8))
@@ -116,7 +116,7 @@ def body(profile, left, title, color):
     middle = left + WIDTH / 2
     return (
         f'<text x="{middle}" y="24" text-anchor="middle" fill="{color}">{title}</text>\n'
-        f'<image x="{left}" y="34" width="{WIDTH}" height="{HEIGHT}" href="{zebra(profile)}"/>\n'
+        f'<image x="{left}" y="34" width="{WIDTH}" height="{HEIGHT}" xlink:href="{zebra(profile)}"/>\n'
     )
 
 
@@ -140,7 +140,8 @@ def main():
     width, plot_top, plot_height = 2 * WIDTH + 40, HEIGHT + 84, 150
     with open(sys.argv[1], "w", encoding="utf-8") as file:
         file.write(
-            f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} '
+            f'<svg xmlns="http://www.w3.org/2000/svg" '
+            f'xmlns:xlink="http://www.w3.org/1999/xlink" viewBox="0 0 {width} '
             f'{plot_top + plot_height + 20}" font-family="sans-serif" font-size="14">\n'
             f'<rect width="100%" height="100%" fill="{BACK}"/>\n'
             + body(plain, 10, "poles blended linearly", PLAIN)
