@@ -13,9 +13,12 @@
 
 #include <seamwright/core/fair/fair_curve.hpp>
 #include <seamwright/core/fair/function_spline.hpp>
+#include <seamwright/core/fair/polish_curve.hpp>
 #include <seamwright/core/planar/clothoid.hpp>
 #include <seamwright/core/planar/clothoid_phase.hpp>
+#include <seamwright/core/planar/fair_clothoids.hpp>
 #include <seamwright/core/planar/fair_points.hpp>
+#include <seamwright/core/planar/point_curvature.hpp>
 #include <seamwright/core/planar/tridiagonal.hpp>
 
 namespace seamwright {
@@ -59,12 +62,12 @@ void clothoidOfEnds(benchmark::State& state) {
 void clothoidQuadrature(benchmark::State& state) {
   std::vector<Clothoid> curves;
   for (int i = 0; i < 10'000; ++i) curves.push_back(clothoid(tangentPairs()[i]));
-  const GaussRule& rule = gaussRule();
+  const GaussRule& rule = phaseRule();
   std::size_t next = 0;
   for (auto _ : state) {
     const Clothoid& curve = curves[next++ % curves.size()];
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-    for (int i = 0; i < GaussRule::count; ++i) {
+    for (int i = 0; i < phase_nodes; ++i) {
       const double direction_rad = curve.directionAt_rad(rule.nodes[i] * curve.length_mm);
       sum += rule.weights[i] * Eigen::Vector2d(std::cos(direction_rad), std::sin(direction_rad));
     }
@@ -157,6 +160,23 @@ void tridiagonalSolve(benchmark::State& state) {
   for (auto _ : state) solveBare(state.range(0));
 }
 
+/// With little noise, because these tangents sum up the errors of all points.
+void nearCircleTangents(benchmark::State& state) {
+  const PlanarPoints points = noisyPoints(state.range(0), 1e-5);
+  besideBareSolve(state, [&] {
+    benchmark::DoNotOptimize(tangentsAt(points, {.rule = TangentRule::NearCircles}));
+    return 1;
+  });
+}
+
+void screening(benchmark::State& state) {
+  const PlanarPoints points = noisyPoints(state.range(0), 1e-3);
+  besideBareSolve(state, [&] {
+    benchmark::DoNotOptimize(isolatedInflections(points));
+    return 1;
+  });
+}
+
 void biarcSplineThroughPoints(benchmark::State& state) {
   const PlanarPoints points = noisyPoints(state.range(0), 1e-3);
   besideBareSolve(state, [&] {
@@ -190,10 +210,46 @@ void polishing(benchmark::State& state) {
   besideBareSolve(state, [&] { return std::max(1, polishFunction(spline, 0.01).steps); });
 }
 
+/// The poles alone, which is what polishing iterates.
+void polishedOrdinates(benchmark::State& state) {
+  const Eigen::VectorXd ordinates = noisyPoints(state.range(0), 1e-3).col(1);
+  constexpr int steps = 4;
+  besideBareSolve(state, [&] {
+    benchmark::DoNotOptimize(polishedPoles(ordinates, steps));
+    return steps;
+  });
+}
+
+void rebound(benchmark::State& state) {
+  const FunctionSpline spline = functionSpline(noisyPoints(state.range(0), 1e-3));
+  besideBareSolve(state, [&] {
+    benchmark::DoNotOptimize(rebounded(spline));
+    return 1;
+  });
+}
+
+void rebounds(benchmark::State& state) {
+  const FunctionSpline spline = functionSpline(noisyPoints(state.range(0), 1e-3));
+  besideBareSolve(state, [&] { return std::max(1, reboundFunction(spline, 0.01).steps); });
+}
+
+/// Each point has a tolerance of its own; every tenth stays.
+Eigen::VectorXd unequalTolerances(Eigen::Index count) {
+  Eigen::VectorXd tolerances_mm(count);
+  for (Eigen::Index i = 0; i < count; ++i) tolerances_mm(i) = 0.001 * static_cast<double>(i % 10);
+  return tolerances_mm;
+}
+
 void fairedPoints(benchmark::State& state) {
   const PlanarPoints points = noisyPoints(state.range(0), 1e-3);
-  const Eigen::VectorXd tolerances = Eigen::VectorXd::Constant(points.rows(), 0.005);
-  besideBareSolve(state, [&] { return std::max(1, fairPoints(points, tolerances).steps); });
+  const Eigen::VectorXd tolerances_mm = unequalTolerances(points.rows());
+  besideBareSolve(state, [&] { return std::max(1, fairPoints(points, tolerances_mm).steps); });
+}
+
+void fairedClothoids(benchmark::State& state) {
+  const PlanarPoints points = noisyPoints(state.range(0), 1e-3);
+  const Eigen::VectorXd tolerances_mm = Eigen::VectorXd::Constant(points.rows(), 0.005);
+  besideBareSolve(state, [&] { return std::max(1, fairClothoids(points, tolerances_mm).steps); });
 }
 
 /// Cubic, with uniform knots and noise in its poles.
@@ -213,6 +269,11 @@ void fairedSpline(benchmark::State& state) {
   besideBareSolve(state, [&] { return std::max(1, fairCurve(curve, 0.01).steps); });
 }
 
+void polishedCurve(benchmark::State& state) {
+  const BSplineCurve curve = noisyCurve(state.range(0));
+  besideBareSolve(state, [&] { return std::max(1, polishCurve(curve, 0.01).steps); });
+}
+
 void fairedAtKnots(benchmark::State& state) {
   const BSplineCurve curve = noisyCurve(state.range(0));
   besideBareSolve(state, [&] { return std::max(1, fairKnots(curve, 0.01).steps); });
@@ -220,6 +281,12 @@ void fairedAtKnots(benchmark::State& state) {
 
 void sizes(benchmark::internal::Benchmark* benchmark) {
   for (const int count : {1000, 10'000, 100'000, 1'000'000}) benchmark->Arg(count);
+  benchmark->UseManualTime()->Unit(benchmark::kMillisecond);
+}
+
+/// Of methods that take a hundred times as long.
+void fewerSizes(benchmark::internal::Benchmark* benchmark) {
+  for (const int count : {1000, 10'000, 100'000}) benchmark->Arg(count);
   benchmark->UseManualTime()->Unit(benchmark::kMillisecond);
 }
 
@@ -233,13 +300,20 @@ BENCHMARK(tridiagonalSolve)
     ->Arg(1'000'000)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK(linearEnergyTangents)->Apply(sizes);
+BENCHMARK(nearCircleTangents)->Apply(sizes);
+BENCHMARK(screening)->Apply(sizes);
 BENCHMARK(biarcSplineThroughPoints)->Apply(sizes);
 BENCHMARK(energyTangents)->Apply(sizes);
 BENCHMARK(curvatureFilter)->Apply(sizes);
+BENCHMARK(polishedOrdinates)->Apply(sizes);
 BENCHMARK(polishing)->Apply(sizes);
+BENCHMARK(rebound)->Apply(sizes);
+BENCHMARK(rebounds)->Apply(sizes);
 BENCHMARK(fairedPoints)->Apply(sizes);
-BENCHMARK(fairedSpline)->Arg(1000)->Arg(10'000)->UseManualTime()->Unit(benchmark::kMillisecond);
-BENCHMARK(fairedAtKnots)->Arg(1000)->Arg(10'000)->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(fairedClothoids)->Apply(fewerSizes);
+BENCHMARK(fairedSpline)->Apply(fewerSizes);
+BENCHMARK(fairedAtKnots)->Apply(fewerSizes);
+BENCHMARK(polishedCurve)->Apply(fewerSizes);
 
 }  // namespace
 }  // namespace seamwright

@@ -3,59 +3,14 @@
 
 #include <cmath>
 
-#include <seamwright/core/bernstein/coefficients.hpp>
 #include <seamwright/core/blend/frame_form.hpp>
+#include <seamwright/core/blend/joint_poles.hpp>
 #include <seamwright/core/join/curve/beta.hpp>
 #include <seamwright/core/numeric.hpp>
 
 namespace seamwright::loft {
 
 namespace {
-
-/// Bernstein coefficients, one row each; a constant has one row.
-using Bern = Eigen::MatrixXd;
-
-Bern raisedTo(Bern p, Eigen::Index degree) {
-  while (p.rows() <= degree) {
-    const Eigen::Index n = p.rows();
-    Bern q(n + 1, p.cols());
-    q.row(0) = p.row(0);
-    q.row(n) = p.row(n - 1);
-    for (Eigen::Index i = 1; i < n; ++i) {
-      const double share = static_cast<double>(i) / static_cast<double>(n);
-      q.row(i) = share * p.row(i - 1) + (1 - share) * p.row(i);
-    }
-    p = std::move(q);
-  }
-  return p;
-}
-
-Bern plus(const Bern& p, const Bern& q) {
-  const Eigen::Index degree = std::max(p.rows(), q.rows()) - 1;
-  return raisedTo(p, degree) + raisedTo(q, degree);
-}
-
-/// The product of a function with one column and any function.
-Bern times(const Bern& factor, const Bern& p) {
-  if (factor.rows() == 1) return factor(0, 0) * p;
-  if (p.rows() == 1) return factor * p;
-  const Eigen::Index m = factor.rows() - 1, n = p.rows() - 1;
-  const Eigen::VectorXd &cm = bernstein::binomials(m), &cn = bernstein::binomials(n);
-  Bern result = Bern::Zero(m + n + 1, p.cols());
-  for (Eigen::Index i = 0; i <= m; ++i)
-    for (Eigen::Index j = 0; j <= n; ++j)
-      result.row(i + j) += cm(i) * cn(j) * factor(i, 0) * p.row(j);
-  const Eigen::VectorXd& all = bernstein::binomials(m + n);
-  for (Eigen::Index i = 0; i <= m + n; ++i) result.row(i) /= all(i);
-  return result;
-}
-
-/// d! / (d - k)!
-double falling(int d, int k) {
-  double result = 1;
-  for (int i = 0; i < k; ++i) result *= d - i;
-  return result;
-}
 
 /// A joint of the shape: between the pole rows of the segments before and after it.
 struct JointAt {
@@ -275,41 +230,6 @@ class JointForm : public FrameForm {
     return result;
   }
 
-  /// B_kl of the coefficients, for 1 <= l <= k <= n, by B_kl = sum_i C(k-1, i-1) b_i B_(k-i)(l-1).
-  std::vector<std::vector<Bern>> bell(const std::vector<Bern>& b) const {
-    const auto n = static_cast<int>(b.size());
-    std::vector<std::vector<Bern>> result(n + 1, std::vector<Bern>(n + 1, Bern::Zero(1, 1)));
-    result[0][0] = Bern::Ones(1, 1);
-    for (int k = 1; k <= n; ++k)
-      for (int l = 1; l <= k; ++l)
-        for (int i = 1; i <= k - l + 1; ++i)
-          result[k][l] = plus(result[k][l], bernstein::binomials(k - 1)(i - 1) *
-                                                times(b[i - 1], result[k - i][l - 1]));
-    return result;
-  }
-
-  /// The poles that a joint makes on one side, from the derivatives B(b) W.
-  void makePoles(const std::vector<Bern>& b, const std::vector<Bern>& jet, bool before,
-                 const JointAt& joint, std::vector<Bern>& poles) const {
-    const int n = shape_.order;
-    const std::vector<std::vector<Bern>> matrix = bell(b);
-    std::vector<Bern> derivative{jet[0]};
-    for (int k = 1; k <= n; ++k) {
-      Bern sum = Bern::Zero(1, 3);
-      for (int l = 1; l <= k; ++l) sum = plus(sum, times(matrix[k][l], jet[l]));
-      derivative.push_back(std::move(sum));
-    }
-    for (int k = 0; k <= n; ++k) {
-      Bern pole = derivative[0];
-      for (int i = 1; i <= k; ++i) {
-        const double sign = before && i % 2 == 1 ? -1 : 1;
-        pole = plus(pole,
-                    sign * bernstein::binomials(k)(i) / falling(shape_.degree, i) * derivative[i]);
-      }
-      poles[before ? poleBefore(joint, k) : poleAfter(joint, k)] = std::move(pole);
-    }
-  }
-
   std::vector<Bern> piecePoles(const Eigen::Ref<const Eigen::MatrixXd>& rows,
                                const std::vector<bool>& constant, bool& safe) const {
     std::vector<Bern> poles(static_cast<std::size_t>(shape_.segments()) * shape_.degree + 1);
@@ -327,8 +247,12 @@ class JointForm : public FrameForm {
         after.push_back(change(changeColumn(j) + n + k));
       }
       if (n > 0) safe = safe && before[0].minCoeff() > 0 && after[0].minCoeff() > 0;
-      makePoles(before, jet, true, joints_[j], poles);
-      makePoles(after, jet, false, joints_[j], poles);
+      const std::vector<Bern> left = jointPoles(jet, before, shape_.degree, true),
+                              right = jointPoles(jet, after, shape_.degree, false);
+      for (int k = 0; k <= n; ++k) {
+        poles[poleBefore(joints_[j], k)] = left[k];
+        poles[poleAfter(joints_[j], k)] = right[k];
+      }
     }
     return poles;
   }

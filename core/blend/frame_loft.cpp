@@ -12,15 +12,15 @@ namespace seamwright {
 
 namespace {
 
-const std::vector<double>& knotsOf(const BSplineSurface& surface, SurfaceDirection direction) {
+const std::vector<double>& knotsAcross(const BSplineSurface& surface, SurfaceDirection direction) {
   return direction == SurfaceDirection::U ? surface.knots_u : surface.knots_v;
 }
 
 /// The part between two knots of multiplicity degree, or ends.
-BSplineSurface partBetween(const BSplineSurface& surface, SurfaceDirection direction, double from,
+BSplineSurface surfacePart(const BSplineSurface& surface, SurfaceDirection direction, double from,
                            double to) {
   const bool in_u = direction == SurfaceDirection::U;
-  const std::vector<double>& knots = knotsOf(surface, direction);
+  const std::vector<double>& knots = knotsAcross(surface, direction);
   const int degree = in_u ? surface.degree_u : surface.degree_v;
   const auto last_from = std::upper_bound(knots.begin(), knots.end(), from);
   const auto first_to = std::lower_bound(knots.begin(), knots.end(), to);
@@ -72,13 +72,13 @@ std::vector<KnotLine> encloseKnotLines(const BSplineSurface& surface, SurfaceDir
   const bool in_u = direction == SurfaceDirection::U;
   const BSplineSurface divided =
       withRaisedKnots(surface, direction, in_u ? surface.degree_u : surface.degree_v);
-  std::vector<double> lines = knotsOf(surface, direction);
+  std::vector<double> lines = knotsAcross(surface, direction);
   lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
   const PatchEdge end = in_u ? PatchEdge::U1 : PatchEdge::V1,
                   beginning = in_u ? PatchEdge::U0 : PatchEdge::V0;
   std::vector<KnotLine> result;
   const auto part = [&](std::size_t i) {
-    return partBetween(divided, direction, lines[i], lines[i + 1]);
+    return surfacePart(divided, direction, lines[i], lines[i + 1]);
   };
   const auto enclose = [&](std::size_t before, std::size_t after, double knot) {
     result.push_back({knot, encloseSeam(seamSide(part(before), end),

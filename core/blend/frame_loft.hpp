@@ -56,6 +56,8 @@ struct FrameLoft {
   /// is a bound of the distance of points of equal parameters in their segment.
   double distance_mm = 0;
   double distance_at = 0;  ///< omega of that frame
+  /// The same within the zones of the ends of a sheet, which distance_mm leaves out.
+  double zone_distance_mm = 0;
   /// With a derivative bound: a bound over all omega.
   std::optional<double> proven_mm;
   /// The distance (the proven one with a derivative bound) is within the tolerance.

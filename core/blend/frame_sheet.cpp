@@ -18,7 +18,7 @@ struct RowsBehind {
   std::vector<Poles> rows;            ///< the first three rows at most, from the edge
 };
 
-std::vector<double> mirrored(const std::vector<double>& knots) {
+std::vector<double> mirroredKnots(const std::vector<double>& knots) {
   std::vector<double> result;
   for (auto knot = knots.rbegin(); knot != knots.rend(); ++knot)
     result.push_back(knots.front() + (knots.back() - *knot));
@@ -33,8 +33,8 @@ RowsBehind rowsBehind(const BSplineSurface& surface, PatchEdge edge, bool revers
   result.degree_along = across_u ? surface.degree_v : surface.degree_u;
   result.across = across_u ? surface.knots_u : surface.knots_v;
   result.along = across_u ? surface.knots_v : surface.knots_u;
-  if (at_end) result.across = mirrored(result.across);
-  if (reversed) result.along = mirrored(result.along);
+  if (at_end) result.across = mirroredKnots(result.across);
+  if (reversed) result.along = mirroredKnots(result.along);
   const Eigen::Index nu = surface.countU(), nv = surface.countV();
   const Eigen::Index across = across_u ? nu : nv, along = across_u ? nv : nu;
   for (Eigen::Index r = 0; r < std::min<Eigen::Index>(3, across); ++r) {
@@ -48,7 +48,7 @@ RowsBehind rowsBehind(const BSplineSurface& surface, PatchEdge edge, bool revers
   return result;
 }
 
-BezierSpline alongEdge(const RowsBehind& behind, const Poles& poles, bool closed) {
+BezierSpline ribbonCurve(const RowsBehind& behind, const Poles& poles, bool closed) {
   BSplineCurve curve{behind.degree_along, behind.along, HomogeneousPoles(poles.rows(), 4)};
   curve.poles.leftCols<3>() = poles;
   curve.poles.col(3).setOnes();
@@ -56,11 +56,11 @@ BezierSpline alongEdge(const RowsBehind& behind, const Poles& poles, bool closed
 }
 
 /// The mean size of rows.
-double meanSize(const Poles& rows) {
+double meanRowSize(const Poles& rows) {
   return rows.rowwise().norm().mean();
 }
 
-Poles affine(const BezierSpline& spline) {
+Poles ribbonPoles(const BezierSpline& spline) {
   return spline.poles.leftCols<3>().array().colwise() / spline.poles.col(3).array();
 }
 
@@ -84,8 +84,8 @@ FrameRibbon edgeRibbon(const BSplineSurface& surface, PatchEdge edge, bool rever
     second = (p - 1) / (t[p + 1] - t[2]) * (next - first);
   }
   const double sense = side == SheetSide::Start ? -rate : rate;
-  return {alongEdge(behind, behind.rows[0], closed), alongEdge(behind, sense * first, closed),
-          alongEdge(behind, rate * rate * second, closed)};
+  return {ribbonCurve(behind, behind.rows[0], closed), ribbonCurve(behind, sense * first, closed),
+          ribbonCurve(behind, rate * rate * second, closed)};
 }
 
 double evenRate(const FrameFunction& frame, const Interval& omegas, const FrameRibbon& ribbon,
@@ -95,8 +95,9 @@ double evenRate(const FrameFunction& frame, const Interval& omegas, const FrameR
   const double from = side == SheetSide::Start ? omegas.lower : omegas.upper;
   const double to = side == SheetSide::Start ? omegas.lower + step : omegas.upper - step;
   loft::Frames frames(frame, omegas, 0);
-  const double moved = meanSize(affine(frames.at(to)) - affine(frames.at(from))) / step;
-  const double given = meanSize(affine(ribbon.first));
+  const double moved =
+      meanRowSize(ribbonPoles(frames.at(to)) - ribbonPoles(frames.at(from))) / step;
+  const double given = meanRowSize(ribbonPoles(ribbon.first));
   if (!(moved > 0) || !(given > 0) || !std::isfinite(moved / given))
     refuse(
         fmt::format("frames move by {} by omega, the ribbon's derivative is {}: both must be "

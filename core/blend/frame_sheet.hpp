@@ -31,6 +31,9 @@ FrameRibbon edgeRibbon(const BSplineSurface& surface, PatchEdge edge, bool rever
 struct SheetEnd {
   FrameRibbon ribbon;
   int order = 2;  ///< 0: position only; 1: first; 2: first and second derivative
+  /// Share of omega, from the end, over which the sheet goes from the ribbon to the frames; the
+  /// tolerance does not count there, and the zone is one span. No zone for order 0.
+  double zone = 0.25;
 };
 
 /// The rate at which the frames leave or reach their end, as a multiple of the speed of \p ribbon
@@ -43,7 +46,8 @@ double evenRate(const FrameFunction& frame, const Interval& omegas, const FrameR
 /// The loft through frames between two profiles that meets neighbours at its ends: as frameLoft(),
 /// but where an end is given position and derivatives by omega are those of its ribbon, along the
 /// whole profile and except for rounding. An end that is not given is free. The knots of u are
-/// those of the ribbons.
+/// those of the ribbons. In the zones of the ends the sheet leaves the frames as far as the ribbons
+/// ask for; zone_distance_mm says how far.
 ///
 ///     const FrameRibbon start = edgeRibbon(face, PatchEdge::U1, false, SheetSide::Start, 1);
 ///     const FrameLoft sheet = frameSheet(frame, {0, 1}, SheetEnd{start, 2}, {});
@@ -56,9 +60,10 @@ double evenRate(const FrameFunction& frame, const Interval& omegas, const FrameR
 ///       it is that surface.
 /// \throws std::invalid_argument as frameLoft() does; if no end is given; for an order outside
 /// 0..2; for closed in omega; for ribbons that are not C^n at their joints, or differ from the
-/// frames in segments or closedness, or from each other in knots; and for a profile that is not the
-/// frame at that end within the tolerance, with the distance.
-/// Source: docs/theory/surfaces.md S7.3, S7.5.
+/// frames in segments or closedness, or from each other in knots; for a profile that is not the
+/// frame at that end within the tolerance, with the distance; for zones that are negative or
+/// overlap; and for a station or a kink inside of a zone. Source: docs/theory/surfaces.md S7.3,
+/// S7.5.
 FrameLoft frameSheet(const FrameFunction& frame, const Interval& omegas,
                      const std::optional<SheetEnd>& start, const std::optional<SheetEnd>& end,
                      const FrameLoftOptions& options = {});

@@ -44,10 +44,10 @@ BezierCurve withPoles(const BezierCurve& curve, const HomogeneousPoles& near, bo
   return BezierCurve::fromHomogeneous(std::move(poles));
 }
 
-blend::JointPath pathOf(const JointFrame& first, const BetaFit& fit, const JointFrame& second,
+blending::JointPath pathOf(const JointFrame& first, const BetaFit& fit, const JointFrame& second,
                         const BetaFit& second_fit, const JointBlendOptions& options) {
   return {{KeyInterpolation({0, 1}, KeyInterpolation::Continuity::C0),
-           {blend::keyOf(first, fit), blend::keyOf(second, second_fit)}},
+           {blending::keyOf(first, fit), blending::keyOf(second, second_fit)}},
           {first.a.degree(), first.b.degree()},
           options};
 }
@@ -80,28 +80,30 @@ JointBlend::JointBlend(const JointFrame& first, const JointFrame& second,
                        const JointBlendOptions& options)
     : first_(first), second_(second) {
   options.validate();
-  blend::requireMeeting(first, "the first frame");
-  blend::requireMeeting(second, "the second frame");
+  blending::requireMeeting(first, "the first frame");
+  blending::requireMeeting(second, "the second frame");
   int degree_a = std::max({first.a.degree(), second.a.degree(), options.order}),
       degree_b = std::max({first.b.degree(), second.b.degree(), options.order});
-  first_ = blend::raised(first, degree_a, degree_b);
-  second_ = blend::raised(second, degree_a, degree_b);
+  first_ = blending::raised(first, degree_a, degree_b);
+  second_ = blending::raised(second, degree_a, degree_b);
   // Betas do not depend on the degree.
   const BetaFit fit = checkedFit(first_, "the first frame", options),
                 second_fit = checkedFit(second_, "the second frame", options);
   auto path = pathOf(first_, fit, second_, second_fit, options);
   JointFrame raised = first_, second_raised = second_;
+  JointBlendOptions strict = options;
+  strict.frame_tolerance = options.most_defect;
   while (!path.isBalanced() && std::max(degree_a, degree_b) < options.max_degree) {
-    raised = blend::raised(raised, ++degree_a, ++degree_b);
-    second_raised = blend::raised(second_raised, degree_a, degree_b);
-    auto next = pathOf(raised, fit, second_raised, second_fit, options);
+    raised = blending::raised(raised, ++degree_a, ++degree_b);
+    second_raised = blending::raised(second_raised, degree_a, degree_b);
+    auto next = pathOf(raised, fit, second_raised, second_fit, strict);
     if (!next.isBalanced()) continue;
     path = std::move(next);
     first_ = std::move(raised);
     second_ = std::move(second_raised);
     break;
   }
-  path_ = std::make_shared<const blend::JointPath>(std::move(path));
+  path_ = std::make_shared<const blending::JointPath>(std::move(path));
 }
 
 BlendRemedy JointBlend::remedy() const {
@@ -118,7 +120,7 @@ int JointBlend::degreeB() const {
 
 BlendedJoint JointBlend::at(double omega) const {
   if (!(omega >= 0 && omega <= 1)) refuse("omega is " + text(omega) + ": it must be within 0 to 1");
-  blend::JointState state = path_->at(omega);
+  blending::JointState state = path_->at(omega);
   const Eigen::Index n = (state.poles.rows() - 1) / 2;
   const JointFrame* key = omega == 0 ? &first_ : omega == 1 ? &second_ : nullptr;
   BlendedJoint result{.a = key ? key->a

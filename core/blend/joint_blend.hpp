@@ -29,7 +29,8 @@ struct JointBlendOptions {
   double frame_tolerance = 1e-6;
   /// A result is accepted if D_0..D_n <= most_defect, or if rounding of the poles explains more.
   double most_defect = 1e-11;
-  /// Curves are raised up to this degree if that makes Balanced possible. Up to 25.
+  /// Curves are raised up to this degree if that makes Balanced possible with defects within
+  /// most_defect; rounding of the poles of high degrees may exceed it. Up to 25.
   int max_degree = 20;
   /// Tangents of accepted results are at least this share of the shorter one of the key frames.
   double least_tangent = 0.05;
@@ -53,11 +54,12 @@ struct BlendedJoint {
   std::vector<double> defects;  ///< D_0 .. D_order, measured
   BlendRemedy remedy = BlendRemedy::Plain;
   double moved_mm = 0;  ///< largest distance of a pole from that of linear blending
-  /// Why the means before the remedy failed, as far as Balanced is concerned.
+  /// Why the means before the remedy failed, for all omega or at this one. It may be empty where a
+  /// defect or a departure is too large.
   std::vector<BalanceFault> faults = {};
 };
 
-namespace blend {
+namespace blending {
 class JointPath;
 }
 
@@ -87,8 +89,9 @@ class JointPath;
 ///   (4) n = 1: only the pole at the joint differs from linear blending, P_0 = (m beta_1 P_(-1) +
 ///       m' P_1) / (m' + m beta_1).
 ///   (5) Rigid motion and scale act on the result in the same way.
-///   (6) Frames reversed (and a, b exchanged): the result is reversed. Frames exchanged: omega
-///       turns into 1 - omega. Both up to rounding.
+///   (6) Frames exchanged: omega turns into 1 - omega. For n = 1, frames reversed (and a, b
+///       exchanged): the result is reversed. For n >= 2 it is another blend with other betas, as
+///       beta_2, .. are those of the curve that leaves. Both up to rounding.
 ///   (7) Some remedy is always found: Intrinsic needs tangents of the key frames only.
 /// Source: docs/theory/curves.md C11.1 to C11.7; [BarskyDeRose1990].
 class JointBlend {
@@ -109,7 +112,7 @@ class JointBlend {
 
  private:
   JointFrame first_, second_;
-  std::shared_ptr<const blend::JointPath> path_;  ///< never changes, so copies share it
+  std::shared_ptr<const blending::JointPath> path_;  ///< never changes, so copies share it
 };
 
 /// One omega only. \throws as JointBlend does.

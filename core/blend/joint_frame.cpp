@@ -7,7 +7,7 @@
 #include <seamwright/core/blend/joint_jet.hpp>
 #include <seamwright/core/numeric.hpp>
 
-namespace seamwright::blend {
+namespace seamwright::blending {
 
 JointFrame raised(const JointFrame& frame, int degree_a, int degree_b) {
   JointFrame result = frame;
@@ -49,4 +49,4 @@ JointKey keyOf(const JointFrame& frame, const BetaFit& fit) {
   return key;
 }
 
-}  // namespace seamwright::blend
+}  // namespace seamwright::blending

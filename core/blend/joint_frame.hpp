@@ -8,7 +8,7 @@
 #include <seamwright/core/join/curve/beta.hpp>
 
 /// Checks and parts of a joint in a key frame; not a public header.
-namespace seamwright::blend {
+namespace seamwright::blending {
 
 /// Both curves raised to these degrees at least.
 JointFrame raised(const JointFrame& frame, int degree_a, int degree_b);
@@ -23,4 +23,4 @@ HomogeneousPoles polesBeside(const JointFrame& frame, int order);
 /// The poles beside the joint with these betas, of which there are n.
 JointKey keyOf(const JointFrame& frame, const BetaFit& fit);
 
-}  // namespace seamwright::blend
+}  // namespace seamwright::blending

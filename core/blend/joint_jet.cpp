@@ -9,7 +9,7 @@
 #include <seamwright/core/numeric.hpp>
 #include <seamwright/core/seam/curve_joint.hpp>
 
-namespace seamwright::blend {
+namespace seamwright::blending {
 
 namespace {
 
@@ -95,27 +95,31 @@ std::vector<double> rowDefects(const JointJet& jet, const Eigen::VectorXd& beta,
   return result;
 }
 
-std::vector<double> roundingDefects(const HomogeneousPoles& poles, const JointJet& jet,
-                                    double length_mm) {
+double sharpnessOf(const JointJet& jet, double length_mm) {
   const CurveJoint joint = measureJoint({jet.a, jet.noise_a}, {jet.b, jet.noise_b});
+  if (joint.sizes.empty()) return infinite;
+  double result = 1;
+  for (std::size_t k = 2; k < joint.sizes.size(); ++k)
+    result =
+        std::max(result, std::pow(joint.sizes[k], 1 / (static_cast<double>(k) - 1)) * length_mm);
+  return result;
+}
+
+std::vector<double> roundingDefects(const HomogeneousPoles& poles, const JointJet& jet,
+                                    double length_mm, double sharpness) {
   const Index n = jet.a.rows() - 1;
-  std::vector<double> result(n + 1, infinite);
-  if (joint.sizes.empty()) return result;
-  double bend = 0;
-  for (Index k = 2; k <= n; ++k)
-    bend = std::max(bend, std::pow(joint.sizes[k], 1.0 / static_cast<double>(k - 1)));
+  std::vector<double> result(n + 1, 0.0);
   const double pole = machine_epsilon * pointsOf(poles).cwiseAbs().maxCoeff();
-  result.assign(n + 1, 0);
   for (const auto& [speed, degree] : {std::pair(jet.a.row(1).stableNorm(), jet.degree_a),
                                       std::pair(jet.b.row(1).stableNorm(), jet.degree_b)}) {
     double share = pole / length_mm;
     for (Index k = 0; k <= n; ++k) {
       const double power = static_cast<double>(std::max<Index>(k - 1, 0));
-      result[k] += share * std::pow(1 + bend * length_mm, power);
+      result[k] += share * std::pow(sharpness, power);
       share *= 2 * length_mm * static_cast<double>(degree - k) / speed;
     }
   }
   return result;
 }
 
-}  // namespace seamwright::blend
+}  // namespace seamwright::blending

@@ -8,7 +8,7 @@
 #include <seamwright/core/differential/jet.hpp>
 
 /// The derivatives of both curves at a joint, from the 2n + 1 poles beside it; not a public header.
-namespace seamwright::blend {
+namespace seamwright::blending {
 
 /// Derivatives of orders 0..n by the curves' own parameters; the point is the origin.
 struct JointJet {
@@ -30,13 +30,17 @@ std::vector<double> jointDefects(const JointJet& jet, double length_mm);
 /// k = 1..n, the betas being \p beta.
 std::vector<double> rowDefects(const JointJet& jet, const Eigen::VectorXd& beta, double length_mm);
 
+/// The largest of 1 and s_k^(1/(k-1)) L for k = 2..n (C2.5): defects of order k have the condition
+/// sharpness^(k-1). Infinite if a tangent is lost.
+double sharpnessOf(const JointJet& jet, double length_mm);
+
 /// What rounding of the poles alone can add to D_0..D_n, to a small factor: a derivative of order k
-/// is m!/(m-k)! times a difference of poles with binomials that add up to 2^k, each pole rounded;
-/// curvature of the size S multiplies it by (1 + S L)^(k-1) at most.
+/// is m!/(m-k)! times a difference of poles with binomials that add up to 2^k, each pole rounded.
+/// \param sharpness of the joint.
 std::vector<double> roundingDefects(const HomogeneousPoles& poles, const JointJet& jet,
-                                    double length_mm);
+                                    double length_mm, double sharpness);
 
 /// Poles without their weights.
 Poles pointsOf(const HomogeneousPoles& poles);
 
-}  // namespace seamwright::blend
+}  // namespace seamwright::blending

@@ -10,7 +10,7 @@
 #include <seamwright/core/join/curve/nearest_curve.hpp>
 #include <seamwright/core/numeric.hpp>
 
-namespace seamwright::blend {
+namespace seamwright::blending {
 
 namespace {
 
@@ -117,12 +117,6 @@ BalanceFault weightFault(const JointKey& key, JointDegrees degrees) {
   return worst;
 }
 
-/// Whether a segment from u to v stays away from 0 by more than this.
-bool staysAway(const Vector3d& u, const Vector3d& v, double least) {
-  const ShortestBlend shortest = shortestBlend(u, v);
-  return shortest.length_mm > least && !shortest.vanishes();
-}
-
 }  // namespace
 
 HomogeneousPoles plainPoles(const JointKeys& keys, double omega) {
@@ -159,10 +153,28 @@ JointPath::JointPath(JointKeys keys, JointDegrees degrees, const JointBlendOptio
   for (const BlendRemedy remedy : {BlendRemedy::Plain, BlendRemedy::Balanced,
                                    BlendRemedy::SmallestMove, BlendRemedy::IntermediateFrame}) {
     if (remedy == BlendRemedy::IntermediateFrame) addIntermediateKeys();
-    if (!holds(remedy)) continue;
-    remedy_ = remedy;
-    break;
+    Faults faults;
+    if (holds(remedy, faults)) {
+      remedy_ = remedy;
+      break;
+    }
+    faults_.insert(faults_.end(), faults.begin(), faults.end());
   }
+}
+
+/// The largest defects of a result: what rounding of its poles explains, beyond most_defect.
+std::vector<double> JointPath::allowedDefects(const HomogeneousPoles& poles, const JointJet& jet,
+                                              double length) const {
+  const double sharpness = sharpnessOf(jet, length);
+  std::vector<double> result = roundingDefects(poles, jet, length, sharpness);
+  // As much as key frames may miss, in units of the curve's own derivatives by arc length.
+  double most = options_.frame_tolerance / sharpness;
+  for (double& defect : result) {
+    // Errors of a handful of roundings beside those of the poles.
+    defect = std::max(options_.most_defect, std::min(8 * defect, most));
+    most *= sharpness;
+  }
+  return result;
 }
 
 /// Whether one set of betas fits all keys. As the equations are linear in the poles, it then fits
@@ -170,9 +182,11 @@ JointPath::JointPath(JointKeys keys, JointDegrees degrees, const JointBlendOptio
 bool JointPath::isPlain() const {
   for (const JointKey& key : keys_.keys) {
     if (!isPolynomial(keys_) && weightFault(key, degrees_).value > most_weight_defect) return false;
-    const auto defects = rowDefects(jointJet(key.poles, degrees_.a, degrees_.b),
-                                    keys_.keys.front().beta, key.length_mm);
-    if (!(*std::max_element(defects.begin(), defects.end()) <= options_.most_defect)) return false;
+    const JointJet jet = jointJet(key.poles, degrees_.a, degrees_.b);
+    const auto defects = rowDefects(jet, keys_.keys.front().beta, key.length_mm);
+    const auto most = allowedDefects(key.poles, jet, key.length_mm);
+    for (std::size_t k = 0; k < defects.size(); ++k)
+      if (!(defects[k] <= most[k + 1])) return false;
   }
   return true;
 }
@@ -207,14 +221,9 @@ bool JointPath::isAccepted(const JointState& state, double omega) const {
   const double length = lengthAt(state.poles, omega);
   const JointJet jet = jointJet(state.poles, degrees_.a, degrees_.b);
   const std::vector<double> defects = jointDefects(jet, length);
-  const std::vector<double> rounding = roundingDefects(state.poles, jet, length);
+  const std::vector<double> most = allowedDefects(state.poles, jet, length);
   for (int k = 0; k <= state.order; ++k)
-    // Errors of a handful of roundings beside those of the poles. Where rounding alone exceeds what
-    // key frames may have, the joint is too sharp for its order.
-    if (defects.empty() ||
-        !(defects[k] <=
-          std::max(options_.most_defect, std::min(8 * rounding[k], options_.frame_tolerance))))
-      return false;
+    if (defects.empty() || !(defects[k] <= most[k])) return false;
   return true;
 }
 
@@ -292,7 +301,7 @@ std::optional<JointState> JointPath::moved(const JointKeys& keys, double omega,
 
 JointState JointPath::intrinsic(double omega) const {
   const auto [i, share] = keys_.in_omega.interval(omega);
-  JointState state{.poles = intrinsicPoles(keys_.keys[i].poles, keys_.keys[i + 1].poles, share)};
+  JointState state{.poles = intrinsicPoles(keys_.keys[i], keys_.keys[i + 1], share)};
   state.remedy = BlendRemedy::Intrinsic;
   state.order = 1;
   state.beta = projectedBetas(jointJet(state.poles, degrees_.a, degrees_.b)).head(1);
@@ -312,24 +321,29 @@ std::optional<JointState> JointPath::tried(BlendRemedy remedy, double omega, Fau
   return state;
 }
 
-bool JointPath::holds(BlendRemedy remedy, int i) const {
+bool JointPath::holds(BlendRemedy remedy, int i, Faults& faults) const {
   const double from = keys_.in_omega.omegas()[i], to = keys_.in_omega.omegas()[i + 1];
   std::vector<Vector3d> before;
   for (int k = 0; k <= trial_parts; ++k) {
     const double omega = k < trial_parts ? from + (to - from) * k / trial_parts : to;
-    Faults faults;
-    const std::optional<JointState> state = tried(remedy, omega, faults);
-    if (!state) return false;
-    for (std::size_t j = 0; j < before.size(); ++j)
-      if (!staysAway(before[j], state->tangents[j], options_.least_tangent)) return false;
+    Faults found;
+    const std::optional<JointState> state = tried(remedy, omega, found);
+    for (std::size_t j = 0; state && j < before.size(); ++j)
+      if (const ShortestBlend shortest = shortestBlend(before[j], state->tangents[j]);
+          !(shortest.length_mm > options_.least_tangent))
+        found.push_back({BalanceFault::Kind::LostTangent, 0, 0, shortest.length_mm});
+    if (!state || !found.empty()) {
+      faults.insert(faults.end(), found.begin(), found.end());
+      return false;
+    }
     before = state->tangents;
   }
   return true;
 }
 
-bool JointPath::holds(BlendRemedy remedy) const {
+bool JointPath::holds(BlendRemedy remedy, Faults& faults) const {
   for (int i = 0; i + 1 < keys_.in_omega.keys(); ++i)
-    if (!holds(remedy, i)) return false;
+    if (!holds(remedy, i, faults)) return false;
   return true;
 }
 
@@ -339,11 +353,12 @@ void JointPath::addIntermediateKeys() {
   for (int i = 0; i < keys_.in_omega.keys(); ++i) {
     omegas.push_back(keys_.in_omega.omegas()[i]);
     keys.push_back(keys_.keys[i]);
-    if (i + 1 == keys_.in_omega.keys() || holds(BlendRemedy::SmallestMove, i)) continue;
+    Faults faults;
+    if (i + 1 == keys_.in_omega.keys() || holds(BlendRemedy::SmallestMove, i, faults)) continue;
     const JointKey &x = keys_.keys[i], &y = keys_.keys[i + 1];
     const double omega = (omegas.back() + keys_.in_omega.omegas()[i + 1]) / 2;
     const std::optional<Snapped> snap =
-        snapped(halfTurned(x.poles, y.poles), degrees_, blendedBetas(keys_, omega));
+        snapped(halfTurned(x, y), degrees_, blendedBetas(keys_, omega));
     if (!snap) return;
     const double speed = jointJet(snap->poles, degrees_.a, degrees_.b).a.row(1).stableNorm();
     omegas.push_back(omega);
@@ -358,7 +373,7 @@ void JointPath::addIntermediateKeys() {
 
 JointState JointPath::at(double omega) const {
   if (const auto i = keys_.in_omega.keyAt(omega)) return key(*i);
-  Faults faults = remedy_ > BlendRemedy::Balanced ? key_faults_ : Faults{};
+  Faults faults = faults_;
   for (const BlendRemedy remedy : {BlendRemedy::Plain, BlendRemedy::Balanced,
                                    BlendRemedy::SmallestMove, BlendRemedy::IntermediateFrame}) {
     if (remedy < remedy_) continue;
@@ -372,4 +387,4 @@ JointState JointPath::at(double omega) const {
   return state;
 }
 
-}  // namespace seamwright::blend
+}  // namespace seamwright::blending

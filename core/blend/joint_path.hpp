@@ -5,11 +5,12 @@
 #include <vector>
 
 #include <seamwright/core/blend/joint_blend.hpp>
+#include <seamwright/core/blend/joint_jet.hpp>
 #include <seamwright/core/blend/key_interpolation.hpp>
 
 /// One joint through all key frames: the poles beside it by omega; not a public header.
 /// Source: docs/theory/curves.md C11.5 to C11.8.
-namespace seamwright::blend {
+namespace seamwright::blending {
 
 /// A joint in a key frame.
 struct JointKey {
@@ -70,10 +71,12 @@ class JointPath {
   JointState intrinsic(double omega) const;
   JointState key(int i) const;
   double lengthAt(const HomogeneousPoles& poles, double omega) const;
+  std::vector<double> allowedDefects(const HomogeneousPoles& poles, const JointJet& jet,
+                                     double length) const;
   bool isAccepted(const JointState& state, double omega) const;
   /// In the interval of keys i and i + 1.
-  bool holds(BlendRemedy remedy, int i) const;
-  bool holds(BlendRemedy remedy) const;
+  bool holds(BlendRemedy remedy, int i, std::vector<BalanceFault>& faults) const;
+  bool holds(BlendRemedy remedy, std::vector<BalanceFault>& faults) const;
   bool isPlain() const;
   void solvePoints();
   void addIntermediateKeys();
@@ -84,8 +87,9 @@ class JointPath {
   std::vector<Eigen::MatrixXd> points_;   ///< auxiliary points of each key; none if not balanced
   std::vector<BalanceFault> key_faults_;  ///< why there are none
   std::optional<JointKeys> with_intermediate_;
+  std::vector<BalanceFault> faults_;  ///< why means before the chosen one do not hold
   bool plain_ = false;
   BlendRemedy remedy_ = BlendRemedy::Intrinsic;
 };
 
-}  // namespace seamwright::blend
+}  // namespace seamwright::blending

@@ -16,11 +16,11 @@ namespace seamwright {
 namespace {
 
 using bernstein::text;
-using blend::JointJet;
+using blending::JointJet;
 using Eigen::Vector3d;
 
 void requirePlain(const JointFrame& frame, const std::string& name) {
-  blend::requireMeeting(frame, name);
+  blending::requireMeeting(frame, name);
   for (const BezierCurve* curve : {&frame.a, &frame.b})
     if (curve->isRational())
       refuse(name + " has a rational curve, weights " + text(curve->weights().minCoeff()) + " to " +
@@ -78,7 +78,7 @@ ShortestBlend shortestBlend(const Vector3d& u, const Vector3d& v, double roundin
 }
 
 Eigen::VectorXd PlainBlend::beta(double omega) const {
-  return blend::projectedBetas(
+  return blending::projectedBetas(
       {.a = blended(first_a, second_a, omega), .b = blended(first_b, second_b, omega)});
 }
 
@@ -91,10 +91,10 @@ PlainBlend plainBlend(const JointFrame& first, const JointFrame& second, int ord
   requirePlain(second, "the second frame");
   const int degree_a = std::max({first.a.degree(), second.a.degree(), order}),
             degree_b = std::max({first.b.degree(), second.b.degree(), order});
-  const JointFrame from = blend::raised(first, degree_a, degree_b),
-                   to = blend::raised(second, degree_a, degree_b);
-  const JointJet one = blend::jointJet(blend::polesBeside(from, order), degree_a, degree_b);
-  const JointJet two = blend::jointJet(blend::polesBeside(to, order), degree_a, degree_b);
+  const JointFrame from = blending::raised(first, degree_a, degree_b),
+                   to = blending::raised(second, degree_a, degree_b);
+  const JointJet one = blending::jointJet(blending::polesBeside(from, order), degree_a, degree_b);
+  const JointJet two = blending::jointJet(blending::polesBeside(to, order), degree_a, degree_b);
   requireSpeed(one, "the first frame");
   requireSpeed(two, "the second frame");
 
@@ -105,13 +105,13 @@ PlainBlend plainBlend(const JointFrame& first, const JointFrame& second, int ord
   result.ratio = v.stableNorm() / u.stableNorm();
   result.tangent_a = shortestBlend(u, v, one.noise_a + two.noise_a);
   result.tangent_b = shortestBlend(one.b.row(1), two.b.row(1), one.noise_b + two.noise_b);
-  const Eigen::VectorXd beta = blend::projectedBetas(one);
+  const Eigen::VectorXd beta = blending::projectedBetas(one);
   result.betas_defect = result.beta1_defect = infinite;
   if (beta.size() == order) {
     const double length_one = jointLength(extentOf(from.a.poles()), extentOf(from.b.poles())),
                  length_two = jointLength(extentOf(to.a.poles()), extentOf(to.b.poles()));
-    const auto own = blend::rowDefects(one, beta, length_one),
-               other = blend::rowDefects(two, beta, length_two);
+    const auto own = blending::rowDefects(one, beta, length_one),
+               other = blending::rowDefects(two, beta, length_two);
     result.beta1_defect = std::max(own[0], other[0]);
     result.betas_defect = std::max(*std::max_element(own.begin(), own.end()),
                                    *std::max_element(other.begin(), other.end()));

@@ -19,8 +19,8 @@ namespace seamwright {
 namespace {
 
 using bernstein::text;
-using blend::JointKeys;
-using blend::JointPath;
+using blending::JointKeys;
+using blending::JointPath;
 using Eigen::Index;
 using Splines = std::vector<BezierSpline>;
 
@@ -147,7 +147,7 @@ void SplineBlend::Prepared::prepare(int degree, const std::vector<std::vector<Be
     }
     JointKeys joint_keys{in_omega, {}};
     for (std::size_t i = 0; i < keys.size(); ++i)
-      joint_keys.keys.push_back(blend::keyOf(frameOf(keys[i], joint), fits[joint][i]));
+      joint_keys.keys.push_back(blending::keyOf(frameOf(keys[i], joint), fits[joint][i]));
     JointBlendOptions own = options.joint;
     own.order = static_cast<int>(fits[joint].front().beta.size());
     paths.emplace_back(JointPath(std::move(joint_keys), {degree, degree}, own));
@@ -175,7 +175,7 @@ BezierSpline SplineBlend::Prepared::plain(double omega) const {
 SplineJoint SplineBlend::Prepared::place(int joint, double omega, BezierSpline& spline) const {
   SplineJoint result{.knot = joint + 1};
   if (!paths[joint]) return result;
-  blend::JointState state = paths[joint]->at(omega);
+  blending::JointState state = paths[joint]->at(omega);
   const Index n = (state.poles.rows() - 1) / 2;
   for (Index j = -n; j <= n; ++j)
     spline.poles.row(rowOf(spline, joint, j)) = state.poles.row(n + j);
@@ -206,6 +206,7 @@ SplineBlend::SplineBlend(const std::vector<BezierSpline>& keys, const std::vecto
   const int least = degreeApart(keys.front(), orders);
   best.prepare(least, fits);
   Prepared next = best;
+  next.options.joint.frame_tolerance = options.joint.most_defect;
   for (int degree = least + 1; !next.isBalanced() && degree <= options.joint.max_degree; ++degree)
     next.prepare(degree, fits);
   prepared_ =
@@ -238,8 +239,8 @@ SplineFrame SplineBlend::frameAt(double omega) const {
   for (SplineJoint& joint : result.joints) {
     const JointFrame frame = frameOf(spline, joint.knot - 1);
     const double length = jointLength(extentOf(frame.a.poles()), extentOf(frame.b.poles()));
-    joint.defects = blend::jointDefects(
-        blend::jointJet(blend::polesBeside(frame, joint.order), spline.degree, spline.degree),
+    joint.defects = blending::jointDefects(
+        blending::jointJet(blending::polesBeside(frame, joint.order), spline.degree, spline.degree),
         length);
   }
   return result;

@@ -7,7 +7,7 @@
 #include <seamwright/core/blend/turning.hpp>
 #include <seamwright/core/linear/dense.hpp>
 
-namespace seamwright::blend {
+namespace seamwright::blending {
 
 namespace {
 
@@ -28,12 +28,19 @@ Matrix3d turned(const Turn& turn, double share) {
   return Eigen::AngleAxisd(share * turn.angle_rad, turn.axis).toRotationMatrix();
 }
 
-/// Of the plane through 0 nearest to all legs, scaled to the size of their polygon.
+/// The poles beside the joint and the far ends, from the joint.
+Poles legsOf(const JointKey& key) {
+  const Poles points = pointsOf(key.poles);
+  Poles legs(points.rows() + key.far.rows(), 3);
+  legs << points, key.far;
+  const Eigen::RowVector3d joint = points.row((points.rows() - 1) / 2);
+  return legs.rowwise() - joint;
+}
+
+/// Of the plane through 0 nearest to all legs.
 Vector3d normalOfLegs(const Poles& first, const Poles& second) {
-  Eigen::MatrixXd legs(first.rows() + second.rows(), 3);
-  const Index n = (first.rows() - 1) / 2;
-  legs << first.rowwise() - first.row(n), second.rowwise() - second.row(n);
-  return linear::symmetricEigenvalues(legs.transpose() * legs).vectors.col(0);
+  const Eigen::MatrixXd moments = first.transpose() * first + second.transpose() * second;
+  return linear::symmetricEigenvalues(moments).vectors.col(0);
 }
 
 /// An edge's direction in the frame of the one before, as the turn from there.
@@ -100,38 +107,39 @@ HomogeneousPoles weighted(const Poles& points, const Eigen::VectorXd& weights) {
 
 }  // namespace
 
-Turn turnBetween(const HomogeneousPoles& first, const HomogeneousPoles& second) {
-  const Poles one = pointsOf(first), two = pointsOf(second);
-  const Vector3d u = tangentOf(one), v = tangentOf(two), normal = u.cross(v);
+Turn turnBetween(const JointKey& first, const JointKey& second) {
+  const Vector3d u = tangentOf(pointsOf(first.poles)), v = tangentOf(pointsOf(second.poles));
+  const Vector3d normal = u.cross(v);
   Turn turn;
   turn.angle_rad = std::atan2(normal.norm(), u.dot(v));
   if (normal.norm() > least_normal) {
     turn.axis = normal.normalized();
     return turn;
   }
+  const Poles one = legsOf(first), two = legsOf(second);
   const Vector3d across = normalOfLegs(one, two);
   turn.axis = (across - across.dot(u) * u).stableNormalized();
   if (!(turn.axis.norm() > 0.5)) turn.axis = u.unitOrthogonal();
+  const Index far = one.rows() - 2;
   const Vector3d mean =
-      (one.bottomRows<1>() - one.topRows<1>() + two.bottomRows<1>() - two.topRows<1>()).transpose();
+      (one.row(far + 1) - one.row(far) + two.row(far + 1) - two.row(far)).transpose();
   if (turn.axis.cross(u).dot(mean) < 0) turn.axis = -turn.axis;
   return turn;
 }
 
-HomogeneousPoles halfTurned(const HomogeneousPoles& first, const HomogeneousPoles& second) {
-  const Poles one = pointsOf(first), two = pointsOf(second);
+HomogeneousPoles halfTurned(const JointKey& first, const JointKey& second) {
+  const Poles one = pointsOf(first.poles), two = pointsOf(second.poles);
   const Index n = (one.rows() - 1) / 2;
   const Turn turn = turnBetween(first, second);
   const Poles legs = ((one.rowwise() - one.row(n)) * turned(turn, 0.5).transpose() +
                       (two.rowwise() - two.row(n)) * turned(turn, -0.5).transpose()) /
                      2;
   const Eigen::RowVector3d middle = (one.row(n) + two.row(n)) / 2;
-  return weighted(legs.rowwise() + middle, (first.col(3) + second.col(3)) / 2);
+  return weighted(legs.rowwise() + middle, (first.poles.col(3) + second.poles.col(3)) / 2);
 }
 
-HomogeneousPoles intrinsicPoles(const HomogeneousPoles& first, const HomogeneousPoles& second,
-                                double share) {
-  const Poles one = pointsOf(first), two = pointsOf(second);
+HomogeneousPoles intrinsicPoles(const JointKey& first, const JointKey& second, double share) {
+  const Poles one = pointsOf(first.poles), two = pointsOf(second.poles);
   const Index n = (one.rows() - 1) / 2;
   const Turn turn = turnBetween(first, second);
   const Matrix3d frame = turned(turn, share);
@@ -148,7 +156,7 @@ HomogeneousPoles intrinsicPoles(const HomogeneousPoles& first, const Homogeneous
   };
   Poles points(one.rows(), 3);
   points << side(false).colwise().reverse(), side(true).bottomRows(n);
-  return weighted(points, (1 - share) * first.col(3) + share * second.col(3));
+  return weighted(points, (1 - share) * first.poles.col(3) + share * second.poles.col(3));
 }
 
-}  // namespace seamwright::blend
+}  // namespace seamwright::blending

@@ -5,7 +5,7 @@
 
 /// Blends of joints whose tangents turn far; not a public header.
 /// Source: docs/theory/curves.md C11.7.
-namespace seamwright::blend {
+namespace seamwright::blending {
 
 /// The turn that takes the tangent direction of one joint to that of another.
 struct Turn {
@@ -14,18 +14,17 @@ struct Turn {
 };
 
 /// About the common normal of both tangents. Opposite tangents have many; then it is the normal of
-/// the plane nearest to the legs of both polygons, its sense chosen such that half the turn points
-/// along the polygons' mean direction.
-Turn turnBetween(const HomogeneousPoles& first, const HomogeneousPoles& second);
+/// the plane through the joint nearest to the poles beside it and the far ends, its sense chosen
+/// such that the tangent half turned points along the mean of the chords from far end to far end.
+Turn turnBetween(const JointKey& first, const JointKey& second);
 
 /// Half of both joints, each turned about its own pole by half the angle: tangents are parallel.
-HomogeneousPoles halfTurned(const HomogeneousPoles& first, const HomogeneousPoles& second);
+HomogeneousPoles halfTurned(const JointKey& first, const JointKey& second);
 
 /// Linear blend of the edges' lengths and of the turning vectors from edge to edge, outwards from
 /// the joint: the vector along the axis of the turn from one edge to the next, as long as the
 /// angle. Points at the joint and weights are blended linearly. The tangents turn at a constant
 /// rate. In a plane these are the lengths and turning angles of the polygon.
-HomogeneousPoles intrinsicPoles(const HomogeneousPoles& first, const HomogeneousPoles& second,
-                                double share);
+HomogeneousPoles intrinsicPoles(const JointKey& first, const JointKey& second, double share);
 
-}  // namespace seamwright::blend
+}  // namespace seamwright::blending

@@ -58,9 +58,12 @@ void requireMotion(const Polynomial& squared_speed) {
 /// Curvature at a parameter; signed for a curve in the plane z = 0.
 double curvatureAt(const BezierCurve& curve, double t, bool in_plane) {
   const CurveDerivatives d = curve.derivatives(t, 2);
-  const Eigen::Vector3d first = d.row(1), second = d.row(2);
+  // In a unit of its size, so that the products do not overflow.
+  const double speed = d.row(1).cwiseAbs().maxCoeff();
+  const double unit = speed > 0 ? std::exp2(std::ilogb(speed)) : 1;
+  const Eigen::Vector3d first = d.row(1) / unit, second = d.row(2) / unit;
   const Eigen::Vector3d turn = first.cross(second);
-  return (in_plane ? turn.z() : turn.norm()) / std::pow(first.norm(), 3);
+  return (in_plane ? turn.z() : turn.norm()) / std::pow(first.norm(), 3) / unit;
 }
 
 /// \param slope has the sign of the derivative of the curvature, \param turn that of the curvature.

@@ -4,7 +4,7 @@
 
 #include <seamwright/core/fair/curvature_variation.hpp>
 #include <seamwright/core/fair/profile_sum.hpp>
-#include <seamwright/core/fair/spline_energy.hpp>
+#include <seamwright/core/linear/gauss_rule.hpp>
 
 namespace seamwright {
 
@@ -25,13 +25,13 @@ double variationDensity(const CurveDerivatives& at) {
 CurvatureVariation variationOf(const BezierSpline& spline) {
   requireValid(spline);
   ProfileSum profiles{.planar = (spline.poles.col(2).array() == 0).all()};
-  const GaussNodes gauss = gaussNodes(8);
+  const GaussRule gauss = gaussRule(8);
   CurvatureVariation result;
   for (int i = 0; i < spline.segments(); ++i) {
     const BezierCurve piece = segment(spline, i);
-    for (Eigen::Index k = 0; k < gauss.nodes.size(); ++k)
+    for (std::size_t k = 0; k < gauss.nodes.size(); ++k)
       result.energy_per_mm3 +=
-          gauss.weights(k) / 2 * variationDensity(piece.derivatives((1 + gauss.nodes(k)) / 2, 3));
+          gauss.weights[k] * variationDensity(piece.derivatives(gauss.nodes[k], 3));
     profiles.add(piece);
   }
   result.extrema = profiles.extrema;

@@ -238,6 +238,7 @@ FairedFunction reboundFunction(const FunctionSpline& spline, double tolerance_mm
 
 VectorXd polishedPoles(const VectorXd& ordinates_mm, int steps) {
   if (ordinates_mm.size() < 2) refuse(fmt::format("{} points make no spline", ordinates_mm.size()));
+  if (steps < 0) refuse(fmt::format("{} steps: the number must be at least 0", steps));
   VectorXd poles = ordinates_mm;
   for (int k = 0; k < steps; ++k) poles += ordinates_mm - means(poles);
   return poles;

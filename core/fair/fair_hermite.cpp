@@ -25,11 +25,9 @@ MatrixPole matrixPole(const HermitePoints& data, Index i, double stiffness) {
           .stiffness = stiffness};
 }
 
-void requireHermite(const HermitePoints& data, const MatrixFitOptions& options) {
+void requireHermite(const HermitePoints& data) {
   if (data.points.rows() != data.tangents.rows())
     refuse(fmt::format("{} tangents for {} points", data.tangents.rows(), data.points.rows()));
-  if (options.degree < 1 || data.points.rows() <= options.degree)
-    refuse(fmt::format("{} points make no curve of degree {}", data.points.rows(), options.degree));
   for (Index i = 0; i < data.points.rows(); ++i) {
     const Eigen::RowVector3d point = data.points.row(i), tangent = data.tangents.row(i);
     if (!point.allFinite() || !tangent.allFinite() || tangent.isZero(0))
@@ -133,7 +131,9 @@ int extremaOf(const CurvatureVariation& variation) {
 }  // namespace
 
 MatrixFit fitHermite(const HermitePoints& data, const MatrixFitOptions& options) {
-  requireHermite(data, options);
+  if (options.degree < 1 || data.points.rows() <= options.degree)
+    refuse(fmt::format("{} points make no curve of degree {}", data.points.rows(), options.degree));
+  requireHermite(data);
   MatrixFit result;
   result.parameters = polygonLengths(data.points);
   result.curve.degree = options.degree;
@@ -155,6 +155,9 @@ MatrixFit fitHermite(const HermitePoints& data, const MatrixFitOptions& options)
 }
 
 HermitePoints matrixPass(const HermitePoints& data, double stiffness, bool fair_tangents) {
+  requireHermite(data);
+  if (!(stiffness >= 0 && stiffness <= max_stiffness))
+    refuse(fmt::format("the stiffness is {}: it must be in [0, {}]", stiffness, max_stiffness));
   HermitePoints result = data;
   for (Index i = 1; i + 1 < data.points.rows(); ++i) {
     const LocalMinimum found(data, i, stiffness);

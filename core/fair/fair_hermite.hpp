@@ -70,6 +70,9 @@ FairedHermite fairHermite(const HermitePoints& data, double tolerance_mm,
                           const HermiteFairingOptions& options = {});
 
 /// One pass of fairHermite() without tolerance.
+/// \throws std::invalid_argument for tangents that do not match or are 0, numbers that are not
+/// finite, equal neighbours (with the index), and a stiffness that requireValid(MatrixCurve)
+/// refuses. Source: docs/theory/planar.md P13.5.
 HermitePoints matrixPass(const HermitePoints& data, double stiffness, bool fair_tangents);
 
 }  // namespace seamwright

@@ -111,6 +111,7 @@ FairedFunction reboundFunction(const FunctionSpline& spline, double tolerance_mm
 /// of the given ordinates. The first and the last one stay.
 ///   (7) The values at points between the ends are those of (I - (I - B)^(steps + 1)) y, where B
 ///       takes the mean of a number and its neighbours with the weights 4/6, 1/6 and 1/6.
+/// \throws std::invalid_argument for fewer than 2 ordinates, and a negative number of steps.
 /// Source: docs/theory/planar.md P12.4.
 Eigen::VectorXd polishedPoles(const Eigen::VectorXd& ordinates_mm, int steps);
 

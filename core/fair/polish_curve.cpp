@@ -10,6 +10,7 @@
 #include <seamwright/core/fair/polish_curve.hpp>
 #include <seamwright/core/fair/polynomial_curve.hpp>
 #include <seamwright/core/fair/spline_energy.hpp>
+#include <seamwright/core/linear/gauss_rule.hpp>
 #include <seamwright/core/numeric.hpp>
 
 namespace seamwright {
@@ -73,14 +74,14 @@ class VariationProblem {
         free_(given_.rows(), ends),
         dimensions_((given_.col(2).array() == 0).all() ? 2 : 3),
         mass_(derivativeProducts(curve.degree, curve.knots, 0)) {
-    const GaussNodes gauss = gaussNodes(8);
+    const GaussRule gauss = gaussRule(8);
     for (int span = degree_; span < curve.count(); ++span) {
-      const double from = curve.knots[span], half = (curve.knots[span + 1] - from) / 2;
-      for (Index k = 0; half > 0 && k < gauss.nodes.size(); ++k)
+      const double from = curve.knots[span], length = curve.knots[span + 1] - from;
+      for (std::size_t k = 0; length > 0 && k < gauss.nodes.size(); ++k)
         nodes_.push_back({.first = span - degree_,
-                          .weight = gauss.weights(k) * half,
-                          .basis = bspline::basisDerivatives(
-                              degree_, curve.knots, span, from + (1 + gauss.nodes(k)) * half, 3)});
+                          .weight = gauss.weights[k] * length,
+                          .basis = bspline::basisDerivatives(degree_, curve.knots, span,
+                                                             from + gauss.nodes[k] * length, 3)});
     }
   }
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <cmath>
-
 #include <seamwright/core/bspline/basis.hpp>
 #include <seamwright/core/fair/spline_energy.hpp>
-#include <seamwright/core/linear/dense.hpp>
+#include <seamwright/core/linear/gauss_rule.hpp>
 
 namespace seamwright {
 
@@ -52,30 +50,20 @@ class PoleDifferences {
 
 }  // namespace
 
-/// The nodes are the eigenvalues of the symmetric matrix of the recurrence of the Legendre
-/// polynomials, and the weights are twice the squared first components of its eigenvectors.
-GaussNodes gaussNodes(int count) {
-  Eigen::MatrixXd recurrence = Eigen::MatrixXd::Zero(count, count);
-  for (int k = 1; k < count; ++k)
-    recurrence(k, k - 1) = recurrence(k - 1, k) = k / std::sqrt(4.0 * k * k - 1);
-  const linear::Eigenvalues found = linear::symmetricEigenvalues(recurrence);
-  return {.nodes = found.values, .weights = 2 * found.vectors.row(0).array().square()};
-}
-
 Eigen::SparseMatrix<double> derivativeProducts(int degree, const std::vector<double>& knots,
                                                int order) {
-  const GaussNodes gauss = gaussNodes(degree + 1 - order);
+  const GaussRule gauss = gaussRule(degree + 1 - order);
   const Index count = static_cast<Index>(knots.size()) - degree - 1;
   std::vector<Eigen::Triplet<double>> entries;
   for (int span = degree; span < count; ++span) {
     const double from = knots[span], to = knots[span + 1];
     if (!(from < to)) continue;
     Eigen::MatrixXd products = Eigen::MatrixXd::Zero(degree + 1, degree + 1);
-    for (Index k = 0; k < gauss.nodes.size(); ++k) {
-      const double t = from + (1 + gauss.nodes(k)) / 2 * (to - from);
+    for (std::size_t k = 0; k < gauss.nodes.size(); ++k) {
+      const double t = from + gauss.nodes[k] * (to - from);
       const Eigen::RowVectorXd values =
           bspline::basisDerivatives(degree, knots, span, t, order).row(order);
-      products += gauss.weights(k) * (to - from) / 2 * values.transpose() * values;
+      products += gauss.weights[k] * (to - from) * values.transpose() * values;
     }
     for (int i = 0; i <= degree; ++i)
       for (int j = 0; j <= degree; ++j)

@@ -10,12 +10,6 @@
 /// Quadratic forms of the poles of B-spline curves; not a public header.
 namespace seamwright {
 
-struct GaussNodes {
-  Eigen::VectorXd nodes, weights;  ///< on [-1, 1]
-};
-
-GaussNodes gaussNodes(int count);
-
 /// The symmetric matrix of the integrals of N_i^(order) N_j^(order) over all spans, exact up to
 /// rounding: Gauss quadrature with degree + 1 - order nodes in each span. It has 2 degree + 1
 /// diagonals.

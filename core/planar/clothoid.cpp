@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -72,31 +71,10 @@ PlanarJet jetAt(const Clothoid& curve, double s_mm) {
           .second = curve.curvatureAt_per_mm(s_mm) * unitVector(direction_rad + pi / 2)};
 }
 
-/// The roots of the Legendre polynomial by Newton's method, which doubles the digits in each step.
-GaussRule computedGaussRule() {
-  // The start has at least two digits, so four steps reach 16 of them. The other four change only
-  // the last digit.
-  constexpr int n = GaussRule::count, steps = 8;
-  GaussRule rule;
-  for (int i = 0; i < n; ++i) {
-    double x = std::cos(pi * (i + 0.75) / (n + 0.5)), slope = 0;
-    for (int step = 0; step < steps; ++step) {
-      double before = 1, value = x;
-      for (int k = 2; k <= n; ++k)
-        before = std::exchange(value, ((2 * k - 1) * x * value - (k - 1) * before) / k);
-      slope = n * (x * value - before) / (x * x - 1);
-      x -= value / slope;
-    }
-    rule.nodes[i] = (1 + x) / 2;
-    rule.weights[i] = 1 / ((1 - x * x) * slope * slope);
-  }
-  return rule;
-}
-
 }  // namespace
 
-const GaussRule& gaussRule() {
-  static const GaussRule rule = computedGaussRule();
+const GaussRule& phaseRule() {
+  static const GaussRule rule = gaussRule(phase_nodes);
   return rule;
 }
 

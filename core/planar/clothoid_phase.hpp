@@ -1,30 +1,28 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <array>
 #include <cmath>
+
+#include <seamwright/core/linear/gauss_rule.hpp>
 
 /// Integrals of clothoids; not a public header.
 namespace seamwright {
 
-/// Nodes and weights of Gauss' quadrature on [0, 1].
-struct GaussRule {
-  static constexpr int count = 16;
-  std::array<double, count> nodes = {}, weights = {};
-};
+inline constexpr int phase_nodes = 16;
 
-const GaussRule& gaussRule();
+/// Of that many nodes.
+const GaussRule& phaseRule();
 
 /// The integral over [0, 1] of a function whose phase turns by at most \p turn_rad: 16 nodes in
 /// each panel of 6 rad are exact up to rounding. Source: docs/theory/planar.md P4.1.
 template <class Function>
 auto integral(const Function& function, double turn_rad) {
-  const GaussRule& rule = gaussRule();
+  const GaussRule& rule = phaseRule();
   constexpr double panel_rad = 6;
   const int panels = static_cast<int>(std::ceil((turn_rad + 1) / panel_rad));
   decltype(function(0.0)) sum = function(0.0) * 0.0;
   for (int panel = 0; panel < panels; ++panel)
-    for (int i = 0; i < GaussRule::count; ++i)
+    for (int i = 0; i < phase_nodes; ++i)
       sum += rule.weights[i] * function((panel + rule.nodes[i]) / panels);
   return decltype(sum)(sum / panels);
 }

@@ -119,12 +119,42 @@ bool isBetter(const PairQuality& one, const PairQuality& other) {
   return one.unevenness < clearly * other.unevenness;
 }
 
-/// The best of a grid of tangents. It begins with the symmetric one, which stays if none is better.
+/// The best of the pairs with the tangents that it is shown; the first one stays if none is better.
+class BestPair {
+ public:
+  explicit BestPair(const UnitPair& pair) : pair_(pair) {}
+
+  void consider(const JointTangent& tangent) {
+    const std::array<PlanarConic, 2> conics = conicsWith(pair_, tangent);
+    const PairQuality own = qualityOf(conics);
+    if (best_ && !isBetter(own, quality_)) return;
+    best_ = ConicPair{.conics = conics, .extrema = own.extrema};
+    quality_ = own;
+  }
+  const std::optional<ConicPair>& best() const { return best_; }
+
+ private:
+  const UnitPair& pair_;
+  std::optional<ConicPair> best_;
+  PairQuality quality_;
+};
+
+/// Tangents that cut the edges in equal parts. There is a pair for each of them.
+ConicPair bestOfShares(const UnitPair& pair) {
+  constexpr int parts = 8;
+  BestPair best(pair);
+  for (int i = 1; i < parts; ++i)
+    for (int j = 1; j < parts; ++j)
+      best.consider({.start_share = static_cast<double>(i) / parts,
+                     .end_share = static_cast<double>(j) / parts});
+  return *best.best();
+}
+
+/// The best of a grid of tangents. It begins with the symmetric one.
 ConicPair bestPair(const UnitPair& pair) {
   constexpr int turns = 24, most_scale_steps = 10;
   constexpr double scale_step = 1.1;
-  std::optional<ConicPair> best;
-  PairQuality quality;
+  BestPair best(pair);
   for (int i = 0; i < turns - 1; ++i) {
     // 12, 11, 13, 10, ..., 1, 23
     const int away = (i + 1) / 2, twelfth = turns / 2 + (i % 2 == 0 ? away : -away);
@@ -132,15 +162,12 @@ ConicPair bestPair(const UnitPair& pair) {
       const int step = j <= 0 ? j + most_scale_steps : -j;  // 0, 1, ..., 10, -1, ..., -10
       const JointTangent tangent =
           jointTangent(pair, pair.turn() * twelfth / turns, std::pow(scale_step, step));
-      if (!tangent.inside()) continue;
-      const std::array<PlanarConic, 2> conics = conicsWith(pair, tangent);
-      const PairQuality own = qualityOf(conics);
-      if (best && !isBetter(own, quality)) continue;
-      best = ConicPair{.conics = conics, .extrema = own.extrema};
-      quality = own;
+      if (tangent.inside()) best.consider(tangent);
     }
   }
-  return *best;
+  // Where one angle is more than about 120 times the other one, no tangent of the grid cuts both
+  // edges.
+  return best.best() ? *best.best() : bestOfShares(pair);
 }
 
 /// The way back from the unit chord to the given ends.

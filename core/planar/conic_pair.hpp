@@ -21,8 +21,9 @@ struct ConicPair {
   int extrema = 0;
 };
 
-/// Of the pairs that twoConics() gives for 483 tangents at the joint, one with the fewest extrema
-/// of the curvature; of these, the one whose curvature is nearest to linear by length. Identities
+/// Of the pairs that twoConics() gives for 483 tangents at the joint (for 49 others if none of
+/// these cuts both edges, as with angles that differ by 120 times), one with the fewest extrema of
+/// the curvature; of these, the one whose curvature is nearest to linear by length. Identities
 /// (each has a test of its number):
 ///   (1) The pair has the points, directions and curvatures given, and joins G2. Its control
 ///       polygon is convex, so it has no inflection.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Eigen/SparseCholesky>
+#include <Eigen/SparseLU>
 #include <algorithm>
 #include <vector>
 
@@ -29,6 +30,34 @@ double shareToBound(const ArrayXd& values, const ArrayXd& changes) {
     if (changes(i) < 0) step = std::min(step, -0.995 * values(i) / changes(i));
   return step;
 }
+
+/// Proves that a program has no solution. For multipliers z >= 0 of S k >= margins take y with
+/// A' y = S' z. Then each solution has z' margins <= z' S k = y' A k = y' b + y' J x, which is at
+/// most y' b + |J' y| summed up over the moves (Farkas).
+class Refutation {
+ public:
+  explicit Refutation(const CurvatureProgram& program) : program_(program) {
+    const SparseMatrix transposed = program.curvatures.transpose();
+    factor_.compute(transposed);
+  }
+
+  bool refutes(const ArrayXd& multipliers) const {
+    if (factor_.info() != Eigen::Success) return false;
+    const VectorXd z = multipliers.matrix();
+    const VectorXd y = factor_.solve(VectorXd(program_.shape.transpose() * z));
+    const double demanded = z.dot(program_.margins), given = y.dot(program_.right);
+    const double moved = (program_.moves.transpose() * y).lpNorm<1>();
+    // Far above the rounding of the sums and of y.
+    constexpr double rounding = 1e-6;
+    const double size =
+        z.dot(program_.margins.cwiseAbs()) + y.cwiseAbs().dot(program_.right.cwiseAbs()) + moved;
+    return demanded - given - moved > rounding * size;
+  }
+
+ private:
+  const CurvatureProgram& program_;
+  Eigen::SparseLU<SparseMatrix> factor_;
+};
 
 class ProgramSteps {
  public:
@@ -130,7 +159,9 @@ class ProgramSteps {
     }
     matrix_.resize(2 * n, 2 * n);
     matrix_.setFromTriplets(entries.begin(), entries.end());
-    factor_.compute(matrix_);
+    // All steps have the same pattern.
+    if (factor_.rows() == 0) factor_.analyzePattern(matrix_);
+    factor_.factorize(matrix_);
     return factor_.info() == Eigen::Success;
   }
 
@@ -173,6 +204,7 @@ CurvatureSolution solve(const CurvatureProgram& program, const Eigen::VectorXd& 
   // Four digits of the energy: the program is linearised, and solved again.
   constexpr double precision = 1e-5, centring = 0.2, equation_precision = 1e-8;
   constexpr int most_steps = 80;
+  const Refutation refutation(program);
   ProgramSteps steps(program, curvatures, moves);
   CurvatureSolution result;
   while (result.steps < most_steps) {
@@ -186,6 +218,7 @@ CurvatureSolution solve(const CurvatureProgram& program, const Eigen::VectorXd& 
     const double barrier = std::max(centring * gap, small / 4) / steps.bounds();
     if (!steps.step(barrier)) break;
     ++result.steps;
+    if (refutation.refutes(steps.at().shape)) break;
   }
   result.curvatures = steps.at().curvatures;
   result.moves = steps.at().moves;

@@ -26,7 +26,8 @@ struct CurvatureSolution {
 };
 
 /// A primal-dual interior-point method (Mehrotra's, without the corrector) that starts at these
-/// values, which need not be feasible. A step costs O(n).
+/// values, which need not be feasible. A step costs O(n). The search ends early if the multipliers
+/// prove that there is no solution.
 /// Source: docs/theory/planar.md P10.5.
 CurvatureSolution solve(const CurvatureProgram& program, const Eigen::VectorXd& curvatures,
                         const Eigen::VectorXd& moves);

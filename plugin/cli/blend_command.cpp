@@ -6,7 +6,9 @@
 #include <map>
 #include <optional>
 #include <seamwright/core/bezier/length.hpp>
+#include <seamwright/core/blend/common_knots.hpp>
 #include <seamwright/core/blend/frame_loft.hpp>
+#include <seamwright/core/blend/match_pieces.hpp>
 #include <seamwright/core/blend/spline_blend.hpp>
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
 #include <seamwright/occ_adapter/curves/space_spline.hpp>
@@ -42,14 +44,58 @@ std::vector<double> evenOmegas(std::size_t count) {
   return omegas;
 }
 
-SplineBlend blendOf(const KeyCurves& input, const BlendArguments& arguments) {
+MatchOptions matchOptions(const BlendArguments& arguments, bool closed) {
+  return {.by = arguments.match == "features" ? MatchBy::Features : MatchBy::Length,
+          .find_start = closed,
+          .find_direction = true};
+}
+
+std::string matchNote(const MatchSummary& summary) {
+  const auto [fewest, most] = std::ranges::minmax(summary.pieces_before);
+  std::string note =
+      fmt::format("matched: {} to {} pieces each became {}", fewest, most, summary.pieces_after);
+  if (summary.matched_features > 0)
+    note += fmt::format(", {} corners or extrema of the curvature correspond",
+                        summary.matched_features);
+  if (const auto reversed = std::ranges::count(summary.reversed, true))
+    note += fmt::format(", {} run in the other direction", reversed);
+  return note;
+}
+
+/// The key curves, divided into corresponding pieces.
+std::vector<BezierSpline> dividedCurves(const std::vector<BezierSpline>& curves,
+                                        const MatchOptions& options, BlendReport& report) {
+  MatchedFrames matched = matchPieces(curves, options);
+  report.notes.push_back(matchNote(matched.summary) +
+                         fmt::format("; shares of the length differ up to {:.3g} times",
+                                     matched.summary.largest_ratio));
+  return std::move(matched.frames);
+}
+
+/// The key curves over common knots, within the tolerance.
+std::vector<BezierSpline> refittedCurves(const std::vector<BezierSpline>& curves,
+                                         const MatchOptions& options, double tolerance_mm,
+                                         BlendReport& report) {
+  CommonKnots common = commonKnots(curves, {.match = options, .tolerance_mm = tolerance_mm});
+  report.notes.push_back(matchNote(common.summary));
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    report.key_curves[i].refitted_mm = common.distance_mm[i];
+  report.reached = common.reached;
+  return std::move(common.frames);
+}
+
+SplineBlend blendOf(const KeyCurves& input, const BlendArguments& arguments, BlendReport& report) {
   std::vector<BezierSpline> curves;
   for (const KeyCurve& key : input.curves) curves.push_back(key.curve);
+  const MatchOptions match = matchOptions(arguments, report.closed);
+  const std::vector<BezierSpline> matched =
+      arguments.exact ? dividedCurves(curves, match, report)
+                      : refittedCurves(curves, match, arguments.tolerance_mm, report);
   SplineBlendOptions options;
   options.joint.order = arguments.order;
   options.continuity = continuities().at(arguments.in_between);
   options.keep_lower_orders = true;
-  return SplineBlend(curves, evenOmegas(curves.size()), options);
+  return SplineBlend(matched, evenOmegas(curves.size()), options);
 }
 
 /// The length of the curve to a millionth.
@@ -224,6 +270,9 @@ void addBlendOptions(CLI::App& command, BlendArguments& arguments) {
                   "Smoothness from frame to frame at key curves between the outer ones")
       ->check(CLI::IsMember({"C0", "C1", "C2"}))
       ->capture_default_str();
+  command.add_flag("--exact", arguments.exact,
+                   "Keep the key curves exactly: divide them into corresponding pieces. Not given: "
+                   "they get common knots within the tolerance, so that curves between are fair");
   command.add_flag("--loft", arguments.loft,
                    "Write the surface through the frames instead of the frames");
   command
@@ -267,14 +316,15 @@ int runBlend(const BlendArguments& arguments) {
                      .order = arguments.order,
                      .tolerance_mm = arguments.tolerance_mm,
                      .match = arguments.match,
-                     .in_between = arguments.in_between};
+                     .in_between = arguments.in_between,
+                     .reached = true};
   addKeyCurves(input, report);
   std::optional<FrameLoft> loft;
   std::vector<BezierSpline> frames;
   try {
-    const SplineBlend blend = blendOf(input, arguments);
+    const SplineBlend blend = blendOf(input, arguments, report);
     frames = framesOf(blend, arguments, report);
-    report.reached = noteOrders(blend, report);
+    report.reached = noteOrders(blend, report) && report.reached;
     if (arguments.loft) loft = loftOf(blend, arguments, report);
   } catch (const std::invalid_argument& error) {  // curves that core can't match or blend
     throw std::runtime_error(arguments.inputs.front() + ": " + error.what());

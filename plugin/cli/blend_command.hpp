@@ -19,6 +19,7 @@ struct BlendArguments {
   std::string in_between = "C2";
   double tolerance_mm = 0.001;
   bool closed = false;
+  bool exact = false;  ///< the key curves are divided, not refitted over common knots
   bool loft = false;
 };
 

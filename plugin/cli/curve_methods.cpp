@@ -8,6 +8,7 @@
 #include <seamwright/core/planar/arc_fit.hpp>
 #include <seamwright/core/planar/clothoid_fit.hpp>
 #include <seamwright/core/planar/clothoid_spline.hpp>
+#include <seamwright/core/planar/conic_fit.hpp>
 #include <seamwright/core/planar/conic_spline.hpp>
 #include <seamwright/core/planar/fair_clothoids.hpp>
 #include <seamwright/core/planar/fair_points.hpp>
@@ -265,9 +266,31 @@ MadeCurve conicsNearCurve(const GivenCurve& given, const CurveTask& task) {
   return made;
 }
 
+/// Conics through points of the curve of a model.
+MadeCurve fittedConics(const GivenCurve& given, const CurveTask& task) {
+  const ConicFit fit = fitConics(bezierSpline(given.chain, gapOf(given, given.chain)),
+                                 {.tolerance_mm = task.tolerance_mm}, task.progress);
+  MadeCurve made{.record = given.record};
+  made.chain = {.curves = {fit.conics.begin(), fit.conics.end()}, .closed = fit.closed};
+  made.record.pieces = static_cast<int>(fit.conics.size());
+  made.record.corners = static_cast<int>(fit.corners.size());
+  made.record.distance_mm = fit.distance_mm;
+  noteJoints(made.record, fit.g1_joints.size());
+  made.record.before = figuresFrom(figuresOf(given.chain, partOf(task.progress, 1, 1)));
+  made.record.after = figuresFrom(figuresOf(made.chain, partOf(task.progress, 1, 1)));
+  return made;
+}
+
+MadeCurve conicsOfModel(const GivenCurve& given, const CurveTask& task) {
+  try {
+    return fittedConics(given, task);
+  } catch (const std::domain_error&) {  // arcs can follow where the curve has a cusp
+    return conicsNearCurve(given, task);
+  }
+}
+
 MadeCurve madeConics(const GivenCurve& given, const CurveTask& task) {
-  return given.points.rows() > 0 ? conicsThrough(given, task.progress)
-                                 : conicsNearCurve(given, task);
+  return given.points.rows() > 0 ? conicsThrough(given, task.progress) : conicsOfModel(given, task);
 }
 
 CurveFigures withVariation(const ClothoidFigures& figures) {
@@ -341,13 +364,36 @@ bool isPolynomial(const BSplineCurve& curve) {
   return (curve.poles.col(3).array() == curve.poles(0, 3)).all();
 }
 
+bool noLessFair(const ChainFigures& one, const ChainFigures& other) {
+  // Energies that agree to this are the same.
+  constexpr double same = 1 + 1e-9;
+  return one.extrema <= other.extrema && one.inflections <= other.inflections &&
+         one.energy_per_mm <= same * other.energy_per_mm;
+}
+
+/// The spline made fair, if its curvature is fair too: the least integral of the squared third
+/// derivative can cost extrema where the parameters are uneven. Smaller moves cost fewer.
+std::optional<FairedCurve> fairerSpline(const BSplineCurve& spline, double tolerance_mm,
+                                        const CurveFairingOptions& options,
+                                        const Progress& progress) {
+  const auto figures = [](const BSplineCurve& curve) {
+    return figuresOf({.curves = {curve}, .closed = false});
+  };
+  const ChainFigures before = figures(spline);
+  for (const double share : {1.0, 0x1p-2, 0x1p-4}) {
+    const FairedCurve faired = fairCurve(spline, share * tolerance_mm, options, progress);
+    if (noLessFair(figures(faired.curve), before)) return faired;
+  }
+  return std::nullopt;
+}
+
 MadeCurve madeFairSplines(const GivenCurve& given, const CurveTask& task) {
   MadeCurve made{.record = given.record};
   made.record.before = figuresFrom(figuresOf(given.chain, partOf(task.progress, 0, 0)));
   made.chain.closed = given.chain.closed;
   const auto whole = static_cast<double>(given.chain.curves.size());
   double moved_mm = 0;
-  int kept = 0;
+  int kept = 0, not_fairer = 0;
   // Neighbours meet in position and tangent, and so do the ends of a closed chain.
   const bool joins = given.chain.closed || given.chain.curves.size() > 1;
   const CurveFairingOptions options{.ends = joins ? HeldEnds::Tangent : HeldEnds::Position};
@@ -359,17 +405,26 @@ MadeCurve madeFairSplines(const GivenCurve& given, const CurveTask& task) {
       ++kept;
       continue;
     }
-    const FairedCurve faired = fairCurve(*spline, task.tolerance_mm, options,
-                                         partOf(task.progress, done, done + 1 / whole));
-    moved_mm = std::max(moved_mm, faired.moved_mm);
-    made.chain.curves.emplace_back(faired.curve);
-    made.record.pieces += bezierSpline(faired.curve).segments();
+    const std::optional<FairedCurve> faired =
+        fairerSpline(*spline, task.tolerance_mm, options, partOf(task.progress, done, done));
+    if (!faired) {
+      made.chain.curves.push_back(curve);
+      ++not_fairer;
+      continue;
+    }
+    moved_mm = std::max(moved_mm, faired->moved_mm);
+    made.chain.curves.emplace_back(faired->curve);
+    made.record.pieces += bezierSpline(faired->curve).segments();
   }
   made.record.distance_mm = made.record.moved_mm = moved_mm;
   if (kept > 0)
     made.record.notes.push_back(fmt::format(
         "{} curve{} as given: only polynomial B-splines of degree 2 and more are faired", kept,
         kept == 1 ? " stays" : "s stay"));
+  if (not_fairer > 0)
+    made.record.notes.push_back(fmt::format(
+        "{} curve{} as given: moves of its poles would cost extrema, inflections or energy",
+        not_fairer, not_fairer == 1 ? " stays" : "s stay"));
   made.record.after = figuresFrom(figuresOf(made.chain, partOf(task.progress, 1, 1)));
   return made;
 }
@@ -378,13 +433,18 @@ MadeCurve madeFair(const GivenCurve& given, const CurveTask& task) {
   return given.points.rows() > 0 ? madeFairPoints(given, task) : madeFairSplines(given, task);
 }
 
-/// Extrema and inflections that the work added.
-void noteAdded(report::CurveRecord& record) {
-  const auto note = [&](int added, const char* what) {
-    if (added > 0) record.notes.push_back(fmt::format("{} more {} than before", added, what));
+/// Extrema and inflections that the work added. Returns whether there are some.
+bool noteAdded(report::CurveRecord& record) {
+  const auto note = [&](int added, const char* one, const char* more) {
+    if (added > 0)
+      record.notes.push_back(fmt::format("{} more {} than before", added, added == 1 ? one : more));
+    return added > 0;
   };
-  note(record.after.extrema - record.before.extrema, "extrema of the curvature");
-  note(record.after.inflections - record.before.inflections, "inflections");
+  const bool extrema = note(record.after.extrema - record.before.extrema,
+                            "extremum of the curvature", "extrema of the curvature");
+  const bool inflections =
+      note(record.after.inflections - record.before.inflections, "inflection", "inflections");
+  return extrema || inflections;
 }
 
 /// Lengths in mm for which no formula overflows or vanishes: the highest power of a length is the
@@ -503,8 +563,9 @@ MadeCurve madeCurve(const std::string& method, const GivenCurve& given, const Cu
   const LocalCurve local = localCurve(given);
   MadeCurve made = madeBy(method, local.given, taskOf(local, task));
   if (!local.origin.isZero(0)) moveBack(made, local);
-  noteAdded(made.record);
-  made.record.with_reservations = method == "conic" && !made.record.notes.empty();
+  const bool has_notes = !made.record.notes.empty(), added = noteAdded(made.record);
+  // Arcs have jumps of the curvature, which nobody takes for a fair curve.
+  made.record.with_reservations = method != "arcs" && (added || (method == "conic" && has_notes));
   noteRounding(made.record, local.given);
   return made;
 }

@@ -86,6 +86,10 @@ py::object correctFunctionOf(const py::object& points, const py::object& toleran
   return fairedFunctionResult([&] { return correctFunction(spline, tolerance); });
 }
 
+py::object reboundedOf(const py::object& points, const py::object& slopes) {
+  return functionSplineResult(rebounded(functionSplineOf(points, slopes)));
+}
+
 py::object reboundFunctionOf(const py::object& points, const py::object& tolerance_mm,
                              const py::object& slopes, const py::object& most_rebounds) {
   const FunctionSpline spline = functionSplineOf(points, slopes);
@@ -102,8 +106,6 @@ py::object polishFunctionOf(const py::object& points, const py::object& toleranc
 
 Eigen::VectorXd polishedPolesOf(const py::object& ordinates_mm, const py::object& steps) {
   const int count = wholeNumber("steps", steps);
-  if (count < 0)
-    throw py::value_error("steps is " + std::to_string(count) + ": it must be at least 0");
   return polishedPoles(numbersOf("ordinates_mm", ordinates_mm), count);
 }
 
@@ -124,6 +126,13 @@ points, slopes: as of function_spline(). Each correction moves one ordinate to w
 least. The bending does not grow, no value changes by more than tolerance_mm, and a tolerance of 0
 changes nothing. ValueError for a tolerance that is negative or not finite. Source:
 docs/theory/planar.md P12.2.
+)");
+  module.def("rebounded", &reboundedOf, py::arg("points"), py::kw_only(),
+             py::arg("slopes") = py::none(),
+             R"(The FunctionSpline after one rebound.
+
+points, slopes: as of function_spline(). The spline through the values in the middle of each piece
+gives the new ordinates; ends and slopes stay. Source: docs/theory/planar.md P12.3.
 )");
   module.def(
       "rebound_function", &reboundFunctionOf, py::arg("points"), py::arg("tolerance_mm"),

@@ -357,7 +357,7 @@ void bindRows(py::module_& module) {
              py::arg("connection") = py::none(), py::arg("order") = 1, py::arg("reversed") = false);
 }
 
-void bindSurfaceBlend(py::module_& module) {
+void bindPatchBlend(py::module_& module) {
   module.def(
       "blend", &blendOf, py::arg("a"), py::arg("edge_a"), py::arg("b"), py::arg("edge_b"),
       py::arg("order") = 1, py::kw_only(), py::arg("reversed") = false,
@@ -397,7 +397,7 @@ Degrees of None ascend until the residual is within the tolerance, or within noi
 
 void bindJoin(py::module_& module) {
   bindRows(module);
-  bindSurfaceBlend(module);
+  bindPatchBlend(module);
   bindConditions(module);
 }
 

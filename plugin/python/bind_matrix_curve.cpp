@@ -195,6 +195,17 @@ py::object fairHermiteOf(const py::object& points, const py::object& tangents,
   return resultOf("FairedHermite", dict);
 }
 
+py::object matrixPassOf(const py::object& points, const py::object& tangents,
+                        const py::object& stiffness, const py::object& fair_tangents) {
+  const HermitePoints found =
+      matrixPass(hermitePointsOf(points, tangents), numberOf("stiffness", stiffness),
+                 flagOf("fair_tangents", fair_tangents));
+  py::dict dict;
+  dict["points_mm"] = found.points;
+  dict["tangents"] = found.tangents;
+  return resultOf("HermitePoints", dict);
+}
+
 py::object curvatureVariationOf(const py::object& curve) {
   return curvatureVariationResult(variationOf(bezierSplineOf("curve", curve)));
 }
@@ -222,6 +233,14 @@ points, tangents, degree, stiffness: as of fit_hermite(). Each pass moves the po
 ends, and unless fair_tangents is False turns the tangents. The energy does not grow, no point moves
 by more than tolerance_mm, and a tolerance of 0 changes nothing. ValueError for a tolerance that is
 negative or not finite, and as of fit_hermite(). Source: docs/theory/planar.md P13.5; [Yang2016].
+)");
+  module.def("matrix_pass", &matrixPassOf, py::arg("points"), py::arg("tangents"), py::kw_only(),
+             py::arg("stiffness") = 1.0, py::arg("fair_tangents") = true,
+             R"(One pass of fair_hermite() without a tolerance: HermitePoints.
+
+points, tangents, stiffness, fair_tangents: as of fair_hermite(). Tangents that change get the
+length 1; the ends stay. ValueError for equal neighbours, tangents that are 0, and a stiffness
+outside of 0 .. 1e8. Source: docs/theory/planar.md P13.5; [Yang2016].
 )");
   module.def("curvature_variation", &curvatureVariationOf, py::arg("curve"),
              R"(How much the curvature of a curve of any class varies: a CurvatureVariation.

@@ -22,7 +22,8 @@ ordered_json keyCurveJson(const KeyCurveRecord& record) {
           {"omega", record.omega},
           {"segments", record.segments},
           {"gap_mm", record.gap_mm},
-          {"polynomial_mm", record.polynomial_mm}};
+          {"polynomial_mm", record.polynomial_mm},
+          {"refitted_mm", record.refitted_mm}};
 }
 
 ordered_json jointJson(const BlendJointRecord& record) {

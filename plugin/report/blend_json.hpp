@@ -14,20 +14,21 @@ namespace seamwright::report {
 
 /// A key curve of a blend.
 struct KeyCurveRecord {
-  std::size_t input = 0;      ///< index of its file
-  std::vector<int> edges = {};     ///< of a model; empty for points
-  std::ptrdiff_t points = 0;  ///< of a file of points; 0 for edges
+  std::size_t input = 0;        ///< index of its file
+  std::vector<int> edges = {};  ///< of a model; empty for points
+  std::ptrdiff_t points = 0;    ///< of a file of points; 0 for edges
   double omega = 0;
   int segments = 0;          ///< before the curves were matched
   double gap_mm = 0;         ///< the largest gap that was closed
+  double refitted_mm = 0;    ///< largest distance measured after common knots were laid
   double polynomial_mm = 0;  ///< bound of the distance from the rational curve of the model
 };
 
 /// A joint of a frame.
 struct BlendJointRecord {
-  int joint = 0;                ///< from 1 along the frame; of a closed one the last is its start
-  int order = 0;                ///< n of the G^n that holds
-  std::vector<double> beta = {};     ///< beta_1..beta_n
+  int joint = 0;                  ///< from 1 along the frame; of a closed one the last is its start
+  int order = 0;                  ///< n of the G^n that holds
+  std::vector<double> beta = {};  ///< beta_1..beta_n
   std::vector<double> defects = {};  ///< of derivatives by arc length, times powers of the length
   std::string remedy = {};
   double moved_mm = 0;  ///< of poles, from linear blending

@@ -11,13 +11,18 @@
 /// Random joints for tests of blending.
 namespace seamwright::test {
 
-/// A random joint that is G^n with these betas. The curves are about as long as their degrees.
-inline JointFrame frameWith(const Eigen::VectorXd& beta, int degree_a, int degree_b, CurveKind kind,
-                            std::mt19937_64& random) {
-  const BezierCurve a = randomCurve(degree_a, kind, true, 1, random);
+/// The curve and one that continues it with these betas.
+inline JointFrame frameFrom(const BezierCurve& a, const Eigen::VectorXd& beta, int degree_b,
+                            CurveKind kind, std::mt19937_64& random) {
   const BezierCurve b = randomCurve(degree_b, kind, false, 1, random);
   CurveJoinRule rule{beta, 1, 1, {}};
   return {a, gentlyJoined(a, b, rule, false)};
+}
+
+/// A random joint that is G^n with these betas. The curves are about as long as their degrees.
+inline JointFrame frameWith(const Eigen::VectorXd& beta, int degree_a, int degree_b, CurveKind kind,
+                            std::mt19937_64& random) {
+  return frameFrom(randomCurve(degree_a, kind, true, 1, random), beta, degree_b, kind, random);
 }
 
 inline JointFrame randomFrame(int order, int degree_a, int degree_b, std::mt19937_64& random,

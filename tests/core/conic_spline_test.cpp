@@ -80,6 +80,20 @@ TEST(ConicPair, Identity1MeetsTheEndsG2) {
   }
 }
 
+TEST(ConicPair, Identity1HoldsForAnglesThatDifferALot) {
+  // Beside an inflection one angle may be thousands of times the other one.
+  for (const double ratio : {50.0, 125.0, 211.0, 1e3, 1e4}) {
+    const ConicPairEnds ends = pairEnds(0.05, 0.05 / ratio);
+    const auto [first, second] = fairConics(ends).conics;
+    EXPECT_EQ(first.start, ends.ends.start);
+    EXPECT_EQ(second.end, ends.ends.end);
+    EXPECT_EQ(first.end, second.start);
+    EXPECT_NEAR(first.startCurvature_per_mm() / ends.start_curvature_per_mm, 1, 1e-6) << ratio;
+    EXPECT_NEAR(second.endCurvature_per_mm() / ends.end_curvature_per_mm, 1, 1e-6) << ratio;
+    EXPECT_NEAR(first.endCurvature_per_mm() / second.startCurvature_per_mm(), 1, 1e-6) << ratio;
+  }
+}
+
 TEST(ConicPair, Identity2CirclesStay) {
   for (const double half : {0.05, 0.4, 1.1}) {
     const double radius = 2.5 / std::sin(half);
@@ -163,6 +177,23 @@ TEST(ConicSpline, Identity2AnSShapeHasOneInflection) {
   for (std::size_t i = 1; i < spline.conics.size(); ++i)
     changes += spline.conics[i - 1].turn_rad() * spline.conics[i].turn_rad() < 0;
   EXPECT_EQ(changes, 1);
+}
+
+TEST(ConicSpline, Identity1HoldsBesideAnInflectionNearAPoint) {
+  // Of an airfoil: the polygon turns by 0.19 degrees before the inflection and by 0.03 after it.
+  PlanarPoints points(6, 2);
+  points << 0.97145561, 0.00363339, 0.95035123, 0.00677805, 0.92424036, 0.01086920, 0.89362390,
+      0.01576960, 0.85900629, 0.02129402, 0.82089086, 0.02721967;
+  const ConicSpline spline = conicSpline(points);
+  EXPECT_THAT(spline.g1_joints, SizeIs(1));
+  for (const PlanarConic& conic : spline.conics) {
+    EXPECT_GT(conic.weight, 0);
+    EXPECT_GT((conic.end - conic.start).norm(), 0);
+  }
+  for (Eigen::Index i = 0; i + 1 < points.rows(); ++i)
+    EXPECT_TRUE(std::ranges::any_of(spline.conics, [&](const PlanarConic& conic) {
+      return conic.start == points.row(i).transpose();
+    })) << i;
 }
 
 TEST(ConicSpline, Identity3CirclesAndLinesStay) {

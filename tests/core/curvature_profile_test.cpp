@@ -142,6 +142,25 @@ TEST(CurvatureProfile, MovesAlongWithTheCurve) {
 }
 
 // Identity (3).
+/// Curvatures of hugely scaled curves would be lost in the products of derivatives.
+TEST(CurvatureProfile, OfAHugeOrTinyCurveIsThatOfItsShape) {
+  std::mt19937_64 random(testSeed());
+  for (const double size : {1e-150, 1e-100, 1e100, 1e150})
+    for (const bool rational : {false, true}) {
+      const BezierCurve curve = randomPlanarCurve(random, 4, rational);
+      const HomogeneousPoles& given = curve.homogeneousPoles();
+      const BezierCurve scaled(curve.poles() * size, given.col(3));
+      for (const auto& profileOf : {planarCurvatureProfile, spaceCurvatureProfile}) {
+        const CurvatureProfile wanted = profileOf(curve), found = profileOf(scaled);
+        ASSERT_EQ(found.extrema.size(), wanted.extrema.size());
+        EXPECT_EQ(found.inflections.size(), wanted.inflections.size());
+        for (std::size_t i = 0; i < wanted.extrema.size(); ++i)
+          EXPECT_NEAR(found.extrema[i].curvature_per_mm * size, wanted.extrema[i].curvature_per_mm,
+                      1e-9 * (1 + std::abs(wanted.extrema[i].curvature_per_mm)));
+      }
+    }
+}
+
 TEST(CurvatureProfile, DenseSamplesGrowAndFallAsItSays) {
   std::mt19937_64 random(testSeed());
   int extrema = 0;

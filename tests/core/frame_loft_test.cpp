@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include <numbers>
 
 #include <seamwright/core/blend/frame_loft.hpp>
@@ -173,7 +175,7 @@ KeyFrame keyFrame(double height, std::mt19937_64& random) {
   return key;
 }
 
-/// The blend of [Zhang1999] for n = 1, written down.
+/// The blend of two key frames that keeps G1, written down.
 BezierSpline blended(const KeyFrame& a, const KeyFrame& b, double omega) {
   Poles p = (1 - omega) * a.poles + omega * b.poles;
   const double lambda =

@@ -257,6 +257,7 @@ TEST(FairFunction, RefusesInvalidNumbers) {
   refused([&] { correctedAt(spline, 3, -1); }, "the limit is -1 mm");
   refused([&] { reboundFunction(spline, 1, {.most_rebounds = -1}); }, "-1 rebounds");
   refused([&] { polishFunction(functionSpline(points, EndSlopes{}), 1); }, "slopes");
+  refused([&] { polishedPoles(points.col(1), -1); }, "-1 steps");
   refused([&] { functionSpline(points, EndSlopes{NAN, 0}); }, "the slopes");
   refused([&] { functionSpline(points.topRows(1)); }, "1 points make no spline");
   points(4, 0) += 0.1;

@@ -308,6 +308,10 @@ TEST(FairHermite, RefusesInvalidNumbers) {
   refused([&] { fairHermite(data, 1, {.most_passes = -1}); }, "-1 passes");
   refused([&] { fitHermite(data, {.degree = 9}); }, "9 points make no curve of degree 9");
   refused([&] { fitHermite(data, {.stiffness = -1}); }, "the stiffness of pole 0");
+  refused([&] { matrixPass(data, -1, true); }, "the stiffness is -1");
+  HermitePoints fewer = data;
+  fewer.tangents.conservativeResize(8, 3);
+  refused([&] { matrixPass(fewer, 1, true); }, "8 tangents for 9 points");
   HermitePoints bad = data;
   bad.points.row(4) = bad.points.row(3);
   refused([&] { fitHermite(bad); }, "points 3 and 4 are equal");

@@ -23,6 +23,14 @@ HANDS_ON = re.compile(
 #: Handlers that do not: file, what they catch, why.
 EXPECTED = {
     ("benchmarks/program.hpp", "std::exception"): "the end of a program: prints the error",
+    ("core/blend/frame_features.cpp", "std::domain_error"): (
+        "a piece where the curve may stop: it is counted as unknown"
+    ),
+    ("core/blend/loft_builder.cpp", "std::invalid_argument"): "throws it with omega of the frame",
+    ("core/blend/loft_frames.cpp", "std::invalid_argument"): "throws it with omega of the frame",
+    ("core/blend/match_pieces.cpp", "std::invalid_argument"): (
+        "throws it with the number of the frame"
+    ),
     ("core/fair/profile_sum.cpp", "std::domain_error"): (
         "a segment where the curve may stop: it is counted as undecided"
     ),
@@ -32,10 +40,10 @@ EXPECTED = {
     ("core/planar/conic_spline.cpp", "std::domain_error"): (
         "singular equations of the tangents: the step is left out"
     ),
-    ("core/planar/fair_clothoids.cpp", "std::domain_error"): (
+    ("core/planar/fairing_run.cpp", "std::domain_error"): (
         "no spline through moved points: the move is not made"
     ),
-    ("core/planar/fair_clothoids.cpp", "std::invalid_argument"): (
+    ("core/planar/fairing_run.cpp", "std::invalid_argument"): (
         "moves made neighbours equal: the move is not made"
     ),
     ("core/planar/clothoid_fit.cpp", "std::domain_error"): (

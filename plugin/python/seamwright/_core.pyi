@@ -701,6 +701,9 @@ def correct_function_at(
 def correct_function(
     points: FunctionPoints, tolerance_mm: Number, *, slopes: Optional[Numbers] = None
 ) -> _r.FairedFunction: ...
+def rebounded(
+    points: FunctionPoints, *, slopes: Optional[Numbers] = None
+) -> _r.FunctionSpline: ...
 def rebound_function(
     points: FunctionPoints,
     tolerance_mm: Number,
@@ -723,6 +726,13 @@ def fair_hermite(
     degree: Whole = 3,
     stiffness: Number = 1.0,
 ) -> _r.FairedHermite: ...
+def matrix_pass(
+    points: Numbers,
+    tangents: Numbers,
+    *,
+    stiffness: Number = 1.0,
+    fair_tangents: Flag = True,
+) -> _r.HermitePoints: ...
 def curvature_variation(curve: Curve) -> _r.CurvatureVariation: ...
 
 # Measures

@@ -398,6 +398,16 @@ class MatrixFit(Result):
     missed_tangent_rad: float
 
 
+class HermitePoints(Result):
+    """Points with tangents.
+
+    points_mm, tangents  (count, 3)
+    """
+
+    points_mm: Array
+    tangents: Array
+
+
 class FairedHermite(Result):
     """Points with tangents that were made fair; an argument ``curve`` of others.
 

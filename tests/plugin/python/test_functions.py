@@ -103,6 +103,17 @@ def test_polishing_is_the_power_of_the_operator():
     assert np.array_equal(seamwright.polished_poles(list(y), 0), y)
 
 
+@pytest.mark.parametrize("slopes", [None, (0.5, 0.1)])
+def test_a_rebound_takes_values_between_points(slopes):
+    given = seamwright.function_spline(ROUGH, slopes=slopes)
+    found = seamwright.rebounded(ROUGH, slopes=slopes)
+    assert found == seamwright.rebounded(given)
+    x = np.r_[X[0], (X[1:] + X[:-1]) / 2, X[-1]]
+    half = seamwright.function_spline(given.curve.point(x)[:, :2], slopes=slopes)
+    assert np.abs(found.points_mm[:, 1] - half.curve.point(X)[:, 1]).max() < 1e-12
+    assert np.array_equal(found.points_mm[[0, -1]], ROUGH[[0, -1]]) and found.slopes == slopes
+
+
 @pytest.mark.parametrize(
     "call, text",
     [
@@ -123,7 +134,9 @@ def test_polishing_is_the_power_of_the_operator():
             ),
             "slope|natural",
         ),
-        (lambda: seamwright.polished_poles(ROUGH[:, 1], -1), "steps is -1"),
+        (lambda: seamwright.polished_poles(ROUGH[:, 1], -1), "-1 steps"),
+        (lambda: seamwright.rebounded(ROUGH[:1]), "1 point"),
+        (lambda: seamwright.rebounded(ROUGH, slopes=(0, math.inf)), "inf"),
         (lambda: seamwright.polished_poles(ROUGH, 1), "ordinates_mm is"),
     ],
 )

@@ -104,6 +104,20 @@ def test_points_with_tangents_are_faired_within_a_tolerance():
     assert np.array_equal(same.points_mm, points) and np.array_equal(same.tangents, tangents)
 
 
+def test_one_pass_without_a_tolerance():
+    points, tangents = helix(30, 0.01)
+    means = seamwright.matrix_pass(points, tangents, stiffness=0, fair_tangents=False)
+    expected = points.copy()
+    expected[1:-1] = (points[:-2] + 4 * points[1:-1] + points[2:]) / 6
+    assert np.abs(means.points_mm - expected).max() < 1e-14
+    assert np.array_equal(means.tangents, tangents)
+    found = seamwright.matrix_pass(points, tangents)
+    fair = seamwright.fair_hermite(points, tangents, 1, most_passes=1)
+    assert np.array_equal(found.points_mm, fair.points_mm) and fair.passes == 1
+    assert np.array_equal(found.tangents, fair.tangents)
+    assert np.abs(np.linalg.norm(found.tangents[1:-1], axis=1) - 1).max() < 1e-15
+
+
 def test_the_variation_of_known_curves():
     line = seamwright.BezierCurve([[0, 0, 0], [1, 1, 1], [3, 3, 3]])
     assert seamwright.curvature_variation(line).energy_per_mm3 < 1e-25
@@ -135,6 +149,9 @@ POINTS, TANGENTS = helix(6)
         (lambda: seamwright.fair_hermite(POINTS, TANGENTS, -1), "-1"),
         (lambda: seamwright.fair_hermite(POINTS, TANGENTS, 1, most_passes=-1), "-1"),
         (lambda: seamwright.fair_hermite(POINTS, TANGENTS, 1, fair_tangents=1), "fair_tangents"),
+        (lambda: seamwright.matrix_pass(POINTS, TANGENTS[:5]), "5 tangents for 6 points"),
+        (lambda: seamwright.matrix_pass(POINTS, 0 * TANGENTS), "point 0 is"),
+        (lambda: seamwright.matrix_pass(POINTS, TANGENTS, stiffness=-1), "stiffness is -1"),
     ],
 )
 def test_bad_matrix_curves(call, text):

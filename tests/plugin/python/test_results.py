@@ -125,6 +125,7 @@ def planar_results():
         seamwright.rebound_function(points, 0.1),
         seamwright.fit_hermite(*hermite_data()),
         seamwright.fair_hermite(*hermite_data(), 0.1),
+        seamwright.matrix_pass(*hermite_data()),
     ]
 
 

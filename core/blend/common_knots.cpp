@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include <seamwright/core/blend/common_knots.hpp>
+#include <seamwright/core/blend/correspondence.hpp>
+#include <seamwright/core/join/curve/beta.hpp>
+#include <seamwright/core/numeric.hpp>
+
+namespace seamwright {
+
+namespace match {
+
+namespace {
+
+/// Value and two derivatives.
+using Jet1 = std::array<double, 3>;
+using PointJet = std::array<Eigen::Vector3d, 3>;
+
+/// The increasing C^2 function through values over nodes; see C12.3.
+class MonotoneQuintic {
+ public:
+  MonotoneQuintic(std::vector<double> nodes, std::vector<double> values, bool periodic)
+      : nodes_(std::move(nodes)), values_(std::move(values)) {
+    const std::size_t last = nodes_.size() - 1;
+    for (std::size_t i = 0; i <= last; ++i) {
+      const bool end = i == 0 || i == last;
+      const double before = i > 0      ? secant(i - 1)
+                            : periodic ? secant(last - 1)
+                                       : secant(0),
+                   after = i < last   ? secant(i)
+                           : periodic ? secant(0)
+                                      : secant(last - 1);
+      slopes_.push_back(end && !periodic ? before : 2 * before * after / (before + after));
+    }
+  }
+
+  Jet1 at(double x) const {
+    const auto above = std::upper_bound(nodes_.begin() + 1, nodes_.end() - 1, x);
+    const auto i = static_cast<std::size_t>(above - nodes_.begin()) - 1;
+    const double h = nodes_[i + 1] - nodes_[i], t = (x - nodes_[i]) / h, s = 1 - t;
+    const double rise = values_[i + 1] - values_[i], a = h * slopes_[i], b = h * slopes_[i + 1];
+    // The quintic with value 0, slope a and second derivative 0 at 0; rise, b and 0 at 1.
+    const double t3 = t * t * t;
+    return {values_[i] + rise * t3 * (10 - 15 * t + 6 * t * t) +
+                a * (t - t3 * (6 - 8 * t + 3 * t * t)) + b * t3 * (-4 + 7 * t - 3 * t * t),
+            (30 * rise * t * t * s * s + a * (1 - t * t * (18 - 32 * t + 15 * t * t)) +
+             b * t * t * (-12 + 28 * t - 15 * t * t)) /
+                h,
+            (60 * rise * t * s * (1 - 2 * t) - a * t * (36 - 96 * t + 60 * t * t) +
+             b * t * (-24 + 84 * t - 60 * t * t)) /
+                (h * h)};
+  }
+
+  /// The x of a value, by bisection to the last digit.
+  double inverse(double value) const {
+    double low = nodes_.front(), high = nodes_.back();
+    for (;;) {
+      const double middle = 0.5 * (low + high);
+      if (middle <= low || middle >= high) return middle;
+      (at(middle)[0] < value ? low : high) = middle;
+    }
+  }
+
+ private:
+  double secant(std::size_t i) const {
+    return (values_[i + 1] - values_[i]) / (nodes_[i + 1] - nodes_[i]);
+  }
+
+  std::vector<double> nodes_, values_, slopes_;
+};
+
+/// A frame by the common parameter p.
+class Course {
+ public:
+  Course(const Measured& frame, MonotoneQuintic shares, std::size_t index)
+      : frame_(frame), shares_(std::move(shares)), index_(index) {
+    for (int i = 1; i < frame.spline().segments(); ++i)
+      joints_.push_back(shares_.inverse(frame.share(i)));
+  }
+
+  const BezierSpline& spline() const { return frame_.spline(); }
+  /// The parameters of the inner joints.
+  const std::vector<double>& joints() const { return joints_; }
+  Eigen::Vector3d point(double p) const { return frame_.point(place(p)); }
+  /// The jet at p, at a joint that of its side before or after it.
+  PointJet jet(double p, bool before) const {
+    const Jet1 share = shares_.at(p);
+    Place at = place(p);
+    const double near = 1e-9;  // Places are measured to a billionth of a piece's length.
+    if (before && at.t < near && at.piece > 0) at = {at.piece - 1, 1};
+    if (before && at.t < near && at.piece == 0 && p > 0.5) at = {frame_.spline().segments() - 1, 1};
+    if (!before && at.t > 1 - near && at.piece + 1 < frame_.spline().segments())
+      at = {at.piece + 1, 0};
+    const CurveDerivatives x = segment(frame_.spline(), at.piece).derivatives(at.t, 2);
+    const double speed = x.row(1).norm();
+    if (!(speed > 0))
+      refuse(fmt::format("frame {} stops in piece {} at {}", index_, at.piece, at.t));
+    const Eigen::Vector3d tangent = x.row(1).transpose() / speed, second = x.row(2).transpose();
+    const Eigen::Vector3d bend = (second - second.dot(tangent) * tangent) / (speed * speed);
+    const double rate = frame_.length_mm() * share[1];
+    return {x.row(0).transpose(), rate * tangent,
+            rate * rate * bend + frame_.length_mm() * share[2] * tangent};
+  }
+
+ private:
+  Place place(double p) const { return frame_.placeAt(std::clamp(shares_.at(p)[0], 0.0, 1.0)); }
+
+  const Measured& frame_;
+  MonotoneQuintic shares_;
+  std::size_t index_;
+  std::vector<double> joints_;
+};
+
+/// The quintic over [p, q] with these jets.
+BezierCurve quintic(const PointJet& start, const PointJet& end, double h) {
+  Poles poles(6, 3);
+  poles.row(0) = start[0].transpose();
+  poles.row(1) = (start[0] + h / 5 * start[1]).transpose();
+  poles.row(2) = (start[0] + 2 * h / 5 * start[1] + h * h / 20 * start[2]).transpose();
+  poles.row(3) = (end[0] - 2 * h / 5 * end[1] + h * h / 20 * end[2]).transpose();
+  poles.row(4) = (end[0] - h / 5 * end[1]).transpose();
+  poles.row(5) = end[0].transpose();
+  return BezierCurve(poles);
+}
+
+/// Common parameters at which some frame has a joint of lower order; with both ends.
+std::vector<double> breaksOf(const std::vector<Course>& courses, double joint_tolerance) {
+  std::set<double> breaks = {0, 1};
+  for (const Course& course : courses) {
+    for (int i = 1; i < course.spline().segments(); ++i) {
+      const BetaFit fit = fitBeta(segment(course.spline(), i - 1), segment(course.spline(), i), 2);
+      const bool smooth = fit.defects.size() == 3 && fit.beta.size() == 2 &&
+                          *std::ranges::max_element(fit.defects) <= joint_tolerance;
+      if (!smooth) breaks.insert(course.joints()[i - 1]);
+    }
+  }
+  // Corners that correspond have the same parameter up to the accuracy of lengths.
+  constexpr double near = 1e-7;
+  std::vector<double> result;
+  for (const double p : breaks)
+    if (result.empty() || p - result.back() > near) result.push_back(p);
+  if (result.size() > 1) result.back() = 1;
+  return result;
+}
+
+struct Segments {
+  const std::vector<Course>& courses;
+  double tolerance_mm;
+  std::size_t max_segments;
+  std::vector<double> knots = {0};
+  std::vector<std::vector<BezierCurve>> curves;  ///< of each frame
+  std::vector<double> distance_mm;
+  bool reached = true;
+
+  /// The largest distance of corresponding points at two samples of each piece, and five or more.
+  double distance(const Course& course, const BezierCurve& curve, double p, double q) const {
+    const auto inside = std::ranges::count_if(course.joints(),
+                                              [&](double joint) { return joint > p && joint < q; });
+    const auto samples = std::max<std::ptrdiff_t>(5, 2 * (inside + 1));
+    double result = 0;
+    for (std::ptrdiff_t i = 1; i <= samples; ++i) {
+      const double t = static_cast<double>(i) / static_cast<double>(samples + 1);
+      result = std::max(result, (course.point(p + t * (q - p)) - curve.point(t)).norm());
+    }
+    return result;
+  }
+
+  void add(double p, double q) {
+    std::vector<BezierCurve> made;
+    std::vector<double> distances;
+    for (const Course& course : courses) {
+      made.push_back(quintic(course.jet(p, false), course.jet(q, true), q - p));
+      distances.push_back(distance(course, made.back(), p, q));
+    }
+    const double middle = 0.5 * (p + q);
+    const bool within = *std::ranges::max_element(distances) <= tolerance_mm;
+    if (!within && knots.size() < max_segments && middle > p && middle < q) {
+      add(p, middle);
+      add(middle, q);
+      return;
+    }
+    reached = reached && within;
+    knots.push_back(q);
+    for (std::size_t f = 0; f < courses.size(); ++f) {
+      curves[f].push_back(std::move(made[f]));
+      distance_mm[f] = std::max(distance_mm[f], distances[f]);
+    }
+  }
+};
+
+BezierSpline splineOf(const std::vector<BezierCurve>& curves, const std::vector<double>& knots,
+                      bool closed) {
+  Poles poles(5 * static_cast<Eigen::Index>(curves.size()) + 1, 3);
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    poles.middleRows(5 * static_cast<Eigen::Index>(i), 6) = curves[i].poles();
+  if (closed) poles.bottomRows<1>() = poles.topRows<1>();
+  HomogeneousPoles homogeneous(poles.rows(), 4);
+  homogeneous << poles, Eigen::VectorXd::Ones(poles.rows());
+  return {5, knots, homogeneous, closed};
+}
+
+std::vector<Course> coursesOf(const Correspondence& correspondence) {
+  const Scale scale = scaleOf(correspondence.anchors, correspondence.frames.size());
+  std::vector<Course> courses;
+  for (std::size_t f = 0; f < correspondence.frames.size(); ++f) {
+    const Measured& frame = correspondence.frames[f];
+    courses.emplace_back(
+        frame, MonotoneQuintic(scale.common, scale.of_frame[f], frame.spline().closed), f);
+  }
+  return courses;
+}
+
+}  // namespace
+
+}  // namespace match
+
+CommonKnots commonKnots(const std::vector<BezierSpline>& frames,
+                        const CommonKnotsOptions& options) {
+  if (!(options.tolerance_mm > 0) || !std::isfinite(options.tolerance_mm))
+    refuse(fmt::format("the tolerance is {} mm: it must be positive and finite",
+                       options.tolerance_mm));
+  CommonKnots result;
+  const match::Correspondence correspondence =
+      match::corresponding(frames, options.match, result.summary);
+  const std::vector<match::Course> courses = match::coursesOf(correspondence);
+  const std::size_t count = courses.size();
+  match::Segments segments{.courses = courses,
+                           .tolerance_mm = options.tolerance_mm,
+                           .max_segments = static_cast<std::size_t>(options.max_segments),
+                           .curves = std::vector<std::vector<BezierCurve>>(count),
+                           .distance_mm = std::vector<double>(count, 0)};
+  const std::vector<double> breaks = match::breaksOf(courses, options.joint_tolerance);
+  for (std::size_t i = 1; i < breaks.size(); ++i) {
+    // A quintic over more than an eighth of a curve meets its tolerance by chance only.
+    constexpr double longest = 0.125;
+    const double length = breaks[i] - breaks[i - 1];
+    const int parts = static_cast<int>(std::ceil(length / longest));
+    for (int k = 0; k < parts; ++k)
+      segments.add(breaks[i - 1] + length * k / parts,
+                   k + 1 < parts ? breaks[i - 1] + length * (k + 1) / parts : breaks[i]);
+  }
+  for (const std::vector<BezierCurve>& curves : segments.curves)
+    result.frames.push_back(match::splineOf(curves, segments.knots, frames[0].closed));
+  result.distance_mm = segments.distance_mm;
+  result.reached = segments.reached;
+  result.summary.pieces_after = result.frames[0].segments();
+  return result;
+}
+
+}  // namespace seamwright

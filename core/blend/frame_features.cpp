@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <seamwright/core/blend/frame_features.hpp>
+#include <seamwright/core/fair/curvature_profile.hpp>
+#include <seamwright/core/numeric.hpp>
+
+namespace seamwright::match {
+
+namespace {
+
+/// What it costs to leave a feature alone, in units of the reach. Two other features at the limit
+/// of the reach cost as much as to leave both; corners are matched in preference to extrema.
+double aloneCost(const Feature& feature) {
+  return feature.kind == FeatureKind::Corner ? 2 : 0.5;
+}
+
+double pairCost(const Feature& a, const Feature& b, double reach) {
+  const double moved = std::abs(a.share - b.share);
+  if (a.kind != b.kind || !(moved <= reach)) return infinite;
+  return moved == 0 ? 0 : moved / reach;
+}
+
+void addCorners(const Measured& frame, double corner_rad, std::vector<Feature>& all) {
+  const std::vector<CurveJoint> joints = measureJoints(frame.spline(), 1);
+  for (int i = 1; i < frame.spline().segments(); ++i)
+    if (const auto& angle = joints[static_cast<std::size_t>(i) - 1].angle_rad;
+        angle && *angle > corner_rad)
+      all.push_back({FeatureKind::Corner, {i, 0}, frame.share(i)});
+}
+
+/// The curvature at a place of a run between corners.
+struct CurvaturePoint {
+  Place place;
+  double share = 0;
+  double curvature_per_mm = 0;
+};
+
+double curvatureAt(const BezierCurve& curve, double t, bool planar) {
+  const CurveDerivatives d = curve.derivatives(t, 2);
+  const Eigen::Vector3d first = d.row(1), second = d.row(2), normal = first.cross(second);
+  const double speed = first.norm();
+  return (planar ? normal.z() : normal.norm()) / (speed * speed * speed);
+}
+
+/// The curvature at both ends of piece i and at its extrema.
+std::vector<CurvaturePoint> pointsOf(const Measured& frame, int i, bool planar) {
+  const BezierCurve curve = segment(frame.spline(), i);
+  const CurvatureProfile profile =
+      planar ? planarCurvatureProfile(curve) : spaceCurvatureProfile(curve);
+  std::vector<CurvaturePoint> points = {{{i, 0}, frame.share(i), curvatureAt(curve, 0, planar)}};
+  for (const CurvatureExtremum& extremum : profile.extrema) {
+    const Place place{i, extremum.parameters.middle()};
+    points.push_back({place, frame.shareAt(place), extremum.curvature_per_mm});
+  }
+  points.push_back({{i + 1, 0}, frame.share(i + 1), curvatureAt(curve, 1, planar)});
+  return points;
+}
+
+/// The ends of a run and its local extrema.
+std::vector<CurvaturePoint> turningPoints(const std::vector<CurvaturePoint>& run) {
+  std::vector<CurvaturePoint> result;
+  for (const CurvaturePoint& point : run) {
+    const std::size_t n = result.size();
+    const double rise = n > 0 ? point.curvature_per_mm - result[n - 1].curvature_per_mm : 1;
+    if (rise == 0) continue;
+    const bool goes_on =
+        n > 1 && (result[n - 1].curvature_per_mm > result[n - 2].curvature_per_mm) == (rise > 0);
+    if (goes_on) result.pop_back();
+    result.push_back(point);
+  }
+  return result;
+}
+
+/// Leaves out extrema that differ from a neighbour by less than that, the least prominent first.
+void dropFaint(std::vector<CurvaturePoint>& turns, double prominence_per_mm) {
+  while (turns.size() > 2) {
+    std::size_t at = 1;
+    double least = infinite;
+    for (std::size_t k = 1; k < turns.size(); ++k)
+      if (const double step = std::abs(turns[k].curvature_per_mm - turns[k - 1].curvature_per_mm);
+          step < least) {
+        least = step;
+        at = k;
+      }
+    if (!(least < prominence_per_mm)) return;
+    // The ends stay; beside an end only the extremum goes.
+    const std::size_t first = at > 1 ? at - 1 : at;
+    const std::size_t last = at + 1 < turns.size() ? at : at - 1;
+    if (first > last) return;
+    turns.erase(turns.begin() + static_cast<std::ptrdiff_t>(first),
+                turns.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+  }
+}
+
+/// The curvature along the runs between corners. Pieces of unknown curvature have none.
+std::vector<std::vector<CurvaturePoint>> runsOf(const Measured& frame, bool planar,
+                                                const std::vector<Feature>& corners,
+                                                int& unknown_pieces) {
+  std::vector<std::vector<CurvaturePoint>> runs(1);
+  for (int i = 0; i < frame.spline().segments(); ++i) {
+    const bool corner = std::any_of(corners.begin(), corners.end(), [&](const Feature& feature) {
+      return feature.place.piece == i;
+    });
+    if (corner) runs.emplace_back();
+    try {
+      for (const CurvaturePoint& point : pointsOf(frame, i, planar)) runs.back().push_back(point);
+    } catch (const std::domain_error&) {
+      // The curve may stop in this piece.
+      ++unknown_pieces;
+    }
+  }
+  return runs;
+}
+
+}  // namespace
+
+Features featuresOf(const Measured& frame, bool planar, const FeatureOptions& options) {
+  Features result;
+  addCorners(frame, options.corner_rad, result.all);
+  std::vector<std::vector<CurvaturePoint>> runs =
+      runsOf(frame, planar, result.all, result.unknown_pieces);
+  double least = infinite, most = -infinite;
+  for (const std::vector<CurvaturePoint>& run : runs)
+    for (const CurvaturePoint& point : run) {
+      least = std::min(least, point.curvature_per_mm);
+      most = std::max(most, point.curvature_per_mm);
+    }
+  for (const std::vector<CurvaturePoint>& run : runs) {
+    std::vector<CurvaturePoint> turns = turningPoints(run);
+    dropFaint(turns, options.prominence * (most - least));
+    for (std::size_t k = 1; k + 1 < turns.size(); ++k)
+      result.all.push_back({turns[k].curvature_per_mm > turns[k - 1].curvature_per_mm
+                                ? FeatureKind::Maximum
+                                : FeatureKind::Minimum,
+                            turns[k].place, turns[k].share});
+  }
+  std::stable_sort(result.all.begin(), result.all.end(),
+                   [](const Feature& a, const Feature& b) { return a.share < b.share; });
+  return result;
+}
+
+std::vector<std::pair<int, int>> matchedFeatures(const std::vector<Feature>& a,
+                                                 const std::vector<Feature>& b, double reach) {
+  const auto m = static_cast<int>(a.size()), n = static_cast<int>(b.size());
+  // cost(i, j): least cost of the features from i and j on.
+  Eigen::MatrixXd cost = Eigen::MatrixXd::Zero(m + 1, n + 1);
+  for (int i = m; i >= 0; --i)
+    for (int j = n; j >= 0; --j) {
+      if (i == m && j == n) continue;
+      double best = infinite;
+      if (i < m) best = std::min(best, aloneCost(a[i]) + cost(i + 1, j));
+      if (j < n) best = std::min(best, aloneCost(b[j]) + cost(i, j + 1));
+      if (i < m && j < n) best = std::min(best, pairCost(a[i], b[j], reach) + cost(i + 1, j + 1));
+      cost(i, j) = best;
+    }
+  std::vector<std::pair<int, int>> pairs;
+  for (int i = 0, j = 0; i < m && j < n;) {
+    if (cost(i, j) == pairCost(a[i], b[j], reach) + cost(i + 1, j + 1)) {
+      pairs.emplace_back(i++, j++);
+    } else if (cost(i, j) == aloneCost(a[i]) + cost(i + 1, j)) {
+      ++i;
+    } else {
+      ++j;
+    }
+  }
+  return pairs;
+}
+
+}  // namespace seamwright::match

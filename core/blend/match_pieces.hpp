@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <vector>
+
+#include <seamwright/core/angle.hpp>
+#include <seamwright/core/spline/bezier_spline.hpp>
+
+namespace seamwright {
+
+/// How places of different frames correspond.
+enum class MatchBy {
+  Length,    ///< equal fractions of the length
+  Features,  ///< corners and extrema of the curvature in order; between them by length
+  Given      ///< given parameters; between them by length
+};
+
+struct MatchOptions {
+  MatchBy by = MatchBy::Length;
+  /// Joints of different frames are one joint if their places differ by at most this share of the
+  /// length: places <= closeness. The user's choice; 0 merges equal places only.
+  double closeness = 0.01;
+  /// MatchBy::Given: for each frame increasing parameters by its knots, equally many. For closed
+  /// frames the first of them is the start.
+  std::vector<std::vector<double>> given = {};
+  /// Closed frames start where they are nearest to the first frame (not for MatchBy::Given).
+  bool find_start = false;
+  /// Frames run in the direction in which they are nearer to the first frame.
+  bool find_direction = false;
+  /// MatchBy::Features: joints whose tangents turn by more are corners.
+  double corner_rad = 10 * radians_per_degree;
+  /// MatchBy::Features: an extremum of the curvature counts if it differs from its neighbours by
+  /// this share of the range of the curvature of its frame. Fainter ones are left out in pairs, the
+  /// faintest first.
+  double prominence = 0.1;
+  /// MatchBy::Features: features whose places differ by more than this share are not matched.
+  double reach = 0.2;
+};
+
+struct MatchSummary {
+  std::vector<int> pieces_before;  ///< of each frame
+  int pieces_after = 0;
+  int merged = 0;              ///< joints that belong to several frames because they are close
+  std::vector<int> features;   ///< found in each frame
+  int matched_features = 0;    ///< matched in all frames; given pairs count, too
+  int unknown_pieces = 0;      ///< whose curvature has no certain profile: no features from them
+  std::vector<bool> reversed;  ///< of each frame
+  std::vector<double> start;   ///< of each frame: the parameter at which it now starts, 0..1 of
+                               ///< its length in its new direction
+  /// The largest quotient, over all pieces, of the shares of the length that a piece has in two
+  /// frames.
+  double largest_ratio = 1;
+};
+
+struct MatchedFrames {
+  std::vector<BezierSpline> frames;  ///< of one degree and one number of segments
+  MatchSummary summary;
+};
+
+/// Frames of different numbers of pieces and degrees as frames of equal structure, without a change
+/// of any curve: pieces are only divided (de Casteljau) and raised in degree; closed ones may start
+/// elsewhere, and curves may run backwards, where asked.
+///
+///     const MatchedFrames matched = matchPieces({first, last}, {.by = MatchBy::Features});
+///
+/// Places are shares of the length of the whole curve, 0..1. Where features or parameters are
+/// matched, the place is corrected piecewise linearly, so that all frames have them at the same
+/// place (the mean). Then all places of inner joints are sorted, and neighbours within the
+/// closeness are linked. Linked joints are one joint, but one frame never loses a joint: where a
+/// frame comes again a new joint begins. A frame that has a joint of its own among them keeps it;
+/// the others are divided at the mean place. Matched features become joints of all frames.
+///
+/// Identities (each has a test of its number):
+///   (1) Every frame is the same point set as before: X_new(t) = X(t) by its knots (shifted, if the
+///       start is another).
+///   (2) All inner joints of a frame are joints of its result.
+///   (3) Unless two joints of one frame are linked, no new piece is shorter than the closeness, as
+///       a share of corrected places.
+///   (4) Rigid motion and scale by powers of two change nothing but the poles. Reversal of all
+///       frames reverses the result.
+/// Frames keep knots of their own; those of new joints divide the old interval.
+///
+/// The features are joints that turn by more than corner_rad, and the extrema of the curvature
+/// between them, in pieces and at joints: signed for frames that lie in z = 0, otherwise of the
+/// curvature in space. They are matched in order, and only of one kind, such that the sum of costs
+/// is least: displacement by reach for a pair, 1/2 for each feature that is left alone, 2 for a
+/// corner. \throws std::invalid_argument for fewer than two frames, a frame that requireValid()
+/// refuses (with its index), open and closed frames together, a piece without length (with frame
+/// and piece), and options out of range: closeness, reach and prominence 0 to 1/2, counts, order
+/// and range of given parameters. Source: docs/theory/curves.md C12.1, C12.2.
+MatchedFrames matchPieces(const std::vector<BezierSpline>& frames,
+                          const MatchOptions& options = {});
+
+}  // namespace seamwright
