@@ -24,7 +24,7 @@ SPACE_A = [(5 * i, 3 * math.sin(i), 0) for i in range(6)]
 SPACE_B = [(5 * i, 6 * math.cos(i), 20 + i % 2) for i in range(6)]
 
 
-def blend(folder, *inputs, out="out.step", options=(), status=0):
+def blend(folder, *inputs, out="out.step", options=("--exact",), status=0):
     """The result, the report and the file written."""
     result = run(
         "curve", "blend", *inputs, "-o", folder / out, "--json", folder / "blend.json",
@@ -89,6 +89,12 @@ def segments_of(degree, poles, multiplicities, knots):
     return [poles[i : i + degree + 1] for i in range(0, len(poles) - 1, degree)]
 
 
+def bezier(poles, t):
+    """Points of a Bezier curve at a column of parameters."""
+    n = len(poles) - 1
+    return sum(math.comb(n, k) * t**k * (1 - t) ** (n - k) * p for k, p in enumerate(poles))
+
+
 def tangent_and_curvature(poles):
     """Tangent and curvature vector where a Bezier curve of these poles begins."""
     n = len(poles) - 1
@@ -110,7 +116,7 @@ def expect_g2(segments, closed=False, order=2):
 
 
 def test_frames_of_points_are_g2_and_begin_and_end_at_the_curves(tmp_path, pair):
-    _, report, path = blend(tmp_path, *pair, options=["--frames", 5])
+    _, report, path = blend(tmp_path, *pair, options=["--exact", "--frames", 5])
     splines = splines_of(path)
     assert len(splines) == len(report["frames"]) == 5
     frames = [segments_of(*spline) for spline in splines]
@@ -129,23 +135,49 @@ def test_frames_of_points_are_g2_and_begin_and_end_at_the_curves(tmp_path, pair)
     assert [frame["omega"] for frame in report["frames"]] == [0, 0.25, 0.5, 0.75, 1]
 
 
+def test_curves_over_common_knots(tmp_path, pair):
+    """Unless --exact is given: the curves are met within the tolerance, and poles are blended."""
+    _, exact, path = blend(tmp_path, *pair, out="exact.csv", options=["--exact", "--frames", 3])
+    result, report, fitted = blend(tmp_path, *pair, options=["--frames", 3, "--tolerance", "0.01"])
+    assert [key["refitted_mm"] for key in exact["key_curves"]] == [0, 0]
+    assert all(0 < key["refitted_mm"] <= 0.01 for key in report["key_curves"])
+    assert {j["remedy"] for frame in report["frames"] for j in frame["joints"]} == {"plain"}
+    frames = [segments_of(*spline) for spline in splines_of(fitted)]
+    for frame in frames:
+        expect_g2(frame)
+    # Every point of a key curve is near its refitted curve, which is sampled 50 times denser.
+    t = np.linspace(0, 1, 801)[:, None]
+    for omega, frame in ((0, frames[0]), (1, frames[-1])):
+        dense = np.concatenate([bezier(poles, t) for poles in frame])
+        for row in rows_of(path):
+            if float(row["omega"]) == omega:
+                point = [float(row[c]) for c in "xyz"]
+                assert np.linalg.norm(dense - point, axis=1).min() < 0.02
+    assert any("correspond" in note for note in report["notes"]) and "matched" in result.stdout
+
+
+def test_curves_of_different_numbers_of_points(tmp_path, pair):
+    more = points_file(tmp_path, [(6 * i, 3 * math.sin(i)) for i in range(11)], "more.csv")
+    for options in (["--frames", 3], ["--frames", 3, "--match", "length", "--exact"]):
+        _, report, path = blend(tmp_path, pair[0], more, options=options)
+        assert [key["segments"] for key in report["key_curves"]] == [4, 10]
+        for spline in splines_of(path):
+            expect_g2(segments_of(*spline))
+
+
 def test_lengths_are_those_of_the_curves(tmp_path, pair):
-    _, report, path = blend(tmp_path, *pair, options=["--frames", 3])
+    _, report, path = blend(tmp_path, *pair, options=["--exact", "--frames", 3])
     t = np.linspace(0, 1, 4001)[:, None]
     for frame, record in zip(map(lambda s: segments_of(*s), splines_of(path)), report["frames"]):
         length = 0
         for poles in frame:
-            n = len(poles) - 1
-            values = sum(
-                math.comb(n, k) * t**k * (1 - t) ** (n - k) * p for k, p in enumerate(poles)
-            )
-            length += np.linalg.norm(np.diff(values, axis=0), axis=1).sum()
+            length += np.linalg.norm(np.diff(bezier(poles, t), axis=0), axis=1).sum()
         assert record["length_mm"] == pytest.approx(length, rel=3e-6)
 
 
 def test_closed_frames_are_g2_around(tmp_path):
     files = [points_file(tmp_path, p, f"{i}.csv") for i, p in enumerate((CIRCLE, ELLIPSE))]
-    result, report, path = blend(tmp_path, *files, options=["--closed", "--frames", 4])
+    result, report, path = blend(tmp_path, *files, options=["--exact", "--closed", "--frames", 4])
     assert report["closed"] and "2 key curves, closed: 4 frames with 12 joints each" in (
         result.stdout
     )
@@ -156,7 +188,7 @@ def test_closed_frames_are_g2_around(tmp_path):
 
 
 def test_curves_of_space(tmp_path, space):
-    _, report, path = blend(tmp_path, *space, options=["--order", "3", "--frames", 3])
+    _, report, path = blend(tmp_path, *space, options=["--exact", "--order", "3", "--frames", 3])
     assert report["order"] == 3 and all(
         joint["order"] == 2 or joint["order"] == 3
         for frame in report["frames"]
@@ -174,7 +206,7 @@ def test_curves_of_space(tmp_path, space):
 def test_three_key_curves_are_frames(tmp_path, pair):
     third = points_file(tmp_path, [(x, 2 * y + 40) for x, y in LOW], "third.csv")
     for between in ("C0", "C1", "C2"):
-        options = ["--between", between, "--frames", 5]
+        options = ["--exact", "--between", between, "--frames", 5]
         _, report, path = blend(tmp_path, *pair, third, options=options)
         assert report["in_between"] == between and len(report["key_curves"]) == 3
         frame = segments_of(*splines_of(path)[2])
@@ -183,9 +215,9 @@ def test_three_key_curves_are_frames(tmp_path, pair):
 
 
 def test_all_outputs_tell_the_same_curves(tmp_path, pair):
-    _, report, path = blend(tmp_path, *pair, options=["--frames", 3])
+    _, report, path = blend(tmp_path, *pair, options=["--exact", "--frames", 3])
     frames = [segments_of(*spline) for spline in splines_of(path)]
-    _, report, table = blend(tmp_path, *pair, out="out.csv", options=["--frames", 3])
+    _, report, table = blend(tmp_path, *pair, out="out.csv", options=["--exact", "--frames", 3])
     rows = rows_of(table)
     assert list(rows[0]) == ["omega", "x", "y", "z"] and len(rows) == 3 * (4 * 16 + 1)
     assert report["output"] == {"path": str(table), "format": "CSV", "distance_mm": 0}
@@ -202,7 +234,7 @@ def test_all_outputs_tell_the_same_curves(tmp_path, pair):
         half = sum(math.comb(n, i) * p for i, p in enumerate(segment)) / 2**n
         assert np.abs(points[24] - half).max() < 1e-9
     for out, kind in (("out.svg", "SVG"), ("out.dxf", "DXF")):
-        _, report, drawing = blend(tmp_path, *pair, out=out, options=["--frames", 3])
+        _, report, drawing = blend(tmp_path, *pair, out=out, options=["--exact", "--frames", 3])
         assert report["output"]["format"] == kind
         assert 0 < report["output"]["distance_mm"] <= 0.1 * report["tolerance_mm"]
         text = drawing.read_text()
@@ -212,7 +244,7 @@ def test_all_outputs_tell_the_same_curves(tmp_path, pair):
 
 
 def test_loft(tmp_path, space):
-    result, report, path = blend(tmp_path, *space, options=["--loft"])
+    result, report, path = blend(tmp_path, *space, options=["--exact", "--loft"])
     loft = report["loft"]
     assert loft["reached"] and loft["distance_mm"] <= report["tolerance_mm"]
     assert [line["joint"] for line in loft["lines"]] == [1, 2, 3, 4]
@@ -228,7 +260,7 @@ def test_loft(tmp_path, space):
 
 def test_a_closed_loft_has_no_defects(tmp_path):
     files = [points_file(tmp_path, p, f"{i}.csv") for i, p in enumerate((CIRCLE, ELLIPSE))]
-    _, report, path = blend(tmp_path, *files, options=["--closed", "--loft"])
+    _, report, path = blend(tmp_path, *files, options=["--exact", "--closed", "--loft"])
     assert len(report["loft"]["lines"]) == 12
     judged = run("analyze", path, "--level", "G2", "--format", "json")
     assert judged.returncode == 0
@@ -238,7 +270,7 @@ def test_a_closed_loft_has_no_defects(tmp_path):
 
 def test_a_loft_begins_with_the_first_curve(tmp_path, space):
     """The edges of the loft, blended, are the curves that were blended."""
-    loft = blend(tmp_path, *space, options=["--loft"])[2].rename(tmp_path / "loft.step")
+    loft = blend(tmp_path, *space, options=["--exact", "--loft"])[2].rename(tmp_path / "loft.step")
     edges = {}
     for edge in (1, 2, 3, 4):
         out = tmp_path / f"edge{edge}.csv"
@@ -257,28 +289,30 @@ def test_a_loft_begins_with_the_first_curve(tmp_path, space):
 
 
 def test_written_frames_are_read_as_key_curves(tmp_path, pair):
-    _, _, path = blend(tmp_path, *pair, options=["--frames", 3])
+    _, _, path = blend(tmp_path, *pair, options=["--exact", "--frames", 3])
     model = path.rename(tmp_path / "frames.step")
-    _, report, out = blend(tmp_path, model, out="all.step", options=["--frames", 3])
+    _, report, out = blend(tmp_path, model, out="all.step", options=["--exact", "--frames", 3])
     assert [key["edges"] for key in report["key_curves"]] == [[1], [2], [3]]
     assert [key["input"] for key in report["key_curves"]] == [0, 0, 0]
     for a, b in zip(splines_of(model), splines_of(out)):
         for given, found in zip(segments_of(*a), segments_of(*b)):
             assert np.abs(given - found).max() < 1e-9
     # One edge of each file, and an edge beside points.
-    options = ["--edge", "1", "--edge", "3", "--frames", 3]
+    options = ["--exact", "--edge", "1", "--edge", "3", "--frames", 3]
     _, report, _ = blend(tmp_path, model, model, out="two.step", options=options)
     assert [key["edges"] for key in report["key_curves"]] == [[1], [3]]
     # Files of points have no edges: a list belongs to the model beside them.
-    mixed = run("curve", "blend", pair[0], model, "--edge", "Edge3", "-o", tmp_path / "mixed.step")
-    assert "--edge" not in mixed.stderr
+    _, report, _ = blend(
+        tmp_path, pair[0], model, out="mixed.step", options=["--edge", "Edge3", "--frames", 3]
+    )
+    assert [(key["points"], key["edges"]) for key in report["key_curves"]] == [(5, []), (0, [3])]
 
 
 def test_corners_stay_corners(tmp_path, box):
     """Two edges of a box, and those of a larger one: the joint is a corner in both."""
     larger = tmp_path / "larger.step"
     larger.write_text(box_text(30, 20, 50))
-    options = ["--edge", "1,2", "--edge", "1,2", "--frames", 3]
+    options = ["--exact", "--edge", "1,2", "--edge", "1,2", "--frames", 3]
     result, report, _ = blend(tmp_path, box, larger, options=options)
     orders = {joint["order"] for frame in report["frames"] for joint in frame["joints"]}
     assert orders == {0} and "keep their own order" in result.stdout
@@ -286,7 +320,7 @@ def test_corners_stay_corners(tmp_path, box):
 
 
 def test_the_same_curve_twice_stays(tmp_path, pair):
-    result, report, path = blend(tmp_path, pair[0], pair[0], options=["--frames", 3])
+    result, report, path = blend(tmp_path, pair[0], pair[0], options=["--exact", "--frames", 3])
     joints = [joint for frame in report["frames"] for joint in frame["joints"]]
     assert {joint["remedy"] for joint in joints} == {"plain"}
     assert max(joint["moved_mm"] for joint in joints) == 0
@@ -295,7 +329,7 @@ def test_the_same_curve_twice_stays(tmp_path, pair):
 
 
 def test_every_key_of_the_report_matters(tmp_path, space):
-    report = blend(tmp_path, *space, options=["--loft"])[1]
+    report = blend(tmp_path, *space, options=["--exact", "--loft"])[1]
     for key in report["key_curves"]:
         key["edges"] = [1]
     report["notes"] = report["models"][0]["notes"] = ["one"]
