@@ -65,6 +65,30 @@ def every_result():
             np.linspace([3, 3, 0], [0, 0, 0], 4))]),
         seamwright.umbrella(spokes),
         *planar_results(),
+        *blend_results(),
+    ]
+
+
+def blend_results():
+    """A result of each function of blends. The joints of the second pair have other betas."""
+    pairs = [
+        (LINE, seamwright.curve_joined(LINE, PARABOLA, beta)) for beta in ([1.5, 0.4], [0.5, 1.0])
+    ]
+    splines = [
+        seamwright.direct_g2_spline([[0, k, 0], [2, 3, k], [4, 0, 0], [6, 3, 0], [8, 0, k]], share, 0.7)
+        for k, share in ((0, 0.3), (1, 0.45))
+    ]
+    blend = seamwright.SplineBlend(splines)
+    loft = seamwright.frame_loft(blend)
+    return [
+        seamwright.plain_blend(*pairs, omegas=[0, 0.5]),
+        seamwright.blend_joint(*pairs, 0.5),
+        seamwright.balance_ratios([-1, 0], 3, 3),
+        seamwright.auxiliary_points(np.zeros((5, 3)), [1, 0], 3, 3),
+        blend.frame_at(0.5),
+        loft,
+        *seamwright.enclose_knot_lines(loft),
+        seamwright.edge_ribbon(patch(), "u1", "start"),
     ]
 
 

@@ -9,6 +9,7 @@ import seamwright
 from seamwright import _core, results
 
 TOPICS = (
+    "blends",
     "curves",
     "fairing",
     "fills",
