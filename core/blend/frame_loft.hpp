@@ -61,7 +61,8 @@ struct FrameLoft {
   double distance_at = 0;  ///< omega of that frame
   /// The same within the zones of the ends of a sheet, which distance_mm leaves out.
   double zone_distance_mm = 0;
-  /// With a derivative bound: a bound over all omega.
+  /// With a derivative bound and for frames without weights: a bound over all omega outside of
+  /// these zones.
   std::optional<double> proven_mm;
   /// The distance (the proven one with a derivative bound) is within the tolerance.
   bool reached = false;
