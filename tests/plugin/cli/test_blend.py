@@ -198,7 +198,8 @@ def test_curves_of_space(tmp_path, space):
         expect_g2(segments_of(*spline))
     for out in ("out.svg", "out.dxf"):
         before = contents(tmp_path)
-        refused = run("curve", "blend", *space, "-o", tmp_path / out, "--json", tmp_path / "no.json")
+        files = ["-o", tmp_path / out, "--json", tmp_path / "no.json"]
+        refused = run("curve", "blend", *space, *files)
         expect_one_line(refused, "a drawing has one plane, and the frames are up to ")
         assert contents(tmp_path) == before
 
