@@ -116,7 +116,8 @@ def body(profile, left, title, color):
     middle = left + WIDTH / 2
     return (
         f'<text x="{middle}" y="24" text-anchor="middle" fill="{color}">{title}</text>\n'
-        f'<image x="{left}" y="34" width="{WIDTH}" height="{HEIGHT}" xlink:href="{zebra(profile)}"/>\n'
+        f'<image x="{left}" y="34" width="{WIDTH}" height="{HEIGHT}" '
+        f'xlink:href="{zebra(profile)}"/>\n'
     )
 
 

@@ -298,7 +298,7 @@ Poles balancedPolesOf(const py::object& points, const py::object& beta, const py
   return balancedPoles(ratiosOf(beta, degree_a, degree_b), rowsOf("points", points, "(n + 1, 3)"));
 }
 
-void bindJointBlend(py::module_& module) {
+void bindJointBlendClass(py::module_& module) {
   const JointBlendOptions usual;
   py::class_<KeyedJointBlend>(
       module, "JointBlend", py::module_local(),
@@ -342,6 +342,10 @@ curves that do not meet or are not G^order.)")
         return "<JointBlend of order " + std::to_string(k.options.order) + ", " +
                nameOf(k.blend.remedy()) + ">";
       });
+}
+
+void bindSingleJoints(py::module_& module) {
+  const JointBlendOptions usual;
   module.def("blend_joint", &blendJointOf, py::arg("first"), py::arg("second"), py::arg("omega"),
              py::kw_only(), py::arg("order") = usual.order,
              py::arg("frame_tolerance") = usual.frame_tolerance,
@@ -442,7 +446,8 @@ points: (n + 1, 3) in mm, any. The inverse of auxiliary_points().)");
 }  // namespace
 
 void bindBlend(py::module_& module) {
-  bindJointBlend(module);
+  bindJointBlendClass(module);
+  bindSingleJoints(module);
   bindSplineBlend(module);
   bindBalance(module);
 }

@@ -231,8 +231,8 @@ omega. reversed: the ribbon runs against the edge. closed: the edge is a closed 
              py::arg("progress") = py::none(),
              R"(The surface through frames that meets neighbours at its ends: a FrameLoft.
 
-start, end: a FrameRibbon, or a pair of it and the order, 0 to 2, to which the sheet meets it; None: a
-free end, of which there is one at most. Other arguments as for frame_loft().)");
+start, end: a FrameRibbon, or a pair of it and the order, 0 to 2, to which the sheet meets it; None:
+a free end, of which there is one at most. Other arguments as for frame_loft().)");
   module.def("even_rate", &evenRateOf, py::arg("frames"), py::arg("omegas"), py::arg("ribbon"),
              py::arg("side"), py::arg("share") = 0.125,
              R"(The rate for edge_ribbon() at which frames leave or reach their end evenly.
@@ -257,9 +257,9 @@ number of segments. omegas: the range (first, last); None: that of the SplineBle
 while a frame is farther than tolerance_mm from its iso-curve, up to max_spans. stations: omegas at
 which the iso-curve is the frame; kinks: across which frames are continuous only; None: the inner
 keys of the SplineBlend, and its kinks. closed: the last frame is the first one. checks: frames that
-are compared in a span. derivative_bound: (k, size of the k-th derivative of poles by omega), by which
-the distance is proven. progress: as for Model.analyze(). ValueError, with index and value, for bad
-arguments and frames that differ in structure. Source: docs/theory/surfaces.md S7.1 to S7.4.)");
+are compared in a span. derivative_bound: (k, size of the k-th derivative of poles by omega), by
+which the distance is proven. progress: as for Model.analyze(). ValueError, with index and value,
+for bad arguments and frames that differ in structure. Source: docs/theory/surfaces.md S7.1 to S7.4.)");
   bindSheets(module);
 }
 

@@ -6,7 +6,8 @@
 >>> print(report.to_table())
 
 The modules ``models``, ``seams``, ``curves``, ``surfaces``, ``joins``, ``splines``, ``blends``,
-``planar``, ``fairing`` and ``fills`` hold the same names by topic, ``results`` the classes of results.
+``planar``, ``fairing`` and ``fills`` hold the same names by topic, ``results`` the classes of
+results.
 
 Lengths are in mm. Angles are in degrees if a name ends in ``_deg``, in radians if it ends in
 ``_rad``. Bad arguments raise ``ValueError``, bad models ``ModelError``; both state the offending

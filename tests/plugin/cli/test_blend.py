@@ -178,12 +178,12 @@ def test_lengths_are_those_of_the_curves(tmp_path, pair):
 def test_closed_frames_are_g2_around(tmp_path):
     files = [points_file(tmp_path, p, f"{i}.csv") for i, p in enumerate((CIRCLE, ELLIPSE))]
     result, report, path = blend(tmp_path, *files, options=["--exact", "--closed", "--frames", 4])
-    assert report["closed"] and "2 key curves, closed: 4 frames with 12 joints each" in (
-        result.stdout
-    )
+    joints = len(report["frames"][0]["joints"])
+    assert joints >= 12 and report["closed"]
+    assert f"2 key curves, closed: 4 frames with {joints} joints each" in result.stdout
     for spline in splines_of(path):
         frame = segments_of(*spline)
-        assert len(frame) == 12
+        assert len(frame) == joints
         expect_g2(frame, closed=True)
 
 
@@ -198,7 +198,8 @@ def test_curves_of_space(tmp_path, space):
         expect_g2(segments_of(*spline))
     for out in ("out.svg", "out.dxf"):
         before = contents(tmp_path)
-        refused = run("curve", "blend", *space, "-o", tmp_path / out, "--json", tmp_path / "no.json")
+        files = ["-o", tmp_path / out, "--json", tmp_path / "no.json"]
+        refused = run("curve", "blend", *space, *files)
         expect_one_line(refused, "a drawing has one plane, and the frames are up to ")
         assert contents(tmp_path) == before
 
@@ -211,7 +212,8 @@ def test_three_key_curves_are_frames(tmp_path, pair):
         assert report["in_between"] == between and len(report["key_curves"]) == 3
         frame = segments_of(*splines_of(path)[2])
         met = np.array([frame[0][0]] + [segment[-1] for segment in frame])[:, :2]
-        assert np.abs(met - HIGH).max() < 1e-9
+        for point in HIGH:
+            assert np.linalg.norm(met - point, axis=1).min() < 1e-9
 
 
 def test_all_outputs_tell_the_same_curves(tmp_path, pair):
@@ -247,7 +249,8 @@ def test_loft(tmp_path, space):
     result, report, path = blend(tmp_path, *space, options=["--exact", "--loft"])
     loft = report["loft"]
     assert loft["reached"] and loft["distance_mm"] <= report["tolerance_mm"]
-    assert [line["joint"] for line in loft["lines"]] == [1, 2, 3, 4]
+    joints = len(report["frames"][0]["joints"])
+    assert joints >= 4 and [line["joint"] for line in loft["lines"]] == list(range(1, joints + 1))
     for line in loft["lines"]:
         assert line["certified"] and line["gap_mm"]["upper"] < 1e-9
         assert line["angle_deg"]["upper"] < 1e-5 and line["curvature_rel"]["upper"] < 1e-5
@@ -261,7 +264,7 @@ def test_loft(tmp_path, space):
 def test_a_closed_loft_has_no_defects(tmp_path):
     files = [points_file(tmp_path, p, f"{i}.csv") for i, p in enumerate((CIRCLE, ELLIPSE))]
     _, report, path = blend(tmp_path, *files, options=["--exact", "--closed", "--loft"])
-    assert len(report["loft"]["lines"]) == 12
+    assert len(report["loft"]["lines"]) == len(report["frames"][0]["joints"]) >= 12
     judged = run("analyze", path, "--level", "G2", "--format", "json")
     assert judged.returncode == 0
     seams = json.loads(judged.stdout)["seams"]
@@ -275,7 +278,8 @@ def test_a_loft_begins_with_the_first_curve(tmp_path, space):
     for edge in (1, 2, 3, 4):
         out = tmp_path / f"edge{edge}.csv"
         done = run(
-            "curve", "blend", loft, loft, "--edge", edge, "--edge", edge, "-o", out, "--frames", 2
+            "curve", "blend", loft, loft, "--edge", edge, "--edge", edge, "-o", out, "--frames", 2,
+            "--exact",
         )
         assert done.returncode == 0, done.stderr
         rows = rows_of(out)
@@ -363,7 +367,7 @@ def test_runs_are_repeated_bitwise(tmp_path, pair):
         (["low.csv", "high.csv", "-o", "out.step", "--edge", "1"], "has no edges"),
         (["box.step", "box.step", "-o", "out.step", "--edge", "1"], "is given 1 times for 2"),
         (["box.step", "low.csv", "-o", "out.step", "--edge", "99"], "edge 99: the model has edges"),
-        (["box.step", "low.csv", "-o", "out.step", "--edge", "1,2,3"], "box.step"),
+        (["box.step", "low.csv", "-o", "out.step", "--edge", "all"], "box.step: has 12 curves"),
         (["box.step", "low.csv", "-o", "out.step"], "box.step: has no free edges"),
         (["low.csv", "high.csv", "-o", "out.step", "--frames", "1"], "--frames"),
         (["low.csv", "high.csv", "-o", "out.step", "--order", "0"], "--order"),

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Blends of joints and curves, lofts through frames. The oracles are closed forms and derivatives of
-Bezier polynomials, written here with numpy."""
+"""Blends of joints and curves, lofts through frames. The oracles are closed forms and derivatives
+of Bezier polynomials, written here with numpy."""
 
 import copy
 import math
@@ -147,7 +147,8 @@ def test_balance_of_betas_and_degrees():
     found = seamwright.auxiliary_points(poles, beta, m, k)
     assert np.abs(found.points - points).max() < 1e-11 and found.residual_mm < 1e-12
     # By derivatives: v' = beta_1 u', v'' = beta_1^2 u'' + beta_2 u'.
-    a, b = np.vstack([np.zeros((m - 2, 3)), poles[:3]]), np.vstack([poles[2:], np.zeros((k - 2, 3))])
+    a = np.vstack([np.zeros((m - 2, 3)), poles[:3]])
+    b = np.vstack([poles[2:], np.zeros((k - 2, 3))])
     assert np.abs(at(b, 0, 1) - beta[0] * at(a, 1, 1)).max() < 1e-11
     second = beta[0] ** 2 * at(a, 1, 2) + beta[1] * at(a, 1, 1)
     assert np.abs(at(b, 0, 2) - second).max() < 1e-10
@@ -339,7 +340,11 @@ def test_frames_are_curves_of_other_functions():
     assert set(again.orders) == {2}
 
 
-@pytest.mark.parametrize("make", [copy.copy, copy.deepcopy, lambda x: pickle.loads(pickle.dumps(x))])
+def pickled(value):
+    return pickle.loads(pickle.dumps(value))
+
+
+@pytest.mark.parametrize("make", [copy.copy, copy.deepcopy, pickled])
 def test_copies_give_the_same_frames(make):
     spline = SplineBlend(keys(True), [1, 2], order=1, continuity="C2", free_betas=True)
     assert make(spline).frame_at(1.3) == spline.frame_at(1.3)

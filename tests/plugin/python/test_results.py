@@ -74,9 +74,10 @@ def blend_results():
     pairs = [
         (LINE, seamwright.curve_joined(LINE, PARABOLA, beta)) for beta in ([1.5, 0.4], [0.5, 1.0])
     ]
+    polygons = [[[0, k, 0], [2, 3, k], [4, 0, 0], [6, 3, 0], [8, 0, k]] for k in (0, 1)]
     splines = [
-        seamwright.direct_g2_spline([[0, k, 0], [2, 3, k], [4, 0, 0], [6, 3, 0], [8, 0, k]], share, 0.7)
-        for k, share in ((0, 0.3), (1, 0.45))
+        seamwright.direct_g2_spline(polygon, share, 0.7)
+        for polygon, share in zip(polygons, (0.3, 0.45))
     ]
     blend = seamwright.SplineBlend(splines)
     loft = seamwright.frame_loft(blend)
