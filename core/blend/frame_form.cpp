@@ -17,6 +17,8 @@ struct JointAt {
   int before, after;  ///< segments
   Eigen::Index pole;  ///< of the joint; at the joint of a closed frame, pole 0
   double length_before, length_after;
+  int order;                      ///< n of the joint's G^n
+  Eigen::Index first_column = 0;  ///< of its numbers in the joint form
 };
 
 std::vector<JointAt> jointsOf(const FrameShape& shape) {
@@ -25,8 +27,11 @@ std::vector<JointAt> jointsOf(const FrameShape& shape) {
   const int segments = shape.segments();
   for (int i = shape.closed ? 0 : 1; i < segments; ++i) {
     const int before = i > 0 ? i - 1 : segments - 1;
-    result.push_back(
-        {before, i, static_cast<Eigen::Index>(i) * shape.degree, length(before), length(i)});
+    // Orders are given as measureJoints() has joints: the one that closes a frame is the last.
+    const std::size_t at = i > 0 ? i - 1 : segments - 1;
+    result.push_back({before, i, static_cast<Eigen::Index>(i) * shape.degree, length(before),
+                      length(i),
+                      shape.joint_orders.empty() ? shape.order : shape.joint_orders[at]});
   }
   return result;
 }
@@ -87,27 +92,30 @@ class SmoothForm : public FrameForm {
   FrameShape shape_;
 };
 
-/// Columns: 3 for every pole that no joint makes, in the order of the poles; then for each joint
-/// W_0..W_n, 3 each, and the n coefficients of the change before and of that after it.
+/// Columns: 3 for every pole that no joint makes, in the order of the poles; then for each joint of
+/// order n W_0..W_n, 3 each, and the n coefficients of the change before and of that after it.
 class JointForm : public FrameForm {
  public:
   explicit JointForm(const FrameShape& shape) : shape_(shape), joints_(jointsOf(shape)) {
     const Eigen::Index poles = static_cast<Eigen::Index>(shape.segments()) * shape.degree + 1;
     std::vector<bool> made(static_cast<std::size_t>(poles), false);
     for (const JointAt& joint : joints_)
-      for (int k = 0; k <= shape.order; ++k) {
+      for (int k = 0; k <= joint.order; ++k) {
         made[poleBefore(joint, k)] = true;
         made[poleAfter(joint, k)] = true;
       }
     for (Eigen::Index i = 0; i < poles; ++i)
       if (!made[i]) free_.push_back(i);
-    columns_ = 3 * static_cast<Eigen::Index>(free_.size()) +
-               static_cast<Eigen::Index>(joints_.size()) * jointColumns();
+    columns_ = 3 * static_cast<Eigen::Index>(free_.size());
+    for (JointAt& joint : joints_) {
+      joint.first_column = columns_;
+      columns_ += 3 + 5L * joint.order;
+    }
   }
 
   Row numbers(const BezierSpline& frame) const override {
     Row result = freeNumbers(frame);
-    for (std::size_t j = 0; j < joints_.size(); ++j) jointNumbers(frame, j, result);
+    for (const JointAt& joint : joints_) jointNumbers(frame, joint, result);
     return result;
   }
   Row smoothNumbers(const BezierSpline& curve) const override { return smoothRow(curve, 1); }
@@ -147,13 +155,10 @@ class JointForm : public FrameForm {
     return static_cast<Eigen::Index>(joint.before + 1) * shape_.degree - k;
   }
   Eigen::Index poleAfter(const JointAt& joint, int k) const { return joint.pole + k; }
-  Eigen::Index jointColumns() const { return 3 + 5 * shape_.order; }
-  Eigen::Index jointColumn(std::size_t j) const {
-    return 3 * static_cast<Eigen::Index>(free_.size()) +
-           static_cast<Eigen::Index>(j) * jointColumns();
-  }
   /// The first column of the coefficients of the change before the joint.
-  Eigen::Index changeColumn(std::size_t j) const { return jointColumn(j) + 3 * (shape_.order + 1); }
+  static Eigen::Index changeColumn(const JointAt& joint) {
+    return joint.first_column + 3L * (joint.order + 1);
+  }
 
   Row freeNumbers(const BezierSpline& frame) const {
     Row result = Row::Zero(columns_);
@@ -162,18 +167,19 @@ class JointForm : public FrameForm {
     return result;
   }
 
-  void store(std::size_t j, const Poles& jet, const JointChanges& changes, Row& result) const {
-    const Eigen::Index n = shape_.order;
-    for (Eigen::Index k = 0; k <= n; ++k) result.segment(jointColumn(j) + 3 * k, 3) = jet.row(k);
-    result.segment(changeColumn(j), n) = changes.before.transpose();
-    result.segment(changeColumn(j) + n, n) = changes.after.transpose();
+  static void store(const JointAt& joint, const Poles& jet, const JointChanges& changes,
+                    Row& result) {
+    const Eigen::Index n = joint.order;
+    for (Eigen::Index k = 0; k <= n; ++k)
+      result.segment(joint.first_column + 3 * k, 3) = jet.row(k);
+    result.segment(changeColumn(joint), n) = changes.before.transpose();
+    result.segment(changeColumn(joint) + n, n) = changes.after.transpose();
   }
 
-  void jointNumbers(const BezierSpline& frame, std::size_t j, Row& result) const {
-    const JointAt& joint = joints_[j];
-    const int n = shape_.order;
+  static void jointNumbers(const BezierSpline& frame, const JointAt& joint, Row& result) {
+    const int n = joint.order;
     if (n == 0) {
-      result.segment(jointColumn(j), 3) = frame.poles.row(joint.pole).head<3>();
+      result.segment(joint.first_column, 3) = frame.poles.row(joint.pole).head<3>();
       return;
     }
     const BetaFit fit = fitBeta(segment(frame, joint.before), segment(frame, joint.after), n);
@@ -185,28 +191,27 @@ class JointForm : public FrameForm {
     Poles jet = commonJet(endDerivatives(frame, joint.before, 1, n),
                           endDerivatives(frame, joint.after, 0, n), changes);
     jet.row(0) = frame.poles.row(joint.pole).head<3>();
-    store(j, jet, changes, result);
+    store(joint, jet, changes, result);
   }
 
   /// \param factor 1 for a curve; 0 for a derivative by omega: the parameter changes are constant
   /// there.
   Row smoothRow(const BezierSpline& curve, double factor) const {
-    const Eigen::Index n = shape_.order;
     Row result = freeNumbers(curve);
-    for (std::size_t j = 0; j < joints_.size(); ++j) {
-      const JointAt& joint = joints_[j];
+    for (const JointAt& joint : joints_) {
+      const int n = joint.order;
       JointChanges changes{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)};
       Poles jet = Poles::Zero(n + 1, 3);
       if (n > 0) {
         changes.before(0) = joint.length_before;
         changes.after(0) = joint.length_after;
-        jet = commonJet(endDerivatives(curve, joint.before, 1, shape_.order),
-                        endDerivatives(curve, joint.after, 0, shape_.order), changes);
+        jet = commonJet(endDerivatives(curve, joint.before, 1, n),
+                        endDerivatives(curve, joint.after, 0, n), changes);
         changes.before *= factor;
         changes.after *= factor;
       }
       jet.row(0) = curve.poles.row(joint.pole).head<3>();
-      store(j, jet, changes, result);
+      store(joint, jet, changes, result);
     }
     return result;
   }
@@ -217,12 +222,12 @@ class JointForm : public FrameForm {
   std::vector<bool> constantChanges(const OmegaSpline& spline) const {
     std::vector<bool> result;
     const double share = std::ldexp(1, -36);
-    for (std::size_t j = 0; j < joints_.size(); ++j) {
-      const auto changes = spline.rows.middleCols(changeColumn(j), 2L * shape_.order);
+    for (const JointAt& joint : joints_) {
+      const auto changes = spline.rows.middleCols(changeColumn(joint), 2L * joint.order);
       bool constant = true;
       for (Eigen::Index c = 0; c < changes.cols(); ++c) {
         const double spread = changes.col(c).maxCoeff() - changes.col(c).minCoeff();
-        const double size = joints_[j].length_before + joints_[j].length_after;
+        const double size = joint.length_before + joint.length_after;
         constant = constant && spread <= share * size;
       }
       result.push_back(constant);
@@ -235,23 +240,24 @@ class JointForm : public FrameForm {
     std::vector<Bern> poles(static_cast<std::size_t>(shape_.segments()) * shape_.degree + 1);
     for (std::size_t i = 0; i < free_.size(); ++i)
       poles[free_[i]] = rows.middleCols(3 * static_cast<Eigen::Index>(i), 3);
-    const int n = shape_.order;
     for (std::size_t j = 0; j < joints_.size(); ++j) {
+      const JointAt& joint = joints_[j];
+      const int n = joint.order;
       std::vector<Bern> jet, before, after;
-      for (int k = 0; k <= n; ++k) jet.push_back(rows.middleCols(jointColumn(j) + 3 * k, 3));
+      for (int k = 0; k <= n; ++k) jet.push_back(rows.middleCols(joint.first_column + 3L * k, 3));
       const auto change = [&](Eigen::Index column) -> Bern {
         return constant[j] ? Bern(rows.col(column).topRows(1)) : Bern(rows.col(column));
       };
       for (int k = 0; k < n; ++k) {
-        before.push_back(change(changeColumn(j) + k));
-        after.push_back(change(changeColumn(j) + n + k));
+        before.push_back(change(changeColumn(joint) + k));
+        after.push_back(change(changeColumn(joint) + n + k));
       }
       if (n > 0) safe = safe && before[0].minCoeff() > 0 && after[0].minCoeff() > 0;
       const std::vector<Bern> left = jointPoles(jet, before, shape_.degree, true),
                               right = jointPoles(jet, after, shape_.degree, false);
       for (int k = 0; k <= n; ++k) {
-        poles[poleBefore(joints_[j], k)] = left[k];
-        poles[poleAfter(joints_[j], k)] = right[k];
+        poles[poleBefore(joint, k)] = left[k];
+        poles[poleAfter(joint, k)] = right[k];
       }
     }
     return poles;

@@ -16,7 +16,8 @@ struct FrameShape {
   int degree = 0;             ///< of the surface along the frames
   std::vector<double> knots;  ///< of the surface along the frames, each once
   bool closed = false;
-  int order = 0;  ///< G^n across the lines of joints
+  int order = 0;                       ///< G^n across the lines of joints
+  std::vector<int> joint_orders = {};  ///< of single joints; see FrameLoftOptions
 
   int segments() const { return static_cast<int>(knots.size()) - 1; }
 };

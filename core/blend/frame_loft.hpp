@@ -27,6 +27,9 @@ struct FrameDerivativeBound {
 struct FrameLoftOptions {
   /// n, 0 to 4: the surface is G^n across the lines of joints.
   int order = 2;
+  /// The order of each joint, up to \p order, as measureJoints() has them: corners of the frames
+  /// stay corners. Empty: \p order at all joints.
+  std::vector<int> joint_orders = {};
   /// A span is halved while the distance of a frame from its iso-curve is > tolerance_mm.
   double tolerance_mm = 1e-3;
   /// The iso-curves at these omegas, and those at the ends, are the frames except for rounding.
@@ -58,7 +61,8 @@ struct FrameLoft {
   double distance_at = 0;  ///< omega of that frame
   /// The same within the zones of the ends of a sheet, which distance_mm leaves out.
   double zone_distance_mm = 0;
-  /// With a derivative bound: a bound over all omega.
+  /// With a derivative bound and for frames without weights: a bound over all omega outside of
+  /// these zones.
   std::optional<double> proven_mm;
   /// The distance (the proven one with a derivative bound) is within the tolerance.
   bool reached = false;

@@ -45,11 +45,13 @@ BezierCurve withPoles(const BezierCurve& curve, const HomogeneousPoles& near, bo
 }
 
 blending::JointPath pathOf(const JointFrame& first, const BetaFit& fit, const JointFrame& second,
-                        const BetaFit& second_fit, const JointBlendOptions& options) {
+                           const BetaFit& second_fit, const JointBlendOptions& options,
+                           BlendRemedy last = BlendRemedy::Intrinsic) {
   return {{KeyInterpolation({0, 1}, KeyInterpolation::Continuity::C0),
            {blending::keyOf(first, fit), blending::keyOf(second, second_fit)}},
           {first.a.degree(), first.b.degree()},
-          options};
+          options,
+          last};
 }
 
 }  // namespace
@@ -96,7 +98,7 @@ JointBlend::JointBlend(const JointFrame& first, const JointFrame& second,
   while (!path.isBalanced() && std::max(degree_a, degree_b) < options.max_degree) {
     raised = blending::raised(raised, ++degree_a, ++degree_b);
     second_raised = blending::raised(second_raised, degree_a, degree_b);
-    auto next = pathOf(raised, fit, second_raised, second_fit, strict);
+    auto next = pathOf(raised, fit, second_raised, second_fit, strict, BlendRemedy::Balanced);
     if (!next.isBalanced()) continue;
     path = std::move(next);
     first_ = std::move(raised);

@@ -31,7 +31,7 @@ template <class Values, class Of>
 Values combined(const JointKeys& keys, double omega, Of of) {
   const Eigen::VectorXd weights = keys.in_omega.weights(omega);
   const int base = keys.in_omega.interval(omega).first;
-  const Values first = of(base);
+  const Values& first = of(base);
   Values result = first;
   for (int k = 0; k < keys.in_omega.keys(); ++k)
     if (k != base && weights(k) != 0) result += weights(k) * (of(k) - first);
@@ -146,12 +146,14 @@ double largestDistance(const HomogeneousPoles& x, const HomogeneousPoles& y) {
   return (pointsOf(x) - pointsOf(y)).rowwise().stableNorm().maxCoeff();
 }
 
-JointPath::JointPath(JointKeys keys, JointDegrees degrees, const JointBlendOptions& options)
+JointPath::JointPath(JointKeys keys, JointDegrees degrees, const JointBlendOptions& options,
+                     BlendRemedy last)
     : keys_(std::move(keys)), degrees_(degrees), options_(options) {
   plain_ = isPlain();
   solvePoints();
   for (const BlendRemedy remedy : {BlendRemedy::Plain, BlendRemedy::Balanced,
                                    BlendRemedy::SmallestMove, BlendRemedy::IntermediateFrame}) {
+    if (remedy > last) break;
     if (remedy == BlendRemedy::IntermediateFrame) addIntermediateKeys();
     Faults faults;
     if (holds(remedy, faults)) {
@@ -178,10 +180,13 @@ std::vector<double> JointPath::allowedDefects(const HomogeneousPoles& poles, con
 }
 
 /// Whether one set of betas fits all keys. As the equations are linear in the poles, it then fits
-/// all their combinations.
+/// all their combinations: in the points if weights are equal, otherwise in the homogeneous poles.
 bool JointPath::isPlain() const {
+  const bool equal_weights = std::all_of(
+      keys_.keys.begin(), keys_.keys.end(),
+      [&](const JointKey& key) { return key.poles.col(3) == keys_.keys.front().poles.col(3); });
   for (const JointKey& key : keys_.keys) {
-    if (!isPolynomial(keys_) && weightFault(key, degrees_).value > most_weight_defect) return false;
+    if (!equal_weights && weightFault(key, degrees_).value > most_weight_defect) return false;
     const JointJet jet = jointJet(key.poles, degrees_.a, degrees_.b);
     const auto defects = rowDefects(jet, keys_.keys.front().beta, key.length_mm);
     const auto most = allowedDefects(key.poles, jet, key.length_mm);

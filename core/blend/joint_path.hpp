@@ -50,8 +50,10 @@ double largestDistance(const HomogeneousPoles& x, const HomogeneousPoles& y);
 
 class JointPath {
  public:
+  /// \param last means after it are not looked for, which saves time where they are of no use.
   /// \pre keys have an order of 1 at least and regular tangents.
-  JointPath(JointKeys keys, JointDegrees degrees, const JointBlendOptions& options);
+  JointPath(JointKeys keys, JointDegrees degrees, const JointBlendOptions& options,
+            BlendRemedy last = BlendRemedy::Intrinsic);
 
   BlendRemedy remedy() const { return remedy_; }
   bool isBalanced() const { return remedy_ <= BlendRemedy::Balanced; }

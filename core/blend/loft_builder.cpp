@@ -183,7 +183,11 @@ class Builder {
     if (rational && !smooth)
       refuse(fmt::format("rational frames have to be C^{} by equal knots", options_.order));
     if (form_ && knots == shape_.knots && smooth == result_.smooth_frames) return;
-    shape_ = {frames_.degree(), knots, frames_.closed(), options_.order};
+    shape_ = {frames_.degree(), knots, frames_.closed(), options_.order, options_.joint_orders};
+    const auto joints = static_cast<std::size_t>(shape_.segments()) - (shape_.closed ? 0 : 1);
+    if (!shape_.joint_orders.empty() && shape_.joint_orders.size() != joints)
+      refuse(fmt::format("orders of {} joints are given: the frames have {}",
+                         shape_.joint_orders.size(), joints));
     form_ = smooth ? smoothForm(shape_) : jointForm(shape_);
     result_.smooth_frames = smooth;
     pieces_.rational = rational;

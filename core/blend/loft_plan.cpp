@@ -86,6 +86,10 @@ void requireOptions(const Interval& omegas, const FrameLoftOptions& options) {
                        omegas.lower, omegas.upper));
   if (options.order < 0 || options.order > max_loft_order)
     refuse(fmt::format("order is {}: 0 to {} is possible", options.order, max_loft_order));
+  for (std::size_t i = 0; i < options.joint_orders.size(); ++i)
+    if (const int order = options.joint_orders[i]; order < 0 || order > options.order)
+      refuse(
+          fmt::format("order of joint {} is {}: 0 to {} is possible", i + 1, order, options.order));
   if (!(options.tolerance_mm > 0) || !std::isfinite(options.tolerance_mm))
     refuse(fmt::format("tolerance_mm is {}: it must be positive and finite", options.tolerance_mm));
   for (const auto& [name, value] : {std::pair{"first_spans", options.first_spans},

@@ -128,7 +128,7 @@ struct SplineBlend::Prepared {
   Splines keys;
   std::vector<std::optional<JointPath>> paths;  ///< one a joint; nothing for the order 0
 
-  void prepare(int degree, const std::vector<std::vector<BetaFit>>& fits);
+  void prepare(int degree, const std::vector<std::vector<BetaFit>>& fits, BlendRemedy last);
   bool isBalanced() const {
     return std::all_of(paths.begin(), paths.end(),
                        [](const auto& path) { return !path || path->isBalanced(); });
@@ -137,7 +137,8 @@ struct SplineBlend::Prepared {
   SplineJoint place(int joint, double omega, BezierSpline& spline) const;
 };
 
-void SplineBlend::Prepared::prepare(int degree, const std::vector<std::vector<BetaFit>>& fits) {
+void SplineBlend::Prepared::prepare(int degree, const std::vector<std::vector<BetaFit>>& fits,
+                                    BlendRemedy last) {
   for (BezierSpline& key : keys) key = raisedTo(std::move(key), degree);
   paths.clear();
   for (int joint = 0; joint < jointsOf(keys.front()); ++joint) {
@@ -150,7 +151,7 @@ void SplineBlend::Prepared::prepare(int degree, const std::vector<std::vector<Be
       joint_keys.keys.push_back(blending::keyOf(frameOf(keys[i], joint), fits[joint][i]));
     JointBlendOptions own = options.joint;
     own.order = static_cast<int>(fits[joint].front().beta.size());
-    paths.emplace_back(JointPath(std::move(joint_keys), {degree, degree}, own));
+    paths.emplace_back(JointPath(std::move(joint_keys), {degree, degree}, own, last));
   }
 }
 
@@ -204,11 +205,11 @@ SplineBlend::SplineBlend(const std::vector<BezierSpline>& keys, const std::vecto
   }
   Prepared best{std::move(in_omega), options, keys, {}};
   const int least = degreeApart(keys.front(), orders);
-  best.prepare(least, fits);
+  best.prepare(least, fits, BlendRemedy::Intrinsic);
   Prepared next = best;
   next.options.joint.frame_tolerance = options.joint.most_defect;
   for (int degree = least + 1; !next.isBalanced() && degree <= options.joint.max_degree; ++degree)
-    next.prepare(degree, fits);
+    next.prepare(degree, fits, BlendRemedy::Balanced);
   prepared_ =
       std::make_shared<const Prepared>(next.isBalanced() ? std::move(next) : std::move(best));
 }

@@ -216,7 +216,8 @@ FunctionSpline rebounded(const FunctionSpline& spline) {
   }
   const FunctionSpline half = functionSpline(middles, spline.slopes);
   VectorXd ordinates = p.col(1);
-  for (Index i = 1; i < last; ++i) ordinates(i) = derivatives(half, p(i, 0))(0);
+  // Point i is between the middles i and i + 1.
+  for (Index i = 1; i < last; ++i) ordinates(i) = pieceDerivatives(half, i, p(i, 0))(0);
   return withOrdinates(spline, ordinates);
 }
 

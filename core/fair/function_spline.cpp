@@ -124,7 +124,11 @@ Eigen::Vector4d derivatives(const FunctionSpline& spline, double x_mm) {
     const Index middle = (low + high) / 2;
     (x(middle) <= x_mm ? low : high) = middle;
   }
-  return FunctionPiece(spline, low).derivatives(x_mm - x(low));
+  return pieceDerivatives(spline, low, x_mm);
+}
+
+Eigen::Vector4d pieceDerivatives(const FunctionSpline& spline, Index piece, double x_mm) {
+  return FunctionPiece(spline, piece).derivatives(x_mm - spline.points(piece, 0));
 }
 
 VectorXd thirdJumps_per_mm2(const FunctionSpline& spline) {

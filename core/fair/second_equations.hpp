@@ -4,8 +4,13 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include <seamwright/core/fair/function_spline.hpp>
+
 /// The second derivatives of cubic splines y(x); not a public header.
 namespace seamwright {
+
+/// derivatives() of the piece after a point; x may be anywhere.
+Eigen::Vector4d pieceDerivatives(const FunctionSpline& spline, Eigen::Index piece, double x_mm);
 
 /// The equations for the second derivatives of splines with given distances of their points.
 /// Source: docs/theory/planar.md P12.1.

@@ -128,7 +128,10 @@ double boundOf(const FramedPiece& piece, const std::vector<ImplicitConic>& conic
     if ((!first && to < conic.start) || (!last && from > conic.end)) continue;
     bound = std::max(bound, boundFrom(piece, weight.lower, conic));
   }
-  return std::min(bound, flat);
+  // A choice: so the flat bound replaces the other one only far below the tolerance, where the
+  // shape of the curve does not matter. A larger share of it would accept conics with kinks.
+  constexpr double factor = 8;
+  return std::min(bound, factor * flat);
 }
 
 bool isGraph(const std::vector<PlanarConic>& conics, const ChordFrame& frame) {

@@ -353,7 +353,10 @@ void noteJoint(const NodeChain& chain, Index s, ConicSpline& result) {
 }
 
 double inflectionAngle(const NodeChain& chain, Index i) {
-  return std::min(chain.startAngle(i - 1), chain.endAngle(i)) / 2;
+  // A choice: with a far smaller share the other span would be pressed into a kink.
+  constexpr double least_share = 0.005;
+  const double before = chain.startAngle(i - 1), after = chain.endAngle(i);
+  return std::max(std::min(before, after), least_share * std::max(before, after)) / 2;
 }
 
 }  // namespace

@@ -144,6 +144,9 @@ FrameLoft loftOf(const SplineBlend& blend, const BlendArguments& arguments, Blen
   FrameLoftOptions options;
   options.order = arguments.order;
   options.tolerance_mm = arguments.tolerance_mm;
+  options.joint_orders = blend.orders();
+  for (int& n : options.joint_orders) n = std::min(n, arguments.order);
+  options.first_spans = 1;
   options.stations = evenOmegas(report.key_curves.size());
   if (arguments.in_between == "C0")
     options.kinks.assign(options.stations.begin() + 1, options.stations.end() - 1);

@@ -200,6 +200,17 @@ void addFigures(CurveFigures& sum, const CurveFigures& part) {
   sum.inflections += part.inflections;
 }
 
+/// Of conics through points.
+CurveFigures figuresThrough(const PlanarChain& conics) {
+  try {
+    return figuresFrom(figuresOf(conics));
+  } catch (const std::domain_error&) {  // of a conic with a kink
+    throw std::domain_error(
+        "the points wave so much that a conic through them has a kink: make them fair first "
+        "(curve fair)");
+  }
+}
+
 /// Conics from corner to corner of the points.
 MadeCurve conicsThrough(const GivenCurve& given, const Progress& progress) {
   const bool closed = given.record.closed;
@@ -228,7 +239,7 @@ MadeCurve conicsThrough(const GivenCurve& given, const Progress& progress) {
   made.record.pieces = static_cast<int>(made.chain.curves.size());
   made.record.corners = static_cast<int>(corners.size() + between_lines);
   made.record.distance_mm = 0;
-  made.record.after = figuresFrom(figuresOf(made.chain));
+  made.record.after = figuresThrough(made.chain);
   noteJoints(made.record, g1_joints);
   if (between_lines > 0)
     made.record.notes.push_back(fmt::format("{} corner{}: there are points on a line on both sides",
@@ -387,9 +398,22 @@ std::optional<FairedCurve> fairerSpline(const BSplineCurve& spline, double toler
   return std::nullopt;
 }
 
+void noteKept(report::CurveRecord& record, int kept, int not_fairer) {
+  record.with_reservations = not_fairer > 0;
+  if (kept > 0)
+    record.notes.push_back(fmt::format(
+        "{} curve{} as given: only polynomial B-splines of degree 2 and more are faired", kept,
+        kept == 1 ? " stays" : "s stay"));
+  if (not_fairer > 0)
+    record.notes.push_back(
+        fmt::format("{} curve{} as given: moves of poles would cost extrema, inflections or energy",
+                    not_fairer, not_fairer == 1 ? " stays" : "s stay"));
+}
+
 MadeCurve madeFairSplines(const GivenCurve& given, const CurveTask& task) {
   MadeCurve made{.record = given.record};
-  made.record.before = figuresFrom(figuresOf(given.chain, partOf(task.progress, 0, 0)));
+  const ChainFigures before = figuresOf(given.chain, partOf(task.progress, 0, 0));
+  made.record.before = figuresFrom(before);
   made.chain.closed = given.chain.closed;
   const auto whole = static_cast<double>(given.chain.curves.size());
   double moved_mm = 0;
@@ -416,16 +440,17 @@ MadeCurve madeFairSplines(const GivenCurve& given, const CurveTask& task) {
     made.chain.curves.emplace_back(faired->curve);
     made.record.pieces += bezierSpline(faired->curve).segments();
   }
+  const ChainFigures after = figuresOf(made.chain, partOf(task.progress, 1, 1));
+  made.record.after = figuresFrom(after);
+  if (!noLessFair(after, before)) {  // at joints, where neighbours are fair by themselves
+    made.chain = given.chain;
+    made.record.after = made.record.before;
+    made.record.pieces = 0;
+    moved_mm = 0;
+    not_fairer = static_cast<int>(given.chain.curves.size()) - kept;
+  }
   made.record.distance_mm = made.record.moved_mm = moved_mm;
-  if (kept > 0)
-    made.record.notes.push_back(fmt::format(
-        "{} curve{} as given: only polynomial B-splines of degree 2 and more are faired", kept,
-        kept == 1 ? " stays" : "s stay"));
-  if (not_fairer > 0)
-    made.record.notes.push_back(fmt::format(
-        "{} curve{} as given: moves of its poles would cost extrema, inflections or energy",
-        not_fairer, not_fairer == 1 ? " stays" : "s stay"));
-  made.record.after = figuresFrom(figuresOf(made.chain, partOf(task.progress, 1, 1)));
+  noteKept(made.record, kept, not_fairer);
   return made;
 }
 
@@ -565,7 +590,7 @@ MadeCurve madeCurve(const std::string& method, const GivenCurve& given, const Cu
   if (!local.origin.isZero(0)) moveBack(made, local);
   const bool has_notes = !made.record.notes.empty(), added = noteAdded(made.record);
   // Arcs have jumps of the curvature, which nobody takes for a fair curve.
-  made.record.with_reservations = method != "arcs" && (added || (method == "conic" && has_notes));
+  made.record.with_reservations |= method != "arcs" && (added || (method == "conic" && has_notes));
   noteRounding(made.record, local.given);
   return made;
 }

@@ -389,6 +389,51 @@ def test_a_model_of_curves_is_an_input(tmp_path, method, out):
     assert found["after"]["length_mm"] == pytest.approx(10 * math.pi, rel=1e-2)
 
 
+def uneven_model(tmp_path):
+    """A spline near a circle of 50 mm, with waves of 0.004 mm and uneven pieces."""
+    points, angle = [], 0
+    for i in range(30):
+        angle += 0.02 if i % 3 else 0.11
+        radius = 50 + 0.004 * math.sin(i * i)
+        points.append((radius * math.cos(angle), radius * math.sin(angle)))
+    return curve("clothoid", points_file(tmp_path, points), out="uneven.step")[2]
+
+
+def test_conics_near_a_model_do_not_follow_its_waves(tmp_path):
+    result, report, _ = curve("conic", uneven_model(tmp_path), "--tolerance", 0.03)
+    (found,) = report["curves"]
+    assert found["before"]["extrema"] >= 20 and found["distance_mm"] <= 0.03
+    assert found["after"]["extrema"] <= found["before"]["extrema"] / 3
+    assert found["after"]["inflections"] == 0 and result.stdout.endswith("\nREACHED\n")
+
+
+@pytest.mark.parametrize("tolerance", [1e-4, 0.01, 0.3])
+def test_a_faired_spline_is_never_less_fair(tmp_path, tolerance):
+    _, report, _ = curve("fair", uneven_model(tmp_path), "--tolerance", tolerance)
+    (found,) = report["curves"]
+    for key in ("extrema", "inflections", "energy_per_mm"):
+        assert found["after"][key] <= found["before"][key] * (1 + 1e-9), key
+
+
+def test_conics_pass_beside_an_inflection_near_a_point(tmp_path):
+    # Of an airfoil: the angles beside the inflection have a ratio of 200.
+    points = [
+        (1, 0),
+        (0.9967185, 0.00034782),
+        (0.98706463, 0.00149967),
+        (0.97145561, 0.00363339),
+        (0.95035123, 0.00677805),
+        (0.92424036, 0.0108692),
+        (0.8936239, 0.0157696),
+        (0.85900629, 0.02129402),
+        (0.82089086, 0.02721967),
+    ]
+    result, report, _ = curve("conic", points_file(tmp_path, points), out="out.step")
+    assert result.returncode == 0, result.stderr
+    (found,) = report["curves"]
+    assert found["after"]["inflections"] == 1
+
+
 def test_edges_are_chosen(box):
     result = run("curve", "arcs", box, "-o", box.parent / "out.dxf")
     expect_one_line(result, "has no free edges: name edges with --edge, or take --edge all")
