@@ -9,7 +9,7 @@
 namespace seamwright {
 
 struct CommonKnotsOptions {
-  MatchOptions match;          ///< its closeness does not count
+  MatchOptions match = {};     ///< its closeness does not count
   double tolerance_mm = 1e-3;  ///< largest distance of a result from its frame
   /// Joints of a frame with larger defects (BetaFit::defects) keep their lower order, and have a
   /// knot in all frames.

@@ -244,6 +244,19 @@ std::vector<std::string> writeBlend(CurveFormat format, const std::vector<Bezier
   return {};
 }
 
+void addOutputs(CLI::App& command, OutputArguments& output) {
+  command
+      .add_option("-o", output.model,
+                  "The frames: a model (.step, .stp, .iges, .igs, .brep, .brp, .bin), .csv, or of "
+                  "one plane .svg or .dxf")
+      ->type_name("OUT")
+      ->required();
+  command.add_option("--json", output.report, "Write a JSON report to this file")
+      ->type_name("FILE");
+  command.add_flag("--overwrite", output.overwrite, "Replace OUT if it exists");
+  command.add_flag("--overwrite-source", output.overwrite_source, "Allow OUT to replace an INPUT");
+}
+
 }  // namespace
 
 void addBlendOptions(CLI::App& command, BlendArguments& arguments) {
@@ -295,17 +308,7 @@ void addBlendOptions(CLI::App& command, BlendArguments& arguments) {
       ->allow_extra_args(false)
       ->expected(1, -1)
       ->each([&arguments](const std::string& text) { arguments.edges.push_back(edgeList(text)); });
-  command
-      .add_option("-o", arguments.output.model,
-                  "The frames: a model (.step, .stp, .iges, .igs, .brep, .brp, .bin), .csv, or of "
-                  "one plane .svg or .dxf")
-      ->type_name("OUT")
-      ->required();
-  command.add_option("--json", arguments.output.report, "Write a JSON report to this file")
-      ->type_name("FILE");
-  command.add_flag("--overwrite", arguments.output.overwrite, "Replace OUT if it exists");
-  command.add_flag("--overwrite-source", arguments.output.overwrite_source,
-                   "Allow OUT to replace an INPUT");
+  addOutputs(command, arguments.output);
   exitStatus(command, "every joint keeps the order of the key curves",
              "some do not (OUT is written)");
 }
