@@ -59,7 +59,8 @@ struct SplineFrame {
 ///   (3) If the key frames have equal betas at a joint, its poles are those of the interpolation;
 ///       so C^n splines with knots in proportion are interpolated.
 ///   (4) Rigid motion and scale act on frames in the same way.
-///   (5) Key frames run backwards: the frames are. Key frames in reverse order: omega is reversed.
+///   (5) Key frames in reverse order: omega is reversed. Key frames run backwards: the frames are,
+///       for n = 1; beta_2, .., beta_n are blended linearly on one side (C11.5).
 ///   (6) Two key frames of two segments: the joint of JointBlend.
 /// Source: docs/theory/curves.md C11.1 to C11.8.
 class SplineBlend {

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <seamwright/core/bezier/length.hpp>
@@ -185,6 +186,11 @@ void addKeyCurves(const KeyCurves& input, BlendReport& report) {
   report.closed = input.curves.front().curve.closed;
 }
 
+/// Where a frame shrinks to a point, no defect has a value.
+bool isFinite(const std::vector<double>& defects) {
+  return std::ranges::all_of(defects, [](double defect) { return std::isfinite(defect); });
+}
+
 /// Notes on joints whose order is lower than the one asked for, and whether all are the order that
 /// the key curves have there.
 bool noteOrders(const SplineBlend& blend, BlendReport& report) {
@@ -197,7 +203,7 @@ bool noteOrders(const SplineBlend& blend, BlendReport& report) {
   std::size_t lost = 0;
   for (const report::BlendFrameRecord& frame : report.frames)
     for (std::size_t i = 0; i < frame.joints.size(); ++i)
-      if (frame.joints[i].order < of_keys[i]) ++lost;
+      if (frame.joints[i].order < of_keys[i] || !isFinite(frame.joints[i].defects)) ++lost;
   if (lost > 0)
     report.notes.push_back(fmt::format(
         "{} joints of frames have a lower order than the key curves: add a key curve between",
@@ -206,10 +212,8 @@ bool noteOrders(const SplineBlend& blend, BlendReport& report) {
 }
 
 /// Both files, or none: the report is complete before the model replaces its target.
-std::vector<std::string> writeModel(const TopoDS_Shape& shape, const BlendReport& report,
+std::vector<std::string> writeModel(occ::Model model, const BlendReport& report,
                                     const OutputArguments& arguments) {
-  occ::Model model;
-  model.shape = shape;
   model.format = "memory";
   model.length_unit = "mm (assumed)";
   std::optional<PendingFile> json;
@@ -234,9 +238,11 @@ std::vector<std::string> writeBlend(CurveFormat format, const std::vector<Bezier
                                     const BlendArguments& arguments) {
   report.output = {.path = arguments.output.model,
                    .format = formatName(format, arguments.output.model)};
-  if (format == CurveFormat::Model)
-    return writeModel(loft ? occ::faceOf(loft->surface) : occ::wiresOf(frames), report,
-                      arguments.output);
+  if (format == CurveFormat::Model) {
+    occ::Model model;
+    model.shape = loft ? occ::faceOf(loft->surface) : occ::wiresOf(frames);
+    return writeModel(std::move(model), report, arguments.output);
+  }
   const CurveText text =
       framesText(format, frames, evenOmegas(frames.size()), arguments.tolerance_mm);
   report.output->distance_mm = text.distance_mm;

@@ -364,7 +364,7 @@ Arguments are those of JointBlend, which is faster for several omegas.)");
 first, second: pairs (a, b) of polynomial curves of one segment; a ends where b begins. tolerance:
 the largest dimensionless defect that counts as 0. omegas: of the betas. The conditions are
 necessary and sufficient. ValueError, with index and value, for curves that do not meet or have no
-tangent. Source: docs/theory/curves.md C11.2.)");
+tangent.)");
 }
 
 void bindSplineBlend(py::module_& module) {
@@ -424,7 +424,7 @@ void bindBalance(py::module_& module) {
              R"(The ratios by which auxiliary points are cut down to the poles of a G^n joint.
 
 beta: beta_1 .. beta_n, or a result that has them. degree_a, degree_b: of the curves that arrive and
-leave, n or more. Returns BalanceRatios. Source: docs/theory/curves.md C11.3 and C11.4.)");
+leave, n or more. Returns BalanceRatios.)");
   module.def("balance_relations", &balanceRelationsOf, py::arg("beta"), py::arg("degree_a"),
              py::arg("degree_b"),
              R"(The relations of the poles -n..n of a G^n joint: an array (n, 2n + 1).

@@ -259,8 +259,7 @@ which the iso-curve is the frame; kinks: across which frames are continuous only
 keys of the SplineBlend, and its kinks. closed: the last frame is the first one. checks: frames that
 are compared in a span. derivative_bound: (k, size of the k-th derivative of poles by omega), by
 which the distance is proven. progress: as for Model.analyze(). ValueError, with index and value,
-for bad arguments and frames that differ in structure. Source: docs/theory/surfaces.md S7.1 to
-S7.4.)");
+for bad arguments and frames that differ in structure.)");
   bindSheets(module);
 }
 

@@ -81,6 +81,17 @@ EXPECTED = {
     ("occ_adapter/model/reader_main.cpp", "std::exception"): (
         "the end of a process: tells its parent what went wrong, whatever it was"
     ),
+    ("occ_adapter/curves/space_spline.cpp", "std::domain_error"): (
+        "throws GeometryError with the edges"
+    ),
+    ("occ_adapter/curves/space_spline.cpp", "std::invalid_argument"): (
+        "throws GeometryError with the edges"
+    ),
+    ("plugin/cli/blend_command.cpp", "std::invalid_argument"): (
+        "key curves that do not correspond: throws it with the file"
+    ),
+    ("plugin/cli/key_curves.cpp", "std::domain_error"): "throws it with the file",
+    ("plugin/cli/key_curves.cpp", "std::invalid_argument"): "throws it with the file",
     ("occ_adapter/planar/planar_wires.cpp", "std::domain_error"): (
         "a kind of curve that core refuses: throws GeometryError with the edge"
     ),
