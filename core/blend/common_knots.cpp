@@ -179,7 +179,9 @@ struct Segments {
     }
     const double middle = 0.5 * (p + q);
     const bool within = *std::ranges::max_element(distances) <= tolerance_mm;
-    if (!within && knots.size() < max_segments && middle > p && middle < q) {
+    // Shorter segments have too few digits for second derivatives.
+    constexpr double shortest = 1e-6;
+    if (!within && knots.size() < max_segments && q - p > 2 * shortest) {
       add(p, middle);
       add(middle, q);
       return;
@@ -202,6 +204,20 @@ BezierSpline splineOf(const std::vector<BezierCurve>& curves, const std::vector<
   HomogeneousPoles homogeneous(poles.rows(), 4);
   homogeneous << poles, Eigen::VectorXd::Ones(poles.rows());
   return {5, knots, homogeneous, closed};
+}
+
+/// Places are known to a billionth of a piece.
+void requireMeasurable(const Correspondence& correspondence, double tolerance_mm) {
+  constexpr double share = 1e-9;
+  for (std::size_t f = 0; f < correspondence.frames.size(); ++f) {
+    const Measured& frame = correspondence.frames[f];
+    double longest_mm = 0;
+    for (int i = 0; i < frame.spline().segments(); ++i)
+      longest_mm = std::max(longest_mm, (frame.share(i + 1) - frame.share(i)) * frame.length_mm());
+    if (const double known_mm = share * longest_mm; tolerance_mm < known_mm)
+      refuse(fmt::format("the tolerance is {:.3g} mm: places on frame {} are known to {:.3g} mm",
+                         tolerance_mm, f, known_mm));
+  }
 }
 
 std::vector<Course> coursesOf(const Correspondence& correspondence) {
@@ -227,6 +243,7 @@ CommonKnots commonKnots(const std::vector<BezierSpline>& frames,
   CommonKnots result;
   const match::Correspondence correspondence =
       match::corresponding(frames, options.match, result.summary);
+  match::requireMeasurable(correspondence, options.tolerance_mm);
   const std::vector<match::Course> courses = match::coursesOf(correspondence);
   const std::size_t count = courses.size();
   match::Segments segments{.courses = courses,

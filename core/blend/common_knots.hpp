@@ -43,8 +43,8 @@ struct CommonKnots {
 ///   (2) Joints of lower order stay: a corner has the tangents of its frame on both sides.
 ///   (3) Linear blends of the results are G^2 at all joints at which all frames are.
 ///   (4) Rigid motion and scale (of the tolerance too) act on the results in the same way.
-/// \throws std::invalid_argument as matchPieces(), for a tolerance that is not positive and finite,
-/// and for a frame that stops: with its index.
+/// \throws std::invalid_argument as matchPieces(), for a tolerance that is not finite, not positive
+/// or below a billionth of a piece of a frame, and for a frame that stops: with its index.
 /// Source: docs/theory/curves.md C12.3; [FritschCarlson1980].
 CommonKnots commonKnots(const std::vector<BezierSpline>& frames,
                         const CommonKnotsOptions& options = {});
