@@ -32,7 +32,7 @@ struct BalanceFault {
     Weights,       ///< homogeneous poles of a frame miss a relation by value, a share of its terms;
                    ///< or a blended weight is value, which is not positive
   };
-  Kind kind;
+  Kind kind = Kind::NoRatio;
   int level = 0;  ///< k of delta_kj
   int index = 0;  ///< j of delta_kj
   double value = 0;

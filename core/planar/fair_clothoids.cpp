@@ -49,7 +49,8 @@ FairedRun fairRun(const FairingRun& run) {
   if (!best) best = given;
   if (!best) chainThrough(faired.points, run.closed);  // throws
   if (faired.moved_mm > 0 || !given) {
-    const double most = result.before ? result.before->variation_per_mm3 : infinite;
+    double most = infinite;
+    if (result.before) most = result.before->variation_per_mm3;
     FairingSearch search = fewerTurns(run, fairing, std::move(*best), faired.points, most);
     result.steps = search.steps;
     best = std::move(search.state);
