@@ -12,6 +12,7 @@
 #include <seamwright/core/planar/arc_distance.hpp>
 #include <seamwright/core/planar/arc_fit.hpp>
 #include <seamwright/core/planar/biarc.hpp>
+#include <seamwright/core/planar/fit_options.hpp>
 #include <seamwright/core/planar/planar_curve.hpp>
 
 namespace seamwright {
@@ -252,12 +253,7 @@ void requireAboveNoise(const BezierSpline& spline, double tolerance_mm) {
 
 ArcFit fitArcs(const BezierSpline& spline, const ArcFitOptions& options, const Progress& progress) {
   requireValid(spline);
-  if (!(options.tolerance_mm > 0 && std::isfinite(options.tolerance_mm)))
-    refuse(fmt::format("the tolerance is {} mm: it must be positive and finite",
-                       options.tolerance_mm));
-  if (!(options.corner_rad > 0 && options.corner_rad < std::numbers::pi))
-    refuse(
-        fmt::format("the corner angle is {} rad: it must be between 0 and pi", options.corner_rad));
+  requireFitOptions(options.tolerance_mm, options.corner_rad);
   requireAboveNoise(spline, options.tolerance_mm);
   const PlanarCurve curve = planarCurve(spline);
   const int n = curve.count();

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <stdexcept>
 
@@ -11,6 +10,7 @@
 #include <seamwright/core/planar/arc_distance.hpp>
 #include <seamwright/core/planar/clothoid_fit.hpp>
 #include <seamwright/core/planar/clothoid_spline.hpp>
+#include <seamwright/core/planar/fit_options.hpp>
 #include <seamwright/core/planar/planar_curve.hpp>
 
 namespace seamwright {
@@ -147,12 +147,7 @@ FittedRun fitClothoidRun(const PlanarCurve& curve, const ClothoidRun& run, doubl
 ClothoidFit fitClothoids(const BezierSpline& spline, const ClothoidFitOptions& options,
                          const Progress& progress) {
   requireValid(spline);
-  if (!(options.tolerance_mm > 0 && std::isfinite(options.tolerance_mm)))
-    refuse(fmt::format("the tolerance is {} mm: it must be positive and finite",
-                       options.tolerance_mm));
-  if (!(options.corner_rad > 0 && options.corner_rad < std::numbers::pi))
-    refuse(
-        fmt::format("the corner angle is {} rad: it must be between 0 and pi", options.corner_rad));
+  requireFitOptions(options.tolerance_mm, options.corner_rad);
   const PlanarCurve curve = planarCurve(spline);
   const int n = curve.count();
   const auto isCorner = [&](int joint) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <stdexcept>
 
@@ -11,6 +10,7 @@
 #include <seamwright/core/planar/conic_distance.hpp>
 #include <seamwright/core/planar/conic_fit.hpp>
 #include <seamwright/core/planar/conic_spline.hpp>
+#include <seamwright/core/planar/fit_options.hpp>
 #include <seamwright/core/planar/planar_curve.hpp>
 
 namespace seamwright {
@@ -232,16 +232,11 @@ void fitConicRun(const ConicFitCurve& of, const ConicRun& run, double tolerance_
 ConicFit fitConics(const BezierSpline& spline, const ConicFitOptions& options,
                    const Progress& progress) {
   requireValid(spline);
-  if (!(options.tolerance_mm > 0 && std::isfinite(options.tolerance_mm)))
-    refuse(fmt::format("the tolerance is {} mm: it must be positive and finite",
-                       options.tolerance_mm));
-  if (!(options.corner_rad > 0 && options.corner_rad < std::numbers::pi))
-    refuse(
-        fmt::format("the corner angle is {} rad: it must be between 0 and pi", options.corner_rad));
+  requireFitOptions(options.tolerance_mm, options.corner_rad);
   ConicFitCurve of = conicFitCurve(spline, options.corner_rad);
   const int n = of.curve.count();
   const auto isCorner = [&](int joint) {
-    return std::abs(of.turns_rad[joint % n]) > options.corner_rad;
+    return std::abs(of.turns_rad[joint]) > options.corner_rad;
   };
   if (spline.closed)
     for (int joint = 0; joint < n; ++joint) {

@@ -211,20 +211,8 @@ bool noteOrders(const SplineBlend& blend, BlendReport& report) {
   return lost == 0;
 }
 
-/// Both files, or none: the report is complete before the model replaces its target.
-std::vector<std::string> writeModel(occ::Model model, const BlendReport& report,
-                                    const OutputArguments& arguments) {
-  model.format = "memory";
-  model.length_unit = "mm (assumed)";
-  std::optional<PendingFile> json;
-  occ::WriteOptions options = arguments.writeOptions();
-  options.check = [&](const std::filesystem::path&) {
-    if (!arguments.report.empty())
-      json.emplace(arguments.report, report::toLine(report::toJson(report)) + '\n');
-  };
-  const occ::WriteReport written = writeUnderBar(model, arguments.model, options);
-  if (json) json->takePlace();
-  return written.notes;
+std::string lineOf(const BlendReport& report) {
+  return report::toLine(report::toJson(report)) + '\n';
 }
 
 void requireLoftFormat(const BlendArguments& arguments, CurveFormat format) {
@@ -241,12 +229,12 @@ std::vector<std::string> writeBlend(CurveFormat format, const std::vector<Bezier
   if (format == CurveFormat::Model) {
     occ::Model model;
     model.shape = loft ? occ::faceOf(loft->surface) : occ::wiresOf(frames);
-    return writeModel(std::move(model), report, arguments.output);
+    return writeModel(std::move(model), lineOf(report), arguments.output);
   }
   const CurveText text =
       framesText(format, frames, evenOmegas(frames.size()), arguments.tolerance_mm);
   report.output->distance_mm = text.distance_mm;
-  writeTexts(text.text, report::toLine(report::toJson(report)) + '\n', arguments.output);
+  writeTexts(text.text, lineOf(report), arguments.output);
   return {};
 }
 

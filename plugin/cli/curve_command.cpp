@@ -105,18 +105,7 @@ std::vector<std::string> writeCurves(const std::vector<MadeCurve>& curves,
   }
   occ::Model model;
   model.shape = occ::wiresOf(wires);
-  model.format = "memory";
-  model.length_unit = "mm (assumed)";
-  // Both files, or none: the report is complete before the model replaces its target.
-  std::optional<PendingFile> json;
-  occ::WriteOptions options = arguments.writeOptions();
-  options.check = [&](const std::filesystem::path&) {
-    if (!arguments.report.empty())
-      json.emplace(arguments.report, report::toLine(report::toJson(report)) + '\n');
-  };
-  const occ::WriteReport written = writeUnderBar(model, arguments.model, options);
-  if (json) json->takePlace();
-  return written.notes;
+  return writeModel(std::move(model), report::toLine(report::toJson(report)) + '\n', arguments);
 }
 
 }  // namespace

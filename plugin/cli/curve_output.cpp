@@ -167,6 +167,20 @@ void writeTexts(const std::string& text, const std::string& report,
   if (json) json->takePlace();
 }
 
+std::vector<std::string> writeModel(occ::Model model, const std::string& report,
+                                    const OutputArguments& arguments) {
+  model.format = "memory";
+  model.length_unit = "mm (assumed)";
+  std::optional<PendingFile> json;
+  occ::WriteOptions options = arguments.writeOptions();
+  options.check = [&](const std::filesystem::path&) {
+    if (!arguments.report.empty()) json.emplace(arguments.report, report);
+  };
+  const occ::WriteReport written = writeUnderBar(model, arguments.model, options);
+  if (json) json->takePlace();
+  return written.notes;
+}
+
 void requireCurveOutputs(const std::string& input, const OutputArguments& arguments) {
   if (curveFormat(arguments.model) == CurveFormat::Model) {
     requireOutputs(input, arguments);

@@ -24,6 +24,11 @@ std::string formatName(CurveFormat format, const std::filesystem::path& path);
 void writeTexts(const std::string& text, const std::string& report,
                 const OutputArguments& arguments);
 
+/// Writes a model of new shapes and, where it is asked for, the report: both files, or none.
+/// \returns what the format of OUT can't hold.
+std::vector<std::string> writeModel(occ::Model model, const std::string& report,
+                                    const OutputArguments& arguments);
+
 /// Checks the files before the input is read. \throws std::runtime_error, occ::ModelError.
 void requireCurveOutputs(const std::string& input, const OutputArguments& arguments);
 

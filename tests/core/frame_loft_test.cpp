@@ -57,6 +57,57 @@ TEST(FrameLoft, Identity2JointLinesAreCertified) {
   }
 }
 
+TEST(FrameLoft, EachJointHasItsOrder) {
+  std::mt19937_64 random(testSeed());
+  const ChainFrames smooth = chainFrames(2, 3, 2, false, random);
+  // The first segment, turned about the joint: a corner of half a radian for every omega.
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(0.5, Vec(0.3, -0.5, 0.8).normalized()).toRotationMatrix();
+  const auto cornered = [&](double omega) {
+    BezierSpline frame = smooth(omega);
+    const Eigen::RowVector3d joint = frame.poles.row(frame.degree).head<3>();
+    for (int i = 0; i < frame.degree; ++i) {
+      const Eigen::RowVector3d leg = frame.poles.row(i).head<3>() - joint;
+      frame.poles.row(i).head<3>() = joint + leg * turn.transpose();
+    }
+    return frame;
+  };
+  FrameLoftOptions options{.order = 2, .tolerance_mm = 1e-2};
+  options.joint_orders = {0, 2};
+  const FrameLoft loft = frameLoft(cornered, {0, 1}, options);
+  EXPECT_TRUE(loft.reached);
+  for (int i = 0; i <= 20; ++i)
+    EXPECT_LE(distanceAt(loft.surface, cornered(i / 20.0), i / 20.0), 2e-2) << i;
+  ContinuityTolerance tolerance = narrowTolerance();
+  tolerance.crease_rad = 1;
+  const auto lines = encloseKnotLines(loft.surface, SurfaceDirection::U, tolerance);
+  ASSERT_EQ(lines.size(), 2);
+  ASSERT_TRUE(lines[0].figures.angle_rad.has_value());
+  EXPECT_GT(lines[0].figures.angle_rad->lower, 1e-3);
+  expectCertified(lines[1].figures, 2, Message() << "joint 2: ");
+  // G2 at both joints does not meet the corner.
+  options.joint_orders.clear();
+  options.max_spans = 8;
+  EXPECT_FALSE(frameLoft(cornered, {0, 1}, options).reached);
+}
+
+TEST(FrameLoft, OrdersOfJointsAreChecked) {
+  std::mt19937_64 random(testSeed());
+  const ChainFrames frames = chainFrames(2, 3, 1, false, random);
+  const auto refused = [&](const std::vector<int>& orders, const char* part) {
+    FrameLoftOptions options{.order = 2};
+    options.joint_orders = orders;
+    EXPECT_THAT(
+        [&] {
+          frameLoft(frames, {0, 1}, options);
+        },
+        ThrowsMessage<std::invalid_argument>(HasSubstr(part)));
+  };
+  refused({0, 3}, "order of joint 2 is 3: 0 to 2");
+  refused({-1, 0}, "order of joint 1 is -1");
+  refused({2}, "orders of 1 joints are given: the frames have 2");
+}
+
 /// Poles interpolated as a plain loft does it lose the G1 of the frames.
 TEST(FrameLoft, PlainSkinningHasAnAngleWhereTheLoftHasNone) {
   std::mt19937_64 random(testSeed());
