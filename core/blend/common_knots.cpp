@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include <seamwright/core/bezier/curve_difference.hpp>
 #include <seamwright/core/blend/common_knots.hpp>
 #include <seamwright/core/blend/correspondence.hpp>
 #include <seamwright/core/join/curve/beta.hpp>
@@ -87,11 +88,20 @@ class Course {
   /// The parameters of the inner joints.
   const std::vector<double>& joints() const { return joints_; }
   Eigen::Vector3d point(double p) const { return frame_.point(place(p)); }
+  /// The part over [p, q], in which no joint lies: joints are among p and q only.
+  BezierCurve part(double p, double q) const {
+    const int piece = place(0.5 * (p + q)).piece;
+    const double start = p <= 0 ? 0 : parameterIn(piece, place(p)),
+                 end = q >= 1 ? 1 : parameterIn(piece, place(q));
+    if (!(start < end))  // It is shorter than the accuracy of places.
+      return BezierCurve(Poles(frame_.point({piece, start}).transpose()));
+    const BezierCurve up_to_end = segment(spline(), piece).split(end).first;
+    return up_to_end.split(start / end).second;
+  }
   /// The jet at p, at a joint that of its side before or after it.
   PointJet jet(double p, bool before) const {
     const Jet1 share = shares_.at(p);
     Place at = place(p);
-    const double near = 1e-9;  // Places are measured to a billionth of a piece's length.
     if (before && at.t < near && at.piece > 0) at = {at.piece - 1, 1};
     if (before && at.t < near && at.piece == 0 && p > 0.5) at = {frame_.spline().segments() - 1, 1};
     if (!before && at.t > 1 - near && at.piece + 1 < frame_.spline().segments())
@@ -108,6 +118,14 @@ class Course {
   }
 
  private:
+  /// Places are measured to a billionth of a piece's length.
+  static constexpr double near = 1e-9;
+
+  /// The parameter of a place in a piece, 0 or 1 for places before and after it.
+  static double parameterIn(int piece, const Place& place) {
+    if (place.piece != piece) return place.piece < piece ? 0 : 1;
+    return place.t < near ? 0 : place.t > 1 - near ? 1 : place.t;
+  }
   Place place(double p) const { return frame_.placeAt(std::clamp(shares_.at(p)[0], 0.0, 1.0)); }
 
   const Measured& frame_;
@@ -157,15 +175,21 @@ struct Segments {
   std::vector<double> distance_mm;
   bool reached = true;
 
-  /// The largest distance of corresponding points at two samples of each piece, and five or more.
+  /// Bound of the distance of a segment over [p, q] from its part of a frame.
   double distance(const Course& course, const BezierCurve& curve, double p, double q) const {
-    const auto inside = std::ranges::count_if(course.joints(),
-                                              [&](double joint) { return joint > p && joint < q; });
-    const auto samples = std::max<std::ptrdiff_t>(5, 2 * (inside + 1));
-    double result = 0;
-    for (std::ptrdiff_t i = 1; i <= samples; ++i) {
-      const double t = static_cast<double>(i) / static_cast<double>(samples + 1);
-      result = std::max(result, (course.point(p + t * (q - p)) - curve.point(t)).norm());
+    // A bound of a quarter of the tolerance is sharp enough; more digits take more divisions.
+    const double enough_mm = 0.25 * tolerance_mm;
+    double result = 0, start = p;
+    BezierCurve rest = curve;
+    std::vector<double> ends = course.joints();
+    std::erase_if(ends, [&](double joint) { return joint <= p || joint >= q; });
+    ends.push_back(q);
+    for (const double end : ends) {
+      const auto [here, after] = rest.split(end < q ? (end - start) / (q - start) : 1);
+      result = std::max(
+          result, correspondenceBound(course.part(start, end), here, enough_mm, tolerance_mm));
+      rest = after;
+      start = end;
     }
     return result;
   }

@@ -21,8 +21,8 @@ struct CommonKnotsOptions {
 struct CommonKnots {
   /// Degree 5, with equal knots 0..1. They are C^2 where the frame is G^2, up to rounding.
   std::vector<BezierSpline> frames;
-  /// The largest distance of points at corresponding places, of each frame. It is measured at two
-  /// or more points of each piece of the frame and at five or more of each segment, not proven.
+  /// Bound of the distance of each result from its frame, in both directions, and also as they are
+  /// run. It is up to a quarter of the tolerance where the distance itself is smaller.
   std::vector<double> distance_mm;
   bool reached = false;  ///< all distances are within the tolerance
   MatchSummary summary;  ///< without merged and largest_ratio

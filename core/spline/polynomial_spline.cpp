@@ -5,8 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include <seamwright/core/bernstein/polynomial.hpp>
-#include <seamwright/core/bezier/homogeneous.hpp>
+#include <seamwright/core/bezier/curve_difference.hpp>
 #include <seamwright/core/spline/polynomial_spline.hpp>
 
 namespace seamwright {
@@ -39,26 +38,6 @@ BezierCurve hermiteCurve(const BezierCurve& segment, int n) {
   return BezierCurve(poles);
 }
 
-/// Bound of |A / w - Y|.
-double distanceBound(const BezierCurve& segment, const BezierCurve& near) {
-  const Eigen::Vector3d origin = segment.point(0);
-  const HomogeneousPoles a = about(segment.homogeneousPoles(), origin),
-                         y = about(near.homogeneousPoles(), origin);
-  const BernsteinPolynomial weight(a.col(3));
-  double square = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const Interval range =
-        (BernsteinPolynomial(a.col(axis)) - weight * BernsteinPolynomial(y.col(axis))).range();
-    square += std::pow(std::max(std::abs(range.lower), std::abs(range.upper)), 2);
-  }
-  // The poles about the origin are rounded by eps times their size.
-  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
-  const double size = std::max(a.leftCols<3>().cwiseAbs().maxCoeff() / a.col(3).minCoeff(),
-                               y.leftCols<3>().cwiseAbs().maxCoeff()) +
-                      origin.cwiseAbs().maxCoeff();
-  return (1 + rounding) * std::sqrt(square) / weight.range().lower + rounding * size;
-}
-
 /// Segments of a polynomial spline as they come.
 struct Builder {
   int order;
@@ -70,7 +49,7 @@ struct Builder {
   void add(const BezierCurve& segment, double last, int halvings) {
     constexpr int most_halvings = 20;
     const BezierCurve near = hermiteCurve(segment, order);
-    const double bound_mm = distanceBound(segment, near);
+    const double bound_mm = differenceBound(segment, near);
     if (bound_mm <= tolerance_mm) {
       segments.push_back(near);
       knots.push_back(last);

@@ -20,7 +20,7 @@ struct KeyCurveRecord {
   double omega = 0;
   int segments = 0;          ///< before the curves were matched
   double gap_mm = 0;         ///< the largest gap that was closed
-  double refitted_mm = 0;    ///< largest distance measured after common knots were laid
+  double refitted_mm = 0;    ///< bound of the distance of the curve over common knots
   double polynomial_mm = 0;  ///< bound of the distance from the rational curve of the model
 };
 
