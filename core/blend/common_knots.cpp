@@ -75,6 +75,9 @@ class MonotoneQuintic {
   std::vector<double> nodes_, values_, slopes_;
 };
 
+/// Parameters this near are the same: shares of the length are known to some 1e-9.
+constexpr double same_parameter = 1e-8;
+
 /// A frame by the common parameter p.
 class Course {
  public:
@@ -87,12 +90,10 @@ class Course {
   const BezierSpline& spline() const { return frame_.spline(); }
   /// The parameters of the inner joints.
   const std::vector<double>& joints() const { return joints_; }
-  Eigen::Vector3d point(double p) const { return frame_.point(place(p)); }
   /// The part over [p, q], in which no joint lies: joints are among p and q only.
   BezierCurve part(double p, double q) const {
     const int piece = place(0.5 * (p + q)).piece;
-    const double start = p <= 0 ? 0 : parameterIn(piece, place(p)),
-                 end = q >= 1 ? 1 : parameterIn(piece, place(q));
+    const double start = parameterIn(piece, place(p)), end = parameterIn(piece, place(q));
     if (!(start < end))  // It is shorter than the accuracy of places.
       return BezierCurve(Poles(frame_.point({piece, start}).transpose()));
     const BezierCurve up_to_end = segment(spline(), piece).split(end).first;
@@ -102,10 +103,7 @@ class Course {
   PointJet jet(double p, bool before) const {
     const Jet1 share = shares_.at(p);
     Place at = place(p);
-    if (before && at.t < near && at.piece > 0) at = {at.piece - 1, 1};
-    if (before && at.t < near && at.piece == 0 && p > 0.5) at = {frame_.spline().segments() - 1, 1};
-    if (!before && at.t > 1 - near && at.piece + 1 < frame_.spline().segments())
-      at = {at.piece + 1, 0};
+    if (before && at.t == 0 && at.piece > 0) at = {at.piece - 1, 1};
     const CurveDerivatives x = segment(frame_.spline(), at.piece).derivatives(at.t, 2);
     const double speed = x.row(1).norm();
     if (!(speed > 0))
@@ -118,15 +116,20 @@ class Course {
   }
 
  private:
-  /// Places are measured to a billionth of a piece's length.
-  static constexpr double near = 1e-9;
-
   /// The parameter of a place in a piece, 0 or 1 for places before and after it.
   static double parameterIn(int piece, const Place& place) {
-    if (place.piece != piece) return place.piece < piece ? 0 : 1;
-    return place.t < near ? 0 : place.t > 1 - near ? 1 : place.t;
+    if (place.piece == piece) return place.t;
+    return place.piece < piece ? 0 : 1;
   }
-  Place place(double p) const { return frame_.placeAt(std::clamp(shares_.at(p)[0], 0.0, 1.0)); }
+  /// The place of p: a joint if the parameter is that of a joint.
+  Place place(double p) const {
+    if (p <= 0) return {0, 0};
+    if (p >= 1) return {frame_.spline().segments() - 1, 1};
+    const auto joint = std::ranges::lower_bound(joints_, p - same_parameter);
+    if (joint != joints_.end() && *joint <= p + same_parameter)
+      return {static_cast<int>(joint - joints_.begin()) + 1, 0};
+    return frame_.placeAt(std::clamp(shares_.at(p)[0], 0.0, 1.0));
+  }
 
   const Measured& frame_;
   MonotoneQuintic shares_;
@@ -157,11 +160,9 @@ std::vector<double> breaksOf(const std::vector<Course>& courses, double joint_to
       if (!smooth) breaks.insert(course.joints()[i - 1]);
     }
   }
-  // Corners that correspond have the same parameter up to the accuracy of lengths.
-  constexpr double near = 1e-7;
   std::vector<double> result;
   for (const double p : breaks)
-    if (result.empty() || p - result.back() > near) result.push_back(p);
+    if (result.empty() || p - result.back() > same_parameter) result.push_back(p);
   if (result.size() > 1) result.back() = 1;
   return result;
 }
