@@ -341,3 +341,29 @@ LINE = BezierCurve([[0, 0, 0], [1, 1, 0]])
 def test_bad_curves(call, kind, text):
     with pytest.raises(kind, match=text):
         call()
+
+
+@pytest.mark.parametrize("size", [1e-200, 1e-40, 1e40, 1e150, 1e200])
+def test_sizes_beyond_the_range_are_refused(size):
+    for function in (
+        seamwright.point_curvatures,
+        seamwright.point_fairness,
+        seamwright.isolated_inflections,
+        lambda points: seamwright.fair_points(points, 0.01 * size),
+    ):
+        with pytest.raises(ValueError, match="^points 0 and . are .* mm apart: the energy needs"):
+            function(PARABOLA * size)
+
+
+@pytest.mark.parametrize("size", [1e-27, 1e27])
+def test_sizes_in_the_range_scale(size):
+    k = seamwright.point_curvatures(PARABOLA)
+    assert np.abs(seamwright.point_curvatures(PARABOLA * size) * size - k).max() < 1e-9
+    faired = seamwright.fair_points(ROUGH * size, 1e-3 * size)
+    assert 0 < faired.after.energy_per_mm3 < faired.before.energy_per_mm3 < math.inf
+
+
+@pytest.mark.parametrize("count", [1, 3])
+def test_a_point_has_no_variation_of_the_curvature(count):
+    with pytest.raises(ValueError, match=r"segment 0 is the point \(1, 2, 0\)"):
+        seamwright.curvature_variation(BezierCurve([[1, 2, 0]] * count))
