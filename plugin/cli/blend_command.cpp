@@ -192,26 +192,6 @@ bool isFinite(const std::vector<double>& defects) {
   return std::ranges::all_of(defects, [](double defect) { return std::isfinite(defect); });
 }
 
-/// Notes on joints whose order is lower than the one asked for, and whether all are the order that
-/// the key curves have there.
-bool noteOrders(const SplineBlend& blend, BlendReport& report) {
-  const std::vector<int> of_keys = blend.orders();
-  const auto lower = std::ranges::count_if(of_keys, [&](int n) { return n < report.order; });
-  if (lower > 0)
-    report.notes.push_back(fmt::format(
-        "{} of {} joints are below G{} in the key curves and keep their own order in all frames",
-        lower, of_keys.size(), report.order));
-  std::size_t lost = 0;
-  for (const report::BlendFrameRecord& frame : report.frames)
-    for (std::size_t i = 0; i < frame.joints.size(); ++i)
-      if (frame.joints[i].order < of_keys[i] || !isFinite(frame.joints[i].defects)) ++lost;
-  if (lost > 0)
-    report.notes.push_back(fmt::format(
-        "{} joints of frames have a lower order than the key curves: add a key curve between",
-        lost));
-  return lost == 0;
-}
-
 /// Key curves whose rounding can be what lowers the order of their joints.
 void noteKeyRounding(const KeyCurves& input, const BlendArguments& arguments,
                      const SplineBlend& blend, BlendReport& report) {
@@ -230,6 +210,26 @@ void noteKeyRounding(const KeyCurves& input, const BlendArguments& arguments,
                       "joints: move the curves to the origin",
                       arguments.inputs[key.input], rounding_mm));
   }
+}
+
+/// Notes on joints whose order is lower than the one asked for, and whether all are the order that
+/// the key curves have there.
+bool noteOrders(const SplineBlend& blend, BlendReport& report) {
+  const std::vector<int> of_keys = blend.orders();
+  const auto lower = std::ranges::count_if(of_keys, [&](int n) { return n < report.order; });
+  if (lower > 0)
+    report.notes.push_back(fmt::format(
+        "{} of {} joints are below G{} in the key curves and keep their own order in all frames",
+        lower, of_keys.size(), report.order));
+  std::size_t lost = 0;
+  for (const report::BlendFrameRecord& frame : report.frames)
+    for (std::size_t i = 0; i < frame.joints.size(); ++i)
+      if (frame.joints[i].order < of_keys[i] || !isFinite(frame.joints[i].defects)) ++lost;
+  if (lost > 0)
+    report.notes.push_back(fmt::format(
+        "{} joints of frames have a lower order than the key curves: add a key curve between",
+        lost));
+  return lost == 0;
 }
 
 std::string lineOf(const BlendReport& report) {
