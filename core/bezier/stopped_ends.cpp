@@ -30,6 +30,17 @@ StoppedEnds stoppedEnds(const BezierCurve& curve) {
   return stops.start + stops.end < curve.degree() ? stops : StoppedEnds{};
 }
 
+std::optional<Eigen::Vector3d> stoppedTangent(const BezierCurve& curve, double t) {
+  if (t != 0 && t != 1) return std::nullopt;
+  const StoppedEnds stops = stoppedEnds(curve);
+  if ((t == 0 ? stops.start : stops.end) == 0) return std::nullopt;
+  const Poles poles = curve.poles();
+  const Eigen::Index last = poles.rows() - 1;
+  const Eigen::Vector3d along = t == 0 ? poles.row(stops.start + 1) - poles.row(0)
+                                       : poles.row(last) - poles.row(last - stops.end - 1);
+  return along.stableNormalized();
+}
+
 bool isPoint(const BezierCurve& curve) {
   return equalPoles(curve.poles(), 0, 1) == curve.degree();
 }

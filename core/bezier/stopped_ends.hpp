@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <Eigen/Core>
+#include <optional>
+
 #include <seamwright/core/bezier/curve.hpp>
 
 namespace seamwright {
@@ -19,6 +22,9 @@ struct StoppedEnds {
 ///   (1) r'(t) / (t^start (1 - t)^end) is not 0 at both ends, and has the direction of the tangent.
 /// Source: docs/theory/planar.md P8.7.
 StoppedEnds stoppedEnds(const BezierCurve& curve);
+
+/// The unit tangent at t = 0 or 1 if the curve stops there; nothing elsewhere.
+std::optional<Eigen::Vector3d> stoppedTangent(const BezierCurve& curve, double t);
 
 /// Whether all poles are equal up to their rounding.
 bool isPoint(const BezierCurve& curve);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include <seamwright/core/bezier/stopped_ends.hpp>
 #include <seamwright/core/numeric.hpp>
 #include <seamwright/core/planar/planar_curve.hpp>
 
@@ -11,27 +12,10 @@ namespace seamwright {
 
 using Eigen::Vector2d;
 
-namespace {
-
-/// The frame of a segment that stops at its start (t = 0) or end; nothing elsewhere. Its direction
-/// is that to the first pole that differs from the end. docs/theory/planar.md P8.7.
-std::optional<CurveFrame> stoppedFrame(const BezierCurve& segment, double t) {
-  if (t != 0 && t != 1) return std::nullopt;
-  const StoppedEnds stops = stoppedEnds(segment);
-  if ((t == 0 ? stops.start : stops.end) == 0) return std::nullopt;
-  const Poles poles = segment.poles();
-  const Eigen::Index last = poles.rows() - 1;
-  const Vector2d start = poles.row(0).head<2>(), end = poles.row(last).head<2>();
-  const Vector2d along = t == 0
-                             ? Vector2d(poles.row(stops.start + 1).head<2>().transpose() - start)
-                             : Vector2d(end - poles.row(last - stops.end - 1).head<2>().transpose());
-  return CurveFrame{.point = t == 0 ? start : end, .direction_rad = directionOf(along)};
-}
-
-}  // namespace
-
 CurveFrame frameAt(const BezierCurve& segment, double t, int index) {
-  if (const std::optional<CurveFrame> stopped = stoppedFrame(segment, t)) return *stopped;
+  if (const std::optional<Eigen::Vector3d> tangent = stoppedTangent(segment, t))
+    return {.point = segment.point(t).head<2>(),
+            .direction_rad = directionOf(Vector2d(tangent->head<2>()))};
   const CurveDerivatives d = segment.derivatives(t, 3);
   const Vector2d first = d.row(1).head<2>(), second = d.row(2).head<2>(),
                         third = d.row(3).head<2>();

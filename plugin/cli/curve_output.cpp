@@ -197,14 +197,19 @@ CurveText curveText(CurveFormat format, const std::string& method,
   requireOnePlane(curves);
   CurveText result;
   std::vector<ArcOutline> outlines;
-  if (format != CurveFormat::Csv || method == "arcs")
-    for (const MadeCurve& curve : curves) {
-      const auto done = static_cast<double>(outlines.size()),
-                 whole = static_cast<double>(curves.size());
-      DrawnOutline one = drawn(curve, drawn_mm, partOf(progress, done / whole, (done + 1) / whole));
+  const auto whole = static_cast<double>(curves.size());
+  const bool draws = format != CurveFormat::Csv || method == "arcs";
+  for (std::size_t i = 0; draws && i < curves.size(); ++i) {
+    const auto done = static_cast<double>(i);
+    try {
+      DrawnOutline one =
+          drawn(curves[i], drawn_mm, partOf(progress, done / whole, (done + 1) / whole));
       result.distance_mm = std::max(result.distance_mm, one.distance_mm);
       outlines.push_back(std::move(one.outline));
+    } catch (const std::logic_error& error) {
+      result.undrawn.push_back({.curve = i, .reason = error.what()});
     }
+  }
   result.text = format == CurveFormat::Dxf   ? dxfText(outlines)
                 : format == CurveFormat::Svg ? svgText(outlines)
                                              : csvText(method, curves, outlines);
