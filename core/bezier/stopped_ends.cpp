@@ -14,9 +14,9 @@ int equalPoles(const Poles& poles, Eigen::Index end, Eigen::Index step) {
   const double rounding_mm =
       4 * static_cast<double>(n + 1) * machine_epsilon * poles.row(end).cwiseAbs().maxCoeff();
   int count = 0;
-  while (count < n && (poles.row(end + (count + 1) * step) - poles.row(end))
-                              .cwiseAbs()
-                              .maxCoeff() <= rounding_mm)
+  while (count < n &&
+         (poles.row(end + (count + 1) * step) - poles.row(end)).cwiseAbs().maxCoeff() <=
+             rounding_mm)
     ++count;
   return count;
 }

@@ -72,9 +72,8 @@ void requireMotion(const Polynomial& squared_speed) {
 
 /// What has the sign of the derivative of the curvature of a curve with stopped ends.
 /// \param slope for the velocity without the factor f = t^a (1 - t)^b. \param product weight,
-/// turn and squared speed. \returns slope g - product h with g = t (1 - t) and h = g f' / f, without
-/// the factor t or 1 - t of an end that does not stop.
-/// Source: docs/theory/planar.md P8.7.
+/// turn and squared speed. \returns slope g - product h with g = t (1 - t) and h = g f' / f,
+/// without the factor t or 1 - t of an end that does not stop. Source: docs/theory/planar.md P8.7.
 Polynomial withStops(const Polynomial& slope, const Polynomial& product, const StoppedEnds& stops) {
   if (!stops.any()) return slope;
   const Polynomial one(Eigen::VectorXd::Ones(1));

@@ -78,10 +78,11 @@ CurvePolynomials curvePolynomials(const BezierCurve& curve, const Eigen::RowVect
   const auto velocity = [&](const BernsteinPolynomial& a) {
     return curve.degree() * (shortened(a, 1) * w0 - shortened(a, 0) * w1);
   };
-  return {.weight = weight,
-          .point = points,
-          .velocity = divided({velocity(points[0]), velocity(points[1]), velocity(points[2])}, stops),
-          .stops = stops};
+  return {
+      .weight = weight,
+      .point = points,
+      .velocity = divided({velocity(points[0]), velocity(points[1]), velocity(points[2])}, stops),
+      .stops = stops};
 }
 
 }  // namespace seamwright

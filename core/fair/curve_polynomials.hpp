@@ -12,8 +12,8 @@ namespace seamwright {
 using PolynomialVector = std::array<BernsteinPolynomial, 3>;
 
 /// A curve as polynomials whose padding covers all rounding. With the point p from a given origin,
-/// in a given unit: p = point / weight, and p' = t^a (1 - t)^b velocity / weight^2, with the stopped
-/// ends a and b. A polynomial curve has a weight of degree 0.
+/// in a given unit: p = point / weight, and p' = t^a (1 - t)^b velocity / weight^2, with the
+/// stopped ends a and b. A polynomial curve has a weight of degree 0.
 struct CurvePolynomials {
   BernsteinPolynomial weight;
   PolynomialVector point;

@@ -55,8 +55,8 @@ struct ChainFigures {
 /// Length and energy of arcs are in closed form, those of other curves by Gauss' quadrature.
 ///   (3) A circle has the length 2 pi r, the energy 2 pi / r, no extremum and no inflection.
 ///   (4) An ellipse has 4 extrema.
-/// \throws std::domain_error if a curve may stop inside of a span, as planarCurvatureProfile(). Throws Cancelled,
-/// see Progress; it is called before each curve and each span of a spline.
+/// \throws std::domain_error if a curve may stop inside of a span, as planarCurvatureProfile().
+/// Throws Cancelled, see Progress; it is called before each curve and each span of a spline.
 ChainFigures figuresOf(const PlanarChain& chain, const Progress& progress = {});
 
 /// Local extrema and changes of sign of a sequence of curvatures. Differences and curvatures up to

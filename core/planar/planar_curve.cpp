@@ -18,7 +18,7 @@ CurveFrame frameAt(const BezierCurve& segment, double t, int index) {
             .direction_rad = directionOf(Vector2d(tangent->head<2>()))};
   const CurveDerivatives d = segment.derivatives(t, 3);
   const Vector2d first = d.row(1).head<2>(), second = d.row(2).head<2>(),
-                        third = d.row(3).head<2>();
+                 third = d.row(3).head<2>();
   const double speed = first.norm();
   if (!(speed > 0)) {
     throw std::domain_error(fmt::format(

@@ -83,9 +83,9 @@ PlanarWire planarWire(const EdgeChain& chain, double flatness_mm,
   wire.height_mm = plane.distance_mm;
   wire.chain.closed = chain.closed;
   if (wire.height_mm > flatness_mm)
-    throw GeometryError(fmt::format(
-        "not planar: {:.3g} mm from the nearest plane, more than {:.6g} mm", wire.height_mm,
-        flatness_mm));
+    throw GeometryError(
+        fmt::format("not planar: {:.3g} mm from the nearest plane, more than {:.6g} mm",
+                    wire.height_mm, flatness_mm));
   for (const auto& [edge, forward] : chain.edges) appendCurves(wire, edge, forward);
   wire.gap_mm = largestGap(wire.chain);
   return wire;

@@ -213,7 +213,7 @@ bool noteOrders(const SplineBlend& blend, BlendReport& report) {
 }
 
 /// The file of a key curve, and its edge where the file has several.
-std::string nameOf(const KeyCurve& key, const BlendArguments& arguments) {
+std::string keyName(const KeyCurve& key, const BlendArguments& arguments) {
   const std::string& path = arguments.inputs[key.input];
   const bool alone = arguments.inputs.size() > 1 || key.edges.empty();
   return alone ? path : fmt::format("{}: Edge{}", path, key.edges.front());
@@ -335,10 +335,11 @@ int runBlend(const BlendArguments& arguments) {
     report.reached = noteOrders(blend, report) && report.reached;
     if (arguments.loft) loft = loftOf(blend, arguments, report);
   } catch (const FrameFault& fault) {  // a curve that core can't match or blend
-    throw std::runtime_error(nameOf(input.curves.at(fault.frame()), arguments) + ": " +
+    throw std::runtime_error(keyName(input.curves.at(fault.frame()), arguments) + ": " +
                              fault.what());
   } catch (const std::invalid_argument& error) {  // all curves together
-    throw std::runtime_error(fmt::format("{}: {}", fmt::join(arguments.inputs, ", "), error.what()));
+    throw std::runtime_error(
+        fmt::format("{}: {}", fmt::join(arguments.inputs, ", "), error.what()));
   }
   if (loft) report.reached = report.reached && report.loft->reached;
   const std::vector<std::string> notes = writeBlend(format, frames, loft, report, arguments);

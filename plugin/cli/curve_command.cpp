@@ -106,9 +106,9 @@ double drawnWithin(double tolerance_mm, const std::vector<MadeCurve>& curves) {
 CurveText drawnCurves(CurveFormat format, const CurveArguments& arguments, CurveResults& results,
                       const WorkLimit& limit) {
   ProgressBar bar(doing("drawing", arguments.output.model));
-  CurveText text = curveText(format, arguments.method, results.made,
-                             drawnWithin(arguments.tolerance_mm, results.made),
-                             limit.progress(bar));
+  CurveText text =
+      curveText(format, arguments.method, results.made,
+                drawnWithin(arguments.tolerance_mm, results.made), limit.progress(bar));
   for (auto undrawn = text.undrawn.rbegin(); undrawn != text.undrawn.rend(); ++undrawn) {
     const auto curve = results.made.begin() + static_cast<std::ptrdiff_t>(undrawn->curve);
     results.refused.push_back({.edges = curve->record.edges, .reason = undrawn->reason});
@@ -189,7 +189,8 @@ void addCurveOptions(CLI::App& command, CurveArguments& arguments) {
   command.add_flag("--overwrite", arguments.output.overwrite, "Replace OUT if it exists");
   command.add_flag("--overwrite-source", arguments.output.overwrite_source,
                    "Allow OUT to replace INPUT itself");
-  exitStatus(command, "every curve is within the tolerance", "some are not, or could not be done (OUT has the others)");
+  exitStatus(command, "every curve is within the tolerance",
+             "some are not, or could not be done (OUT has the others)");
 }
 
 int runCurve(const CurveArguments& arguments) {

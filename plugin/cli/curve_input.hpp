@@ -17,7 +17,8 @@ struct CurveInput {
   std::vector<std::string> notes;
 };
 
-/// Reads points or a model. Curves that are refused do not stop the others. \throws std::runtime_error, occ::ModelError, occ::Cancelled.
+/// Reads points or a model. Curves that are refused do not stop the others. \throws
+/// std::runtime_error, occ::ModelError, occ::Cancelled.
 CurveInput curveInput(const CurveArguments& arguments);
 
 }  // namespace seamwright::cli
