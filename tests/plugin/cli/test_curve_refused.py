@@ -2,6 +2,7 @@
 """The command curve with curves that stop at an end, and with curves that can't be done."""
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -63,7 +64,7 @@ def test_a_curve_that_cannot_be_done_does_not_stop_the_others(tmp_path, method, 
     assert [found["edges"] for found in report["curves"]] == [[2], [4]]
     reasons = {found["edges"][0]: found["reason"] for found in report["refused"]}
     assert set(reasons) == {1, 3}
-    assert "stop" in reasons[1] and "not planar" in reasons[3]
+    assert re.search("may stop|turns back", reasons[1]) and "not planar" in reasons[3]
     for edge, reason in reasons.items():
         assert f"Edge{edge}: not done: {reason}\n" in result.stdout
 
