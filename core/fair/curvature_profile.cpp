@@ -65,9 +65,10 @@ void requireMotion(const Polynomial& squared_speed) {
   if (zeros.undecided.empty() && zeros.changes.empty()) return;
   const Interval where =
       zeros.undecided.empty() ? zeros.changes.front().interval : zeros.undecided.front();
-  throw std::domain_error(
-      fmt::format("the curve may stop at the parameter {}: its speed is not certainly above 0",
-                  where.middle()));
+  throw std::domain_error(fmt::format(
+      "the curve may stop at the parameter {}, as in a cusp: its speed is not certainly "
+      "above 0",
+      where.middle()));
 }
 
 /// What has the sign of the derivative of the curvature of a curve with stopped ends.

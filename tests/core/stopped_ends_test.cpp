@@ -217,7 +217,7 @@ TEST(StoppedEnds, ALineWithEqualPolesIsOneLine) {
   const BezierSpline line = splineOverLengths({curveOf({{0, 0}, {0, 0}, {30, 40}, {30, 40}})});
   const ArcFit fit = fitArcs(line, {.tolerance_mm = 1e-3});
   ASSERT_THAT(fit.arcs, SizeIs(1));
-  EXPECT_EQ(fit.arcs[0].curvature_per_mm, 0);
+  EXPECT_NEAR(fit.arcs[0].curvature_per_mm, 0, 1e-15);
   EXPECT_NEAR(fit.arcs[0].length_mm, 50, 1e-12);
 }
 
