@@ -10,15 +10,13 @@
 
 namespace seamwright {
 
-using Eigen::Vector2d;
-
 CurveFrame frameAt(const BezierCurve& segment, double t, int index) {
   if (const std::optional<Eigen::Vector3d> tangent = stoppedTangent(segment, t))
     return {.point = segment.point(t).head<2>(),
-            .direction_rad = directionOf(Vector2d(tangent->head<2>()))};
+            .direction_rad = directionOf(Eigen::Vector2d(tangent->head<2>()))};
   const CurveDerivatives d = segment.derivatives(t, 3);
-  const Vector2d first = d.row(1).head<2>(), second = d.row(2).head<2>(),
-                 third = d.row(3).head<2>();
+  const Eigen::Vector2d first = d.row(1).head<2>(), second = d.row(2).head<2>(),
+                        third = d.row(3).head<2>();
   const double speed = first.norm();
   if (!(speed > 0)) {
     throw std::domain_error(fmt::format(
