@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <fmt/format.h>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
+#include <seamwright/core/bezier/stopped_ends.hpp>
 #include <seamwright/core/numeric.hpp>
 #include <seamwright/core/planar/planar_curve.hpp>
 
 namespace seamwright {
 
 CurveFrame frameAt(const BezierCurve& segment, double t, int index) {
+  if (const std::optional<Eigen::Vector3d> tangent = stoppedTangent(segment, t))
+    return {.point = segment.point(t).head<2>(),
+            .direction_rad = directionOf(Eigen::Vector2d(tangent->head<2>()))};
   const CurveDerivatives d = segment.derivatives(t, 3);
   const Eigen::Vector2d first = d.row(1).head<2>(), second = d.row(2).head<2>(),
                         third = d.row(3).head<2>();

@@ -8,6 +8,7 @@
 #include <optional>
 #include <seamwright/core/bezier/length.hpp>
 #include <seamwright/core/blend/common_knots.hpp>
+#include <seamwright/core/blend/frame_fault.hpp>
 #include <seamwright/core/blend/frame_loft.hpp>
 #include <seamwright/core/blend/match_pieces.hpp>
 #include <seamwright/core/blend/spline_blend.hpp>
@@ -211,6 +212,13 @@ bool noteOrders(const SplineBlend& blend, BlendReport& report) {
   return lost == 0;
 }
 
+/// The file of a key curve, and its edge where the file has several.
+std::string keyName(const KeyCurve& key, const BlendArguments& arguments) {
+  const std::string& path = arguments.inputs[key.input];
+  const bool alone = arguments.inputs.size() > 1 || key.edges.empty();
+  return alone ? path : fmt::format("{}: Edge{}", path, key.edges.front());
+}
+
 std::string lineOf(const BlendReport& report) {
   return report::toLine(report::toJson(report)) + '\n';
 }
@@ -326,14 +334,19 @@ int runBlend(const BlendArguments& arguments) {
     frames = framesOf(blend, arguments, report);
     report.reached = noteOrders(blend, report) && report.reached;
     if (arguments.loft) loft = loftOf(blend, arguments, report);
-  } catch (const std::invalid_argument& error) {  // curves that core can't match or blend
-    throw std::runtime_error(arguments.inputs.front() + ": " + error.what());
+  } catch (const FrameFault& fault) {  // a curve that core can't match or blend
+    throw std::runtime_error(keyName(input.curves.at(fault.frame()), arguments) + ": " +
+                             fault.what());
+  } catch (const std::invalid_argument& error) {  // all curves together
+    throw std::runtime_error(
+        fmt::format("{}: {}", fmt::join(arguments.inputs, ", "), error.what()));
   }
   if (loft) report.reached = report.reached && report.loft->reached;
   const std::vector<std::string> notes = writeBlend(format, frames, loft, report, arguments);
   warn(arguments.output.model, notes);
   writeStandardOutput(report::toText(report));
-  warn(arguments.inputs.front(), input.notes);
+  for (std::size_t i = 0; i < arguments.inputs.size(); ++i)
+    warn(arguments.inputs[i], input.notes[i]);
   return report.reached ? 0 : 1;
 }
 

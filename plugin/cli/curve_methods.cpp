@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <seamwright/core/bezier/stopped_ends.hpp>
 #include <seamwright/core/fair/fair_curve.hpp>
 #include <seamwright/core/planar/arc_conics.hpp>
 #include <seamwright/core/planar/arc_fit.hpp>
@@ -12,9 +13,9 @@
 #include <seamwright/core/planar/conic_spline.hpp>
 #include <seamwright/core/planar/fair_clothoids.hpp>
 #include <seamwright/core/planar/fair_points.hpp>
-#include <seamwright/core/planar/local_origin.hpp>
 #include <seamwright/core/planar/point_corners.hpp>
 #include <seamwright/plugin/cli/curve_methods.hpp>
+#include <seamwright/plugin/cli/local_curve.hpp>
 #include <stdexcept>
 
 namespace seamwright::cli {
@@ -23,22 +24,18 @@ namespace {
 
 using report::CurveFigures;
 
-CurveFigures figuresFrom(const ChainFigures& figures) {
-  return {.length_mm = figures.length_mm,
-          .energy_per_mm = figures.energy_per_mm,
-          .extrema = figures.extrema,
-          .inflections = figures.inflections};
+/// \param figures of a chain or of clothoids.
+template <class Figures>
+CurveFigures figuresFrom(const Figures& figures) {
+  CurveFigures result{.length_mm = figures.length_mm,
+                      .extrema = figures.extrema,
+                      .inflections = figures.inflections};
+  if (std::isfinite(figures.energy_per_mm)) result.energy_per_mm = figures.energy_per_mm;
+  return result;
 }
 
 PlanarChain chainOf(const std::vector<PlanarArc>& arcs, bool closed) {
   return {.curves = {arcs.begin(), arcs.end()}, .closed = closed};
-}
-
-CurveFigures figuresFrom(const ClothoidFigures& figures) {
-  return {.length_mm = figures.length_mm,
-          .energy_per_mm = figures.energy_per_mm,
-          .extrema = figures.extrema,
-          .inflections = figures.inflections};
 }
 
 CurveFigures figuresFrom(const std::vector<Clothoid>& chain, bool closed) {
@@ -398,6 +395,14 @@ std::optional<FairedCurve> fairerSpline(const BSplineCurve& spline, double toler
   return std::nullopt;
 }
 
+/// How many poles keep the tangents at both ends: the first two that differ, and those before them.
+std::optional<HeldEnds> heldTangent(const BSplineCurve& spline) {
+  const std::vector<BezierCurve> spans = bezierCurves(spline);
+  const int stops = std::max(stoppedEnds(spans.front()).start, stoppedEnds(spans.back()).end);
+  if (stops > 1) return std::nullopt;
+  return stops == 1 ? HeldEnds::Curvature : HeldEnds::Tangent;
+}
+
 void noteKept(report::CurveRecord& record, int kept, int not_fairer) {
   record.with_reservations = not_fairer > 0;
   if (kept > 0)
@@ -420,7 +425,6 @@ MadeCurve madeFairSplines(const GivenCurve& given, const CurveTask& task) {
   int kept = 0, not_fairer = 0;
   // Neighbours meet in position and tangent, and so do the ends of a closed chain.
   const bool joins = given.chain.closed || given.chain.curves.size() > 1;
-  const CurveFairingOptions options{.ends = joins ? HeldEnds::Tangent : HeldEnds::Position};
   for (const ChainCurve& curve : given.chain.curves) {
     const double done = static_cast<double>(made.chain.curves.size()) / whole;
     const auto* spline = std::get_if<BSplineCurve>(&curve);
@@ -429,8 +433,11 @@ MadeCurve madeFairSplines(const GivenCurve& given, const CurveTask& task) {
       ++kept;
       continue;
     }
-    const std::optional<FairedCurve> faired =
-        fairerSpline(*spline, task.tolerance_mm, options, partOf(task.progress, done, done));
+    const std::optional<HeldEnds> ends = joins ? heldTangent(*spline) : HeldEnds::Position;
+    std::optional<FairedCurve> faired;
+    if (ends)
+      faired = fairerSpline(*spline, task.tolerance_mm, {.ends = *ends},
+                            partOf(task.progress, done, done));
     if (!faired) {
       made.chain.curves.push_back(curve);
       ++not_fairer;
@@ -470,88 +477,6 @@ bool noteAdded(report::CurveRecord& record) {
   const bool inflections =
       note(record.after.inflections - record.before.inflections, "inflection", "inflections");
   return extrema || inflections;
-}
-
-/// Lengths in mm for which no formula overflows or vanishes: the highest power of a length is the
-/// eighth, in products of derivatives, and 2^800 is in the range of doubles.
-constexpr double smallest_mm = 0x1p-100, largest_mm = 0x1p100;
-
-/// Points, or ends of curves and poles, one a row.
-PlanarPoints controlPoints(const GivenCurve& given) {
-  if (given.points.rows() > 0) return given.points;
-  std::vector<Eigen::Vector2d> found;
-  for (const ChainCurve& curve : given.chain.curves)
-    for (const BezierCurve& one : bezierCurves(curve)) {
-      const Poles poles = one.poles();
-      for (Eigen::Index i = 0; i < poles.rows(); ++i) found.emplace_back(poles.row(i).head<2>());
-    }
-  PlanarPoints points(static_cast<Eigen::Index>(found.size()), 2);
-  for (std::size_t i = 0; i < found.size(); ++i)
-    points.row(static_cast<Eigen::Index>(i)) = found[i].transpose();
-  return points;
-}
-
-void requireSize(const GivenCurve& given) {
-  const PlanarPoints points = controlPoints(given);
-  const double size_mm = points.cwiseAbs().maxCoeff();
-  if (!(size_mm <= largest_mm))
-    throw std::domain_error(
-        fmt::format("the coordinates reach {:.3g} mm, and products of lengths above {:.3g} mm "
-                    "overflow: scale the curve",
-                    size_mm, largest_mm));
-  const double extent_mm = (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
-  double least_mm = extent_mm;
-  for (Eigen::Index i = 1; i < given.points.rows(); ++i)
-    least_mm = std::min(least_mm, (points.row(i) - points.row(i - 1)).lpNorm<Eigen::Infinity>());
-  if (!(least_mm >= smallest_mm))
-    throw std::domain_error(fmt::format(
-        "{} {:.3g} mm, and products of lengths below {:.3g} mm vanish: scale the curve",
-        least_mm < extent_mm ? "two neighbours are apart by" : "the curve has a size of", least_mm,
-        smallest_mm));
-}
-
-/// A curve far from the origin, in coordinates from a point of it.
-struct LocalCurve {
-  GivenCurve given;
-  Eigen::Vector2d origin = Eigen::Vector2d::Zero();
-  double rounding_mm = 0;  ///< of the way there and back
-};
-
-LocalCurve localCurve(const GivenCurve& given) {
-  const bool has_points = given.points.rows() > 0;
-  LocalCurve local{.given = given,
-                   .origin = has_points ? localOrigin(given.points) : localOrigin(given.chain)};
-  // Points are moved to the origin without rounding, poles of rational splines with one.
-  local.rounding_mm = (has_points ? 1 : 2) * roundingAt_mm(local.origin);
-  local.given.points.rowwise() -= local.origin.transpose();
-  local.given.chain = moved(given.chain, -local.origin);
-  local.given.gap_mm += local.rounding_mm;
-  return local;
-}
-
-/// The tolerance without what the rounding of the result takes.
-CurveTask taskOf(const LocalCurve& local, const CurveTask& task) {
-  // A choice: below it the rounding would take more than an eighth of the tolerance.
-  constexpr double least_ratio = 8;
-  CurveTask result = task;
-  if (task.tolerance_mm == 0 || local.rounding_mm == 0) return result;
-  if (task.tolerance_mm < least_ratio * local.rounding_mm)
-    throw std::domain_error(fmt::format(
-        "the tolerance {:.3g} mm is too small for coordinates of {:.3g} mm, which are "
-        "rounded by {:.3g} mm: give at least {:.3g} mm, or move the curve to the origin",
-        task.tolerance_mm, local.origin.cwiseAbs().maxCoeff(), local.rounding_mm,
-        least_ratio * local.rounding_mm));
-  result.tolerance_mm -= local.rounding_mm;
-  return result;
-}
-
-void moveBack(MadeCurve& made, const LocalCurve& local) {
-  made.chain = moved(made.chain, local.origin);
-  made.points.rowwise() += local.origin.transpose();
-  for (Clothoid& piece : made.clothoids) piece.start += local.origin;
-  made.chain_distance_mm += local.rounding_mm;
-  for (std::optional<double>* distance_mm : {&made.record.distance_mm, &made.record.moved_mm})
-    if (*distance_mm && **distance_mm > 0) **distance_mm += local.rounding_mm;
 }
 
 /// Curves through points have the extrema of the curvature that rounding of the points made.

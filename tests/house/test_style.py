@@ -93,16 +93,22 @@ EXPECTED = {
     ("plugin/cli/key_curves.cpp", "std::domain_error"): "throws it with the file",
     ("plugin/cli/key_curves.cpp", "std::invalid_argument"): "throws it with the file",
     ("occ_adapter/planar/planar_wires.cpp", "std::domain_error"): (
-        "a kind of curve that core refuses: throws GeometryError with the edge"
+        "a kind of curve that core refuses: the reason of the chain"
     ),
     ("occ_adapter/planar/planar_wires.cpp", "std::invalid_argument"): (
-        "numbers that core refuses: throws GeometryError with the edge"
+        "numbers that core refuses: the reason of the chain"
     ),
     ("occ_adapter/repair/improve.cpp", "std::domain_error"): (
         "a curve or a surface that can't be evaluated: the reason of all seams"
     ),
     ("plugin/cli/curve_command.cpp", "std::logic_error"): (
-        "core refuses the curve: throws it with the file and the edge"
+        "core refuses the curve: the reason in the report, and the others are done"
+    ),
+    ("plugin/cli/curve_command.cpp", "std::overflow_error"): (
+        "a curve whose polynomials leave the range of numbers: the reason in the report"
+    ),
+    ("plugin/cli/curve_output.cpp", "std::logic_error"): (
+        "core finds no arcs near the curve: the reason in the report, and the others are drawn"
     ),
     ("plugin/cli/curve_methods.cpp", "std::domain_error"): (
         "no clothoids through points that are too far apart: biarcs instead; no conics near a "

@@ -450,5 +450,10 @@ def test_every_key_of_the_report_matters(tmp_path):
         report["curves"][0][optional] = []
     report["model"]["notes"] = []
     expect_every_key_matters(
-        {**report, "curves": [{**report["curves"][0], "edges": [1]}]}, VALIDATOR
+        {
+            **report,
+            "curves": [{**report["curves"][0], "edges": [1]}],
+            "refused": [{"edges": [2], "reason": "why"}],
+        },
+        VALIDATOR,
     )
