@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <fmt/format.h>
 
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -30,6 +32,9 @@ struct JumpChain {
   std::size_t after(std::size_t i) const { return (i + 1) % count(); }
   bool isFixedStart(std::size_t i) const { return !closed && i == 0; }
   bool isFixedEnd(std::size_t i) const { return !closed && i + 1 == count(); }
+  bool isLine(std::size_t i) const { return arcs[i].curvature_per_mm == 0; }
+  /// Lines stay, so that only joints between arcs can move.
+  bool isFree(std::size_t j) const { return hasJoint(j) && !isLine(j) && !isLine(before(j)); }
   double jump_per_mm(std::size_t j) const {
     return arcs[j].curvature_per_mm - arcs[before(j)].curvature_per_mm;
   }
@@ -89,43 +94,101 @@ PlanarArc bentArc(const PlanarArc& arc, double end_mm) {
   return result;
 }
 
-/// The length of the transition at each joint that its neighbours have room for, and the gap of
-/// their circles for it; above 0.
-std::vector<double> largestGaps(const JumpChain& chain, double tolerance_mm) {
+/// A gap of the circles at a joint, for a transition of this length.
+struct Gap {
+  double length_mm = 0;
+  double gap_mm = 0;  ///< above 0
+};
+
+/// The longest transitions that the arcs beside a joint have room for, within the tolerance.
+std::vector<Gap> largestGaps(const JumpChain& chain, double tolerance_mm) {
   // Both transitions of an arc leave a tenth of it. A turn of 1 rad keeps the shift below a sixth
   // of the radius.
   constexpr double share = 0.9, largest_turn_rad = 1;
-  std::vector<double> gaps_mm(chain.count(), 0);
+  std::vector<Gap> gaps(chain.count());
   for (std::size_t j = 0; j < chain.count(); ++j) {
     if (!chain.hasJoint(j)) continue;
     const PlanarArc &from = chain.arcs[chain.before(j)], &to = chain.arcs[j];
     const double turn_per_mm =
         (std::abs(from.curvature_per_mm) + std::abs(to.curvature_per_mm)) / 2;
-    const double length_mm =
+    const double room_mm =
         std::min(share * std::min(from.length_mm, to.length_mm), largest_turn_rad / turn_per_mm);
-    const bool one_moves = from.curvature_per_mm == 0 || to.curvature_per_mm == 0;
-    gaps_mm[j] = std::min(std::abs(chain.jump_per_mm(j)) * length_mm * length_mm / 24,
-                          (one_moves ? 1 : 2) * tolerance_mm);
+    const double factor = std::abs(chain.jump_per_mm(j)) / 24;
+    gaps[j].gap_mm = std::min(factor * room_mm * room_mm, (chain.isFree(j) ? 2 : 1) * tolerance_mm);
+    gaps[j].length_mm = std::sqrt(gaps[j].gap_mm / factor);
   }
-  return gaps_mm;
+  return gaps;
 }
 
-/// The arcs with these gaps at the joints: both neighbours move by half, but lines stay.
-std::vector<PlanarArc> movedArcs(const JumpChain& chain, const std::vector<double>& gaps_mm) {
+/// How the ends of the arcs move for these gaps: by half of them, but lines stay.
+std::vector<EndMoves> halfGaps(const JumpChain& chain, const std::vector<Gap>& gaps) {
   std::vector<EndMoves> moves(chain.count());
   for (std::size_t j = 0; j < chain.count(); ++j) {
     if (!chain.hasJoint(j)) continue;
     const std::size_t i = chain.before(j);
-    const bool stays = chain.arcs[i].curvature_per_mm == 0,
-               next_stays = chain.arcs[j].curvature_per_mm == 0;
-    const double gap_mm = std::copysign(gaps_mm[j], chain.jump_per_mm(j));
+    const bool stays = chain.isLine(i), next_stays = chain.isLine(j);
+    const double gap_mm = std::copysign(gaps[j].gap_mm, chain.jump_per_mm(j));
     moves[i].end_mm = stays ? 0 : next_stays ? -gap_mm : -gap_mm / 2;
     moves[j].start_mm = next_stays ? 0 : stays ? gap_mm : gap_mm / 2;
   }
+  return moves;
+}
+
+/// By what an arc turns at one of its ends, by the moves of both.
+EndMoves turnsBy(const JumpChain& chain, std::size_t i, bool at_end) {
+  const PlanarArc& arc = chain.arcs[i];
+  const double reach_mm = arc.length_mm * sinc(arc.sweep_rad() / 2);
+  if (chain.isLine(i)) return {};
+  if (chain.isFixedStart(i)) return {.start_mm = 0, .end_mm = at_end ? 2 / reach_mm : 0};
+  if (chain.isFixedEnd(i)) return {.start_mm = at_end ? 0 : -2 / reach_mm, .end_mm = 0};
+  return {.start_mm = -1 / reach_mm, .end_mm = 1 / reach_mm};
+}
+
+/// Moves of both arcs at joints that let neighbours turn alike, as far as the jump between them is
+/// small: circles of nearly one curvature that cross have no transition. Circles that turn by t
+/// against each other come closer by t^2 / (2 jump). So the squares of t / (jump * length), and of
+/// the moves against the tolerance, are least.
+Eigen::VectorXd jointMoves(const JumpChain& chain, const std::vector<Gap>& gaps,
+                           const std::vector<EndMoves>& moves, double tolerance_mm) {
+  const auto count = static_cast<Eigen::Index>(chain.count());
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(2 * count);
+  for (std::size_t j = 0; j < chain.count(); ++j) {
+    const auto row = static_cast<Eigen::Index>(j);
+    entries.emplace_back(count + row, row, 1 / tolerance_mm);
+    if (!chain.hasJoint(j)) continue;
+    const double weight = 1 / (std::abs(chain.jump_per_mm(j)) * gaps[j].length_mm);
+    const auto add = [&](std::size_t i, const EndMoves& turns, double sign) {
+      right(row) -=
+          sign * weight * (turns.start_mm * moves[i].start_mm + turns.end_mm * moves[i].end_mm);
+      const std::size_t next = chain.after(i);
+      if (chain.isFree(i))
+        entries.emplace_back(row, static_cast<Eigen::Index>(i), sign * weight * turns.start_mm);
+      if (chain.isFree(next))
+        entries.emplace_back(row, static_cast<Eigen::Index>(next), sign * weight * turns.end_mm);
+    };
+    add(j, turnsBy(chain, j, false), 1);
+    add(chain.before(j), turnsBy(chain, chain.before(j), true), -1);
+  }
+  Eigen::SparseMatrix<double> equations(2 * count, count);
+  equations.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::SparseMatrix<double> normal = equations.transpose() * equations;
+  return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(normal).solve(equations.transpose() *
+                                                                          right);
+}
+
+/// The arcs with these gaps at the joints.
+std::vector<PlanarArc> movedArcs(const JumpChain& chain, const std::vector<Gap>& gaps,
+                                 double tolerance_mm) {
+  std::vector<EndMoves> moves = halfGaps(chain, gaps);
+  const Eigen::VectorXd common_mm = jointMoves(chain, gaps, moves, tolerance_mm);
   std::vector<PlanarArc> arcs;
   for (std::size_t i = 0; i < chain.count(); ++i) {
+    const std::size_t next = chain.after(i);
+    if (chain.isFree(i)) moves[i].start_mm += common_mm(static_cast<Eigen::Index>(i));
+    if (chain.isFree(next)) moves[i].end_mm += common_mm(static_cast<Eigen::Index>(next));
     const PlanarArc& arc = chain.arcs[i];
-    if (chain.count() == 1 || arc.curvature_per_mm == 0)
+    if (chain.count() == 1 || chain.isLine(i))
       arcs.push_back(arc);
     else if (chain.isFixedStart(i))
       arcs.push_back(bentArc(arc, moves[i].end_mm));
@@ -263,7 +326,7 @@ ArcClothoids clothoidsNear(const std::vector<PlanarArc>& arcs, bool closed, doub
   const JumpChain chain = jumpChain(arcs, closed);
   // Bounds exceed distances by up to 2 percent, see alongCircle().
   constexpr double used = 0.97;
-  std::vector<double> gaps_mm = largestGaps(chain, used * tolerance_mm);
+  std::vector<Gap> gaps = largestGaps(chain, used * tolerance_mm);
   // Choices: a round makes the transitions beside an arc that fails shorter by a tenth. After all
   // rounds they would be a thousandth as long.
   constexpr double shrink = 0.8;
@@ -271,13 +334,16 @@ ArcClothoids clothoidsNear(const std::vector<PlanarArc>& arcs, bool closed, doub
   std::size_t worst = 0;
   for (int round = 0; round < most_rounds; ++round) {
     std::vector<std::size_t> failed;
-    const Smoothed curve = smoothed(chain, movedArcs(chain, gaps_mm), failed);
+    const Smoothed curve = smoothed(chain, movedArcs(chain, gaps, tolerance_mm), failed);
     ArcClothoids result;
     const Progress of_round = partOf(progress, shareAfter(round), shareAfter(round));
     if (failed.empty()) failed = bounded(chain, curve, tolerance_mm, of_round, result);
     if (failed.empty()) return result;
     worst = failed.front();
-    for (const std::size_t j : failed) gaps_mm[j] *= shrink;
+    for (const std::size_t j : failed) {
+      gaps[j].gap_mm *= shrink;
+      gaps[j].length_mm *= std::sqrt(shrink);
+    }
   }
   throw std::domain_error(
       fmt::format("no transitions of clothoids were found at arc {} within {} mm: the chain has a "

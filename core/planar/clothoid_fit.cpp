@@ -91,7 +91,7 @@ std::optional<ClothoidSpline> splineThrough(const PlanarCurve& curve, const Clot
 }
 
 FittedRun splineRun(const PlanarCurve& curve, const ClothoidRun& run, double tolerance_mm,
-                         const Progress& progress) {
+                    const Progress& progress) {
   // Four pieces of a closed run turn by a right angle each.
   const int first_pieces = run.closed ? 4 : 1;
   std::vector<double> parameters;
@@ -136,22 +136,28 @@ BezierSpline splineOf(const BezierSpline& curve, const ClothoidRun& run) {
           .closed = run.closed};
 }
 
-/// Arcs near the run, and clothoids near these.
-/// \param whole whether the arcs are the run itself, up to a small share of the tolerance.
-std::optional<FittedRun> transitionRun(const BezierSpline& run, const ClothoidFitOptions& options,
-                                       const Progress& progress, bool& whole) {
-  // A choice: transitions move a chain of arcs near a curve by less than the curve is away.
-  constexpr double share = 0.55, whole_share = 1e-3;
+/// Clothoids near arcs near the run.
+struct TransitionRun {
+  FittedRun fitted;
+  /// The arcs are the run itself, up to a small share of the tolerance.
+  bool of_arcs = false;
+};
+
+std::optional<TransitionRun> transitionRun(const BezierSpline& run,
+                                           const ClothoidFitOptions& options,
+                                           const Progress& progress) {
+  // Choices: transitions move arcs near a curve by less than the curve is away from them.
+  constexpr double share = 0.55, small_share = 1e-3;
   try {
     const ArcFit fit = fitArcs(
         run, {.tolerance_mm = share * options.tolerance_mm, .corner_rad = options.corner_rad},
         partOf(progress, 0, 0.5));
-    whole = fit.distance_mm <= whole_share * options.tolerance_mm;
     ArcClothoids found = clothoidsNear(fit.arcs, fit.closed, options.tolerance_mm - fit.distance_mm,
                                        partOf(progress, 0.5, 1));
-    return FittedRun{.pieces = std::move(found.pieces),
-                     .distance_mm = found.distance_mm + fit.distance_mm};
-  } catch (const std::domain_error&) {
+    return TransitionRun{.fitted = {.pieces = std::move(found.pieces),
+                                    .distance_mm = found.distance_mm + fit.distance_mm},
+                         .of_arcs = fit.distance_mm <= small_share * options.tolerance_mm};
+  } catch (const std::domain_error&) {  // a spline through points may still be possible
     return std::nullopt;
   }
 }
@@ -161,32 +167,23 @@ int turnsIn(const FittedRun& fitted, bool closed) {
   return figures.extrema + figures.inflections;
 }
 
+/// Transitions where the run is a chain of arcs and lines; else these or the spline through points,
+/// whichever has fewer extrema and inflections.
 FittedRun fitClothoidRun(const BezierSpline& spline, const PlanarCurve& curve,
                          const ClothoidRun& run, const ClothoidFitOptions& options,
                          const Progress& progress) {
-  bool whole = false;
-  std::optional<FittedRun> near_arcs =
-      transitionRun(splineOf(spline, run), options, partOf(progress, 0, 0.5), whole);
-  if (getenv("CL_DEBUG")) {
-    fmt::print(stderr, "run {}..{} arcs {} whole {}", run.begin, run.end, near_arcs ? near_arcs->pieces.size() : 0, whole);
-    if (near_arcs) {auto f=figuresOf(near_arcs->pieces, run.closed); fmt::print(stderr, " ext {} inf {} var {:.4g} dist {:.4g}", f.extrema, f.inflections, f.variation_per_mm3, near_arcs->distance_mm);}
-    try {
-      auto s = splineRun(curve, run, options.tolerance_mm, partOf(progress, 0.5, 1));
-      auto f=figuresOf(s.pieces, run.closed); fmt::print(stderr, " | spline {} ext {} inf {} var {:.4g}", s.pieces.size(), f.extrema, f.inflections, f.variation_per_mm3);
-    } catch (const std::domain_error& e) { fmt::print(stderr, " | spline {}", e.what()); }
-    fmt::print(stderr, "\n");
-  }
-  if (near_arcs && whole) return std::move(*near_arcs);
-  FittedRun through_points;
+  std::optional<TransitionRun> near_arcs =
+      transitionRun(splineOf(spline, run), options, partOf(progress, 0, 0.5));
+  if (near_arcs && near_arcs->of_arcs) return std::move(near_arcs->fitted);
   try {
-    through_points = splineRun(curve, run, options.tolerance_mm, partOf(progress, 0.5, 1));
+    FittedRun through_points =
+        splineRun(curve, run, options.tolerance_mm, partOf(progress, 0.5, 1));
+    if (!near_arcs || turnsIn(through_points, run.closed) <= turnsIn(near_arcs->fitted, run.closed))
+      return through_points;
   } catch (const std::domain_error&) {
-    if (near_arcs) return std::move(*near_arcs);
-    throw;
+    if (!near_arcs) throw;
   }
-  return near_arcs && turnsIn(*near_arcs, run.closed) < turnsIn(through_points, run.closed)
-             ? std::move(*near_arcs)
-             : through_points;
+  return std::move(near_arcs->fitted);
 }
 
 }  // namespace
@@ -214,9 +211,9 @@ ClothoidFit fitClothoids(const BezierSpline& spline, const ClothoidFitOptions& o
     if (i > 1 || (spline.closed && !smooth && isCorner(0)))
       result.corners.push_back(static_cast<int>(result.pieces.size()));
     const double whole = n;
-    const FittedRun fitted = fitClothoidRun(
-        spline, curve, {.begin = cuts[i - 1], .end = cuts[i], .closed = smooth}, options,
-        partOf(progress, cuts[i - 1] / whole, cuts[i] / whole));
+    const FittedRun fitted =
+        fitClothoidRun(spline, curve, {.begin = cuts[i - 1], .end = cuts[i], .closed = smooth},
+                       options, partOf(progress, cuts[i - 1] / whole, cuts[i] / whole));
     result.pieces.insert(result.pieces.end(), fitted.pieces.begin(), fitted.pieces.end());
     result.distance_mm = std::max(result.distance_mm, fitted.distance_mm);
   }
