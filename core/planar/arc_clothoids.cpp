@@ -25,6 +25,7 @@ using std::numbers::pi;
 struct JumpChain {
   std::vector<PlanarArc> arcs;
   bool closed = false;
+  double distance_mm = 0;  ///< upper bound of the distance from the chain with all joints
 
   std::size_t count() const { return arcs.size(); }
   bool hasJoint(std::size_t j) const { return count() > 1 && (j > 0 || closed); }
@@ -40,25 +41,41 @@ struct JumpChain {
   }
 };
 
-JumpChain jumpChain(const std::vector<PlanarArc>& arcs, bool closed) {
+/// Upper bound of the distance of an arc from the other one continued beyond its end, if the
+/// curvatures agree.
+double apart_mm(const PlanarArc& arc, const PlanarArc& next) {
+  const double turn_rad = std::abs(wrapped(next.direction_rad - arc.endDirection_rad())),
+               change_per_mm = std::abs(next.curvature_per_mm - arc.curvature_per_mm);
+  return (next.start - arc.end()).norm() +
+         next.length_mm * (turn_rad + next.length_mm * change_per_mm / 2);
+}
+
+JumpChain jumpChain(const std::vector<PlanarArc>& arcs, bool closed, double tolerance_mm) {
   JumpChain chain{.arcs = {}, .closed = closed};
   double largest_per_mm = 0, length_mm = 0;
   for (const PlanarArc& arc : arcs) {
     largest_per_mm = std::max(largest_per_mm, std::abs(arc.curvature_per_mm));
     length_mm += arc.length_mm;
   }
-  // What does not count as an extremum either, see ClothoidFigures.
-  constexpr double negligible = 1e-9;
+  // What does not count as an extremum either, see ClothoidFigures, and costs little of the
+  // tolerance.
+  constexpr double negligible = 1e-9, share = 1e-3;
   const double least_per_mm = negligible * std::max(largest_per_mm, 1 / length_mm);
-  const auto agree = [&](const PlanarArc& a, const PlanarArc& b) {
-    return std::abs(a.curvature_per_mm - b.curvature_per_mm) <= least_per_mm;
+  const auto continues = [&](const PlanarArc& arc, const PlanarArc& next) {
+    if (std::abs(arc.curvature_per_mm - next.curvature_per_mm) > least_per_mm) return false;
+    chain.distance_mm += apart_mm(arc, next);
+    if (!(chain.distance_mm <= share * tolerance_mm))
+      throw std::domain_error(fmt::format(
+          "there is no transition between arcs that both have the curvature {} per mm, at ({}, {})",
+          arc.curvature_per_mm, next.start.x(), next.start.y()));
+    return true;
   };
   for (const PlanarArc& arc : arcs)
-    if (chain.arcs.empty() || !agree(chain.arcs.back(), arc))
+    if (chain.arcs.empty() || !continues(chain.arcs.back(), arc))
       chain.arcs.push_back(arc);
     else
       chain.arcs.back().length_mm += arc.length_mm;
-  if (closed && chain.count() > 1 && agree(chain.arcs.back(), chain.arcs.front())) {
+  if (closed && chain.count() > 1 && continues(chain.arcs.back(), chain.arcs.front())) {
     const double first_mm = chain.arcs.front().length_mm;
     chain.arcs.front() = chain.arcs.back();
     chain.arcs.front().length_mm += first_mm;
@@ -323,10 +340,11 @@ ArcClothoids clothoidsNear(const std::vector<PlanarArc>& arcs, bool closed, doub
   if (arcs.empty()) refuse("the chain has no arcs");
   if (!(tolerance_mm > 0 && std::isfinite(tolerance_mm)))
     refuse(fmt::format("the tolerance is {} mm: it must be positive and finite", tolerance_mm));
-  const JumpChain chain = jumpChain(arcs, closed);
+  const JumpChain chain = jumpChain(arcs, closed, tolerance_mm);
+  const double left_mm = tolerance_mm - chain.distance_mm;
   // Bounds exceed distances by up to 2 percent, see alongCircle().
   constexpr double used = 0.97;
-  std::vector<Gap> gaps = largestGaps(chain, used * tolerance_mm);
+  std::vector<Gap> gaps = largestGaps(chain, used * left_mm);
   // Choices: a round makes the transitions beside an arc that fails shorter by a tenth. After all
   // rounds they would be a thousandth as long.
   constexpr double shrink = 0.8;
@@ -334,11 +352,14 @@ ArcClothoids clothoidsNear(const std::vector<PlanarArc>& arcs, bool closed, doub
   std::size_t worst = 0;
   for (int round = 0; round < most_rounds; ++round) {
     std::vector<std::size_t> failed;
-    const Smoothed curve = smoothed(chain, movedArcs(chain, gaps, tolerance_mm), failed);
+    const Smoothed curve = smoothed(chain, movedArcs(chain, gaps, left_mm), failed);
     ArcClothoids result;
     const Progress of_round = partOf(progress, shareAfter(round), shareAfter(round));
-    if (failed.empty()) failed = bounded(chain, curve, tolerance_mm, of_round, result);
-    if (failed.empty()) return result;
+    if (failed.empty()) failed = bounded(chain, curve, left_mm, of_round, result);
+    if (failed.empty()) {
+      result.distance_mm += chain.distance_mm;
+      return result;
+    }
     worst = failed.front();
     for (const std::size_t j : failed) {
       gaps[j].gap_mm *= shrink;

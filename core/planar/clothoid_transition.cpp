@@ -88,9 +88,10 @@ double transitionLength(const CirclePoint& from, const CirclePoint& to, double s
   return before_mm;
 }
 
-/// The left normal of the circle through a point, from its centre.
-Vector2d circleLeft(const CirclePoint& circle, const Vector2d& point) {
-  return (circle.left() - circle.curvature_per_mm * (point - circle.point)).normalized();
+/// The left normal at the place of the circle that is nearest to a point, times the share of the
+/// radius at which the point is.
+Vector2d scaledLeft(const CirclePoint& circle, const Vector2d& point) {
+  return circle.left() - circle.curvature_per_mm * (point - circle.point);
 }
 
 /// Arc length from a point of a circle to another one, the shorter way.
@@ -122,13 +123,19 @@ ClothoidTransition clothoidTransition(const PlanarArc& from, const PlanarArc& to
   for (int step = 0; step < most_steps; ++step) {
     const Clothoid placed = clothoidFrom(circleAt(from, leaves_mm), to.curvature_per_mm, length_mm);
     const CirclePoint end = circleAtEnd(placed);
-    const double off_rad = angleFromTo(circleLeft(target, end.point), end.left());
+    const Vector2d left = scaledLeft(target, end.point);
+    const double off_rad = angleFromTo(left, end.left());
     if (!(std::abs(off_rad) < last_rad)) break;
     last_rad = std::abs(off_rad);
     result = {.clothoid = placed,
               .leaves_mm = leaves_mm,
               .arrives_mm = circleLengthTo(target, end.point)};
-    leaves_mm += off_rad / change;
+    // The end moves like a point that is fixed to the tangent of the first circle.
+    const Vector2d way = end.point - placed.start;
+    const Vector2d velocity =
+        unitVector(placed.direction_rad) + from.curvature_per_mm * Vector2d(-way.y(), way.x());
+    const double turned = cross(velocity, left) / left.squaredNorm();
+    leaves_mm -= off_rad / (from.curvature_per_mm - to.curvature_per_mm * turned);
   }
   return result;
 }
