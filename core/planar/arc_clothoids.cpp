@@ -50,21 +50,21 @@ double apart_mm(const PlanarArc& arc, const PlanarArc& next) {
          next.length_mm * (turn_rad + next.length_mm * change_per_mm / 2);
 }
 
-JumpChain jumpChain(const std::vector<PlanarArc>& arcs, bool closed, double tolerance_mm) {
+JumpChain jumpChain(const std::vector<PlanarArc>& arcs, bool closed) {
   JumpChain chain{.arcs = {}, .closed = closed};
   double largest_per_mm = 0, length_mm = 0;
   for (const PlanarArc& arc : arcs) {
     largest_per_mm = std::max(largest_per_mm, std::abs(arc.curvature_per_mm));
     length_mm += arc.length_mm;
   }
-  // What does not count as an extremum either, see ClothoidFigures, and costs little of the
-  // tolerance.
-  constexpr double negligible = 1e-9, share = 1e-3;
+  // What does not count as an extremum either, see ClothoidFigures; and rounding of the chain, so
+  // that its last arc keeps its end.
+  constexpr double negligible = 1e-9, rounding = 1e-11;
   const double least_per_mm = negligible * std::max(largest_per_mm, 1 / length_mm);
   const auto continues = [&](const PlanarArc& arc, const PlanarArc& next) {
     if (std::abs(arc.curvature_per_mm - next.curvature_per_mm) > least_per_mm) return false;
     chain.distance_mm += apart_mm(arc, next);
-    if (!(chain.distance_mm <= share * tolerance_mm))
+    if (!(chain.distance_mm <= rounding * length_mm))
       throw std::domain_error(fmt::format(
           "there is no transition between arcs that both have the curvature {} per mm, at ({}, {})",
           arc.curvature_per_mm, next.start.x(), next.start.y()));
@@ -340,7 +340,7 @@ ArcClothoids clothoidsNear(const std::vector<PlanarArc>& arcs, bool closed, doub
   if (arcs.empty()) refuse("the chain has no arcs");
   if (!(tolerance_mm > 0 && std::isfinite(tolerance_mm)))
     refuse(fmt::format("the tolerance is {} mm: it must be positive and finite", tolerance_mm));
-  const JumpChain chain = jumpChain(arcs, closed, tolerance_mm);
+  const JumpChain chain = jumpChain(arcs, closed);
   const double left_mm = tolerance_mm - chain.distance_mm;
   // Bounds exceed distances by up to 2 percent, see alongCircle().
   constexpr double used = 0.97;
