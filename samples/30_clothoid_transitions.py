@@ -3,7 +3,7 @@
 
     python3 30_clothoid_transitions.py OUT.svg
 
-Above: the track with its curvature comb, which jumps where a line meets an arc. Below: the
+Left: the track with its curvature comb, which jumps where a line meets an arc. Right: the
 clothoids near it. The lines stay; arcs beside lines become smaller by the shift of the clothoids,
 which is less than the tolerance.
 """
@@ -50,8 +50,8 @@ print(f"{len(given.arcs)} arcs and lines: {before[0]} extrema, {before[1]} infle
 print(f"{constant} arcs and lines, {len(pieces) - constant} clothoids: {after[0]} extrema,")
 print(f"{after[1]} inflections, within {fit.distance_mm:.3f} m, jumps below 1e-12: {jump < 1e-12}")
 
-below = seamwright.fit_clothoids(track([0, -60]).bezier_spline(), tolerance).chain
+beside = seamwright.fit_clothoids(track([100, 0]).bezier_spline(), tolerance).chain
 picture = Picture("A track of lines and arcs, and clothoids near it")
 picture.curve(given.bezier_spline(), "#0072b2", "lines and arcs", comb=True)
-picture.curve(below.bezier_spline(1e-3).curve, "#d55e00", "with clothoids between", comb=True)
+picture.curve(beside.bezier_spline(1e-3).curve, "#d55e00", "with clothoids between", comb=True)
 picture.write(sys.argv[1])
