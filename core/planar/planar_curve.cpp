@@ -45,4 +45,20 @@ PlanarCurve planarCurve(const BezierSpline& spline) {
   return curve;
 }
 
+std::optional<AlongCircle> alongCircle(const PlanarCurve& curve, const Interval& range,
+                                       const PlanarArc& arc, double tolerance_mm) {
+  AlongCircle result;
+  for (int i = static_cast<int>(range.lower); i < curve.count() && i < range.upper; ++i) {
+    const Interval domain = {std::max(range.lower - i, 0.0), std::min(range.upper - i, 1.0)};
+    if (!(domain.width() > 0)) continue;
+    const auto along = alongCircle(
+        {.polynomials = curve.polynomials[i], .origin = curve.origins[i], .domain = domain}, arc,
+        tolerance_mm);
+    if (!along) return std::nullopt;
+    result.distance_mm = std::max(result.distance_mm, along->distance_mm);
+    result.advance_mm += along->advance_mm;
+  }
+  return result;
+}
+
 }  // namespace seamwright

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include <seamwright/core/planar/arc_distance.hpp>
@@ -48,5 +49,9 @@ struct PlanarCurve {
 
 /// \throws std::invalid_argument for a pole outside of the plane z = 0.
 PlanarCurve planarCurve(const BezierSpline& spline);
+
+/// alongCircle() of the curve over a range of its parameter.
+std::optional<AlongCircle> alongCircle(const PlanarCurve& curve, const Interval& range,
+                                       const PlanarArc& arc, double tolerance_mm);
 
 }  // namespace seamwright

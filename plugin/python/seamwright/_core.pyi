@@ -589,6 +589,9 @@ def clothoid_spline(
     start_curvature_per_mm: Optional[Number] = None,
     end_curvature_per_mm: Optional[Number] = None,
 ) -> _r.ClothoidSpline: ...
+def fit_clothoids(
+    curve: Curve, tolerance_mm: Number = 0.01, *, corner_rad: Number = 0.001
+) -> _r.ClothoidFit: ...
 def log_spiral(
     start: Numbers,
     start_direction_rad: Number,

@@ -91,6 +91,19 @@ class SplineWithin(Result):
     distance_mm: float
 
 
+class ClothoidFit(Result):
+    """Clothoids near a curve, G2 between corners.
+
+    chain        a ClothoidChain
+    corners      indices of pieces that begin at a corner; ends do not count
+    distance_mm  bound of the distance in both directions
+    """
+
+    chain: ClothoidChain
+    corners: Tuple[int, ...]
+    distance_mm: float
+
+
 class ClothoidSpline(Result):
     """A G2 spline of clothoids through points.
 
