@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include <seamwright/core/planar/point_energy.hpp>
 #include <seamwright/core/planar/point_triple.hpp>
@@ -83,11 +85,10 @@ std::vector<EnergyRow> energyRowsOf(const PlanarPoints& points, const PlanarPoin
     const CurvatureRow other = curvatureRow(points, moves, second, lengths);
     const double length_mm = one.after.norm(), root = std::sqrt(length_mm);
     const double residual = (other.value - one.value) / root;
-    EnergyRow row{
-        .points = {first[0], first[1], first[2], second[2]},
-        .slopes = {-one.slopes(0) / root, (other.slopes(0) - one.slopes(1)) / root,
-                   (other.slopes(1) - one.slopes(2)) / root, other.slopes(2) / root},
-        .residual = residual};
+    EnergyRow row{.points = {first[0], first[1], first[2], second[2]},
+                  .slopes = {-one.slopes(0) / root, (other.slopes(0) - one.slopes(1)) / root,
+                             (other.slopes(1) - one.slopes(2)) / root, other.slopes(2) / root},
+                  .residual = residual};
     if (lengths == EnergyLengths::Own) {
       // The length under the root changes as well.
       const Eigen::Vector2d factor = residual / (2 * length_mm * length_mm) * one.after;
@@ -97,6 +98,20 @@ std::vector<EnergyRow> energyRowsOf(const PlanarPoints& points, const PlanarPoin
     result.push_back(row);
     one = other;
   }
+  return result;
+}
+
+Index firstPlaceOf(const EnergyRow& row, const NarrowOrder& order) {
+  Index first = order.count;
+  for (const Index point : row.points) first = std::min(first, order.placeOf(point));
+  return first;
+}
+
+std::vector<std::size_t> orderOf(const std::vector<EnergyRow>& rows, const NarrowOrder& order) {
+  std::vector<std::size_t> result(rows.size());
+  std::iota(result.begin(), result.end(), std::size_t{0});
+  std::ranges::stable_sort(result, {},
+                           [&](std::size_t row) { return firstPlaceOf(rows[row], order); });
   return result;
 }
 

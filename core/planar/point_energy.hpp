@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <seamwright/core/planar/biarc_spline.hpp>
+#include <seamwright/core/planar/narrow_band.hpp>
 
 /// Not a public header.
 namespace seamwright {
@@ -21,8 +22,8 @@ struct MeasuredPoints {
   const PlanarPoints& lengths_of;
 };
 
-/// Half the energy of PointFairness: a sum of squares, one for each four neighbours. Infinite or not
-/// a number where neighbours are equal.
+/// Half the energy of PointFairness: a sum of squares, one for each four neighbours. Infinite or
+/// not a number where neighbours are equal.
 double halfEnergyOf(const MeasuredPoints& at, bool closed);
 
 /// A residual of half the energy with its derivatives by moves of four neighbours.
@@ -35,5 +36,10 @@ struct EnergyRow {
 /// One row for each residual, for moves along vectors.
 std::vector<EnergyRow> energyRowsOf(const PlanarPoints& points, const PlanarPoints& moves,
                                     EnergyLengths lengths, bool closed);
+
+/// In the order of elimination.
+Eigen::Index firstPlaceOf(const EnergyRow& row, const NarrowOrder& order);
+/// Rows by their first place.
+std::vector<std::size_t> orderOf(const std::vector<EnergyRow>& rows, const NarrowOrder& order);
 
 }  // namespace seamwright

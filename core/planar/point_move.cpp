@@ -20,8 +20,7 @@ class RowMeans {
  public:
   RowMeans(const PlanarPoints& rows, bool closed)
       : closed_(closed), sums_(PlanarPoints::Zero(rows.rows() + 1, 2)), origin_(rows.row(0)) {
-    for (Index i = 0; i < rows.rows(); ++i)
-      sums_.row(i + 1) = sums_.row(i) + rows.row(i) - origin_;
+    for (Index i = 0; i < rows.rows(); ++i) sums_.row(i + 1) = sums_.row(i) + rows.row(i) - origin_;
   }
 
   /// \pre at most as many rows as there are. Beyond an open end is the end.
@@ -65,8 +64,7 @@ MoveNormals moveNormals(const PlanarPoints& points, const Eigen::VectorXd& toler
     double best_mm2 = best.squaredNorm();
     if (best_mm2 < unit_mm2 && !means) means.emplace(points, closed);
     for (Index count = 2; best_mm2 < unit_mm2 && count <= most; count *= 2) {
-      const Eigen::RowVector2d chord =
-          means->of(i + 1, i + count) - means->of(i - count, i - 1);
+      const Eigen::RowVector2d chord = means->of(i + 1, i + count) - means->of(i - count, i - 1);
       const double size_mm2 = chord.squaredNorm() / std::sqrt(static_cast<double>(count));
       if (size_mm2 <= best_mm2) continue;
       best = chord;
