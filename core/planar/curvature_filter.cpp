@@ -117,15 +117,15 @@ FairedPoints filterCurvature(const PlanarPoints& points, double tolerance_mm,
     pass();
     pass();
     const PointFairness fairness = fairnessOf(result.points, options.closed);
+    const bool still = (result.points - before).rowwise().norm().maxCoeff() < 1e-3 * tolerance_mm;
+    if (still) result.status = PointFairingStatus::Converged;
     if (!(fairness.energy_per_mm3 < result.after.energy_per_mm3)) {
       result.points = before;
-      result.status = PointFairingStatus::EnergyGrows;
+      if (!still) result.status = PointFairingStatus::EnergyGrows;
       break;
     }
     ++result.steps;
     result.after = fairness;
-    if ((result.points - before).rowwise().norm().maxCoeff() < 1e-3 * tolerance_mm)
-      result.status = PointFairingStatus::Converged;
   }
   result.moved_mm = (result.points - points).rowwise().norm().maxCoeff(&result.most_moved);
   return result;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <map>
+
 #include <seamwright/core/planar/fair_points.hpp>
 
 #include "planar.hpp"
@@ -103,6 +105,59 @@ TEST(FairPoints, NoMoveWithinTheTolerancesIsFairer) {
   }
 }
 
+// Identity (3), by Newton's method with an active set.
+TEST(FairPoints, AgreeWithHighPrecision) {
+  for (const nlohmann::json& entry : test::splineCases("fair_points.json")) {
+    SCOPED_TRACE(entry["name"].get<std::string>());
+    const PlanarPoints points = planarPoints(entry["in"]["P"]);
+    const std::vector<double> tol = test::numbers(entry["in"]["tol"]);
+    const Eigen::VectorXd tolerances = Eigen::VectorXd::Map(tol.data(), std::ssize(tol));
+    const FairedPoints found =
+        fairPoints(points, tolerances, {.closed = entry["in"]["closed"] == 1, .ends_fixed = false});
+    EXPECT_EQ(found.status, PointFairingStatus::Converged);
+    const double least = number(entry["out"]["energy"]);
+    EXPECT_GT(found.after.energy_per_mm3, least * (1 - 1e-10));
+    EXPECT_LT(found.after.energy_per_mm3, least * (1 + 1e-5));
+    const PlanarPoints wanted = planarPoints(entry["out"]["P_new"]);
+    const Eigen::ArrayXd apart = (found.points - wanted).rowwise().norm();
+    EXPECT_LT((apart - 0.01 * tolerances.array()).maxCoeff(), 1e-15);
+  }
+}
+
+// Points of a curve of known energy, moved across it by more than their distances.
+TEST(FairPoints, OfACrowdedCurveAreAsFairAsTheCurve) {
+  std::mt19937_64 random(testSeed());
+  for (const bool closed : {false, true}) {
+    constexpr Eigen::Index count = 3000;
+    const double tolerance = 0.03, noise_mm = 0.025;
+    PlanarPoints exact(count, 2), points(count, 2);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const double t = 2 * pi * double(i) / double(closed ? count : count - 1);
+      exact.row(i) << 5 * std::cos(t), 3 * std::sin(t);
+      const Eigen::RowVector2d normal(3 * std::cos(t), 5 * std::sin(t));
+      points.row(i) = exact.row(i) + uniform(random, -noise_mm, noise_mm) * normal.normalized();
+    }
+    const FairedPoints found = fairPoints(points, Eigen::VectorXd::Constant(count, tolerance),
+                                          {.closed = closed, .ends_fixed = false});
+    EXPECT_EQ(found.status, PointFairingStatus::Converged);
+    EXPECT_LT(found.steps, 80);
+    EXPECT_LE((found.points - points).rowwise().norm().maxCoeff(), tolerance);
+    EXPECT_LT(found.after.energy_per_mm3, fairnessOf(exact, closed).energy_per_mm3);
+    EXPECT_LE(found.after.extrema.size(), closed ? 4u : 5u);
+    EXPECT_TRUE(found.after.inflections.empty());
+  }
+}
+
+TEST(FairPoints, SayIfTheStepsRanOut) {
+  std::mt19937_64 random(testSeed());
+  const PlanarPoints points = noisyArm(50, 0.02, random);
+  const Eigen::VectorXd tolerances = Eigen::VectorXd::Constant(50, 0.02);
+  const FairedPoints found = fairPoints(points, tolerances, {.max_steps = 3});
+  EXPECT_EQ(found.status, PointFairingStatus::NotConverged);
+  EXPECT_EQ(found.steps, 3);
+  EXPECT_LT(found.after.energy_per_mm3, found.before.energy_per_mm3);
+}
+
 // Identity (2).
 TEST(FairPoints, OfACircleStay) {
   std::mt19937_64 random(testSeed());
@@ -198,6 +253,22 @@ TEST(CurvatureFilter, SmoothsWithinTheTolerance) {
     EXPECT_LT(fairer.after.energy_per_mm3, found.after.energy_per_mm3);
   }
   EXPECT_LT(after, 0.5 * before);
+}
+
+TEST(CurvatureFilter, SaysWhyItEnded) {
+  std::mt19937_64 random(testSeed());
+  std::map<PointFairingStatus, int> ends;
+  for (int i = 0; i < 30; ++i) {
+    const PlanarPoints points = noisyArm(60, 0.01, random);
+    const FairedPoints found = filterCurvature(points, 0.02);
+    ++ends[found.status];
+    if (found.status != PointFairingStatus::EnergyGrows) continue;
+    // One pass more than was taken is one too many.
+    const FairedPoints same = filterCurvature(points, 0.02, {.max_passes = found.steps});
+    EXPECT_EQ(same.points, found.points);
+    EXPECT_EQ(same.status, PointFairingStatus::NotConverged);
+  }
+  EXPECT_GT(ends[PointFairingStatus::EnergyGrows], 0);
 }
 
 // Identity (7), far from the ends.
