@@ -22,11 +22,11 @@ const char* statusName(PointFairingStatus status) {
     case PointFairingStatus::Converged:
       return "converged";
     case PointFairingStatus::EnergyGrows:
-      return "energy_grows";
+      return "energy grows";
     case PointFairingStatus::NotConverged:
       break;
   }
-  return "not_converged";
+  return "not converged";
 }
 
 py::object fairedPointsResult(const FairedPoints& faired) {
