@@ -194,8 +194,8 @@ class FairedPoints(Result):
     moved_mm       the largest move
     most_moved     index of the point with that move
     steps          of the method
-    status         "converged": no moves are left; "energy grows": filter_curvature() left out passes
-                   that would make the energy grow; "not converged": the steps ran out
+    status         "converged": no moves are left; "energy grows": filter_curvature() left out
+                   passes that would make the energy grow; "not converged": the steps ran out
     converged      whether status is "converged"
     """
 
