@@ -34,6 +34,7 @@ struct ImplicitConic {
   double height = 0;          ///< the largest distance of its triangle from the chord
   Vector3d slope;             ///< the derivative of f by y, as a form
   Interval slope_inside;      ///< its values in the triangle
+  bool is_flat = false;       ///< its triangle has no area that rounding leaves: there is no f
 };
 
 ImplicitConic implicitConic(const PlanarConic& conic, const ChordFrame& frame) {
@@ -42,11 +43,13 @@ ImplicitConic implicitConic(const PlanarConic& conic, const ChordFrame& frame) {
                                           frame(conic.end)};
   for (int i = 0; i < 3; ++i) corners.col(i) << points[i].x(), points[i].y(), 1;
   ImplicitConic result;
-  result.barycentric = corners.inverse();
   result.weight = conic.weight;
   result.start = points[0].x();
   result.end = points[2].x();
   for (const Vector2d& point : points) result.height = std::max(result.height, std::abs(point.y()));
+  result.barycentric = corners.inverse();
+  result.is_flat = !result.barycentric.allFinite();
+  if (result.is_flat) return result;
   const Eigen::Matrix3d& b = result.barycentric;
   const double factor = 4 * conic.weight * conic.weight;
   result.slope = 2 * b(1, 1) * b.row(1) - factor * (b(0, 1) * b.row(2) + b(2, 1) * b.row(0));
@@ -94,6 +97,7 @@ FramedPiece framedPiece(const CurvePiece& piece, const ChordFrame& frame) {
 
 /// Upper bound of the distance across the chord of a piece from one conic.
 double boundFrom(const FramedPiece& piece, double least_weight, const ImplicitConic& conic) {
+  if (conic.is_flat) return infinite;
   const Eigen::Matrix3d& b = conic.barycentric;
   const Polynomial b0 = piece.form(b.row(0)), b1 = piece.form(b.row(1)), b2 = piece.form(b.row(2));
   const double value =
