@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
@@ -14,6 +15,10 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Polynomial = BernsteinPolynomial;
+
+/// A choice: bounds that do not look at the shape replace the others only this far below the
+/// tolerance, where the shape does not matter. A larger share would accept conics with kinks.
+constexpr double small_part = 8;
 
 /// The coordinates along and across the chord.
 struct ChordFrame {
@@ -95,6 +100,24 @@ FramedPiece framedPiece(const CurvePiece& piece, const ChordFrame& frame) {
       .restricted(piece.domain);
 }
 
+/// Upper bound of the distance of anything in the triangles of the conics from any point of the
+/// part: the diagonal of their box.
+double extentOf(const std::vector<FramedPiece>& part, const std::vector<PlanarConic>& conics,
+                const ChordFrame& frame) {
+  Eigen::AlignedBox2d box;
+  for (const PlanarConic& conic : conics)
+    for (const Vector2d& point : {conic.start, conic.corner, conic.end}) box.extend(frame(point));
+  for (const FramedPiece& piece : part) {
+    const double least_weight = piece.weight.range().lower;
+    if (!(least_weight > 0)) return infinite;
+    // A quotient by a larger weight is nearer to the origin, which is in the box.
+    const Interval x = piece.x.range(), y = piece.y.range();
+    box.extend(Vector2d(x.lower, y.lower) / least_weight);
+    box.extend(Vector2d(x.upper, y.upper) / least_weight);
+  }
+  return box.diagonal().norm();
+}
+
 /// Upper bound of the distance across the chord of a piece from one conic.
 double boundFrom(const FramedPiece& piece, double least_weight, const ImplicitConic& conic) {
   if (conic.is_flat) return infinite;
@@ -132,10 +155,7 @@ double boundOf(const FramedPiece& piece, const std::vector<ImplicitConic>& conic
     if ((!first && to < conic.start) || (!last && from > conic.end)) continue;
     bound = std::max(bound, boundFrom(piece, weight.lower, conic));
   }
-  // A choice: so the flat bound replaces the other one only far below the tolerance, where the
-  // shape of the curve does not matter. A larger share of it would accept conics with kinks.
-  constexpr double factor = 8;
-  return std::min(bound, factor * flat);
+  return std::min(bound, small_part * flat);
 }
 
 bool isGraph(const std::vector<PlanarConic>& conics, const ChordFrame& frame) {
@@ -152,6 +172,14 @@ std::optional<double> distanceFromConics(const std::vector<CurvePiece>& part,
                                          double tolerance_mm) {
   const Vector2d start = conics.front().start, chord = conics.back().end - start;
   const ChordFrame frame{.origin = start, .along = chord.normalized()};
+  std::vector<FramedPiece> pieces;
+  for (const CurvePiece& piece : part) pieces.push_back(framedPiece(piece, frame));
+  // Rounding of the points of the conics and of their forms.
+  const double size =
+      start.cwiseAbs().maxCoeff() + conics.back().end.cwiseAbs().maxCoeff() + chord.norm();
+  const double rounding_mm = 16 * machine_epsilon * size;
+  const double extent_mm = extentOf(pieces, conics, frame) + rounding_mm;
+  if (small_part * extent_mm <= tolerance_mm) return extent_mm;
   if (!isGraph(conics, frame)) return std::nullopt;
   std::vector<ImplicitConic> implicit;
   const bool is_line = conics.size() == 1 && isLine(conics.front());
@@ -164,8 +192,8 @@ std::optional<double> distanceFromConics(const std::vector<CurvePiece>& part,
     int halvings = 0;
   };
   double distance_mm = 0;
-  for (const CurvePiece& piece : part) {
-    std::vector<Open> open = {{framedPiece(piece, frame)}};
+  for (const FramedPiece& piece : pieces) {
+    std::vector<Open> open = {{piece}};
     while (!open.empty()) {
       const Open next = std::move(open.back());
       open.pop_back();
@@ -179,10 +207,7 @@ std::optional<double> distanceFromConics(const std::vector<CurvePiece>& part,
       open.push_back({next.piece.restricted({0.5, 1}), next.halvings + 1});
     }
   }
-  // Rounding of the points of the conics and of their forms.
-  const double size =
-      start.cwiseAbs().maxCoeff() + conics.back().end.cwiseAbs().maxCoeff() + chord.norm();
-  distance_mm += 16 * machine_epsilon * size;
+  distance_mm += rounding_mm;
   if (distance_mm > tolerance_mm) return std::nullopt;
   return distance_mm;
 }
