@@ -16,10 +16,6 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Polynomial = BernsteinPolynomial;
 
-/// A choice: bounds that do not look at the shape replace the others only this far below the
-/// tolerance, where the shape does not matter. A larger share would accept conics with kinks.
-constexpr double small_part = 8;
-
 /// The coordinates along and across the chord.
 struct ChordFrame {
   Vector2d origin, along;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <seamwright/core/fair/fair_curve.hpp>
-#include <seamwright/core/planar/arc_conics.hpp>
 #include <seamwright/core/planar/arc_fit.hpp>
 #include <seamwright/core/planar/clothoid_fit.hpp>
 #include <seamwright/core/planar/clothoid_spline.hpp>
@@ -180,19 +179,6 @@ void noteJoints(report::CurveRecord& record, std::size_t g1_joints) {
         g1_joints, g1_joints == 1 ? " is" : "s are"));
 }
 
-/// Conics near arcs, with a bound of their distance even if it is above the tolerance.
-ArcConics conicsNear(const ArcFit& fit, double tolerance_mm, const Progress& progress) {
-  ArcConics conics;
-  constexpr double factor = 16;
-  double limit_mm = tolerance_mm;
-  for (int attempt = 0; attempt < 5; ++attempt, limit_mm *= factor) {
-    conics = g2ConicsNear({.arcs = fit.arcs, .corners = fit.corners, .closed = fit.closed},
-                          limit_mm, progress);
-    if (std::isfinite(conics.distance_mm)) break;
-  }
-  return conics;
-}
-
 void addFigures(CurveFigures& sum, const CurveFigures& part) {
   sum.length_mm += part.length_mm;
   sum.energy_per_mm = sum.energy_per_mm.value_or(0) + part.energy_per_mm.value_or(0);
@@ -247,36 +233,6 @@ MadeCurve conicsThrough(const GivenCurve& given, const Progress& progress) {
   return made;
 }
 
-/// The conics of arcs that leave room for the distance that G2 costs.
-MadeCurve conicsNearCurve(const GivenCurve& given, const CurveTask& task) {
-  const SmoothCurve curve = curveOf(given, task.tolerance_mm, partOf(task.progress, 0, 0));
-  MadeCurve made{.record = given.record};
-  made.record.before = curve.figures;
-  // Closer arcs bring closer conics; the last attempt is kept with the distance it has.
-  int attempts = 0;
-  for (double share = 0.5; share >= 0x1p-9; share /= 4) {
-    const Progress progress = partOf(task.progress, shareAfter(attempts), shareAfter(attempts));
-    ++attempts;
-    const ArcFit fit =
-        arcsNear(given, curve, share * task.tolerance_mm + curve.distance_mm, progress);
-    const ArcConics conics = conicsNear(fit, task.tolerance_mm, progress);
-    const double distance_mm = conics.distance_mm + fit.distance_mm;
-    made.chain = {.curves = {conics.conics.begin(), conics.conics.end()}, .closed = fit.closed};
-    made.record.pieces = static_cast<int>(conics.conics.size());
-    made.record.corners = static_cast<int>(conics.corners.size());
-    made.record.distance_mm =
-        std::isfinite(distance_mm) ? std::optional(distance_mm) : std::nullopt;
-    made.record.notes.clear();
-    noteJoints(made.record, conics.g1_joints.size());
-    made.record.reached = distance_mm <= task.tolerance_mm;
-    if (made.record.reached) break;
-  }
-  if (!made.record.reached)
-    made.record.notes.push_back("the conics are not certainly within the tolerance");
-  made.record.after = figuresFrom(figuresOf(made.chain, partOf(task.progress, 1, 1)));
-  return made;
-}
-
 /// Conics through points of the curve of a model.
 MadeCurve fittedConics(const GivenCurve& given, const CurveTask& task) {
   const ConicFit fit = fitConics(bezierSpline(given.chain, gapOf(given, given.chain)),
@@ -292,16 +248,8 @@ MadeCurve fittedConics(const GivenCurve& given, const CurveTask& task) {
   return made;
 }
 
-MadeCurve conicsOfModel(const GivenCurve& given, const CurveTask& task) {
-  try {
-    return fittedConics(given, task);
-  } catch (const std::domain_error&) {  // arcs can follow where the curve has a cusp
-    return conicsNearCurve(given, task);
-  }
-}
-
 MadeCurve madeConics(const GivenCurve& given, const CurveTask& task) {
-  return given.points.rows() > 0 ? conicsThrough(given, task.progress) : conicsOfModel(given, task);
+  return given.points.rows() > 0 ? conicsThrough(given, task.progress) : fittedConics(given, task);
 }
 
 CurveFigures withVariation(const ClothoidFigures& figures) {
