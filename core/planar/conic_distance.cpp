@@ -174,9 +174,9 @@ std::optional<double> distanceFromConics(const std::vector<CurvePiece>& part,
   const double size =
       start.cwiseAbs().maxCoeff() + conics.back().end.cwiseAbs().maxCoeff() + chord.norm();
   const double rounding_mm = 16 * machine_epsilon * size;
+  if (!isGraph(conics, frame)) return std::nullopt;
   const double extent_mm = extentOf(pieces, conics, frame) + rounding_mm;
   if (small_part * extent_mm <= tolerance_mm) return extent_mm;
-  if (!isGraph(conics, frame)) return std::nullopt;
   std::vector<ImplicitConic> implicit;
   const bool is_line = conics.size() == 1 && isLine(conics.front());
   for (const PlanarConic& conic : conics)

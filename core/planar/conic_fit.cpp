@@ -41,15 +41,20 @@ double noiseOf_mm(const Poles& poles) {
   return 16 * machine_epsilon * poles.leftCols<2>().cwiseAbs().maxCoeff();
 }
 
-bool isStraight(const BezierCurve& segment) {
+/// Whether a segment is a line up to rounding, or to a bulge that is far below the tolerance and
+/// turns by less than anybody sees: conics would turn it into waves of rounding.
+bool isStraight(const BezierCurve& segment, double tolerance_mm) {
+  constexpr double unseen_rad = 1e-9;
   const Poles poles = segment.poles();
   const Vector2d start = poles.row(0).head<2>(),
                  chord = poles.row(poles.rows() - 1).head<2>().transpose() - start;
-  const double noise_mm = noiseOf_mm(poles);
-  if (!(chord.norm() > noise_mm)) return false;
+  const double noise_mm = noiseOf_mm(poles), length_mm = chord.norm();
+  if (!(length_mm > noise_mm)) return false;
+  const double bulge_mm =
+      std::max(noise_mm, std::min(tolerance_mm / small_part, unseen_rad * length_mm));
   for (Eigen::Index i = 1; i + 1 < poles.rows(); ++i) {
     const Vector2d from = poles.row(i).head<2>().transpose() - start;
-    if (std::abs(cross(chord.normalized(), from)) > noise_mm) return false;
+    if (std::abs(cross(chord / length_mm, from)) > bulge_mm) return false;
   }
   return true;
 }
@@ -90,7 +95,7 @@ void findCorners(ConicFitCurve& of, const ConicFitOptions& options) {
     turns_rad.push_back(turn_rad);
     const bool smooth =
         turn_rad <= options.corner_rad ||
-        isSampled(turn_rad, std::min(chordOf_mm(before), chordOf_mm(after)), options);
+        isSampled(turn_rad, std::max(chordOf_mm(before), chordOf_mm(after)), options);
     of.corners.push_back(of.cusps[i] || !smooth);
   }
   // The sides of a polygon that samples a curve are no lines to be kept: it turns at their ends.
@@ -100,7 +105,8 @@ void findCorners(ConicFitCurve& of, const ConicFitOptions& options) {
   };
   of.lines.clear();
   for (int i = 0; i < n; ++i)
-    of.lines.push_back(isStraight(of.curve.segments[i]) && keeps(i) && keeps(i + 1));
+    of.lines.push_back(isStraight(of.curve.segments[i], options.tolerance_mm) && keeps(i) &&
+                       keeps(i + 1));
 }
 
 /// Lets a closed curve begin with another segment.

@@ -186,19 +186,17 @@ void addFigures(CurveFigures& sum, const CurveFigures& part) {
   sum.inflections += part.inflections;
 }
 
-/// Of conics through points.
-CurveFigures figuresThrough(const PlanarChain& conics) {
+/// Of conics through points; nothing if a conic has a kink.
+std::optional<CurveFigures> figuresThrough(const PlanarChain& conics) {
   try {
     return figuresFrom(figuresOf(conics));
   } catch (const std::domain_error&) {  // of a conic with a kink
-    throw std::domain_error(
-        "the points wave so much that a conic through them has a kink: make them fair first "
-        "(curve fair)");
+    return std::nullopt;
   }
 }
 
-/// Conics from corner to corner of the points.
-MadeCurve conicsThrough(const GivenCurve& given, const Progress& progress) {
+/// Conics from corner to corner of the points; nothing if one has a kink.
+std::optional<MadeCurve> conicsThrough(const GivenCurve& given, const Progress& progress) {
   const bool closed = given.record.closed;
   const std::vector<Eigen::Index> corners =
       given.points.rows() < 3
@@ -225,31 +223,14 @@ MadeCurve conicsThrough(const GivenCurve& given, const Progress& progress) {
   made.record.pieces = static_cast<int>(made.chain.curves.size());
   made.record.corners = static_cast<int>(corners.size() + between_lines);
   made.record.distance_mm = 0;
-  made.record.after = figuresThrough(made.chain);
+  const std::optional<CurveFigures> after = figuresThrough(made.chain);
+  if (!after) return std::nullopt;
+  made.record.after = *after;
   noteJoints(made.record, g1_joints);
   if (between_lines > 0)
     made.record.notes.push_back(fmt::format("{} corner{}: there are points on a line on both sides",
                                             between_lines, between_lines == 1 ? "" : "s"));
   return made;
-}
-
-/// Conics through points of the curve of a model.
-MadeCurve fittedConics(const GivenCurve& given, const CurveTask& task) {
-  const ConicFit fit = fitConics(bezierSpline(given.chain, gapOf(given, given.chain)),
-                                 {.tolerance_mm = task.tolerance_mm}, task.progress);
-  MadeCurve made{.record = given.record};
-  made.chain = {.curves = {fit.conics.begin(), fit.conics.end()}, .closed = fit.closed};
-  made.record.pieces = static_cast<int>(fit.conics.size());
-  made.record.corners = static_cast<int>(fit.corners.size());
-  made.record.distance_mm = fit.distance_mm;
-  noteJoints(made.record, fit.g1_joints.size());
-  made.record.before = figuresFrom(figuresOf(given.chain, partOf(task.progress, 1, 1)));
-  made.record.after = figuresFrom(figuresOf(made.chain, partOf(task.progress, 1, 1)));
-  return made;
-}
-
-MadeCurve madeConics(const GivenCurve& given, const CurveTask& task) {
-  return given.points.rows() > 0 ? conicsThrough(given, task.progress) : fittedConics(given, task);
 }
 
 CurveFigures withVariation(const ClothoidFigures& figures) {
@@ -317,6 +298,81 @@ MadeCurve madeFairPoints(const GivenCurve& given, const CurveTask& task) {
   }
   noteTurns(made.record, faired);
   return made;
+}
+
+/// Conics through points of a curve.
+void takeConics(MadeCurve& made, const PlanarChain& chain, double gap_mm, const CurveTask& task) {
+  const ConicFit fit = fitConics(bezierSpline(chain, gap_mm), {.tolerance_mm = task.tolerance_mm},
+                                 task.progress);
+  made.chain = {.curves = {fit.conics.begin(), fit.conics.end()}, .closed = fit.closed};
+  made.record.pieces = static_cast<int>(fit.conics.size());
+  made.record.corners = static_cast<int>(fit.corners.size());
+  made.record.distance_mm = fit.distance_mm;
+  noteJoints(made.record, fit.g1_joints.size());
+  made.record.after = figuresFrom(figuresOf(made.chain, partOf(task.progress, 1, 1)));
+}
+
+MadeCurve conicsNearCurve(const GivenCurve& given, const CurveTask& task) {
+  MadeCurve made{.record = given.record};
+  takeConics(made, given.chain, gapOf(given, given.chain), task);
+  made.record.before = figuresFrom(figuresOf(given.chain, partOf(task.progress, 1, 1)));
+  return made;
+}
+
+/// Conics near the clothoids through points made fair; nothing if there are no such clothoids.
+std::optional<MadeCurve> conicsNearPoints(const GivenCurve& given, const CurveTask& task) {
+  // Choices: halves of the tolerance for the moves of points and for the conics.
+  constexpr double moves = 0.5, fairing_share = 0.5;
+  CurveTask fairing = task;
+  fairing.tolerance_mm *= moves;
+  fairing.progress = partOf(task.progress, 0, fairing_share);
+  MadeCurve made{.record = given.record};
+  try {
+    made = madeFairPoints(given, fairing);
+  } catch (const std::domain_error&) {  // the points are too few for their turns
+    return std::nullopt;
+  }
+  const double off_mm = *made.record.moved_mm + made.chain_distance_mm;
+  CurveTask fitting = task;
+  fitting.tolerance_mm -= off_mm;
+  fitting.progress = partOf(task.progress, fairing_share, 1);
+  made.record.notes.clear();
+  made.points.resize(0, 2);
+  made.clothoids.clear();
+  made.record.moved_mm.reset();
+  const PlanarChain chain = std::move(made.chain);
+  made.chain_distance_mm = 0;
+  takeConics(made, chain, gapOf(given, chain), fitting);
+  *made.record.distance_mm += off_mm;
+  made.record.before = biarcsThrough(given).figures;
+  return made;
+}
+
+int turnsOf(const CurveFigures& figures) { return figures.extrema + figures.inflections; }
+
+/// Conics through the points, or near them if these have fewer extrema and inflections.
+MadeCurve conicsOfPoints(const GivenCurve& given, const CurveTask& task) {
+  constexpr double through_share = 0.1;
+  std::optional<MadeCurve> through =
+      conicsThrough(given, partOf(task.progress, 0, through_share));
+  std::optional<MadeCurve> near;
+  if (task.tolerance_mm > 0 && given.points.rows() >= 3) {
+    CurveTask rest = task;
+    rest.progress = partOf(task.progress, through_share, 1);
+    near = conicsNearPoints(given, rest);
+  }
+  if (near && (!through || turnsOf(near->record.after) < turnsOf(through->record.after)))
+    return *std::move(near);
+  if (!through)
+    throw std::domain_error(fmt::format(
+        "the points wave so much that a conic through them has a kink: give more than {:.3g} mm "
+        "as --tolerance",
+        task.tolerance_mm));
+  return *std::move(through);
+}
+
+MadeCurve madeConics(const GivenCurve& given, const CurveTask& task) {
+  return given.points.rows() > 0 ? conicsOfPoints(given, task) : conicsNearCurve(given, task);
 }
 
 bool isPolynomial(const BSplineCurve& curve) {
