@@ -20,6 +20,9 @@ namespace {
 
 using Eigen::Vector2d;
 
+/// Where a segment needs shorter pieces, the curve turns back or has a cusp.
+constexpr double shortest_span = 0x1p-12;
+
 /// A point of the curve through which the conics pass.
 struct ConicPoint {
   double u = 0;
@@ -44,14 +47,14 @@ double noiseOf_mm(const Poles& poles) {
 /// Whether a segment is a line up to rounding, or to a bulge that is far below the tolerance and
 /// turns by less than anybody sees: conics would turn it into waves of rounding.
 bool isStraight(const BezierCurve& segment, double tolerance_mm) {
-  constexpr double unseen_rad = 1e-9;
+  constexpr double least_bulge = 1e-9;
   const Poles poles = segment.poles();
   const Vector2d start = poles.row(0).head<2>(),
                  chord = poles.row(poles.rows() - 1).head<2>().transpose() - start;
   const double noise_mm = noiseOf_mm(poles), length_mm = chord.norm();
   if (!(length_mm > noise_mm)) return false;
   const double bulge_mm =
-      std::max(noise_mm, std::min(tolerance_mm / small_part, unseen_rad * length_mm));
+      std::max(noise_mm, std::min(tolerance_mm / small_part, least_bulge * length_mm));
   for (Eigen::Index i = 1; i + 1 < poles.rows(); ++i) {
     const Vector2d from = poles.row(i).head<2>().transpose() - start;
     if (std::abs(cross(chord / length_mm, from)) > bulge_mm) return false;
@@ -69,9 +72,13 @@ Vector2d startDirection(const BezierCurve& segment) {
   return Vector2d::Zero();
 }
 
-Vector2d endDirection(const BezierCurve& segment) { return -startDirection(segment.reversed()); }
+Vector2d endDirection(const BezierCurve& segment) {
+  return -startDirection(segment.reversed());
+}
 
-double chordOf_mm(const BezierCurve& segment) { return (segment.point(1) - segment.point(0)).norm(); }
+double chordOf_mm(const BezierCurve& segment) {
+  return (segment.point(1) - segment.point(0)).norm();
+}
 
 /// Whether a kink is one of a smooth curve that was sampled, as far as the tolerance tells: an arc
 /// through the ends of a side that turns by the angle is beside the side by an eighth of their
@@ -180,6 +187,23 @@ struct ConicSpan {
   std::vector<bool> g1;  ///< whether they begin at a joint that is not G2
 };
 
+/// Whether a conic turns by so little that its curvature is rounding, and may be anything.
+bool turnsUnseen(const PlanarConic& conic) {
+  constexpr double unseen_rad = 1e-7;
+  return std::abs(conic.turn_rad()) <= unseen_rad;
+}
+
+/// Whether a conic has nearly all of its turn in one place. Conics between close points of a smooth
+/// curve turn evenly.
+bool hasKink(const PlanarConic& conic) {
+  // A choice: a pair beside an inflection is far from it, a visible kink far above.
+  constexpr double most_ratio = 100;
+  double largest = 0;
+  for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0})
+    largest = std::max(largest, std::abs(conic.curvatureAt_per_mm(t)));
+  return largest * (conic.end - conic.start).norm() > most_ratio * std::abs(conic.turn_rad());
+}
+
 std::optional<std::vector<ConicSpan>> spansThrough(const std::vector<ConicPoint>& points,
                                                    bool closed, const Progress& progress) {
   const auto count = static_cast<Eigen::Index>(points.size()) - (closed ? 1 : 0);
@@ -198,10 +222,16 @@ std::optional<std::vector<ConicSpan>> spansThrough(const std::vector<ConicPoint>
     return std::ranges::find(joints, i) != joints.end();
   };
   std::vector<ConicSpan> spans(1);
+  bool after_unseen = false;
   for (int i = 0; i < static_cast<int>(spline.conics.size()); ++i) {
-    const PlanarConic& conic = spline.conics[static_cast<std::size_t>(i)];
+    PlanarConic conic = spline.conics[static_cast<std::size_t>(i)];
+    const bool unseen = turnsUnseen(conic) && conic.weight != 1;
+    if (unseen)
+      conic = {.start = conic.start, .corner = (conic.start + conic.end) / 2, .end = conic.end};
+    spans.back().g1.push_back(has(spline.g1_joints, i) || has(spline.corners, i) || unseen ||
+                              after_unseen);
+    after_unseen = unseen;
     spans.back().conics.push_back(conic);
-    spans.back().g1.push_back(has(spline.g1_joints, i) || has(spline.corners, i));
     if (conic.end == points[spans.size()].point && spans.size() + 1 < points.size())
       spans.emplace_back();
   }
@@ -244,14 +274,13 @@ double extentOf_mm(const PlanarCurve& curve, const ConicRun& run) {
   Eigen::AlignedBox2d box;
   for (int i = run.begin; i < run.end; ++i) {
     const Poles poles = curve.segments[i].poles();
-    for (Eigen::Index k = 0; k < poles.rows(); ++k)
-      box.extend(Vector2d(poles.row(k).head<2>()));
+    for (Eigen::Index k = 0; k < poles.rows(); ++k) box.extend(Vector2d(poles.row(k).head<2>()));
   }
   return box.diagonal().norm();
 }
 
-/// A run that is far smaller than the tolerance, where its own shape is rounding: a line from end to
-/// end. One that comes back goes to its middle first.
+/// A run that is far smaller than the tolerance, where its own shape is rounding: a line from end
+/// to end. One that comes back goes to its middle first.
 bool appendSmall(const PlanarCurve& curve, const ConicRun& run, double tolerance_mm,
                  ConicFit& result) {
   const double extent_mm = extentOf_mm(curve, run);
@@ -264,9 +293,8 @@ bool appendSmall(const PlanarCurve& curve, const ConicRun& run, double tolerance
   for (std::size_t i = 1; i < points.size(); ++i) {
     if (points[i - 1] == points[i]) continue;
     if (i > 1) result.corners.push_back(static_cast<int>(result.conics.size()));
-    result.conics.push_back({.start = points[i - 1],
-                             .corner = (points[i - 1] + points[i]) / 2,
-                             .end = points[i]});
+    result.conics.push_back(
+        {.start = points[i - 1], .corner = (points[i - 1] + points[i]) / 2, .end = points[i]});
   }
   result.distance_mm = std::max(result.distance_mm, extent_mm);
   return true;
@@ -293,7 +321,8 @@ std::optional<double> stopWithin(const PlanarCurve& curve, double from, double t
   constexpr double slow = 0x1p-8, end_part = 0x1p-13;
   double length_mm = 0;
   const Poles poles = segment.poles();
-  for (Eigen::Index k = 1; k < poles.rows(); ++k) length_mm += (poles.row(k) - poles.row(k - 1)).norm();
+  for (Eigen::Index k = 1; k < poles.rows(); ++k)
+    length_mm += (poles.row(k) - poles.row(k - 1)).norm();
   if (t < end_part || t > 1 - end_part || !(speed(t) <= slow * length_mm)) return std::nullopt;
   return i + t;
 }
@@ -316,34 +345,160 @@ std::vector<bool> sharpSpans(const std::vector<ConicPoint>& points) {
   return sharp;
 }
 
-/// Halves what is further than the tolerance until nothing is. Returns where the curve turns back,
-/// if it does; then nothing is appended.
-std::optional<double> fitConicRun(const ConicFitCurve& of, const ConicRun& run,
-                                  double tolerance_mm, const Progress& progress,
-                                  ConicFit& result) {
+/// The distance of a point from a conic to first order; from its chord if it is flat.
+double distanceAbout_mm(const PlanarConic& conic, const Vector2d& point) {
+  const Vector2d chord = conic.end - conic.start, leg = conic.corner - conic.start,
+                 from = point - conic.start;
+  const double area = cross(leg, chord);
+  if (std::abs(area) <= 16 * machine_epsilon * chord.squaredNorm())
+    return std::abs(cross(chord.normalized(), from));
+  // docs/theory/planar.md P9.3: f = b1^2 - 4 w^2 b0 b2.
+  const double b1 = cross(from, chord) / area, b2 = cross(leg, from) / area, b0 = 1 - b1 - b2;
+  const Vector2d slope1 = Vector2d(chord.y(), -chord.x()) / area,
+                 slope2 = Vector2d(-leg.y(), leg.x()) / area;
+  const double factor = 4 * conic.weight * conic.weight;
+  const Vector2d slope = 2 * b1 * slope1 - factor * (b0 * slope2 - b2 * (slope1 + slope2));
+  return std::abs(b1 * b1 - factor * b0 * b2) / slope.norm();
+}
+
+/// The largest distance of samples of the curve from the conics between two points.
+double sampledDistance_mm(const PlanarCurve& curve, const ConicPoint& from, const ConicPoint& to,
+                          const std::vector<PlanarConic>& conics) {
+  constexpr int samples = 8;
+  const Vector2d along = to.point - from.point;
+  double largest_mm = 0;
+  for (int i = 0; i < samples; ++i) {
+    const Vector2d point = curve.point(std::lerp(from.u, to.u, (i + 0.5) / samples));
+    const auto beside = std::ranges::find_if(
+        conics, [&](const PlanarConic& conic) { return along.dot(point - conic.end) <= 0; });
+    largest_mm = std::max(
+        largest_mm, distanceAbout_mm(beside == conics.end() ? conics.back() : *beside, point));
+  }
+  return std::isfinite(largest_mm) ? largest_mm : infinite;
+}
+
+/// A part of a span with the length that conics are to have there.
+struct GradedCell {
+  double u = 0, width = 0;  ///< of the parameter
+  double length_mm = 0, wished_mm = 0;
+};
+
+/// Lengths that change gradually: jumps of the length make waves of the curvature.
+void grade(std::vector<GradedCell>& cells) {
+  // A choice: neighbours differ by about a quarter.
+  constexpr double growth = 0.25;
+  for (std::size_t i = 1; i < cells.size(); ++i)
+    cells[i].wished_mm =
+        std::min(cells[i].wished_mm, cells[i - 1].wished_mm + growth * cells[i].length_mm);
+  for (std::size_t i = cells.size() - 1; i > 0; --i)
+    cells[i - 1].wished_mm =
+        std::min(cells[i - 1].wished_mm, cells[i].wished_mm + growth * cells[i - 1].length_mm);
+}
+
+/// Points between two that stay, such that each span has its share.
+void appendGraded(const PlanarCurve& curve, std::vector<GradedCell> cells,
+                  std::vector<ConicPoint>& points) {
+  grade(cells);
+  double spans = 0;
+  for (const GradedCell& cell : cells) spans += cell.length_mm / cell.wished_mm;
+  const int count = std::max(1, static_cast<int>(std::ceil(spans)));
+  double passed = 0;
+  int next = 1;
+  for (const GradedCell& cell : cells) {
+    const double share = cell.length_mm / cell.wished_mm / spans * count;
+    for (; next < count && next <= passed + share; ++next) {
+      const double u = cell.u + cell.width * (next - passed) / share;
+      points.push_back({.u = u, .point = curve.point(u)});
+    }
+    passed += share;
+  }
+}
+
+/// The points that an error of the fourth order asks for.
+std::vector<ConicPoint> regraded(const PlanarCurve& curve, const std::vector<ConicPoint>& points,
+                                 const std::vector<double>& distances_mm, double tolerance_mm) {
+  // Choices: the rest of the tolerance is for what the order does not tell; far from it, it tells
+  // little.
+  constexpr double aim = 0.6, most_change = 4;
+  constexpr int cells_per_span = 16;
+  std::vector<ConicPoint> result = {points.front()};
+  std::vector<GradedCell> cells;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const ConicPoint &from = points[i], &to = points[i + 1];
+    if (!from.line_after) {
+      const double length_mm = (to.point - from.point).norm();
+      const double parts = std::clamp(std::sqrt(std::sqrt(distances_mm[i] / (aim * tolerance_mm))),
+                                      1 / most_change, most_change);
+      for (int k = 0; k < cells_per_span; ++k)
+        cells.push_back({.u = std::lerp(from.u, to.u, static_cast<double>(k) / cells_per_span),
+                         .width = (to.u - from.u) / cells_per_span,
+                         .length_mm = length_mm / cells_per_span,
+                         .wished_mm = length_mm / parts});
+    }
+    if (i + 2 < points.size() && !from.line_after && !to.line_after) continue;
+    if (!cells.empty()) appendGraded(curve, std::move(cells), result);
+    cells.clear();
+    result.push_back(to);
+  }
+  return result;
+}
+
+/// What a round of the fit finds.
+struct ConicRound {
+  std::vector<double> distances_mm;  ///< for each span; infinite where it is to be halved
+  bool sampled = false;              ///< of samples: one is above the tolerance
+};
+
+ConicRound measured(const ConicFitCurve& of, const std::vector<ConicPoint>& points,
+                    const std::vector<ConicSpan>& spans, double tolerance_mm,
+                    const Progress& progress) {
+  ConicRound round;
+  for (std::size_t i = 0; i < spans.size(); ++i)
+    round.distances_mm.push_back(
+        sampledDistance_mm(of.curve, points[i], points[i + 1], spans[i].conics));
+  round.sampled = std::ranges::any_of(
+      round.distances_mm, [&](double distance_mm) { return distance_mm > tolerance_mm; });
+  if (round.sampled) return round;
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    checkProgress(progress, 0);
+    const bool divisible = points[i + 1].u - points[i].u >= shortest_span;
+    if (divisible && std::ranges::any_of(spans[i].conics, &hasKink)) {
+      round.distances_mm[i] = infinite;
+      continue;
+    }
+    round.distances_mm[i] =
+        distanceFromConics(piecesBetween(of.curve, points[i].u, points[i + 1].u), spans[i].conics,
+                           tolerance_mm)
+            .value_or(infinite);
+  }
+  return round;
+}
+
+/// Takes more points where conics are too far away, until none is. Returns where the curve turns
+/// back, if it does; then nothing is appended.
+std::optional<double> fitConicRun(const ConicFitCurve& of, const ConicRun& run, double tolerance_mm,
+                                  const Progress& progress, ConicFit& result) {
   std::vector<ConicPoint> points = firstPoints(of, run);
-  // Where a segment needs shorter pieces, the curve turns back or has a cusp.
-  constexpr double shortest = 0x1p-12;
+  // A choice: where the order does not tell after these, as where the curvature jumps, halving
+  // does.
+  constexpr int most_regradings = 10;
   for (int round = 0;; ++round) {
     const Progress of_round = partOf(progress, shareAfter(round), shareAfter(round));
     const auto spans = spansThrough(points, run.closed, of_round);
     if (!spans && appendSmall(of.curve, run, tolerance_mm, result)) return std::nullopt;
+    const ConicRound found =
+        spans ? measured(of, points, *spans, tolerance_mm, of_round) : ConicRound{};
+    if (found.sampled && round < most_regradings) {
+      points = regraded(of.curve, points, found.distances_mm, tolerance_mm);
+      continue;
+    }
     const std::vector<bool> sharp = spans ? std::vector<bool>{} : sharpSpans(points);
-    double largest_mm = 0;
     std::vector<ConicPoint> finer;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-      checkProgress(of_round, 0);
       const ConicPoint &from = points[i], &to = points[i + 1];
       finer.push_back(from);
-      if (spans) {
-        const auto distance_mm = distanceFromConics(piecesBetween(of.curve, from.u, to.u),
-                                                    (*spans)[i].conics, tolerance_mm);
-        largest_mm = std::max(largest_mm, distance_mm.value_or(0));
-        if (distance_mm) continue;
-      } else if (from.line_after || !sharp[i]) {
-        continue;
-      }
-      if (to.u - from.u < shortest) {
+      if (spans ? found.distances_mm[i] <= tolerance_mm : from.line_after || !sharp[i]) continue;
+      if (to.u - from.u < shortest_span) {
         if (const auto stop = stopWithin(of.curve, from.u, to.u)) return stop;
         throw std::domain_error(fmt::format(
             "no conics keep the tolerance {} mm at the parameter {} (segments count by 1): the "
@@ -361,7 +516,7 @@ std::optional<double> fitConicRun(const ConicFitCurve& of, const ConicRun& run,
                         "{} to {} (segments count by 1)",
                         run.begin, run.end));
       appendSpans(points, *spans, result);
-      result.distance_mm = std::max(result.distance_mm, largest_mm);
+      result.distance_mm = std::max(result.distance_mm, std::ranges::max(found.distances_mm));
       return std::nullopt;
     }
     points = std::move(finer);
@@ -428,8 +583,8 @@ ConicFit fitConics(const BezierSpline& spline, const ConicFitOptions& options,
     turnBackAt(of, *stop);
   }
   if (result.conics.empty())
-    throw std::domain_error(fmt::format("the curve is a point ({}, {})",
-                                        of.curve.point(0).x(), of.curve.point(0).y()));
+    throw std::domain_error(
+        fmt::format("the curve is a point ({}, {})", of.curve.point(0).x(), of.curve.point(0).y()));
   return result;
 }
 

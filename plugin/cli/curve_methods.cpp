@@ -302,8 +302,8 @@ MadeCurve madeFairPoints(const GivenCurve& given, const CurveTask& task) {
 
 /// Conics through points of a curve.
 void takeConics(MadeCurve& made, const PlanarChain& chain, double gap_mm, const CurveTask& task) {
-  const ConicFit fit = fitConics(bezierSpline(chain, gap_mm), {.tolerance_mm = task.tolerance_mm},
-                                 task.progress);
+  const ConicFit fit =
+      fitConics(bezierSpline(chain, gap_mm), {.tolerance_mm = task.tolerance_mm}, task.progress);
   made.chain = {.curves = {fit.conics.begin(), fit.conics.end()}, .closed = fit.closed};
   made.record.pieces = static_cast<int>(fit.conics.size());
   made.record.corners = static_cast<int>(fit.corners.size());
@@ -348,13 +348,14 @@ std::optional<MadeCurve> conicsNearPoints(const GivenCurve& given, const CurveTa
   return made;
 }
 
-int turnsOf(const CurveFigures& figures) { return figures.extrema + figures.inflections; }
+int turnsOf(const CurveFigures& figures) {
+  return figures.extrema + figures.inflections;
+}
 
 /// Conics through the points, or near them if these have fewer extrema and inflections.
 MadeCurve conicsOfPoints(const GivenCurve& given, const CurveTask& task) {
   constexpr double through_share = 0.1;
-  std::optional<MadeCurve> through =
-      conicsThrough(given, partOf(task.progress, 0, through_share));
+  std::optional<MadeCurve> through = conicsThrough(given, partOf(task.progress, 0, through_share));
   std::optional<MadeCurve> near;
   if (task.tolerance_mm > 0 && given.points.rows() >= 3) {
     CurveTask rest = task;
