@@ -205,7 +205,8 @@ bool hasKink(const PlanarConic& conic) {
 }
 
 std::optional<std::vector<ConicSpan>> spansThrough(const std::vector<ConicPoint>& points,
-                                                   bool closed, const Progress& progress) {
+                                                   bool closed, PairEffort effort,
+                                                   const Progress& progress) {
   const auto count = static_cast<Eigen::Index>(points.size()) - (closed ? 1 : 0);
   PlanarPoints rows(count, 2);
   for (Eigen::Index i = 0; i < count; ++i)
@@ -214,7 +215,7 @@ std::optional<std::vector<ConicSpan>> spansThrough(const std::vector<ConicPoint>
     if (rows.row(i) == rows.row(i - 1)) return std::nullopt;
   ConicSpline spline;
   try {
-    spline = conicSpline(rows, closed, progress);
+    spline = conicSpline(rows, closed, progress, effort);
   } catch (const std::domain_error&) {  // points are too far apart for the turn between them
     return std::nullopt;
   }
@@ -450,7 +451,7 @@ struct ConicRound {
 };
 
 ConicRound measured(const ConicFitCurve& of, const std::vector<ConicPoint>& points,
-                    const std::vector<ConicSpan>& spans, double tolerance_mm,
+                    const std::vector<ConicSpan>& spans, double tolerance_mm, PairEffort effort,
                     const Progress& progress) {
   ConicRound round;
   for (std::size_t i = 0; i < spans.size(); ++i)
@@ -458,7 +459,7 @@ ConicRound measured(const ConicFitCurve& of, const std::vector<ConicPoint>& poin
         sampledDistance_mm(of.curve, points[i], points[i + 1], spans[i].conics));
   round.sampled = std::ranges::any_of(
       round.distances_mm, [&](double distance_mm) { return distance_mm > tolerance_mm; });
-  if (round.sampled) return round;
+  if (round.sampled || effort == PairEffort::Draft) return round;
   for (std::size_t i = 0; i < spans.size(); ++i) {
     checkProgress(progress, 0);
     const bool divisible = points[i + 1].u - points[i].u >= shortest_span;
@@ -482,14 +483,20 @@ std::optional<double> fitConicRun(const ConicFitCurve& of, const ConicRun& run, 
   // A choice: where the order does not tell after these, as where the curvature jumps, halving
   // does.
   constexpr int most_regradings = 10;
+  // The lengths are found with drafts.
+  PairEffort effort = PairEffort::Draft;
   for (int round = 0;; ++round) {
     const Progress of_round = partOf(progress, shareAfter(round), shareAfter(round));
-    const auto spans = spansThrough(points, run.closed, of_round);
+    const auto spans = spansThrough(points, run.closed, effort, of_round);
     if (!spans && appendSmall(of.curve, run, tolerance_mm, result)) return std::nullopt;
     const ConicRound found =
-        spans ? measured(of, points, *spans, tolerance_mm, of_round) : ConicRound{};
+        spans ? measured(of, points, *spans, tolerance_mm, effort, of_round) : ConicRound{};
     if (found.sampled && round < most_regradings) {
       points = regraded(of.curve, points, found.distances_mm, tolerance_mm);
+      continue;
+    }
+    if (spans && effort == PairEffort::Draft) {
+      effort = PairEffort::Full;
       continue;
     }
     const std::vector<bool> sharp = spans ? std::vector<bool>{} : sharpSpans(points);
