@@ -156,7 +156,7 @@ void addCurveOptions(CLI::App& command, CurveArguments& arguments) {
   command
       .add_option("--tolerance", arguments.tolerance_mm,
                   "Largest distance from the curve, mm; fair: largest move of a point. 0: arcs "
-                  "through all points; clothoids and conics always pass through them")
+                  "and conics through all points; clothoids always pass through them")
       ->type_name("MM")
       ->check(numberIn(Range::NotNegative))
       ->capture_default_str();

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <seamwright/core/bezier/stopped_ends.hpp>
 #include <seamwright/core/fair/fair_curve.hpp>
-#include <seamwright/core/planar/arc_conics.hpp>
 #include <seamwright/core/planar/arc_fit.hpp>
 #include <seamwright/core/planar/clothoid_fit.hpp>
 #include <seamwright/core/planar/clothoid_spline.hpp>
@@ -177,19 +176,6 @@ void noteJoints(report::CurveRecord& record, std::size_t g1_joints) {
         g1_joints, g1_joints == 1 ? " is" : "s are"));
 }
 
-/// Conics near arcs, with a bound of their distance even if it is above the tolerance.
-ArcConics conicsNear(const ArcFit& fit, double tolerance_mm, const Progress& progress) {
-  ArcConics conics;
-  constexpr double factor = 16;
-  double limit_mm = tolerance_mm;
-  for (int attempt = 0; attempt < 5; ++attempt, limit_mm *= factor) {
-    conics = g2ConicsNear({.arcs = fit.arcs, .corners = fit.corners, .closed = fit.closed},
-                          limit_mm, progress);
-    if (std::isfinite(conics.distance_mm)) break;
-  }
-  return conics;
-}
-
 void addFigures(CurveFigures& sum, const CurveFigures& part) {
   sum.length_mm += part.length_mm;
   sum.energy_per_mm = sum.energy_per_mm.value_or(0) + part.energy_per_mm.value_or(0);
@@ -197,19 +183,17 @@ void addFigures(CurveFigures& sum, const CurveFigures& part) {
   sum.inflections += part.inflections;
 }
 
-/// Of conics through points.
-CurveFigures figuresThrough(const PlanarChain& conics) {
+/// Of conics through points; nothing if a conic has a kink.
+std::optional<CurveFigures> figuresThrough(const PlanarChain& conics) {
   try {
     return figuresFrom(figuresOf(conics));
   } catch (const std::domain_error&) {  // of a conic with a kink
-    throw std::domain_error(
-        "the points wave so much that a conic through them has a kink: make them fair first "
-        "(curve fair)");
+    return std::nullopt;
   }
 }
 
-/// Conics from corner to corner of the points.
-MadeCurve conicsThrough(const GivenCurve& given, const Progress& progress) {
+/// Conics from corner to corner of the points; nothing if one has a kink.
+std::optional<MadeCurve> conicsThrough(const GivenCurve& given, const Progress& progress) {
   const bool closed = given.record.closed;
   const std::vector<Eigen::Index> corners =
       given.points.rows() < 3
@@ -236,69 +220,14 @@ MadeCurve conicsThrough(const GivenCurve& given, const Progress& progress) {
   made.record.pieces = static_cast<int>(made.chain.curves.size());
   made.record.corners = static_cast<int>(corners.size() + between_lines);
   made.record.distance_mm = 0;
-  made.record.after = figuresThrough(made.chain);
+  const std::optional<CurveFigures> after = figuresThrough(made.chain);
+  if (!after) return std::nullopt;
+  made.record.after = *after;
   noteJoints(made.record, g1_joints);
   if (between_lines > 0)
     made.record.notes.push_back(fmt::format("{} corner{}: there are points on a line on both sides",
                                             between_lines, between_lines == 1 ? "" : "s"));
   return made;
-}
-
-/// The conics of arcs that leave room for the distance that G2 costs.
-MadeCurve conicsNearCurve(const GivenCurve& given, const CurveTask& task) {
-  const SmoothCurve curve = curveOf(given, task.tolerance_mm, partOf(task.progress, 0, 0));
-  MadeCurve made{.record = given.record};
-  made.record.before = curve.figures;
-  // Closer arcs bring closer conics; the last attempt is kept with the distance it has.
-  int attempts = 0;
-  for (double share = 0.5; share >= 0x1p-9; share /= 4) {
-    const Progress progress = partOf(task.progress, shareAfter(attempts), shareAfter(attempts));
-    ++attempts;
-    const ArcFit fit =
-        arcsNear(given, curve, share * task.tolerance_mm + curve.distance_mm, progress);
-    const ArcConics conics = conicsNear(fit, task.tolerance_mm, progress);
-    const double distance_mm = conics.distance_mm + fit.distance_mm;
-    made.chain = {.curves = {conics.conics.begin(), conics.conics.end()}, .closed = fit.closed};
-    made.record.pieces = static_cast<int>(conics.conics.size());
-    made.record.corners = static_cast<int>(conics.corners.size());
-    made.record.distance_mm =
-        std::isfinite(distance_mm) ? std::optional(distance_mm) : std::nullopt;
-    made.record.notes.clear();
-    noteJoints(made.record, conics.g1_joints.size());
-    made.record.reached = distance_mm <= task.tolerance_mm;
-    if (made.record.reached) break;
-  }
-  if (!made.record.reached)
-    made.record.notes.push_back("the conics are not certainly within the tolerance");
-  made.record.after = figuresFrom(figuresOf(made.chain, partOf(task.progress, 1, 1)));
-  return made;
-}
-
-/// Conics through points of the curve of a model.
-MadeCurve fittedConics(const GivenCurve& given, const CurveTask& task) {
-  const ConicFit fit = fitConics(bezierSpline(given.chain, gapOf(given, given.chain)),
-                                 {.tolerance_mm = task.tolerance_mm}, task.progress);
-  MadeCurve made{.record = given.record};
-  made.chain = {.curves = {fit.conics.begin(), fit.conics.end()}, .closed = fit.closed};
-  made.record.pieces = static_cast<int>(fit.conics.size());
-  made.record.corners = static_cast<int>(fit.corners.size());
-  made.record.distance_mm = fit.distance_mm;
-  noteJoints(made.record, fit.g1_joints.size());
-  made.record.before = figuresFrom(figuresOf(given.chain, partOf(task.progress, 1, 1)));
-  made.record.after = figuresFrom(figuresOf(made.chain, partOf(task.progress, 1, 1)));
-  return made;
-}
-
-MadeCurve conicsOfModel(const GivenCurve& given, const CurveTask& task) {
-  try {
-    return fittedConics(given, task);
-  } catch (const std::domain_error&) {  // arcs can follow where the curve has a cusp
-    return conicsNearCurve(given, task);
-  }
-}
-
-MadeCurve madeConics(const GivenCurve& given, const CurveTask& task) {
-  return given.points.rows() > 0 ? conicsThrough(given, task.progress) : conicsOfModel(given, task);
 }
 
 CurveFigures withVariation(const ClothoidFigures& figures) {
@@ -366,6 +295,82 @@ MadeCurve madeFairPoints(const GivenCurve& given, const CurveTask& task) {
   }
   noteTurns(made.record, faired);
   return made;
+}
+
+/// Conics through points of a curve.
+void takeConics(MadeCurve& made, const PlanarChain& chain, double gap_mm, const CurveTask& task) {
+  const ConicFit fit =
+      fitConics(bezierSpline(chain, gap_mm), {.tolerance_mm = task.tolerance_mm}, task.progress);
+  made.chain = {.curves = {fit.conics.begin(), fit.conics.end()}, .closed = fit.closed};
+  made.record.pieces = static_cast<int>(fit.conics.size());
+  made.record.corners = static_cast<int>(fit.corners.size());
+  made.record.distance_mm = fit.distance_mm;
+  noteJoints(made.record, fit.g1_joints.size());
+  made.record.after = figuresFrom(figuresOf(made.chain, partOf(task.progress, 1, 1)));
+}
+
+MadeCurve conicsNearCurve(const GivenCurve& given, const CurveTask& task) {
+  MadeCurve made{.record = given.record};
+  takeConics(made, given.chain, gapOf(given, given.chain), task);
+  made.record.before = figuresFrom(figuresOf(given.chain, partOf(task.progress, 1, 1)));
+  return made;
+}
+
+/// Conics near the clothoids through points made fair; nothing if there are no such clothoids.
+std::optional<MadeCurve> conicsNearPoints(const GivenCurve& given, const CurveTask& task) {
+  // Choices: halves of the tolerance for the moves of points and for the conics.
+  constexpr double moves = 0.5, fairing_share = 0.5;
+  CurveTask fairing = task;
+  fairing.tolerance_mm *= moves;
+  fairing.progress = partOf(task.progress, 0, fairing_share);
+  MadeCurve made{.record = given.record};
+  try {
+    made = madeFairPoints(given, fairing);
+  } catch (const std::domain_error&) {  // the points are too few for their turns
+    return std::nullopt;
+  }
+  const double off_mm = *made.record.moved_mm + made.chain_distance_mm;
+  CurveTask fitting = task;
+  fitting.tolerance_mm -= off_mm;
+  fitting.progress = partOf(task.progress, fairing_share, 1);
+  made.record.notes.clear();
+  made.points.resize(0, 2);
+  made.clothoids.clear();
+  made.record.moved_mm.reset();
+  const PlanarChain chain = std::move(made.chain);
+  made.chain_distance_mm = 0;
+  takeConics(made, chain, gapOf(given, chain), fitting);
+  *made.record.distance_mm += off_mm;
+  made.record.before = biarcsThrough(given).figures;
+  return made;
+}
+
+int turnsOf(const CurveFigures& figures) {
+  return figures.extrema + figures.inflections;
+}
+
+/// Conics through the points, or near them if these have fewer extrema and inflections.
+MadeCurve conicsOfPoints(const GivenCurve& given, const CurveTask& task) {
+  constexpr double through_share = 0.1;
+  std::optional<MadeCurve> through = conicsThrough(given, partOf(task.progress, 0, through_share));
+  std::optional<MadeCurve> near;
+  if (task.tolerance_mm > 0 && given.points.rows() >= 3) {
+    CurveTask rest = task;
+    rest.progress = partOf(task.progress, through_share, 1);
+    near = conicsNearPoints(given, rest);
+  }
+  if (near && (!through || turnsOf(near->record.after) < turnsOf(through->record.after)))
+    return *std::move(near);
+  if (!through)
+    throw std::domain_error(fmt::format(
+        "the points wave so much that a conic through them has a kink: give more than {:.3g} mm "
+        "as --tolerance",
+        task.tolerance_mm));
+  return *std::move(through);
+}
+
+MadeCurve madeConics(const GivenCurve& given, const CurveTask& task) {
+  return given.points.rows() > 0 ? conicsOfPoints(given, task) : conicsNearCurve(given, task);
 }
 
 bool isPolynomial(const BSplineCurve& curve) {

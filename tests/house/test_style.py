@@ -115,8 +115,8 @@ EXPECTED = {
         "core finds no arcs near the curve: the reason in the report, and the others are drawn"
     ),
     ("plugin/cli/curve_methods.cpp", "std::domain_error"): (
-        "no clothoids through points that are too far apart: biarcs instead; no conics near a "
-        "cusp: those near arcs; no figures of a kink: says what to do"
+        "no clothoids through points that are too far apart: biarcs instead, or conics "
+        "through them; no figures of a kink: conics near the points, or says what to do"
     ),
     ("plugin/cli/main.cpp", "std::exception"): "the end of a program: prints the error",
     ("samples/01_analyze_model.cpp", "std::exception"): "the end of a program: prints the error",

@@ -214,7 +214,7 @@ def test_conics_through_points_in_convex_position_are_convex(tmp_path, count, cl
     points = points if closed else points[: 2 + count // 2]
     options = ["--closed"] if closed else []
     given = points_file(tmp_path, points)
-    _, report, out = curve("conic", given, *options, out="out.csv")
+    _, report, out = curve("conic", given, "--tolerance", 0, *options, out="out.csv")
     rows = rows_of(out)
     assert min(conic_curvatures(rows)) > 0
     joints = [complex(float(row["x0"]), float(row["y0"])) for row in rows]
@@ -235,7 +235,7 @@ def test_few_points_in_convex_position_have_few_extrema(tmp_path):
 
 
 def test_conics_say_where_they_are_not_g2(tmp_path):
-    result, report, _ = curve("conic", points_file(tmp_path, WAVE))
+    result, report, _ = curve("conic", points_file(tmp_path, WAVE), "--tolerance", 0)
     (found,) = report["curves"]
     assert result.stdout.endswith("\nREACHED WITH RESERVATIONS\n") and report["reached"]
     assert any("G1 only" in note for note in found["notes"])
@@ -338,7 +338,8 @@ def test_a_faired_airfoil_turns_to_one_side(tmp_path, thickness, count, toleranc
 
 def test_conics_of_an_airfoil_have_a_corner_at_its_sharp_end(tmp_path):
     outline = naca(0.12, 40, chord=100)
-    _, report, _ = curve("conic", points_file(tmp_path, outline), "--closed", out="out.step")
+    given = points_file(tmp_path, outline)
+    _, report, _ = curve("conic", given, "--closed", "--tolerance", 0, out="out.step")
     (found,) = report["curves"]
     assert found["closed"] and found["corners"] == 1 and found["distance_mm"] == 0
     assert found["after"]["inflections"] == 0
@@ -428,10 +429,30 @@ def test_conics_pass_beside_an_inflection_near_a_point(tmp_path):
         (0.85900629, 0.02129402),
         (0.82089086, 0.02721967),
     ]
-    result, report, _ = curve("conic", points_file(tmp_path, points), out="out.step")
+    given = points_file(tmp_path, points)
+    result, report, _ = curve("conic", given, "--tolerance", 0, out="out.step")
     assert result.returncode == 0, result.stderr
     (found,) = report["curves"]
     assert found["after"]["inflections"] == 1
+
+
+def test_conics_near_points_are_within_the_tolerance_and_fairer(tmp_path):
+    rough = [(x, y + 0.02 * (-1) ** (i % 3)) for i, (x, y) in enumerate(WAVE)]
+    given = points_file(tmp_path, rough)
+    through = curve("conic", given, "--tolerance", 0)[1]["curves"][0]
+    _, report, out = curve("conic", given, "--tolerance", 0.05, out="out.csv")
+    (found,) = report["curves"]
+    assert 0 < found["distance_mm"] <= 0.05
+    assert found["after"]["extrema"] < through["after"]["extrema"]
+    samples = []
+    for row in rows_of(out):
+        x0, y0, cx, cy, x1, y1, w = (float(row[key]) for key in list(row)[1:])
+        for k in range(401):
+            t = k / 400
+            a, b, c = (1 - t) ** 2, 2 * w * t * (1 - t), t * t
+            q = a + b + c
+            samples.append(((a * x0 + b * cx + c * x1) / q, (a * y0 + b * cy + c * y1) / q))
+    assert max(min(math.dist(p, s) for s in samples) for p in rough) <= 0.051
 
 
 def test_edges_are_chosen(box):
