@@ -32,7 +32,8 @@ std::vector<std::string> writeModel(occ::Model model, const std::string& report,
 /// Checks the files before the input is read. \throws std::runtime_error, occ::ModelError.
 void requireCurveOutputs(const std::string& input, const OutputArguments& arguments);
 
-/// The lines of a drawing or table; curves that are not arcs become arcs within \p drawn_mm.
+/// The lines of a drawing or table; curves that are not arcs become arcs within \p drawn_mm, and
+/// flat arcs of a drawing become lines within \p drawn_mm.
 struct CurveText {
   std::string text;
   double distance_mm = 0;  ///< of the arcs from the result
