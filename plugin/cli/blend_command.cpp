@@ -255,24 +255,7 @@ void addOutputs(CLI::App& command, OutputArguments& output) {
   command.add_flag("--overwrite-source", output.overwrite_source, "Allow OUT to replace an INPUT");
 }
 
-}  // namespace
-
-void addBlendOptions(CLI::App& command, BlendArguments& arguments) {
-  command
-      .add_option("INPUT", arguments.inputs,
-                  "Two or more files, a curve each: points (x,y or x,y,z on each line) or models "
-                  "(STEP, IGES, BREP); or one model with several curves")
-      ->required();
-  command
-      .add_option("--frames", arguments.frames,
-                  "Number of curves to write, the outer ones included")
-      ->type_name("N")
-      ->check(CLI::Range(2, 10000))
-      ->capture_default_str();
-  command.add_option("--order", arguments.order, "n of the G^n that every joint keeps, 1 to 4")
-      ->type_name("N")
-      ->check(CLI::Range(1, 4))
-      ->capture_default_str();
+void addMatching(CLI::App& command, BlendArguments& arguments) {
   CLI::Option* match =
       command
           .add_option("--match", arguments.match,
@@ -291,6 +274,27 @@ void addBlendOptions(CLI::App& command, BlendArguments& arguments) {
       ->expected(1, -1)
       ->excludes(match)
       ->each([&arguments](const std::string& text) { arguments.pairs.push_back(keyPair(text)); });
+}
+
+}  // namespace
+
+void addBlendOptions(CLI::App& command, BlendArguments& arguments) {
+  command
+      .add_option("INPUT", arguments.inputs,
+                  "Two or more files, a curve each: points (x,y or x,y,z on each line) or models "
+                  "(STEP, IGES, BREP); or one model with several curves")
+      ->required();
+  command
+      .add_option("--frames", arguments.frames,
+                  "Number of curves to write, the outer ones included")
+      ->type_name("N")
+      ->check(CLI::Range(2, 10000))
+      ->capture_default_str();
+  command.add_option("--order", arguments.order, "n of the G^n that every joint keeps, 1 to 4")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4))
+      ->capture_default_str();
+  addMatching(command, arguments);
   command
       .add_option("--between", arguments.in_between,
                   "Smoothness from frame to frame at key curves between the outer ones")

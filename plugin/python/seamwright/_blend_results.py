@@ -179,7 +179,7 @@ class MatchSummary(Result):
     unknown_pieces    whose curvature has no certain profile: no features from them
     reversed          which curves run in the other direction
     start             of each curve: where it starts now, a share of its length in its new direction
-    largest_ratio     the largest quotient of the shares of the length that a piece has in two curves
+    largest_ratio     the largest quotient of the shares of the length of a piece in two curves
     """
 
     pieces_before: List[int]
