@@ -46,19 +46,23 @@ std::vector<double> evenOmegas(std::size_t count) {
   return omegas;
 }
 
-MatchOptions matchOptions(const BlendArguments& arguments, bool closed) {
+/// Curves with given pairs keep their start and direction.
+MatchOptions matchOptions(const KeyCurves& input, const BlendArguments& arguments, bool closed) {
+  if (!arguments.pairs.empty())
+    return {.by = MatchBy::Given, .given = pairParameters(input, arguments.pairs)};
   return {.by = arguments.match == "features" ? MatchBy::Features : MatchBy::Length,
           .find_start = closed,
           .find_direction = true};
 }
 
-std::string matchNote(const MatchSummary& summary) {
+std::string matchNote(const MatchSummary& summary, MatchBy by) {
   const auto [fewest, most] = std::ranges::minmax(summary.pieces_before);
   std::string note =
       fmt::format("matched: {} to {} pieces each became {}", fewest, most, summary.pieces_after);
   if (summary.matched_features > 0)
-    note += fmt::format(", {} corners or extrema of the curvature correspond",
-                        summary.matched_features);
+    note +=
+        fmt::format(", {} {} correspond", summary.matched_features,
+                    by == MatchBy::Given ? "given pairs" : "corners or extrema of the curvature");
   if (const auto reversed = std::ranges::count(summary.reversed, true))
     note += fmt::format(", {} run in the other direction", reversed);
   return note;
@@ -68,7 +72,7 @@ std::string matchNote(const MatchSummary& summary) {
 std::vector<BezierSpline> dividedCurves(const std::vector<BezierSpline>& curves,
                                         const MatchOptions& options, BlendReport& report) {
   MatchedFrames matched = matchPieces(curves, options);
-  report.notes.push_back(matchNote(matched.summary) +
+  report.notes.push_back(matchNote(matched.summary, options.by) +
                          fmt::format("; shares of the length differ up to {:.3g} times",
                                      matched.summary.largest_ratio));
   return std::move(matched.frames);
@@ -79,7 +83,7 @@ std::vector<BezierSpline> refittedCurves(const std::vector<BezierSpline>& curves
                                          const MatchOptions& options, double tolerance_mm,
                                          BlendReport& report) {
   CommonKnots common = commonKnots(curves, {.match = options, .tolerance_mm = tolerance_mm});
-  report.notes.push_back(matchNote(common.summary));
+  report.notes.push_back(matchNote(common.summary, options.by));
   for (std::size_t i = 0; i < curves.size(); ++i)
     report.key_curves[i].refitted_mm = common.distance_mm[i];
   report.reached = common.reached;
@@ -89,7 +93,7 @@ std::vector<BezierSpline> refittedCurves(const std::vector<BezierSpline>& curves
 SplineBlend blendOf(const KeyCurves& input, const BlendArguments& arguments, BlendReport& report) {
   std::vector<BezierSpline> curves;
   for (const KeyCurve& key : input.curves) curves.push_back(key.curve);
-  const MatchOptions match = matchOptions(arguments, report.closed);
+  const MatchOptions match = matchOptions(input, arguments, report.closed);
   const std::vector<BezierSpline> matched =
       arguments.exact ? dividedCurves(curves, match, report)
                       : refittedCurves(curves, match, arguments.tolerance_mm, report);
@@ -259,6 +263,27 @@ void addOutputs(CLI::App& command, OutputArguments& output) {
   command.add_flag("--overwrite-source", output.overwrite_source, "Allow OUT to replace an INPUT");
 }
 
+void addMatching(CLI::App& command, BlendArguments& arguments) {
+  CLI::Option* match =
+      command
+          .add_option("--match", arguments.match,
+                      "Which points of the curves correspond. features: corners and extrema of the "
+                      "curvature, and lengths between them; length: lengths from the beginning")
+          ->check(CLI::IsMember({"features", "length"}))
+          ->capture_default_str();
+  command
+      .add_option(
+          "--pair",
+          "Places that correspond, one on each curve, in place of --match: the number of a "
+          "point in its file, or a share of the length as 40%. Repeat it for further pairs; "
+          "of closed curves the first pair is the start")
+      ->type_name("A,B[,...]")
+      ->allow_extra_args(false)
+      ->expected(1, -1)
+      ->excludes(match)
+      ->each([&arguments](const std::string& text) { arguments.pairs.push_back(keyPair(text)); });
+}
+
 }  // namespace
 
 void addBlendOptions(CLI::App& command, BlendArguments& arguments) {
@@ -277,12 +302,7 @@ void addBlendOptions(CLI::App& command, BlendArguments& arguments) {
       ->type_name("N")
       ->check(CLI::Range(1, 4))
       ->capture_default_str();
-  command
-      .add_option("--match", arguments.match,
-                  "Which points of the curves correspond. features: corners and extrema of the "
-                  "curvature, and lengths between them; length: lengths from the beginning")
-      ->check(CLI::IsMember({"features", "length"}))
-      ->capture_default_str();
+  addMatching(command, arguments);
   command
       .add_option("--between", arguments.in_between,
                   "Smoothness from frame to frame at key curves between the outer ones")
@@ -323,7 +343,7 @@ int runBlend(const BlendArguments& arguments) {
   BlendReport report{.inputs = input.facts,
                      .order = arguments.order,
                      .tolerance_mm = arguments.tolerance_mm,
-                     .match = arguments.match,
+                     .match = arguments.pairs.empty() ? arguments.match : "pairs",
                      .in_between = arguments.in_between,
                      .reached = true};
   addKeyCurves(input, report);

@@ -42,13 +42,8 @@ bool areArcs(const PlanarChain& chain) {
   });
 }
 
-/// The chain as arcs, and their distance from it.
-struct DrawnOutline {
-  ArcOutline outline;
-  double distance_mm = 0;
-};
-
-DrawnOutline drawn(const MadeCurve& curve, double drawn_mm, const Progress& progress) {
+/// The chain as arcs. Curves of other kinds become arcs within \p drawn_mm.
+DrawnOutline asArcs(const MadeCurve& curve, double drawn_mm, const Progress& progress) {
   if (areArcs(curve.chain)) {
     DrawnOutline result{{{}, curve.chain.closed}, 0};
     for (const ChainCurve& arc : curve.chain.curves)
@@ -63,6 +58,16 @@ DrawnOutline drawn(const MadeCurve& curve, double drawn_mm, const Progress& prog
   for (PlanarArc& arc : fit.arcs) arc.start += origin;
   return {{std::move(fit.arcs), fit.closed},
           fit.distance_mm + 2 * rounding_mm + curve.chain_distance_mm};
+}
+
+/// The arcs and lines of a drawing. Those of a table stay as they are.
+DrawnOutline drawn(const MadeCurve& curve, CurveFormat format, double drawn_mm,
+                   const Progress& progress) {
+  DrawnOutline arcs = asArcs(curve, drawn_mm, progress);
+  if (format == CurveFormat::Csv) return arcs;
+  DrawnOutline result = withFlatArcsStraight(std::move(arcs.outline), drawn_mm);
+  result.distance_mm += arcs.distance_mm;
+  return result;
 }
 
 void requireOnePlane(const std::vector<MadeCurve>& curves) {
@@ -214,7 +219,7 @@ CurveText curveText(CurveFormat format, const std::string& method,
     const auto done = static_cast<double>(i);
     try {
       DrawnOutline one =
-          drawn(curves[i], drawn_mm, partOf(progress, done / whole, (done + 1) / whole));
+          drawn(curves[i], format, drawn_mm, partOf(progress, done / whole, (done + 1) / whole));
       result.distance_mm = std::max(result.distance_mm, one.distance_mm);
       outlines.push_back(std::move(one.outline));
     } catch (const std::logic_error& error) {

@@ -39,7 +39,8 @@ struct UndrawnCurve {
   std::string reason;
 };
 
-/// The lines of a drawing or table; curves that are not arcs become arcs within \p drawn_mm.
+/// The lines of a drawing or table; curves that are not arcs become arcs within \p drawn_mm, and
+/// flat arcs of a drawing become lines within \p drawn_mm.
 struct CurveText {
   std::string text;
   std::vector<UndrawnCurve> undrawn = {};

@@ -10,59 +10,8 @@ import pytest
 
 from command import expect_one_line, run
 from curves import CIRCLE, METHODS, VALIDATOR, WAVE, curve, points_file, rows_of
+from drawings import dxf_entities, dxf_samples
 from schemas import expect_every_key_matters
-
-
-def dxf_entities(text):
-    """The entities of a DXF file: their names, each with its groups."""
-    lines = text.split("\n")
-    assert lines[-1] == "" and len(lines) % 2 == 1
-    groups = [(int(code), value) for code, value in zip(lines[0:-1:2], lines[1:-1:2])]
-    assert (9, "$ACADVER") in groups and (1, "AC1009") in groups and groups[-1] == (0, "EOF")
-    start = groups.index((2, "ENTITIES")) + 1
-    entities = []
-    for code, value in groups[start:]:
-        if code == 0:
-            entities.append((value, {}))
-        elif code not in entities[-1][1]:
-            entities[-1][1][code] = float(value)
-    assert entities[-2][0] == "ENDSEC"
-    return entities[:-2]
-
-
-def bulge_samples(start, end, bulge, count=64):
-    """Points of an arc that is given as DXF gives it."""
-    chord = complex(*end) - complex(*start)
-    sweep = 4 * math.atan(bulge)
-    if bulge == 0:
-        for k in range(count + 1):
-            z = complex(*start) + chord * k / count
-            yield z.real, z.imag
-        return
-    centre = complex(*start) + chord / 2 * (1 + 1j / math.tan(sweep / 2))
-    for k in range(count + 1):
-        turn = sweep * k / count
-        z = centre + (complex(*start) - centre) * complex(math.cos(turn), math.sin(turn))
-        yield z.real, z.imag
-
-
-def dxf_samples(text):
-    """Points of the polylines of a DXF file."""
-    vertices, closed, samples = [], False, []
-
-    def finish():
-        ends = [*vertices, vertices[0]] if closed else vertices
-        for (x, y, bulge), (u, v, _) in zip(ends, ends[1:]):
-            samples.extend(bulge_samples((x, y), (u, v), bulge))
-
-    for name, groups in dxf_entities(text):
-        if name == "POLYLINE":
-            vertices, closed = [], groups[70] == 1
-        elif name == "VERTEX":
-            vertices.append((groups[10], groups[20], groups.get(42, 0.0)))
-        elif name == "SEQEND":
-            finish()
-    return samples
 
 
 def distance(point, samples):
