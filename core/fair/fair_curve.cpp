@@ -138,7 +138,7 @@ BSplineCurve smoothingSpline(int degree, const std::vector<double>& knots,
     refuse(fmt::format("the smoothing is {}: it must be positive and finite", smoothing));
   linear::BandMatrix matrix = valueProducts(degree, knots, parameters);
   if (degree >= 3) matrix.add(smoothing, derivativeProducts(degree, knots, 3));
-  Poles right = valueSums(degree, knots, parameters, points);
+  Poles right = basisAt(degree, knots, parameters).transpose() * points;
   Poles poles = Poles::Zero(matrix.size(), 3);
   const FreePoles free(matrix.size(), ends_fixed ? HeldEnds::Position : HeldEnds::Nothing);
   if (ends_fixed) {

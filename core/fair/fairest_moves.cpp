@@ -173,7 +173,6 @@ class FairingSteps {
         primal = std::min(primal, off_bound * share);
       if (multipliers(j) < 0) dual = std::min(dual, -off_bound * multipliers_(j) / multipliers(j));
     }
-    if (getenv("TRACE")) fprintf(stderr, "   primal %.3g dual %.3g\n", primal, dual);
     moves_ += primal * *change;
     sides_ += primal * sides;
     multipliers_ += dual * multipliers;
@@ -259,10 +258,9 @@ FairestMoves leastEnergy(const MovedEnergy& energy, const BoundingPoles& bounds,
     checkProgress(progress, shareAfter(result.steps));
     const double gap = steps.complementarity();
     const double small = precision * energy.of(steps.moves()) + energy.rounding();
-    if (getenv("TRACE")) fprintf(stderr, "%d gap %.3g miss %.3g E %.8g\n", result.steps, gap, steps.miss(), energy.of(steps.moves()));
     result.converged = gap <= small && steps.miss() <= small;
     if (result.converged) break;
-    const double barrier = std::max(centring * gap, small / 4) / static_cast<double>(bounds.count());
+    const double barrier = std::max({centring * gap, 0.5 * std::min(gap, steps.miss()), small / 4}) / static_cast<double>(bounds.count());
     if (!steps.step(barrier)) break;
     ++result.steps;
   }

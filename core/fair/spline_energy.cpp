@@ -49,15 +49,18 @@ linear::BandMatrix valueProducts(int degree, const std::vector<double>& knots,
   return result;
 }
 
-Poles valueSums(int degree, const std::vector<double>& knots, const std::vector<double>& parameters,
-                const Poles& points) {
-  Poles result = Poles::Zero(static_cast<Index>(knots.size()) - degree - 1, 3);
+Eigen::SparseMatrix<double> basisAt(int degree, const std::vector<double>& knots,
+                                    const std::vector<double>& parameters) {
+  const Index count = static_cast<Index>(knots.size()) - degree - 1;
+  std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t k = 0; k < parameters.size(); ++k) {
     const int span = bspline::spanOf(degree, knots, parameters[k]);
-    result.middleRows(span - degree, degree + 1) +=
-        bspline::basisDerivatives(degree, knots, span, parameters[k], 0).transpose() *
-        points.row(static_cast<Index>(k));
+    const Eigen::MatrixXd values = bspline::basisDerivatives(degree, knots, span, parameters[k], 0);
+    for (int i = 0; i <= degree; ++i)
+      entries.emplace_back(static_cast<Index>(k), span - degree + i, values(0, i));
   }
+  Eigen::SparseMatrix<double> result(static_cast<Index>(parameters.size()), count);
+  result.setFromTriplets(entries.begin(), entries.end());
   return result;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <algorithm>
 #include <vector>
 
@@ -24,9 +25,9 @@ linear::BandMatrix derivativeProducts(int degree, const std::vector<double>& kno
 linear::BandMatrix valueProducts(int degree, const std::vector<double>& knots,
                                  const std::vector<double>& parameters);
 
-/// The sums of N_i times the point over parameters, one point for each.
-Poles valueSums(int degree, const std::vector<double>& knots, const std::vector<double>& parameters,
-                const Poles& points);
+/// The basis functions at parameters: one row each.
+Eigen::SparseMatrix<double> basisAt(int degree, const std::vector<double>& knots,
+                                    const std::vector<double>& parameters);
 
 /// The integral of |P^(order)|^2 of splines P with given knots. Values and gradients are formed by
 /// differences of the poles, so polynomials of a degree below the order, which have none, add
