@@ -136,7 +136,7 @@ BSplineCurve smoothingSpline(int degree, const std::vector<double>& knots,
                          knots.front(), knots.back()));
   if (!(smoothing > 0) || smoothing == infinite)
     refuse(fmt::format("the smoothing is {}: it must be positive and finite", smoothing));
-  linear::BandMatrix matrix = valueProducts(degree, knots, parameters);
+  linear::SymmetricBand matrix = valueProducts(degree, knots, parameters);
   if (degree >= 3) matrix.add(smoothing, derivativeProducts(degree, knots, 3));
   Poles right = basisAt(degree, knots, parameters).transpose() * points;
   Poles poles = Poles::Zero(matrix.size(), 3);

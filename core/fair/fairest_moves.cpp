@@ -8,7 +8,7 @@
 #include <seamwright/core/fair/polynomial_curve.hpp>
 #include <seamwright/core/fair/span_maps.hpp>
 #include <seamwright/core/fair/spline_energy.hpp>
-#include <seamwright/core/linear/band_matrix.hpp>
+#include <seamwright/core/linear/symmetric_band.hpp>
 #include <seamwright/core/numeric.hpp>
 
 namespace seamwright {
@@ -64,7 +64,7 @@ class MovedEnergy {
         mass_(derivativeProducts(curve.degree, curve.knots, 0)) {
     scale_ = mass_.diagonal().segment(free_.first, free_.count).sum() /
              energy_.products().diagonal().segment(free_.first, free_.count).sum();
-    form_ = linear::BandMatrix(poles_.rows(), degree_);
+    form_ = linear::SymmetricBand(poles_.rows(), degree_);
     form_.add(scale_, energy_.products());
     form_.add(least_mass, mass_);
   }
@@ -72,7 +72,7 @@ class MovedEnergy {
   int degree() const { return degree_; }
   const FreePoles& free() const { return free_; }
   /// Half of the second derivatives by one coordinate of the poles.
-  const linear::BandMatrix& form() const { return form_; }
+  const linear::SymmetricBand& form() const { return form_; }
 
   double of(const Poles& moves) const {
     return scale_ * energy_.of(moved(moves)) / (tolerance_mm_ * tolerance_mm_) +
@@ -97,7 +97,7 @@ class MovedEnergy {
   Poles poles_;
   FreePoles free_;
   SplineEnergy energy_;
-  linear::BandMatrix mass_, form_;
+  linear::SymmetricBand mass_, form_;
   double scale_ = 0;
 };
 
@@ -114,8 +114,8 @@ double shareToSphere(const Eigen::RowVector3d& from, const Eigen::RowVector3d& c
 Poles sidesOf(const BoundingPoles& bounds, const Poles& moves) {
   Poles result(bounds.count(), 3);
   for (Index j = 0; j < bounds.count(); ++j)
-    result.row(j) = bounds.shares.col(j).transpose() *
-                    moves.middleRows(bounds.first[j], bounds.shares.rows());
+    result.row(j) =
+        bounds.shares.col(j).transpose() * moves.middleRows(bounds.first[j], bounds.shares.rows());
   return result;
 }
 
@@ -140,6 +140,7 @@ class FairingSteps {
       : energy_(energy), bounds_(bounds) {
     moves_ = Poles::Zero(energy.form().size(), 3);
     sides_ = Poles::Zero(bounds.count(), 3);
+    // The largest force of the energy, so that the first steps stay off the bounds.
     const double first = energy.gradient(moves_).rowwise().norm().maxCoeff();
     multipliers_ = ArrayXd::Constant(bounds.count(), first);
   }
@@ -163,9 +164,8 @@ class FairingSteps {
     const std::optional<Poles> change = changeFor(barrier / slack, stiffness);
     if (!change) return false;
     const Poles sides = sidesOf(bounds_, *change);
-    const ArrayXd multipliers =
-        barrier / slack - multipliers_ +
-        2 * stiffness * sides_.cwiseProduct(sides).rowwise().sum().array();
+    const ArrayXd multipliers = barrier / slack - multipliers_ +
+                                2 * stiffness * sides_.cwiseProduct(sides).rowwise().sum().array();
     constexpr double off_bound = 0.995;
     double primal = 1, dual = 1;
     for (Index j = 0; j < bounds_.count(); ++j) {
@@ -209,10 +209,10 @@ class FairingSteps {
     return change;
   }
 
-  linear::BandMatrix equations(const ArrayXd& stiffness) const {
+  linear::SymmetricBand equations(const ArrayXd& stiffness) const {
     const FreePoles& free = energy_.free();
     const Index degree = energy_.degree();
-    linear::BandMatrix matrix(free.count * dimensions, (degree + 1) * dimensions - 1);
+    linear::SymmetricBand matrix(free.count * dimensions, (degree + 1) * dimensions - 1);
     for (Index j = 0; j < free.count; ++j)
       for (Index i = j; i <= std::min(j + degree, free.count - 1); ++i)
         for (int k = 0; k < dimensions; ++k)
@@ -234,7 +234,7 @@ class FairingSteps {
     return matrix;
   }
 
-  static void addBlock(linear::BandMatrix& matrix, Index i, Index j,
+  static void addBlock(linear::SymmetricBand& matrix, Index i, Index j,
                        const Eigen::Matrix<double, dimensions, dimensions>& block) {
     for (int l = 0; l < dimensions; ++l)
       for (int k = i == j ? l : 0; k < dimensions; ++k)
@@ -250,17 +250,21 @@ class FairingSteps {
 template <int dimensions>
 FairestMoves leastEnergy(const MovedEnergy& energy, const BoundingPoles& bounds,
                          const Progress& progress) {
-  constexpr double precision = 1e-6, centring = 0.2;
+  // Where ends that are held need most of the energy, the waves between them have a small share.
+  constexpr double precision = 1e-6;
+  // Choices: a barrier that falls faster, or below what is missing, makes steps short.
+  constexpr double centring = 0.2, behind = 0.5;
   constexpr int most_steps = 60;
   FairingSteps<dimensions> steps(energy, bounds);
   FairestMoves result;
   while (result.steps < most_steps) {
     checkProgress(progress, shareAfter(result.steps));
-    const double gap = steps.complementarity();
+    const double gap = steps.complementarity(), miss = steps.miss();
     const double small = precision * energy.of(steps.moves()) + energy.rounding();
-    result.converged = gap <= small && steps.miss() <= small;
+    result.converged = gap <= small && miss <= small;
     if (result.converged) break;
-    const double barrier = std::max({centring * gap, 0.5 * std::min(gap, steps.miss()), small / 4}) / static_cast<double>(bounds.count());
+    const double aim = std::max({centring * gap, behind * std::min(gap, miss), small / 4});
+    const double barrier = aim / static_cast<double>(bounds.count());
     if (!steps.step(barrier)) break;
     ++result.steps;
   }

@@ -13,10 +13,10 @@ struct FairestMoves {
   bool converged = false;
 };
 
-/// The moves x of the poles c of a curve for which the energy of c + x is least, up to 0.1 %, while
-/// no Bézier pole of the spline x is further than the tolerance from 0. Held poles do not move. So
-/// that it is unique, the squared distance has 2^-40 of the weight of the energy, both divided by
-/// their sizes for a single pole.
+/// The moves x of the poles c of a curve for which the energy of c + x is least, up to a
+/// millionth, while no Bézier pole of the spline x is further than the tolerance from 0. Held poles
+/// do not move. So that they are unique, the squared distance has 2^-40 of the weight of the
+/// energy, both divided by their sizes for a single pole.
 ///
 /// A primal-dual interior-point method that starts without a move. A step costs O(poles). The moves
 /// are always within the tolerance, up to rounding.

@@ -11,8 +11,8 @@
 #include <seamwright/core/fair/polynomial_curve.hpp>
 #include <seamwright/core/fair/span_maps.hpp>
 #include <seamwright/core/fair/spline_energy.hpp>
-#include <seamwright/core/linear/band_matrix.hpp>
 #include <seamwright/core/linear/gauss_rule.hpp>
+#include <seamwright/core/linear/symmetric_band.hpp>
 #include <seamwright/core/numeric.hpp>
 
 namespace seamwright {
@@ -128,8 +128,7 @@ class VariationNodes {
         weights_.push_back(gauss.weights[k] * length);
         Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor> basis =
             bernstein[k].bottomRows<3>() * map;
-        for (int order = 1; order <= 3; ++order)
-          basis.bottomRows(4 - order) /= length;
+        for (int order = 1; order <= 3; ++order) basis.bottomRows(4 - order) /= length;
         basis_.insert(basis_.end(), basis.data(), basis.data() + basis.size());
       }
     }
@@ -191,13 +190,13 @@ class VariationProblem {
 
   /// Half of the second derivatives of Gauss-Newton and of the gradient of the variation.
   struct Equations {
-    linear::BandMatrix matrix;
+    linear::SymmetricBand matrix;
     Eigen::VectorXd gradient;
   };
 
   Equations equations(const Poles& poles) const {
     const Index size = dimensions_ * free_.count, width = dimensions_ * (degree_ + 1);
-    Equations result{.matrix = linear::BandMatrix(size, width - 1),
+    Equations result{.matrix = linear::SymmetricBand(size, width - 1),
                      .gradient = Eigen::VectorXd::Zero(size)};
     Eigen::MatrixXd products(width, width);
     Eigen::VectorXd slope(width), row(width);
@@ -225,8 +224,8 @@ class VariationProblem {
   }
 
   /// The form of the squared distance for all coordinates of the free poles.
-  linear::BandMatrix distanceForm() const {
-    linear::BandMatrix form(dimensions_ * free_.count, dimensions_ * (degree_ + 1) - 1);
+  linear::SymmetricBand distanceForm() const {
+    linear::SymmetricBand form(dimensions_ * free_.count, dimensions_ * (degree_ + 1) - 1);
     for (Index j = 0; j < free_.count; ++j)
       for (Index i = j; i <= std::min(j + degree_, free_.count - 1); ++i)
         for (Index k = 0; k < dimensions_; ++k)
@@ -263,7 +262,7 @@ class VariationProblem {
   Poles given_;
   FreePoles free_;
   Index dimensions_;
-  linear::BandMatrix mass_;
+  linear::SymmetricBand mass_;
   VariationNodes nodes_;
 };
 
@@ -325,7 +324,7 @@ class VariationDescent {
   }
 
   const VariationProblem& problem_;
-  linear::BandMatrix distance_;
+  linear::SymmetricBand distance_;
   double middle_ = 0;
   int steps_ = 0;
 };

@@ -9,12 +9,12 @@ namespace {
 
 using Eigen::Index;
 
-linear::BandMatrix emptyProducts(int degree, const std::vector<double>& knots) {
+linear::SymmetricBand emptyProducts(int degree, const std::vector<double>& knots) {
   return {static_cast<Index>(knots.size()) - degree - 1, degree};
 }
 
 /// Adds a weight times the products of the values of the basis functions from the first one on.
-void addProducts(linear::BandMatrix& matrix, Index first, const Eigen::RowVectorXd& values,
+void addProducts(linear::SymmetricBand& matrix, Index first, const Eigen::RowVectorXd& values,
                  double weight) {
   for (Index j = 0; j < values.size(); ++j)
     for (Index i = j; i < values.size(); ++i)
@@ -23,9 +23,9 @@ void addProducts(linear::BandMatrix& matrix, Index first, const Eigen::RowVector
 
 }  // namespace
 
-linear::BandMatrix derivativeProducts(int degree, const std::vector<double>& knots, int order) {
+linear::SymmetricBand derivativeProducts(int degree, const std::vector<double>& knots, int order) {
   const GaussRule gauss = gaussRule(degree + 1 - order);
-  linear::BandMatrix result = emptyProducts(degree, knots);
+  linear::SymmetricBand result = emptyProducts(degree, knots);
   for (int span = degree; span < result.size(); ++span) {
     const double from = knots[span], to = knots[span + 1];
     if (!(from < to)) continue;
@@ -39,9 +39,9 @@ linear::BandMatrix derivativeProducts(int degree, const std::vector<double>& kno
   return result;
 }
 
-linear::BandMatrix valueProducts(int degree, const std::vector<double>& knots,
-                                 const std::vector<double>& parameters) {
-  linear::BandMatrix result = emptyProducts(degree, knots);
+linear::SymmetricBand valueProducts(int degree, const std::vector<double>& knots,
+                                    const std::vector<double>& parameters) {
+  linear::SymmetricBand result = emptyProducts(degree, knots);
   for (const double t : parameters) {
     const int span = bspline::spanOf(degree, knots, t);
     addProducts(result, span - degree, bspline::basisDerivatives(degree, knots, span, t, 0), 1);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <seamwright/core/bezier/curve.hpp>
-#include <seamwright/core/linear/band_matrix.hpp>
+#include <seamwright/core/linear/symmetric_band.hpp>
 
 /// Quadratic forms of the poles of B-spline curves; not a public header.
 namespace seamwright {
@@ -19,11 +19,11 @@ inline int energyOrder(int degree) {
 
 /// The symmetric matrix of the integrals of N_i^(order) N_j^(order) over all spans, exact up to
 /// rounding: Gauss quadrature with degree + 1 - order nodes in each span. Its width is the degree.
-linear::BandMatrix derivativeProducts(int degree, const std::vector<double>& knots, int order);
+linear::SymmetricBand derivativeProducts(int degree, const std::vector<double>& knots, int order);
 
 /// The symmetric matrix of the sums of N_i N_j over parameters. Its width is the degree.
-linear::BandMatrix valueProducts(int degree, const std::vector<double>& knots,
-                                 const std::vector<double>& parameters);
+linear::SymmetricBand valueProducts(int degree, const std::vector<double>& knots,
+                                    const std::vector<double>& parameters);
 
 /// The basis functions at parameters: one row each.
 Eigen::SparseMatrix<double> basisAt(int degree, const std::vector<double>& knots,
@@ -39,14 +39,14 @@ class SplineEnergy {
   double of(const Poles& poles) const;
   /// Half of the derivatives by the poles: products() times the poles.
   Poles gradient(const Poles& poles) const;
-  const linear::BandMatrix& products() const { return products_; }
+  const linear::SymmetricBand& products() const { return products_; }
 
  private:
   Poles derivative(Poles poles) const;
 
   std::vector<Eigen::VectorXd> factors_;  ///< of the differences of each order
-  linear::BandMatrix products_;
-  linear::BandMatrix inner_products_;  ///< of the poles of the derivative
+  linear::SymmetricBand products_;
+  linear::SymmetricBand inner_products_;  ///< of the poles of the derivative
 };
 
 }  // namespace seamwright

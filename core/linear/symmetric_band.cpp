@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 
-#include <seamwright/core/linear/band_matrix.hpp>
+#include <seamwright/core/linear/symmetric_band.hpp>
 
 namespace seamwright::linear {
 
 using Eigen::Index;
 
-BandMatrix BandMatrix::block(Index first, Index count) const {
-  BandMatrix result;
+SymmetricBand SymmetricBand::block(Index first, Index count) const {
+  SymmetricBand result;
   result.lower_ = lower_.middleCols(first, count);
   return result;
 }
 
-Eigen::MatrixXd BandMatrix::times(const Eigen::MatrixXd& factor) const {
+Eigen::MatrixXd SymmetricBand::times(const Eigen::MatrixXd& factor) const {
   Eigen::MatrixXd result = lower_.row(0).transpose().asDiagonal() * factor;
   for (Index k = 1; k <= std::min(width(), size() - 1); ++k) {
     const Index count = size() - k;
@@ -24,7 +24,7 @@ Eigen::MatrixXd BandMatrix::times(const Eigen::MatrixXd& factor) const {
   return result;
 }
 
-BandCholesky::BandCholesky(BandMatrix matrix) : factor_(std::move(matrix)) {
+BandCholesky::BandCholesky(SymmetricBand matrix) : factor_(std::move(matrix)) {
   const Index size = factor_.size();
   for (Index j = 0; j < size; ++j) {
     const double pivot = factor_(j, j);

@@ -7,10 +7,10 @@
 namespace seamwright::linear {
 
 /// A symmetric matrix whose entries further than the width from the diagonal are 0.
-class BandMatrix {
+class SymmetricBand {
  public:
-  BandMatrix() = default;
-  BandMatrix(Eigen::Index size, Eigen::Index width)
+  SymmetricBand() = default;
+  SymmetricBand(Eigen::Index size, Eigen::Index width)
       : lower_(Eigen::MatrixXd::Zero(width + 1, size)) {}
 
   Eigen::Index size() const { return lower_.cols(); }
@@ -24,9 +24,9 @@ class BandMatrix {
 
   Eigen::VectorXd diagonal() const { return lower_.row(0).transpose(); }
   /// \pre the other matrix has the same size and width.
-  void add(double factor, const BandMatrix& other) { lower_ += factor * other.lower_; }
+  void add(double factor, const SymmetricBand& other) { lower_ += factor * other.lower_; }
   /// The rows and columns from the first one on.
-  BandMatrix block(Eigen::Index first, Eigen::Index count) const;
+  SymmetricBand block(Eigen::Index first, Eigen::Index count) const;
   /// One column for each column of the factor.
   Eigen::MatrixXd times(const Eigen::MatrixXd& factor) const;
 
@@ -37,7 +37,7 @@ class BandMatrix {
 /// The decomposition L D L' of a positive definite matrix, without pivots: O(size width^2).
 class BandCholesky {
  public:
-  explicit BandCholesky(BandMatrix matrix);
+  explicit BandCholesky(SymmetricBand matrix);
 
   /// Whether all pivots are above 0. If not, nothing can be solved.
   bool positive() const { return positive_; }
@@ -47,7 +47,7 @@ class BandCholesky {
   Eigen::MatrixXd solve(Eigen::MatrixXd right) const;
 
  private:
-  BandMatrix factor_;  ///< D on the diagonal, L below
+  SymmetricBand factor_;  ///< D on the diagonal, L below
   bool positive_ = true;
 };
 
