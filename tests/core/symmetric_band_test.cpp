@@ -36,7 +36,8 @@ TEST(SymmetricBand, ActsLikeTheDenseMatrix) {
     for (const Index width : {0, 1, 3, 7}) {
       const auto [band, dense] = regular(size, width, random);
       const MatrixXd right = MatrixXd::Random(size, 3);
-      EXPECT_LT((band.times(right) - dense * right).cwiseAbs().maxCoeff(), 1e-13 * (width + 1));
+      const double rounding = 1e-13 * (static_cast<double>(width) + 1);
+      EXPECT_LT((band.times(right) - dense * right).cwiseAbs().maxCoeff(), rounding);
       EXPECT_EQ(band.diagonal(), dense.diagonal());
       const BandCholesky factor(band);
       ASSERT_TRUE(factor.positive());
@@ -47,7 +48,7 @@ TEST(SymmetricBand, ActsLikeTheDenseMatrix) {
       const Index first = size / 3, count = size - first - size / 4;
       const MatrixXd part = dense.block(first, first, count, count) * right.topRows(count);
       EXPECT_LT((band.block(first, count).times(right.topRows(count)) - part).cwiseAbs().maxCoeff(),
-                1e-13 * (width + 1));
+                rounding);
       SymmetricBand twice = band;
       twice.add(1, band);
       EXPECT_EQ(twice.times(right), 2 * band.times(right));
