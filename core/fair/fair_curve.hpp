@@ -55,7 +55,8 @@ struct CurveFairingOptions {
 ///   (3) A curve that is one polynomial of degree below min(3, degree) stays up to rounding.
 ///   (4) Rigid motion and scaling of poles and tolerance move the result along.
 ///   (5) A curve with a larger tolerance has an energy that is at most as large.
-///   (9) No curve within the bounds has an energy that is smaller by more than 0.01 %.
+///   (9) No curve within the bounds has an energy that is smaller by more than 0.01 % (the test, in
+///       Python, compares with a general solver).
 /// The cost of a step is O(poles); 10 to 30 steps are usual, the most are 60, after which (5) and
 /// (9) may fail. Where the energy does not decide, as between parabolas within the tolerance, D is
 /// near to C.
