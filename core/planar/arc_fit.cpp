@@ -9,9 +9,8 @@
 #include <stdexcept>
 
 #include <seamwright/core/numeric.hpp>
-#include <seamwright/core/planar/arc_distance.hpp>
 #include <seamwright/core/planar/arc_fit.hpp>
-#include <seamwright/core/planar/biarc.hpp>
+#include <seamwright/core/planar/arc_run.hpp>
 #include <seamwright/core/planar/fit_options.hpp>
 #include <seamwright/core/planar/planar_curve.hpp>
 
@@ -21,188 +20,16 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// The largest turn of one arc. It leaves room below 2 pi, where ends meet and chords vanish.
-constexpr double most_turn_rad = 1.5 * std::numbers::pi;
-
-/// Arcs beside a part of the curve.
-struct FittedPart {
-  std::vector<PlanarArc> arcs;
-  double distance_mm = 0;
-};
-
-/// Upper bound of the distance between an arc and the part of the curve from u0 to u1; nothing if
-/// it is above the tolerance or if the part does not run along the arc.
-std::optional<double> distanceBetween(const PlanarCurve& curve, double u0, double u1,
-                                      const PlanarArc& arc, double tolerance_mm) {
-  double distance_mm = 0, advance_mm = 0;
-  for (int i = static_cast<int>(u0); i < curve.count() && i < u1; ++i) {
-    const Interval domain = {std::max(u0 - i, 0.0), std::min(u1 - i, 1.0)};
-    if (!(domain.width() > 0)) continue;
-    const std::optional<AlongCircle> along = alongCircle(
-        {.polynomials = curve.polynomials[i], .origin = curve.origins[i], .domain = domain}, arc,
-        tolerance_mm);
-    if (!along) return std::nullopt;
-    distance_mm = std::max(distance_mm, along->distance_mm);
-    advance_mm += along->advance_mm;
-  }
-  // Where one ends before the other, the rest is that far from the end.
-  distance_mm += std::abs(advance_mm - arc.length_mm);
-  return distance_mm <= tolerance_mm ? std::optional(distance_mm) : std::nullopt;
-}
-
-/// Where the curve crosses the normal of the arcs at their joint.
-double crossingOf(const PlanarCurve& curve, double u0, double u1, const PlanarArc& second) {
-  const Vector2d tangent = unitVector(second.direction_rad);
-  for (int i = 0; i < std::numeric_limits<double>::digits; ++i) {
-    const double middle = 0.5 * (u0 + u1);
-    const double ahead = (curve.at(middle).point - second.start).dot(tangent);
-    (ahead < 0 ? u0 : u1) = middle;
-  }
-  return 0.5 * (u0 + u1);
-}
-
-/// One arc or two between points of the curve, with these directions there.
-std::optional<FittedPart> fittedPart(const PlanarCurve& curve, double u0, double u1,
-                                     const HermiteEnds& ends, double tolerance_mm) {
-  if (ends.start == ends.end) return std::nullopt;
-  const PlanarArc whole = arcThrough(ends.start, ends.start_direction_rad, ends.end);
-  // An angle that rounding causes in the tangents of a curve.
-  constexpr double same_direction_rad = 1e-10;
-  const double off_rad = wrapped(whole.endDirection_rad() - ends.end_direction_rad);
-  if (std::abs(off_rad) <= same_direction_rad && std::abs(whole.sweep_rad()) <= most_turn_rad) {
-    if (const auto distance_mm = distanceBetween(curve, u0, u1, whole, tolerance_mm))
-      return FittedPart{.arcs = {whole}, .distance_mm = *distance_mm};
-  }
-  const ChordAngles angles = chordAngles(ends);
-  if (std::abs(angles.alpha_rad + angles.beta_rad) > most_turn_rad) return std::nullopt;
-  const Biarc pair = biarc(ends);
-  const double joint = crossingOf(curve, u0, u1, pair.second);
-  const auto first = distanceBetween(curve, u0, joint, pair.first, tolerance_mm);
-  if (!first) return std::nullopt;
-  const auto second = distanceBetween(curve, joint, u1, pair.second, tolerance_mm);
-  if (!second) return std::nullopt;
-  return FittedPart{.arcs = {pair.first, pair.second}, .distance_mm = std::max(*first, *second)};
-}
-
-/// A smooth part of the curve with the directions its arcs have at its ends.
-struct SmoothRun {
-  double begin = 0, end = 0;
-  double begin_direction_rad = 0, end_direction_rad = 0;
-};
-
-/// A part with the parameter and direction at which the next one begins.
-struct FittedStep {
-  FittedPart part;
-  double end = 0;
-  double end_direction_rad = 0;
-};
-
-/// Arcs from a point of the run to the point at u1.
-std::optional<FittedStep> stepTo(const PlanarCurve& curve, const SmoothRun& run, double u0,
-                                 double direction_rad, double u1, double tolerance_mm) {
-  const Vector2d start = curve.at(u0).point;
-  if (u1 >= run.end) {
-    const int last = static_cast<int>(std::ceil(run.end)) - 1;
-    const HermiteEnds ends = {.start = start,
-                              .start_direction_rad = direction_rad,
-                              .end = curve.endOf(last).point,
-                              .end_direction_rad = run.end_direction_rad};
-    std::optional<FittedPart> part = fittedPart(curve, u0, run.end, ends, tolerance_mm);
-    if (!part) return std::nullopt;
-    return FittedStep{
-        .part = std::move(*part), .end = run.end, .end_direction_rad = run.end_direction_rad};
-  }
-  const CurveFrame frame = curve.at(u1);
-  // docs/theory/planar.md P9.2: the ideal chain is rotated by k' l^2 / 12 where it crosses the
-  // curve, l being the length of an arc, and by not more than 10.4 of its tolerances over l.
-  const double arc_mm = (frame.point - start).norm() / 2;
-  if (!(arc_mm > 0)) return std::nullopt;
-  const double most_rad = 10.4 * tolerance_mm / arc_mm;
-  const double ideal_rad =
-      std::clamp(-frame.curvature_slope_per_mm2 * arc_mm * arc_mm / 12, -most_rad, most_rad);
-  for (const double rotation_rad : {ideal_rad, 0.0}) {
-    const HermiteEnds ends = {.start = start,
-                              .start_direction_rad = direction_rad,
-                              .end = frame.point,
-                              .end_direction_rad = frame.direction_rad + rotation_rad};
-    std::optional<FittedPart> part = fittedPart(curve, u0, u1, ends, tolerance_mm);
-    if (part)
-      return FittedStep{
-          .part = std::move(*part), .end = u1, .end_direction_rad = ends.end_direction_rad};
-  }
-  return std::nullopt;
-}
-
-/// The longest step that is found by doubling and halving its length.
-FittedStep longestStep(const PlanarCurve& curve, const SmoothRun& run, double u0,
-                       double direction_rad, double guess, double tolerance_mm) {
-  const auto attempt = [&](double u1) {
-    return stepTo(curve, run, u0, direction_rad, u1, tolerance_mm);
-  };
-  if (auto whole = attempt(run.end)) return *whole;
-  std::optional<FittedStep> best;
-  double reach = std::min(guess, (run.end - u0) / 2), fails = run.end - u0;
-  while (!(best = attempt(u0 + reach))) {
-    fails = reach;
-    reach /= 2;
-    // A share of a segment: below it the chord is a billionth of the curve, and rounding disturbs
-    // its direction.
-    constexpr double shortest = 0x1p-30;
-    if (reach < shortest) {
-      throw std::domain_error(fmt::format(
-          "no arc keeps the tolerance {} mm at the parameter {} (segments count by 1): the curve"
-          " turns back there, or the tolerance is below its rounding",
-          tolerance_mm, u0));
-    }
-  }
-  while (2 * reach < fails) {
-    auto longer = attempt(u0 + 2 * reach);
-    if (!longer) {
-      fails = 2 * reach;
-      break;
-    }
-    best = std::move(longer);
-    reach *= 2;
-  }
-  // The last digits of the length save no arc.
-  constexpr double resolution = 1.0 / 128;
-  while (fails - reach > resolution * reach) {
-    const double middle = 0.5 * (reach + fails);
-    if (auto longer = attempt(u0 + middle)) {
-      best = std::move(longer);
-      reach = middle;
-    } else {
-      fails = middle;
-    }
-  }
-  return *best;
-}
-
 void append(FittedPart& to, const FittedPart& part) {
   to.arcs.insert(to.arcs.end(), part.arcs.begin(), part.arcs.end());
   to.distance_mm = std::max(to.distance_mm, part.distance_mm);
-}
-
-FittedPart fitRun(const PlanarCurve& curve, const SmoothRun& run, double tolerance_mm,
-                  const Progress& progress) {
-  FittedPart result;
-  double u = run.begin, direction_rad = run.begin_direction_rad, guess = 1;
-  while (u < run.end) {
-    checkProgress(progress, u / curve.count());
-    const FittedStep step = longestStep(curve, run, u, direction_rad, guess, tolerance_mm);
-    append(result, step.part);
-    guess = step.end - u;
-    u = step.end;
-    direction_rad = step.end_direction_rad;
-  }
-  return result;
 }
 
 /// The segment as one arc, if it is one up to rounding.
 std::optional<FittedPart> exactArc(const PlanarCurve& curve, int i, double tolerance_mm) {
   const CurveFrame start = curve.startOf(i), end = curve.endOf(i);
   const double noise_mm = 64 * curve.segments[i].noise() + 1e-9 * tolerance_mm;
-  std::optional<FittedPart> part = fittedPart(curve, i, i + 1,
+  std::optional<FittedPart> part = fittedPart(curve, {double(i), double(i + 1)},
                                               {.start = start.point,
                                                .start_direction_rad = start.direction_rad,
                                                .end = end.point,
@@ -249,50 +76,194 @@ void requireAboveNoise(const BezierSpline& spline, double tolerance_mm) {
         tolerance_mm, noise_mm, size_mm));
 }
 
+/// A curve with what its segments and joints are.
+struct CurveLayout {
+  PlanarCurve curve;
+  bool closed = false;
+  std::vector<double> turns_rad;  ///< at the joints 0 to N; an open end has none
+  std::vector<std::optional<FittedPart>> exact;
+  std::vector<bool> is_corner;  ///< of the joints
+  std::vector<bool> is_kept;    ///< segments that stay the arcs and lines that they are
+
+  int count() const { return curve.count(); }
+  bool isLine(int segment) const {
+    return exact[segment] && exact[segment]->arcs.front().curvature_per_mm == 0;
+  }
+  double length_mm(int segment) const { return exact[segment]->arcs.front().length_mm; }
+  /// The segments before and after a joint; -1 at an open end.
+  int before(int joint) const { return joint > 0 ? joint - 1 : closed ? count() - 1 : -1; }
+  int after(int joint) const { return joint < count() ? joint : closed ? 0 : -1; }
+};
+
+/// How far the round corner between two sides that leaves the shorter one in its middle is from
+/// the corner.
+double roundedOff_mm(double shorter_mm, double turn_rad) {
+  return shorter_mm / 2 * std::tan(std::abs(turn_rad) / 4);
+}
+
+/// A joint of two sides that a smooth curve within the tolerance explains.
+bool isSampleVertex(const CurveLayout& layout, int joint, double tolerance_mm) {
+  const int before = layout.before(joint), after = layout.after(joint);
+  if (before < 0 || after < 0 || !layout.isLine(before) || !layout.isLine(after)) return false;
+  const double shorter_mm = std::min(layout.length_mm(before), layout.length_mm(after));
+  return roundedOff_mm(shorter_mm, layout.turns_rad[joint]) <= tolerance_mm;
+}
+
+/// A side of a polygon that is no chord of a smooth curve within the tolerance: it turns by more at
+/// both ends than such a chord, to one side. Sides of a staircase turn to both sides, beside steps
+/// that are short.
+bool isLongSide(const CurveLayout& layout, int side, const std::vector<bool>& is_vertex,
+                double tolerance_mm) {
+  double least_turn_rad = infinite, shortest_mm = infinite;
+  bool is_step = is_vertex[side] && is_vertex[side + 1] &&
+                 layout.turns_rad[side] * layout.turns_rad[side + 1] < 0;
+  for (const int joint : {side, side + 1}) {
+    if (!is_vertex[joint]) continue;
+    least_turn_rad = std::min(least_turn_rad, std::abs(layout.turns_rad[joint]));
+    const int beside = joint == side ? layout.before(joint) : layout.after(joint);
+    shortest_mm = std::min(shortest_mm, layout.length_mm(beside));
+  }
+  if (is_step && shortest_mm <= 2 * tolerance_mm) return false;
+  if (!std::isfinite(least_turn_rad)) return true;
+  return roundedOff_mm(layout.length_mm(side), least_turn_rad) > tolerance_mm;
+}
+
+/// Corners, and the segments that stay.
+void classify(CurveLayout& layout, const ArcFitOptions& options) {
+  const int n = layout.count();
+  std::vector<bool> is_vertex(n + 1, false);
+  layout.is_corner.assign(n + 1, false);
+  for (int joint = 0; joint <= n; ++joint) {
+    if (!(std::abs(layout.turns_rad[joint]) > options.corner_rad)) continue;
+    is_vertex[joint] = isSampleVertex(layout, joint, options.tolerance_mm);
+    layout.is_corner[joint] = !is_vertex[joint];
+  }
+  layout.is_kept.assign(n, false);
+  for (int i = 0; i < n; ++i) {
+    if (!layout.exact[i]) continue;
+    layout.is_kept[i] = (!is_vertex[i] && !is_vertex[i + 1]) ||
+                        isLongSide(layout, i, is_vertex, options.tolerance_mm);
+  }
+  // A vertex between two sides that stay is a corner.
+  for (int joint = 0; joint <= n; ++joint) {
+    const int before = layout.before(joint), after = layout.after(joint);
+    if (is_vertex[joint] && layout.is_kept[before] && layout.is_kept[after])
+      layout.is_corner[joint] = true;
+  }
+}
+
+/// The arcs of segments that stay, and how many arcs of any kind there are at least.
+FittedPart keptArcs(const CurveLayout& layout, int begin, int end, double tolerance_mm) {
+  FittedPart part;
+  for (int i = begin; i < end; ++i) appendExact(part, *layout.exact[i], i == begin, tolerance_mm);
+  return part;
+}
+
+/// Samples of one arc. A choice: twice as many save few arcs.
+constexpr int arc_samples = 32;
+
+/// Arcs that are many more than the tolerance needs are samples of a smooth curve.
+void releaseManyArcs(CurveLayout& layout, double tolerance_mm) {
+  const int n = layout.count();
+  for (int i = 0; i < n;) {
+    int end = i + 1;
+    while (end < n && layout.is_kept[i] && layout.is_kept[end] && !layout.is_corner[end]) ++end;
+    if (layout.is_kept[i] && end - i > 4) {
+      const auto arcs = static_cast<int>(keptArcs(layout, i, end, tolerance_mm).arcs.size());
+      const int least = sampledRun(layout.curve, {double(i), double(end)}, tolerance_mm,
+                                   arc_samples).free_arcs;
+      if (arcs > 2 * (least + 1))
+        std::fill(layout.is_kept.begin() + i, layout.is_kept.begin() + end, false);
+    }
+    i = end;
+  }
+}
+
+CurveLayout layoutOf(const BezierSpline& spline, const ArcFitOptions& options,
+                     const Progress& progress) {
+  CurveLayout layout;
+  layout.curve = planarCurve(spline);
+  layout.closed = spline.closed;
+  const PlanarCurve& curve = layout.curve;
+  const int n = curve.count();
+  layout.turns_rad.assign(n + 1, 0.0);
+  for (int i = 1; i < n; ++i) layout.turns_rad[i] = turnAt(curve.endOf(i - 1), curve.startOf(i));
+  if (spline.closed)
+    layout.turns_rad[0] = layout.turns_rad[n] = turnAt(curve.endOf(n - 1), curve.startOf(0));
+  for (int i = 0; i < n; ++i) {
+    checkProgress(progress, 0);
+    layout.exact.push_back(exactArc(curve, i, options.tolerance_mm));
+  }
+  classify(layout, options);
+  releaseManyArcs(layout, options.tolerance_mm);
+  return layout;
+}
+
+/// The direction of arcs at an end of segments that do not stay; any at an end of a polygon.
+std::optional<double> directionAt(const CurveLayout& layout, int joint, bool at_begin) {
+  const int inside = at_begin ? joint : joint - 1;
+  const int beside = at_begin ? layout.before(joint) : layout.after(joint);
+  const bool is_end = beside < 0 || layout.is_corner[joint];
+  if (is_end && layout.isLine(inside)) return std::nullopt;
+  const double direction_rad = at_begin ? layout.curve.startOf(inside).direction_rad
+                                        : layout.curve.endOf(inside).direction_rad;
+  if (is_end) return direction_rad;
+  // At a smooth joint both sides share the mean of their directions. Arcs that stay keep theirs.
+  const double turn_rad = layout.turns_rad[joint] * (layout.is_kept[beside] ? 1 : 0.5);
+  return direction_rad + (at_begin ? -turn_rad : turn_rad);
+}
+
+/// Arcs near segments that do not stay.
+FittedPart fittedRun(const CurveLayout& layout, const CurvePart& range, double tolerance_mm,
+                     const Progress& progress) {
+  const int begin = static_cast<int>(range.begin), end = static_cast<int>(range.end);
+  const SmoothRun run{.range = range,
+                      .ends = {.begin_direction_rad = directionAt(layout, begin, true),
+                               .end_direction_rad = directionAt(layout, end, false)}};
+  const SampledRun sampled = sampledRun(layout.curve, range, tolerance_mm, arc_samples);
+  if (auto part = fewArcsBeside(layout.curve, run, sampled, tolerance_mm, progress)) return *part;
+  return greedyArcs(layout.curve, run, tolerance_mm, progress);
+}
+
+/// Of all chains from corner to corner.
+int leastArcs(const CurveLayout& layout, double tolerance_mm) {
+  const int n = layout.count();
+  int least = 0;
+  for (int i = 0; i < n;) {
+    int end = i + 1;
+    while (end < n && !layout.is_corner[end]) ++end;
+    least +=
+        sampledRun(layout.curve, {double(i), double(end)}, tolerance_mm, arc_samples).free_arcs;
+    i = end;
+  }
+  // A chain can pass the point where a closed curve begins.
+  return std::max(1, layout.closed && !layout.is_corner[0] ? least - 1 : least);
+}
+
 }  // namespace
 
 ArcFit fitArcs(const BezierSpline& spline, const ArcFitOptions& options, const Progress& progress) {
   requireValid(spline);
   requireFitOptions(options.tolerance_mm, options.corner_rad);
   requireAboveNoise(spline, options.tolerance_mm);
-  const PlanarCurve curve = planarCurve(spline);
-  const int n = curve.count();
-  // Turns at the joints 0 to n; an open end has none.
-  std::vector<double> turns_rad(n + 1, 0.0);
-  for (int i = 1; i < n; ++i) turns_rad[i] = turnAt(curve.endOf(i - 1), curve.startOf(i));
-  if (spline.closed) turns_rad[0] = turns_rad[n] = turnAt(curve.endOf(n - 1), curve.startOf(0));
-  const auto isCorner = [&](int joint) { return std::abs(turns_rad[joint]) > options.corner_rad; };
-  std::vector<std::optional<FittedPart>> exact;
-  for (int i = 0; i < n; ++i) {
-    checkProgress(progress, 0);
-    exact.push_back(exactArc(curve, i, options.tolerance_mm));
-  }
-
+  const CurveLayout layout = layoutOf(spline, options, progress);
+  const int n = layout.count();
   FittedPart fitted;
   ArcFit result = {.arcs = {}, .corners = {}, .closed = spline.closed};
   for (int i = 0; i < n;) {
-    if (isCorner(i) && (i > 0 || spline.closed))
-      result.corners.push_back(static_cast<int>(fitted.arcs.size()));
-    if (exact[i]) {
-      appendExact(fitted, *exact[i], isCorner(i), options.tolerance_mm);
+    if (layout.is_corner[i]) result.corners.push_back(static_cast<int>(fitted.arcs.size()));
+    if (layout.is_kept[i]) {
+      appendExact(fitted, *layout.exact[i], layout.is_corner[i], options.tolerance_mm);
       ++i;
       continue;
     }
     int end = i + 1;
-    while (end < n && !exact[end] && !isCorner(end)) ++end;
-    // At a smooth joint both sides share the mean of their directions. Exact arcs keep theirs.
-    const auto share = [&](int joint, bool beside_exact) {
-      return isCorner(joint) || beside_exact ? 0 : turns_rad[joint] / 2;
-    };
-    const SmoothRun run = {.begin = static_cast<double>(i),
-                           .end = static_cast<double>(end),
-                           .begin_direction_rad = curve.startOf(i).direction_rad -
-                                                  share(i, i > 0 && exact[i - 1].has_value()),
-                           .end_direction_rad = curve.endOf(end - 1).direction_rad +
-                                                share(end, end < n && exact[end].has_value())};
-    append(fitted, fitRun(curve, run, options.tolerance_mm, progress));
+    while (end < n && !layout.is_kept[end] && !layout.is_corner[end]) ++end;
+    append(fitted, fittedRun(layout, {double(i), double(end)}, options.tolerance_mm,
+                             partOf(progress, double(i) / n, double(end) / n)));
     i = end;
   }
+  result.least_arcs = leastArcs(layout, options.tolerance_mm);
   result.arcs = std::move(fitted.arcs);
   result.distance_mm = fitted.distance_mm;
   return result;

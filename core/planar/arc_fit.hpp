@@ -23,6 +23,9 @@ struct ArcFit {
   /// Upper bound of the distance in both directions: no point of the curve is further from the
   /// arcs, no point of the arcs is further from the curve.
   double distance_mm = 0;
+  /// No chain of arcs with these corners that is within the tolerance has fewer, even if its arcs
+  /// do not touch.
+  int least_arcs = 0;
 };
 
 /// A curve in the plane z = 0 as a G1 chain of arcs and lines within a tolerance. The ends of

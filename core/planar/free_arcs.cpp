@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+#include <cmath>
+
+#include <seamwright/core/numeric.hpp>
+#include <seamwright/core/planar/arc.hpp>
+#include <seamwright/core/planar/free_arcs.hpp>
+
+namespace seamwright {
+
+namespace {
+
+using Eigen::Vector2d;
+using FourPoints = std::array<Vector2d, 4>;
+
+/// |a - c| - |b - c|, without cancellation far from the centre.
+double radiusDifference(const Vector2d& a, const Vector2d& b, const Vector2d& centre) {
+  const double sum = (a - centre).norm() + (b - centre).norm();
+  return sum > 0 ? (a - b).dot((a - centre) + (b - centre)) / sum : 0;
+}
+
+double distanceFromCircle(const FourPointCircle& circle, const Vector2d& point,
+                          const Vector2d& reference, double reference_mm) {
+  if (!circle.normal.isZero(0))
+    return std::abs(circle.normal.dot(point - reference) + reference_mm);
+  return std::abs(radiusDifference(point, reference, circle.centre) + reference_mm);
+}
+
+/// The circle midway between those around one centre through a and b and through c and d.
+void tryCircle(const FourPoints& p, const std::array<int, 4>& order, FourPointCircle& best) {
+  const Vector2d &a = p[order[0]], &b = p[order[1]], &c = p[order[2]], &d = p[order[3]];
+  const Vector2d first = b - a, second = d - c;
+  const double determinant = cross(first, second);
+  if (determinant == 0) return;
+  // Both bisectors, from the point a.
+  const double u = first.squaredNorm() / 2, v = second.dot((c + d) / 2 - a);
+  const Vector2d centre =
+      a + Vector2d(u * second.y() - v * first.y(), v * first.x() - u * second.x()) / determinant;
+  if (!centre.allFinite()) return;
+  const double distance_mm = std::abs(radiusDifference(a, c, centre)) / 2;
+  if (distance_mm < best.distance_mm)
+    best = {.distance_mm = distance_mm,
+            .centre = centre,
+            .radius_mm = ((a - centre).norm() + (c - centre).norm()) / 2};
+}
+
+/// The line midway between those along a direction that hold all points.
+void tryLine(const FourPoints& p, const Vector2d& direction, FourPointCircle& best) {
+  if (direction.isZero(0)) return;
+  const Vector2d normal = Vector2d(-direction.y(), direction.x()).normalized();
+  double low = 0, high = 0;
+  for (const Vector2d& point : p) {
+    low = std::min(low, normal.dot(point - p[0]));
+    high = std::max(high, normal.dot(point - p[0]));
+  }
+  if ((high - low) / 2 < best.distance_mm)
+    best = {.distance_mm = (high - low) / 2,
+            .normal = normal,
+            .radius_mm = normal.dot(p[0]) + (high + low) / 2};
+}
+
+/// Points that are to be on one arc.
+struct PointWindow {
+  const std::vector<Vector2d>& points;
+  int first = 0, last = 0;
+};
+
+/// Whether four of the points are further than the tolerance from every circle and line. Four that
+/// show it are searched for by exchange, as for the best polynomial of degree 2: the furthest point
+/// from the circle of four takes the place of the one that makes the distance of the four largest.
+bool isMoreThanAnArc(const PointWindow& window, double tolerance_mm) {
+  const int n = window.last - window.first;
+  if (n < 3) return false;
+  // The extrema of the Chebyshev polynomial of degree 3.
+  std::array<int, 4> chosen = {window.first, window.first + std::max(1, n / 4),
+                               window.last - std::max(1, n / 4), window.last};
+  const auto pointsAt = [&](const std::array<int, 4>& at) -> FourPoints {
+    return {window.points[at[0]], window.points[at[1]], window.points[at[2]],
+            window.points[at[3]]};
+  };
+  // Rounding of the circle of four, as a share of the tolerance.
+  constexpr double certain = 1 + 1e-6;
+  // Each exchange brings the distance much closer to the best, so that few are enough.
+  constexpr int exchanges = 12;
+  for (int exchange = 0; exchange < exchanges; ++exchange) {
+    const FourPoints four = pointsAt(chosen);
+    const FourPointCircle circle = circleOfFour(four);
+    if (circle.distance_mm > certain * tolerance_mm) return true;
+    const double reference_mm = circle.normal.isZero(0)
+                                    ? (four[0] - circle.centre).norm() - circle.radius_mm
+                                    : circle.normal.dot(four[0]) - circle.radius_mm;
+    int furthest = window.first;
+    double most_mm = 0;
+    for (int i = window.first; i <= window.last; ++i) {
+      const double distance_mm =
+          distanceFromCircle(circle, window.points[i], four[0], reference_mm);
+      if (distance_mm > most_mm) {
+        most_mm = distance_mm;
+        furthest = i;
+      }
+    }
+    if (most_mm <= certain * tolerance_mm) return false;
+    std::array<int, 4> next = chosen;
+    double next_mm = circle.distance_mm;
+    for (int k = 0; k < 4; ++k) {
+      std::array<int, 4> other = chosen;
+      other[k] = furthest;
+      std::ranges::sort(other);
+      const double distance_mm = circleOfFour(pointsAt(other)).distance_mm;
+      if (distance_mm > next_mm) {
+        next_mm = distance_mm;
+        next = other;
+      }
+    }
+    if (next == chosen) return false;
+    chosen = next;
+  }
+  return false;
+}
+
+/// The last point that can be on an arc from the first one on.
+int freeArcEnd(const std::vector<Vector2d>& points, int first, int guess, double tolerance_mm) {
+  const int last = static_cast<int>(points.size()) - 1;
+  const auto isTooFar = [&](int to) {
+    return isMoreThanAnArc({.points = points, .first = first, .last = to}, tolerance_mm);
+  };
+  int reach = first, step = std::max(guess, 3), fails = last + 1;
+  while (reach < last) {
+    const int to = std::min(reach + step, last);
+    if (isTooFar(to)) {
+      fails = to;
+      break;
+    }
+    reach = to;
+    step *= 2;
+  }
+  while (fails - reach > 1) {
+    const int middle = reach + (fails - reach) / 2;
+    (isTooFar(middle) ? fails : reach) = middle;
+  }
+  return reach;
+}
+
+}  // namespace
+
+FourPointCircle circleOfFour(const FourPoints& points) {
+  FourPointCircle best{.distance_mm = infinite};
+  for (int i = 0; i < 4; ++i)
+    for (int j = i + 1; j < 4; ++j) tryLine(points, points[j] - points[i], best);
+  for (const std::array<int, 4>& order :
+       {std::array{0, 2, 1, 3}, std::array{0, 1, 2, 3}, std::array{0, 3, 1, 2}})
+    tryCircle(points, order, best);
+  return best;
+}
+
+std::vector<int> freeArcEnds(const std::vector<Vector2d>& points, double tolerance_mm) {
+  std::vector<int> ends;
+  const int last = static_cast<int>(points.size()) - 1;
+  int guess = 8;
+  for (int first = 0; first <= last;) {
+    const int end = freeArcEnd(points, first, guess, tolerance_mm);
+    ends.push_back(end);
+    guess = end - first;
+    first = end + 1;
+  }
+  return ends;
+}
+
+}  // namespace seamwright
