@@ -12,6 +12,7 @@
 #include <seamwright/core/planar/arc_fit.hpp>
 #include <seamwright/core/planar/arc_run.hpp>
 #include <seamwright/core/planar/fit_options.hpp>
+#include <seamwright/core/planar/free_arcs.hpp>
 #include <seamwright/core/planar/planar_curve.hpp>
 
 namespace seamwright {
@@ -225,15 +226,35 @@ FittedPart fittedRun(const CurveLayout& layout, const CurvePart& range, double t
   return greedyArcs(layout.curve, run, tolerance_mm, progress);
 }
 
-/// Of all chains from corner to corner.
+/// Of all chains from corner to corner. Arcs at an end with a given direction are those that have
+/// it; the others are of any kind.
+int leastArcs(const CurveLayout& layout, const CurvePart& range, double tolerance_mm) {
+  const int begin = static_cast<int>(range.begin), end = static_cast<int>(range.end);
+  std::vector<Vector2d> points = sampledRun(layout.curve, range, tolerance_mm, arc_samples).points;
+  int at_ends = 0;
+  for (const bool at_begin : {true, false}) {
+    const int joint = at_begin ? begin : end;
+    const bool is_end = layout.before(joint) < 0 || layout.after(joint) < 0 ||
+                        layout.is_corner[joint];
+    const auto direction_rad = directionAt(layout, joint, at_begin);
+    if (is_end && direction_rad && !points.empty()) {
+      const ArcStart start{.point = points.front(),
+                           .direction_rad = *direction_rad + (at_begin ? 0 : std::numbers::pi)};
+      points.erase(points.begin(), points.begin() + pointsBeside(points, start, tolerance_mm));
+      ++at_ends;
+    }
+    std::ranges::reverse(points);
+  }
+  return at_ends + static_cast<int>(freeArcEnds(points, tolerance_mm).size());
+}
+
 int leastArcs(const CurveLayout& layout, double tolerance_mm) {
   const int n = layout.count();
   int least = 0;
   for (int i = 0; i < n;) {
     int end = i + 1;
     while (end < n && !layout.is_corner[end]) ++end;
-    least +=
-        sampledRun(layout.curve, {double(i), double(end)}, tolerance_mm, arc_samples).free_arcs;
+    least += leastArcs(layout, {double(i), double(end)}, tolerance_mm);
     i = end;
   }
   // A chain can pass the point where a closed curve begins.

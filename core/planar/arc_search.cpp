@@ -6,6 +6,7 @@
 #include <seamwright/core/numeric.hpp>
 #include <seamwright/core/planar/arc_search.hpp>
 #include <seamwright/core/planar/biarc.hpp>
+#include <seamwright/core/planar/free_arcs.hpp>
 
 namespace seamwright {
 
@@ -21,16 +22,6 @@ struct JointState {
   double curvature_per_mm = 0, length_mm = 0;  ///< of the arc that ends here
   int before = -1;                             ///< the state in which this arc begins
 };
-
-/// A sample from the start of an arc, along its tangent and to its left.
-struct LocalPoint {
-  double along = 0, left = 0;
-};
-
-LocalPoint localPoint(const Vector2d& point, const Vector2d& start, const Vector2d& tangent) {
-  const Vector2d p = point - start;
-  return {.along = p.dot(tangent), .left = cross(tangent, p)};
-}
 
 /// The length of an arc up to the projection of a point.
 double lengthTo(double curvature_per_mm, const LocalPoint& p) {
@@ -50,21 +41,16 @@ double offsetOf(double curvature_per_mm, const LocalPoint& p) {
   return h / (1 + std::sqrt(std::max(0.0, 1 + curvature_per_mm * h)));
 }
 
-/// Curvatures of arcs that stay within the tolerance of samples.
-struct CurvatureRange {
-  double lower = -infinite, upper = infinite;
-  bool isEmpty() const { return !(lower <= upper); }
-};
-
 class ArcSearch {
  public:
   ArcSearch(const SampledRun& run, const RunEnds& ends, const ArcSearchOptions& options)
       : run_(run), ends_(ends), options_(options) {
     addHeadings();
-    const JointState end{.sample = run.last(),
-                         .point = run.points.back(),
-                         .direction_rad = ends.end_direction_rad.value_or(0) + std::numbers::pi};
-    if (ends.end_direction_rad) backward_ = backwardReach(end);
+    if (!ends.end_direction_rad) return;
+    const std::vector<Vector2d> reversed(run.points.rbegin(), run.points.rend());
+    const ArcStart end{.point = run.points.back(),
+                       .direction_rad = *ends.end_direction_rad + std::numbers::pi};
+    backward_ = run.last() + 1 - pointsBeside(reversed, end, options.tolerance_mm);
   }
 
   std::optional<PlacedArcs> chain(const Progress& progress) {
@@ -89,7 +75,6 @@ class ArcSearch {
   void advance();
   void expand(int index);
   void keep(const JointState& state);
-  int backwardReach(const JointState& end) const;
   /// The range for all samples up to each one after the state, until it is empty.
   std::vector<CurvatureRange> ranges(const JointState& state) const;
   CurvatureRange sided(int from, int to) const;
@@ -108,7 +93,7 @@ class ArcSearch {
   /// The furthest state of each class of offsets and directions.
   static constexpr int offset_classes = 11, direction_classes = 24;
   std::array<int, static_cast<std::size_t>(offset_classes* direction_classes)> furthest_{};
-  int backward_ = 0;
+  int backward_ = 0;  ///< the first sample that the last arc can be beside
 };
 
 /// The direction of the chord between points that are a quarter of an arc away.
@@ -152,16 +137,13 @@ CurvatureRange ArcSearch::sided(int from, int to) const {
 
 std::vector<CurvatureRange> ArcSearch::ranges(const JointState& state) const {
   const Vector2d tangent = unitVector(state.direction_rad);
-  const double t = options_.tolerance_mm;
   std::vector<CurvatureRange> result;
   CurvatureRange range;
   for (int i = state.sample + 1; i <= run_.last(); ++i) {
     const LocalPoint p = localPoint(run_.points[i], state.point, tangent);
-    const double square = p.along * p.along + p.left * p.left - t * t;
-    if (square > 0) {
-      range.lower = std::max(range.lower, 2 * (p.left - t) / square);
-      range.upper = std::min(range.upper, 2 * (p.left + t) / square);
-    }
+    const CurvatureRange near = curvaturesNear(p, options_.tolerance_mm);
+    range.lower = std::max(range.lower, near.lower);
+    range.upper = std::min(range.upper, near.upper);
     if (range.isEmpty()) break;
     const double least = std::max({0.0, range.lower, -range.upper});
     if (least * (run_.lengths_mm[i] - run_.lengths_mm[state.sample]) > options_.most_turn_rad)
@@ -234,24 +216,6 @@ void ArcSearch::advance() {
   for (const int index : from) expand(index);
   for (const int index : furthest_)
     if (index >= 0) frontier_.push_back(index);
-}
-
-int ArcSearch::backwardReach(const JointState& end) const {
-  const Vector2d tangent = unitVector(end.direction_rad);
-  const double t = options_.tolerance_mm;
-  CurvatureRange range;
-  int reach = end.sample;
-  for (int i = end.sample - 1; i >= 0; --i) {
-    const LocalPoint p = localPoint(run_.points[i], end.point, tangent);
-    const double square = p.along * p.along + p.left * p.left - t * t;
-    if (square > 0) {
-      range.lower = std::max(range.lower, 2 * (p.left - t) / square);
-      range.upper = std::min(range.upper, 2 * (p.left + t) / square);
-    }
-    if (range.isEmpty()) break;
-    reach = i;
-  }
-  return reach;
 }
 
 /// Whether samples are within the tolerance of the circle of an arc, and forward from its start.

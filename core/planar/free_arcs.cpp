@@ -13,6 +13,9 @@ namespace {
 using Eigen::Vector2d;
 using FourPoints = std::array<Vector2d, 4>;
 
+/// Covers rounding, as a share of the tolerance.
+constexpr double certain = 1 + 1e-6;
+
 /// |a - c| - |b - c|, without cancellation far from the centre.
 double radiusDifference(const Vector2d& a, const Vector2d& b, const Vector2d& centre) {
   const double sum = (a - centre).norm() + (b - centre).norm();
@@ -78,8 +81,6 @@ bool isMoreThanAnArc(const PointWindow& window, double tolerance_mm) {
     return {window.points[at[0]], window.points[at[1]], window.points[at[2]],
             window.points[at[3]]};
   };
-  // Rounding of the circle of four, as a share of the tolerance.
-  constexpr double certain = 1 + 1e-6;
   // Each exchange brings the distance much closer to the best, so that few are enough.
   constexpr int exchanges = 12;
   for (int exchange = 0; exchange < exchanges; ++exchange) {
@@ -164,6 +165,35 @@ std::vector<int> freeArcEnds(const std::vector<Vector2d>& points, double toleran
     first = end + 1;
   }
   return ends;
+}
+
+LocalPoint localPoint(const Vector2d& point, const Vector2d& start, const Vector2d& tangent) {
+  const Vector2d p = point - start;
+  return {.along = p.dot(tangent), .left = cross(tangent, p)};
+}
+
+CurvatureRange curvaturesNear(const LocalPoint& point, double tolerance_mm) {
+  const double square =
+      point.along * point.along + point.left * point.left - tolerance_mm * tolerance_mm;
+  if (!(square > 0)) return {};
+  return {.lower = 2 * (point.left - tolerance_mm) / square,
+          .upper = 2 * (point.left + tolerance_mm) / square};
+}
+
+int pointsBeside(const std::vector<Vector2d>& points, const ArcStart& start,
+                 double tolerance_mm) {
+  const Vector2d tangent = unitVector(start.direction_rad);
+  CurvatureRange range;
+  int count = 0;
+  for (const Vector2d& point : points) {
+    const CurvatureRange near =
+        curvaturesNear(localPoint(point, start.point, tangent), certain * tolerance_mm);
+    range.lower = std::max(range.lower, near.lower);
+    range.upper = std::min(range.upper, near.upper);
+    if (range.isEmpty()) break;
+    ++count;
+  }
+  return count;
 }
 
 }  // namespace seamwright

@@ -5,6 +5,8 @@
 #include <array>
 #include <vector>
 
+#include <seamwright/core/numeric.hpp>
+
 /// How few arcs of any kind are near points. Not a public header.
 namespace seamwright {
 
@@ -28,5 +30,34 @@ FourPointCircle circleOfFour(const std::array<Eigen::Vector2d, 4>& points);
 ///   (2) Chains of arcs, whether they touch or not, that are within the tolerance of the points in
 ///       their order have at least so many arcs.
 std::vector<int> freeArcEnds(const std::vector<Eigen::Vector2d>& points, double tolerance_mm);
+
+/// Curvatures of arcs from a given start that are within a tolerance of points.
+struct CurvatureRange {
+  double lower = -infinite, upper = infinite;
+  bool isEmpty() const { return !(lower <= upper); }
+};
+
+/// A point from the start of an arc, along its tangent and to its left.
+struct LocalPoint {
+  double along = 0, left = 0;
+};
+
+LocalPoint localPoint(const Eigen::Vector2d& point, const Eigen::Vector2d& start,
+                      const Eigen::Vector2d& tangent);
+
+/// The curvatures with which the circle is within the tolerance of the point.
+/// Source: docs/theory/planar.md P9.5.
+CurvatureRange curvaturesNear(const LocalPoint& point, double tolerance_mm);
+
+/// The start of an arc.
+struct ArcStart {
+  Eigen::Vector2d point = Eigen::Vector2d::Zero();
+  double direction_rad = 0;
+};
+
+/// How many of the points, from the first one on, can be within the tolerance of one arc from this
+/// start. Certainly no arc is within the tolerance of more.
+int pointsBeside(const std::vector<Eigen::Vector2d>& points, const ArcStart& start,
+                 double tolerance_mm);
 
 }  // namespace seamwright
