@@ -96,60 +96,95 @@ struct CurveLayout {
   int after(int joint) const { return joint < count() ? joint : closed ? 0 : -1; }
 };
 
-/// How far the round corner between two sides that leaves the shorter one in its middle is from
-/// the corner.
-double roundedOff_mm(double shorter_mm, double turn_rad) {
-  return shorter_mm / 2 * std::tan(std::abs(turn_rad) / 4);
+/// Sides of a polygon; neighbours on one line are one side.
+struct PolygonSides {
+  std::vector<double> lengths_mm;  ///< of the side of each segment; 0 for one that is no line
+  std::vector<int> first, last;    ///< the segments of its side
+  std::vector<bool> is_vertex;     ///< joints of two lines that turn
+};
+
+PolygonSides polygonSides(const CurveLayout& layout) {
+  // The rounding of directions.
+  constexpr double same_line_rad = 1e-9;
+  const int n = layout.count();
+  PolygonSides sides;
+  sides.is_vertex.assign(n + 1, false);
+  for (int joint = 0; joint <= n; ++joint) {
+    const int before = layout.before(joint), after = layout.after(joint);
+    sides.is_vertex[joint] = before >= 0 && after >= 0 && layout.isLine(before) &&
+                             layout.isLine(after) &&
+                             std::abs(layout.turns_rad[joint]) > same_line_rad;
+  }
+  for (int i = 0; i < n;) {
+    int end = i + 1;
+    double length_mm = layout.isLine(i) ? layout.length_mm(i) : 0;
+    while (end < n && layout.isLine(i) && layout.isLine(end) && !sides.is_vertex[end])
+      length_mm += layout.length_mm(end++);
+    for (int k = i; k < end; ++k) {
+      sides.lengths_mm.push_back(length_mm);
+      sides.first.push_back(i);
+      sides.last.push_back(end - 1);
+    }
+    i = end;
+  }
+  return sides;
 }
 
-/// A joint of two sides that a smooth curve within the tolerance explains.
-bool isSampleVertex(const CurveLayout& layout, int joint, double tolerance_mm) {
-  const int before = layout.before(joint), after = layout.after(joint);
-  if (before < 0 || after < 0 || !layout.isLine(before) || !layout.isLine(after)) return false;
-  const double shorter_mm = std::min(layout.length_mm(before), layout.length_mm(after));
+/// How far a circle midway between a corner and the middle of the side is from both, if it turns by
+/// the angle beside the side.
+double roundedOff_mm(double side_mm, double turn_rad) {
+  return side_mm / 4 * std::tan(std::abs(turn_rad) / 4);
+}
+
+/// Whether a smooth curve within the tolerance explains a joint of two sides.
+bool isSample(const CurveLayout& layout, const PolygonSides& sides, int joint,
+              double tolerance_mm) {
+  if (!sides.is_vertex[joint]) return false;
+  const double shorter_mm = std::min(sides.lengths_mm[layout.before(joint)],
+                                     sides.lengths_mm[layout.after(joint)]);
   return roundedOff_mm(shorter_mm, layout.turns_rad[joint]) <= tolerance_mm;
 }
 
 /// A side of a polygon that is no chord of a smooth curve within the tolerance: it turns by more at
 /// both ends than such a chord, to one side. Sides of a staircase turn to both sides, beside steps
 /// that are short.
-bool isLongSide(const CurveLayout& layout, int side, const std::vector<bool>& is_vertex,
-                double tolerance_mm) {
+bool isLongSide(const CurveLayout& layout, const PolygonSides& sides, int segment,
+                const std::vector<bool>& is_sample, double tolerance_mm) {
+  const int begin = sides.first[segment], end = sides.last[segment] + 1;
   double least_turn_rad = infinite, shortest_mm = infinite;
-  bool is_step = is_vertex[side] && is_vertex[side + 1] &&
-                 layout.turns_rad[side] * layout.turns_rad[side + 1] < 0;
-  for (const int joint : {side, side + 1}) {
-    if (!is_vertex[joint]) continue;
+  for (const int joint : {begin, end}) {
+    if (!is_sample[joint]) continue;
     least_turn_rad = std::min(least_turn_rad, std::abs(layout.turns_rad[joint]));
-    const int beside = joint == side ? layout.before(joint) : layout.after(joint);
-    shortest_mm = std::min(shortest_mm, layout.length_mm(beside));
+    const int beside = joint == begin ? layout.before(joint) : layout.after(joint);
+    shortest_mm = std::min(shortest_mm, sides.lengths_mm[beside]);
   }
-  if (is_step && shortest_mm <= 2 * tolerance_mm) return false;
   if (!std::isfinite(least_turn_rad)) return true;
-  return roundedOff_mm(layout.length_mm(side), least_turn_rad) > tolerance_mm;
+  const bool turns_back = is_sample[begin] && is_sample[end] &&
+                          layout.turns_rad[begin] * layout.turns_rad[end] < 0;
+  if (turns_back && shortest_mm <= 2 * tolerance_mm) return false;
+  return roundedOff_mm(sides.lengths_mm[segment], least_turn_rad) > tolerance_mm;
 }
 
 /// Corners, and the segments that stay.
 void classify(CurveLayout& layout, const ArcFitOptions& options) {
   const int n = layout.count();
-  std::vector<bool> is_vertex(n + 1, false);
+  const PolygonSides sides = polygonSides(layout);
+  std::vector<bool> is_sample(n + 1, false);
   layout.is_corner.assign(n + 1, false);
   for (int joint = 0; joint <= n; ++joint) {
-    if (!(std::abs(layout.turns_rad[joint]) > options.corner_rad)) continue;
-    is_vertex[joint] = isSampleVertex(layout, joint, options.tolerance_mm);
-    layout.is_corner[joint] = !is_vertex[joint];
+    is_sample[joint] = isSample(layout, sides, joint, options.tolerance_mm);
+    layout.is_corner[joint] =
+        !is_sample[joint] && std::abs(layout.turns_rad[joint]) > options.corner_rad;
   }
   layout.is_kept.assign(n, false);
-  for (int i = 0; i < n; ++i) {
-    if (!layout.exact[i]) continue;
-    layout.is_kept[i] = (!is_vertex[i] && !is_vertex[i + 1]) ||
-                        isLongSide(layout, i, is_vertex, options.tolerance_mm);
-  }
+  for (int i = 0; i < n; ++i)
+    layout.is_kept[i] = layout.exact[i] && isLongSide(layout, sides, i, is_sample,
+                                                      options.tolerance_mm);
   // A vertex between two sides that stay is a corner.
   for (int joint = 0; joint <= n; ++joint) {
     const int before = layout.before(joint), after = layout.after(joint);
-    if (is_vertex[joint] && layout.is_kept[before] && layout.is_kept[after])
-      layout.is_corner[joint] = true;
+    if (is_sample[joint] && layout.is_kept[before] && layout.is_kept[after])
+      layout.is_corner[joint] = std::abs(layout.turns_rad[joint]) > options.corner_rad;
   }
 }
 
@@ -214,15 +249,45 @@ std::optional<double> directionAt(const CurveLayout& layout, int joint, bool at_
   return direction_rad + (at_begin ? -turn_rad : turn_rad);
 }
 
+/// Where the arcs of a closed curve without corners begin: on the circle near the samples around
+/// its first point. The samples can wave within the tolerance.
+RunEnd closedEnd(const SampledRun& sampled) {
+  const int last = sampled.last();
+  const double away_mm = sampled.scales_mm.front() / 4;
+  const auto indexAt = [&](double length_mm) {
+    const auto found = std::ranges::lower_bound(sampled.lengths_mm, length_mm);
+    return std::min(static_cast<int>(found - sampled.lengths_mm.begin()), last);
+  };
+  std::vector<Vector2d> around;
+  for (int i = indexAt(sampled.lengths_mm.back() - away_mm); i < last; ++i)
+    around.push_back(sampled.points[i]);
+  for (int i = 0; i <= indexAt(away_mm); ++i) around.push_back(sampled.points[i]);
+  const ArcStart start = nearestCircle(around, sampled.points.front());
+  return {.point = start.point, .direction_rad = start.direction_rad};
+}
+
+/// The sides of a polygon.
+FittedPart sidesOf(const CurveLayout& layout, const CurvePart& range) {
+  FittedPart part;
+  for (int i = static_cast<int>(range.begin); i < range.end; ++i) append(part, *layout.exact[i]);
+  return part;
+}
+
 /// Arcs near segments that do not stay.
 FittedPart fittedRun(const CurveLayout& layout, const CurvePart& range, double tolerance_mm,
                      const Progress& progress) {
   const int begin = static_cast<int>(range.begin), end = static_cast<int>(range.end);
-  const SmoothRun run{.range = range,
-                      .ends = {.begin_direction_rad = directionAt(layout, begin, true),
-                               .end_direction_rad = directionAt(layout, end, false)}};
   const SampledRun sampled = sampledRun(layout.curve, range, tolerance_mm, arc_samples);
-  if (auto part = fewArcsBeside(layout.curve, run, sampled, tolerance_mm, progress)) return *part;
+  SmoothRun run{.range = range,
+                .ends = {.begin = {.point = sampled.points.front(),
+                                   .direction_rad = directionAt(layout, begin, true)},
+                         .end = {.point = sampled.points.back(),
+                                 .direction_rad = directionAt(layout, end, false)}}};
+  SmoothRun searched = run;
+  if (layout.closed && end - begin == layout.count() && !layout.is_corner.front())
+    searched.ends.begin = searched.ends.end = closedEnd(sampled);
+  if (auto part = fewArcsBeside(layout.curve, searched, sampled, tolerance_mm, progress))
+    return *part;
   return greedyArcs(layout.curve, run, tolerance_mm, progress);
 }
 

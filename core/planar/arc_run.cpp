@@ -93,11 +93,11 @@ std::optional<FittedStep> stepTo(const PlanarCurve& curve, const SmoothRun& run,
     const HermiteEnds ends = {.start = start,
                               .start_direction_rad = direction_rad,
                               .end = curve.endOf(last).point,
-                              .end_direction_rad = *run.ends.end_direction_rad};
+                              .end_direction_rad = *run.ends.end.direction_rad};
     std::optional<FittedPart> part = fittedPart(curve, {u0, run.range.end}, ends, tolerance_mm);
     if (!part) return std::nullopt;
     return FittedStep{
-        .part = std::move(*part), .end = run.range.end, .end_direction_rad = *run.ends.end_direction_rad};
+        .part = std::move(*part), .end = run.range.end, .end_direction_rad = *run.ends.end.direction_rad};
   }
   const CurveFrame frame = curve.at(u1);
   // docs/theory/planar.md P9.2: the ideal chain is rotated by k' l^2 / 12 where it crosses the
@@ -192,7 +192,7 @@ std::optional<FittedPart> proven(const PlanarCurve& curve, double begin, const P
 FittedPart greedyArcs(const PlanarCurve& curve, const SmoothRun& run, double tolerance_mm,
                       const Progress& progress) {
   FittedPart result;
-  double u = run.range.begin, direction_rad = *run.ends.begin_direction_rad, guess = 1;
+  double u = run.range.begin, direction_rad = *run.ends.begin.direction_rad, guess = 1;
   while (u < run.range.end) {
     checkProgress(progress, u / curve.count());
     const FittedStep step = longestStep(curve, run, u, direction_rad, guess, tolerance_mm);

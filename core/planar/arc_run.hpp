@@ -35,7 +35,8 @@ std::optional<FittedPart> fewArcsBeside(const PlanarCurve& curve, const SmoothRu
                                         const SampledRun& sampled, double tolerance_mm,
                                         const Progress& progress);
 
-/// Pairs of arcs, each as long as the tolerance allows, between points of the curve.
+/// Pairs of arcs, each as long as the tolerance allows, between points of the curve. Their ends are
+/// those of the curve.
 /// \param run both directions are given.
 /// \throws std::domain_error if the curve turns back, or the tolerance is below its rounding.
 FittedPart greedyArcs(const PlanarCurve& curve, const SmoothRun& run, double tolerance_mm,

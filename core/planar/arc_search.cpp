@@ -46,10 +46,10 @@ class ArcSearch {
   ArcSearch(const SampledRun& run, const RunEnds& ends, const ArcSearchOptions& options)
       : run_(run), ends_(ends), options_(options) {
     addHeadings();
-    if (!ends.end_direction_rad) return;
+    if (!ends.end.direction_rad) return;
     const std::vector<Vector2d> reversed(run.points.rbegin(), run.points.rend());
-    const ArcStart end{.point = run.points.back(),
-                       .direction_rad = *ends.end_direction_rad + std::numbers::pi};
+    const ArcStart end{.point = ends.end.point,
+                       .direction_rad = *ends.end.direction_rad + std::numbers::pi};
     backward_ = run.last() + 1 - pointsBeside(reversed, end, options.tolerance_mm);
   }
 
@@ -110,18 +110,26 @@ void ArcSearch::addHeadings() {
 }
 
 void ArcSearch::begin() {
-  const JointState start{.point = run_.points.front()};
-  if (ends_.begin_direction_rad) {
+  const JointState start{.point = ends_.begin.point};
+  if (ends_.begin.direction_rad) {
     states_.push_back(start);
-    states_.back().direction_rad = *ends_.begin_direction_rad;
+    states_.back().direction_rad = *ends_.begin.direction_rad;
   } else {
-    // Directions in which an arc can leave a band of the width of the tolerance.
+    // Around the tangent of the circle through three samples, an arc apart, in directions in which
+    // an arc can leave a band of the width of the tolerance.
     constexpr int half_fan = 24;
+    const double scale_mm = run_.scales_mm.front();
+    const auto at = [&](double length_mm) -> const Vector2d& {
+      const auto found = std::ranges::lower_bound(run_.lengths_mm, length_mm);
+      return run_.points[std::min<std::size_t>(found - run_.lengths_mm.begin(), run_.last())];
+    };
+    const Vector2d first = at(scale_mm / 2) - start.point, second = at(scale_mm) - at(scale_mm / 2);
+    const double middle_rad = directionOf(first) - angleFromTo(first, second) / 2;
     const double most_rad =
-        std::min(16 * options_.tolerance_mm / run_.scales_mm.front(), std::numbers::pi / 4);
+        std::min(16 * options_.tolerance_mm / scale_mm, std::numbers::pi / 4);
     for (int k = -half_fan; k <= half_fan; ++k) {
       states_.push_back(start);
-      states_.back().direction_rad = headings_rad_.front() + most_rad * k / half_fan;
+      states_.back().direction_rad = middle_rad + most_rad * k / half_fan;
     }
   }
   for (int i = 0; i < static_cast<int>(states_.size()); ++i) frontier_.push_back(i);
@@ -248,15 +256,15 @@ PlacedArcs ArcSearch::placed(int index) const {
 
 std::optional<PlacedArcs> ArcSearch::finished(int index) const {
   if (states_[index].sample >= run_.last()) return std::nullopt;
-  return ends_.end_direction_rad ? finishedByTwo(index) : finishedByOne(index);
+  return ends_.end.direction_rad ? finishedByTwo(index) : finishedByOne(index);
 }
 
 std::optional<PlacedArcs> ArcSearch::finishedByOne(int index) const {
   const JointState& from = states_[index];
   const std::vector<CurvatureRange> found = ranges(from);
   if (from.sample + static_cast<int>(found.size()) < run_.last()) return std::nullopt;
-  if (from.point == run_.points.back()) return std::nullopt;
-  const PlanarArc arc = arcThrough(from.point, from.direction_rad, run_.points.back());
+  if (from.point == ends_.end.point) return std::nullopt;
+  const PlanarArc arc = arcThrough(from.point, from.direction_rad, ends_.end.point);
   if (!isBeside(arc, from.sample, run_.last())) return std::nullopt;
   PlacedArcs result = placed(index);
   result.arcs.push_back(arc);
@@ -267,11 +275,11 @@ std::optional<PlacedArcs> ArcSearch::finishedByOne(int index) const {
 std::optional<PlacedArcs> ArcSearch::finishedByTwo(int index) const {
   const JointState& from = states_[index];
   if (from.sample + static_cast<int>(ranges(from).size()) < backward_) return std::nullopt;
-  if (from.point == run_.points.back()) return std::nullopt;
+  if (from.point == ends_.end.point) return std::nullopt;
   const HermiteEnds ends = {.start = from.point,
                             .start_direction_rad = from.direction_rad,
-                            .end = run_.points.back(),
-                            .end_direction_rad = *ends_.end_direction_rad};
+                            .end = ends_.end.point,
+                            .end_direction_rad = *ends_.end.direction_rad};
   const ChordAngles angles = chordAngles(ends);
   if (std::abs(angles.alpha_rad + angles.beta_rad) > options_.most_turn_rad) return std::nullopt;
   constexpr int shares = 16;

@@ -11,9 +11,14 @@
 /// Few arcs near samples of a curve. Not a public header.
 namespace seamwright {
 
-/// The direction of the arcs at an end of a run; any if there is none.
+/// An end of a chain: on the normal of the curve there.
+struct RunEnd {
+  Eigen::Vector2d point = Eigen::Vector2d::Zero();
+  std::optional<double> direction_rad;  ///< of the arcs; any if there is none
+};
+
 struct RunEnds {
-  std::optional<double> begin_direction_rad, end_direction_rad;
+  RunEnd begin, end;
 };
 
 /// A G1 chain beside a run.
@@ -30,7 +35,7 @@ struct ArcSearchOptions {
   bool keeps_sides = true;
 };
 
-/// A G1 chain of few arcs from the first sample to the last one that is no further from the samples
+/// A G1 chain of few arcs between ends beside the first sample and the last one that is no further from the samples
 /// than the tolerance; nothing is said about the curve between samples. Nothing if none is found.
 /// Source: docs/theory/planar.md P9.5.
 std::optional<PlacedArcs> fewArcs(const SampledRun& run, const RunEnds& ends,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <seamwright/core/numeric.hpp>
 #include <seamwright/core/planar/arc.hpp>
@@ -68,55 +69,83 @@ struct PointWindow {
   int first = 0, last = 0;
 };
 
-/// Whether four of the points are further than the tolerance from every circle and line. Four that
-/// show it are searched for by exchange, as for the best polynomial of degree 2: the furthest point
-/// from the circle of four takes the place of the one that makes the distance of the four largest.
-bool isMoreThanAnArc(const PointWindow& window, double tolerance_mm) {
+FourPoints pointsAt(const PointWindow& window, const std::array<int, 4>& at) {
+  return {window.points[at[0]], window.points[at[1]], window.points[at[2]], window.points[at[3]]};
+}
+
+/// Four points that are far from every circle and line, with the circle near them.
+struct FarFour {
+  std::array<int, 4> chosen{};
+  FourPointCircle circle;
+  int furthest = 0;  ///< of all points from the circle
+  double most_mm = 0;
+};
+
+FarFour farFour(const PointWindow& window, const std::array<int, 4>& chosen) {
+  const FourPoints four = pointsAt(window, chosen);
+  FarFour found{.chosen = chosen, .circle = circleOfFour(four), .furthest = window.first};
+  const FourPointCircle& circle = found.circle;
+  const double reference_mm = circle.normal.isZero(0)
+                                  ? (four[0] - circle.centre).norm() - circle.radius_mm
+                                  : circle.normal.dot(four[0]) - circle.radius_mm;
+  for (int i = window.first; i <= window.last; ++i) {
+    const double distance_mm =
+        distanceFromCircle(circle, window.points[i], four[0], reference_mm);
+    if (distance_mm > found.most_mm) {
+      found.most_mm = distance_mm;
+      found.furthest = i;
+    }
+  }
+  return found;
+}
+
+/// The furthest point takes the place of the one of the four that makes their distance the largest.
+/// Nothing if it is not more than before.
+std::optional<FarFour> exchanged(const PointWindow& window, const FarFour& from) {
+  std::array<int, 4> next = from.chosen;
+  double next_mm = from.circle.distance_mm;
+  for (int k = 0; k < 4; ++k) {
+    std::array<int, 4> other = from.chosen;
+    other[k] = from.furthest;
+    std::ranges::sort(other);
+    const double distance_mm = circleOfFour(pointsAt(window, other)).distance_mm;
+    if (distance_mm > next_mm) {
+      next_mm = distance_mm;
+      next = other;
+    }
+  }
+  return next == from.chosen ? std::nullopt : std::optional(farFour(window, next));
+}
+
+/// Four points by exchange, as for the best polynomial of degree 2. It stops when they are further
+/// from every circle than one distance, or all points are within another one of their circle.
+struct ExchangeStops {
+  double far_mm = infinite;
+  double near_mm = 0;
+};
+
+FarFour farFour(const PointWindow& window, const ExchangeStops& stops) {
   const int n = window.last - window.first;
-  if (n < 3) return false;
   // The extrema of the Chebyshev polynomial of degree 3.
-  std::array<int, 4> chosen = {window.first, window.first + std::max(1, n / 4),
-                               window.last - std::max(1, n / 4), window.last};
-  const auto pointsAt = [&](const std::array<int, 4>& at) -> FourPoints {
-    return {window.points[at[0]], window.points[at[1]], window.points[at[2]],
-            window.points[at[3]]};
-  };
+  FarFour now = farFour(window, std::array{window.first, window.first + std::max(1, n / 4),
+                                           window.last - std::max(1, n / 4), window.last});
   // Each exchange brings the distance much closer to the best, so that few are enough.
   constexpr int exchanges = 12;
   for (int exchange = 0; exchange < exchanges; ++exchange) {
-    const FourPoints four = pointsAt(chosen);
-    const FourPointCircle circle = circleOfFour(four);
-    if (circle.distance_mm > certain * tolerance_mm) return true;
-    const double reference_mm = circle.normal.isZero(0)
-                                    ? (four[0] - circle.centre).norm() - circle.radius_mm
-                                    : circle.normal.dot(four[0]) - circle.radius_mm;
-    int furthest = window.first;
-    double most_mm = 0;
-    for (int i = window.first; i <= window.last; ++i) {
-      const double distance_mm =
-          distanceFromCircle(circle, window.points[i], four[0], reference_mm);
-      if (distance_mm > most_mm) {
-        most_mm = distance_mm;
-        furthest = i;
-      }
-    }
-    if (most_mm <= certain * tolerance_mm) return false;
-    std::array<int, 4> next = chosen;
-    double next_mm = circle.distance_mm;
-    for (int k = 0; k < 4; ++k) {
-      std::array<int, 4> other = chosen;
-      other[k] = furthest;
-      std::ranges::sort(other);
-      const double distance_mm = circleOfFour(pointsAt(other)).distance_mm;
-      if (distance_mm > next_mm) {
-        next_mm = distance_mm;
-        next = other;
-      }
-    }
-    if (next == chosen) return false;
-    chosen = next;
+    if (now.circle.distance_mm > stops.far_mm || now.most_mm <= stops.near_mm) break;
+    const auto next = exchanged(window, now);
+    if (!next) break;
+    now = *next;
   }
-  return false;
+  return now;
+}
+
+/// Whether four of the points are further than the tolerance from every circle and line.
+bool isMoreThanAnArc(const PointWindow& window, double tolerance_mm) {
+  if (window.last - window.first < 3) return false;
+  const double most_mm = certain * tolerance_mm;
+  return farFour(window, ExchangeStops{.far_mm = most_mm, .near_mm = most_mm})
+             .circle.distance_mm > most_mm;
 }
 
 /// The last point that can be on an arc from the first one on.
@@ -178,6 +207,25 @@ CurvatureRange curvaturesNear(const LocalPoint& point, double tolerance_mm) {
   if (!(square > 0)) return {};
   return {.lower = 2 * (point.left - tolerance_mm) / square,
           .upper = 2 * (point.left + tolerance_mm) / square};
+}
+
+ArcStart nearestCircle(const std::vector<Vector2d>& points, const Vector2d& beside) {
+  const Vector2d chord = points.back() - points.front();
+  if (points.size() < 4) return {.point = beside, .direction_rad = directionOf(chord)};
+  const int last = static_cast<int>(points.size()) - 1;
+  const FourPointCircle circle =
+      farFour({.points = points, .first = 0, .last = last}, ExchangeStops{}).circle;
+  Vector2d normal = circle.normal;
+  double ahead_mm = 0;
+  if (normal.isZero(0)) {
+    normal = (beside - circle.centre).normalized();
+    ahead_mm = (beside - circle.centre).norm() - circle.radius_mm;
+  } else {
+    ahead_mm = normal.dot(beside) - circle.radius_mm;
+  }
+  const Vector2d tangent(-normal.y(), normal.x());
+  const double turned = tangent.dot(chord) < 0 ? -1 : 1;
+  return {.point = beside - ahead_mm * normal, .direction_rad = directionOf(turned * tangent)};
 }
 
 int pointsBeside(const std::vector<Vector2d>& points, const ArcStart& start,

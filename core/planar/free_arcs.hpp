@@ -55,6 +55,10 @@ struct ArcStart {
   double direction_rad = 0;
 };
 
+/// The point next to another one on a circle or line near points in order, with the direction
+/// there: the circle of four of them that are furthest from it.
+ArcStart nearestCircle(const std::vector<Eigen::Vector2d>& points, const Eigen::Vector2d& beside);
+
 /// How many of the points, from the first one on, can be within the tolerance of one arc from this
 /// start. Certainly no arc is within the tolerance of more.
 int pointsBeside(const std::vector<Eigen::Vector2d>& points, const ArcStart& start,
