@@ -96,124 +96,123 @@ struct CurveLayout {
   int after(int joint) const { return joint < count() ? joint : closed ? 0 : -1; }
 };
 
-/// Sides of a polygon; neighbours on one line are one side.
-struct PolygonSides {
-  std::vector<double> lengths_mm;  ///< of the side of each segment; 0 for one that is no line
-  std::vector<int> first, last;    ///< the segments of its side
-  std::vector<bool> is_vertex;     ///< joints of two lines that turn
+/// Segments that are arcs and lines; neighbours on one circle are one piece.
+struct ExactPieces {
+  std::vector<double> lengths_mm;  ///< of the piece of each segment; 0 for other curves
+  std::vector<int> begins, ends;   ///< the joints at which its piece begins and ends
 };
 
-PolygonSides polygonSides(const CurveLayout& layout) {
-  // The rounding of directions.
-  constexpr double same_line_rad = 1e-9;
+ExactPieces exactPieces(const CurveLayout& layout, double tolerance_mm) {
   const int n = layout.count();
-  PolygonSides sides;
-  sides.is_vertex.assign(n + 1, false);
-  for (int joint = 0; joint <= n; ++joint) {
-    const int before = layout.before(joint), after = layout.after(joint);
-    sides.is_vertex[joint] = before >= 0 && after >= 0 && layout.isLine(before) &&
-                             layout.isLine(after) &&
-                             std::abs(layout.turns_rad[joint]) > same_line_rad;
-  }
+  ExactPieces pieces;
   for (int i = 0; i < n;) {
-    int end = i + 1;
-    double length_mm = layout.isLine(i) ? layout.length_mm(i) : 0;
-    while (end < n && layout.isLine(i) && layout.isLine(end) && !sides.is_vertex[end])
-      length_mm += layout.length_mm(end++);
-    for (int k = i; k < end; ++k) {
-      sides.lengths_mm.push_back(length_mm);
-      sides.first.push_back(i);
-      sides.last.push_back(end - 1);
-    }
+    FittedPart piece;
+    int end = i;
+    do {
+      if (!layout.exact[end]) break;
+      appendExact(piece, *layout.exact[end], false, tolerance_mm);
+      if (piece.arcs.size() > 1) break;
+      ++end;
+    } while (end < n);
+    const double length_mm = piece.arcs.empty() ? 0 : piece.arcs.front().length_mm;
+    end = std::max(end, i + 1);
+    pieces.lengths_mm.resize(end, length_mm);
+    pieces.begins.resize(end, i);
+    pieces.ends.resize(end, end);
     i = end;
   }
-  return sides;
+  return pieces;
 }
 
-/// How far a circle midway between a corner and the middle of the side is from both, if it turns by
-/// the angle beside the side.
-double roundedOff_mm(double side_mm, double turn_rad) {
-  return side_mm / 4 * std::tan(std::abs(turn_rad) / 4);
-}
-
-/// Whether a smooth curve within the tolerance explains a joint of two sides.
-bool isSample(const CurveLayout& layout, const PolygonSides& sides, int joint,
+/// Whether a smooth curve within the tolerance explains a joint of two sides of a polygon: a circle
+/// midway between the corner and the middle of the shorter side.
+bool isSample(const CurveLayout& layout, const ExactPieces& pieces, int joint,
               double tolerance_mm) {
-  if (!sides.is_vertex[joint]) return false;
-  const double shorter_mm = std::min(sides.lengths_mm[layout.before(joint)],
-                                     sides.lengths_mm[layout.after(joint)]);
-  return roundedOff_mm(shorter_mm, layout.turns_rad[joint]) <= tolerance_mm;
+  const int before = layout.before(joint), after = layout.after(joint);
+  if (before < 0 || after < 0 || !layout.isLine(before) || !layout.isLine(after)) return false;
+  const double shorter_mm = std::min(pieces.lengths_mm[before], pieces.lengths_mm[after]);
+  const double off_mm = shorter_mm / 4 * std::tan(std::abs(layout.turns_rad[joint]) / 4);
+  return off_mm <= tolerance_mm;
 }
 
-/// A side of a polygon that is no chord of a smooth curve within the tolerance: it turns by more at
-/// both ends than such a chord, to one side. Sides of a staircase turn to both sides, beside steps
-/// that are short.
-bool isLongSide(const CurveLayout& layout, const PolygonSides& sides, int segment,
-                const std::vector<bool>& is_sample, double tolerance_mm) {
-  const int begin = sides.first[segment], end = sides.last[segment] + 1;
-  double least_turn_rad = infinite, shortest_mm = infinite;
-  for (const int joint : {begin, end}) {
-    if (!is_sample[joint]) continue;
-    least_turn_rad = std::min(least_turn_rad, std::abs(layout.turns_rad[joint]));
-    const int beside = joint == begin ? layout.before(joint) : layout.after(joint);
-    shortest_mm = std::min(shortest_mm, sides.lengths_mm[beside]);
+/// Points of the curve from a joint on, as far as there is no corner, up to a length.
+std::vector<Vector2d> pointsFrom(const CurveLayout& layout, int joint, bool forward,
+                                 double length_mm) {
+  std::vector<Vector2d> points;
+  const int begin = joint;
+  double walked_mm = 0;
+  while (walked_mm < length_mm && !layout.is_corner[joint]) {
+    const int i = forward ? layout.after(joint) : layout.before(joint);
+    if (i < 0) break;
+    const BezierCurve& segment = layout.curve.segments[i];
+    Vector2d last = segment.point(forward ? 0 : 1).head<2>();
+    // Of a segment: enough to tell it from an arc.
+    constexpr int steps = 8;
+    for (int k = 1; k <= steps && walked_mm < length_mm; ++k) {
+      const double t = static_cast<double>(forward ? k : steps - k) / steps;
+      points.emplace_back(segment.point(t).head<2>());
+      walked_mm += (points.back() - last).norm();
+      last = points.back();
+    }
+    joint = forward ? i + 1 : i;
+    if (joint == begin) break;
   }
-  if (!std::isfinite(least_turn_rad)) return true;
-  const bool turns_back = is_sample[begin] && is_sample[end] &&
-                          layout.turns_rad[begin] * layout.turns_rad[end] < 0;
-  if (turns_back && shortest_mm <= 2 * tolerance_mm) return false;
-  return roundedOff_mm(sides.lengths_mm[segment], least_turn_rad) > tolerance_mm;
+  return points;
+}
+
+/// Whether an arc or line is more than a sample of a smooth curve: with half as much on both sides
+/// it is not near one arc, or the sides are on it as well.
+bool staysExact(const CurveLayout& layout, const ExactPieces& pieces, int segment,
+                double tolerance_mm) {
+  const int begin = pieces.begins[segment], end = pieces.ends[segment];
+  const double half_mm = pieces.lengths_mm[segment] / 2;
+  std::vector<Vector2d> points = pointsFrom(layout, begin, false, half_mm);
+  std::ranges::reverse(points);
+  const auto beyond = static_cast<std::ptrdiff_t>(points.size());
+  for (const Vector2d& point : pointsFrom(layout, end, true, half_mm)) points.push_back(point);
+  const PlanarArc& arc = layout.exact[segment]->arcs.front();
+  const Vector2d tangent = unitVector(arc.direction_rad);
+  // A millionth of the tolerance is negligible.
+  constexpr double same_circle = 1e-6;
+  if (std::ranges::all_of(points, [&](const Vector2d& point) {
+        const LocalPoint local = localPoint(point, arc.start, tangent);
+        const CurvatureRange near = curvaturesNear(local, same_circle * tolerance_mm);
+        return near.lower <= arc.curvature_per_mm && arc.curvature_per_mm <= near.upper;
+      }))
+    return true;
+  const std::vector<Vector2d> inside = pointsFrom(
+      layout, begin, true, pieces.lengths_mm[segment] * (1 - std::sqrt(machine_epsilon)));
+  points.insert(points.begin() + beyond, inside.begin(), inside.end());
+  return freeArcEnds(points, tolerance_mm).size() > 1;
 }
 
 /// Corners, and the segments that stay.
 void classify(CurveLayout& layout, const ArcFitOptions& options) {
   const int n = layout.count();
-  const PolygonSides sides = polygonSides(layout);
-  std::vector<bool> is_sample(n + 1, false);
+  const double tolerance_mm = options.tolerance_mm;
+  const ExactPieces pieces = exactPieces(layout, tolerance_mm);
+  const auto isKink = [&](int joint) {
+    return std::abs(layout.turns_rad[joint]) > options.corner_rad;
+  };
   layout.is_corner.assign(n + 1, false);
-  for (int joint = 0; joint <= n; ++joint) {
-    is_sample[joint] = isSample(layout, sides, joint, options.tolerance_mm);
-    layout.is_corner[joint] =
-        !is_sample[joint] && std::abs(layout.turns_rad[joint]) > options.corner_rad;
-  }
+  for (int joint = 0; joint <= n; ++joint)
+    layout.is_corner[joint] = isKink(joint) && !isSample(layout, pieces, joint, tolerance_mm);
   layout.is_kept.assign(n, false);
-  for (int i = 0; i < n; ++i)
-    layout.is_kept[i] = layout.exact[i] && isLongSide(layout, sides, i, is_sample,
-                                                      options.tolerance_mm);
-  // A vertex between two sides that stay is a corner.
+  for (int i = 0; i < n; ++i) {
+    const bool same = i > 0 && pieces.begins[i] == pieces.begins[i - 1];
+    layout.is_kept[i] = same ? layout.is_kept[i - 1]
+                             : layout.exact[i] && staysExact(layout, pieces, i, tolerance_mm);
+  }
+  // A kink between two pieces that stay is a corner.
   for (int joint = 0; joint <= n; ++joint) {
     const int before = layout.before(joint), after = layout.after(joint);
-    if (is_sample[joint] && layout.is_kept[before] && layout.is_kept[after])
-      layout.is_corner[joint] = std::abs(layout.turns_rad[joint]) > options.corner_rad;
+    if (before >= 0 && after >= 0 && layout.is_kept[before] && layout.is_kept[after])
+      layout.is_corner[joint] = isKink(joint);
   }
-}
-
-/// The arcs of segments that stay, and how many arcs of any kind there are at least.
-FittedPart keptArcs(const CurveLayout& layout, int begin, int end, double tolerance_mm) {
-  FittedPart part;
-  for (int i = begin; i < end; ++i) appendExact(part, *layout.exact[i], i == begin, tolerance_mm);
-  return part;
 }
 
 /// Samples of one arc. A choice: twice as many save few arcs.
 constexpr int arc_samples = 32;
-
-/// Arcs that are many more than the tolerance needs are samples of a smooth curve.
-void releaseManyArcs(CurveLayout& layout, double tolerance_mm) {
-  const int n = layout.count();
-  for (int i = 0; i < n;) {
-    int end = i + 1;
-    while (end < n && layout.is_kept[i] && layout.is_kept[end] && !layout.is_corner[end]) ++end;
-    if (layout.is_kept[i] && end - i > 4) {
-      const auto arcs = static_cast<int>(keptArcs(layout, i, end, tolerance_mm).arcs.size());
-      const int least = sampledRun(layout.curve, {double(i), double(end)}, tolerance_mm,
-                                   arc_samples).free_arcs;
-      if (arcs > 2 * (least + 1))
-        std::fill(layout.is_kept.begin() + i, layout.is_kept.begin() + end, false);
-    }
-    i = end;
-  }
-}
 
 CurveLayout layoutOf(const BezierSpline& spline, const ArcFitOptions& options,
                      const Progress& progress) {
@@ -231,7 +230,6 @@ CurveLayout layoutOf(const BezierSpline& spline, const ArcFitOptions& options,
     layout.exact.push_back(exactArc(curve, i, options.tolerance_mm));
   }
   classify(layout, options);
-  releaseManyArcs(layout, options.tolerance_mm);
   return layout;
 }
 
@@ -266,29 +264,35 @@ RunEnd closedEnd(const SampledRun& sampled) {
   return {.point = start.point, .direction_rad = start.direction_rad};
 }
 
-/// The sides of a polygon.
-FittedPart sidesOf(const CurveLayout& layout, const CurvePart& range) {
-  FittedPart part;
-  for (int i = static_cast<int>(range.begin); i < range.end; ++i) append(part, *layout.exact[i]);
-  return part;
-}
-
-/// Arcs near segments that do not stay.
-FittedPart fittedRun(const CurveLayout& layout, const CurvePart& range, double tolerance_mm,
-                     const Progress& progress) {
+/// Arcs near segments that do not stay; nothing if they have kinks that no smooth chain explains.
+std::optional<FittedPart> fittedRun(const CurveLayout& layout, const CurvePart& range,
+                                    const ArcFitOptions& options, const Progress& progress) {
   const int begin = static_cast<int>(range.begin), end = static_cast<int>(range.end);
-  const SampledRun sampled = sampledRun(layout.curve, range, tolerance_mm, arc_samples);
-  SmoothRun run{.range = range,
-                .ends = {.begin = {.point = sampled.points.front(),
-                                   .direction_rad = directionAt(layout, begin, true)},
-                         .end = {.point = sampled.points.back(),
-                                 .direction_rad = directionAt(layout, end, false)}}};
+  const SampledRun sampled = sampledRun(layout.curve, range, options.tolerance_mm, arc_samples);
+  const SmoothRun run{.range = range,
+                      .ends = {.begin = {.point = sampled.points.front(),
+                                         .direction_rad = directionAt(layout, begin, true)},
+                               .end = {.point = sampled.points.back(),
+                                       .direction_rad = directionAt(layout, end, false)}}};
   SmoothRun searched = run;
   if (layout.closed && end - begin == layout.count() && !layout.is_corner.front())
     searched.ends.begin = searched.ends.end = closedEnd(sampled);
-  if (auto part = fewArcsBeside(layout.curve, searched, sampled, tolerance_mm, progress))
-    return *part;
-  return greedyArcs(layout.curve, run, tolerance_mm, progress);
+  if (auto part = fewArcsBeside(layout.curve, searched, sampled, options.tolerance_mm, progress))
+    return part;
+  for (int joint = begin + 1; joint < end; ++joint)
+    if (std::abs(layout.turns_rad[joint]) > options.corner_rad) return std::nullopt;
+  return greedyArcs(layout.curve, run, options.tolerance_mm, progress);
+}
+
+/// Takes the arcs and lines of a part as they are, with its kinks as corners.
+void keepExact(CurveLayout& layout, const CurvePart& range, double corner_rad) {
+  const int begin = static_cast<int>(range.begin), end = static_cast<int>(range.end);
+  for (int i = begin; i < end; ++i) {
+    layout.is_kept[i] = layout.exact[i].has_value();
+    if (std::abs(layout.turns_rad[i]) > corner_rad) layout.is_corner[i] = true;
+  }
+  layout.is_corner.back() = layout.closed ? bool(layout.is_corner.front())
+                                          : bool(layout.is_corner.back());
 }
 
 /// Of all chains from corner to corner. Arcs at an end with a given direction are those that have
@@ -332,21 +336,28 @@ ArcFit fitArcs(const BezierSpline& spline, const ArcFitOptions& options, const P
   requireValid(spline);
   requireFitOptions(options.tolerance_mm, options.corner_rad);
   requireAboveNoise(spline, options.tolerance_mm);
-  const CurveLayout layout = layoutOf(spline, options, progress);
+  CurveLayout layout = layoutOf(spline, options, progress);
   const int n = layout.count();
   FittedPart fitted;
   ArcFit result = {.arcs = {}, .corners = {}, .closed = spline.closed};
   for (int i = 0; i < n;) {
-    if (layout.is_corner[i]) result.corners.push_back(static_cast<int>(fitted.arcs.size()));
     if (layout.is_kept[i]) {
+      if (layout.is_corner[i]) result.corners.push_back(static_cast<int>(fitted.arcs.size()));
       appendExact(fitted, *layout.exact[i], layout.is_corner[i], options.tolerance_mm);
       ++i;
       continue;
     }
     int end = i + 1;
     while (end < n && !layout.is_kept[end] && !layout.is_corner[end]) ++end;
-    append(fitted, fittedRun(layout, {double(i), double(end)}, options.tolerance_mm,
-                             partOf(progress, double(i) / n, double(end) / n)));
+    const CurvePart range{.begin = double(i), .end = double(end)};
+    const auto part = fittedRun(layout, range, options,
+                                partOf(progress, range.begin / n, range.end / n));
+    if (!part) {
+      keepExact(layout, range, options.corner_rad);
+      continue;
+    }
+    if (layout.is_corner[i]) result.corners.push_back(static_cast<int>(fitted.arcs.size()));
+    append(fitted, *part);
     i = end;
   }
   result.least_arcs = leastArcs(layout, options.tolerance_mm);

@@ -123,8 +123,8 @@ void ArcSearch::begin() {
       const auto found = std::ranges::lower_bound(run_.lengths_mm, length_mm);
       return run_.points[std::min<std::size_t>(found - run_.lengths_mm.begin(), run_.last())];
     };
-    const Vector2d first = at(scale_mm / 2) - start.point, second = at(scale_mm) - at(scale_mm / 2);
-    const double middle_rad = directionOf(first) - angleFromTo(first, second) / 2;
+    const Vector2d half = at(scale_mm / 2) - start.point, whole = at(scale_mm) - start.point;
+    const double middle_rad = directionOf(half) - angleFromTo(whole, whole - half);
     const double most_rad =
         std::min(16 * options_.tolerance_mm / scale_mm, std::numbers::pi / 4);
     for (int k = -half_fan; k <= half_fan; ++k) {

@@ -36,7 +36,8 @@ std::vector<double> dividedParameters(const PlanarCurve& curve, const std::vecto
     for (std::size_t k = 1; k < cuts.size(); ++k) {
       const double from = cuts[k - 1], to = cuts[k];
       const double share = whole_mm > 0 ? lengths_mm[k - 1] / whole_mm : 1;
-      const int pieces = std::max(1, static_cast<int>(std::ceil(density * share)));
+      // A side of a polygon is furthest from arcs at its ends or in its middle.
+      const int pieces = std::max(2, static_cast<int>(std::ceil(density * share)));
       for (int part = 1; part < pieces; ++part)
         parameters.push_back(from + (to - from) * part / pieces);
       parameters.push_back(to);
