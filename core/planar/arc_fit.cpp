@@ -105,21 +105,34 @@ struct ExactPieces {
 ExactPieces exactPieces(const CurveLayout& layout, double tolerance_mm) {
   const int n = layout.count();
   ExactPieces pieces;
+  FittedPart first, last;
   for (int i = 0; i < n;) {
-    FittedPart piece;
+    last = {};
     int end = i;
-    do {
-      if (!layout.exact[end]) break;
-      appendExact(piece, *layout.exact[end], false, tolerance_mm);
-      if (piece.arcs.size() > 1) break;
+    while (end < n && layout.exact[end]) {
+      appendExact(last, *layout.exact[end], false, tolerance_mm);
+      if (last.arcs.size() > 1) break;
       ++end;
-    } while (end < n);
-    const double length_mm = piece.arcs.empty() ? 0 : piece.arcs.front().length_mm;
+    }
+    if (i == 0) first = last;
     end = std::max(end, i + 1);
-    pieces.lengths_mm.resize(end, length_mm);
+    pieces.lengths_mm.resize(end, last.arcs.empty() ? 0 : last.arcs.front().length_mm);
     pieces.begins.resize(end, i);
     pieces.ends.resize(end, end);
     i = end;
+  }
+  if (!layout.closed || first.arcs.empty() || last.arcs.empty() || pieces.ends[0] == n)
+    return pieces;
+  // The piece that passes the point where a closed curve begins.
+  FittedPart whole{.arcs = {last.arcs.front()}};
+  appendExact(whole, {.arcs = {first.arcs.front()}}, false, tolerance_mm);
+  if (whole.arcs.size() > 1) return pieces;
+  const int begin = pieces.begins.back(), end = pieces.ends.front();
+  for (int i = 0; i < n; ++i) {
+    if (i >= end && i < begin) continue;
+    pieces.lengths_mm[i] = whole.arcs.front().length_mm;
+    pieces.begins[i] = begin;
+    pieces.ends[i] = end;
   }
   return pieces;
 }
@@ -161,25 +174,17 @@ std::vector<Vector2d> pointsFrom(const CurveLayout& layout, int joint, bool forw
 }
 
 /// Whether an arc or line is more than a sample of a smooth curve: with half as much on both sides
-/// it is not near one arc, or the sides are on it as well.
+/// it is not near one arc.
 bool staysExact(const CurveLayout& layout, const ExactPieces& pieces, int segment,
                 double tolerance_mm) {
   const int begin = pieces.begins[segment], end = pieces.ends[segment];
+  if (begin == 0 && end == layout.count()) return true;
   const double half_mm = pieces.lengths_mm[segment] / 2;
   std::vector<Vector2d> points = pointsFrom(layout, begin, false, half_mm);
   std::ranges::reverse(points);
   const auto beyond = static_cast<std::ptrdiff_t>(points.size());
   for (const Vector2d& point : pointsFrom(layout, end, true, half_mm)) points.push_back(point);
-  const PlanarArc& arc = layout.exact[segment]->arcs.front();
-  const Vector2d tangent = unitVector(arc.direction_rad);
-  // A millionth of the tolerance is negligible.
-  constexpr double same_circle = 1e-6;
-  if (std::ranges::all_of(points, [&](const Vector2d& point) {
-        const LocalPoint local = localPoint(point, arc.start, tangent);
-        const CurvatureRange near = curvaturesNear(local, same_circle * tolerance_mm);
-        return near.lower <= arc.curvature_per_mm && arc.curvature_per_mm <= near.upper;
-      }))
-    return true;
+  if (points.empty()) return true;
   const std::vector<Vector2d> inside = pointsFrom(
       layout, begin, true, pieces.lengths_mm[segment] * (1 - std::sqrt(machine_epsilon)));
   points.insert(points.begin() + beyond, inside.begin(), inside.end());
@@ -264,7 +269,7 @@ RunEnd closedEnd(const SampledRun& sampled) {
   return {.point = start.point, .direction_rad = start.direction_rad};
 }
 
-/// Arcs near segments that do not stay; nothing if they have kinks that no smooth chain explains.
+/// Arcs near segments that do not stay; nothing if they have kinks and no smooth chain is found.
 std::optional<FittedPart> fittedRun(const CurveLayout& layout, const CurvePart& range,
                                     const ArcFitOptions& options, const Progress& progress) {
   const int begin = static_cast<int>(range.begin), end = static_cast<int>(range.end);
@@ -284,15 +289,26 @@ std::optional<FittedPart> fittedRun(const CurveLayout& layout, const CurvePart& 
   return greedyArcs(layout.curve, run, options.tolerance_mm, progress);
 }
 
-/// Takes the arcs and lines of a part as they are, with its kinks as corners.
-void keepExact(CurveLayout& layout, const CurvePart& range, double corner_rad) {
+/// Makes the fit of a part of a polygon easier: it may turn at kinks where it begins and ends, then
+/// at one in its middle. Sides with such kinks at both ends stay.
+void relax(CurveLayout& layout, const CurvePart& range, double corner_rad) {
   const int begin = static_cast<int>(range.begin), end = static_cast<int>(range.end);
-  for (int i = begin; i < end; ++i) {
-    layout.is_kept[i] = layout.exact[i].has_value();
-    if (std::abs(layout.turns_rad[i]) > corner_rad) layout.is_corner[i] = true;
+  const auto isSmoothKink = [&](int joint) {
+    return !layout.is_corner[joint] && std::abs(layout.turns_rad[joint]) > corner_rad;
+  };
+  std::vector<int> corners;
+  for (const int joint : {begin, end})
+    if (isSmoothKink(joint)) corners.push_back(joint);
+  if (corners.empty()) {
+    int middle = begin;
+    for (int joint = begin + 1; joint < end; ++joint)
+      if (isSmoothKink(joint) && std::abs(2 * joint - begin - end) < std::abs(2 * middle - begin - end))
+        middle = joint;
+    corners.push_back(middle);
   }
-  layout.is_corner.back() = layout.closed ? bool(layout.is_corner.front())
-                                          : bool(layout.is_corner.back());
+  for (const int joint : corners) layout.is_corner[joint] = true;
+  const bool closes = layout.closed && (layout.is_corner.front() || layout.is_corner.back());
+  if (closes) layout.is_corner.front() = layout.is_corner.back() = true;
 }
 
 /// Of all chains from corner to corner. Arcs at an end with a given direction are those that have
@@ -353,7 +369,7 @@ ArcFit fitArcs(const BezierSpline& spline, const ArcFitOptions& options, const P
     const auto part = fittedRun(layout, range, options,
                                 partOf(progress, range.begin / n, range.end / n));
     if (!part) {
-      keepExact(layout, range, options.corner_rad);
+      relax(layout, range, options.corner_rad);
       continue;
     }
     if (layout.is_corner[i]) result.corners.push_back(static_cast<int>(fitted.arcs.size()));

@@ -55,7 +55,9 @@ class ArcSearch {
 
   std::optional<PlacedArcs> chain(const Progress& progress) {
     begin();
-    int furthest = 0;
+    // The furthest state can lead nowhere, and others overtake it soon.
+    constexpr int most_waits = 6;
+    int furthest = 0, waits = 0;
     while (!frontier_.empty()) {
       checkProgress(progress, run_.parameters[furthest] / run_.parameters.back());
       for (const int index : frontier_)
@@ -63,8 +65,9 @@ class ArcSearch {
       advance();
       int next = 0;
       for (const int index : frontier_) next = std::max(next, states_[index].sample);
-      if (next <= furthest) return std::nullopt;
-      furthest = next;
+      waits = next > furthest ? 0 : waits + 1;
+      if (waits > most_waits) return std::nullopt;
+      furthest = std::max(next, furthest);
     }
     return std::nullopt;
   }
@@ -82,6 +85,11 @@ class ArcSearch {
   std::optional<PlacedArcs> finishedByOne(int index) const;
   std::optional<PlacedArcs> finishedByTwo(int index) const;
   bool isBeside(const PlanarArc& arc, int from, int to) const;
+  bool isPassedOnce(const Vector2d& joint, double direction_rad, int sample) const;
+  /// It moves the arc by a millionth of the tolerance.
+  double negligibleCurvature(const PlanarArc& arc) const {
+    return 1e-6 * options_.tolerance_mm / (arc.length_mm * arc.length_mm);
+  }
   PlacedArcs placed(int index) const;
 
   const SampledRun& run_;
@@ -136,7 +144,9 @@ void ArcSearch::begin() {
 }
 
 CurvatureRange ArcSearch::sided(int from, int to) const {
-  CurvatureRange range;
+  // The curve must not come near the centre of an arc.
+  const double most_per_mm = 0.8 / options_.tolerance_mm;
+  CurvatureRange range{.lower = -most_per_mm, .upper = most_per_mm};
   if (!options_.keeps_sides) return range;
   if (run_.left[to] == run_.left[from]) range.upper = 0;
   if (run_.right[to] == run_.right[from]) range.lower = 0;
@@ -211,7 +221,7 @@ void ArcSearch::expand(int index) {
       if (!(arc.length_mm > 0) || std::abs(arc.sweep_rad()) > options_.most_turn_rad) continue;
       state.point = arc.end();
       state.direction_rad = arc.endDirection_rad();
-      keep(state);
+      if (isPassedOnce(state.point, state.direction_rad, to)) keep(state);
       if (range.lower == range.upper) break;
     }
   }
@@ -229,13 +239,34 @@ void ArcSearch::advance() {
 /// Whether samples are within the tolerance of the circle of an arc, and forward from its start.
 bool ArcSearch::isBeside(const PlanarArc& arc, int from, int to) const {
   const CurvatureRange side = sided(from, to);
-  if (arc.curvature_per_mm < side.lower || arc.curvature_per_mm > side.upper) return false;
+  const double negligible = negligibleCurvature(arc);
+  if (arc.curvature_per_mm < side.lower - negligible ||
+      arc.curvature_per_mm > side.upper + negligible)
+    return false;
   if (std::abs(arc.sweep_rad()) > options_.most_turn_rad) return false;
   const Vector2d tangent = unitVector(arc.direction_rad);
   for (int i = from; i <= to; ++i) {
     const LocalPoint p = localPoint(run_.points[i], arc.start, tangent);
     if (std::abs(offsetOf(arc.curvature_per_mm, p)) > options_.tolerance_mm) return false;
   }
+  return true;
+}
+
+/// Whether the samples near a joint pass its normal at the given one only. A curve that turns more
+/// sharply than the arcs is beyond the end of an arc before.
+bool ArcSearch::isPassedOnce(const Vector2d& joint, double direction_rad, int sample) const {
+  const Vector2d tangent = unitVector(direction_rad);
+  // As far as the curve can go back within the tolerance; what is a part of the tolerance does not
+  // count.
+  const double near_mm = 4 * options_.tolerance_mm, negligible_mm = 0.1 * options_.tolerance_mm;
+  const auto ahead = [&](int i) { return (run_.points[i] - joint).dot(tangent); };
+  const auto away = [&](int i) {
+    return std::abs(run_.lengths_mm[i] - run_.lengths_mm[sample]);
+  };
+  for (int i = sample - 1; i >= 0 && away(i) < near_mm; --i)
+    if (ahead(i) > negligible_mm) return false;
+  for (int i = sample + 1; i <= run_.last() && away(i) < near_mm; ++i)
+    if (ahead(i) < -negligible_mm) return false;
   return true;
 }
 
@@ -264,7 +295,8 @@ std::optional<PlacedArcs> ArcSearch::finishedByOne(int index) const {
   const std::vector<CurvatureRange> found = ranges(from);
   if (from.sample + static_cast<int>(found.size()) < run_.last()) return std::nullopt;
   if (from.point == ends_.end.point) return std::nullopt;
-  const PlanarArc arc = arcThrough(from.point, from.direction_rad, ends_.end.point);
+  PlanarArc arc = arcThrough(from.point, from.direction_rad, ends_.end.point);
+  if (std::abs(arc.curvature_per_mm) <= negligibleCurvature(arc)) arc.curvature_per_mm = 0;
   if (!isBeside(arc, from.sample, run_.last())) return std::nullopt;
   PlacedArcs result = placed(index);
   result.arcs.push_back(arc);
@@ -291,6 +323,7 @@ std::optional<PlacedArcs> ArcSearch::finishedByTwo(int index) const {
     int joint = from.sample;
     while (joint < run_.last() && (run_.points[joint] - pair.joint()).dot(tangent) < 0) ++joint;
     if (joint == from.sample || joint == run_.last()) continue;
+    if (!isPassedOnce(pair.joint(), pair.second.direction_rad, joint)) continue;
     if (!isBeside(pair.first, from.sample, joint - 1)) continue;
     if (!isBeside(pair.second, joint, run_.last())) continue;
     PlacedArcs result = placed(index);
