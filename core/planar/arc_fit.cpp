@@ -289,6 +289,22 @@ std::optional<FittedPart> fittedRun(const CurveLayout& layout, const CurvePart& 
   return greedyArcs(layout.curve, run, options.tolerance_mm, progress);
 }
 
+/// The arcs and lines that a part is, if it is without kinks.
+std::optional<FittedPart> exactRun(const CurveLayout& layout, const CurvePart& range,
+                                   const ArcFitOptions& options) {
+  FittedPart part;
+  const int begin = static_cast<int>(range.begin), end = static_cast<int>(range.end);
+  for (int i = begin; i < end; ++i) {
+    if (!layout.exact[i]) return std::nullopt;
+    const bool can_turn = i == begin && layout.is_corner[begin];
+    if (!can_turn && std::abs(layout.turns_rad[i]) > options.corner_rad) return std::nullopt;
+    appendExact(part, *layout.exact[i], i == begin, options.tolerance_mm);
+  }
+  if (!layout.is_corner[end] && std::abs(layout.turns_rad[end]) > options.corner_rad)
+    return std::nullopt;
+  return part;
+}
+
 /// Makes the fit of a part of a polygon easier: it may turn at kinks where it begins and ends, then
 /// at one in its middle. Sides with such kinks at both ends stay.
 void relax(CurveLayout& layout, const CurvePart& range, double corner_rad) {
@@ -366,8 +382,10 @@ ArcFit fitArcs(const BezierSpline& spline, const ArcFitOptions& options, const P
     int end = i + 1;
     while (end < n && !layout.is_kept[end] && !layout.is_corner[end]) ++end;
     const CurvePart range{.begin = double(i), .end = double(end)};
-    const auto part = fittedRun(layout, range, options,
-                                partOf(progress, range.begin / n, range.end / n));
+    const auto exact = exactRun(layout, range, options);
+    auto part = fittedRun(layout, range, options,
+                          partOf(progress, range.begin / n, range.end / n));
+    if (exact && (!part || exact->arcs.size() <= part->arcs.size())) part = exact;
     if (!part) {
       relax(layout, range, options.corner_rad);
       continue;
