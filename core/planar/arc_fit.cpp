@@ -216,9 +216,6 @@ void classify(CurveLayout& layout, const ArcFitOptions& options) {
   }
 }
 
-/// Samples of one arc. A choice: twice as many save few arcs.
-constexpr int arc_samples = 32;
-
 CurveLayout layoutOf(const BezierSpline& spline, const ArcFitOptions& options,
                      const Progress& progress) {
   CurveLayout layout;

@@ -207,12 +207,20 @@ FittedPart greedyArcs(const PlanarCurve& curve, const SmoothRun& run, double tol
 std::optional<FittedPart> fewArcsBeside(const PlanarCurve& curve, const SmoothRun& run,
                                         const SampledRun& sampled, double tolerance_mm,
                                         const Progress& progress) {
-  // The samples miss the largest distance by about half a percent of the tolerance, where the curve
-  // waves by more.
-  for (const double share : {0.99, 0.96, 0.9, 0.75}) {
+  // The samples miss the largest distance by about half a percent of the tolerance; where the curve
+  // waves by more, denser ones are needed.
+  struct Attempt {
+    double share = 0;
+    int density = 1;
+  };
+  for (const auto& [share, density] : {Attempt{0.99, 1}, Attempt{0.97, 1}, Attempt{0.95, 2},
+                                       Attempt{0.9, 4}}) {
     const ArcSearchOptions options{.tolerance_mm = share * tolerance_mm,
                                    .most_turn_rad = most_turn_rad};
-    const auto arcs = fewArcs(sampled, run.ends, options, progress);
+    const SampledRun samples =
+        density == 1 ? sampled
+                     : sampledRun(curve, run.range, tolerance_mm, density * arc_samples);
+    const auto arcs = fewArcs(samples, run.ends, options, progress);
     if (!arcs) return std::nullopt;
     if (auto part = proven(curve, run.range.begin, *arcs, tolerance_mm)) return part;
   }

@@ -26,6 +26,9 @@ struct CurvePart {
   double begin = 0, end = 0;
 };
 
+/// Samples of one arc. A choice: twice as many save few arcs.
+inline constexpr int arc_samples = 32;
+
 /// \param density samples of a free arc.
 SampledRun sampledRun(const PlanarCurve& curve, const CurvePart& part, double tolerance_mm,
                       int density);
