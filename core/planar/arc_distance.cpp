@@ -103,7 +103,8 @@ double distanceFromArc(const PlanarArc& arc, const CircleStretch& stretch, doubl
 /// \param begin_mm where the piece begins on the arc, if its projection may turn back.
 std::optional<AlongCircle> besideCircle(const CurvePiece& piece, const PlanarArc& arc,
                                         double tolerance_mm, std::optional<double> begin_mm) {
-  // A bound is good enough if it exceeds a value inside by 2 percent and 1 percent of the tolerance. Each division brings the bounds closer by a factor of 4, so a few do.
+  // A bound is good enough if it exceeds a value inside by 2 percent and 1 percent of the
+  // tolerance. Each division brings the bounds closer by a factor of 4, so a few do.
   constexpr double enough = 1.02, negligible = 0.01;
   // Of the domain. A bound of the work where the point turns back or bounds do not come close.
   constexpr double smallest_share = 0x1p-12;
@@ -130,8 +131,8 @@ std::optional<AlongCircle> besideCircle(const CurvePiece& piece, const PlanarArc
     const double inside_mm = distanceFrom(offsetInside(circle, part), k);
     if (inside_mm > tolerance_mm) return std::nullopt;
     const bool close =
-        bound_mm <= tolerance_mm && bound_mm <= enough * std::max(inside_mm, result.distance_mm) +
-                                                    negligible * tolerance_mm;
+        bound_mm <= tolerance_mm &&
+        bound_mm <= enough * std::max(inside_mm, result.distance_mm) + negligible * tolerance_mm;
     const auto divide = [&] {
       if (part.width() <= smallest_share * piece.domain.width()) return false;
       parts.push_back({part.middle(), part.upper});

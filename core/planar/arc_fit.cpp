@@ -315,7 +315,8 @@ void relax(CurveLayout& layout, const CurvePart& range, double corner_rad) {
   if (corners.empty()) {
     int middle = begin;
     for (int joint = begin + 1; joint < end; ++joint)
-      if (isSmoothKink(joint) && std::abs(2 * joint - begin - end) < std::abs(2 * middle - begin - end))
+      if (isSmoothKink(joint) &&
+          std::abs(2 * joint - begin - end) < std::abs(2 * middle - begin - end))
         middle = joint;
     corners.push_back(middle);
   }
@@ -332,8 +333,8 @@ int leastArcs(const CurveLayout& layout, const CurvePart& range, double toleranc
   int at_ends = 0;
   for (const bool at_begin : {true, false}) {
     const int joint = at_begin ? begin : end;
-    const bool is_end = layout.before(joint) < 0 || layout.after(joint) < 0 ||
-                        layout.is_corner[joint];
+    const bool is_end =
+        layout.before(joint) < 0 || layout.after(joint) < 0 || layout.is_corner[joint];
     const auto direction_rad = directionAt(layout, joint, at_begin);
     if (is_end && direction_rad && !points.empty()) {
       const ArcStart start{.point = points.front(),
@@ -380,8 +381,7 @@ ArcFit fitArcs(const BezierSpline& spline, const ArcFitOptions& options, const P
     while (end < n && !layout.is_kept[end] && !layout.is_corner[end]) ++end;
     const CurvePart range{.begin = double(i), .end = double(end)};
     const auto exact = exactRun(layout, range, options);
-    auto part = fittedRun(layout, range, options,
-                          partOf(progress, range.begin / n, range.end / n));
+    auto part = fittedRun(layout, range, options, partOf(progress, range.begin / n, range.end / n));
     if (exact && (!part || exact->arcs.size() <= part->arcs.size())) part = exact;
     if (!part) {
       relax(layout, range, options.corner_rad);

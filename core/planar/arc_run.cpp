@@ -96,8 +96,9 @@ std::optional<FittedStep> stepTo(const PlanarCurve& curve, const SmoothRun& run,
                               .end_direction_rad = *run.ends.end.direction_rad};
     std::optional<FittedPart> part = fittedPart(curve, {u0, run.range.end}, ends, tolerance_mm);
     if (!part) return std::nullopt;
-    return FittedStep{
-        .part = std::move(*part), .end = run.range.end, .end_direction_rad = *run.ends.end.direction_rad};
+    return FittedStep{.part = std::move(*part),
+                      .end = run.range.end,
+                      .end_direction_rad = *run.ends.end.direction_rad};
   }
   const CurveFrame frame = curve.at(u1);
   // docs/theory/planar.md P9.2: the ideal chain is rotated by k' l^2 / 12 where it crosses the
@@ -176,9 +177,8 @@ std::optional<FittedPart> proven(const PlanarCurve& curve, double begin, const P
   FittedPart part{.arcs = placed.arcs};
   for (std::size_t i = 0; i < placed.arcs.size(); ++i) {
     const CurvePart& range = placed.ends[i];
-    const double end = range.begin < range.end
-                           ? crossingOf(curve, range, placed.arcs[i + 1])
-                           : range.end;
+    const double end =
+        range.begin < range.end ? crossingOf(curve, range, placed.arcs[i + 1]) : range.end;
     const auto distance_mm = distanceBetween(curve, {begin, end}, placed.arcs[i], tolerance_mm);
     if (!distance_mm) return std::nullopt;
     part.distance_mm = std::max(part.distance_mm, *distance_mm);
@@ -213,13 +213,12 @@ std::optional<FittedPart> fewArcsBeside(const PlanarCurve& curve, const SmoothRu
     double share = 0;
     int density = 1;
   };
-  for (const auto& [share, density] : {Attempt{0.99, 1}, Attempt{0.97, 1}, Attempt{0.95, 2},
-                                       Attempt{0.9, 4}}) {
+  for (const auto& [share, density] :
+       {Attempt{0.99, 1}, Attempt{0.97, 1}, Attempt{0.95, 2}, Attempt{0.9, 4}}) {
     const ArcSearchOptions options{.tolerance_mm = share * tolerance_mm,
                                    .most_turn_rad = most_turn_rad};
     const SampledRun samples =
-        density == 1 ? sampled
-                     : sampledRun(curve, run.range, tolerance_mm, density * arc_samples);
+        density == 1 ? sampled : sampledRun(curve, run.range, tolerance_mm, density * arc_samples);
     const auto arcs = fewArcs(samples, run.ends, options, progress);
     if (!arcs) return std::nullopt;
     if (auto part = proven(curve, run.range.begin, *arcs, tolerance_mm)) return part;

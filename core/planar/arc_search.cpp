@@ -31,8 +31,7 @@ double lengthTo(double curvature_per_mm, const LocalPoint& p) {
   if (std::abs(sine) < flat_rad * std::abs(cosine) && cosine > 0) return p.along / cosine;
   const double turn_rad = std::atan2(sine, cosine);
   const double length_mm = turn_rad / curvature_per_mm;
-  return length_mm > 0 ? length_mm
-                       : length_mm + 2 * std::numbers::pi / std::abs(curvature_per_mm);
+  return length_mm > 0 ? length_mm : length_mm + 2 * std::numbers::pi / std::abs(curvature_per_mm);
 }
 
 /// Signed distance of a point from the circle of an arc, above 0 to the right.
@@ -133,8 +132,7 @@ void ArcSearch::begin() {
     };
     const Vector2d half = at(scale_mm / 2) - start.point, whole = at(scale_mm) - start.point;
     const double middle_rad = directionOf(half) - angleFromTo(whole, whole - half);
-    const double most_rad =
-        std::min(16 * options_.tolerance_mm / scale_mm, std::numbers::pi / 4);
+    const double most_rad = std::min(16 * options_.tolerance_mm / scale_mm, std::numbers::pi / 4);
     for (int k = -half_fan; k <= half_fan; ++k) {
       states_.push_back(start);
       states_.back().direction_rad = middle_rad + most_rad * k / half_fan;
@@ -175,8 +173,8 @@ void ArcSearch::keep(const JointState& state) {
   const Vector2d normal(-std::sin(state.direction_rad), std::cos(state.direction_rad));
   const double offset =
       (run_.points[state.sample] - state.point).dot(normal) / options_.tolerance_mm;
-  const int across = std::clamp(static_cast<int>((offset + 1) / 2 * offset_classes), 0,
-                                offset_classes - 1);
+  const int across =
+      std::clamp(static_cast<int>((offset + 1) / 2 * offset_classes), 0, offset_classes - 1);
   // In units of the tolerance by the length of an arc; that of an ideal chain is up to 10.4.
   constexpr double widest = 24;
   const double turn = wrapped(state.direction_rad - headings_rad_[state.sample]) *
@@ -260,9 +258,7 @@ bool ArcSearch::isPassedOnce(const Vector2d& joint, double direction_rad, int sa
   // count.
   const double near_mm = 4 * options_.tolerance_mm, negligible_mm = 0.1 * options_.tolerance_mm;
   const auto ahead = [&](int i) { return (run_.points[i] - joint).dot(tangent); };
-  const auto away = [&](int i) {
-    return std::abs(run_.lengths_mm[i] - run_.lengths_mm[sample]);
-  };
+  const auto away = [&](int i) { return std::abs(run_.lengths_mm[i] - run_.lengths_mm[sample]); };
   for (int i = sample - 1; i >= 0 && away(i) < near_mm; --i)
     if (ahead(i) > negligible_mm) return false;
   for (int i = sample + 1; i <= run_.last() && away(i) < near_mm; ++i)
@@ -328,9 +324,8 @@ std::optional<PlacedArcs> ArcSearch::finishedByTwo(int index) const {
     if (!isBeside(pair.second, joint, run_.last())) continue;
     PlacedArcs result = placed(index);
     result.arcs.insert(result.arcs.end(), {pair.first, pair.second});
-    result.ends.insert(result.ends.end(),
-                       {{run_.parameters[joint - 1], run_.parameters[joint]},
-                        {run_.parameters.back(), run_.parameters.back()}});
+    result.ends.insert(result.ends.end(), {{run_.parameters[joint - 1], run_.parameters[joint]},
+                                           {run_.parameters.back(), run_.parameters.back()}});
     return result;
   }
   return std::nullopt;
@@ -339,8 +334,7 @@ std::optional<PlacedArcs> ArcSearch::finishedByTwo(int index) const {
 }  // namespace
 
 std::optional<PlacedArcs> fewArcs(const SampledRun& run, const RunEnds& ends,
-                                              const ArcSearchOptions& options,
-                                              const Progress& progress) {
+                                  const ArcSearchOptions& options, const Progress& progress) {
   return ArcSearch(run, ends, options).chain(progress);
 }
 

@@ -35,11 +35,10 @@ struct ArcSearchOptions {
   bool keeps_sides = true;
 };
 
-/// A G1 chain of few arcs between ends beside the first sample and the last one that is no further from the samples
-/// than the tolerance; nothing is said about the curve between samples. Nothing if none is found.
-/// Source: docs/theory/planar.md P9.5.
+/// A G1 chain of few arcs between ends beside the first sample and the last one that is no further
+/// from the samples than the tolerance; nothing is said about the curve between samples. Nothing if
+/// none is found. Source: docs/theory/planar.md P9.5.
 std::optional<PlacedArcs> fewArcs(const SampledRun& run, const RunEnds& ends,
-                                              const ArcSearchOptions& options,
-                                              const Progress& progress = {});
+                                  const ArcSearchOptions& options, const Progress& progress = {});
 
 }  // namespace seamwright

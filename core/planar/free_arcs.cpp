@@ -89,8 +89,7 @@ FarFour farFour(const PointWindow& window, const std::array<int, 4>& chosen) {
                                   ? (four[0] - circle.centre).norm() - circle.radius_mm
                                   : circle.normal.dot(four[0]) - circle.radius_mm;
   for (int i = window.first; i <= window.last; ++i) {
-    const double distance_mm =
-        distanceFromCircle(circle, window.points[i], four[0], reference_mm);
+    const double distance_mm = distanceFromCircle(circle, window.points[i], four[0], reference_mm);
     if (distance_mm > found.most_mm) {
       found.most_mm = distance_mm;
       found.furthest = i;
@@ -144,8 +143,8 @@ FarFour farFour(const PointWindow& window, const ExchangeStops& stops) {
 bool isMoreThanAnArc(const PointWindow& window, double tolerance_mm) {
   if (window.last - window.first < 3) return false;
   const double most_mm = certain * tolerance_mm;
-  return farFour(window, ExchangeStops{.far_mm = most_mm, .near_mm = most_mm})
-             .circle.distance_mm > most_mm;
+  return farFour(window, ExchangeStops{.far_mm = most_mm, .near_mm = most_mm}).circle.distance_mm >
+         most_mm;
 }
 
 /// The last point that can be on an arc from the first one on.
@@ -228,8 +227,7 @@ ArcStart nearestCircle(const std::vector<Vector2d>& points, const Vector2d& besi
   return {.point = beside - ahead_mm * normal, .direction_rad = directionOf(turned * tangent)};
 }
 
-int pointsBeside(const std::vector<Vector2d>& points, const ArcStart& start,
-                 double tolerance_mm) {
+int pointsBeside(const std::vector<Vector2d>& points, const ArcStart& start, double tolerance_mm) {
   const Vector2d tangent = unitVector(start.direction_rad);
   CurvatureRange range;
   int count = 0;
