@@ -21,11 +21,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-void append(FittedPart& to, const FittedPart& part) {
-  to.arcs.insert(to.arcs.end(), part.arcs.begin(), part.arcs.end());
-  to.distance_mm = std::max(to.distance_mm, part.distance_mm);
-}
-
 /// The segment as one arc, if it is one up to rounding.
 std::optional<FittedPart> exactArc(const PlanarCurve& curve, int i, double tolerance_mm) {
   const CurveFrame start = curve.startOf(i), end = curve.endOf(i);
@@ -56,7 +51,7 @@ void appendExact(FittedPart& to, const FittedPart& part, bool at_corner, double 
       return;
     }
   }
-  append(to, part);
+  to.append(part);
 }
 
 double turnAt(const CurveFrame& before, const CurveFrame& after) {
@@ -388,7 +383,7 @@ ArcFit fitArcs(const BezierSpline& spline, const ArcFitOptions& options, const P
       continue;
     }
     if (layout.is_corner[i]) result.corners.push_back(static_cast<int>(fitted.arcs.size()));
-    append(fitted, *part);
+    fitted.append(*part);
     i = end;
   }
   result.least_arcs = leastArcs(layout, options.tolerance_mm);

@@ -166,11 +166,6 @@ FittedStep longestStep(const PlanarCurve& curve, const SmoothRun& run, double u0
   return *best;
 }
 
-void append(FittedPart& to, const FittedPart& part) {
-  to.arcs.insert(to.arcs.end(), part.arcs.begin(), part.arcs.end());
-  to.distance_mm = std::max(to.distance_mm, part.distance_mm);
-}
-
 /// Nothing if an arc is not certainly within the tolerance.
 std::optional<FittedPart> proven(const PlanarCurve& curve, double begin, const PlacedArcs& placed,
                                  double tolerance_mm) {
@@ -196,7 +191,7 @@ FittedPart greedyArcs(const PlanarCurve& curve, const SmoothRun& run, double tol
   while (u < run.range.end) {
     checkProgress(progress, u / curve.count());
     const FittedStep step = longestStep(curve, run, u, direction_rad, guess, tolerance_mm);
-    append(result, step.part);
+    result.append(step.part);
     guess = step.end - u;
     u = step.end;
     direction_rad = step.end_direction_rad;

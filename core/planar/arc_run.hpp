@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -16,6 +17,11 @@ namespace seamwright {
 struct FittedPart {
   std::vector<PlanarArc> arcs;
   double distance_mm = 0;
+
+  void append(const FittedPart& part) {
+    arcs.insert(arcs.end(), part.arcs.begin(), part.arcs.end());
+    distance_mm = std::max(distance_mm, part.distance_mm);
+  }
 };
 
 /// One arc or two between points of the curve, with these directions there. Nothing if they are

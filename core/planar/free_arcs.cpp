@@ -14,8 +14,8 @@ namespace {
 using Eigen::Vector2d;
 using FourPoints = std::array<Vector2d, 4>;
 
-/// Covers rounding, as a share of the tolerance.
-constexpr double certain = 1 + 1e-6;
+/// Covers rounding, as a factor of the tolerance.
+constexpr double rounding_factor = 1 + 1e-6;
 
 /// |a - c| - |b - c|, without cancellation far from the centre.
 double radiusDifference(const Vector2d& a, const Vector2d& b, const Vector2d& centre) {
@@ -142,7 +142,7 @@ FarFour farFour(const PointWindow& window, const ExchangeStops& stops) {
 /// Whether four of the points are further than the tolerance from every circle and line.
 bool isMoreThanAnArc(const PointWindow& window, double tolerance_mm) {
   if (window.last - window.first < 3) return false;
-  const double most_mm = certain * tolerance_mm;
+  const double most_mm = rounding_factor * tolerance_mm;
   return farFour(window, ExchangeStops{.far_mm = most_mm, .near_mm = most_mm}).circle.distance_mm >
          most_mm;
 }
@@ -233,7 +233,7 @@ int pointsBeside(const std::vector<Vector2d>& points, const ArcStart& start, dou
   int count = 0;
   for (const Vector2d& point : points) {
     const CurvatureRange near =
-        curvaturesNear(localPoint(point, start.point, tangent), certain * tolerance_mm);
+        curvaturesNear(localPoint(point, start.point, tangent), rounding_factor * tolerance_mm);
     range.lower = std::max(range.lower, near.lower);
     range.upper = std::min(range.upper, near.upper);
     if (range.isEmpty()) break;

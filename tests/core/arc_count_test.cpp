@@ -34,8 +34,9 @@ TEST(FreeArcs, NoCircleIsNearerToFourPoints) {
     for (Vector2d& point : points)
       point = {uniform(random, -1, 1), uniform(random, -1, 1) * (i % 2 == 0 ? 1 : 0.05)};
     const FourPointCircle best = circleOfFour(points);
-    if (best.normal.isZero(0))
+    if (best.normal.isZero(0)) {
       EXPECT_NEAR(widthAround(points, best.centre), best.distance_mm, 1e-9);
+    }
     for (int k = 0; k < 20000; ++k) {
       const double away = std::pow(10, uniform(random, -2, 4));
       const Vector2d centre = away * unitVector(uniform(random, 0, 2 * pi));
