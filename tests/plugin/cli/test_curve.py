@@ -307,7 +307,7 @@ def test_a_faired_airfoil_turns_to_one_side(tmp_path, thickness, count, toleranc
     _, report, out = curve("fair", given, "--closed", "--tolerance", tolerance, out="out.step")
     (found,) = report["curves"]
     assert found["after"]["inflections"] == 0 and found["corners"] == 1
-    assert all("what the digits of the points can make" in note for note in found["notes"])
+    assert all("the points, rounded by up to" in note for note in found["notes"])
     assert found["after"]["extrema"] <= 3
     assert found["after"]["variation_per_mm3"] < found["before"]["variation_per_mm3"]
     assert found["moved_mm"] <= tolerance
@@ -362,8 +362,8 @@ def test_points_of_space_stay_in_their_plane(tmp_path):
             o + u * a + v * b for o, a, b in zip(plane["origin"], plane["x"], plane["y"])
         ]
         assert math.dist(back, point) < 1e-9
-    again = curve("arcs", out, out="again.step")[1]["curves"]
-    assert len(again) == 1 and again[0]["pieces"] == 38
+    (again,) = curve("arcs", out, out="again.step")[1]["curves"]
+    assert again["distance_mm"] <= 0.01 and again["pieces"] <= 38
 
 
 @pytest.mark.parametrize("out", ["out.step", "out.igs", "out.brep"])
@@ -424,12 +424,12 @@ def test_conics_pass_beside_an_inflection_near_a_point(tmp_path):
 
 
 def test_conics_near_points_are_within_the_tolerance_and_fairer(tmp_path):
-    rough = [(x, y + 0.02 * (-1) ** (i % 3)) for i, (x, y) in enumerate(WAVE)]
+    rough = [(x, y + 0.1 * (-1) ** (i % 3)) for i, (x, y) in enumerate(WAVE)]
     given = points_file(tmp_path, rough)
     through = curve("conic", given, "--tolerance", 0)[1]["curves"][0]
-    _, report, out = curve("conic", given, "--tolerance", 0.05, out="out.csv")
+    _, report, out = curve("conic", given, "--tolerance", 0.2, out="out.csv")
     (found,) = report["curves"]
-    assert 0 < found["distance_mm"] <= 0.05
+    assert 0 < found["distance_mm"] <= 0.2
     assert found["after"]["extrema"] < through["after"]["extrema"]
     samples = []
     for row in rows_of(out):
@@ -439,7 +439,7 @@ def test_conics_near_points_are_within_the_tolerance_and_fairer(tmp_path):
             a, b, c = (1 - t) ** 2, 2 * w * t * (1 - t), t * t
             q = a + b + c
             samples.append(((a * x0 + b * cx + c * x1) / q, (a * y0 + b * cy + c * y1) / q))
-    assert max(min(math.dist(p, s) for s in samples) for p in rough) <= 0.051
+    assert max(min(math.dist(p, s) for s in samples) for p in rough) <= 0.201
 
 
 def test_edges_are_chosen(box):
