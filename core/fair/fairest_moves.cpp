@@ -152,7 +152,7 @@ class FairingSteps {
   /// A bound of what the gradient that is left can change, for moves of the size of the bounds.
   double miss() const {
     Poles rest = energy_.gradient(moves_);
-    pull(multipliers_, rest);
+    addGradient(multipliers_, rest);
     const FreePoles& free = energy_.free();
     return 2 * rest.middleRows(free.first, free.count).cwiseAbs().sum();
   }
@@ -183,7 +183,7 @@ class FairingSteps {
   ArrayXd slacks() const { return 1 - sides_.rowwise().squaredNorm().array(); }
 
   /// Adds half of the derivatives of the sum of the weights times |side|^2.
-  void pull(const ArrayXd& weights, Poles& gradient) const {
+  void addGradient(const ArrayXd& weights, Poles& gradient) const {
     for (Index j = 0; j < bounds_.count(); ++j)
       gradient.middleRows(bounds_.first[j], energy_.degree() + 1) +=
           weights(j) * bounds_.shares.col(j) * sides_.row(j);
@@ -193,7 +193,7 @@ class FairingSteps {
   std::optional<Poles> changeFor(const ArrayXd& weights, const ArrayXd& stiffness) const {
     const FreePoles& free = energy_.free();
     Poles gradient = energy_.gradient(moves_);
-    pull(weights, gradient);
+    addGradient(weights, gradient);
     VectorXd right(free.count * dimensions);
     for (Index i = 0; i < free.count; ++i)
       right.segment<dimensions>(i * dimensions) =

@@ -89,15 +89,28 @@ std::optional<double> movement(const CirclePolynomials& circle, const Interval& 
 }
 
 /// Arc lengths on a circle.
-struct CircleStretch {
+struct CircleInterval {
   double from_mm = 0, to_mm = 0;
 };
 
-/// Of points that are near the circle and project on a stretch of it: the distance from the arc.
-double distanceFromArc(const PlanarArc& arc, const CircleStretch& stretch, double distance_mm) {
-  const double beyond_mm = std::max({0.0, -stretch.from_mm, stretch.to_mm - arc.length_mm});
+/// Of points that are near the circle and project on an interval of it: the distance from the arc.
+double distanceFromArc(const PlanarArc& arc, const CircleInterval& interval, double distance_mm) {
+  const double beyond_mm = std::max({0.0, -interval.from_mm, interval.to_mm - arc.length_mm});
   const double wider = 1 + std::abs(arc.curvature_per_mm) * distance_mm;
   return std::sqrt(distance_mm * distance_mm + wider * beyond_mm * beyond_mm);
+}
+
+/// How far the projection of a short way moves along the circle of an arc.
+double advanceAlong(const PlanarArc& arc, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+  const double k = arc.curvature_per_mm;
+  const Eigen::Vector2d normal(-std::sin(arc.direction_rad), std::cos(arc.direction_rad));
+  // The vectors from the centre, times the curvature; their lengths are near 1.
+  const Eigen::Vector2d a = k * (from - arc.start) - normal, b = k * (to - arc.start) - normal;
+  const double angle_rad = angleFromTo(a, b);
+  // On a flat circle by its tangent, since the angle loses digits.
+  constexpr double flat_rad = 1e-6;
+  if (std::abs(angle_rad) >= flat_rad && k != 0) return angle_rad / k;
+  return Eigen::Vector2d(-a.y() - b.y(), a.x() + b.x()).normalized().dot(to - from);
 }
 
 /// \param begin_mm where the piece begins on the arc, if its projection may turn back.
@@ -115,11 +128,6 @@ std::optional<AlongCircle> besideCircle(const CurvePiece& piece, const PlanarArc
     return piece.origin + Eigen::Vector2d(piece.polynomials.point[0].evaluate(t).middle(),
                                           piece.polynomials.point[1].evaluate(t).middle()) /
                               w;
-  };
-  /// The vector from the centre, times the curvature; its length is near 1.
-  const Eigen::Vector2d normal(-std::sin(arc.direction_rad), std::cos(arc.direction_rad));
-  const auto fromCentre = [&](const Eigen::Vector2d& point) -> Eigen::Vector2d {
-    return k * (point - arc.start) - normal;
   };
   AlongCircle result;
   std::vector<Interval> parts = {piece.domain};
@@ -143,22 +151,16 @@ std::optional<AlongCircle> besideCircle(const CurvePiece& piece, const PlanarArc
       if (!divide()) return std::nullopt;
       continue;
     }
-    const Eigen::Vector2d a = fromCentre(from), b = fromCentre(to);
-    const double angle_rad = angleFromTo(a, b);
-    // The projection of a short way on a flat circle: by its tangent, since the angle loses digits.
-    constexpr double flat_rad = 1e-6;
-    const Eigen::Vector2d tangent = Eigen::Vector2d(-a.y() - b.y(), a.x() + b.x()).normalized();
-    const double advance_mm =
-        std::abs(angle_rad) < flat_rad || k == 0 ? tangent.dot(to - from) : angle_rad / k;
+    const double advance_mm = advanceAlong(arc, from, to);
     const bool forward = advances(circle, part, to - from);
     const std::optional<double> most_mm =
         forward || !begin_mm ? std::nullopt : movement(circle, part, k, bound_mm);
     double distance_mm = forward || most_mm ? bound_mm : infinite;
     if (begin_mm && (forward || most_mm)) {
       const double at_mm = *begin_mm + result.advance_mm;
-      const CircleStretch stretch{.from_mm = at_mm - most_mm.value_or(0),
-                                  .to_mm = at_mm + most_mm.value_or(advance_mm)};
-      distance_mm = distanceFromArc(arc, stretch, bound_mm);
+      const CircleInterval interval{.from_mm = at_mm - most_mm.value_or(0),
+                                    .to_mm = at_mm + most_mm.value_or(advance_mm)};
+      distance_mm = distanceFromArc(arc, interval, bound_mm);
     }
     if (distance_mm > tolerance_mm) {
       if (!divide()) return std::nullopt;

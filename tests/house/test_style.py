@@ -124,6 +124,7 @@ EXPECTED = {
         "no clothoids through points that are too far apart: biarcs instead",
         "no figures of a kink: conics near the points, or says what to do",
         "fair points need clothoids, and there are none: conics near the points as they are",
+        "points that are too close together: throws it with their lines",
     ),
     ("plugin/cli/main.cpp", "std::exception"): "the end of a program: prints the error",
     ("samples/01_analyze_model.cpp", "std::exception"): "the end of a program: prints the error",

@@ -345,7 +345,8 @@ def test_corners_stay_corners(tmp_path, box):
 def test_rounding_far_from_the_origin_is_named(tmp_path, pair):
     far = points_file(tmp_path, [(x + 1e12, y) for x, y in LOW], "far.csv")
     result = run("curve", "blend", pair[0], far, "-o", tmp_path / "out.step", "--exact")
-    expect_one_line(result, "far.csv: the tolerance 0.001 mm is too small for coordinates of 1e+12 mm")
+    too_small = "the tolerance 0.001 mm is too small for coordinates of 1e+12 mm"
+    expect_one_line(result, "far.csv: " + too_small)
     options = ["--exact", "--tolerance", "0.01", "--frames", 3]
     result, report, _ = blend(tmp_path, pair[0], far, options=options)
     assert "9 joints of a lower order than G2: defect" in result.stdout

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 import pytest
+from scipy import optimize
 import seamwright
 from planar_samples import circle_points, moved
 from seamwright import BezierCurve, BSplineCurve
@@ -257,7 +258,6 @@ def bezier_map(knots, degree, pole, count):
 
 @pytest.mark.parametrize("case", range(4))
 def test_fair_curves_have_the_least_energy_within_the_tolerance(case):
-    optimize = pytest.importorskip("scipy.optimize")
     random = np.random.default_rng(case)
     degree, count, tolerance = 3 + case % 2, 9 + case, 0.02
     inner = np.cumsum(random.uniform(0.5, 1.5, count - degree - 1))
