@@ -104,7 +104,7 @@ TEST(ArcCount, OfPointsNearALineIsOneLine) {
 }
 
 /// Exact samples of a chain of arcs and lines, without its end.
-PlanarPoints samplesOf(const std::vector<PlanarArc>& arcs) {
+PlanarPoints chainSamples(const std::vector<PlanarArc>& arcs) {
   const int count = 200;
   PlanarPoints points(count * static_cast<int>(arcs.size()), 2);
   Eigen::Index row = 0;
@@ -123,7 +123,7 @@ TEST(ArcCount, OfSamplesOfLinesAndArcsIsThatOfThese) {
     stadium.push_back(arc);
     arc = {.start = arc.end(), .direction_rad = arc.endDirection_rad()};
   }
-  const ArcFit fit = fitArcs(polygon(samplesOf(stadium)), {.tolerance_mm = 0.01});
+  const ArcFit fit = fitArcs(polygon(chainSamples(stadium)), {.tolerance_mm = 0.01});
   EXPECT_THAT(fit.arcs, SizeIs(4));
   EXPECT_EQ(std::ranges::count(fit.arcs, 0.0, &PlanarArc::curvature_per_mm), 2);
   EXPECT_THAT(fit.corners, IsEmpty());
