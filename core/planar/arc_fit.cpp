@@ -24,7 +24,9 @@ using Eigen::Vector2d;
 /// The segment as one arc, if it is one up to rounding.
 std::optional<FittedPart> exactArc(const PlanarCurve& curve, int i, double tolerance_mm) {
   const CurveFrame start = curve.startOf(i), end = curve.endOf(i);
-  const double noise_mm = 64 * curve.segments[i].noise() + 1e-9 * tolerance_mm;
+  // Half of the tolerance is left to arcs that are joined.
+  const double noise_mm =
+      std::min(64 * curve.segments[i].noise() + 1e-9 * tolerance_mm, tolerance_mm / 2);
   std::optional<FittedPart> part = fittedPart(curve, {double(i), double(i + 1)},
                                               {.start = start.point,
                                                .start_direction_rad = start.direction_rad,
@@ -271,14 +273,17 @@ std::optional<FittedPart> fittedRun(const CurveLayout& layout, const CurvePart& 
                                          .direction_rad = directionAt(layout, begin, true)},
                                .end = {.point = sampled.points.back(),
                                        .direction_rad = directionAt(layout, end, false)}}};
+  if (auto line = lineBeside(layout.curve, run, options.tolerance_mm)) return line;
   SmoothRun searched = run;
-  if (layout.closed && end - begin == layout.count() && !layout.is_corner.front())
+  if (layout.closed && end - begin == layout.count() && !layout.is_corner.front()) {
+    if (auto circle = circleBeside(layout.curve, sampled, options.tolerance_mm)) return circle;
     searched.ends.begin = searched.ends.end = closedEnd(sampled);
+  }
   if (auto part = fewArcsBeside(layout.curve, searched, sampled, options.tolerance_mm, progress))
     return part;
   for (int joint = begin + 1; joint < end; ++joint)
     if (std::abs(layout.turns_rad[joint]) > options.corner_rad) return std::nullopt;
-  return greedyArcs(layout.curve, run, options.tolerance_mm, progress);
+  return arcsOfHalves(layout.curve, run, sampled, options.tolerance_mm, progress);
 }
 
 /// The arcs and lines that a part is, if it is without kinks.
@@ -298,8 +303,8 @@ std::optional<FittedPart> exactRun(const CurveLayout& layout, const CurvePart& r
 }
 
 /// Makes the fit of a part of a polygon easier: it may turn at kinks where it begins and ends, then
-/// at one in its middle. Sides with such kinks at both ends stay.
-void relax(CurveLayout& layout, const CurvePart& range, double corner_rad) {
+/// at one in its middle, or at all. Sides with such kinks at both ends stay.
+void relax(CurveLayout& layout, const CurvePart& range, double corner_rad, bool at_all) {
   const int begin = static_cast<int>(range.begin), end = static_cast<int>(range.end);
   const auto isSmoothKink = [&](int joint) {
     return !layout.is_corner[joint] && std::abs(layout.turns_rad[joint]) > corner_rad;
@@ -307,7 +312,10 @@ void relax(CurveLayout& layout, const CurvePart& range, double corner_rad) {
   std::vector<int> corners;
   for (const int joint : {begin, end})
     if (isSmoothKink(joint)) corners.push_back(joint);
-  if (corners.empty()) {
+  if (at_all) {
+    for (int joint = begin + 1; joint < end; ++joint)
+      if (isSmoothKink(joint)) corners.push_back(joint);
+  } else if (corners.empty()) {
     int middle = begin;
     for (int joint = begin + 1; joint < end; ++joint)
       if (isSmoothKink(joint) &&
@@ -365,6 +373,9 @@ ArcFit fitArcs(const BezierSpline& spline, const ArcFitOptions& options, const P
   const int n = layout.count();
   FittedPart fitted;
   ArcFit result = {.arcs = {}, .corners = {}, .closed = spline.closed};
+  // Searches of the whole curve. A choice: enough for 200 corners that are found by halving.
+  constexpr int most_searches = 16;
+  double searched = 0;
   for (int i = 0; i < n;) {
     if (layout.is_kept[i]) {
       if (layout.is_corner[i]) result.corners.push_back(static_cast<int>(fitted.arcs.size()));
@@ -378,8 +389,9 @@ ArcFit fitArcs(const BezierSpline& spline, const ArcFitOptions& options, const P
     const auto exact = exactRun(layout, range, options);
     auto part = fittedRun(layout, range, options, partOf(progress, range.begin / n, range.end / n));
     if (exact && (!part || exact->arcs.size() <= part->arcs.size())) part = exact;
+    searched += (range.end - range.begin) / n;
     if (!part) {
-      relax(layout, range, options.corner_rad);
+      relax(layout, range, options.corner_rad, searched > most_searches);
       continue;
     }
     if (layout.is_corner[i]) result.corners.push_back(static_cast<int>(fitted.arcs.size()));

@@ -43,15 +43,15 @@ struct ArcFit {
 ///   (5) There are at least least_arcs arcs, and for a curvature that is linear in the arc length
 ///   at
 ///       most 1.2 times those of an ideal G1 chain, plus 3.
-/// If no chain is found by search, or its distance can't be proven, it is the greedy one: each pair
-/// of arcs reaches as far along the curve as the tolerance allows. Then there are up to twice as
-/// many, and a chain can change the side to which it turns more often than the curve does. A
-/// polygon gets corners where no smooth chain is found. \throws std::invalid_argument if the curve
-/// is not valid, a pole is outside of the plane, the tolerance is not positive and finite, or the
-/// corner angle is not in (0, pi). Throws std::domain_error if the curve stops or turns back (with
-/// the parameter), or if the tolerance is too small for the rounding of the curve. Throws
-/// Cancelled, see Progress; it is called before each pair of arcs. Source: docs/theory/planar.md
-/// P9.1, P9.2.
+/// If no chain is found by search, or its distance can't be proven, halves are searched. The
+/// smallest parts have the greedy one: each pair of arcs reaches as far as the tolerance allows.
+/// Then there are up to twice as many, and a chain can change the side to which it turns more often
+/// than the curve does. A polygon gets corners where no smooth chain is found. \throws
+/// std::invalid_argument if the curve is not valid, a pole is outside of the plane, the tolerance
+/// is not positive and finite, or the corner angle is not in (0, pi). Throws std::domain_error if
+/// the curve stops or turns back (with the parameter), or if the tolerance is too small for the
+/// rounding of the curve. Throws Cancelled, see Progress; it is called before each pair of arcs.
+/// Source: docs/theory/planar.md P9.1, P9.2.
 ArcFit fitArcs(const BezierSpline& curve, const ArcFitOptions& options = {},
                const Progress& progress = {});
 

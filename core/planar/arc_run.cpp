@@ -9,6 +9,7 @@
 
 #include <seamwright/core/planar/arc_distance.hpp>
 #include <seamwright/core/planar/arc_run.hpp>
+#include <seamwright/core/planar/free_arcs.hpp>
 
 namespace seamwright {
 
@@ -89,10 +90,9 @@ std::optional<FittedStep> stepTo(const PlanarCurve& curve, const SmoothRun& run,
                                  double direction_rad, double u1, double tolerance_mm) {
   const Vector2d start = curve.at(u0).point;
   if (u1 >= run.range.end) {
-    const int last = static_cast<int>(std::ceil(run.range.end)) - 1;
     const HermiteEnds ends = {.start = start,
                               .start_direction_rad = direction_rad,
-                              .end = curve.endOf(last).point,
+                              .end = run.ends.end.point,
                               .end_direction_rad = *run.ends.end.direction_rad};
     std::optional<FittedPart> part = fittedPart(curve, {u0, run.range.end}, ends, tolerance_mm);
     if (!part) return std::nullopt;
@@ -219,6 +219,81 @@ std::optional<FittedPart> fewArcsBeside(const PlanarCurve& curve, const SmoothRu
     if (auto part = proven(curve, run.range.begin, *arcs, tolerance_mm)) return part;
   }
   return std::nullopt;
+}
+
+std::optional<FittedPart> lineBeside(const PlanarCurve& curve, const SmoothRun& run,
+                                     double tolerance_mm) {
+  const RunEnd &begin = run.ends.begin, &end = run.ends.end;
+  if (begin.direction_rad || end.direction_rad || begin.point == end.point) return std::nullopt;
+  const Vector2d chord = end.point - begin.point;
+  const PlanarArc line{
+      .start = begin.point, .direction_rad = directionOf(chord), .length_mm = chord.norm()};
+  const auto distance_mm = distanceBetween(curve, run.range, line, tolerance_mm);
+  if (!distance_mm) return std::nullopt;
+  return FittedPart{.arcs = {line}, .distance_mm = *distance_mm};
+}
+
+std::optional<FittedPart> circleBeside(const PlanarCurve& curve, const SampledRun& sampled,
+                                       double tolerance_mm) {
+  const std::vector<Vector2d> points(sampled.points.begin(), sampled.points.end() - 1);
+  ArcStart start = nearestCircle(points, points.front());
+  if (start.curvature_per_mm == 0) return std::nullopt;
+  double twice_area = 0;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    twice_area += cross(points[i - 1] - points.front(), points[i] - points.front());
+  if (twice_area * start.curvature_per_mm < 0) {
+    start.direction_rad = wrapped(start.direction_rad + std::numbers::pi);
+    start.curvature_per_mm = -start.curvature_per_mm;
+  }
+  const PlanarArc circle{.start = start.point,
+                         .direction_rad = start.direction_rad,
+                         .curvature_per_mm = start.curvature_per_mm,
+                         .length_mm = 2 * std::numbers::pi / std::abs(start.curvature_per_mm)};
+  const CurvePart range{.begin = 0, .end = static_cast<double>(curve.count())};
+  const auto distance_mm = distanceBetween(curve, range, circle, tolerance_mm);
+  if (!distance_mm) return std::nullopt;
+  return FittedPart{.arcs = {circle}, .distance_mm = *distance_mm};
+}
+
+namespace {
+
+struct RunHalves {
+  SmoothRun first, second;
+};
+
+/// They meet on the curve and have its direction there.
+RunHalves halvesOf(const PlanarCurve& curve, const SmoothRun& run, const SampledRun& sampled) {
+  const double middle = sampled.parameters[sampled.last() / 2];
+  const CurveFrame frame = curve.at(middle);
+  const RunEnd joint{.point = frame.point, .direction_rad = frame.direction_rad};
+  return {.first = {.range = {.begin = run.range.begin, .end = middle},
+                    .ends = {.begin = run.ends.begin, .end = joint}},
+          .second = {.range = {.begin = middle, .end = run.range.end},
+                     .ends = {.begin = joint, .end = run.ends.end}}};
+}
+
+FittedPart arcsOfHalves(const PlanarCurve& curve, const SmoothRun& run, const SampledRun& sampled,
+                        double tolerance_mm, const Progress& progress, int halvings) {
+  // Choices: each half costs about one arc, and each halving a search.
+  constexpr int least_free_arcs = 8, most_halvings = 5;
+  if (sampled.free_arcs < least_free_arcs || halvings == most_halvings)
+    return greedyArcs(curve, run, tolerance_mm, progress);
+  const RunHalves halves = halvesOf(curve, run, sampled);
+  FittedPart result;
+  for (const SmoothRun& half : {halves.first, halves.second}) {
+    const SampledRun samples = sampledRun(curve, half.range, tolerance_mm, arc_samples);
+    const auto part = fewArcsBeside(curve, half, samples, tolerance_mm, progress);
+    append(result,
+           part ? *part : arcsOfHalves(curve, half, samples, tolerance_mm, progress, halvings + 1));
+  }
+  return result;
+}
+
+}  // namespace
+
+FittedPart arcsOfHalves(const PlanarCurve& curve, const SmoothRun& run, const SampledRun& sampled,
+                        double tolerance_mm, const Progress& progress) {
+  return arcsOfHalves(curve, run, sampled, tolerance_mm, progress, 0);
 }
 
 }  // namespace seamwright

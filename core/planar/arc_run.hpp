@@ -35,6 +35,14 @@ struct SmoothRun {
   RunEnds ends;
 };
 
+/// The line between ends at which any direction will do; nothing if it is not near the curve.
+std::optional<FittedPart> lineBeside(const PlanarCurve& curve, const SmoothRun& run,
+                                     double tolerance_mm);
+
+/// The circle near a closed curve; nothing if none is near.
+std::optional<FittedPart> circleBeside(const PlanarCurve& curve, const SampledRun& sampled,
+                                       double tolerance_mm);
+
 /// Few arcs by fewArcs(), with the bound of their distance; nothing if none are found or proven.
 /// \param sampled the samples of the run.
 std::optional<FittedPart> fewArcsBeside(const PlanarCurve& curve, const SmoothRun& run,
@@ -47,5 +55,12 @@ std::optional<FittedPart> fewArcsBeside(const PlanarCurve& curve, const SmoothRu
 /// \throws std::domain_error if the curve turns back, or the tolerance is below its rounding.
 FittedPart greedyArcs(const PlanarCurve& curve, const SmoothRun& run, double tolerance_mm,
                       const Progress& progress);
+
+/// Where fewArcsBeside() finds nothing: for halves of the run and their halves, as far as it finds
+/// nothing there. The smallest parts have greedy pairs.
+/// \param run both directions are given.
+/// \throws std::domain_error as greedyArcs().
+FittedPart arcsOfHalves(const PlanarCurve& curve, const SmoothRun& run, const SampledRun& sampled,
+                        double tolerance_mm, const Progress& progress);
 
 }  // namespace seamwright

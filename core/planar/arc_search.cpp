@@ -45,6 +45,7 @@ class ArcSearch {
   ArcSearch(const SampledRun& run, const RunEnds& ends, const ArcSearchOptions& options)
       : run_(run), ends_(ends), options_(options) {
     addHeadings();
+    addNeighbours();
     if (!ends.end.direction_rad) return;
     const std::vector<Vector2d> reversed(run.points.rbegin(), run.points.rend());
     const ArcStart end{.point = ends.end.point,
@@ -73,6 +74,7 @@ class ArcSearch {
 
  private:
   void addHeadings();
+  void addNeighbours();
   void begin();
   void advance();
   void expand(int index);
@@ -83,6 +85,7 @@ class ArcSearch {
   std::optional<PlacedArcs> finished(int index) const;
   std::optional<PlacedArcs> finishedByOne(int index) const;
   std::optional<PlacedArcs> finishedByTwo(int index) const;
+  PlacedArcs endedBy(int index, const PlanarArc& last) const;
   bool isBeside(const PlanarArc& arc, int from, int to) const;
   bool isPassedOnce(const Vector2d& joint, double direction_rad, int sample) const;
   /// It moves the arc by a millionth of the tolerance.
@@ -95,6 +98,8 @@ class ArcSearch {
   const RunEnds& ends_;
   const ArcSearchOptions& options_;
   std::vector<double> headings_rad_;
+  /// The samples beside each one as far as the curve can go back within the tolerance.
+  std::vector<int> first_beside_, last_beside_;
   std::vector<JointState> states_;
   std::vector<int> frontier_;
   /// The furthest state of each class of offsets and directions.
@@ -113,6 +118,18 @@ void ArcSearch::addHeadings() {
     to = std::max(to, std::min(i + 1, run_.last()));
     while (to < run_.last() && run_.lengths_mm[to] - run_.lengths_mm[i] < away_mm) ++to;
     headings_rad_.push_back(directionOf(run_.points[to] - run_.points[from]));
+  }
+}
+
+void ArcSearch::addNeighbours() {
+  const double near_mm = 4 * options_.tolerance_mm;
+  int first = 0, last = 0;
+  for (int i = 0; i <= run_.last(); ++i) {
+    while (run_.lengths_mm[i] - run_.lengths_mm[first] >= near_mm) ++first;
+    last = std::max(last, i);
+    while (last < run_.last() && run_.lengths_mm[last + 1] - run_.lengths_mm[i] < near_mm) ++last;
+    first_beside_.push_back(first);
+    last_beside_.push_back(last);
   }
 }
 
@@ -254,14 +271,14 @@ bool ArcSearch::isBeside(const PlanarArc& arc, int from, int to) const {
 /// sharply than the arcs is beyond the end of an arc before.
 bool ArcSearch::isPassedOnce(const Vector2d& joint, double direction_rad, int sample) const {
   const Vector2d tangent = unitVector(direction_rad);
-  // As far as the curve can go back within the tolerance; what is a part of the tolerance does not
-  // count.
-  const double near_mm = 4 * options_.tolerance_mm, negligible_mm = 0.1 * options_.tolerance_mm;
+  // What is a part of the tolerance does not count, so samples that are much denser tell no more.
+  const double negligible_mm = 0.1 * options_.tolerance_mm;
+  constexpr int looks = 24;
   const auto ahead = [&](int i) { return (run_.points[i] - joint).dot(tangent); };
-  const auto away = [&](int i) { return std::abs(run_.lengths_mm[i] - run_.lengths_mm[sample]); };
-  for (int i = sample - 1; i >= 0 && away(i) < near_mm; --i)
+  const int first = first_beside_[sample], last = last_beside_[sample];
+  for (int i = sample - 1; i >= first; i -= std::max(1, (sample - first) / looks))
     if (ahead(i) > negligible_mm) return false;
-  for (int i = sample + 1; i <= run_.last() && away(i) < near_mm; ++i)
+  for (int i = sample + 1; i <= last; i += std::max(1, (last - sample) / looks))
     if (ahead(i) < -negligible_mm) return false;
   return true;
 }
@@ -294,8 +311,12 @@ std::optional<PlacedArcs> ArcSearch::finishedByOne(int index) const {
   PlanarArc arc = arcThrough(from.point, from.direction_rad, ends_.end.point);
   if (std::abs(arc.curvature_per_mm) <= negligibleCurvature(arc)) arc.curvature_per_mm = 0;
   if (!isBeside(arc, from.sample, run_.last())) return std::nullopt;
+  return endedBy(index, arc);
+}
+
+PlacedArcs ArcSearch::endedBy(int index, const PlanarArc& last) const {
   PlacedArcs result = placed(index);
-  result.arcs.push_back(arc);
+  result.arcs.push_back(last);
   result.ends.push_back({run_.parameters.back(), run_.parameters.back()});
   return result;
 }
@@ -308,6 +329,12 @@ std::optional<PlacedArcs> ArcSearch::finishedByTwo(int index) const {
                             .start_direction_rad = from.direction_rad,
                             .end = ends_.end.point,
                             .end_direction_rad = *ends_.end.direction_rad};
+  // An angle that rounding causes in the directions of neighbours.
+  constexpr double same_direction_rad = 1e-9;
+  const PlanarArc whole = arcThrough(ends.start, ends.start_direction_rad, ends.end);
+  if (std::abs(wrapped(whole.endDirection_rad() - ends.end_direction_rad)) <= same_direction_rad &&
+      isBeside(whole, from.sample, run_.last()))
+    return endedBy(index, whole);
   const ChordAngles angles = chordAngles(ends);
   if (std::abs(angles.alpha_rad + angles.beta_rad) > options_.most_turn_rad) return std::nullopt;
   constexpr int shares = 16;

@@ -215,8 +215,9 @@ ArcStart nearestCircle(const std::vector<Vector2d>& points, const Vector2d& besi
   const FourPointCircle circle =
       farFour({.points = points, .first = 0, .last = last}, ExchangeStops{}).circle;
   Vector2d normal = circle.normal;
-  double ahead_mm = 0;
+  double ahead_mm = 0, curvature_per_mm = 0;
   if (normal.isZero(0)) {
+    curvature_per_mm = 1 / circle.radius_mm;
     normal = (beside - circle.centre).normalized();
     ahead_mm = (beside - circle.centre).norm() - circle.radius_mm;
   } else {
@@ -224,7 +225,9 @@ ArcStart nearestCircle(const std::vector<Vector2d>& points, const Vector2d& besi
   }
   const Vector2d tangent(-normal.y(), normal.x());
   const double turned = tangent.dot(chord) < 0 ? -1 : 1;
-  return {.point = beside - ahead_mm * normal, .direction_rad = directionOf(turned * tangent)};
+  return {.point = beside - ahead_mm * normal,
+          .direction_rad = directionOf(turned * tangent),
+          .curvature_per_mm = turned * curvature_per_mm};
 }
 
 int pointsBeside(const std::vector<Vector2d>& points, const ArcStart& start, double tolerance_mm) {

@@ -53,6 +53,7 @@ CurvatureRange curvaturesNear(const LocalPoint& point, double tolerance_mm);
 struct ArcStart {
   Eigen::Vector2d point = Eigen::Vector2d::Zero();
   double direction_rad = 0;
+  double curvature_per_mm = 0;  ///< of nearestCircle()
 };
 
 /// The point next to another one on a circle or line near points in order, with the direction

@@ -84,6 +84,37 @@ SmoothCurve curveOf(const GivenCurve& given, double tolerance_mm, const Progress
   }
 }
 
+/// Whether the polygon of the points samples a curve: circles with the turns at its corners are
+/// nearer to its sides than half the tolerance. At least 3/4 of the width are left to the arcs
+/// then, so that by P9.2 at most a tenth more are needed.
+bool isDense(const GivenCurve& given, double tolerance_mm) {
+  constexpr double share = 0.5;
+  const Eigen::Index n = given.points.rows();
+  const bool closed = given.record.closed;
+  if (n < 3 || tolerance_mm == 0) return false;
+  const auto at = [&](Eigen::Index i) -> Eigen::Vector2d { return given.points.row((i + n) % n); };
+  for (Eigen::Index i = closed ? 0 : 1; i < (closed ? n : n - 1); ++i) {
+    const Eigen::Vector2d before = at(i) - at(i - 1), after = at(i + 1) - at(i);
+    const double turn_rad = std::abs(angleFromTo(before, after));
+    const double sagitta_mm = std::min(before.norm(), after.norm()) / 2 * std::tan(turn_rad / 4);
+    if (sagitta_mm > share * tolerance_mm) return false;
+  }
+  return true;
+}
+
+/// The figures are those of the biarcs.
+SmoothCurve polygonOf(const GivenCurve& given) {
+  const Eigen::Index n = given.points.rows();
+  std::vector<PlanarArc> sides;
+  for (Eigen::Index i = 0; i < (given.record.closed ? n : n - 1); ++i) {
+    const Eigen::Vector2d start = given.points.row(i), end = given.points.row((i + 1) % n);
+    sides.push_back({.start = start,
+                     .direction_rad = directionOf(end - start),
+                     .length_mm = (end - start).norm()});
+  }
+  return {.chain = chainOf(sides, given.record.closed), .figures = biarcsThrough(given).figures};
+}
+
 /// Rounding of the ends of arcs and of coordinates in the plane.
 double gapOf(const GivenCurve& given, const PlanarChain& chain) {
   double size_mm = 0;
@@ -111,7 +142,18 @@ ArcFit arcsNear(const GivenCurve& given, const SmoothCurve& curve, double tolera
   return fit;
 }
 
-MadeCurve madeArcs(const GivenCurve& given, const CurveTask& task) {
+/// The curve with the fewer arcs.
+struct CurveWithArcs {
+  SmoothCurve curve;
+  ArcFit fit;
+};
+
+CurveWithArcs arcsOf(const GivenCurve& given, const CurveTask& task) {
+  if (isDense(given, task.tolerance_mm)) {
+    SmoothCurve polygon = polygonOf(given);
+    ArcFit fit = arcsNear(given, polygon, task.tolerance_mm, task.progress);
+    return {.curve = std::move(polygon), .fit = std::move(fit)};
+  }
   // Choices of shares: the clothoids take about a tenth of the time, two chains of arcs the rest.
   constexpr double curve_share = 0.1, first_share = 0.55;
   SmoothCurve curve = curveOf(given, task.tolerance_mm, partOf(task.progress, 0, curve_share));
@@ -127,6 +169,11 @@ MadeCurve madeArcs(const GivenCurve& given, const CurveTask& task) {
       fit = std::move(other);
     }
   }
+  return {.curve = std::move(curve), .fit = std::move(fit)};
+}
+
+MadeCurve madeArcs(const GivenCurve& given, const CurveTask& task) {
+  const auto [curve, fit] = arcsOf(given, task);
   MadeCurve made{.record = given.record};
   made.chain = chainOf(fit.arcs, fit.closed);
   made.record.pieces = static_cast<int>(fit.arcs.size());

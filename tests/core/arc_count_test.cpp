@@ -83,16 +83,51 @@ TEST(ArcCount, OfAClothoidIsNearThatOfTheIdealChain) {
   }
 }
 
-BezierSpline polygon(const PlanarPoints& points) {
+BezierSpline polygon(const PlanarPoints& points, bool closed = true) {
   std::vector<BezierCurve> sides;
   std::vector<double> knots = {0};
-  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+  for (Eigen::Index i = 0; i + (closed ? 0 : 1) < points.rows(); ++i) {
     Poles poles = Poles::Zero(2, 3);
     poles.leftCols(2) << points.row(i), points.row((i + 1) % points.rows());
     sides.emplace_back(poles);
     knots.push_back(static_cast<double>(i + 1));
   }
-  return bezierSpline(sides, knots, true, 1e-9);
+  return bezierSpline(sides, knots, closed, 1e-9);
+}
+
+TEST(ArcCount, OfPointsNearALineIsOneLine) {
+  std::mt19937_64 random(testSeed());
+  PlanarPoints points(101, 2);
+  for (int i = 0; i <= 100; ++i) points.row(i) << i, uniform(random, -0.004, 0.004);
+  const ArcFit fit = fitArcs(polygon(points, false), {.tolerance_mm = 0.01});
+  ASSERT_THAT(fit.arcs, SizeIs(1));
+  EXPECT_EQ(fit.arcs.front().curvature_per_mm, 0);
+}
+
+/// Exact samples of a chain of arcs and lines, without its end.
+PlanarPoints chainSamples(const std::vector<PlanarArc>& arcs) {
+  const int count = 200;
+  PlanarPoints points(count * static_cast<int>(arcs.size()), 2);
+  Eigen::Index row = 0;
+  for (const PlanarArc& arc : arcs)
+    for (int i = 0; i < count; ++i)
+      points.row(row++) = arc.point(arc.length_mm * i / count).transpose();
+  return points;
+}
+
+TEST(ArcCount, OfSamplesOfLinesAndArcsIsThatOfThese) {
+  std::vector<PlanarArc> stadium;
+  PlanarArc arc;
+  for (int i = 0; i < 4; ++i) {
+    arc.curvature_per_mm = i % 2 == 0 ? 0 : 0.05;
+    arc.length_mm = i % 2 == 0 ? 100 : 20 * pi;
+    stadium.push_back(arc);
+    arc = {.start = arc.end(), .direction_rad = arc.endDirection_rad()};
+  }
+  const ArcFit fit = fitArcs(polygon(chainSamples(stadium)), {.tolerance_mm = 0.01});
+  EXPECT_THAT(fit.arcs, SizeIs(4));
+  EXPECT_EQ(std::ranges::count(fit.arcs, 0.0, &PlanarArc::curvature_per_mm), 2);
+  EXPECT_THAT(fit.corners, IsEmpty());
 }
 
 PlanarPoints regularPolygon(int corners, double radius) {
@@ -106,7 +141,7 @@ PlanarPoints regularPolygon(int corners, double radius) {
 TEST(ArcCount, OfAPolygonThatSamplesACircleIsSmall) {
   for (const double tolerance : {0.01, 0.001}) {
     const ArcFit fit = fitArcs(polygon(regularPolygon(360, 50)), {.tolerance_mm = tolerance});
-    EXPECT_LE(fit.arcs.size(), 4U);
+    EXPECT_THAT(fit.arcs, SizeIs(1));
     EXPECT_THAT(fit.corners, IsEmpty());
     EXPECT_LE(fit.distance_mm, tolerance);
     for (const PlanarArc& arc : fit.arcs)

@@ -221,8 +221,16 @@ TEST(ArcFit, OffsetsAreAtTheDistance) {
   for (const double distance : {0.5 * least_radius, -0.5 * least_radius}) {
     const std::vector<PlanarArc> moved = offset(fit, distance);
     ASSERT_EQ(moved.size(), fit.arcs.size());
-    for (std::size_t i = 0; i + 1 < moved.size(); ++i)
-      EXPECT_LT((moved[i].end() - moved[i + 1].start).norm(), 1e-9);
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+      if (i + 1 < moved.size()) EXPECT_LT((moved[i].end() - moved[i + 1].start).norm(), 1e-9);
+      for (const double share : {0.0, 0.3, 1.0}) {
+        const PlanarArc& arc = fit.arcs[i];
+        const double s_mm = share * arc.length_mm;
+        const Vector2d left = unitVector(arc.directionAt_rad(s_mm) + pi / 2);
+        const Vector2d expected = arc.point(s_mm) + distance * left;
+        EXPECT_LT((moved[i].point(share * moved[i].length_mm) - expected).norm(), 1e-9);
+      }
+    }
   }
   // One side has the centre of the tightest arc.
   const double beyond = 1.01 * least_radius;
@@ -259,6 +267,23 @@ TEST(ArcFit, MovesAlongWithTheCurve) {
   // Rounding decides how far a step reaches, so the arcs differ within the resolution of steps.
   EXPECT_NEAR(static_cast<double>(one.arcs.size()), static_cast<double>(other.arcs.size()), 2);
   EXPECT_LE(other.distance_mm, 4e-3);
+}
+
+// Identity (1), or an error, where rounding is near the tolerance.
+TEST(ArcFit, RoundingDoesNotExceedTheTolerance) {
+  const auto distance = [](double size, double weight, double tolerance) {
+    HomogeneousPoles poles = HomogeneousPoles::Zero(3, 4);
+    poles << size, 0, 0, 1, weight * (size + 10), weight * 10, 0, weight, size + 20, 0, 0, 1;
+    const BezierSpline curve =
+        bezierSpline(BSplineCurve(2, std::vector<double>{0, 0, 0, 1, 1, 1}, poles));
+    try {
+      return fitArcs(curve, {.tolerance_mm = tolerance}).distance_mm / tolerance;
+    } catch (const std::domain_error&) {
+      return 0.0;
+    }
+  };
+  EXPECT_LE(distance(1e12, 1, 0.01), 1);
+  EXPECT_LE(distance(0, 1e-12, 1e-9), 1);
 }
 
 TEST(ArcFit, InvalidInputIsNamed) {
