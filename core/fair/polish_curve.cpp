@@ -115,8 +115,7 @@ class PieceNodes {
     const double width = std::ldexp(1.0, -piece.halvings);
     for (int k = 0; k < count; ++k) {
       weights_[k] = width * gauss.weights[k];
-      rows_[k] =
-          bernsteinDerivatives(degree, piece.start + width * gauss.nodes[k]).bottomRows<3>();
+      rows_[k] = bernsteinDerivatives(degree, piece.start + width * gauss.nodes[k]).bottomRows<3>();
     }
   }
 
@@ -143,8 +142,8 @@ class VariationSpans {
     }
     for (int halvings = 0; halvings <= kept_halvings; ++halvings)
       for (int i = 0; i < 1 << halvings; ++i)
-        kept_.emplace_back(
-            degree_, DyadicPiece{.start = std::ldexp(i, -halvings), .halvings = halvings});
+        kept_.emplace_back(degree_,
+                           DyadicPiece{.start = std::ldexp(i, -halvings), .halvings = halvings});
   }
 
   Index count() const { return static_cast<Index>(first_.size()); }

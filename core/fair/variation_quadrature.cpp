@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -120,8 +121,7 @@ class PolynomialPiece {
     Matrix3Xd left = hodograph_ / 2, right = left;
     const Index last = left.cols() - 1;
     for (Index r = 1; r <= last; ++r) {
-      for (Index i = 0; i + r <= last; ++i)
-        right.col(i) = (right.col(i) + right.col(i + 1)) / 2;
+      for (Index i = 0; i + r <= last; ++i) right.col(i) = (right.col(i) + right.col(i + 1)) / 2;
       left.col(r) = right.col(0);
     }
     return {PolynomialPiece(rules_, std::move(left)), PolynomialPiece(rules_, std::move(right))};

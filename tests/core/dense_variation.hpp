@@ -15,8 +15,8 @@ inline double frenetDensity(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
   const Eigen::Vector3d turn = a.cross(b);
   const double speed = a.norm(), size = turn.norm();
   if (!(size > 0)) return a.cross(c).squaredNorm() / std::pow(speed, 7);
-  const double slope = turn.dot(a.cross(c)) / (size * std::pow(speed, 4)) -
-                       3 * size * a.dot(b) / std::pow(speed, 6);
+  const double slope =
+      turn.dot(a.cross(c)) / (size * std::pow(speed, 4)) - 3 * size * a.dot(b) / std::pow(speed, 6);
   const double twist = turn.dot(c) / (size * std::pow(speed, 3));
   return (slope * slope + twist * twist) * speed;
 }
