@@ -11,6 +11,7 @@
 #include <seamwright/core/fair/fair_hermite.hpp>
 #include <seamwright/core/fair/matrix_point.hpp>
 #include <seamwright/core/fair/spline_energy.hpp>
+#include <seamwright/core/fair/variation_quadrature.hpp>
 #include <seamwright/core/numeric.hpp>
 
 namespace seamwright {
@@ -192,7 +193,9 @@ FairedHermite fairHermite(const HermitePoints& data, double tolerance_mm,
                 tolerance_mm);
     MatrixFit fit = fitHermite(next, options.fit);
     const CurvatureVariation variation = variationOf(bezierSpline(fit.curve));
-    if (!(variation.energy_per_mm3 < result.after.energy_per_mm3)) break;
+    // Both figures have an error of this share.
+    if (!(variation.energy_per_mm3 < (1 - 2 * variation_accuracy) * result.after.energy_per_mm3))
+      break;
     result.data = next;
     result.fit = std::move(fit);
     result.after = variation;

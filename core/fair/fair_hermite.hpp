@@ -61,7 +61,7 @@ struct FairedHermite {
 /// at a knot, again and again. A pass that would raise the energy ends the fairing.
 ///   (3) No point moves by more than the tolerance; the ends stay. Tolerance 0 returns the data
 ///       bitwise.
-///   (4) The energy does not grow.
+///   (4) The energy does not grow: a pass has to lower it by more than the error of variationOf().
 ///   (5) Points of a circle at equal angles h with its tangents stay for the stiffness 1 / cos h;
 ///       with stiffness 0 a pass takes the mean with the weights 1/6, 4/6 and 1/6.
 /// \throws std::invalid_argument as fitHermite() does, for a tolerance that is negative or not

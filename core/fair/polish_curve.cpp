@@ -11,6 +11,7 @@
 #include <seamwright/core/fair/polynomial_curve.hpp>
 #include <seamwright/core/fair/span_maps.hpp>
 #include <seamwright/core/fair/spline_energy.hpp>
+#include <seamwright/core/fair/variation_quadrature.hpp>
 #include <seamwright/core/linear/gauss_rule.hpp>
 #include <seamwright/core/linear/symmetric_band.hpp>
 #include <seamwright/core/numeric.hpp>
@@ -61,14 +62,6 @@ VariationRoot linearisedRoot(const Vector3d& a, const Vector3d& b, const Vector3
 /// The derivatives of the orders 1 to 3 at a point.
 using PointDerivatives = std::array<Vector3d, 3>;
 
-/// |r|^2 for the root r.
-double variationAt(const PointDerivatives& at) {
-  const auto& [a, b, c] = at;
-  const double s = a.squaredNorm();
-  const Vector3d u = c - 3 * a.dot(b) / s * b;
-  return (u - a.dot(u) / s * a).squaredNorm() / (s * s * std::sqrt(s));
-}
-
 /// One coordinate of the root and its derivatives by a, b and c.
 struct RootRow {
   double root = 0;
@@ -110,56 +103,96 @@ class RootRows {
   int count_;
 };
 
-/// The nodes of Gauss' quadrature on the spans of a curve, with the derivatives of the orders 1 to
-/// 3 of the basis functions.
-class VariationNodes {
+/// The derivatives of the orders 1 to 3 of the Bernstein polynomials at the nodes of Gauss'
+/// quadrature on a piece of [0, 1].
+class PieceNodes {
  public:
-  explicit VariationNodes(const BSplineCurve& curve) : degree_(curve.degree) {
-    const GaussRule gauss = gaussRule(nodes_of_span);
-    std::array<Eigen::MatrixXd, nodes_of_span> bernstein;
-    for (int k = 0; k < nodes_of_span; ++k)
-      bernstein[k] = bernsteinDerivatives(degree_, gauss.nodes[k]);
-    for (int span = degree_; span < curve.count(); ++span) {
-      const double length = curve.knots[span + 1] - curve.knots[span];
-      if (!(length > 0)) continue;
-      const Eigen::MatrixXd map = bezierMap(degree_, curve.knots, span);
-      first_.push_back(span - degree_);
-      for (int k = 0; k < nodes_of_span; ++k) {
-        weights_.push_back(gauss.weights[k] * length);
-        Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor> basis =
-            bernstein[k].bottomRows<3>() * map;
-        for (int order = 1; order <= 3; ++order) basis.bottomRows(4 - order) /= length;
-        basis_.insert(basis_.end(), basis.data(), basis.data() + basis.size());
-      }
+  using Rows = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor>;
+  static constexpr int count = 8;
+
+  PieceNodes(int degree, const DyadicPiece& piece) {
+    const GaussRule gauss = gaussRule(count);
+    const double width = std::ldexp(1.0, -piece.halvings);
+    for (int k = 0; k < count; ++k) {
+      weights_[k] = width * gauss.weights[k];
+      rows_[k] = bernsteinDerivatives(degree, piece.start + width * gauss.nodes[k]).bottomRows<3>();
     }
   }
 
-  Index spans() const { return static_cast<Index>(first_.size()); }
-  Index nodes() const { return static_cast<Index>(weights_.size()); }
+  double weight(int node) const { return weights_[node]; }
+  const Rows& rows(int node) const { return rows_[node]; }
+
+ private:
+  std::array<double, count> weights_;
+  std::array<Rows, count> rows_;
+};
+
+/// The spans of a curve, each with the parameter 0..1: the variation does not depend on it.
+class VariationSpans {
+ public:
+  explicit VariationSpans(const BSplineCurve& curve)
+      : degree_(curve.degree), knots_(curve.knots), quadrature_(curve.degree) {
+    const std::vector<double> inner(knots_.begin() + 1, knots_.end() - 1);
+    for (int span = degree_; span < curve.count(); ++span) {
+      const double length = knots_[span + 1] - knots_[span];
+      if (!(length > 0)) continue;
+      first_.push_back(span - degree_);
+      maps_.push_back(bezierMap(degree_, knots_, span));
+      hodograph_maps_.push_back(length * bezierMap(degree_ - 1, inner, span - 1));
+    }
+    for (int halvings = 0; halvings <= kept_halvings; ++halvings)
+      for (int i = 0; i < 1 << halvings; ++i)
+        kept_.emplace_back(degree_,
+                           DyadicPiece{.start = std::ldexp(i, -halvings), .halvings = halvings});
+  }
+
+  Index count() const { return static_cast<Index>(first_.size()); }
   /// The pole of the first basis function on the span.
   Index first(Index span) const { return first_[span]; }
-  double weight(Index node) const { return weights_[node]; }
-  /// Row k has the derivatives of the order k + 1.
-  auto basis(Index node) const {
-    using Rows = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor>;
-    return Eigen::Map<const Rows>(basis_.data() + 3 * node * (degree_ + 1), 3, degree_ + 1);
-  }
-  PointDerivatives derivativesAt(Index node, const Poles& poles) const {
-    const auto rows = basis(node);
-    PointDerivatives result{Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero()};
-    for (Index i = 0; i <= degree_; ++i) {
-      const Vector3d pole = poles.row(first_[node / nodes_of_span] + i);
-      for (int order = 0; order < 3; ++order) result[order] += rows(order, i) * pole;
+
+  /// The poles of the derivative of the curve, 3 by poles - 1.
+  Eigen::Matrix3Xd derivativePoles(const Poles& poles) const {
+    Eigen::Matrix3Xd result(3, poles.rows() - 1);
+    for (Index i = 0; i + 1 < poles.rows(); ++i) {
+      const double support = knots_[i + 1 + degree_] - knots_[i + 1];
+      result.col(i) = degree_ / support * (poles.row(i + 1) - poles.row(i)).transpose();
     }
     return result;
   }
 
-  static constexpr int nodes_of_span = 8;
+  SegmentVariation variation(Index span, const Eigen::Matrix3Xd& derivative_poles) const {
+    return quadrature_(derivative_poles.middleCols(first_[span], degree_)
+                           .lazyProduct(hodograph_maps_[span].transpose()));
+  }
+
+  /// The derivatives of the basis functions of the span at a node.
+  PieceNodes::Rows basis(Index span, const PieceNodes& nodes, int node) const {
+    return nodes.rows(node).lazyProduct(maps_[span]);
+  }
+
+  /// Calls visit(nodes) for each piece.
+  template <class Visit>
+  void forNodes(const std::vector<DyadicPiece>& pieces, const Visit& visit) const {
+    for (const DyadicPiece& piece : pieces) {
+      if (piece.halvings > kept_halvings) {
+        visit(PieceNodes(degree_, piece));
+        continue;
+      }
+      const int pieces_of_less = (1 << piece.halvings) - 1;
+      visit(kept_[pieces_of_less + static_cast<int>(std::ldexp(piece.start, piece.halvings))]);
+    }
+  }
 
  private:
+  /// Most pieces of noisy curves have no more; each further number doubles what is kept.
+  static constexpr int kept_halvings = 4;
+
   int degree_;
+  std::vector<double> knots_;
+  VariationQuadrature quadrature_;
   std::vector<Index> first_;
-  std::vector<double> weights_, basis_;
+  std::vector<Eigen::MatrixXd> maps_, hodograph_maps_;
+  std::vector<PieceNodes> kept_;
 };
 
 /// The variation of curves with given knots as a sum of squares, and the squared distance from the
@@ -172,15 +205,17 @@ class VariationProblem {
         free_(given_.rows(), ends),
         dimensions_((given_.col(2).array() == 0).all() ? 2 : 3),
         mass_(derivativeProducts(curve.degree, curve.knots, 0)),
-        nodes_(curve) {}
+        spans_(curve) {}
 
   Index freeCount() const { return free_.count; }
   const Poles& given() const { return given_; }
 
+  /// Up to the share variation_accuracy.
   double variation(const Poles& poles) const {
+    const Eigen::Matrix3Xd derivative = spans_.derivativePoles(poles);
     double sum = 0;
-    for (Index node = 0; node < nodes_.nodes(); ++node)
-      sum += nodes_.weight(node) * variationAt(nodes_.derivativesAt(node, poles));
+    for (Index span = 0; span < spans_.count() && sum < infinite; ++span)
+      sum += spans_.variation(span, derivative).energy_per_mm3;
     return sum;
   }
   double squaredDistance(const Poles& poles) const {
@@ -198,27 +233,21 @@ class VariationProblem {
     const Index size = dimensions_ * free_.count, width = dimensions_ * (degree_ + 1);
     Equations result{.matrix = linear::SymmetricBand(size, width - 1),
                      .gradient = Eigen::VectorXd::Zero(size)};
-    Eigen::MatrixXd products(width, width);
-    Eigen::VectorXd slope(width), row(width);
-    for (Index span = 0; span < nodes_.spans(); ++span) {
-      products.setZero();
-      slope.setZero();
-      const Index first = span * VariationNodes::nodes_of_span;
-      for (Index node = first; node < first + VariationNodes::nodes_of_span; ++node) {
-        const double weight = nodes_.weight(node);
-        for (const RootRow& root : RootRows(nodes_.derivativesAt(node, poles), dimensions_ == 2)) {
-          fillRow(row, root, nodes_.basis(node));
-          slope += weight * root.root * row;
-          for (Index j = 0; j < width; ++j)
-            products.col(j).tail(width - j) += weight * row(j) * row.tail(width - j);
+    const Eigen::Matrix3Xd derivative = spans_.derivativePoles(poles);
+    SpanEquations of_span(width);
+    for (Index span = 0; span < spans_.count(); ++span) {
+      of_span.clear();
+      spans_.forNodes(spans_.variation(span, derivative).pieces, [&](const PieceNodes& nodes) {
+        for (int node = 0; node < PieceNodes::count; ++node) {
+          const PieceNodes::Rows basis = spans_.basis(span, nodes, node);
+          const PointDerivatives at = derivativesAt(basis, poles, spans_.first(span));
+          for (const RootRow& root : RootRows(at, dimensions_ == 2)) {
+            fillRow(of_span.row, root, basis);
+            of_span.addRow(nodes.weight(node), root.root);
+          }
         }
-      }
-      const Index start = dimensions_ * (nodes_.first(span) - free_.first);
-      for (Index j = std::max<Index>(0, -start); j < width && start + j < size; ++j) {
-        result.gradient(start + j) += slope(j);
-        for (Index i = j; i < width && start + i < size; ++i)
-          result.matrix(start + i, start + j) += products(i, j);
-      }
+      });
+      addSpan(result, of_span, dimensions_ * (spans_.first(span) - free_.first));
     }
     return result;
   }
@@ -249,9 +278,47 @@ class VariationProblem {
   }
 
  private:
+  /// The part of a span in the equations.
+  struct SpanEquations {
+    Eigen::MatrixXd products;
+    Eigen::VectorXd slope, row;
+
+    explicit SpanEquations(Index width) : products(width, width), slope(width), row(width) {}
+
+    void clear() {
+      products.setZero();
+      slope.setZero();
+    }
+    void addRow(double weight, double root) {
+      const Index width = row.size();
+      slope += weight * root * row;
+      for (Index j = 0; j < width; ++j)
+        products.col(j).tail(width - j) += weight * row(j) * row.tail(width - j);
+    }
+  };
+
+  /// \param start where the poles of the span begin among the unknowns; negative if they are held.
+  static void addSpan(Equations& sum, const SpanEquations& of_span, Index start) {
+    const Index size = sum.gradient.size(), width = of_span.slope.size();
+    for (Index j = std::max<Index>(0, -start); j < width && start + j < size; ++j) {
+      sum.gradient(start + j) += of_span.slope(j);
+      for (Index i = j; i < width && start + i < size; ++i)
+        sum.matrix(start + i, start + j) += of_span.products(i, j);
+    }
+  }
+
+  PointDerivatives derivativesAt(const PieceNodes::Rows& basis, const Poles& poles,
+                                 Index first) const {
+    PointDerivatives result{Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero()};
+    for (Index i = 0; i <= degree_; ++i) {
+      const Vector3d pole = poles.row(first + i);
+      for (int order = 0; order < 3; ++order) result[order] += basis(order, i) * pole;
+    }
+    return result;
+  }
+
   /// The derivatives of a coordinate of the root by the coordinates of the poles of a span.
-  template <class Basis>
-  void fillRow(Eigen::VectorXd& row, const RootRow& root, const Basis& basis) const {
+  void fillRow(Eigen::VectorXd& row, const RootRow& root, const PieceNodes::Rows& basis) const {
     for (Index i = 0; i <= degree_; ++i)
       for (Index k = 0; k < dimensions_; ++k)
         row(dimensions_ * i + k) =
@@ -263,7 +330,7 @@ class VariationProblem {
   FreePoles free_;
   Index dimensions_;
   linear::SymmetricBand mass_;
-  VariationNodes nodes_;
+  VariationSpans spans_;
 };
 
 /// Minimises the variation plus a weight times the squared distance, for one weight after another.
@@ -390,7 +457,8 @@ PolishedCurve polishCurve(const BSplineCurve& curve, double tolerance_mm,
   VariationDescent descent(problem);
   const Polished found = smallestWeight(curve, problem, descent, tolerance_mm);
   result.steps = descent.steps();
-  if (!(found.variation_per_mm3 < variation)) return result;
+  // Both figures have an error of this share.
+  if (!(found.variation_per_mm3 < (1 - 2 * variation_accuracy) * variation)) return result;
   result.curve = withPoles(curve, found.poles);
   result.moved_mm = found.moved_mm;
   result.weight_per_mm5 = found.weight_per_mm5;

@@ -34,6 +34,17 @@ std::optional<FittedPart> exactArc(const PlanarCurve& curve, int i, double toler
                                                .end_direction_rad = end.direction_rad},
                                               noise_mm);
   if (!part || part->arcs.size() != 1) return std::nullopt;
+  // Rounding bends a line that is not parallel to an axis.
+  PlanarArc& arc = part->arcs.front();
+  const double sagitta_mm = std::abs(arc.curvature_per_mm) * arc.length_mm * arc.length_mm / 8;
+  if (arc.curvature_per_mm != 0 && sagitta_mm <= noise_mm) {
+    const Vector2d chord = end.point - start.point;
+    arc = {.start = start.point,
+           .direction_rad = std::atan2(chord.y(), chord.x()),
+           .curvature_per_mm = 0,
+           .length_mm = chord.norm()};
+    part->distance_mm += sagitta_mm;
+  }
   return part;
 }
 

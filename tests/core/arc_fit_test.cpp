@@ -286,6 +286,29 @@ TEST(ArcFit, RoundingDoesNotExceedTheTolerance) {
   EXPECT_LE(distance(0, 1e-12, 1e-9), 1);
 }
 
+TEST(ArcFit, SlantedLinesAreLines) {
+  // A slot in several directions, far from the origin: its lines are exact to rounding only.
+  std::mt19937_64 random(testSeed());
+  for (int i = 0; i < 200; ++i) {
+    const double turn = uniform(random, -4, 4), size = std::pow(10, uniform(random, -2, 3));
+    std::vector<PlanarArc> slot;
+    PlanarArc arc{.start = Vector2d(uniform(random, -1e3, 1e3), uniform(random, -1e3, 1e3)),
+                  .direction_rad = turn};
+    for (const bool line : {true, false, true, false}) {
+      arc.curvature_per_mm = line ? 0 : 1 / size;
+      arc.length_mm = line ? 3 * size : std::numbers::pi * size;
+      slot.push_back(arc);
+      arc.start = arc.end();
+      arc.direction_rad = arc.endDirection_rad();
+    }
+    const ArcFit fit = fitArcs(splineOf(slot, true, 1e-9), {.tolerance_mm = 1e-3 * size});
+    const auto lines = std::ranges::count_if(
+        fit.arcs, [](const PlanarArc& piece) { return piece.curvature_per_mm == 0; });
+    EXPECT_EQ(lines, 2) << i;
+    EXPECT_LE(fit.arcs.size(), 5U) << i;  // the closing point may divide an arc
+  }
+}
+
 TEST(ArcFit, InvalidInputIsNamed) {
   std::mt19937_64 random(testSeed());
   const BezierSpline good = randomCurve(random, 2, false);
@@ -307,9 +330,6 @@ TEST(ArcFit, InvalidInputIsNamed) {
   Poles cusp = Poles::Zero(4, 3);
   cusp << 0, 0, 0, 1, 1, 0, 0, 1, 0, 1, 0, 0;
   EXPECT_THAT(message(planarSpline({BezierCurve(cusp)})), HasSubstr("the curve stops"));
-  Poles stops = Poles::Zero(3, 3);
-  stops(2, 0) = 1;
-  EXPECT_THAT(message(planarSpline({BezierCurve(stops)})), HasSubstr("the curve stops"));
 }
 
 }  // namespace

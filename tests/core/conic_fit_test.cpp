@@ -258,10 +258,10 @@ TEST(ConicFit, ACuspIsACorner) {
   ASSERT_THAT(fit.corners, SizeIs(1));
   EXPECT_LT(fit.conics[static_cast<std::size_t>(fit.corners[0])].start.norm(), 1e-6);
   for (const Vector2d& point : samplesOf(fit.conics)) {
-    // The nearest point of the curve is not further than the one with the same abscissa or, at the
-    // cusp, than the cusp.
-    const double t = std::cbrt(point.x());
-    EXPECT_LE(std::min(std::abs(t * t - point.y()), point.norm()), 3e-4);
+    // The nearest point of the curve is not further than those with the same abscissa and ordinate.
+    const double t = std::cbrt(point.x()), s = std::sqrt(std::max(point.y(), 0.0));
+    EXPECT_LE(std::min(std::abs(t * t - point.y()), std::abs(s * s * s - std::abs(point.x()))),
+              1e-4 * (1 + 1e-9));
   }
 }
 

@@ -3,6 +3,7 @@
 #include <seamwright/core/fair/curvature_variation.hpp>
 #include <seamwright/core/fair/polish_curve.hpp>
 
+#include "dense_variation.hpp"
 #include "noisy_curves.hpp"
 
 namespace seamwright {
@@ -103,6 +104,41 @@ TEST(PolishCurve, TheVariationIsLeast) {
                   found.variation_after_per_mm3 * (1 - 1e-4));
       }
     }
+  }
+}
+
+// Identity (2): a near-cusp must not hide between the nodes of a quadrature.
+TEST(PolishCurve, MakesNoCusp) {
+  Poles poles(4, 3);
+  poles << 9.29, 6.67, 0, 4.377, 0.733, 0, 7.217, 1.112, 0, 3.034, 2.806, 0;
+  const BSplineCurve curve = splineOf(3, {0, 0, 0, 0, 1, 1, 1, 1}, poles);
+  const PolishedCurve found = polishCurve(curve, 1.54);
+  const auto dense = [](const BSplineCurve& of) {
+    return test::denseVariation(bezierSpline(of), 2'000'000);
+  };
+  EXPECT_NEAR(found.variation_before_per_mm3, 26.71, 0.01);
+  EXPECT_NEAR(found.variation_before_per_mm3 / dense(curve), 1, 1e-6);
+  EXPECT_NEAR(found.variation_after_per_mm3 / dense(found.curve), 1, 1e-6);
+  EXPECT_LT(found.variation_after_per_mm3, 1);
+}
+
+// Identity (2).
+TEST(PolishCurve, TheVariationOfWildCurvesDoesNotGrow) {
+  std::mt19937_64 random(testSeed());
+  for (int i = 0; i < 300; ++i) {
+    const int degree = i % 3 == 2 ? 5 : 3;
+    const int count = degree + 1 + static_cast<int>(random() % (7 - degree));
+    Poles poles(count, 3);
+    for (int k = 0; k < count; ++k)
+      poles.row(k) << uniform(random, 0, 10), uniform(random, 0, 10),
+          i % 4 == 3 ? uniform(random, 0, 10) : 0;
+    const BSplineCurve curve = splineOf(degree, test::randomKnots(degree, count, random), poles);
+    const PolishedCurve found = polishCurve(curve, uniform(random, 0.05, 2));
+    const double before = test::denseVariation(bezierSpline(curve), 100'000),
+                 after = test::denseVariation(bezierSpline(found.curve), 100'000);
+    EXPECT_LE(after, before) << i;
+    EXPECT_NEAR(found.variation_before_per_mm3 / before, 1, 1e-5) << i;
+    EXPECT_NEAR(found.variation_after_per_mm3 / after, 1, 1e-5) << i;
   }
 }
 

@@ -325,7 +325,8 @@ class PolishedCurve(Result):
 class CurvatureVariation(Result):
     """How much the curvature of a curve varies.
 
-    energy_per_mm3      integral of (dk/ds)^2 + (k t)^2 by arc length, with the torsion t
+    energy_per_mm3      integral of (dk/ds)^2 + (k t)^2 by arc length, with the torsion t;
+                        infinite if the curve may stop
     extrema             of the curvature, inside of the segments
     extrema_at_joints   where the slope of the curvature changes its sign
     inflections         of planar curves
