@@ -301,7 +301,7 @@ TEST(ArcFit, SlantedLinesAreLines) {
       arc.start = arc.end();
       arc.direction_rad = arc.endDirection_rad();
     }
-    const ArcFit fit = fitArcs(splineOf(slot, true, 1e-9), {.tolerance_mm = 1e-3 * size});
+    const ArcFit fit = fitArcs(bezierSpline(slot, true, 1e-8), {.tolerance_mm = 1e-3 * size});
     const auto lines = std::ranges::count_if(
         fit.arcs, [](const PlanarArc& piece) { return piece.curvature_per_mm == 0; });
     EXPECT_EQ(lines, 2) << i;
