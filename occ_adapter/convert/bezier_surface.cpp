@@ -151,8 +151,7 @@ class ShellOfThree {
       // The distance itself has a rounding.
       constexpr double rounding = 1 + 1e-12;
       const Eigen::Vector3d at = vector(BRep_Tool::Pnt(joined));
-      for (const Poles& half : halves)
-        builder_.UpdateVertex(joined, rounding * extent(half, at));
+      for (const Poles& half : halves) builder_.UpdateVertex(joined, rounding * extent(half, at));
     }
   }
 
@@ -160,10 +159,10 @@ class ShellOfThree {
   TopoDS_Edge innerEdge(int k) const {
     const Poles poles = curveAlong(k, PatchEdge::U1).poles();
     if (isPoint(poles))
-      throw std::invalid_argument(
-          "the middle of the edge from corner " + std::to_string(k) + " is the centroid, (" +
-          std::to_string(poles(0, 0)) + ", " + std::to_string(poles(0, 1)) + ", " +
-          std::to_string(poles(0, 2)) + "): the triangle has no area there");
+      throw std::invalid_argument("the middle of the edge from corner " + std::to_string(k) +
+                                  " is the centroid, (" + std::to_string(poles(0, 0)) + ", " +
+                                  std::to_string(poles(0, 1)) + ", " + std::to_string(poles(0, 2)) +
+                                  "): the triangle has no area there");
     return edge(k, PatchEdge::U1, middles_[k], centroid_);
   }
 

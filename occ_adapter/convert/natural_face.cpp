@@ -11,6 +11,7 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <stdexcept>
@@ -123,8 +124,7 @@ class NaturalFace {
   };
 
   Side side(const handle<Geom_Curve>& curve, Range range, const handle<Geom2d_Line>& path) const {
-    Side result{
-        .curve = curve, .net = {}, .path = path, .first = range.first, .last = range.last};
+    Side result{.curve = curve, .net = {}, .path = path, .first = range.first, .last = range.last};
     const auto bezier = handle<Geom_BezierCurve>::DownCast(curve);
     result.net =
         bezier.IsNull() ? netOf(*handle<Geom_BSplineCurve>::DownCast(curve)) : netOf(*bezier);
@@ -139,8 +139,7 @@ class NaturalFace {
 
   Vector3d corner(int k) const {
     const Side& side = sides_.at(k);
-    return side.start == k ? side.net.poles.row(0)
-                           : side.net.poles.row(side.net.poles.rows() - 1);
+    return side.start == k ? side.net.poles.row(0) : side.net.poles.row(side.net.poles.rows() - 1);
   }
 
   /// One vertex for the corners at both ends of a point, and of sides that are one edge.
@@ -225,9 +224,8 @@ void requireArea(const Poles& poles, double tolerance_mm) {
   for (Eigen::Index i = 0; i < poles.rows(); ++i)
     width_mm = std::max(width_mm, (poles.row(i).transpose() - origin).cross(along).norm());
   if (width_mm <= tolerance_mm)
-    throw std::invalid_argument(
-        fmt::format("all poles are within {:.3g} mm of a line: the face would have no area",
-                    tolerance_mm));
+    throw std::invalid_argument(fmt::format(
+        "all poles are within {:.3g} mm of a line: the face would have no area", tolerance_mm));
 }
 
 TopoDS_Face naturalFace(const handle<Geom_BoundedSurface>& surface, double tolerance_mm) {

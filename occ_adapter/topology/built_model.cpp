@@ -12,6 +12,8 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shell.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <cmath>
 #include <stdexcept>
@@ -21,7 +23,6 @@
 #include <seamwright/occ_adapter/convert/spline_curve.hpp>
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
 #include <seamwright/occ_adapter/convert/surface_kind.hpp>
-#include <seamwright/occ_adapter/geometry_error.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
 #include <seamwright/occ_adapter/model/usable.hpp>
 #include <seamwright/occ_adapter/topology/built_model.hpp>
@@ -45,9 +46,9 @@ TopoDS_Edge edgeOn(const handle<Curve>& curve, double closed_mm) {
   for (int i = 2; i <= curve->NbPoles(); ++i)
     extent_mm = std::max(extent_mm, curve->Pole(i).Distance(curve->Pole(1)));
   if (extent_mm <= closed_mm)
-    throw std::invalid_argument(
-        fmt::format("all poles are within {:.3g} mm of the first one: the edge would have no length",
-                    closed_mm));
+    throw std::invalid_argument(fmt::format(
+        "all poles are within {:.3g} mm of the first one: the edge would have no length",
+        closed_mm));
   const double first = curve->FirstParameter(), last = curve->LastParameter();
   const gp_Pnt begin = curve->Pole(1), end = curve->Pole(curve->NbPoles());
   const bool closed = begin.Distance(end) <= closed_mm;
@@ -65,18 +66,27 @@ TopoDS_Edge edgeOn(const handle<Curve>& curve, double closed_mm) {
   return edge;
 }
 
-/// Faces and edges of items.
+/// The file formats keep the order of shells, but put loose faces after them.
+TopoDS_Shell shellOf(const TopoDS_Face& face) {
+  const BRep_Builder builder;
+  TopoDS_Shell shell;
+  builder.MakeShell(shell);
+  builder.Add(shell, face);
+  return shell;
+}
+
+/// Shells and edges of items.
 struct ShapeMaker {
   double tolerance_mm;
 
   TopoDS_Shape operator()(const BezierPatch& patch) const {
-    return naturalFace(toBezierSurface(patch), tolerance_mm);
+    return shellOf(naturalFace(toBezierSurface(patch), tolerance_mm));
   }
   TopoDS_Shape operator()(const BezierTriangle& triangle) const {
     return toShell(triangle, tolerance_mm);
   }
   TopoDS_Shape operator()(const BSplineSurface& surface) const {
-    return faceOf(surface, tolerance_mm);
+    return shellOf(faceOf(surface, tolerance_mm));
   }
   TopoDS_Shape operator()(const BezierCurve& curve) const {
     return edgeOn(toBezierCurve(curve), tolerance_mm);
@@ -93,8 +103,8 @@ TopoDS_Shape shapeOf(const BuiltItem& item, std::size_t index, double tolerance_
   try {
     return std::visit(ShapeMaker{tolerance_mm}, item.geometry);
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(
-        (item.label.empty() ? fmt::format("item {}", index) : item.label) + ": " + error.what());
+    throw std::invalid_argument((item.label.empty() ? fmt::format("item {}", index) : item.label) +
+                                ": " + error.what());
   }
 }
 
@@ -145,8 +155,8 @@ BSplineSurface faceSurface(const Model& model, int face) {
   const handle<Geom_BSplineSurface> spline =
       surface.IsNull() ? handle<Geom_BSplineSurface>() : clampedSpline(surface, location);
   if (spline.IsNull())
-    throw GeometryError(fmt::format("Face{} has {}: it must have a Bezier or B-spline surface",
-                                    face, surface.IsNull() ? "no surface" : kindOf(shape)));
+    throw std::domain_error(fmt::format("Face{} has {}: it must have a Bezier or B-spline surface",
+                                        face, surface.IsNull() ? "no surface" : kindOf(shape)));
   return coreSurface(*spline);
 }
 
@@ -158,7 +168,7 @@ BSplineCurve edgeCurve(const Model& model, int edge) {
   const handle<Geom_Curve> curve =
       BRep_Tool::Curve(TopoDS::Edge(edges(edge)), location, first, last);
   if (curve.IsNull())
-    throw GeometryError(fmt::format("Edge{} has no curve: it is a point of a surface", edge));
+    throw std::domain_error(fmt::format("Edge{} has no curve: it is a point of a surface", edge));
   const handle<Geom_Curve> placed =
       location.IsIdentity()
           ? curve
@@ -167,7 +177,7 @@ BSplineCurve edgeCurve(const Model& model, int edge) {
   try {
     return whole ? coreCurve(*placed) : coreCurve(Geom_TrimmedCurve(placed, first, last));
   } catch (const std::domain_error& error) {
-    throw GeometryError(fmt::format("Edge{}: {}", edge, error.what()));
+    throw std::domain_error(fmt::format("Edge{}: {}", edge, error.what()));
   }
 }
 

@@ -1292,6 +1292,18 @@ class Model:
     @staticmethod
     def from_freecad(shape: Any) -> Model: ...
     def to_freecad(self) -> Any: ...
+    @staticmethod
+    def from_patches(
+        items: Union[ModelItem, Sequence[ModelItem]],
+        names: Optional[Sequence[Optional[str]]] = None,
+        *,
+        tolerance_mm: Number = 1e-07,
+        sew_mm: Optional[Number] = None,
+        jobs: Whole = 0,
+        progress: Progress = None,
+    ) -> Model: ...
+    def surface(self, face: Whole) -> BSplineSurface: ...
+    def curve(self, edge: Whole) -> BSplineCurve: ...
     def analyze(
         self,
         *,
