@@ -43,7 +43,8 @@ struct ItemTexts {
   std::string label;
 };
 
-void appendOne(const py::object& value, const ItemTexts& texts, std::vector<occ::BuiltItem>& all) {
+void appendValue(const py::object& value, const ItemTexts& texts,
+                 std::vector<occ::BuiltItem>& all) {
   std::optional<occ::BuiltGeometry> geometry = geometryOf(value);
   if (!geometry)
     throw py::type_error(texts.label + " is " + shown(value) +
@@ -53,19 +54,19 @@ void appendOne(const py::object& value, const ItemTexts& texts, std::vector<occ:
 }
 
 /// Appends a surface, a curve, or those of a result in their order.
-void append(const py::object& value, ItemTexts texts, std::vector<occ::BuiltItem>& all) {
+void appendGeometry(const py::object& value, ItemTexts texts, std::vector<occ::BuiltItem>& all) {
   for (const char* key : geometry_keys) {
     const py::object found = itemOrSelf(value, key);
     if (found.is(value)) continue;
     texts.label += std::string(".") + key;
-    if (!isList(found)) return appendOne(found, texts, all);
+    if (!isList(found)) return appendValue(found, texts, all);
     const auto list = py::reinterpret_borrow<py::sequence>(found);
     for (std::size_t i = 0; i < list.size(); ++i)
-      appendOne(list[i], {.name = texts.name, .label = texts.label + '[' + std::to_string(i) + ']'},
-                all);
+      appendValue(list[i],
+                  {.name = texts.name, .label = texts.label + '[' + std::to_string(i) + ']'}, all);
     return;
   }
-  appendOne(value, texts, all);
+  appendValue(value, texts, all);
 }
 
 /// A name for each item, empty for None.
@@ -96,7 +97,7 @@ std::vector<occ::BuiltItem> itemsOf(const py::object& items, const py::object& n
   std::vector<occ::BuiltItem> all;
   for (std::size_t i = 0; i < list.size(); ++i) {
     const std::string label = isList(items) ? "items[" + std::to_string(i) + ']' : "items";
-    append(list[i], {.name = texts[i], .label = label}, all);
+    appendGeometry(list[i], {.name = texts[i], .label = label}, all);
   }
   return all;
 }
