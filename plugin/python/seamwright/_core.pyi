@@ -51,6 +51,16 @@ Curve = Union[
 FunctionPoints = Union[Numbers, _r.FunctionSpline, _r.FairedFunction]
 Arcs = Union[Sequence[PlanarArc], ArcChain, _r.Biarc, _r.BiarcSpline, _r.ArcFit]
 Surface = Union[BezierPatch, BezierTriangle]
+ModelItem = Union[
+    Curve,
+    BezierPatch,
+    BezierTriangle,
+    BSplineSurface,
+    _r.Umbrella,
+    _r.RingFill,
+    _r.ThreeSidedFill,
+    _r.FrameLoft,
+]
 Betas = Union[Numbers, _r.BetaFit, _r.NearestCurveJoin, _r.BlendedJoint, _r.SplineJoint]
 FramePair = Union[Tuple[Curve, Curve], List[Curve]]
 Functions = Union[Dict[str, Any], _r.G1Connection, _r.ConnectionFit]
