@@ -2,7 +2,9 @@
 """Model.from_patches, surface and curve: what is built comes back, is judged and is written."""
 
 import copy
+import pathlib
 import pickle
+import sys
 
 import numpy as np
 import pytest
@@ -17,7 +19,9 @@ from seamwright import (
     BSplineSurface,
     Model,
 )
-from models import OCCT_DATA, installed
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "cli"))
+from models import OCCT_DATA, installed  # noqa: E402
 
 
 def patch(function, weights=None):
