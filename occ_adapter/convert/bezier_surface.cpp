@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <Geom2d_Line.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
@@ -12,10 +13,12 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
 #include <seamwright/occ_adapter/convert/bezier_surface.hpp>
+#include <seamwright/occ_adapter/convert/natural_face.hpp>
 #include <seamwright/occ_adapter/convert/points.hpp>
 
 namespace seamwright::occ {
@@ -74,7 +77,8 @@ BezierPatch patchOf(const Surface& surface) {
 /// middle of the edge from corner k to k + 1.
 class ShellOfThree {
  public:
-  explicit ShellOfThree(const BezierTriangle& triangle) : patches_(regularPatches(triangle)) {
+  ShellOfThree(const BezierTriangle& triangle, double tolerance_mm)
+      : point_mm_(tolerance_mm), patches_(regularPatches(triangle)) {
     for (int k = 0; k < 3; ++k) {
       const int n = patches_[k].degreeU();
       builder_.MakeFace(faces_[k], toBezierSurface(patches_[k]), tolerance_);
@@ -82,12 +86,13 @@ class ShellOfThree {
       middles_[k] = vertex(patches_[k].pole(n, 0));
     }
     centroid_ = vertex(patches_[0].pole(patches_[0].degreeU(), patches_[0].degreeV()));
+    joinCorners();
   }
 
   TopoDS_Shell shell() {
     std::array<TopoDS_Edge, 3> inner;
     for (int k = 0; k < 3; ++k) {
-      inner[k] = edge(k, PatchEdge::U1, middles_[k], centroid_);
+      inner[k] = innerEdge(k);
       lay(inner[k], (k + 1) % 3, PatchEdge::V1);
     }
     TopoDS_Shell shell;
@@ -115,21 +120,63 @@ class ShellOfThree {
     return result;
   }
 
-  /// The edge along that boundary of face k.
+  BezierCurve curveAlong(int k, PatchEdge boundary) const {
+    const BezierPatch& patch = patches_[k];
+    return boundary == PatchEdge::U0   ? patch.isoCurveU(0)
+           : boundary == PatchEdge::U1 ? patch.isoCurveU(1)
+                                       : patch.transposed().isoCurveU(0);
+  }
+
+  static double extent(const Poles& poles, const Eigen::Vector3d& from) {
+    return (poles.rowwise() - from.transpose()).rowwise().norm().maxCoeff();
+  }
+
+  bool isPoint(const Poles& poles) const {
+    return extent(poles, poles.row(0)) <= std::max(point_mm_, tolerance_);
+  }
+
+  /// One vertex for all of an edge of the triangle that is a point.
+  void joinCorners() {
+    for (int k = 0; k < 3; ++k) {
+      const int next = (k + 1) % 3;
+      const std::array<Poles, 2> halves = {curveAlong(k, PatchEdge::V0).poles(),
+                                           curveAlong(next, PatchEdge::U0).poles()};
+      if (!isPoint(halves[0]) || !isPoint(halves[1])) continue;
+      const TopoDS_Vertex joined = corners_[k], old = corners_[next];
+      for (TopoDS_Vertex& vertex : corners_)
+        if (vertex.IsSame(old)) vertex = joined;
+      for (TopoDS_Vertex& vertex : middles_)
+        if (vertex.IsSame(old)) vertex = joined;
+      middles_[k] = joined;
+      // The distance itself has a rounding.
+      constexpr double rounding = 1 + 1e-12;
+      const Eigen::Vector3d at = vector(BRep_Tool::Pnt(joined));
+      for (const Poles& half : halves) builder_.UpdateVertex(joined, rounding * extent(half, at));
+    }
+  }
+
+  /// The edge from the middle of side k to the centroid.
+  TopoDS_Edge innerEdge(int k) const {
+    const Poles poles = curveAlong(k, PatchEdge::U1).poles();
+    if (isPoint(poles))
+      throw std::invalid_argument("the middle of the edge from corner " + std::to_string(k) +
+                                  " is the centroid, (" + std::to_string(poles(0, 0)) + ", " +
+                                  std::to_string(poles(0, 1)) + ", " + std::to_string(poles(0, 2)) +
+                                  "): the triangle has no area there");
+    return edge(k, PatchEdge::U1, middles_[k], centroid_);
+  }
+
+  /// The edge along that boundary of face k; of a point, a degenerated one.
   TopoDS_Edge edge(int k, PatchEdge boundary, const TopoDS_Vertex& from,
                    const TopoDS_Vertex& to) const {
-    const BezierPatch& patch = patches_[k];
-    const BezierCurve curve = boundary == PatchEdge::U0   ? patch.isoCurveU(0)
-                              : boundary == PatchEdge::U1 ? patch.isoCurveU(1)
-                                                          : patch.transposed().isoCurveU(0);
-    const Poles poles = curve.poles();
-    if ((poles.rowwise() - poles.row(0)).rowwise().norm().maxCoeff() <= tolerance_)
-      throw std::invalid_argument("a boundary of the face at corner " + std::to_string(k) +
-                                  " is a point, (" + std::to_string(poles(0, 0)) + ", " +
-                                  std::to_string(poles(0, 1)) + ", " + std::to_string(poles(0, 2)) +
-                                  "): a face needs four edges");
+    const BezierCurve curve = curveAlong(k, boundary);
     TopoDS_Edge result;
-    builder_.MakeEdge(result, toBezierCurve(curve), tolerance_);
+    if (from.IsSame(to) && isPoint(curve.poles())) {
+      builder_.MakeEdge(result);
+      builder_.Degenerated(result, true);
+    } else {
+      builder_.MakeEdge(result, toBezierCurve(curve), tolerance_);
+    }
     builder_.Add(result, from.Oriented(TopAbs_FORWARD));
     builder_.Add(result, to.Oriented(TopAbs_REVERSED));
     lay(result, k, boundary);
@@ -145,6 +192,7 @@ class ShellOfThree {
     builder_.Range(edge, 0, 1);
   }
 
+  const double point_mm_;
   BRep_Builder builder_;
   std::array<BezierPatch, 3> patches_;
   std::array<TopoDS_Face, 3> faces_;
@@ -212,9 +260,10 @@ std::array<handle<Geom_BezierSurface>, 3> toBezierSurfaces(const BezierTriangle&
   return {toBezierSurface(patches[0]), toBezierSurface(patches[1]), toBezierSurface(patches[2])};
 }
 
-TopoDS_Shell toShell(const BezierTriangle& triangle) {
+TopoDS_Shell toShell(const BezierTriangle& triangle, double tolerance_mm) {
   requireDegree(triangle.degree());
-  return ShellOfThree(triangle).shell();
+  requireArea(triangle.poles(), std::max(tolerance_mm, Precision::Confusion()));
+  return ShellOfThree(triangle, tolerance_mm).shell();
 }
 
 TriangleRecognition recogniseTriangle(const Geom_Surface& surface,

@@ -40,9 +40,12 @@ std::array<opencascade::handle<Geom_BezierSurface>, 3> toBezierSurfaces(
 /// A shell of three faces on toBezierSurfaces(), oriented by the triangle's natural normal; they
 /// share the three edges that meet at the centroid. The outer edges are cut in the middle.
 /// Tolerances are OpenCASCADE's Precision::Confusion(), 1e-7; the curves lie on the surfaces to
-/// rounding.
-/// \throws std::invalid_argument if a boundary of a face is a point to that tolerance.
-TopoDS_Shell toShell(const BezierTriangle& triangle);
+/// rounding. An edge of the triangle whose poles lie within \p tolerance_mm of one of its points is
+/// two degenerated edges and one vertex, which reaches to these poles.
+/// \param tolerance_mm at least Precision::Confusion() is used.
+/// \throws std::invalid_argument as requireArea(), and if an inner edge is a point to that
+/// tolerance.
+TopoDS_Shell toShell(const BezierTriangle& triangle, double tolerance_mm = 0);
 
 /// recogniseTriangle() of bezierPatch().
 /// \throws std::domain_error as bezierPatch().

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <fmt/format.h>
 
-#include <BRepBuilderAPI_MakeFace.hxx>
 #include <GeomConvert.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
-#include <Precision.hxx>
 #include <Standard_Failure.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
@@ -17,9 +15,9 @@
 #include <stdexcept>
 #include <string>
 
+#include <seamwright/occ_adapter/convert/natural_face.hpp>
 #include <seamwright/occ_adapter/convert/points.hpp>
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
-#include <seamwright/occ_adapter/geometry_error.hpp>
 
 namespace seamwright::occ {
 
@@ -155,13 +153,8 @@ handle<Geom_BSplineSurface> geomSurface(const BSplineSurface& surface) {
   }
 }
 
-TopoDS_Face faceOf(const BSplineSurface& surface) {
-  const handle<Geom_Surface> geometry = geomSurface(surface);
-  BRepBuilderAPI_MakeFace face(geometry, Precision::Confusion());
-  if (!face.IsDone())
-    throw GeometryError(
-        fmt::format("OpenCASCADE makes no face of the surface (error {})", int(face.Error())));
-  return face.Face();
+TopoDS_Face faceOf(const BSplineSurface& surface, double tolerance_mm) {
+  return naturalFace(geomSurface(surface), tolerance_mm);
 }
 
 EdgeRows::EdgeRows(handle<Geom_BSplineSurface> surface, PatchEdge edge, bool reversed)

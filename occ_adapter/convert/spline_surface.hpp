@@ -3,6 +3,7 @@
 
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_Curve.hxx>
+#include <Precision.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopoDS_Face.hxx>
 #include <vector>
@@ -27,9 +28,8 @@ BSplineSurface coreSurface(const Geom_BSplineSurface& surface);
 /// degree, and for inner knots that are too near to each other for OpenCASCADE.
 opencascade::handle<Geom_BSplineSurface> geomSurface(const BSplineSurface& surface);
 
-/// A face bounded by the sides of the surface. Sides that coincide are one edge.
-/// \throws std::invalid_argument as geomSurface(); GeometryError if OpenCASCADE makes no face.
-TopoDS_Face faceOf(const BSplineSurface& surface);
+/// The naturalFace() of geomSurface(). \throws std::invalid_argument as both.
+TopoDS_Face faceOf(const BSplineSurface& surface, double tolerance_mm = Precision::Confusion());
 
 /// The poles of a clamped spline surface as rows along one of its edges, counted from the edge, and
 /// columns across it. Columns and the parameter t in [0, 1] run in the edge's own sense, or against

@@ -166,7 +166,9 @@ py::tuple modelState(const occ::Model& model) {
 
 occ::Model modelFrom(const py::tuple& state) {
   std::istringstream stream(state[0].cast<std::string>());
-  occ::Model model = occ::modelFromShape(occ::readBinaryShape(stream));
+  occ::Model model;
+  model.shape = occ::readBinaryShape(stream);  // may have curves alone
+  if (model.shape.IsNull()) throw occ::ModelError(occ::ModelErrc::NoShapes, {}, "is a null shape");
   model.path = state[1].cast<std::string>();
   model.format = state[2].cast<std::string>();
   model.length_unit = state[3].cast<std::string>();

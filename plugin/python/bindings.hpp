@@ -9,6 +9,7 @@ void bindAlpha(pybind11::module_& module);
 void bindBernstein(pybind11::module_& module);
 void bindBezier(pybind11::module_& module);
 void bindBlend(pybind11::module_& module);
+void bindBuiltModel(pybind11::module_& module);
 void bindCornerFillet(pybind11::module_& module);
 void bindCurveJoin(pybind11::module_& module);
 void bindCurveFairing(pybind11::module_& module);

@@ -63,6 +63,7 @@ PYBIND11_MODULE(_core, module) {
   bindFunctionSpline(module);
   bindMatrixCurve(module);
   bindModel(module);
+  bindBuiltModel(module);
   bindMesh(module);
   bindMatch(module);
   bindCornerFillet(module);

@@ -108,6 +108,12 @@ EXPECTED = {
     ("occ_adapter/planar/planar_wires.cpp", "std::invalid_argument"): (
         "numbers that core refuses: the reason of the chain"
     ),
+    ("occ_adapter/topology/built_model.cpp", "std::domain_error"): (
+        "thrown again with the number of the edge"
+    ),
+    ("occ_adapter/topology/built_model.cpp", "std::invalid_argument"): (
+        "thrown again with the label of the item"
+    ),
     ("occ_adapter/repair/improve.cpp", "std::domain_error"): (
         "a curve or a surface that can't be evaluated: the reason of all seams"
     ),

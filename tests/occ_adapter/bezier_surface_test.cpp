@@ -223,7 +223,12 @@ TEST(BezierSurface, AShellHasTheAreaAndTheNormalOfTheTriangle) {
 TEST(BezierSurface, ACollapsedTriangleMakesNoShell) {
   Poles poles(3, 3);
   poles << 0, 0, 0, 0, 0, 0, 1, 0, 0;
-  EXPECT_THAT(complaint([&] { occ::toShell(BezierTriangle(poles)); }), HasSubstr("is a point"));
+  EXPECT_THAT(complaint([&] { occ::toShell(BezierTriangle(poles)); }), HasSubstr("of a line"));
+  // Folded: with the barycentric a, b, c it is (a^2 - b^2, (a - b) c), a point on the median a = b.
+  Poles folded(6, 3);
+  folded << 0, 0, 0, 0, -0.5, 0, -1, 0, 0, 0, 0.5, 0, 0, 0, 0, 1, 0, 0;
+  EXPECT_THAT(complaint([&] { occ::toShell(BezierTriangle(folded)); }),
+              HasSubstr("is the centroid"));
 }
 
 TEST(BezierSurface, TrianglesAreRecognisedInTheirSurfaces) {

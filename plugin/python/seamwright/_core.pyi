@@ -51,6 +51,16 @@ Curve = Union[
 FunctionPoints = Union[Numbers, _r.FunctionSpline, _r.FairedFunction]
 Arcs = Union[Sequence[PlanarArc], ArcChain, _r.Biarc, _r.BiarcSpline, _r.ArcFit]
 Surface = Union[BezierPatch, BezierTriangle]
+ModelItem = Union[
+    Curve,
+    BezierPatch,
+    BezierTriangle,
+    BSplineSurface,
+    _r.Umbrella,
+    _r.RingFill,
+    _r.ThreeSidedFill,
+    _r.FrameLoft,
+]
 Betas = Union[Numbers, _r.BetaFit, _r.NearestCurveJoin, _r.BlendedJoint, _r.SplineJoint]
 FramePair = Union[Tuple[Curve, Curve], List[Curve]]
 Functions = Union[Dict[str, Any], _r.G1Connection, _r.ConnectionFit]
@@ -1318,6 +1328,18 @@ class Model:
     @staticmethod
     def from_freecad(shape: Any) -> Model: ...
     def to_freecad(self) -> Any: ...
+    @staticmethod
+    def from_patches(
+        items: Union[ModelItem, Sequence[ModelItem]],
+        names: Optional[Sequence[Optional[str]]] = None,
+        *,
+        tolerance_mm: Number = 1e-07,
+        sew_mm: Optional[Number] = None,
+        jobs: Whole = 0,
+        progress: Progress = None,
+    ) -> Model: ...
+    def surface(self, face: Whole) -> BSplineSurface: ...
+    def curve(self, edge: Whole) -> BSplineCurve: ...
     def analyze(
         self,
         *,
