@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include <seamwright/core/bezier/curve_difference.hpp>
+#include <seamwright/core/bezier/stopped_ends.hpp>
 #include <seamwright/core/blend/common_knots.hpp>
 #include <seamwright/core/blend/correspondence.hpp>
+#include <seamwright/core/blend/frame_fault.hpp>
 #include <seamwright/core/join/curve/beta.hpp>
 #include <seamwright/core/numeric.hpp>
 
@@ -104,10 +107,16 @@ class Course {
     const Jet1 share = shares_.at(p);
     Place at = place(p);
     if (before && at.t == 0 && at.piece > 0) at = {at.piece - 1, 1};
-    const CurveDerivatives x = segment(frame_.spline(), at.piece).derivatives(at.t, 2);
+    const BezierCurve piece = segment(frame_.spline(), at.piece);
+    // The curvature may be infinite where a piece stops at an end; the jet has none.
+    if (const std::optional<Eigen::Vector3d> tangent = stoppedTangent(piece, at.t))
+      return {piece.point(at.t), frame_.length_mm() * share[1] * *tangent,
+              frame_.length_mm() * share[2] * *tangent};
+    const CurveDerivatives x = piece.derivatives(at.t, 2);
     const double speed = x.row(1).norm();
     if (!(speed > 0))
-      refuse(fmt::format("frame {} stops in piece {} at {}", index_, at.piece, at.t));
+      throw FrameFault(index_,
+                       fmt::format("frame {} stops in piece {} at {}", index_, at.piece, at.t));
     const Eigen::Vector3d tangent = x.row(1).transpose() / speed, second = x.row(2).transpose();
     const Eigen::Vector3d bend = (second - second.dot(tangent) * tangent) / (speed * speed);
     const double rate = frame_.length_mm() * share[1];
@@ -240,7 +249,8 @@ void requireMeasurable(const Correspondence& correspondence, double tolerance_mm
     for (int i = 0; i < frame.spline().segments(); ++i)
       longest_mm = std::max(longest_mm, (frame.share(i + 1) - frame.share(i)) * frame.length_mm());
     if (const double known_mm = share * longest_mm; tolerance_mm < known_mm)
-      refuse(fmt::format("the tolerance is {:.3g} mm: places on frame {} are known to {:.3g} mm",
+      throw FrameFault(
+          f, fmt::format("the tolerance is {:.3g} mm: places on frame {} are known to {:.3g} mm",
                          tolerance_mm, f, known_mm));
   }
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <seamwright/core/bezier/stopped_ends.hpp>
 #include <seamwright/core/blend/frame_features.hpp>
 #include <seamwright/core/fair/curvature_profile.hpp>
 #include <seamwright/core/numeric.hpp>
@@ -46,9 +47,11 @@ double curvatureAt(const BezierCurve& curve, double t, bool planar) {
   return (planar ? normal.z() : normal.norm()) / (speed * speed * speed);
 }
 
-/// The curvature at both ends of piece i and at its extrema.
+/// The curvature at both ends of piece i and at its extrema. \throws std::domain_error for a piece
+/// that may stop: the curvature may be infinite there.
 std::vector<CurvaturePoint> pointsOf(const Measured& frame, int i, bool planar) {
   const BezierCurve curve = segment(frame.spline(), i);
+  if (stoppedEnds(curve).any()) throw std::domain_error("the curve stops at an end");
   const CurvatureProfile profile =
       planar ? planarCurvatureProfile(curve) : spaceCurvatureProfile(curve);
   std::vector<CurvaturePoint> points = {{{i, 0}, frame.share(i), curvatureAt(curve, 0, planar)}};
@@ -109,7 +112,7 @@ std::vector<std::vector<CurvaturePoint>> runsOf(const Measured& frame, bool plan
     try {
       for (const CurvaturePoint& point : pointsOf(frame, i, planar)) runs.back().push_back(point);
     } catch (const std::domain_error&) {
-      // The curve may stop in this piece.
+      // The curve may stop in this piece, so it has no curvature there.
       ++unknown_pieces;
     }
   }

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include <seamwright/core/blend/correspondence.hpp>
+#include <seamwright/core/blend/frame_fault.hpp>
 #include <seamwright/core/blend/frame_features.hpp>
 #include <seamwright/core/blend/frame_form.hpp>
 #include <seamwright/core/blend/match_pieces.hpp>
@@ -27,7 +28,7 @@ auto naming(std::size_t frame, const Work& work) {
   try {
     return work();
   } catch (const std::invalid_argument& fault) {
-    refuse(fmt::format("frame {}: {}", frame, fault.what()));
+    throw FrameFault(frame, fmt::format("frame {}: {}", frame, fault.what()));
   }
 }
 
@@ -36,7 +37,8 @@ void requireFrames(const Splines& frames) {
   for (std::size_t f = 0; f < frames.size(); ++f) {
     naming(f, [&] { requireValid(frames[f]); });
     if (frames[f].closed != frames[0].closed)
-      refuse(fmt::format("frame {} is {}, frame 0 is {}", f, frames[f].closed ? "closed" : "open",
+      throw FrameFault(
+          f, fmt::format("frame {} is {}, frame 0 is {}", f, frames[f].closed ? "closed" : "open",
                          frames[0].closed ? "closed" : "open"));
   }
 }
@@ -338,10 +340,10 @@ BezierSpline divided(const Measured& frame, std::size_t f, const std::vector<Anc
   const auto count = static_cast<int>(anchors.size() + joints.size()) + 1;
   BezierSpline result = dividedAt(frame.spline(), places);
   if (result.segments() != count)
-    refuse(
-        fmt::format("frame {}: {} pieces are needed and {} possible: joints are too close "
-                    "together; a larger closeness merges them",
-                    f, count, result.segments()));
+    throw FrameFault(
+        f, fmt::format("frame {}: {} pieces are needed and {} possible: joints are too close "
+                       "together; a larger closeness merges them",
+                       f, count, result.segments()));
   return result;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
 #include <cmath>
 
 #include <seamwright/core/fair/curve_polynomials.hpp>
@@ -28,6 +29,32 @@ BernsteinPolynomial shortened(const BernsteinPolynomial& p, int from) {
   return BernsteinPolynomial(p.coefficients().segment(from, p.degree()), p.padding());
 }
 
+/// p / (t^a (1 - t)^b) for a polynomial whose first a and last b coefficients are 0 but for
+/// rounding: coefficient i is multiplied by binomial(n, i) / binomial(n - a - b, i - a).
+BernsteinPolynomial divided(const BernsteinPolynomial& p, const StoppedEnds& stops) {
+  if (!stops.any()) return p;
+  const int degree = p.degree() - stops.start - stops.end;
+  // binomial(n, a), and from one factor to the next (n - i) (i + 1 - a) / ((i + 1) (n - b - i)).
+  double factor = 1, largest_factor = 1;
+  for (int i = 0; i < stops.start; ++i) factor *= static_cast<double>(p.degree() - i) / (i + 1);
+  Eigen::VectorXd result(degree + 1);
+  for (int j = 0; j <= degree; ++j) {
+    const int i = j + stops.start;
+    result[j] = factor * p.coefficients()[i];
+    largest_factor = std::max(largest_factor, factor);
+    if (j < degree)
+      factor *= static_cast<double>((p.degree() - i) * (j + 1)) / ((i + 1) * (degree - j));
+  }
+  // Two roundings of a factor for each step, and one of the product.
+  const double roundings = 2 * (p.degree() + 2) * machine_epsilon;
+  return BernsteinPolynomial(result, (1 + roundings) * largest_factor * p.padding() +
+                                         roundings * result.cwiseAbs().maxCoeff());
+}
+
+PolynomialVector divided(const PolynomialVector& velocity, const StoppedEnds& stops) {
+  return {divided(velocity[0], stops), divided(velocity[1], stops), divided(velocity[2], stops)};
+}
+
 }  // namespace
 
 CurvePolynomials curvePolynomials(const BezierCurve& curve, const Eigen::RowVector3d& origin,
@@ -35,12 +62,15 @@ CurvePolynomials curvePolynomials(const BezierCurve& curve, const Eigen::RowVect
   const PolynomialVector points = {coordinate(curve, 0, origin[0], unit),
                                    coordinate(curve, 1, origin[1], unit),
                                    coordinate(curve, 2, origin[2], unit)};
+  const StoppedEnds stops = stoppedEnds(curve);
   if (!curve.isRational()) {
     const double weight = curve.homogeneousPoles()(0, 3);
     return {.weight = BernsteinPolynomial(Eigen::VectorXd::Constant(1, weight)),
             .point = points,
-            .velocity = {weight * points[0].derivative(), weight * points[1].derivative(),
-                         weight * points[2].derivative()}};
+            .velocity = divided({weight * points[0].derivative(), weight * points[1].derivative(),
+                                 weight * points[2].derivative()},
+                                stops),
+            .stops = stops};
   }
   // With A = (1 - t) A0 + t A1, A0 and A1 of degree n - 1, A' W - A W' = n (A1 W0 - A0 W1).
   const BernsteinPolynomial weight(curve.weights());
@@ -48,9 +78,11 @@ CurvePolynomials curvePolynomials(const BezierCurve& curve, const Eigen::RowVect
   const auto velocity = [&](const BernsteinPolynomial& a) {
     return curve.degree() * (shortened(a, 1) * w0 - shortened(a, 0) * w1);
   };
-  return {.weight = weight,
-          .point = points,
-          .velocity = {velocity(points[0]), velocity(points[1]), velocity(points[2])}};
+  return {
+      .weight = weight,
+      .point = points,
+      .velocity = divided({velocity(points[0]), velocity(points[1]), velocity(points[2])}, stops),
+      .stops = stops};
 }
 
 }  // namespace seamwright

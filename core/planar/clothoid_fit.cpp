@@ -7,9 +7,11 @@
 #include <stdexcept>
 
 #include <seamwright/core/numeric.hpp>
-#include <seamwright/core/planar/arc_distance.hpp>
+#include <seamwright/core/planar/arc_clothoids.hpp>
+#include <seamwright/core/planar/arc_fit.hpp>
 #include <seamwright/core/planar/clothoid_fit.hpp>
 #include <seamwright/core/planar/clothoid_spline.hpp>
+#include <seamwright/core/planar/fair_clothoids.hpp>
 #include <seamwright/core/planar/fit_options.hpp>
 #include <seamwright/core/planar/planar_curve.hpp>
 
@@ -27,32 +29,16 @@ PlanarArc circleThrough(const Vector2d& start, const Vector2d& middle, const Vec
   return arcThrough(start, directionOf(chord) - turn_rad, end);
 }
 
-/// Upper bound of the distance of the curve from an arc over [u0, u1].
-std::optional<double> ofCurve(const PlanarCurve& curve, const Interval& range, const PlanarArc& arc,
-                              double tolerance_mm) {
-  double distance_mm = 0;
-  for (int i = static_cast<int>(range.lower); i < curve.count() && i < range.upper; ++i) {
-    const Interval domain = {std::max(range.lower - i, 0.0), std::min(range.upper - i, 1.0)};
-    if (!(domain.width() > 0)) continue;
-    const auto along = alongCircle(
-        {.polynomials = curve.polynomials[i], .origin = curve.origins[i], .domain = domain}, arc,
-        tolerance_mm);
-    if (!along) return std::nullopt;
-    distance_mm = std::max(distance_mm, along->distance_mm);
-  }
-  return distance_mm;
-}
-
 std::optional<double> ofClothoid(const Clothoid& clothoid, const PlanarArc& arc,
                                  double tolerance_mm) {
   // The quintic form costs little of the tolerance.
   constexpr double share = 1e-3;
   const SplineWithin quintics = bezierSpline({clothoid}, share * tolerance_mm, false, 0);
   const PlanarCurve curve = planarCurve(quintics.curve);
-  const auto distance_mm = ofCurve(curve, {0, static_cast<double>(curve.count())}, arc,
-                                   tolerance_mm - quintics.distance_mm);
-  if (!distance_mm) return std::nullopt;
-  return *distance_mm + quintics.distance_mm;
+  const auto along = alongCircle(curve, {0, static_cast<double>(curve.count())}, arc,
+                                 tolerance_mm - quintics.distance_mm);
+  if (!along) return std::nullopt;
+  return along->distance_mm + quintics.distance_mm;
 }
 
 /// Upper bound of the distance of a clothoid from the part of the curve between the same points.
@@ -62,13 +48,13 @@ std::optional<double> clothoidDistance(const PlanarCurve& curve, const Interval&
                  end = curve.point(range.upper);
   if (start == middle || middle == end || start == end) return std::nullopt;
   const PlanarArc arc = circleThrough(start, middle, end);
-  const auto first = ofCurve(curve, range, arc, tolerance_mm);
+  const auto first = alongCircle(curve, range, arc, tolerance_mm);
   if (!first) return std::nullopt;
   const auto second = ofClothoid(clothoid, arc, tolerance_mm);
   if (!second) return std::nullopt;
   // The spline meets the points up to rounding of its length.
   const double rounding_mm = (clothoid.start - start).norm() + (clothoid.end() - end).norm();
-  const double sum_mm = *first + *second + rounding_mm;
+  const double sum_mm = first->distance_mm + *second + rounding_mm;
   return sum_mm <= tolerance_mm ? std::optional(sum_mm) : std::nullopt;
 }
 
@@ -104,8 +90,8 @@ std::optional<ClothoidSpline> splineThrough(const PlanarCurve& curve, const Clot
   }
 }
 
-FittedRun fitClothoidRun(const PlanarCurve& curve, const ClothoidRun& run, double tolerance_mm,
-                         const Progress& progress) {
+FittedRun splineRun(const PlanarCurve& curve, const ClothoidRun& run, double tolerance_mm,
+                    const Progress& progress) {
   // Four pieces of a closed run turn by a right angle each.
   const int first_pieces = run.closed ? 4 : 1;
   std::vector<double> parameters;
@@ -142,6 +128,64 @@ FittedRun fitClothoidRun(const PlanarCurve& curve, const ClothoidRun& run, doubl
   }
 }
 
+BezierSpline splineOf(const BezierSpline& curve, const ClothoidRun& run) {
+  const int count = run.end - run.begin;
+  return {.degree = curve.degree,
+          .knots = {curve.knots.begin() + run.begin, curve.knots.begin() + run.end + 1},
+          .poles = curve.poles.middleRows(run.begin * curve.degree, count * curve.degree + 1),
+          .closed = run.closed};
+}
+
+/// Clothoids near arcs near the run.
+struct TransitionRun {
+  FittedRun fitted;
+  /// The arcs are the run itself, up to a small share of the tolerance.
+  bool of_arcs = false;
+};
+
+std::optional<TransitionRun> transitionRun(const BezierSpline& run,
+                                           const ClothoidFitOptions& options,
+                                           const Progress& progress) {
+  // Choices: transitions move arcs near a curve by less than the curve is away from them.
+  constexpr double share = 0.55, small_share = 1e-3;
+  try {
+    const ArcFit fit = fitArcs(
+        run, {.tolerance_mm = share * options.tolerance_mm, .corner_rad = options.corner_rad},
+        partOf(progress, 0, 0.5));
+    ArcClothoids found = clothoidsNear(fit.arcs, fit.closed, options.tolerance_mm - fit.distance_mm,
+                                       partOf(progress, 0.5, 1));
+    return TransitionRun{.fitted = {.pieces = std::move(found.pieces),
+                                    .distance_mm = found.distance_mm + fit.distance_mm},
+                         .of_arcs = fit.distance_mm <= small_share * options.tolerance_mm};
+  } catch (const std::domain_error&) {  // a spline through points may still be possible
+    return std::nullopt;
+  }
+}
+
+int turnsIn(const FittedRun& fitted, bool closed) {
+  const ClothoidFigures figures = figuresOf(fitted.pieces, closed);
+  return figures.extrema + figures.inflections;
+}
+
+/// Transitions where the run is a chain of arcs and lines; else these or the spline through points,
+/// whichever has fewer extrema and inflections.
+FittedRun fitClothoidRun(const BezierSpline& spline, const PlanarCurve& curve,
+                         const ClothoidRun& run, const ClothoidFitOptions& options,
+                         const Progress& progress) {
+  std::optional<TransitionRun> near_arcs =
+      transitionRun(splineOf(spline, run), options, partOf(progress, 0, 0.5));
+  if (near_arcs && near_arcs->of_arcs) return std::move(near_arcs->fitted);
+  try {
+    FittedRun through_points =
+        splineRun(curve, run, options.tolerance_mm, partOf(progress, 0.5, 1));
+    if (!near_arcs || turnsIn(through_points, run.closed) <= turnsIn(near_arcs->fitted, run.closed))
+      return through_points;
+  } catch (const std::domain_error&) {
+    if (!near_arcs) throw;
+  }
+  return std::move(near_arcs->fitted);
+}
+
 }  // namespace
 
 ClothoidFit fitClothoids(const BezierSpline& spline, const ClothoidFitOptions& options,
@@ -167,9 +211,9 @@ ClothoidFit fitClothoids(const BezierSpline& spline, const ClothoidFitOptions& o
     if (i > 1 || (spline.closed && !smooth && isCorner(0)))
       result.corners.push_back(static_cast<int>(result.pieces.size()));
     const double whole = n;
-    const FittedRun fitted = fitClothoidRun(
-        curve, {.begin = cuts[i - 1], .end = cuts[i], .closed = smooth}, options.tolerance_mm,
-        partOf(progress, cuts[i - 1] / whole, cuts[i] / whole));
+    const FittedRun fitted =
+        fitClothoidRun(spline, curve, {.begin = cuts[i - 1], .end = cuts[i], .closed = smooth},
+                       options, partOf(progress, cuts[i - 1] / whole, cuts[i] / whole));
     result.pieces.insert(result.pieces.end(), fitted.pieces.begin(), fitted.pieces.end());
     result.distance_mm = std::max(result.distance_mm, fitted.distance_mm);
   }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
@@ -34,6 +35,7 @@ struct ImplicitConic {
   double height = 0;          ///< the largest distance of its triangle from the chord
   Vector3d slope;             ///< the derivative of f by y, as a form
   Interval slope_inside;      ///< its values in the triangle
+  bool is_flat = false;       ///< its triangle has no area that rounding leaves: there is no f
 };
 
 ImplicitConic implicitConic(const PlanarConic& conic, const ChordFrame& frame) {
@@ -42,11 +44,13 @@ ImplicitConic implicitConic(const PlanarConic& conic, const ChordFrame& frame) {
                                           frame(conic.end)};
   for (int i = 0; i < 3; ++i) corners.col(i) << points[i].x(), points[i].y(), 1;
   ImplicitConic result;
-  result.barycentric = corners.inverse();
   result.weight = conic.weight;
   result.start = points[0].x();
   result.end = points[2].x();
   for (const Vector2d& point : points) result.height = std::max(result.height, std::abs(point.y()));
+  result.barycentric = corners.inverse();
+  result.is_flat = !result.barycentric.allFinite();
+  if (result.is_flat) return result;
   const Eigen::Matrix3d& b = result.barycentric;
   const double factor = 4 * conic.weight * conic.weight;
   result.slope = 2 * b(1, 1) * b.row(1) - factor * (b(0, 1) * b.row(2) + b(2, 1) * b.row(0));
@@ -92,8 +96,27 @@ FramedPiece framedPiece(const CurvePiece& piece, const ChordFrame& frame) {
       .restricted(piece.domain);
 }
 
+/// Upper bound of the distance of anything in the triangles of the conics from any point of the
+/// part: the diagonal of their box.
+double extentOf(const std::vector<FramedPiece>& part, const std::vector<PlanarConic>& conics,
+                const ChordFrame& frame) {
+  Eigen::AlignedBox2d box;
+  for (const PlanarConic& conic : conics)
+    for (const Vector2d& point : {conic.start, conic.corner, conic.end}) box.extend(frame(point));
+  for (const FramedPiece& piece : part) {
+    const double least_weight = piece.weight.range().lower;
+    if (!(least_weight > 0)) return infinite;
+    // A quotient by a larger weight is nearer to the origin, which is in the box.
+    const Interval x = piece.x.range(), y = piece.y.range();
+    box.extend(Vector2d(x.lower, y.lower) / least_weight);
+    box.extend(Vector2d(x.upper, y.upper) / least_weight);
+  }
+  return box.diagonal().norm();
+}
+
 /// Upper bound of the distance across the chord of a piece from one conic.
 double boundFrom(const FramedPiece& piece, double least_weight, const ImplicitConic& conic) {
+  if (conic.is_flat) return infinite;
   const Eigen::Matrix3d& b = conic.barycentric;
   const Polynomial b0 = piece.form(b.row(0)), b1 = piece.form(b.row(1)), b2 = piece.form(b.row(2));
   const double value =
@@ -128,10 +151,7 @@ double boundOf(const FramedPiece& piece, const std::vector<ImplicitConic>& conic
     if ((!first && to < conic.start) || (!last && from > conic.end)) continue;
     bound = std::max(bound, boundFrom(piece, weight.lower, conic));
   }
-  // A choice: so the flat bound replaces the other one only far below the tolerance, where the
-  // shape of the curve does not matter. A larger share of it would accept conics with kinks.
-  constexpr double factor = 8;
-  return std::min(bound, factor * flat);
+  return std::min(bound, small_part * flat);
 }
 
 bool isGraph(const std::vector<PlanarConic>& conics, const ChordFrame& frame) {
@@ -148,7 +168,15 @@ std::optional<double> distanceFromConics(const std::vector<CurvePiece>& part,
                                          double tolerance_mm) {
   const Vector2d start = conics.front().start, chord = conics.back().end - start;
   const ChordFrame frame{.origin = start, .along = chord.normalized()};
+  std::vector<FramedPiece> pieces;
+  for (const CurvePiece& piece : part) pieces.push_back(framedPiece(piece, frame));
+  // Rounding of the points of the conics and of their forms.
+  const double size =
+      start.cwiseAbs().maxCoeff() + conics.back().end.cwiseAbs().maxCoeff() + chord.norm();
+  const double rounding_mm = 16 * machine_epsilon * size;
   if (!isGraph(conics, frame)) return std::nullopt;
+  const double extent_mm = extentOf(pieces, conics, frame) + rounding_mm;
+  if (small_part * extent_mm <= tolerance_mm) return extent_mm;
   std::vector<ImplicitConic> implicit;
   const bool is_line = conics.size() == 1 && isLine(conics.front());
   for (const PlanarConic& conic : conics)
@@ -160,8 +188,8 @@ std::optional<double> distanceFromConics(const std::vector<CurvePiece>& part,
     int halvings = 0;
   };
   double distance_mm = 0;
-  for (const CurvePiece& piece : part) {
-    std::vector<Open> open = {{framedPiece(piece, frame)}};
+  for (const FramedPiece& piece : pieces) {
+    std::vector<Open> open = {{piece}};
     while (!open.empty()) {
       const Open next = std::move(open.back());
       open.pop_back();
@@ -175,10 +203,7 @@ std::optional<double> distanceFromConics(const std::vector<CurvePiece>& part,
       open.push_back({next.piece.restricted({0.5, 1}), next.halvings + 1});
     }
   }
-  // Rounding of the points of the conics and of their forms.
-  const double size =
-      start.cwiseAbs().maxCoeff() + conics.back().end.cwiseAbs().maxCoeff() + chord.norm();
-  distance_mm += 16 * machine_epsilon * size;
+  distance_mm += rounding_mm;
   if (distance_mm > tolerance_mm) return std::nullopt;
   return distance_mm;
 }

@@ -10,6 +10,10 @@
 /// Not a public header.
 namespace seamwright {
 
+/// A choice: bounds that do not look at the shape replace the others only this far below the
+/// tolerance, where the shape does not matter. A larger share would accept conics with kinks.
+inline constexpr double small_part = 8;
+
 /// Upper bound of the distance in both directions of conics from the part of a curve between the
 /// same points; nothing if it is certainly or possibly above the tolerance. Both have to be graphs
 /// over their common chord: the conics by their control polygon, the curve by its velocity.

@@ -11,8 +11,11 @@ namespace seamwright {
 
 struct ConicFitOptions {
   double tolerance_mm = 0.01;
-  /// A joint at which the tangent turns by more is a corner, and stays one.
+  /// A joint at which the tangent turns by more is a corner, and stays one...
   double corner_rad = 1e-3;
+  /// ... unless it turns by no more than this, and arcs with this turn are no further from both
+  /// segments beside it than half the tolerance: so it is where a curve was sampled.
+  double sampled_rad = 0.2;
 };
 
 /// Conics near a curve.

@@ -151,18 +151,22 @@ ConicPair bestOfShares(const UnitPair& pair) {
 }
 
 /// The best of a grid of tangents. It begins with the symmetric one.
-ConicPair bestPair(const UnitPair& pair) {
+ConicPair bestPair(const UnitPair& pair, PairEffort effort) {
   constexpr int turns = 24, most_scale_steps = 10;
   constexpr double scale_step = 1.1;
+  std::array<double, 2 * most_scale_steps + 1> scales{};
+  for (int j = -most_scale_steps; j <= most_scale_steps; ++j) {
+    const int step = j <= 0 ? j + most_scale_steps : -j;  // 0, 1, ..., 10, -1, ..., -10
+    scales[static_cast<std::size_t>(j + most_scale_steps)] = std::pow(scale_step, step);
+  }
   BestPair best(pair);
   for (int i = 0; i < turns - 1; ++i) {
     // 12, 11, 13, 10, ..., 1, 23
     const int away = (i + 1) / 2, twelfth = turns / 2 + (i % 2 == 0 ? away : -away);
-    for (int j = -most_scale_steps; j <= most_scale_steps; ++j) {
-      const int step = j <= 0 ? j + most_scale_steps : -j;  // 0, 1, ..., 10, -1, ..., -10
-      const JointTangent tangent =
-          jointTangent(pair, pair.turn() * twelfth / turns, std::pow(scale_step, step));
+    for (const double scale : scales) {
+      const JointTangent tangent = jointTangent(pair, pair.turn() * twelfth / turns, scale);
       if (tangent.inside()) best.consider(tangent);
+      if (effort == PairEffort::Draft) break;
     }
   }
   // Where one angle is more than about 120 times the other one, no tangent of the grid cuts both
@@ -200,7 +204,7 @@ double pairCurvature_per_mm(const PairAngles& angles) {
          std::pow(std::sin(angles.own_rad) / std::sin(angles.other_rad), pair_power);
 }
 
-ConicPair fairConics(const ConicPairEnds& given) {
+ConicPair fairConics(const ConicPairEnds& given, PairEffort effort) {
   const ChordAngles angles = chordAngles(given.ends);
   const double alpha = angles.alpha_rad, beta = angles.beta_rad;
   if (!(alpha * beta > 0 && std::abs(alpha + beta) < std::numbers::pi))
@@ -223,7 +227,7 @@ ConicPair fairConics(const ConicPairEnds& given) {
     std::swap(pair.start_edge, pair.end_edge);
     std::swap(pair.start_curvature, pair.end_curvature);
   }
-  ConicPair result = bestPair(pair);
+  ConicPair result = bestPair(pair, effort);
   const UnitChord back{.ends = given.ends, .mirrored = right, .reversed = falls};
   for (PlanarConic& conic : result.conics) conic = back.conic(conic);
   if (falls) result.conics = {reversed(result.conics[1]), reversed(result.conics[0])};

@@ -21,6 +21,9 @@ struct ConicPair {
   int extrema = 0;
 };
 
+/// How many tangents are tried.
+enum class PairEffort { Draft, Full };
+
 /// Of the pairs that twoConics() gives for 483 tangents at the joint (for 49 others if none of
 /// these cuts both edges, as with angles that differ by 120 times), one with the fewest extrema of
 /// the curvature; of these, the one whose curvature is nearest to linear by length. Identities
@@ -36,7 +39,8 @@ struct ConicPair {
 /// \throws std::invalid_argument as chordAngles() and twoConics() do; std::domain_error for ends
 /// that are no C-shape or turn by pi or more.
 /// Source: docs/theory/planar.md P7.1, P7.4.
-ConicPair fairConics(const ConicPairEnds& ends);
+/// \param effort Draft tries 23 of the tangents: for distances, not for results.
+ConicPair fairConics(const ConicPairEnds& ends, PairEffort effort = PairEffort::Full);
 
 /// The size of the curvature at an end of a C-shape with the chord \p chord_mm: the circle through
 /// both points with the tangent there has this curvature if both angles are equal. The end with the

@@ -330,14 +330,15 @@ double curvatureAt(const NodeChain& chain, Index i, bool after) {
   return pairCurvature_per_mm({.chord_mm = chord_mm, .own_rad = own, .other_rad = other});
 }
 
-std::array<PlanarConic, 2> conicsOfSpan(const NodeChain& chain, Index s) {
+std::array<PlanarConic, 2> conicsOfSpan(const NodeChain& chain, Index s, PairEffort effort) {
   const int side = chain.side(s);
   return fairConics({.ends = {.start = chain.at(s).point,
                               .start_direction_rad = tangentAt(chain, s),
                               .end = chain.at(s + 1).point,
                               .end_direction_rad = tangentAt(chain, s + 1)},
                      .start_curvature_per_mm = side * curvatureAt(chain, s, true),
-                     .end_curvature_per_mm = side * curvatureAt(chain, s + 1, false)})
+                     .end_curvature_per_mm = side * curvatureAt(chain, s + 1, false)},
+                    effort)
       .conics;
 }
 
@@ -375,7 +376,8 @@ double NodeChain::endAngle(Index span) const {
   return node.kind == NodeKind::End ? startAngle(span) : inflectionAngle(*this, span + 1);
 }
 
-ConicSpline conicSpline(const PlanarPoints& points, bool closed, const Progress& progress) {
+ConicSpline conicSpline(const PlanarPoints& points, bool closed, const Progress& progress,
+                        PairEffort effort) {
   NodeChain chain = chainOf(points, closed);
   findLines(chain);
   insertInflections(chain);
@@ -407,7 +409,7 @@ ConicSpline conicSpline(const PlanarPoints& points, bool closed, const Progress&
       result.conics.push_back({.start = start, .corner = (start + end) / 2, .end = end});
       continue;
     }
-    const std::array<PlanarConic, 2> pair = conicsOfSpan(chain, s);
+    const std::array<PlanarConic, 2> pair = conicsOfSpan(chain, s, effort);
     result.conics.insert(result.conics.end(), pair.begin(), pair.end());
   }
   return result;

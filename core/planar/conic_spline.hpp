@@ -5,6 +5,7 @@
 
 #include <seamwright/core/planar/biarc_spline.hpp>
 #include <seamwright/core/planar/conic.hpp>
+#include <seamwright/core/planar/conic_pair.hpp>
 #include <seamwright/core/progress.hpp>
 
 namespace seamwright {
@@ -40,7 +41,9 @@ struct ConicSpline {
 /// and neighbours that are equal. Throws std::domain_error if the polygon reverses its direction at
 /// a point (with its index). Throws Cancelled.
 /// Source: docs/theory/planar.md P7.4, P7.5.
+/// \param effort Draft finds the joints inside of spans with less care: for distances, not for
+/// results.
 ConicSpline conicSpline(const PlanarPoints& points, bool closed = false,
-                        const Progress& progress = {});
+                        const Progress& progress = {}, PairEffort effort = PairEffort::Full);
 
 }  // namespace seamwright

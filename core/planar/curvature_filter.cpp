@@ -109,22 +109,23 @@ FairedPoints filterCurvature(const PlanarPoints& points, double tolerance_mm,
     result.points = reversedPoints(result.points);
     original = reversedPoints(original);
   };
-  result.converged = tolerance_mm == 0;
+  if (tolerance_mm == 0) result.status = PointFairingStatus::Converged;
   result.after = result.before;
-  while (!result.converged && result.steps < options.max_passes) {
+  while (result.status == PointFairingStatus::NotConverged && result.steps < options.max_passes) {
     checkProgress(progress, static_cast<double>(result.steps) / options.max_passes);
     const PlanarPoints before = result.points;
     pass();
     pass();
     const PointFairness fairness = fairnessOf(result.points, options.closed);
+    const bool still = (result.points - before).rowwise().norm().maxCoeff() < 1e-3 * tolerance_mm;
+    if (still) result.status = PointFairingStatus::Converged;
     if (!(fairness.energy_per_mm3 < result.after.energy_per_mm3)) {
       result.points = before;
-      result.converged = true;
+      if (!still) result.status = PointFairingStatus::EnergyGrows;
       break;
     }
     ++result.steps;
     result.after = fairness;
-    result.converged = (result.points - before).rowwise().norm().maxCoeff() < 1e-3 * tolerance_mm;
   }
   result.moved_mm = (result.points - points).rowwise().norm().maxCoeff(&result.most_moved);
   return result;

@@ -42,7 +42,7 @@ FairedRun fairRun(const FairingRun& run) {
       fairPoints(run.points, run.tolerances_mm, {.closed = run.closed}, partOf(run.progress, 0, 0));
   FairedRun result;
   result.point_inflections = static_cast<int>(faired.after.inflections.size());
-  const RunFairing fairing(run);
+  const RunFairing fairing(run, faired.points);
   std::optional<FairingState> given = fairing.stateAt(run.points);
   std::optional<FairingState> best = fairing.stateAt(faired.points);
   if (given) result.before = figuresOf(given->chain, run.closed);

@@ -8,6 +8,13 @@
 
 namespace seamwright {
 
+/// Why a method ended. Its points are usable in any case.
+enum class PointFairingStatus {
+  Converged,    ///< no moves are left, up to the precision of the method
+  EnergyGrows,  ///< the next passes of the filter would make the energy grow; they were left out
+  NotConverged  ///< its steps ran out, or rounding allows none; fairer points may exist
+};
+
 /// Points that were moved to make them fair.
 struct FairedPoints {
   PlanarPoints points;
@@ -15,7 +22,7 @@ struct FairedPoints {
   double moved_mm = 0;          ///< the largest distance of a point from where it was
   Eigen::Index most_moved = 0;  ///< the point with that distance
   int steps = 0;
-  bool converged = false;
+  PointFairingStatus status = PointFairingStatus::NotConverged;
 };
 
 struct PointFairingOptions {
@@ -26,13 +33,16 @@ struct PointFairingOptions {
 };
 
 /// Points with the least energy (PointFairness) that moves within the tolerances allow, each point
-/// along the normal of the chord of its neighbours. An interior-point method with Gauss-Newton
-/// steps; the cost of a step is O(n). Identities (each has a test of its number):
+/// along the normal of the chord of its neighbours; in a sequence with neighbours nearer than twice
+/// their tolerance, along the normal of a fair curve between them. An interior-point method with
+/// Gauss-Newton steps; the cost of a step is O(n). Identities (each has a test of its number):
 ///   (1) No point moves by more than its tolerance, and a tolerance of 0 fixes a point bitwise.
 ///   (2) The energy does not grow. Points of a circle stay, with any spacing.
 ///   (3) At the result the derivative of the energy by the move of a point is 0, or points outwards
 ///       at a point that moved by its tolerance, up to the precision of the method.
 ///   (4) Rigid motion, scaling and reversal move the result along, up to that precision.
+/// Points whose errors along the curve exceed their distances stand in a wrong order, which no move
+/// across the curve mends: thin them out.
 /// If the result is not fairer than the input, the input is returned.
 /// \param tolerances_mm one for each point; at least 0 and finite.
 /// \throws std::invalid_argument as fairnessOf() does, for a wrong number of tolerances and for an

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <tuple>
+#include <utility>
 
 #include <seamwright/core/numeric.hpp>
 #include <seamwright/core/planar/clothoid_curvatures.hpp>
@@ -171,17 +172,13 @@ double variationOf(const Chain& chain) {
   return sum;
 }
 
-RunFairing::RunFairing(const FairingRun& run) : run_(run) {
+RunFairing::RunFairing(const FairingRun& run, const PlanarPoints& fair_points) : run_(run) {
   const Index n = run.count();
   tolerances_mm_ = run.tolerances_mm;
   if (!run.closed) tolerances_mm_(0) = tolerances_mm_(n - 1) = 0;
-  normals_.resize(n, 2);
-  for (Index i = 0; i < n; ++i) {
-    const Index before = run.closed ? (i + n - 1) % n : std::max<Index>(i - 1, 0);
-    const Index after = run.closed ? (i + 1) % n : std::min(i + 1, n - 1);
-    const Eigen::RowVector2d chord = (run.points.row(after) - run.points.row(before)).normalized();
-    normals_.row(i) << -chord.y(), chord.x();
-  }
+  MoveNormals normals = moveNormals(run.points, tolerances_mm_, run.closed);
+  if (normals.crowded) normals = moveNormals(fair_points, Eigen::VectorXd::Zero(n), run.closed);
+  normals_ = std::move(normals.vectors);
 }
 
 std::optional<FairingState> RunFairing::stateOf(const Eigen::VectorXd& shares) const {

@@ -89,10 +89,10 @@ struct FairingSearch {
   bool feasible = false;  ///< the last program had a solution
 };
 
-/// The moves of the points of a run, each along the normal of the chord of its neighbours.
+/// The moves of the points of a run, along the normals of fairPoints().
 class RunFairing {
  public:
-  explicit RunFairing(const FairingRun& run);
+  RunFairing(const FairingRun& run, const PlanarPoints& fair_points);
 
   /// The run with its points moved to these, as far as normals and tolerances allow; none if there
   /// is no curve through them.

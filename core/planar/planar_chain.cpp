@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include <seamwright/core/bezier/length.hpp>
+#include <seamwright/core/bezier/stopped_ends.hpp>
 #include <seamwright/core/fair/curvature_profile.hpp>
 #include <seamwright/core/numeric.hpp>
 #include <seamwright/core/planar/planar_chain.hpp>
@@ -33,10 +34,10 @@ BSplineCurve reversedSpline(const BSplineCurve& curve) {
   return result;
 }
 
-double signedCurvature(const BezierCurve& curve, double t) {
+EndCurvature curvatureAtEnd(const BezierCurve& curve, double t) {
   const CurveDerivatives d = curve.derivatives(t, 2);
   const Vector2d first = d.row(1).head<2>(), second = d.row(2).head<2>();
-  return cross(first, second) / std::pow(first.norm(), 3);
+  return {.curvature_per_mm = cross(first, second) / std::pow(first.norm(), 3)};
 }
 
 /// The integral of k^2 |r'| over [0, 1]: 16 panels with the 3 nodes of Gauss, whose error falls
@@ -76,11 +77,14 @@ struct Course {
       curvatures_per_mm.push_back(0);
       return;
     }
-    figures.energy_per_mm += bendingOf(curve);
-    curvatures_per_mm.push_back(signedCurvature(curve, 0));
+    const StoppedEnds stops = stoppedEnds(curve);
+    const EndCurvature start = stops.start > 0 ? startCurvature(curve) : curvatureAtEnd(curve, 0);
+    const EndCurvature end = stops.end > 0 ? endCurvature(curve) : curvatureAtEnd(curve, 1);
+    figures.energy_per_mm += start.finite_energy && end.finite_energy ? bendingOf(curve) : infinite;
+    curvatures_per_mm.push_back(start.curvature_per_mm);
     for (const CurvatureExtremum& extremum : planarCurvatureProfile(curve).extrema)
       curvatures_per_mm.push_back(extremum.curvature_per_mm);
-    curvatures_per_mm.push_back(signedCurvature(curve, 1));
+    curvatures_per_mm.push_back(end.curvature_per_mm);
   }
 };
 
@@ -126,7 +130,12 @@ std::vector<BezierCurve> bezierCurves(const ChainCurve& curve) {
   if (const auto* conic = std::get_if<PlanarConic>(&curve)) return {bezierCurve(*conic)};
   const BezierSpline spline = bezierSpline(std::get<BSplineCurve>(curve));
   std::vector<BezierCurve> result;
-  for (int i = 0; i < spline.segments(); ++i) result.push_back(segment(spline, i));
+  for (int i = 0; i < spline.segments(); ++i) {
+    BezierCurve one = segment(spline, i);
+    // More equal poles than the degree are a span without length.
+    if (!isPoint(one)) result.push_back(std::move(one));
+  }
+  if (result.empty()) result.push_back(segment(spline, 0));
   return result;
 }
 
@@ -157,7 +166,10 @@ ChainFigures figuresOf(const PlanarChain& chain, const Progress& progress) {
   }
   double largest_per_mm = course.figures.length_mm > 0 ? 1 / course.figures.length_mm : 0;
   for (const double k : course.curvatures_per_mm)
-    largest_per_mm = std::max(largest_per_mm, std::abs(k));
+    if (std::isfinite(k)) largest_per_mm = std::max(largest_per_mm, std::abs(k));
+  // Of an infinite curvature only its sign and that it is the largest matter.
+  for (double& k : course.curvatures_per_mm)
+    if (std::isinf(k)) k = std::copysign(2 * largest_per_mm, k);
   constexpr double negligible = 1e-9;
   const SequenceTurns turns =
       turnsOf(course.curvatures_per_mm, chain.closed, negligible * largest_per_mm);

@@ -30,7 +30,8 @@ Eigen::Vector2d endOf(const ChainCurve& curve);
 ///   (1) Reversing twice gives the curve, up to rounding.
 ChainCurve reversed(const ChainCurve& curve);
 
-/// The curve in Bézier form in the plane z = 0, exactly: arcs by planar.md P1.3.
+/// The curve in Bézier form in the plane z = 0, exactly: arcs by planar.md P1.3. Spans of a spline
+/// that are points are left out.
 std::vector<BezierCurve> bezierCurves(const ChainCurve& curve);
 
 /// The chain as one spline with the lengths of the control polygons as knots. The end of each curve
@@ -42,7 +43,9 @@ BezierSpline bezierSpline(const PlanarChain& chain, double gap_mm);
 /// What describes the shape of a chain.
 struct ChainFigures {
   double length_mm = 0;
-  double energy_per_mm = 0;  ///< integral of the squared curvature by arc length
+  /// Integral of the squared curvature by arc length. It is infinite where poles at an end of a
+  /// Bézier curve are equal and the curvature grows too fast there, as of a t^2 + b t^3.
+  double energy_per_mm = 0;
   /// Local extrema of the curvature and changes of its sign along the chain. Jumps of the curvature
   /// between curves count; so does the joint that closes a chain. Differences below a billionth of
   /// the largest curvature, or of one over the length, do not.
@@ -52,8 +55,8 @@ struct ChainFigures {
 /// Length and energy of arcs are in closed form, those of other curves by Gauss' quadrature.
 ///   (3) A circle has the length 2 pi r, the energy 2 pi / r, no extremum and no inflection.
 ///   (4) An ellipse has 4 extrema.
-/// \throws std::domain_error if a curve may stop, as planarCurvatureProfile(). Throws Cancelled,
-/// see Progress; it is called before each curve and each span of a spline.
+/// \throws std::domain_error if a curve may stop inside of a span, as planarCurvatureProfile().
+/// Throws Cancelled, see Progress; it is called before each curve and each span of a spline.
 ChainFigures figuresOf(const PlanarChain& chain, const Progress& progress = {});
 
 /// Local extrema and changes of sign of a sequence of curvatures. Differences and curvatures up to

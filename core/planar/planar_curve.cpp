@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <fmt/format.h>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
+#include <seamwright/core/bezier/stopped_ends.hpp>
 #include <seamwright/core/numeric.hpp>
 #include <seamwright/core/planar/planar_curve.hpp>
 
 namespace seamwright {
 
 CurveFrame frameAt(const BezierCurve& segment, double t, int index) {
+  if (const std::optional<Eigen::Vector3d> tangent = stoppedTangent(segment, t))
+    return {.point = segment.point(t).head<2>(),
+            .direction_rad = directionOf(Eigen::Vector2d(tangent->head<2>()))};
   const CurveDerivatives d = segment.derivatives(t, 3);
   const Eigen::Vector2d first = d.row(1).head<2>(), second = d.row(2).head<2>(),
                         third = d.row(3).head<2>();
@@ -38,6 +43,22 @@ PlanarCurve planarCurve(const BezierSpline& spline) {
     curve.origins.emplace_back(poles.row(0).head<2>());
   }
   return curve;
+}
+
+std::optional<AlongCircle> alongCircle(const PlanarCurve& curve, const Interval& range,
+                                       const PlanarArc& arc, double tolerance_mm) {
+  AlongCircle result;
+  for (int i = static_cast<int>(range.lower); i < curve.count() && i < range.upper; ++i) {
+    const Interval domain = {std::max(range.lower - i, 0.0), std::min(range.upper - i, 1.0)};
+    if (!(domain.width() > 0)) continue;
+    const auto along = alongCircle(
+        {.polynomials = curve.polynomials[i], .origin = curve.origins[i], .domain = domain}, arc,
+        tolerance_mm);
+    if (!along) return std::nullopt;
+    result.distance_mm = std::max(result.distance_mm, along->distance_mm);
+    result.advance_mm += along->advance_mm;
+  }
+  return result;
 }
 
 }  // namespace seamwright

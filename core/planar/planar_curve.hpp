@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include <seamwright/core/planar/arc_distance.hpp>
@@ -14,11 +15,12 @@ namespace seamwright {
 struct CurveFrame {
   Eigen::Vector2d point;
   double direction_rad = 0;
-  double curvature_slope_per_mm2 = 0;  ///< change of the curvature by arc length
+  /// Change of the curvature by arc length; 0 at an end at which the segment stops.
+  double curvature_slope_per_mm2 = 0;
 };
 
 /// \param index of the segment, for messages.
-/// \throws std::domain_error where the curve stops.
+/// \throws std::domain_error where the curve stops, except at an end with stoppedEnds().
 CurveFrame frameAt(const BezierCurve& segment, double t, int index);
 
 /// A curve of N segments with the parameter u from 0 to N; segment i runs from i to i + 1.
@@ -47,5 +49,9 @@ struct PlanarCurve {
 
 /// \throws std::invalid_argument for a pole outside of the plane z = 0.
 PlanarCurve planarCurve(const BezierSpline& spline);
+
+/// alongCircle() of the curve over a range of its parameter.
+std::optional<AlongCircle> alongCircle(const PlanarCurve& curve, const Interval& range,
+                                       const PlanarArc& arc, double tolerance_mm);
 
 }  // namespace seamwright

@@ -14,16 +14,24 @@ namespace seamwright {
 struct PointTriple {
   Eigen::Vector2d before, after;
 
+  double lengthProduct() const { return before.norm() * after.norm() * (before + after).norm(); }
+
   /// Of the circle through the three points.
-  double curvature_per_mm() const {
-    return 2 * cross(before, after) / (before.norm() * after.norm() * (before + after).norm());
+  double curvature_per_mm() const { return 2 * cross(before, after) / lengthProduct(); }
+
+  /// The change of the curvature by moves of the three points as if the lengths stayed.
+  Eigen::Vector3d turnSlopes(const std::array<Eigen::Vector2d, 3>& moves) const {
+    const double factor = 2 / lengthProduct();
+    return factor * Eigen::Vector3d(cross(after, moves[0]),
+                                    cross(moves[1], after) + cross(moves[1], before),
+                                    cross(before, moves[2]));
   }
 
   /// The change of the curvature by moves of the three points along these vectors, one each.
   Eigen::Vector3d curvatureSlopes(const std::array<Eigen::Vector2d, 3>& moves) const {
     const Eigen::Vector2d chord = before + after;
     const double curvature = curvature_per_mm();
-    const double product = before.norm() * after.norm() * chord.norm();
+    const double product = lengthProduct();
     const auto slope = [&](const Eigen::Vector2d& of_before, const Eigen::Vector2d& of_after) {
       return 2 * (cross(of_before, after) + cross(before, of_after)) / product -
              curvature * (before.dot(of_before) / before.squaredNorm() +

@@ -9,6 +9,7 @@
 #include <seamwright/core/bezier/casteljau.hpp>
 #include <seamwright/core/bezier/homogeneous.hpp>
 #include <seamwright/core/bezier/length.hpp>
+#include <seamwright/core/bezier/stopped_ends.hpp>
 #include <seamwright/core/bspline/basis.hpp>
 #include <seamwright/core/bspline/blossom.hpp>
 #include <seamwright/core/numeric.hpp>
@@ -73,6 +74,14 @@ void requireGap(const Eigen::RowVector4d& end, const Eigen::RowVector4d& start, 
   if (!(gap <= gap_mm))
     refuse("joint " + std::to_string(joint) + ": the ends are " + text(gap) +
            " mm apart, allowed " + text(gap_mm));
+}
+
+/// The end pole of the last segment so far has moved across a gap. Poles that were equal to it move
+/// along, so that the tangent stays. \param end row of the pole. \param segment as it was given.
+void moveEqualPoles(HomogeneousPoles& poles, Eigen::Index end, const BezierCurve& segment) {
+  const int count = stoppedEnds(segment).end;
+  for (Eigen::Index i = end - count; i < end; ++i)
+    poles.row(i) = reweighted(poles.row(end), poles(i, 3));
 }
 
 /// The jumps of the homogeneous derivatives of orders 0.. at inner knot i, and bounds of the jumps
@@ -226,11 +235,13 @@ BezierSpline bezierSpline(const std::vector<BezierCurve>& segments,
     requireGap(end, rows[i].row(0), i, gap_mm);
     result.poles.middleRows(static_cast<Eigen::Index>(i) * n, n + 1) =
         rows[i] * (end(3) / rows[i](0, 3));
+    moveEqualPoles(result.poles, static_cast<Eigen::Index>(i) * n, segments[i - 1]);
   }
   if (closed) {
     auto end = result.poles.row(result.poles.rows() - 1);
     requireGap(end, rows.front().row(0), rows.size(), gap_mm);
     end = reweighted(rows.front().row(0), end(3)).eval();
+    moveEqualPoles(result.poles, result.poles.rows() - 1, segments.back());
   }
   requireValid(result);
   return result;

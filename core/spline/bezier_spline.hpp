@@ -40,7 +40,8 @@ BezierCurve segment(const BezierSpline& spline, int i);
 
 /// Joins segments, raised to the highest of their degrees. The homogeneous poles of each segment
 /// are multiplied by a factor, so that its first weight equals the last weight of the previous
-/// segment; this changes no point. The pole between two segments is taken from the later one.
+/// segment; this changes no point. The pole between two segments is taken from the later one;
+/// poles beside it that were equal to the earlier one move along.
 /// \param knots one more than segments.
 /// \throws std::invalid_argument for no segments, knots that requireValid() refuses, and ends that
 /// are further apart than \p gap_mm, with the index of the joint (the index of its knot) and the

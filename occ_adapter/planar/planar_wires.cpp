@@ -83,9 +83,9 @@ PlanarWire planarWire(const EdgeChain& chain, double flatness_mm,
   wire.height_mm = plane.distance_mm;
   wire.chain.closed = chain.closed;
   if (wire.height_mm > flatness_mm)
-    throw GeometryError(fmt::format(
-        "{} {} not planar: {:.3g} mm from the nearest plane, more than {:.6g} mm", namesOf(chain),
-        chain.edges.size() == 1 ? "is" : "are", wire.height_mm, flatness_mm));
+    throw GeometryError(
+        fmt::format("not planar: {:.3g} mm from the nearest plane, more than {:.6g} mm",
+                    wire.height_mm, flatness_mm));
   for (const auto& [edge, forward] : chain.edges) appendCurves(wire, edge, forward);
   wire.gap_mm = largestGap(wire.chain);
   return wire;
@@ -121,22 +121,34 @@ TopoDS_Edge edgeBetween(const handle<Geom_Curve>& curve, const TopoDS_Vertex& st
 
 }  // namespace
 
-std::vector<PlanarWire> planarWires(const TopoDS_Shape& shape, const PlanarWireOptions& options) {
-  std::vector<PlanarWire> wires;
+PlanarWireSearch findPlanarWires(const TopoDS_Shape& shape, const PlanarWireOptions& options) {
+  PlanarWireSearch result;
   for (const EdgeChain& chain : edgeChains(shape, options.chains)) {
-    const auto refused = [&](const std::exception& error) {
-      return GeometryError(
-          fmt::format("Edge{}: {}", chain.edges.front().edge.number, error.what()));
+    const auto refuseChain = [&](const std::exception& error) {
+      RefusedChain refused{.edges = {}, .reason = error.what()};
+      for (const auto& [edge, forward] : chain.edges) refused.edges.push_back(edge.number);
+      result.refused.push_back(std::move(refused));
     };
     try {
-      wires.push_back(planarWire(chain, options.flatness_mm, wires));
+      result.wires.push_back(planarWire(chain, options.flatness_mm, result.wires));
+    } catch (const GeometryError& error) {
+      refuseChain(error);
     } catch (const std::invalid_argument& error) {  // numbers that core refuses
-      throw refused(error);
+      refuseChain(error);
     } catch (const std::domain_error& error) {  // a kind of curve that core does not know
-      throw refused(error);
+      refuseChain(error);
     }
   }
-  return wires;
+  return result;
+}
+
+std::vector<PlanarWire> planarWires(const TopoDS_Shape& shape, const PlanarWireOptions& options) {
+  PlanarWireSearch found = findPlanarWires(shape, options);
+  if (!found.refused.empty()) {
+    const RefusedChain& first = found.refused.front();
+    throw GeometryError(fmt::format("Edge{}: {}", first.edges.front(), first.reason));
+  }
+  return std::move(found.wires);
 }
 
 TopoDS_Wire wireOf(const PlanarChain& chain, const PlaneFrame& frame) {

@@ -3,6 +3,7 @@
 
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_Wire.hxx>
+#include <string>
 #include <vector>
 
 #include <seamwright/core/planar/planar_chain.hpp>
@@ -37,6 +38,23 @@ struct PlanarWireOptions {
 /// without an edge.
 std::vector<PlanarWire> planarWires(const TopoDS_Shape& shape,
                                     const PlanarWireOptions& options = {});
+
+/// A chain that planarWires() refuses.
+struct RefusedChain {
+  std::vector<int> edges;  ///< as of PlanarWire
+  std::string reason;
+};
+
+/// The chains that are in a plane, and those that are not.
+struct PlanarWireSearch {
+  std::vector<PlanarWire> wires;
+  std::vector<RefusedChain> refused;
+};
+
+/// As planarWires(), but a chain that is refused does not stop the others.
+/// \throws std::invalid_argument for a number without an edge, GeometryError for an edge without a
+/// curve.
+PlanarWireSearch findPlanarWires(const TopoDS_Shape& shape, const PlanarWireOptions& options = {});
 
 /// The chain as a wire in its plane, an edge for each curve; neighbours share a vertex, and so do
 /// the ends of a closed chain. The tolerance of a vertex covers the gap of its curves.

@@ -8,6 +8,7 @@
 #include <optional>
 #include <seamwright/core/bezier/length.hpp>
 #include <seamwright/core/blend/common_knots.hpp>
+#include <seamwright/core/blend/frame_fault.hpp>
 #include <seamwright/core/blend/frame_loft.hpp>
 #include <seamwright/core/blend/match_pieces.hpp>
 #include <seamwright/core/blend/spline_blend.hpp>
@@ -45,19 +46,23 @@ std::vector<double> evenOmegas(std::size_t count) {
   return omegas;
 }
 
-MatchOptions matchOptions(const BlendArguments& arguments, bool closed) {
+/// Curves with given pairs keep their start and direction.
+MatchOptions matchOptions(const KeyCurves& input, const BlendArguments& arguments, bool closed) {
+  if (!arguments.pairs.empty())
+    return {.by = MatchBy::Given, .given = pairParameters(input, arguments.pairs)};
   return {.by = arguments.match == "features" ? MatchBy::Features : MatchBy::Length,
           .find_start = closed,
           .find_direction = true};
 }
 
-std::string matchNote(const MatchSummary& summary) {
+std::string matchNote(const MatchSummary& summary, MatchBy by) {
   const auto [fewest, most] = std::ranges::minmax(summary.pieces_before);
   std::string note =
       fmt::format("matched: {} to {} pieces each became {}", fewest, most, summary.pieces_after);
   if (summary.matched_features > 0)
-    note += fmt::format(", {} corners or extrema of the curvature correspond",
-                        summary.matched_features);
+    note +=
+        fmt::format(", {} {} correspond", summary.matched_features,
+                    by == MatchBy::Given ? "given pairs" : "corners or extrema of the curvature");
   if (const auto reversed = std::ranges::count(summary.reversed, true))
     note += fmt::format(", {} run in the other direction", reversed);
   return note;
@@ -67,7 +72,7 @@ std::string matchNote(const MatchSummary& summary) {
 std::vector<BezierSpline> dividedCurves(const std::vector<BezierSpline>& curves,
                                         const MatchOptions& options, BlendReport& report) {
   MatchedFrames matched = matchPieces(curves, options);
-  report.notes.push_back(matchNote(matched.summary) +
+  report.notes.push_back(matchNote(matched.summary, options.by) +
                          fmt::format("; shares of the length differ up to {:.3g} times",
                                      matched.summary.largest_ratio));
   return std::move(matched.frames);
@@ -78,7 +83,7 @@ std::vector<BezierSpline> refittedCurves(const std::vector<BezierSpline>& curves
                                          const MatchOptions& options, double tolerance_mm,
                                          BlendReport& report) {
   CommonKnots common = commonKnots(curves, {.match = options, .tolerance_mm = tolerance_mm});
-  report.notes.push_back(matchNote(common.summary));
+  report.notes.push_back(matchNote(common.summary, options.by));
   for (std::size_t i = 0; i < curves.size(); ++i)
     report.key_curves[i].refitted_mm = common.distance_mm[i];
   report.reached = common.reached;
@@ -88,7 +93,7 @@ std::vector<BezierSpline> refittedCurves(const std::vector<BezierSpline>& curves
 SplineBlend blendOf(const KeyCurves& input, const BlendArguments& arguments, BlendReport& report) {
   std::vector<BezierSpline> curves;
   for (const KeyCurve& key : input.curves) curves.push_back(key.curve);
-  const MatchOptions match = matchOptions(arguments, report.closed);
+  const MatchOptions match = matchOptions(input, arguments, report.closed);
   const std::vector<BezierSpline> matched =
       arguments.exact ? dividedCurves(curves, match, report)
                       : refittedCurves(curves, match, arguments.tolerance_mm, report);
@@ -211,6 +216,13 @@ bool noteOrders(const SplineBlend& blend, BlendReport& report) {
   return lost == 0;
 }
 
+/// The file of a key curve, and its edge where the file has several.
+std::string keyName(const KeyCurve& key, const BlendArguments& arguments) {
+  const std::string& path = arguments.inputs[key.input];
+  const bool alone = arguments.inputs.size() > 1 || key.edges.empty();
+  return alone ? path : fmt::format("{}: Edge{}", path, key.edges.front());
+}
+
 std::string lineOf(const BlendReport& report) {
   return report::toLine(report::toJson(report)) + '\n';
 }
@@ -251,6 +263,27 @@ void addOutputs(CLI::App& command, OutputArguments& output) {
   command.add_flag("--overwrite-source", output.overwrite_source, "Allow OUT to replace an INPUT");
 }
 
+void addMatching(CLI::App& command, BlendArguments& arguments) {
+  CLI::Option* match =
+      command
+          .add_option("--match", arguments.match,
+                      "Which points of the curves correspond. features: corners and extrema of the "
+                      "curvature, and lengths between them; length: lengths from the beginning")
+          ->check(CLI::IsMember({"features", "length"}))
+          ->capture_default_str();
+  command
+      .add_option(
+          "--pair",
+          "Places that correspond, one on each curve, in place of --match: the number of a "
+          "point in its file, or a share of the length as 40%. Repeat it for further pairs; "
+          "of closed curves the first pair is the start")
+      ->type_name("A,B[,...]")
+      ->allow_extra_args(false)
+      ->expected(1, -1)
+      ->excludes(match)
+      ->each([&arguments](const std::string& text) { arguments.pairs.push_back(keyPair(text)); });
+}
+
 }  // namespace
 
 void addBlendOptions(CLI::App& command, BlendArguments& arguments) {
@@ -269,12 +302,7 @@ void addBlendOptions(CLI::App& command, BlendArguments& arguments) {
       ->type_name("N")
       ->check(CLI::Range(1, 4))
       ->capture_default_str();
-  command
-      .add_option("--match", arguments.match,
-                  "Which points of the curves correspond. features: corners and extrema of the "
-                  "curvature, and lengths between them; length: lengths from the beginning")
-      ->check(CLI::IsMember({"features", "length"}))
-      ->capture_default_str();
+  addMatching(command, arguments);
   command
       .add_option("--between", arguments.in_between,
                   "Smoothness from frame to frame at key curves between the outer ones")
@@ -315,7 +343,7 @@ int runBlend(const BlendArguments& arguments) {
   BlendReport report{.inputs = input.facts,
                      .order = arguments.order,
                      .tolerance_mm = arguments.tolerance_mm,
-                     .match = arguments.match,
+                     .match = arguments.pairs.empty() ? arguments.match : "pairs",
                      .in_between = arguments.in_between,
                      .reached = true};
   addKeyCurves(input, report);
@@ -326,14 +354,19 @@ int runBlend(const BlendArguments& arguments) {
     frames = framesOf(blend, arguments, report);
     report.reached = noteOrders(blend, report) && report.reached;
     if (arguments.loft) loft = loftOf(blend, arguments, report);
-  } catch (const std::invalid_argument& error) {  // curves that core can't match or blend
-    throw std::runtime_error(arguments.inputs.front() + ": " + error.what());
+  } catch (const FrameFault& fault) {  // a curve that core can't match or blend
+    throw std::runtime_error(keyName(input.curves.at(fault.frame()), arguments) + ": " +
+                             fault.what());
+  } catch (const std::invalid_argument& error) {  // all curves together
+    throw std::runtime_error(
+        fmt::format("{}: {}", fmt::join(arguments.inputs, ", "), error.what()));
   }
   if (loft) report.reached = report.reached && report.loft->reached;
   const std::vector<std::string> notes = writeBlend(format, frames, loft, report, arguments);
   warn(arguments.output.model, notes);
   writeStandardOutput(report::toText(report));
-  warn(arguments.inputs.front(), input.notes);
+  for (std::size_t i = 0; i < arguments.inputs.size(); ++i)
+    warn(arguments.inputs[i], input.notes[i]);
   return report.reached ? 0 : 1;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <seamwright/plugin/cli/edge_list.hpp>
+#include <seamwright/plugin/cli/key_pairs.hpp>
 #include <seamwright/plugin/cli/model_arguments.hpp>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@ struct BlendArguments {
   int order = 2;
   int frames = 9;
   std::string match = "features";
+  std::vector<KeyPair> pairs;  ///< not empty: in place of match
   std::string in_between = "C2";
   double tolerance_mm = 0.001;
   bool closed = false;

@@ -44,36 +44,54 @@ class WorkLimit {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// "out.csv" or "Edge3 of part.step": the beginning of a message.
-std::string nameOf(const GivenCurve& given, const std::string& path) {
-  if (given.record.edges.empty()) return path;
-  return path + ": Edge" + std::to_string(given.record.edges.front());
+/// What became of the curves of the input. One that can't be done does not stop the others.
+struct CurveResults {
+  std::vector<MadeCurve> made;
+  std::vector<report::RefusedCurve> refused;
+};
+
+/// Without any curve there is nothing to write: the first reason is an error, under the name of its
+/// edges.
+void requireSome(const CurveResults& results, const std::string& path) {
+  if (!results.made.empty()) return;
+  const report::RefusedCurve& first = results.refused.front();
+  const std::string name = first.edges.empty() ? "" : report::namesOf(first.edges) + ": ";
+  const std::string others =
+      results.refused.size() == 1
+          ? ""
+          : fmt::format("; none of its {} curves can be done", results.refused.size());
+  throw std::runtime_error(path + ": " + name + first.reason + others);
 }
 
-std::vector<MadeCurve> madeCurves(const CurveInput& input, const CurveArguments& arguments,
-                                  const WorkLimit& limit) {
+CurveResults madeCurves(const CurveInput& input, const CurveArguments& arguments,
+                        const WorkLimit& limit) {
   ProgressBar bar(doing("working on", arguments.input));
   const Progress progress = limit.progress(bar);
   const auto whole = static_cast<double>(input.curves.size());
-  std::vector<MadeCurve> result;
+  CurveResults results{.made = {}, .refused = input.refused};
+  double done = 0;
   for (const GivenCurve& given : input.curves) {
-    const auto done = static_cast<double>(result.size());
     const CurveTask task{.tolerance_mm = arguments.tolerance_mm,
                          .progress = partOf(progress, done / whole, (done + 1) / whole)};
+    ++done;
     try {
-      result.push_back(madeCurve(arguments.method, given, task));
+      results.made.push_back(madeCurve(arguments.method, given, task));
     } catch (const std::logic_error& error) {
-      throw std::runtime_error(nameOf(given, arguments.input) + ": " + error.what());
+      results.refused.push_back({.edges = given.record.edges, .reason = error.what()});
+    } catch (const std::overflow_error& error) {
+      results.refused.push_back({.edges = given.record.edges, .reason = error.what()});
     }
   }
-  return result;
+  return results;
 }
 
 report::CurveReport reportOf(const CurveInput& input, const CurveArguments& arguments,
-                             const std::vector<MadeCurve>& curves) {
-  report::CurveReport report{
-      .method = arguments.method, .input = input.facts, .tolerance_mm = arguments.tolerance_mm};
-  for (const MadeCurve& curve : curves) report.curves.push_back(curve.record);
+                             const CurveResults& results) {
+  report::CurveReport report{.method = arguments.method,
+                             .input = input.facts,
+                             .tolerance_mm = arguments.tolerance_mm,
+                             .refused = results.refused};
+  for (const MadeCurve& curve : results.made) report.curves.push_back(curve.record);
   return report;
 }
 
@@ -84,11 +102,20 @@ double drawnWithin(double tolerance_mm, const std::vector<MadeCurve>& curves) {
   return of_length * curves.front().record.after.length_mm;
 }
 
-CurveText drawnCurves(CurveFormat format, const CurveArguments& arguments,
-                      const std::vector<MadeCurve>& curves, const WorkLimit& limit) {
+/// The lines of a drawing or table. Curves that can't be drawn become refused ones.
+CurveText drawnCurves(CurveFormat format, const CurveArguments& arguments, CurveResults& results,
+                      const WorkLimit& limit) {
   ProgressBar bar(doing("drawing", arguments.output.model));
-  return curveText(format, arguments.method, curves, drawnWithin(arguments.tolerance_mm, curves),
-                   limit.progress(bar));
+  CurveText text =
+      curveText(format, arguments.method, results.made,
+                drawnWithin(arguments.tolerance_mm, results.made), limit.progress(bar));
+  for (auto undrawn = text.undrawn.rbegin(); undrawn != text.undrawn.rend(); ++undrawn) {
+    const auto curve = results.made.begin() + static_cast<std::ptrdiff_t>(undrawn->curve);
+    results.refused.push_back({.edges = curve->record.edges, .reason = undrawn->reason});
+    results.made.erase(curve);
+  }
+  requireSome(results, arguments.input);
+  return text;
 }
 
 /// The curves in their planes as a model file. \returns what its format can't hold.
@@ -129,7 +156,7 @@ void addCurveOptions(CLI::App& command, CurveArguments& arguments) {
   command
       .add_option("--tolerance", arguments.tolerance_mm,
                   "Largest distance from the curve, mm; fair: largest move of a point. 0: arcs "
-                  "through all points; clothoids and conics always pass through them")
+                  "and conics through all points; clothoids always pass through them")
       ->type_name("MM")
       ->check(numberIn(Range::NotNegative))
       ->capture_default_str();
@@ -162,7 +189,8 @@ void addCurveOptions(CLI::App& command, CurveArguments& arguments) {
   command.add_flag("--overwrite", arguments.output.overwrite, "Replace OUT if it exists");
   command.add_flag("--overwrite-source", arguments.output.overwrite_source,
                    "Allow OUT to replace INPUT itself");
-  exitStatus(command, "every curve is within the tolerance", "some are not (OUT is written)");
+  exitStatus(command, "every curve is within the tolerance",
+             "some are not, or could not be done (OUT has the others)");
 }
 
 int runCurve(const CurveArguments& arguments) {
@@ -170,17 +198,19 @@ int runCurve(const CurveArguments& arguments) {
   const CurveFormat format = curveFormat(arguments.output.model);
   const CurveInput input = curveInput(arguments);
   const WorkLimit limit(arguments.max_time_s);
-  const std::vector<MadeCurve> curves = madeCurves(input, arguments, limit);
-  report::CurveReport report = reportOf(input, arguments, curves);
+  CurveResults results = madeCurves(input, arguments, limit);
+  requireSome(results, arguments.input);
+  std::optional<CurveText> text;
+  if (format != CurveFormat::Model) text = drawnCurves(format, arguments, results, limit);
+  report::CurveReport report = reportOf(input, arguments, results);
   report.output = {.path = arguments.output.model,
                    .format = formatName(format, arguments.output.model)};
   std::vector<std::string> notes;
-  if (format == CurveFormat::Model) {
-    notes = writeCurves(curves, report, arguments.output);
+  if (text) {
+    report.output->distance_mm = text->distance_mm;
+    writeTexts(text->text, report::toLine(report::toJson(report)) + '\n', arguments.output);
   } else {
-    const CurveText text = drawnCurves(format, arguments, curves, limit);
-    report.output->distance_mm = text.distance_mm;
-    writeTexts(text.text, report::toLine(report::toJson(report)) + '\n', arguments.output);
+    notes = writeCurves(results.made, report, arguments.output);
   }
   warn(arguments.output.model, notes);
   writeStandardOutput(report::toText(report));

@@ -24,8 +24,8 @@ struct CurveArguments {
 /// Adds the options to a command. Parsing stores them in \p arguments.
 void addCurveOptions(CLI::App& command, CurveArguments& arguments);
 
-/// \returns exit status 0 (every curve is within the tolerance) or 1. Writes the output in both
-/// cases.
+/// \returns exit status 0 (every curve is within the tolerance) or 1 (some are not, or could not be
+/// done). Writes the output in both cases. \throws std::runtime_error if no curve could be done.
 int runCurve(const CurveArguments& arguments);
 
 }  // namespace seamwright::cli

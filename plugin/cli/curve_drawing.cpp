@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <seamwright/core/angle.hpp>
 #include <seamwright/plugin/cli/curve_drawing.hpp>
+#include <utility>
 
 namespace seamwright::cli {
 
@@ -28,29 +30,45 @@ bool isFlat(const PlanarArc& arc) {
   return !isLine(arc) && std::abs(arc.sweep_rad()) < 1e-5;
 }
 
+/// Of a flat arc: the distance of its middle from the chord.
+double height_mm(const PlanarArc& arc) {
+  return arc.length_mm * std::abs(arc.sweep_rad()) / 8;
+}
+
+/// The chord of a flat arc.
+PlanarArc chordOf(const PlanarArc& arc) {
+  const Vector2d chord = arc.end() - arc.start;
+  return {.start = arc.start, .direction_rad = directionOf(chord), .length_mm = chord.norm()};
+}
+
 Vector2d centreOf(const PlanarArc& arc) {
   return arc.start +
          Vector2d(-std::sin(arc.direction_rad), std::cos(arc.direction_rad)) / arc.curvature_per_mm;
 }
 
-/// The same points by arcs that turn by no more than half a circle: an SVG path needs two points
-/// that differ, and a bulge is a tangent.
-std::vector<PlanarArc> withShortArcs(const std::vector<PlanarArc>& arcs) {
+/// The same points by arcs that turn by no more than \p most_rad, up to the rounding of sweeps.
+std::vector<PlanarArc> withShortArcs(const std::vector<PlanarArc>& arcs, double most_rad) {
   std::vector<PlanarArc> result;
   for (const PlanarArc& arc : arcs) {
-    if (std::abs(arc.sweep_rad()) <= std::numbers::pi) {
-      result.push_back(arc);
-      continue;
+    const double ratio = std::abs(arc.sweep_rad()) / most_rad;
+    const int parts = std::max(1, static_cast<int>(std::ceil(ratio - 1e-9)));
+    PlanarArc part = arc;
+    part.length_mm /= parts;
+    for (int i = 0; i < parts; ++i) {
+      result.push_back(part);
+      part.start = part.end();
+      part.direction_rad = part.endDirection_rad();
     }
-    PlanarArc half = arc;
-    half.length_mm /= 2;
-    result.push_back(half);
-    half.start = half.end();
-    half.direction_rad = half.endDirection_rad();
-    result.push_back(half);
   }
   return result;
 }
+
+/// A bulge is a tangent, which ends at a whole circle.
+constexpr double half_circle_rad = std::numbers::pi;
+
+/// SVG gives an arc by its ends and radius. The centre then is a square root, which has half of the
+/// digits at a half circle, and all of them up to a third.
+constexpr double third_of_circle_rad = 2 * std::numbers::pi / 3;
 
 std::string group(int code, const std::string& value) {
   return fmt::format("{:>3}\n{}\n", code, value);
@@ -106,10 +124,11 @@ std::string dxfPolyline(const ArcOutline& outline) {
   constexpr int vertices_follow = 66;
   std::string text = entity("POLYLINE") + group(vertices_follow, 1) +
                      pointGroups(Vector2d::Zero()) + group(70, outline.closed ? 1 : 0);
-  const std::vector<PlanarArc> arcs = withShortArcs(outline.arcs);
+  const std::vector<PlanarArc> arcs = withShortArcs(outline.arcs, half_circle_rad);
   for (const PlanarArc& arc : arcs) text += vertex(arc.start, std::tan(arc.sweep_rad() / 4));
   if (!outline.closed) text += vertex(arcs.back().end(), 0);
-  return text + entity("SEQEND");
+  // Without a layer, which some programs take for the beginning of an entity.
+  return text + group(0, "SEQEND");
 }
 
 std::string dxfOutline(const ArcOutline& outline) {
@@ -131,7 +150,7 @@ Eigen::AlignedBox2d boxOf(const std::vector<ArcOutline>& outlines) {
 }
 
 std::string svgPath(const ArcOutline& outline) {
-  const std::vector<PlanarArc> arcs = withShortArcs(outline.arcs);
+  const std::vector<PlanarArc> arcs = withShortArcs(outline.arcs, third_of_circle_rad);
   std::string path = fmt::format("M {} {}", arcs.front().start.x(), arcs.front().start.y());
   for (std::size_t i = 0; i < arcs.size(); ++i) {
     const PlanarArc& arc = arcs[i];
@@ -149,10 +168,23 @@ std::string svgPath(const ArcOutline& outline) {
 
 }  // namespace
 
+DrawnOutline withFlatArcsStraight(ArcOutline outline, double most_mm) {
+  double distance_mm = 0;
+  for (PlanarArc& arc : outline.arcs) {
+    if (!isFlat(arc) || height_mm(arc) > most_mm) continue;
+    distance_mm = std::max(distance_mm, height_mm(arc));
+    arc = chordOf(arc);
+  }
+  return {std::move(outline), distance_mm};
+}
+
 std::string dxfText(const std::vector<ArcOutline>& outlines) {
+  constexpr int millimetres = 4, metric = 1;
   std::string text = group(999, "Seamwright, lengths in mm") + group(0, "SECTION") +
                      group(2, "HEADER") + group(9, "$ACADVER") + group(1, "AC1009") +
-                     group(0, "ENDSEC") + group(0, "SECTION") + group(2, "ENTITIES");
+                     group(9, "$INSUNITS") + group(70, millimetres) + group(9, "$MEASUREMENT") +
+                     group(70, metric) + group(0, "ENDSEC") + group(0, "SECTION") +
+                     group(2, "ENTITIES");
   for (const ArcOutline& outline : outlines) text += dxfOutline(outline);
   return text + group(0, "ENDSEC") + group(0, "EOF");
 }

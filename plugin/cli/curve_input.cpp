@@ -42,6 +42,17 @@ CurveInput pointInput(const CurveArguments& arguments) {
   return input;
 }
 
+GivenCurve givenCurve(occ::PlanarWire wire) {
+  GivenCurve curve;
+  curve.record.edges = wire.edges;
+  curve.record.closed = wire.chain.closed;
+  curve.record.plane = wire.frame;
+  curve.record.off_plane_mm = wire.height_mm;
+  curve.chain = std::move(wire.chain);
+  curve.gap_mm = wire.gap_mm;
+  return curve;
+}
+
 CurveInput modelInput(const CurveArguments& arguments) {
   if (arguments.closed)
     throw std::runtime_error(
@@ -51,23 +62,17 @@ CurveInput modelInput(const CurveArguments& arguments) {
   input.facts = occ::factsOf(model);
   input.notes = model.notes;
   try {
-    for (occ::PlanarWire& wire : occ::planarWires(
-             model.shape,
-             {.flatness_mm = arguments.flatness_mm,
-             .chains = {.edges = arguments.edges.numbers, .each_alone = arguments.edges.all}})) {
-      GivenCurve curve;
-      curve.record.edges = wire.edges;
-      curve.record.closed = wire.chain.closed;
-      curve.record.plane = wire.frame;
-      curve.record.off_plane_mm = wire.height_mm;
-      curve.chain = std::move(wire.chain);
-      curve.gap_mm = wire.gap_mm;
-      input.curves.push_back(std::move(curve));
-    }
+    occ::PlanarWireSearch found = occ::findPlanarWires(
+        model.shape,
+        {.flatness_mm = arguments.flatness_mm,
+         .chains = {.edges = arguments.edges.numbers, .each_alone = arguments.edges.all}});
+    for (occ::PlanarWire& wire : found.wires) input.curves.push_back(givenCurve(std::move(wire)));
+    for (const occ::RefusedChain& chain : found.refused)
+      input.refused.push_back({.edges = chain.edges, .reason = chain.reason});
   } catch (const occ::GeometryError& error) {
     throw std::runtime_error(arguments.input + ": " + error.what());
   }
-  if (input.curves.empty())
+  if (input.curves.empty() && input.refused.empty())
     throw std::runtime_error(arguments.input +
                              ": has no free edges: name edges with --edge, or take --edge all");
   return input;

@@ -13,10 +13,12 @@ namespace seamwright::cli {
 struct CurveInput {
   occ::ModelFacts facts;
   std::vector<GivenCurve> curves;
+  std::vector<report::RefusedCurve> refused;  ///< edges that are no planar curves
   std::vector<std::string> notes;
 };
 
-/// Reads points or a model. \throws std::runtime_error, occ::ModelError, occ::Cancelled.
+/// Reads points or a model. Curves that are refused do not stop the others. \throws
+/// std::runtime_error, occ::ModelError, occ::Cancelled.
 CurveInput curveInput(const CurveArguments& arguments);
 
 }  // namespace seamwright::cli

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <seamwright/core/bezier/stopped_ends.hpp>
 #include <seamwright/core/fair/fair_curve.hpp>
-#include <seamwright/core/planar/arc_conics.hpp>
 #include <seamwright/core/planar/arc_fit.hpp>
 #include <seamwright/core/planar/clothoid_fit.hpp>
 #include <seamwright/core/planar/clothoid_spline.hpp>
@@ -12,9 +12,9 @@
 #include <seamwright/core/planar/conic_spline.hpp>
 #include <seamwright/core/planar/fair_clothoids.hpp>
 #include <seamwright/core/planar/fair_points.hpp>
-#include <seamwright/core/planar/local_origin.hpp>
 #include <seamwright/core/planar/point_corners.hpp>
 #include <seamwright/plugin/cli/curve_methods.hpp>
+#include <seamwright/plugin/cli/local_curve.hpp>
 #include <stdexcept>
 
 namespace seamwright::cli {
@@ -23,22 +23,18 @@ namespace {
 
 using report::CurveFigures;
 
-CurveFigures figuresFrom(const ChainFigures& figures) {
-  return {.length_mm = figures.length_mm,
-          .energy_per_mm = figures.energy_per_mm,
-          .extrema = figures.extrema,
-          .inflections = figures.inflections};
+/// \param figures of a chain or of clothoids.
+template <class Figures>
+CurveFigures figuresFrom(const Figures& figures) {
+  CurveFigures result{.length_mm = figures.length_mm,
+                      .extrema = figures.extrema,
+                      .inflections = figures.inflections};
+  if (std::isfinite(figures.energy_per_mm)) result.energy_per_mm = figures.energy_per_mm;
+  return result;
 }
 
 PlanarChain chainOf(const std::vector<PlanarArc>& arcs, bool closed) {
   return {.curves = {arcs.begin(), arcs.end()}, .closed = closed};
-}
-
-CurveFigures figuresFrom(const ClothoidFigures& figures) {
-  return {.length_mm = figures.length_mm,
-          .energy_per_mm = figures.energy_per_mm,
-          .extrema = figures.extrema,
-          .inflections = figures.inflections};
 }
 
 CurveFigures figuresFrom(const std::vector<Clothoid>& chain, bool closed) {
@@ -180,19 +176,6 @@ void noteJoints(report::CurveRecord& record, std::size_t g1_joints) {
         g1_joints, g1_joints == 1 ? " is" : "s are"));
 }
 
-/// Conics near arcs, with a bound of their distance even if it is above the tolerance.
-ArcConics conicsNear(const ArcFit& fit, double tolerance_mm, const Progress& progress) {
-  ArcConics conics;
-  constexpr double factor = 16;
-  double limit_mm = tolerance_mm;
-  for (int attempt = 0; attempt < 5; ++attempt, limit_mm *= factor) {
-    conics = g2ConicsNear({.arcs = fit.arcs, .corners = fit.corners, .closed = fit.closed},
-                          limit_mm, progress);
-    if (std::isfinite(conics.distance_mm)) break;
-  }
-  return conics;
-}
-
 void addFigures(CurveFigures& sum, const CurveFigures& part) {
   sum.length_mm += part.length_mm;
   sum.energy_per_mm = sum.energy_per_mm.value_or(0) + part.energy_per_mm.value_or(0);
@@ -200,19 +183,17 @@ void addFigures(CurveFigures& sum, const CurveFigures& part) {
   sum.inflections += part.inflections;
 }
 
-/// Of conics through points.
-CurveFigures figuresThrough(const PlanarChain& conics) {
+/// Of conics through points; nothing if a conic has a kink.
+std::optional<CurveFigures> figuresThrough(const PlanarChain& conics) {
   try {
     return figuresFrom(figuresOf(conics));
   } catch (const std::domain_error&) {  // of a conic with a kink
-    throw std::domain_error(
-        "the points wave so much that a conic through them has a kink: make them fair first "
-        "(curve fair)");
+    return std::nullopt;
   }
 }
 
-/// Conics from corner to corner of the points.
-MadeCurve conicsThrough(const GivenCurve& given, const Progress& progress) {
+/// Conics from corner to corner of the points; nothing if one has a kink.
+std::optional<MadeCurve> conicsThrough(const GivenCurve& given, const Progress& progress) {
   const bool closed = given.record.closed;
   const std::vector<Eigen::Index> corners =
       given.points.rows() < 3
@@ -239,69 +220,14 @@ MadeCurve conicsThrough(const GivenCurve& given, const Progress& progress) {
   made.record.pieces = static_cast<int>(made.chain.curves.size());
   made.record.corners = static_cast<int>(corners.size() + between_lines);
   made.record.distance_mm = 0;
-  made.record.after = figuresThrough(made.chain);
+  const std::optional<CurveFigures> after = figuresThrough(made.chain);
+  if (!after) return std::nullopt;
+  made.record.after = *after;
   noteJoints(made.record, g1_joints);
   if (between_lines > 0)
     made.record.notes.push_back(fmt::format("{} corner{}: there are points on a line on both sides",
                                             between_lines, between_lines == 1 ? "" : "s"));
   return made;
-}
-
-/// The conics of arcs that leave room for the distance that G2 costs.
-MadeCurve conicsNearCurve(const GivenCurve& given, const CurveTask& task) {
-  const SmoothCurve curve = curveOf(given, task.tolerance_mm, partOf(task.progress, 0, 0));
-  MadeCurve made{.record = given.record};
-  made.record.before = curve.figures;
-  // Closer arcs bring closer conics; the last attempt is kept with the distance it has.
-  int attempts = 0;
-  for (double share = 0.5; share >= 0x1p-9; share /= 4) {
-    const Progress progress = partOf(task.progress, shareAfter(attempts), shareAfter(attempts));
-    ++attempts;
-    const ArcFit fit =
-        arcsNear(given, curve, share * task.tolerance_mm + curve.distance_mm, progress);
-    const ArcConics conics = conicsNear(fit, task.tolerance_mm, progress);
-    const double distance_mm = conics.distance_mm + fit.distance_mm;
-    made.chain = {.curves = {conics.conics.begin(), conics.conics.end()}, .closed = fit.closed};
-    made.record.pieces = static_cast<int>(conics.conics.size());
-    made.record.corners = static_cast<int>(conics.corners.size());
-    made.record.distance_mm =
-        std::isfinite(distance_mm) ? std::optional(distance_mm) : std::nullopt;
-    made.record.notes.clear();
-    noteJoints(made.record, conics.g1_joints.size());
-    made.record.reached = distance_mm <= task.tolerance_mm;
-    if (made.record.reached) break;
-  }
-  if (!made.record.reached)
-    made.record.notes.push_back("the conics are not certainly within the tolerance");
-  made.record.after = figuresFrom(figuresOf(made.chain, partOf(task.progress, 1, 1)));
-  return made;
-}
-
-/// Conics through points of the curve of a model.
-MadeCurve fittedConics(const GivenCurve& given, const CurveTask& task) {
-  const ConicFit fit = fitConics(bezierSpline(given.chain, gapOf(given, given.chain)),
-                                 {.tolerance_mm = task.tolerance_mm}, task.progress);
-  MadeCurve made{.record = given.record};
-  made.chain = {.curves = {fit.conics.begin(), fit.conics.end()}, .closed = fit.closed};
-  made.record.pieces = static_cast<int>(fit.conics.size());
-  made.record.corners = static_cast<int>(fit.corners.size());
-  made.record.distance_mm = fit.distance_mm;
-  noteJoints(made.record, fit.g1_joints.size());
-  made.record.before = figuresFrom(figuresOf(given.chain, partOf(task.progress, 1, 1)));
-  made.record.after = figuresFrom(figuresOf(made.chain, partOf(task.progress, 1, 1)));
-  return made;
-}
-
-MadeCurve conicsOfModel(const GivenCurve& given, const CurveTask& task) {
-  try {
-    return fittedConics(given, task);
-  } catch (const std::domain_error&) {  // arcs can follow where the curve has a cusp
-    return conicsNearCurve(given, task);
-  }
-}
-
-MadeCurve madeConics(const GivenCurve& given, const CurveTask& task) {
-  return given.points.rows() > 0 ? conicsThrough(given, task.progress) : conicsOfModel(given, task);
 }
 
 CurveFigures withVariation(const ClothoidFigures& figures) {
@@ -371,6 +297,82 @@ MadeCurve madeFairPoints(const GivenCurve& given, const CurveTask& task) {
   return made;
 }
 
+/// Conics through points of a curve.
+void takeConics(MadeCurve& made, const PlanarChain& chain, double gap_mm, const CurveTask& task) {
+  const ConicFit fit =
+      fitConics(bezierSpline(chain, gap_mm), {.tolerance_mm = task.tolerance_mm}, task.progress);
+  made.chain = {.curves = {fit.conics.begin(), fit.conics.end()}, .closed = fit.closed};
+  made.record.pieces = static_cast<int>(fit.conics.size());
+  made.record.corners = static_cast<int>(fit.corners.size());
+  made.record.distance_mm = fit.distance_mm;
+  noteJoints(made.record, fit.g1_joints.size());
+  made.record.after = figuresFrom(figuresOf(made.chain, partOf(task.progress, 1, 1)));
+}
+
+MadeCurve conicsNearCurve(const GivenCurve& given, const CurveTask& task) {
+  MadeCurve made{.record = given.record};
+  takeConics(made, given.chain, gapOf(given, given.chain), task);
+  made.record.before = figuresFrom(figuresOf(given.chain, partOf(task.progress, 1, 1)));
+  return made;
+}
+
+/// Conics near the clothoids through points made fair; nothing if there are no such clothoids.
+std::optional<MadeCurve> conicsNearPoints(const GivenCurve& given, const CurveTask& task) {
+  // Choices: halves of the tolerance for the moves of points and for the conics.
+  constexpr double moves = 0.5, fairing_share = 0.5;
+  CurveTask fairing = task;
+  fairing.tolerance_mm *= moves;
+  fairing.progress = partOf(task.progress, 0, fairing_share);
+  MadeCurve made{.record = given.record};
+  try {
+    made = madeFairPoints(given, fairing);
+  } catch (const std::domain_error&) {  // the points are too few for their turns
+    return std::nullopt;
+  }
+  const double off_mm = *made.record.moved_mm + made.chain_distance_mm;
+  CurveTask fitting = task;
+  fitting.tolerance_mm -= off_mm;
+  fitting.progress = partOf(task.progress, fairing_share, 1);
+  made.record.notes.clear();
+  made.points.resize(0, 2);
+  made.clothoids.clear();
+  made.record.moved_mm.reset();
+  const PlanarChain chain = std::move(made.chain);
+  made.chain_distance_mm = 0;
+  takeConics(made, chain, gapOf(given, chain), fitting);
+  *made.record.distance_mm += off_mm;
+  made.record.before = biarcsThrough(given).figures;
+  return made;
+}
+
+int turnsOf(const CurveFigures& figures) {
+  return figures.extrema + figures.inflections;
+}
+
+/// Conics through the points, or near them if these have fewer extrema and inflections.
+MadeCurve conicsOfPoints(const GivenCurve& given, const CurveTask& task) {
+  constexpr double through_share = 0.1;
+  std::optional<MadeCurve> through = conicsThrough(given, partOf(task.progress, 0, through_share));
+  std::optional<MadeCurve> near;
+  if (task.tolerance_mm > 0 && given.points.rows() >= 3) {
+    CurveTask rest = task;
+    rest.progress = partOf(task.progress, through_share, 1);
+    near = conicsNearPoints(given, rest);
+  }
+  if (near && (!through || turnsOf(near->record.after) < turnsOf(through->record.after)))
+    return *std::move(near);
+  if (!through)
+    throw std::domain_error(fmt::format(
+        "the points wave so much that a conic through them has a kink: give more than {:.3g} mm "
+        "as --tolerance",
+        task.tolerance_mm));
+  return *std::move(through);
+}
+
+MadeCurve madeConics(const GivenCurve& given, const CurveTask& task) {
+  return given.points.rows() > 0 ? conicsOfPoints(given, task) : conicsNearCurve(given, task);
+}
+
 bool isPolynomial(const BSplineCurve& curve) {
   return (curve.poles.col(3).array() == curve.poles(0, 3)).all();
 }
@@ -398,6 +400,14 @@ std::optional<FairedCurve> fairerSpline(const BSplineCurve& spline, double toler
   return std::nullopt;
 }
 
+/// How many poles keep the tangents at both ends: the first two that differ, and those before them.
+std::optional<HeldEnds> heldTangent(const BSplineCurve& spline) {
+  const std::vector<BezierCurve> spans = bezierCurves(spline);
+  const int stops = std::max(stoppedEnds(spans.front()).start, stoppedEnds(spans.back()).end);
+  if (stops > 1) return std::nullopt;
+  return stops == 1 ? HeldEnds::Curvature : HeldEnds::Tangent;
+}
+
 void noteKept(report::CurveRecord& record, int kept, int not_fairer) {
   record.with_reservations = not_fairer > 0;
   if (kept > 0)
@@ -420,7 +430,6 @@ MadeCurve madeFairSplines(const GivenCurve& given, const CurveTask& task) {
   int kept = 0, not_fairer = 0;
   // Neighbours meet in position and tangent, and so do the ends of a closed chain.
   const bool joins = given.chain.closed || given.chain.curves.size() > 1;
-  const CurveFairingOptions options{.ends = joins ? HeldEnds::Tangent : HeldEnds::Position};
   for (const ChainCurve& curve : given.chain.curves) {
     const double done = static_cast<double>(made.chain.curves.size()) / whole;
     const auto* spline = std::get_if<BSplineCurve>(&curve);
@@ -429,8 +438,11 @@ MadeCurve madeFairSplines(const GivenCurve& given, const CurveTask& task) {
       ++kept;
       continue;
     }
-    const std::optional<FairedCurve> faired =
-        fairerSpline(*spline, task.tolerance_mm, options, partOf(task.progress, done, done));
+    const std::optional<HeldEnds> ends = joins ? heldTangent(*spline) : HeldEnds::Position;
+    std::optional<FairedCurve> faired;
+    if (ends)
+      faired = fairerSpline(*spline, task.tolerance_mm, {.ends = *ends},
+                            partOf(task.progress, done, done));
     if (!faired) {
       made.chain.curves.push_back(curve);
       ++not_fairer;
@@ -470,88 +482,6 @@ bool noteAdded(report::CurveRecord& record) {
   const bool inflections =
       note(record.after.inflections - record.before.inflections, "inflection", "inflections");
   return extrema || inflections;
-}
-
-/// Lengths in mm for which no formula overflows or vanishes: the highest power of a length is the
-/// eighth, in products of derivatives, and 2^800 is in the range of doubles.
-constexpr double smallest_mm = 0x1p-100, largest_mm = 0x1p100;
-
-/// Points, or ends of curves and poles, one a row.
-PlanarPoints controlPoints(const GivenCurve& given) {
-  if (given.points.rows() > 0) return given.points;
-  std::vector<Eigen::Vector2d> found;
-  for (const ChainCurve& curve : given.chain.curves)
-    for (const BezierCurve& one : bezierCurves(curve)) {
-      const Poles poles = one.poles();
-      for (Eigen::Index i = 0; i < poles.rows(); ++i) found.emplace_back(poles.row(i).head<2>());
-    }
-  PlanarPoints points(static_cast<Eigen::Index>(found.size()), 2);
-  for (std::size_t i = 0; i < found.size(); ++i)
-    points.row(static_cast<Eigen::Index>(i)) = found[i].transpose();
-  return points;
-}
-
-void requireSize(const GivenCurve& given) {
-  const PlanarPoints points = controlPoints(given);
-  const double size_mm = points.cwiseAbs().maxCoeff();
-  if (!(size_mm <= largest_mm))
-    throw std::domain_error(
-        fmt::format("the coordinates reach {:.3g} mm, and products of lengths above {:.3g} mm "
-                    "overflow: scale the curve",
-                    size_mm, largest_mm));
-  const double extent_mm = (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
-  double least_mm = extent_mm;
-  for (Eigen::Index i = 1; i < given.points.rows(); ++i)
-    least_mm = std::min(least_mm, (points.row(i) - points.row(i - 1)).lpNorm<Eigen::Infinity>());
-  if (!(least_mm >= smallest_mm))
-    throw std::domain_error(fmt::format(
-        "{} {:.3g} mm, and products of lengths below {:.3g} mm vanish: scale the curve",
-        least_mm < extent_mm ? "two neighbours are apart by" : "the curve has a size of", least_mm,
-        smallest_mm));
-}
-
-/// A curve far from the origin, in coordinates from a point of it.
-struct LocalCurve {
-  GivenCurve given;
-  Eigen::Vector2d origin = Eigen::Vector2d::Zero();
-  double rounding_mm = 0;  ///< of the way there and back
-};
-
-LocalCurve localCurve(const GivenCurve& given) {
-  const bool has_points = given.points.rows() > 0;
-  LocalCurve local{.given = given,
-                   .origin = has_points ? localOrigin(given.points) : localOrigin(given.chain)};
-  // Points are moved to the origin without rounding, poles of rational splines with one.
-  local.rounding_mm = (has_points ? 1 : 2) * roundingAt_mm(local.origin);
-  local.given.points.rowwise() -= local.origin.transpose();
-  local.given.chain = moved(given.chain, -local.origin);
-  local.given.gap_mm += local.rounding_mm;
-  return local;
-}
-
-/// The tolerance without what the rounding of the result takes.
-CurveTask taskOf(const LocalCurve& local, const CurveTask& task) {
-  // A choice: below it the rounding would take more than an eighth of the tolerance.
-  constexpr double least_ratio = 8;
-  CurveTask result = task;
-  if (task.tolerance_mm == 0 || local.rounding_mm == 0) return result;
-  if (task.tolerance_mm < least_ratio * local.rounding_mm)
-    throw std::domain_error(fmt::format(
-        "the tolerance {:.3g} mm is too small for coordinates of {:.3g} mm, which are "
-        "rounded by {:.3g} mm: give at least {:.3g} mm, or move the curve to the origin",
-        task.tolerance_mm, local.origin.cwiseAbs().maxCoeff(), local.rounding_mm,
-        least_ratio * local.rounding_mm));
-  result.tolerance_mm -= local.rounding_mm;
-  return result;
-}
-
-void moveBack(MadeCurve& made, const LocalCurve& local) {
-  made.chain = moved(made.chain, local.origin);
-  made.points.rowwise() += local.origin.transpose();
-  for (Clothoid& piece : made.clothoids) piece.start += local.origin;
-  made.chain_distance_mm += local.rounding_mm;
-  for (std::optional<double>* distance_mm : {&made.record.distance_mm, &made.record.moved_mm})
-    if (*distance_mm && **distance_mm > 0) **distance_mm += local.rounding_mm;
 }
 
 /// Curves through points have the extrema of the curvature that rounding of the points made.

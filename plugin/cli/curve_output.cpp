@@ -6,6 +6,8 @@
 #include <map>
 #include <optional>
 #include <seamwright/core/angle.hpp>
+#include <seamwright/core/bezier/stopped_ends.hpp>
+#include <seamwright/core/fair/curvature_profile.hpp>
 #include <seamwright/core/planar/arc_fit.hpp>
 #include <seamwright/core/planar/local_origin.hpp>
 #include <seamwright/occ_adapter/model/write.hpp>
@@ -40,13 +42,8 @@ bool areArcs(const PlanarChain& chain) {
   });
 }
 
-/// The chain as arcs, and their distance from it.
-struct DrawnOutline {
-  ArcOutline outline;
-  double distance_mm = 0;
-};
-
-DrawnOutline drawn(const MadeCurve& curve, double drawn_mm, const Progress& progress) {
+/// The chain as arcs. Curves of other kinds become arcs within \p drawn_mm.
+DrawnOutline asArcs(const MadeCurve& curve, double drawn_mm, const Progress& progress) {
   if (areArcs(curve.chain)) {
     DrawnOutline result{{{}, curve.chain.closed}, 0};
     for (const ChainCurve& arc : curve.chain.curves)
@@ -61,6 +58,16 @@ DrawnOutline drawn(const MadeCurve& curve, double drawn_mm, const Progress& prog
   for (PlanarArc& arc : fit.arcs) arc.start += origin;
   return {{std::move(fit.arcs), fit.closed},
           fit.distance_mm + 2 * rounding_mm + curve.chain_distance_mm};
+}
+
+/// The arcs and lines of a drawing. Those of a table stay as they are.
+DrawnOutline drawn(const MadeCurve& curve, CurveFormat format, double drawn_mm,
+                   const Progress& progress) {
+  DrawnOutline arcs = asArcs(curve, drawn_mm, progress);
+  if (format == CurveFormat::Csv) return arcs;
+  DrawnOutline result = withFlatArcsStraight(std::move(arcs.outline), drawn_mm);
+  result.distance_mm += arcs.distance_mm;
+  return result;
 }
 
 void requireOnePlane(const std::vector<MadeCurve>& curves) {
@@ -112,6 +119,15 @@ std::string pointsCsv(const MadeCurve& curve) {
   return text;
 }
 
+/// The curvature at a parameter, infinite where the segment winds up at an end.
+double curvatureAt(const BezierCurve& segment, double t) {
+  if (stoppedTangent(segment, t))
+    return (t == 0 ? startCurvature(segment) : endCurvature(segment)).curvature_per_mm;
+  const CurveDerivatives d = segment.derivatives(t, 2);
+  const Eigen::Vector2d first = d.row(1).head<2>(), second = d.row(2).head<2>();
+  return cross(first, second) / std::pow(first.norm(), 3);
+}
+
 /// Samples of the curves with their curvature, for a comb.
 std::string samplesCsv(const std::vector<MadeCurve>& curves) {
   constexpr int samples = 16;  // of a Bézier segment
@@ -120,10 +136,10 @@ std::string samplesCsv(const std::vector<MadeCurve>& curves) {
     for (const ChainCurve& curve : curves[i].chain.curves)
       for (const BezierCurve& segment : bezierCurves(curve))
         for (int k = 0; k <= samples; ++k) {
-          const CurveDerivatives d = segment.derivatives(static_cast<double>(k) / samples, 2);
-          const Eigen::Vector2d first = d.row(1).head<2>(), second = d.row(2).head<2>();
-          text += fmt::format("{},{},{},{}\n", i + 1, d(0, 0), d(0, 1),
-                              cross(first, second) / std::pow(first.norm(), 3));
+          const double t = static_cast<double>(k) / samples;
+          const CurveDerivatives point = segment.derivatives(t, 2);
+          text += fmt::format("{},{},{},{}\n", i + 1, point(0, 0), point(0, 1),
+                              curvatureAt(segment, t));
         }
   return text;
 }
@@ -197,14 +213,19 @@ CurveText curveText(CurveFormat format, const std::string& method,
   requireOnePlane(curves);
   CurveText result;
   std::vector<ArcOutline> outlines;
-  if (format != CurveFormat::Csv || method == "arcs")
-    for (const MadeCurve& curve : curves) {
-      const auto done = static_cast<double>(outlines.size()),
-                 whole = static_cast<double>(curves.size());
-      DrawnOutline one = drawn(curve, drawn_mm, partOf(progress, done / whole, (done + 1) / whole));
+  const auto whole = static_cast<double>(curves.size());
+  const bool draws = format != CurveFormat::Csv || method == "arcs";
+  for (std::size_t i = 0; draws && i < curves.size(); ++i) {
+    const auto done = static_cast<double>(i);
+    try {
+      DrawnOutline one =
+          drawn(curves[i], format, drawn_mm, partOf(progress, done / whole, (done + 1) / whole));
       result.distance_mm = std::max(result.distance_mm, one.distance_mm);
       outlines.push_back(std::move(one.outline));
+    } catch (const std::logic_error& error) {
+      result.undrawn.push_back({.curve = i, .reason = error.what()});
     }
+  }
   result.text = format == CurveFormat::Dxf   ? dxfText(outlines)
                 : format == CurveFormat::Svg ? svgText(outlines)
                                              : csvText(method, curves, outlines);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <seamwright/core/progress.hpp>
 #include <seamwright/plugin/cli/curve_methods.hpp>
@@ -32,9 +33,17 @@ std::vector<std::string> writeModel(occ::Model model, const std::string& report,
 /// Checks the files before the input is read. \throws std::runtime_error, occ::ModelError.
 void requireCurveOutputs(const std::string& input, const OutputArguments& arguments);
 
-/// The lines of a drawing or table; curves that are not arcs become arcs within \p drawn_mm.
+/// A curve that no arcs near it could be found for.
+struct UndrawnCurve {
+  std::size_t curve = 0;  ///< its index
+  std::string reason;
+};
+
+/// The lines of a drawing or table; curves that are not arcs become arcs within \p drawn_mm, and
+/// flat arcs of a drawing become lines within \p drawn_mm.
 struct CurveText {
   std::string text;
+  std::vector<UndrawnCurve> undrawn = {};
   double distance_mm = 0;  ///< of the arcs from the result
 };
 

@@ -49,7 +49,7 @@ void addPoints(KeyCurves& result, const std::string& path, const EdgeList& edges
   curve.curve = splineThrough(file.points, closed);
   result.curves.push_back(std::move(curve));
   result.facts.push_back(pointFacts(path));
-  result.notes.insert(result.notes.end(), file.notes.begin(), file.notes.end());
+  result.notes.push_back(file.notes);
 }
 
 /// The curves of a model; \p only_input: all of them, else one.
@@ -76,7 +76,7 @@ void addModel(KeyCurves& result, const std::string& path, const EdgeList& edges,
                              .polynomial_mm = polynomial.distance_mm});
   }
   result.facts.push_back(occ::factsOf(model));
-  result.notes.insert(result.notes.end(), model.notes.begin(), model.notes.end());
+  result.notes.push_back(model.notes);
 }
 
 /// The edges of each file. Files of points take no list, unless none of the files is a model.

@@ -24,7 +24,7 @@ struct KeyCurve {
 struct KeyCurves {
   std::vector<occ::ModelFacts> facts;  ///< of each file
   std::vector<KeyCurve> curves;
-  std::vector<std::string> notes;
+  std::vector<std::vector<std::string>> notes;  ///< of each file
 };
 
 /// Reads files of points, through which a C2 cubic spline with centripetal knots is laid, and

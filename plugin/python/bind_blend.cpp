@@ -190,16 +190,6 @@ py::object blendJointOf(const py::object& first, const py::object& second, const
                  omega);
 }
 
-std::vector<BezierSpline> keyCurvesOf(const py::object& value) {
-  if (!py::isinstance<py::sequence>(value) || py::isinstance<py::str>(value))
-    throw py::value_error("keys is " + shown(value) + ": a sequence of curves is needed");
-  std::vector<BezierSpline> keys;
-  for (const py::handle item : value)
-    keys.push_back(bezierSplineOf("keys[" + std::to_string(keys.size()) + "]",
-                                  py::reinterpret_borrow<py::object>(item)));
-  return keys;
-}
-
 /// 0..1 for None.
 std::vector<double> keyOmegasOf(const py::object& value, std::size_t keys) {
   if (!value.is_none()) return listOf("omegas", value);
@@ -215,7 +205,7 @@ KeyedSplineBlend makeSplineBlend(const py::object& keys, const py::object& omega
                                  const py::object& frame_tolerance, const py::object& most_defect,
                                  const py::object& max_degree, const py::object& least_tangent,
                                  const py::object& most_departure, const py::object& free_betas) {
-  std::vector<BezierSpline> curves = keyCurvesOf(keys);
+  std::vector<BezierSpline> curves = bezierSplinesOf("keys", keys);
   std::vector<double> at = keyOmegasOf(omegas, curves.size());
   const JointArguments given{order,         frame_tolerance, most_defect, max_degree,
                              least_tangent, most_departure,  free_betas};

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cmath>
+#include <seamwright/core/planar/clothoid_fit.hpp>
 #include <seamwright/core/planar/clothoid_spline.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
+#include <seamwright/plugin/python/curves.hpp>
 #include <seamwright/plugin/python/planar.hpp>
 #include <seamwright/plugin/python/results.hpp>
 
@@ -81,6 +83,22 @@ py::object clothoidSplineOf(const py::object& points, const py::object& closed,
   dict["steps"] = spline.steps;
   dict["curvature_jump_per_mm"] = spline.curvature_jump_per_mm;
   return resultOf("ClothoidSpline", dict);
+}
+
+py::object fitClothoidsOf(const py::object& curve, const py::object& tolerance_mm,
+                          const py::object& corner_rad) {
+  const BezierSpline spline = bezierSplineOf("curve", curve);
+  const ClothoidFitOptions options{.tolerance_mm = parameter("tolerance_mm", tolerance_mm),
+                                   .corner_rad = parameter("corner_rad", corner_rad)};
+  const ClothoidFit fit = [&] {
+    const py::gil_scoped_release release;
+    return fitClothoids(spline, options);
+  }();
+  py::dict dict;
+  dict["chain"] = ClothoidChain(fit.pieces, fit.closed);
+  dict["corners"] = py::tuple(py::cast(fit.corners));
+  dict["distance_mm"] = fit.distance_mm;
+  return resultOf("ClothoidFit", dict);
 }
 
 const char* const quintics_doc =
@@ -202,6 +220,14 @@ points: (count, 2) in mm. At an open end a direction or a curvature may be given
 The curvature is continuous and linear between the points. ValueError as for planar_tangents(), and
 if the steps do not converge, with the jump of curvature that is left: then points have to be
 inserted. Source: docs/theory/planar.md P4.4.
+)");
+  module.def("fit_clothoids", &fitClothoidsOf, py::arg("curve"), py::arg("tolerance_mm") = 0.01,
+             py::kw_only(), py::arg("corner_rad") = 1e-3,
+             R"(Clothoids within a tolerance of a curve in the plane z = 0: a ClothoidFit.
+
+The distance is proven in both directions. The chain is G2 between corners. Lines and arcs of the
+curve stay lines and arcs with a clothoid between neighbours. ValueError as for fit_arcs(). Source:
+docs/theory/planar.md P4.4 to P4.6.
 )");
 }
 

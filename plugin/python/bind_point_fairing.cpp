@@ -17,6 +17,18 @@ py::object pointFairnessResult(const PointFairness& fairness) {
   return resultOf("PointFairness", dict);
 }
 
+const char* statusName(PointFairingStatus status) {
+  switch (status) {
+    case PointFairingStatus::Converged:
+      return "converged";
+    case PointFairingStatus::EnergyGrows:
+      return "energy grows";
+    case PointFairingStatus::NotConverged:
+      break;
+  }
+  return "not converged";
+}
+
 py::object fairedPointsResult(const FairedPoints& faired) {
   py::dict dict;
   dict["points_mm"] = faired.points;
@@ -25,7 +37,8 @@ py::object fairedPointsResult(const FairedPoints& faired) {
   dict["moved_mm"] = faired.moved_mm;
   dict["most_moved"] = faired.most_moved;
   dict["steps"] = faired.steps;
-  dict["converged"] = faired.converged;
+  dict["status"] = statusName(faired.status);
+  dict["converged"] = faired.status == PointFairingStatus::Converged;
   return resultOf("FairedPoints", dict);
 }
 

@@ -12,6 +12,7 @@ void bindBlend(pybind11::module_& module);
 void bindCornerFillet(pybind11::module_& module);
 void bindCurveJoin(pybind11::module_& module);
 void bindCurveFairing(pybind11::module_& module);
+void bindCurveMatch(pybind11::module_& module);
 void bindFill(pybind11::module_& module);
 void bindFrameLoft(pybind11::module_& module);
 void bindFunctionSpline(pybind11::module_& module);

@@ -31,6 +31,16 @@ BezierSpline bezierSplineOf(const std::string& name, const py::object& value) {
   return std::get<BezierSpline>(curve);
 }
 
+std::vector<BezierSpline> bezierSplinesOf(const std::string& name, const py::object& value) {
+  if (!py::isinstance<py::sequence>(value) || py::isinstance<py::str>(value))
+    throw py::value_error(name + " is " + shown(value) + ": a sequence of curves is needed");
+  std::vector<BezierSpline> splines;
+  for (const py::handle item : value)
+    splines.push_back(bezierSplineOf(name + "[" + std::to_string(splines.size()) + "]",
+                                     py::reinterpret_borrow<py::object>(item)));
+  return splines;
+}
+
 BSplineCurve bsplineCurveOf(const std::string& name, const py::object& value) {
   const Curve curve = curveOf(name, value);
   if (const auto* bezier = std::get_if<BezierCurve>(&curve)) return splineCurve(*bezier);

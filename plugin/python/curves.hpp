@@ -18,6 +18,9 @@ Curve curveOf(const std::string& name, const py::object& value);
 /// A curve of any class as a spline. A BezierCurve has the parameter 0..1.
 BezierSpline bezierSplineOf(const std::string& name, const py::object& value);
 
+/// Curves of any class as splines. \throws ValueError that names the argument, or its item.
+std::vector<BezierSpline> bezierSplinesOf(const std::string& name, const py::object& value);
+
 /// A curve of any class as a BSplineCurve: exactly, with the fewest knots.
 BSplineCurve bsplineCurveOf(const std::string& name, const py::object& value);
 

@@ -51,6 +51,7 @@ PYBIND11_MODULE(_core, module) {
   bindNuSpline(module);
   bindAlpha(module);
   bindBlend(module);
+  bindCurveMatch(module);
   bindFrameLoft(module);
   bindPlanarArc(module);
   bindPlanarBiarc(module);

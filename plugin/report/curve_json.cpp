@@ -50,13 +50,7 @@ ordered_json recordJson(const CurveRecord& record) {
 
 std::string nameOf(const CurveRecord& record) {
   if (record.points > 0) return counted(static_cast<std::size_t>(record.points), "point");
-  constexpr std::size_t shown = 4;
-  std::string names;
-  for (std::size_t i = 0; i < std::min(shown, record.edges.size()); ++i)
-    names += fmt::format("{}Edge{}", i > 0 ? "," : "", record.edges[i]);
-  if (record.edges.size() > shown)
-    names += fmt::format(" and {} more", record.edges.size() - shown);
-  return names;
+  return namesOf(record.edges);
 }
 
 std::string piecesText(const std::string& method, const CurveRecord& record) {
@@ -100,13 +94,22 @@ std::string line(const std::string& method, const CurveRecord& record) {
 
 }  // namespace
 
+std::string namesOf(const std::vector<int>& edges) {
+  constexpr std::size_t shown = 4;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(shown, edges.size()); ++i)
+    names += fmt::format("{}Edge{}", i > 0 ? "," : "", edges[i]);
+  if (edges.size() > shown) names += fmt::format(" and {} more", edges.size() - shown);
+  return names;
+}
+
 ordered_json outputJson(const std::optional<CurveOutput>& output) {
   if (!output) return nullptr;
   return {{"path", output->path}, {"format", output->format}, {"distance_mm", output->distance_mm}};
 }
 
 bool CurveReport::reached() const {
-  return std::ranges::all_of(curves, &CurveRecord::reached);
+  return refused.empty() && std::ranges::all_of(curves, &CurveRecord::reached);
 }
 
 bool CurveReport::withReservations() const {
@@ -121,12 +124,17 @@ ordered_json toJson(const CurveReport& report) {
   json["output"] = outputJson(report.output);
   json["curves"] = ordered_json::array();
   for (const CurveRecord& record : report.curves) json["curves"].push_back(recordJson(record));
+  json["refused"] = ordered_json::array();
+  for (const RefusedCurve& curve : report.refused)
+    json["refused"].push_back({{"edges", curve.edges}, {"reason", curve.reason}});
   return json;
 }
 
 std::string toText(const CurveReport& report) {
   std::string text;
   for (const CurveRecord& record : report.curves) text += line(report.method, record);
+  for (const RefusedCurve& curve : report.refused)
+    text += namesOf(curve.edges) + ": not done: " + curve.reason + '\n';
   if (report.output)
     text += report.output->path + ": " + report.output->format +
             (report.output->distance_mm > 0

@@ -41,6 +41,12 @@ struct CurveRecord {
   bool with_reservations = false;
 };
 
+/// A curve of the input that could not be done.
+struct RefusedCurve {
+  std::vector<int> edges = {};  ///< of the model, from 1
+  std::string reason = {};
+};
+
 /// The file that was written.
 struct CurveOutput {
   std::string path;
@@ -54,8 +60,10 @@ struct CurveReport {
   occ::ModelFacts input;
   double tolerance_mm = 0;
   std::vector<CurveRecord> curves = {};
+  std::vector<RefusedCurve> refused = {};
   std::optional<CurveOutput> output = {};
 
+  /// Every curve is done and within the tolerance.
   bool reached() const;
   bool withReservations() const;
 };
@@ -65,6 +73,9 @@ nlohmann::ordered_json outputJson(const std::optional<CurveOutput>& output);
 
 /// The object "seamwright.curve/1" (docs/curve-1.schema.json), lengths in mm.
 nlohmann::ordered_json toJson(const CurveReport& report);
+
+/// "Edge3,Edge4 and 7 more".
+std::string namesOf(const std::vector<int>& edges);
 
 /// One line for each curve, and one for the output.
 std::string toText(const CurveReport& report);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <map>
+
 #include <seamwright/core/planar/fair_points.hpp>
 
 #include "planar.hpp"
@@ -48,7 +50,7 @@ TEST(FairPoints, StayWithinTheTolerancesAndAreFairer) {
       tolerance = random() % 5 == 0 ? 0 : uniform(random, 0.5, 2) * noise_mm;
     const FairedPoints found =
         fairPoints(points, tolerances, {.closed = closed, .ends_fixed = i % 3 == 0});
-    EXPECT_TRUE(found.converged) << found.steps;
+    EXPECT_EQ(found.status, PointFairingStatus::Converged) << found.steps;
     EXPECT_LT(found.steps, 60);
     const Eigen::VectorXd moves = (found.points - points).rowwise().norm();
     for (Eigen::Index k = 0; k < count; ++k) {
@@ -83,7 +85,7 @@ TEST(FairPoints, NoMoveWithinTheTolerancesIsFairer) {
     const double tolerance = 0.04;
     const FairedPoints found = fairPoints(points, Eigen::VectorXd::Constant(count, tolerance),
                                           {.closed = closed, .ends_fixed = false});
-    ASSERT_TRUE(found.converged);
+    ASSERT_EQ(found.status, PointFairingStatus::Converged);
     const double energy = found.after.energy_per_mm3;
     for (Eigen::Index k = 0; k < count; ++k) {
       const Eigen::Index before =
@@ -103,6 +105,59 @@ TEST(FairPoints, NoMoveWithinTheTolerancesIsFairer) {
   }
 }
 
+// Identity (3), by Newton's method with an active set.
+TEST(FairPoints, AgreeWithHighPrecision) {
+  for (const nlohmann::json& entry : test::splineCases("fair_points.json")) {
+    SCOPED_TRACE(entry["name"].get<std::string>());
+    const PlanarPoints points = planarPoints(entry["in"]["P"]);
+    const std::vector<double> tol = test::numbers(entry["in"]["tol"]);
+    const Eigen::VectorXd tolerances = Eigen::VectorXd::Map(tol.data(), std::ssize(tol));
+    const FairedPoints found =
+        fairPoints(points, tolerances, {.closed = entry["in"]["closed"] == 1, .ends_fixed = false});
+    EXPECT_EQ(found.status, PointFairingStatus::Converged);
+    const double least = number(entry["out"]["energy"]);
+    EXPECT_GT(found.after.energy_per_mm3, least * (1 - 1e-10));
+    EXPECT_LT(found.after.energy_per_mm3, least * (1 + 1e-5));
+    const PlanarPoints wanted = planarPoints(entry["out"]["P_new"]);
+    const Eigen::ArrayXd apart = (found.points - wanted).rowwise().norm();
+    EXPECT_LT((apart - 0.01 * tolerances.array()).maxCoeff(), 1e-15);
+  }
+}
+
+// Points of a curve of known energy, moved across it by more than their distances.
+TEST(FairPoints, OfACrowdedCurveAreAsFairAsTheCurve) {
+  std::mt19937_64 random(testSeed());
+  for (const bool closed : {false, true}) {
+    constexpr Eigen::Index count = 3000;
+    const double tolerance = 0.03, noise_mm = 0.025;
+    PlanarPoints exact(count, 2), points(count, 2);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const double t = 2 * pi * double(i) / double(closed ? count : count - 1);
+      exact.row(i) << 5 * std::cos(t), 3 * std::sin(t);
+      const Eigen::RowVector2d normal(3 * std::cos(t), 5 * std::sin(t));
+      points.row(i) = exact.row(i) + uniform(random, -noise_mm, noise_mm) * normal.normalized();
+    }
+    const FairedPoints found = fairPoints(points, Eigen::VectorXd::Constant(count, tolerance),
+                                          {.closed = closed, .ends_fixed = false});
+    EXPECT_EQ(found.status, PointFairingStatus::Converged);
+    EXPECT_LT(found.steps, 80);
+    EXPECT_LE((found.points - points).rowwise().norm().maxCoeff(), tolerance);
+    EXPECT_LT(found.after.energy_per_mm3, fairnessOf(exact, closed).energy_per_mm3);
+    EXPECT_LE(found.after.extrema.size(), closed ? 4u : 5u);
+    EXPECT_TRUE(found.after.inflections.empty());
+  }
+}
+
+TEST(FairPoints, SayIfTheStepsRanOut) {
+  std::mt19937_64 random(testSeed());
+  const PlanarPoints points = noisyArm(50, 0.02, random);
+  const Eigen::VectorXd tolerances = Eigen::VectorXd::Constant(50, 0.02);
+  const FairedPoints found = fairPoints(points, tolerances, {.max_steps = 3});
+  EXPECT_EQ(found.status, PointFairingStatus::NotConverged);
+  EXPECT_EQ(found.steps, 3);
+  EXPECT_LT(found.after.energy_per_mm3, found.before.energy_per_mm3);
+}
+
 // Identity (2).
 TEST(FairPoints, OfACircleStay) {
   std::mt19937_64 random(testSeed());
@@ -114,7 +169,7 @@ TEST(FairPoints, OfACircleStay) {
     const FairedPoints found =
         fairPoints(points, Eigen::VectorXd::Constant(30, 0.1), {.closed = closed});
     EXPECT_EQ(found.points, points);
-    EXPECT_TRUE(found.converged);
+    EXPECT_EQ(found.status, PointFairingStatus::Converged);
   }
 }
 
@@ -200,6 +255,22 @@ TEST(CurvatureFilter, SmoothsWithinTheTolerance) {
   EXPECT_LT(after, 0.5 * before);
 }
 
+TEST(CurvatureFilter, SaysWhyItEnded) {
+  std::mt19937_64 random(testSeed());
+  std::map<PointFairingStatus, int> ends;
+  for (int i = 0; i < 30; ++i) {
+    const PlanarPoints points = noisyArm(60, 0.01, random);
+    const FairedPoints found = filterCurvature(points, 0.02);
+    ++ends[found.status];
+    if (found.status != PointFairingStatus::EnergyGrows) continue;
+    // One pass more than was taken is one too many.
+    const FairedPoints same = filterCurvature(points, 0.02, {.max_passes = found.steps});
+    EXPECT_EQ(same.points, found.points);
+    EXPECT_EQ(same.status, PointFairingStatus::NotConverged);
+  }
+  EXPECT_GT(ends[PointFairingStatus::EnergyGrows], 0);
+}
+
 // Identity (7), far from the ends.
 TEST(CurvatureFilter, ExtinguishesZigzags) {
   for (const double strength : {0.1, 0.25, 0.5}) {
@@ -221,7 +292,7 @@ TEST(CurvatureFilter, PointsOfACircleStay) {
     points.row(i) = 7 * unitVector(2 * pi * double(i) / 24).transpose();
   const FairedPoints found = filterCurvature(points, 0.5, {.closed = true});
   EXPECT_LT((found.points - points).rowwise().norm().maxCoeff(), 1e-13);
-  EXPECT_TRUE(found.converged);
+  EXPECT_EQ(found.status, PointFairingStatus::Converged);
 }
 
 TEST(CurvatureFilter, RefusesInvalidNumbers) {

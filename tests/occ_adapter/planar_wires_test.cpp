@@ -183,7 +183,7 @@ TEST(PlanarWires, RefusesCurvesOutOfPlane) {
     occ::planarWires(edge);
     FAIL();
   } catch (const occ::GeometryError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("Edge1 is not planar: 0."));
+    EXPECT_THAT(error.what(), HasSubstr("Edge1: not planar: 0."));
     EXPECT_THAT(error.what(), HasSubstr("mm from the nearest plane, more than 0.001 mm"));
   }
   EXPECT_THAT(occ::planarWires(edge, {.flatness_mm = 1}), SizeIs(1));

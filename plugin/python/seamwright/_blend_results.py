@@ -168,6 +168,61 @@ class SplineFrame(Result):
     joints: List[SplineJoint]
 
 
+class MatchSummary(Result):
+    """How curves were matched.
+
+    pieces_before     of each curve
+    pieces_after      of all curves
+    merged            joints that belong to several curves because they are close
+    features          found in each curve
+    matched_features  matched in all curves; given parameters count, too
+    unknown_pieces    whose curvature has no certain profile: no features from them
+    reversed          which curves run in the other direction
+    start             of each curve: where it starts now, a share of its length in its new direction
+    largest_ratio     the largest quotient of the shares of the length of a piece in two curves
+    """
+
+    pieces_before: List[int]
+    pieces_after: int
+    merged: int
+    features: List[int]
+    matched_features: int
+    unknown_pieces: int
+    reversed: List[bool]
+    start: List[float]
+    largest_ratio: float
+
+
+class MatchedCurves(Result):
+    """The same curves in corresponding pieces.
+
+    curves   BezierSplines of one degree and one number of segments
+    summary  how they were matched
+    """
+
+    _kinds = {"summary": MatchSummary}
+
+    curves: List[BezierSpline]
+    summary: MatchSummary
+
+
+class CommonKnots(Result):
+    """Curves over common knots near the given ones.
+
+    curves       BezierSplines of degree 5 with equal knots 0..1
+    distance_mm  of each from its given curve: of points at corresponding places, as measured
+    reached      all distances are within the tolerance
+    summary      how they were matched; without merged and largest_ratio
+    """
+
+    _kinds = {"summary": MatchSummary}
+
+    curves: List[BezierSpline]
+    distance_mm: List[float]
+    reached: bool
+    summary: MatchSummary
+
+
 class FrameLoft(Result):
     """A surface through frames.
 

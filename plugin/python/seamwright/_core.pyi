@@ -589,6 +589,9 @@ def clothoid_spline(
     start_curvature_per_mm: Optional[Number] = None,
     end_curvature_per_mm: Optional[Number] = None,
 ) -> _r.ClothoidSpline: ...
+def fit_clothoids(
+    curve: Curve, tolerance_mm: Number = 0.01, *, corner_rad: Number = 0.001
+) -> _r.ClothoidFit: ...
 def log_spiral(
     start: Numbers,
     start_direction_rad: Number,
@@ -1134,6 +1137,32 @@ class SplineBlend:
 Frames = Union[SplineBlend, Callable[[float], Curve]]
 SheetEnd = Union[None, _r.FrameRibbon, Tuple[_r.FrameRibbon, Whole]]
 
+def match_pieces(
+    keys: Sequence[Curve],
+    *,
+    by: str = "length",
+    given: Optional[Sequence[Numbers]] = None,
+    find_start: Flag = False,
+    find_direction: Flag = False,
+    closeness: Number = 0.01,
+    corner_rad: Number = 0.17453292519943295,
+    prominence: Number = 0.1,
+    reach: Number = 0.2,
+) -> _r.MatchedCurves: ...
+def common_knots(
+    keys: Sequence[Curve],
+    *,
+    tolerance_mm: Number = 0.001,
+    by: str = "length",
+    given: Optional[Sequence[Numbers]] = None,
+    find_start: Flag = False,
+    find_direction: Flag = False,
+    corner_rad: Number = 0.17453292519943295,
+    prominence: Number = 0.1,
+    reach: Number = 0.2,
+    joint_tolerance: Number = 1e-6,
+    max_segments: Whole = 10000,
+) -> _r.CommonKnots: ...
 def blend_joint(
     first: FramePair,
     second: FramePair,

@@ -91,6 +91,19 @@ class SplineWithin(Result):
     distance_mm: float
 
 
+class ClothoidFit(Result):
+    """Clothoids near a curve, G2 between corners.
+
+    chain        a ClothoidChain
+    corners      indices of pieces that begin at a corner; ends do not count
+    distance_mm  bound of the distance in both directions
+    """
+
+    chain: ClothoidChain
+    corners: Tuple[int, ...]
+    distance_mm: float
+
+
 class ClothoidSpline(Result):
     """A G2 spline of clothoids through points.
 
@@ -194,7 +207,9 @@ class FairedPoints(Result):
     moved_mm       the largest move
     most_moved     index of the point with that move
     steps          of the method
-    converged      whether the steps reached their end
+    status         "converged": no moves are left; "energy grows": filter_curvature() left out
+                   passes that would make the energy grow; "not converged": the steps ran out
+    converged      whether status is "converged"
     """
 
     _kinds = {"before": PointFairness, "after": PointFairness}
@@ -205,6 +220,7 @@ class FairedPoints(Result):
     moved_mm: float
     most_moved: int
     steps: int
+    status: str
     converged: bool
 
 

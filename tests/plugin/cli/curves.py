@@ -6,6 +6,7 @@ import json
 import math
 
 from command import run
+from models import curve_text
 from schemas import expect_valid, validator
 
 VALIDATOR = validator("curve")
@@ -30,6 +31,29 @@ def curve(method, given, *options, out="out.dxf"):
     report = json.loads(report.read_text())
     expect_valid(report, VALIDATOR)
     return result, report, out
+
+
+def bezier_model(folder, curves, name="curves.step"):
+    """A STEP file of Bézier curves, each given by its poles (x, y) or (x, y, z)."""
+    lines, sets = [], []
+    for number, poles in enumerate(curves, 1):
+        first = 1000 * number
+        for i, pole in enumerate(poles):
+            place = ",".join(f"{x:.17E}" for x in [*pole, 0.0][:3])
+            lines.append(f"#{first + i}=CARTESIAN_POINT('',({place}));")
+        names = ",".join(f"#{first + i}" for i in range(len(poles)))
+        degree = len(poles) - 1
+        lines += [
+            f"#{first + 100}=B_SPLINE_CURVE_WITH_KNOTS('',{degree},({names}),.UNSPECIFIED.,.F.,.F.,"
+            f"({degree + 1},{degree + 1}),(0.,1.),.UNSPECIFIED.);",
+            f"#{first + 101}=TRIMMED_CURVE('',#{first + 100},(#{first},PARAMETER_VALUE(0.)),"
+            f"(#{first + degree},PARAMETER_VALUE(1.)),.T.,.PARAMETER.);",
+            f"#{first + 102}=GEOMETRIC_CURVE_SET('',(#{first + 101}));",
+        ]
+        sets.append(f"#{first + 102}")
+    path = folder / name
+    path.write_text(curve_text(lines, sets))
+    return path
 
 
 def rows_of(path):

@@ -109,6 +109,20 @@ def file_text(lines, face_ids, unit=_MILLIMETRE, closed=True):
     )
 
 
+def curve_text(lines, sets):
+    """A STEP file of these entities, numbered from 1000, with these sets of curves."""
+    return (
+        _HEAD
+        + _MILLIMETRE
+        + "#15=(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#19))"
+        "GLOBAL_UNIT_ASSIGNED_CONTEXT((#16,#17,#18))REPRESENTATION_CONTEXT('',''));\n"
+        "#19=UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-07),#16,'','');\n"
+        f"#10=SHAPE_REPRESENTATION('',(#14,{','.join(sets)}),#15);\n"
+        + "\n".join(lines)
+        + "\nENDSEC;\nEND-ISO-10303-21;\n"
+    )
+
+
 _BOX_FACES = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]
 
 

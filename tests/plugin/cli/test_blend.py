@@ -156,6 +156,23 @@ def test_curves_over_common_knots(tmp_path, pair):
     assert any("correspond" in note for note in report["notes"]) and "matched" in result.stdout
 
 
+def middle_distance(folder, pair, *options):
+    """How far the frame at omega 1/2 is from halfway between point 2 of the first curve and point 3
+    of the second."""
+    _, report, path = blend(folder, *pair, out="out.csv", options=["--frames", 3, *options])
+    rows = [row for row in rows_of(path) if float(row["omega"]) == 0.5]
+    points = np.array([[float(row[c]) for c in "xy"] for row in rows])
+    halfway = (np.array(LOW[1]) + np.array(HIGH[2])) / 2
+    return np.linalg.norm(points - halfway, axis=1).min(), report
+
+
+def test_given_pairs_correspond(tmp_path, pair):
+    distance, report = middle_distance(tmp_path, pair, "--pair", "4,75%", "--pair", "2,3")
+    assert distance < 0.5 and report["match"] == "pairs"  # samples are that far apart
+    assert any("2 given pairs correspond" in note for note in report["notes"])
+    assert middle_distance(tmp_path, pair, "--match", "length")[0] > 1
+
+
 def test_curves_of_different_numbers_of_points(tmp_path, pair):
     more = points_file(tmp_path, [(6 * i, 3 * math.sin(i)) for i in range(11)], "more.csv")
     for options in (["--frames", 3], ["--frames", 3, "--match", "length", "--exact"]):
@@ -378,6 +395,20 @@ def test_runs_are_repeated_bitwise(tmp_path, pair):
         (["low.csv", "high.csv", "-o", "out.step", "--tolerance", "nan"], "--tolerance"),
         (["low.csv", "high.csv", "-o", "out.step", "--between", "C3"], "--between"),
         (["low.csv", "high.csv", "-o", "out.step", "--match", "near"], "--match"),
+        (["low.csv", "high.csv", "-o", "out.step", "--pair", "1,3"], "an end of the curve of low"),
+        (["low.csv", "high.csv", "-o", "out.step", "--pair", "2,9"], "and no point 9"),
+        (["low.csv", "high.csv", "-o", "out.step", "--pair", "2"], "has 1 places, and 2 key"),
+        (["low.csv", "high.csv", "-o", "out.step", "--pair", "2,x"], "--pair: 'x' is neither"),
+        (["low.csv", "high.csv", "-o", "out.step", "--pair", "2,0"], "--pair: '0' is neither"),
+        (["low.csv", "high.csv", "-o", "out.step", "--pair", "2,101%"], "--pair: '101%'"),
+        (
+            ["low.csv", "high.csv", "-o", "out.step", "--pair", "2,3", "--pair", "3,2"],
+            "the second is not behind the first on the curve of high.csv",
+        ),
+        (
+            ["low.csv", "high.csv", "-o", "out.step", "--pair", "2,3", "--match", "length"],
+            "excludes",
+        ),
         (["ring.step", "open.step", "-o", "out.step", "--edge", "1", "--edge", "1"], "open"),
     ],
 )

@@ -10,59 +10,8 @@ import pytest
 
 from command import expect_one_line, run
 from curves import CIRCLE, METHODS, VALIDATOR, WAVE, curve, points_file, rows_of
+from drawings import dxf_entities, dxf_samples
 from schemas import expect_every_key_matters
-
-
-def dxf_entities(text):
-    """The entities of a DXF file: their names, each with its groups."""
-    lines = text.split("\n")
-    assert lines[-1] == "" and len(lines) % 2 == 1
-    groups = [(int(code), value) for code, value in zip(lines[0:-1:2], lines[1:-1:2])]
-    assert (9, "$ACADVER") in groups and (1, "AC1009") in groups and groups[-1] == (0, "EOF")
-    start = groups.index((2, "ENTITIES")) + 1
-    entities = []
-    for code, value in groups[start:]:
-        if code == 0:
-            entities.append((value, {}))
-        elif code not in entities[-1][1]:
-            entities[-1][1][code] = float(value)
-    assert entities[-2][0] == "ENDSEC"
-    return entities[:-2]
-
-
-def bulge_samples(start, end, bulge, count=64):
-    """Points of an arc that is given as DXF gives it."""
-    chord = complex(*end) - complex(*start)
-    sweep = 4 * math.atan(bulge)
-    if bulge == 0:
-        for k in range(count + 1):
-            z = complex(*start) + chord * k / count
-            yield z.real, z.imag
-        return
-    centre = complex(*start) + chord / 2 * (1 + 1j / math.tan(sweep / 2))
-    for k in range(count + 1):
-        turn = sweep * k / count
-        z = centre + (complex(*start) - centre) * complex(math.cos(turn), math.sin(turn))
-        yield z.real, z.imag
-
-
-def dxf_samples(text):
-    """Points of the polylines of a DXF file."""
-    vertices, closed, samples = [], False, []
-
-    def finish():
-        ends = [*vertices, vertices[0]] if closed else vertices
-        for (x, y, bulge), (u, v, _) in zip(ends, ends[1:]):
-            samples.extend(bulge_samples((x, y), (u, v), bulge))
-
-    for name, groups in dxf_entities(text):
-        if name == "POLYLINE":
-            vertices, closed = [], groups[70] == 1
-        elif name == "VERTEX":
-            vertices.append((groups[10], groups[20], groups.get(42, 0.0)))
-        elif name == "SEQEND":
-            finish()
-    return samples
 
 
 def distance(point, samples):
@@ -214,7 +163,7 @@ def test_conics_through_points_in_convex_position_are_convex(tmp_path, count, cl
     points = points if closed else points[: 2 + count // 2]
     options = ["--closed"] if closed else []
     given = points_file(tmp_path, points)
-    _, report, out = curve("conic", given, *options, out="out.csv")
+    _, report, out = curve("conic", given, "--tolerance", 0, *options, out="out.csv")
     rows = rows_of(out)
     assert min(conic_curvatures(rows)) > 0
     joints = [complex(float(row["x0"]), float(row["y0"])) for row in rows]
@@ -235,7 +184,7 @@ def test_few_points_in_convex_position_have_few_extrema(tmp_path):
 
 
 def test_conics_say_where_they_are_not_g2(tmp_path):
-    result, report, _ = curve("conic", points_file(tmp_path, WAVE))
+    result, report, _ = curve("conic", points_file(tmp_path, WAVE), "--tolerance", 0)
     (found,) = report["curves"]
     assert result.stdout.endswith("\nREACHED WITH RESERVATIONS\n") and report["reached"]
     assert any("G1 only" in note for note in found["notes"])
@@ -338,7 +287,8 @@ def test_a_faired_airfoil_turns_to_one_side(tmp_path, thickness, count, toleranc
 
 def test_conics_of_an_airfoil_have_a_corner_at_its_sharp_end(tmp_path):
     outline = naca(0.12, 40, chord=100)
-    _, report, _ = curve("conic", points_file(tmp_path, outline), "--closed", out="out.step")
+    given = points_file(tmp_path, outline)
+    _, report, _ = curve("conic", given, "--closed", "--tolerance", 0, out="out.step")
     (found,) = report["curves"]
     assert found["closed"] and found["corners"] == 1 and found["distance_mm"] == 0
     assert found["after"]["inflections"] == 0
@@ -428,10 +378,30 @@ def test_conics_pass_beside_an_inflection_near_a_point(tmp_path):
         (0.85900629, 0.02129402),
         (0.82089086, 0.02721967),
     ]
-    result, report, _ = curve("conic", points_file(tmp_path, points), out="out.step")
+    given = points_file(tmp_path, points)
+    result, report, _ = curve("conic", given, "--tolerance", 0, out="out.step")
     assert result.returncode == 0, result.stderr
     (found,) = report["curves"]
     assert found["after"]["inflections"] == 1
+
+
+def test_conics_near_points_are_within_the_tolerance_and_fairer(tmp_path):
+    rough = [(x, y + 0.02 * (-1) ** (i % 3)) for i, (x, y) in enumerate(WAVE)]
+    given = points_file(tmp_path, rough)
+    through = curve("conic", given, "--tolerance", 0)[1]["curves"][0]
+    _, report, out = curve("conic", given, "--tolerance", 0.05, out="out.csv")
+    (found,) = report["curves"]
+    assert 0 < found["distance_mm"] <= 0.05
+    assert found["after"]["extrema"] < through["after"]["extrema"]
+    samples = []
+    for row in rows_of(out):
+        x0, y0, cx, cy, x1, y1, w = (float(row[key]) for key in list(row)[1:])
+        for k in range(401):
+            t = k / 400
+            a, b, c = (1 - t) ** 2, 2 * w * t * (1 - t), t * t
+            q = a + b + c
+            samples.append(((a * x0 + b * cx + c * x1) / q, (a * y0 + b * cy + c * y1) / q))
+    assert max(min(math.dist(p, s) for s in samples) for p in rough) <= 0.051
 
 
 def test_edges_are_chosen(box):
@@ -450,5 +420,10 @@ def test_every_key_of_the_report_matters(tmp_path):
         report["curves"][0][optional] = []
     report["model"]["notes"] = []
     expect_every_key_matters(
-        {**report, "curves": [{**report["curves"][0], "edges": [1]}]}, VALIDATOR
+        {
+            **report,
+            "curves": [{**report["curves"][0], "edges": [1]}],
+            "refused": [{"edges": [2], "reason": "why"}],
+        },
+        VALIDATOR,
     )

@@ -271,3 +271,30 @@ def test_quintics_of_a_spiral_keep_their_distance():
 def test_bad_spirals(call, text):
     with pytest.raises(ValueError, match=text):
         call()
+
+
+# Clothoids near a curve
+
+
+def test_a_slot_keeps_its_lines_and_gets_four_transitions():
+    line = seamwright.PlanarArc([0, -10], 0, 0, 40)
+    cap = seamwright.PlanarArc([40, -10], 0, 0.1, 10 * math.pi)
+    half = [line, cap]
+    turned = [seamwright.PlanarArc([40 - x, -y], math.pi, a.curvature_per_mm, a.length_mm)
+              for a, (x, y) in zip(half, [line.start, cap.start])]
+    slot = seamwright.ArcChain(half + turned, closed=True)
+    fit = seamwright.fit_clothoids(slot.bezier_spline(), 0.01)
+    assert fit.chain.closed and fit.corners == () and 0 < fit.distance_mm <= 0.01
+    curvatures = [(p.curvature_per_mm, p.end_curvature_per_mm) for p in fit.chain.pieces]
+    assert len(curvatures) == 8
+    assert sum(k == (0, 0) for k in curvatures) == 2
+    for (_, end), (start, _) in zip(curvatures, curvatures[1:]):
+        assert end == pytest.approx(start, abs=1e-12)
+    # The caps keep their centres: their radius is smaller by the shift L^2 / (24 R) to first order.
+    largest = max(end for _, end in curvatures)
+    ramp = max(p.length_mm for p in fit.chain.pieces if p.curvature_slope_per_mm2 > 1e-6)
+    assert 10 - 1 / largest == pytest.approx(ramp**2 * largest / 24, rel=1e-3)
+    corner = seamwright.ArcChain([line, seamwright.PlanarArc([40, -10], 1, 0, 5)], corners=[1])
+    assert seamwright.fit_clothoids(corner.bezier_spline()).corners == (1,)
+    with pytest.raises(ValueError, match="tolerance"):
+        seamwright.fit_clothoids(slot.bezier_spline(), 0)

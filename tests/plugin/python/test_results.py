@@ -90,6 +90,8 @@ def blend_results():
         loft,
         *seamwright.enclose_knot_lines(loft),
         seamwright.edge_ribbon(patch(), "u1", "start"),
+        seamwright.match_pieces(splines),
+        seamwright.common_knots(splines),
     ]
 
 

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <seamwright/core/bezier/length.hpp>
+#include <seamwright/plugin/cli/key_curves.hpp>
+#include <seamwright/plugin/cli/key_pairs.hpp>
+#include <sstream>
+#include <stdexcept>
+
+namespace seamwright::cli {
+
+namespace {
+
+/// The whole text as a number.
+template <class Number>
+bool isNumber(const std::string& text, Number& value) {
+  const char* end = text.data() + text.size();
+  const auto [stop, fault] = std::from_chars(text.data(), end, value);
+  return fault == std::errc() && stop == end;
+}
+
+KeyPlace placeFrom(const std::string& text) {
+  PointNumber number;
+  if (isNumber(text, number.value) && number.value >= 1) return number;
+  double percent = 0;
+  if (text.ends_with('%') && isNumber(text.substr(0, text.size() - 1), percent) && percent >= 0 &&
+      percent <= 100)
+    return LengthShare{percent / 100};
+  throw CLI::ValidationError(
+      fmt::format("'{}' is neither the number of a point nor a share of the length such as 40%",
+                  text),
+      CLI::ExitCodes::ValidationError);
+}
+
+/// The parameter up to which the curve has this share of its length, to a millionth.
+double parameterAtShare(const BezierSpline& spline, double share) {
+  constexpr double relative = 1e-6;
+  const auto precision_mm = [](const BezierCurve& piece) {
+    return relative * std::max(polygonLength(piece), 1e-300);
+  };
+  std::vector<double> sums = {0};
+  for (int i = 0; i < spline.segments(); ++i) {
+    const BezierCurve piece = segment(spline, i);
+    sums.push_back(sums.back() + arcLength(piece, precision_mm(piece)).value_mm);
+  }
+  const double at_mm = share * sums.back();
+  const auto after = std::upper_bound(sums.begin() + 1, sums.end() - 1, at_mm);
+  const int i = static_cast<int>(after - sums.begin()) - 1;
+  const BezierCurve piece = segment(spline, i);
+  const double inside_mm = std::clamp(at_mm - sums[i], 0.0, sums[i + 1] - sums[i]);
+  const double t = parameterAtLength(piece, inside_mm, precision_mm(piece));
+  return spline.knots[i] + t * (spline.knots[i + 1] - spline.knots[i]);
+}
+
+double parameterOf(const KeyCurve& key, const std::string& path, const KeyPair& pair,
+                   const KeyPlace& place) {
+  if (const auto* share = std::get_if<LengthShare>(&place))
+    return parameterAtShare(key.curve, share->value);
+  const int number = std::get<PointNumber>(place).value;
+  if (key.points == 0)
+    throw std::runtime_error(
+        fmt::format("--pair {}: {} is a model, which has no points: name a share of the length "
+                    "such as 40%",
+                    pair.text, path));
+  if (number > key.points)
+    throw std::runtime_error(fmt::format("--pair {}: {} has {} points, and no point {}", pair.text,
+                                         path, key.points, number));
+  return key.curve.knots[number - 1];
+}
+
+/// \throws std::runtime_error for an end, which corresponds to the ends of the other curves anyway.
+void requireInside(const BezierSpline& spline, const std::string& path, const KeyPair& pair,
+                   double parameter) {
+  const bool inside =
+      parameter < spline.knots.back() && (spline.closed || parameter > spline.knots.front());
+  if (!inside)
+    throw std::runtime_error(
+        fmt::format("--pair {}: this is an end of the curve of {}, and ends correspond without it",
+                    pair.text, path));
+}
+
+/// A pair with its parameters.
+struct PairAt {
+  const KeyPair* pair;
+  std::vector<double> parameters;
+};
+
+PairAt pairAt(const KeyCurves& input, const KeyPair& pair) {
+  if (pair.places.size() != input.curves.size())
+    throw std::runtime_error(
+        fmt::format("--pair {}: has {} places, and {} key curves need one each", pair.text,
+                    pair.places.size(), input.curves.size()));
+  PairAt result{&pair, {}};
+  for (std::size_t i = 0; i < input.curves.size(); ++i) {
+    const KeyCurve& key = input.curves[i];
+    const std::string& path = input.facts[key.input].path;
+    result.parameters.push_back(parameterOf(key, path, pair, pair.places[i]));
+    requireInside(key.curve, path, pair, result.parameters.back());
+  }
+  return result;
+}
+
+/// \throws std::runtime_error unless the pairs have one order on all curves.
+void requireOneOrder(const KeyCurves& input, const PairAt& a, const PairAt& b) {
+  for (std::size_t i = 0; i < input.curves.size(); ++i)
+    if (!(a.parameters[i] < b.parameters[i]))
+      throw std::runtime_error(
+          fmt::format("--pair {} and --pair {}: the second is not behind the first on the curve of "
+                      "{}",
+                      a.pair->text, b.pair->text, input.facts[input.curves[i].input].path));
+}
+
+}  // namespace
+
+KeyPair keyPair(const std::string& text) {
+  KeyPair pair{text, {}};
+  std::istringstream list(text + ',');
+  for (std::string item; std::getline(list, item, ',');) pair.places.push_back(placeFrom(item));
+  return pair;
+}
+
+std::vector<std::vector<double>> pairParameters(const KeyCurves& input,
+                                                const std::vector<KeyPair>& pairs) {
+  std::vector<PairAt> placed;
+  for (const KeyPair& pair : pairs) placed.push_back(pairAt(input, pair));
+  std::ranges::sort(placed, {}, [](const PairAt& pair) { return pair.parameters.front(); });
+  for (std::size_t k = 1; k < placed.size(); ++k) requireOneOrder(input, placed[k - 1], placed[k]);
+  std::vector<std::vector<double>> result(input.curves.size());
+  for (const PairAt& pair : placed)
+    for (std::size_t i = 0; i < result.size(); ++i) result[i].push_back(pair.parameters[i]);
+  return result;
+}
+
+}  // namespace seamwright::cli
