@@ -83,30 +83,38 @@ BlendSide facing(const BlendSide& start, const ChosenEnd& end) {
   return *best;
 }
 
-/// Both sides and what the surface does there.
+/// The sides, one or two, and what the surface does there.
 struct Task {
-  std::array<BlendSide, 2> sides;
-  std::array<BlendEnd, 2> ends;
+  std::vector<BlendSide> sides;
+  std::vector<BlendEnd> ends;
+  double length_mm = 0;  ///< of an extension, which has one side
   SplineClosure closure = SplineClosure::Open;
   ContinuityTolerance tolerance;
+
+  int count() const { return static_cast<int>(sides.size()); }
 };
 
-/// The derivatives by the parameter across, of both ends, at a share of the sides.
-std::array<CurveDerivatives, 2> derivativesAt(const Task& task, double share) {
-  const bool after = share < 1;
-  const std::array<SideSample, 2> at = {task.sides[0].at(share, after),
-                                        task.sides[1].at(share, after)};
+/// The speed of the surface across at a share of the sides, for a tension of 1.
+double speedAt(const Task& task, const std::vector<SideSample>& at, double share) {
+  if (at.size() < 2) return task.length_mm;
   const double distance_mm = (at[1].point - at[0].point).norm();
   if (!(distance_mm > task.tolerance.gap_mm))
     throw GeometryError(fmt::format("the sides touch: at the share {:.3g} they are {:.3g} mm apart",
                                     share, distance_mm));
-  std::array<CurveDerivatives, 2> result;
-  for (int k = 0; k < 2; ++k) {
+  return distance_mm;
+}
+
+/// The derivatives by the parameter across, of each end, at a share of the sides.
+std::vector<CurveDerivatives> derivativesAt(const Task& task, double share) {
+  std::vector<SideSample> at;
+  for (const BlendSide& side : task.sides) at.push_back(side.at(share, share < 1));
+  const double speed_mm = speedAt(task, at, share);
+  std::vector<CurveDerivatives> result;
+  for (int k = 0; k < task.count(); ++k) {
     // Both ends run with the parameter: out of the face at the start, into it at the end.
-    result[k] = continuation(at[k], k == 0 ? 1 : -1, task.ends[k].order);
-    const double speed_mm = task.ends[k].tension * distance_mm;
+    result.push_back(continuation(at[k], k == 0 ? 1 : -1, task.ends[k].order));
     for (int order = 1; order <= task.ends[k].order; ++order)
-      result[k].row(order) *= std::pow(speed_mm, order);
+      result[k].row(order) *= std::pow(task.ends[k].tension * speed_mm, order);
   }
   return result;
 }
@@ -139,21 +147,22 @@ struct Knots {
 
 BSplineSurface sheetOver(const Task& task, const std::vector<double>& knots) {
   const GrevilleInterpolation interpolation(degree_along, knots, task.closure);
-  const auto count = static_cast<Eigen::Index>(interpolation.parameters().size());
-  std::array<Eigen::MatrixXd, 2> values;
-  for (int k = 0; k < 2; ++k) values[k].resize(count, 3 * (task.ends[k].order + 1));
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const auto derivatives = derivativesAt(task, interpolation.parameters()[i]);
-    for (int k = 0; k < 2; ++k) values[k].row(i) = derivatives[k].reshaped<Eigen::RowMajor>();
+  const std::vector<double>& parameters = interpolation.parameters();
+  std::vector<Eigen::MatrixXd> values;
+  for (const BlendEnd& end : task.ends) values.emplace_back(parameters.size(), 3 * (end.order + 1));
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const std::vector<CurveDerivatives> derivatives = derivativesAt(task, parameters[i]);
+    for (int k = 0; k < task.count(); ++k)
+      values[k].row(static_cast<Eigen::Index>(i)) = derivatives[k].reshaped<Eigen::RowMajor>();
   }
-  std::array<SheetRibbon, 2> ribbons;
-  for (int k = 0; k < 2; ++k) {
+  std::vector<SheetRibbon> ribbons;
+  for (int k = 0; k < task.count(); ++k) {
     const Eigen::MatrixXd poles = interpolation.poles(values[k]);
-    ribbons[k] = {.degree = degree_along, .knots = knots, .derivatives = {}};
+    ribbons.push_back({.degree = degree_along, .knots = knots, .derivatives = {}});
     for (int order = 0; order <= task.ends[k].order; ++order)
       ribbons[k].derivatives.emplace_back(poles.middleCols(3 * order, 3));
   }
-  return hermiteSheet(ribbons[0], ribbons[1]);
+  return task.count() < 2 ? taylorSheet(ribbons[0]) : hermiteSheet(ribbons[0], ribbons[1]);
 }
 
 /// The largest figure at a point of an end over its tolerance.
@@ -191,7 +200,7 @@ std::vector<double> middlesOfPoorSpans(const Task& task, const BSplineSurface& s
     if (length < shortest) continue;
     double excess = 0;
     for (int i = 0; i < samples; ++i)
-      for (int k = 0; k < 2; ++k)
+      for (int k = 0; k < task.count(); ++k)
         excess = std::max(excess, excessAt(task, sheet, k, start + (i + 0.5) / samples * length));
     if (excess > 0.5) result.push_back(start + 0.5 * length);
   }
@@ -204,7 +213,7 @@ struct Neighbourhood {
   std::vector<int> faces;  ///< numbers in the model
 };
 
-Neighbourhood around(const std::array<ChosenEnd, 2>& ends, const TopoDS_Face& face) {
+Neighbourhood around(const std::vector<ChosenEnd>& ends, const TopoDS_Face& face) {
   Neighbourhood result;
   BRep_Builder builder;
   builder.MakeCompound(result.shape);
@@ -223,7 +232,14 @@ bool isOf(const ChosenEnd& end, const Coedge& use) {
                              [&](const HoleEdge& edge) { return edge.use.edge.IsSame(use.edge); });
 }
 
-void measureSeams(const TopoDS_Shape& model, const std::array<ChosenEnd, 2>& ends, const Task& task,
+/// The number of the end that a coedge belongs to, or that of ends if to none.
+std::size_t endOf(const std::vector<ChosenEnd>& ends, const Coedge& use) {
+  std::size_t k = 0;
+  while (k < ends.size() && !isOf(ends[k], use)) ++k;
+  return k;
+}
+
+void measureSeams(const TopoDS_Shape& model, const std::vector<ChosenEnd>& ends, const Task& task,
                   BlendSurfaceReport& report) {
   const Neighbourhood around_it = around(ends, report.face);
   const int made = static_cast<int>(around_it.faces.size()) + 1;
@@ -232,13 +248,12 @@ void measureSeams(const TopoDS_Shape& model, const std::array<ChosenEnd, 2>& end
   TopTools_IndexedMapOfShape edges;
   TopExp::MapShapes(model, TopAbs_EDGE, edges);
   report.reached = true;
-  std::array<double, 2> covered_mm{};
+  std::vector<double> covered_mm(ends.size(), 0);
   for (const Seam& seam : graph.seams) {
-    if (seam.kind != SeamKind::Matched) continue;
     const int other = seam.sides[0].face == made ? 1 : 0;
     if (seam.sides[1 - other].face != made || seam.sides[other].face == made) continue;
-    const int k = isOf(ends[0], seam.sides[other]) ? 0 : isOf(ends[1], seam.sides[other]) ? 1 : 2;
-    if (k == 2) continue;
+    const std::size_t k = endOf(ends, seam.sides[other]);
+    if (k == ends.size()) continue;
     const auto level = static_cast<Level>(static_cast<int>(Level::G0) + task.ends[k].order);
     SeamResult result = measureSeam(seam, {.tolerance = task.tolerance, .level = level});
     report.reached = report.reached && result.verdict.level >= level &&
@@ -248,21 +263,11 @@ void measureSeams(const TopoDS_Shape& model, const std::array<ChosenEnd, 2>& end
     result.edges = {edges.FindIndex(seam.sides[other].edge)};
     report.seams.push_back(std::move(result));
   }
-  for (int k = 0; k < 2; ++k) {
+  for (std::size_t k = 0; k < ends.size(); ++k) {
     // A seam may end a little before the side does.
     constexpr double most_of_it = 0.98;
     if (covered_mm[k] < most_of_it * ends[k].path->length_mm()) report.reached = false;
   }
-}
-
-Task taskOf(const std::array<ChosenEnd, 2>& ends, const BlendEnd& start, const BlendEnd& end,
-            const BlendSurfaceOptions& options) {
-  const BlendSide first(ends[0].path, false);
-  return {.sides = {first, facing(first, ends[1])},
-          .ends = {start, end},
-          .closure = ends[0].closed && ends[0].path->isOneEdge() ? SplineClosure::Periodic
-                                                                 : SplineClosure::Open,
-          .tolerance = options.tolerance};
 }
 
 Knots firstKnots(const Task& task) {
@@ -278,20 +283,10 @@ Knots firstKnots(const Task& task) {
   return knots;
 }
 
-}  // namespace
-
-BlendSurfaceReport blendSurface(const TopoDS_Shape& model, const BlendEnd& start,
-                                const BlendEnd& end, const BlendSurfaceOptions& options,
-                                const Progress& progress) {
-  options.tolerance.validate();
-  requireEnd("start", start);
-  requireEnd("end", end);
-  const std::array<ChosenEnd, 2> ends = {chosenEnd("start", model, start, options),
-                                         chosenEnd("end", model, end, options)};
-  if (ends[0].closed != ends[1].closed)
-    throw std::invalid_argument(
-        fmt::format("one side is closed, the {} is not", ends[0].closed ? "end" : "start"));
-  const Task task = taskOf(ends, start, end, options);
+/// The sheet with as many spans as its seams need, and its seams.
+BlendSurfaceReport fitted(const TopoDS_Shape& model, const std::vector<ChosenEnd>& ends,
+                          const Task& task, const BlendSurfaceOptions& options,
+                          const Progress& progress) {
   Knots knots = firstKnots(task);
   BlendSurfaceReport report;
   for (int round = 0;; ++round) {
@@ -307,6 +302,51 @@ BlendSurfaceReport blendSurface(const TopoDS_Shape& model, const BlendEnd& start
   report.face = faceOf(report.surface);
   measureSeams(model, ends, task, report);
   return report;
+}
+
+SplineClosure closureOf(const ChosenEnd& end) {
+  // Where edges join the derivatives along the side may jump, so nothing has to be periodic.
+  return end.closed && end.path->isOneEdge() ? SplineClosure::Periodic : SplineClosure::Open;
+}
+
+}  // namespace
+
+BlendSurfaceReport blendSurface(const TopoDS_Shape& model, const BlendEnd& start,
+                                const BlendEnd& end, const BlendSurfaceOptions& options,
+                                const Progress& progress) {
+  options.tolerance.validate();
+  requireEnd("start", start);
+  requireEnd("end", end);
+  const std::vector<ChosenEnd> ends = {chosenEnd("start", model, start, options),
+                                       chosenEnd("end", model, end, options)};
+  if (ends[0].closed != ends[1].closed)
+    throw std::invalid_argument(
+        fmt::format("one side is closed, the {} is not", ends[0].closed ? "end" : "start"));
+  const BlendSide first(ends[0].path, false);
+  const Task task{.sides = {first, facing(first, ends[1])},
+                  .ends = {start, end},
+                  .closure = closureOf(ends[0]),
+                  .tolerance = options.tolerance};
+  return fitted(model, ends, task, options, progress);
+}
+
+BlendSurfaceReport extendSurface(const TopoDS_Shape& model, const BlendEnd& side, double length_mm,
+                                 const BlendSurfaceOptions& options, const Progress& progress) {
+  options.tolerance.validate();
+  requireEnd("side", side);
+  if (side.order < 1) throw std::invalid_argument("order is 0: an extension is G1, G2 or G3");
+  if (!(length_mm > 0) || !std::isfinite(length_mm))
+    throw std::invalid_argument(
+        fmt::format("length_mm is {}: it must be positive and finite", length_mm));
+  const std::vector<ChosenEnd> ends = {chosenEnd("side", model, side, options)};
+  BlendEnd end = side;
+  end.tension = 1;
+  const Task task{.sides = {BlendSide(ends[0].path, false)},
+                  .ends = {end},
+                  .length_mm = length_mm,
+                  .closure = closureOf(ends[0]),
+                  .tolerance = options.tolerance};
+  return fitted(model, ends, task, options, progress);
 }
 
 }  // namespace seamwright::occ

@@ -56,4 +56,16 @@ BlendSurfaceReport blendSurface(const TopoDS_Shape& model, const BlendEnd& start
                                 const BlendEnd& end, const BlendSurfaceOptions& options = {},
                                 const Progress& progress = {});
 
+/// A surface that continues a side of a model over a length: its lines across are the Taylor
+/// polynomials of the geodesics across the side, of the order's degree. It joins the side G1, G2 or
+/// G3; for G1 it is ruled. The tension is not used.
+///
+///     const BlendSurfaceReport longer = extendSurface(model, {.side = {{3}}}, 10);
+///
+/// \throws as blendSurface(), and std::invalid_argument for order 0 and a length that is not
+/// positive and finite. Source: docs/theory/surfaces.md S8.2, S8.3.
+BlendSurfaceReport extendSurface(const TopoDS_Shape& model, const BlendEnd& side, double length_mm,
+                                 const BlendSurfaceOptions& options = {},
+                                 const Progress& progress = {});
+
 }  // namespace seamwright::occ
