@@ -186,9 +186,9 @@ double excessAt(const Task& task, const BSplineSurface& sheet, int k, double sha
   return excess;
 }
 
-/// The middles of spans in which a seam is beyond half of its tolerance.
+/// The middles of spans in which a seam is beyond that share of its tolerance.
 std::vector<double> middlesOfPoorSpans(const Task& task, const BSplineSurface& sheet,
-                                       const Knots& knots) {
+                                       const Knots& knots, double share_of_tolerance) {
   constexpr int samples = 4;
   // Where a derivative of the face jumps no spline is near enough. Second differences over shorter
   // spans have fewer than half of the digits.
@@ -202,7 +202,7 @@ std::vector<double> middlesOfPoorSpans(const Task& task, const BSplineSurface& s
     for (int i = 0; i < samples; ++i)
       for (int k = 0; k < task.count(); ++k)
         excess = std::max(excess, excessAt(task, sheet, k, start + (i + 0.5) / samples * length));
-    if (excess > 0.5) result.push_back(start + 0.5 * length);
+    if (excess > share_of_tolerance) result.push_back(start + 0.5 * length);
   }
   return result;
 }
@@ -283,24 +283,37 @@ Knots firstKnots(const Task& task) {
   return knots;
 }
 
+/// Halves spans until no sample is beyond that share of the tolerance, or no span can be halved.
+BSplineSurface refined(const Task& task, double share_of_tolerance, int max_spans, Knots& knots,
+                       const Progress& progress) {
+  for (int round = 0;; ++round) {
+    checkProgress(progress, shareAfter(round));
+    BSplineSurface sheet = sheetOver(task, knots.flat());
+    const std::vector<double> middles = middlesOfPoorSpans(task, sheet, knots, share_of_tolerance);
+    const int before = knots.spans();
+    if (before + static_cast<int>(middles.size()) > max_spans) return sheet;
+    for (const double at : middles) knots.add(at, Knots::free);
+    if (knots.spans() == before) return sheet;
+  }
+}
+
 /// The sheet with as many spans as its seams need, and its seams.
 BlendSurfaceReport fitted(const TopoDS_Shape& model, const std::vector<ChosenEnd>& ends,
                           const Task& task, const BlendSurfaceOptions& options,
                           const Progress& progress) {
   Knots knots = firstKnots(task);
   BlendSurfaceReport report;
-  for (int round = 0;; ++round) {
-    checkProgress(progress, shareAfter(round));
-    report.surface = sheetOver(task, knots.flat());
-    const std::vector<double> middles = middlesOfPoorSpans(task, report.surface, knots);
-    const int before = knots.spans();
-    if (before + static_cast<int>(middles.size()) > options.max_spans) break;
-    for (const double at : middles) knots.add(at, Knots::free);
-    if (knots.spans() == before) break;
+  // Seams are worst between the samples: then less is allowed at these.
+  for (const double share : {0.5, 0.25, 0.125}) {
+    const int before = report.spans;
+    report.surface = refined(task, share, options.max_spans, knots, progress);
+    report.spans = knots.spans();
+    if (report.spans == before) break;
+    report.face = faceOf(report.surface);
+    report.seams.clear();
+    measureSeams(model, ends, task, report);
+    if (report.reached) break;
   }
-  report.spans = knots.spans();
-  report.face = faceOf(report.surface);
-  measureSeams(model, ends, task, report);
   return report;
 }
 

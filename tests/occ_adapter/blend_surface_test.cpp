@@ -153,7 +153,10 @@ TEST(ExtendSurface, SidesAreContinuedAtEachOrder) {
       for (const int edge : {pair.left, pair.right}) {
         const BlendSurfaceReport longer =
             extendSurface(pair.shape, {.side = {{edge}}, .order = order}, 5, fine());
-        EXPECT_TRUE(longer.reached) << pair.name << " G" << order << " edge " << edge;
+        std::string figures;
+        for (const occ::SeamResult& seam : longer.seams) figures += occ::figuresText(seam) + "; ";
+        EXPECT_TRUE(longer.reached) << pair.name << " G" << order << " edge " << edge << " spans "
+                                    << longer.spans << ": " << figures;
         EXPECT_EQ(longer.surface.degree_v, order);
       }
 }
