@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <cmath>
 
 #include <seamwright/core/fair/curvature_variation.hpp>
 #include <seamwright/core/fair/profile_sum.hpp>
 #include <seamwright/core/linear/gauss_rule.hpp>
+#include <seamwright/core/numeric.hpp>
 
 namespace seamwright {
 
@@ -20,6 +23,13 @@ double variationDensity(const CurveDerivatives& at) {
   return across.squaredNorm() / (square * square * std::sqrt(square));
 }
 
+void requireNoPoint(const BezierCurve& piece, int index) {
+  const Poles poles = piece.poles();
+  if ((poles.rowwise() - poles.row(0)).isZero(0))
+    refuse(fmt::format("segment {} is the point ({}, {}, {}), which has no curvature", index,
+                       poles(0, 0), poles(0, 1), poles(0, 2)));
+}
+
 }  // namespace
 
 CurvatureVariation variationOf(const BezierSpline& spline) {
@@ -29,6 +39,7 @@ CurvatureVariation variationOf(const BezierSpline& spline) {
   CurvatureVariation result;
   for (int i = 0; i < spline.segments(); ++i) {
     const BezierCurve piece = segment(spline, i);
+    requireNoPoint(piece, i);
     for (std::size_t k = 0; k < gauss.nodes.size(); ++k)
       result.energy_per_mm3 +=
           gauss.weights[k] * variationDensity(piece.derivatives(gauss.nodes[k], 3));

@@ -21,7 +21,8 @@ struct CurvatureVariation {
 /// curvature. Identities (each has a test of its number):
 ///   (1) The energy of a clothoid with the slope c and the length L is c^2 L.
 ///   (2) Scaling by s divides the energy by s^3; rigid motion and reversal keep it.
-/// \throws std::invalid_argument as requireValid(BezierSpline) does.
+/// \throws std::invalid_argument as requireValid(BezierSpline) does, and for a segment that is a
+/// point, also one of degree 0, with its index.
 /// Source: docs/theory/planar.md P13.4, P8.1 to P8.3.
 CurvatureVariation variationOf(const BezierSpline& spline);
 

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <fmt/format.h>
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <stdexcept>
 
 #include <seamwright/core/bezier/homogeneous.hpp>
 #include <seamwright/core/bspline/basis.hpp>
 #include <seamwright/core/fair/fair_curve.hpp>
+#include <seamwright/core/fair/fairest_moves.hpp>
 #include <seamwright/core/fair/polynomial_curve.hpp>
 #include <seamwright/core/fair/profile_sum.hpp>
 #include <seamwright/core/fair/spline_energy.hpp>
@@ -47,97 +46,27 @@ double largestPole_mm(const BSplineCurve& knots, const Poles& poles) {
   return bezierSpline(difference).poles.leftCols<3>().rowwise().norm().maxCoeff();
 }
 
+double boundOfMoves_mm(const BSplineCurve& given, const BSplineCurve& moved) {
+  const Poles moves = polynomialPoles(moved) - polynomialPoles(given);
+  // A Bézier pole is a mean that at most degree^2 insertions make, each with an error of 8 eps.
+  const double rounding = 8 * given.degree * given.degree * machine_epsilon;
+  return largestPole_mm(given, moves) * (1 + rounding);
+}
+
 FreePoles::FreePoles(Index poles, HeldEnds ends)
     : first(std::min<Index>(static_cast<Index>(ends), (poles + 1) / 2)),
       count(std::max<Index>(poles - 2 * first, 0)) {}
 
 namespace {
 
-using Band = Eigen::SparseMatrix<double>;
-using BandCholesky = Eigen::SimplicialLDLT<Band, Eigen::Lower, Eigen::NaturalOrdering<int>>;
-
-int energyOrder(int degree) {
-  return std::min(3, degree);
-}
-
-double energyOf(const Band& products, const Poles& poles) {
-  return poles.cwiseProduct(products * poles).sum();
-}
-
-/// Moves of the poles for a smoothing: (mass + smoothing energy) x = -smoothing energy poles, for
-/// the free poles.
-class Smoother {
- public:
-  Smoother(const BSplineCurve& curve, HeldEnds ends)
-      : poles_(polynomialPoles(curve)),
-        free_(poles_.rows(), ends),
-        energy_(derivativeProducts(curve.degree, curve.knots, energyOrder(curve.degree))),
-        mass_(block(derivativeProducts(curve.degree, curve.knots, 0))),
-        free_energy_(block(energy_)),
-        slope_(derivativeGradient(curve.degree, curve.knots, energyOrder(curve.degree), poles_)
-                   .middleRows(free_.first, free_.count)) {
-    if (free_.count > 0) factor_.analyzePattern(Band(mass_ + free_energy_));
-  }
-
-  Index freeCount() const { return free_.count; }
-  const Band& energy() const { return energy_; }
-  /// The smoothing at which both forms have the same size.
-  double middle() const { return mass_.diagonal().sum() / free_energy_.diagonal().sum(); }
-
-  /// Nothing if the equations are singular: beside a large smoothing rounding extinguishes the
-  /// mass, and the energy leaves polynomials of low degree free.
-  std::optional<Poles> moves(double smoothing) {
-    // Both forms are divided by the larger one, so that nothing overflows.
-    const double scale = std::max(1.0, smoothing / middle());
-    factor_.factorize(Band(mass_ / scale + smoothing / scale * free_energy_));
-    if (factor_.info() != Eigen::Success) return std::nullopt;
-    Poles moves = Poles::Zero(poles_.rows(), 3);
-    moves.middleRows(free_.first, free_.count) = -factor_.solve(smoothing / scale * slope_);
-    return moves;
-  }
-
- private:
-  Band block(const Band& whole) const {
-    return whole.block(free_.first, free_.first, free_.count, free_.count);
-  }
-
-  Poles poles_;
-  FreePoles free_;
-  Band energy_, mass_, free_energy_;
-  Poles slope_;
-  BandCholesky factor_;
-};
-
-struct Smoothed {
-  Poles moves;
-  double moved_mm = 0, smoothing = 0;
-  int steps = 0;
-};
-
-/// Bisection for the logarithm of the smoothing. The distance grows with the smoothing.
-Smoothed largestSmoothing(Smoother& smoother, const BSplineCurve& curve, double tolerance_mm,
-                          const Progress& progress) {
-  // Beyond 2^40 times the middle rounding of the energy comes near to the mass, below 2^-40 the
-  // moves are rounding.
-  double low = -40, high = 40;
-  Smoothed best{.moves = Poles::Zero(curve.poles.rows(), 3)};
-  const auto attempt = [&](double exponent) {
-    checkProgress(progress, shareAfter(best.steps));
-    const double smoothing = smoother.middle() * std::exp2(exponent);
-    ++best.steps;
-    const std::optional<Poles> moves = smoother.moves(smoothing);
-    if (!moves) return false;
-    const double moved_mm = largestPole_mm(curve, *moves);
-    if (!(moved_mm <= tolerance_mm)) return false;
-    best = {.moves = *moves, .moved_mm = moved_mm, .smoothing = smoothing, .steps = best.steps};
-    return true;
-  };
-  if (attempt(high)) return best;
-  while (high - low > 0x1p-10 && best.moved_mm < 0.99 * tolerance_mm) {
-    const double exponent = (low + high) / 2;
-    (attempt(exponent) ? low : high) = exponent;
-  }
-  return best;
+/// The weight of the energy against the squared distance, in the mean over a curve: with the moves
+/// x, the poles d and multipliers w of |A_j x|^2 the least energy has K d + sum w_j A_j' A_j x = 0,
+/// so the moves are those that the squared distance with local weights makes.
+double meanSmoothing(const BSplineCurve& curve, const SplineEnergy& energy, const Poles& moves,
+                     const Poles& poles) {
+  const Poles shifted = derivativeProducts(curve.degree, curve.knots, 0).times(moves);
+  const double gain = -moves.cwiseProduct(energy.gradient(poles)).sum();
+  return gain > 0 ? moves.cwiseProduct(shifted).sum() / gain : 0;
 }
 
 }  // namespace
@@ -145,9 +74,8 @@ Smoothed largestSmoothing(Smoother& smoother, const BSplineCurve& curve, double 
 CurveFairness fairnessOf(const BSplineCurve& curve, const Progress& progress) {
   requirePolynomial(curve);
   const Poles poles = polynomialPoles(curve);
-  CurveFairness result{
-      .energy = energyOf(derivativeProducts(curve.degree, curve.knots, energyOrder(curve.degree)),
-                         poles)};
+  const SplineEnergy energy(curve.degree, curve.knots, energyOrder(curve.degree));
+  CurveFairness result{.energy = energy.of(poles)};
   ProfileSum profiles{.planar = (poles.col(2).array() == 0).all()};
   const BezierSpline spline = bezierSpline(curve);
   const int count = static_cast<int>(spline.knots.size()) - 1;
@@ -165,23 +93,33 @@ CurveFairness fairnessOf(const BSplineCurve& curve, const Progress& progress) {
 FairedCurve fairCurve(const BSplineCurve& curve, double tolerance_mm,
                       const CurveFairingOptions& options, const Progress& progress) {
   // Choices: about the shares of the time that curves of many spans need.
-  constexpr double measured = 0.3, smoothed = 0.7;
+  constexpr double measured = 0.3, moved = 0.7;
   FairedCurve result;
   result.before = fairnessOf(curve, partOf(progress, 0, measured));
   requireFairingTolerance(tolerance_mm);
   result.curve = curve;
   result.after = result.before;
-  Smoother smoother(curve, options.ends);
-  if (tolerance_mm == 0 || smoother.freeCount() == 0) return result;
-  const Smoothed found =
-      largestSmoothing(smoother, curve, tolerance_mm, partOf(progress, measured, smoothed));
+  const Poles given = polynomialPoles(curve);
+  if (tolerance_mm == 0 || FreePoles(given.rows(), options.ends).count == 0) return result;
+  FairestMoves found =
+      fairestMoves(curve, tolerance_mm, options.ends, partOf(progress, measured, moved));
   result.steps = found.steps;
-  const Poles poles = polynomialPoles(curve) + found.moves;
-  if (!(energyOf(smoother.energy(), poles) < result.before.energy)) return result;
-  result.curve = withPoles(curve, poles);
-  result.moved_mm = found.moved_mm;
-  result.smoothing = found.smoothing;
-  result.after = fairnessOf(result.curve, partOf(progress, smoothed, 1));
+  const SplineEnergy energy(curve.degree, curve.knots, energyOrder(curve.degree));
+  BSplineCurve faired = withPoles(curve, given + found.moves);
+  double moved_mm = boundOfMoves_mm(curve, faired);
+  if (moved_mm > tolerance_mm) {
+    // The rounding of poles may exceed a bound that the moves touch.
+    constexpr double inside = 0.999;
+    found.moves *= inside * tolerance_mm / moved_mm;
+    faired = withPoles(curve, given + found.moves);
+    moved_mm = boundOfMoves_mm(curve, faired);
+  }
+  const Poles poles = polynomialPoles(faired);
+  if (!(moved_mm <= tolerance_mm) || !(energy.of(poles) < result.before.energy)) return result;
+  result.smoothing = meanSmoothing(curve, energy, found.moves, poles);
+  result.curve = std::move(faired);
+  result.moved_mm = moved_mm;
+  result.after = fairnessOf(result.curve, partOf(progress, moved, 1));
   return result;
 }
 
@@ -198,21 +136,19 @@ BSplineCurve smoothingSpline(int degree, const std::vector<double>& knots,
                          knots.front(), knots.back()));
   if (!(smoothing > 0) || smoothing == infinite)
     refuse(fmt::format("the smoothing is {}: it must be positive and finite", smoothing));
-  const Band basis = basisAt(degree, knots, parameters);
-  const Band matrix =
-      basis.transpose() * basis + (degree < 3 ? Band(basis.cols(), basis.cols())
-                                              : smoothing * derivativeProducts(degree, knots, 3));
-  Poles right = basis.transpose() * points;
-  Poles poles = Poles::Zero(basis.cols(), 3);
-  const FreePoles free(basis.cols(), ends_fixed ? HeldEnds::Position : HeldEnds::Nothing);
+  linear::SymmetricBand matrix = valueProducts(degree, knots, parameters);
+  if (degree >= 3) matrix.add(smoothing, derivativeProducts(degree, knots, 3));
+  Poles right = basisAt(degree, knots, parameters).transpose() * points;
+  Poles poles = Poles::Zero(matrix.size(), 3);
+  const FreePoles free(matrix.size(), ends_fixed ? HeldEnds::Position : HeldEnds::Nothing);
   if (ends_fixed) {
     poles.row(0) = points.row(0);
     poles.row(poles.rows() - 1) = points.row(points.rows() - 1);
-    right -= matrix * poles;
+    right -= matrix.times(poles);
   }
-  BandCholesky factor(Band(matrix.block(free.first, free.first, free.count, free.count)));
-  const Eigen::VectorXd pivots = factor.vectorD();
-  if (factor.info() != Eigen::Success || !(pivots.minCoeff() > 1e-14 * pivots.maxCoeff()))
+  const linear::BandCholesky factor(matrix.block(free.first, free.count));
+  constexpr double regular = 1e-14;
+  if (!factor.positive() || !(factor.leastPivot() > regular * factor.largestPivot()))
     throw std::domain_error(
         fmt::format("the equations of the smoothing spline are singular: {} points for {} poles",
                     points.rows(), poles.rows()));

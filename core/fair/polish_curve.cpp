@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <fmt/format.h>
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
-#include <seamwright/core/bspline/basis.hpp>
 #include <seamwright/core/fair/polish_curve.hpp>
 #include <seamwright/core/fair/polynomial_curve.hpp>
+#include <seamwright/core/fair/span_maps.hpp>
 #include <seamwright/core/fair/spline_energy.hpp>
 #include <seamwright/core/linear/gauss_rule.hpp>
+#include <seamwright/core/linear/symmetric_band.hpp>
 #include <seamwright/core/numeric.hpp>
 
 namespace seamwright {
@@ -20,8 +22,6 @@ namespace {
 using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-using Normal = Eigen::SparseMatrix<double>;
 
 void requireContinuousCurvature(const BSplineCurve& curve) {
   if (curve.degree < 3)
@@ -42,14 +42,8 @@ struct VariationRoot {
   Matrix3d by_first, by_second, by_third;
 };
 
-Vector3d variationRoot(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
-  const double s = a.squaredNorm();
-  const Vector3d u = c - 3 * a.dot(b) / s * b;
-  return std::pow(s, -1.25) * (u - a.dot(u) / s * a);
-}
-
 VariationRoot linearisedRoot(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
-  const double s = a.squaredNorm(), m = a.dot(b), factor = std::pow(s, -1.25);
+  const double s = a.squaredNorm(), m = a.dot(b), factor = 1 / (s * std::sqrt(std::sqrt(s)));
   const Matrix3d identity = Matrix3d::Identity();
   const Vector3d u = c - 3 * m / s * b;
   const Vector3d w = u - a.dot(u) / s * a;
@@ -64,6 +58,110 @@ VariationRoot linearisedRoot(const Vector3d& a, const Vector3d& b, const Vector3
           .by_third = factor * across};
 }
 
+/// The derivatives of the orders 1 to 3 at a point.
+using PointDerivatives = std::array<Vector3d, 3>;
+
+/// |r|^2 for the root r.
+double variationAt(const PointDerivatives& at) {
+  const auto& [a, b, c] = at;
+  const double s = a.squaredNorm();
+  const Vector3d u = c - 3 * a.dot(b) / s * b;
+  return (u - a.dot(u) / s * a).squaredNorm() / (s * s * std::sqrt(s));
+}
+
+/// One coordinate of the root and its derivatives by a, b and c.
+struct RootRow {
+  double root = 0;
+  PointDerivatives by;
+};
+
+/// In the plane the root has one coordinate, along the normal: (a x u) s^(-7/4).
+RootRow planarRow(const PointDerivatives& at) {
+  const auto& [a, b, c] = at;
+  const auto turned = [](const Vector3d& v) { return Vector3d(v.y(), -v.x(), 0); };
+  const double s = a.squaredNorm(), m = a.dot(b), root = std::sqrt(s);
+  const double factor = 1 / (s * root * std::sqrt(root));
+  const double y = a.dot(turned(b)), h = a.dot(turned(c)) - 3 * m * y / s;
+  const Vector3d by_first = turned(c) - 3 / s * (y * b + m * turned(b)) + 6 * m * y / (s * s) * a;
+  return {.root = factor * h,
+          .by = {factor * (by_first - 3.5 * h / s * a), -3 * factor / s * (y * a - m * turned(a)),
+                 -factor * turned(a)}};
+}
+
+/// The values and coordinates of the root at a point.
+class RootRows {
+ public:
+  RootRows(const PointDerivatives& at, bool planar) : count_(planar ? 1 : 3) {
+    if (planar) {
+      rows_[0] = planarRow(at);
+      return;
+    }
+    const VariationRoot found = linearisedRoot(at[0], at[1], at[2]);
+    for (int k = 0; k < 3; ++k)
+      rows_[k] = {.root = found.root(k),
+                  .by = {found.by_first.row(k), found.by_second.row(k), found.by_third.row(k)}};
+  }
+
+  const RootRow* begin() const { return rows_.data(); }
+  const RootRow* end() const { return rows_.data() + count_; }
+
+ private:
+  std::array<RootRow, 3> rows_;
+  int count_;
+};
+
+/// The nodes of Gauss' quadrature on the spans of a curve, with the derivatives of the orders 1 to
+/// 3 of the basis functions.
+class VariationNodes {
+ public:
+  explicit VariationNodes(const BSplineCurve& curve) : degree_(curve.degree) {
+    const GaussRule gauss = gaussRule(nodes_of_span);
+    std::array<Eigen::MatrixXd, nodes_of_span> bernstein;
+    for (int k = 0; k < nodes_of_span; ++k)
+      bernstein[k] = bernsteinDerivatives(degree_, gauss.nodes[k]);
+    for (int span = degree_; span < curve.count(); ++span) {
+      const double length = curve.knots[span + 1] - curve.knots[span];
+      if (!(length > 0)) continue;
+      const Eigen::MatrixXd map = bezierMap(degree_, curve.knots, span);
+      first_.push_back(span - degree_);
+      for (int k = 0; k < nodes_of_span; ++k) {
+        weights_.push_back(gauss.weights[k] * length);
+        Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor> basis =
+            bernstein[k].bottomRows<3>() * map;
+        for (int order = 1; order <= 3; ++order) basis.bottomRows(4 - order) /= length;
+        basis_.insert(basis_.end(), basis.data(), basis.data() + basis.size());
+      }
+    }
+  }
+
+  Index spans() const { return static_cast<Index>(first_.size()); }
+  Index nodes() const { return static_cast<Index>(weights_.size()); }
+  /// The pole of the first basis function on the span.
+  Index first(Index span) const { return first_[span]; }
+  double weight(Index node) const { return weights_[node]; }
+  /// Row k has the derivatives of the order k + 1.
+  auto basis(Index node) const {
+    using Rows = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor>;
+    return Eigen::Map<const Rows>(basis_.data() + 3 * node * (degree_ + 1), 3, degree_ + 1);
+  }
+  PointDerivatives derivativesAt(Index node, const Poles& poles) const {
+    const auto rows = basis(node);
+    PointDerivatives result{Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero()};
+    for (Index i = 0; i <= degree_; ++i) {
+      const Vector3d pole = poles.row(first_[node / nodes_of_span] + i);
+      for (int order = 0; order < 3; ++order) result[order] += rows(order, i) * pole;
+    }
+    return result;
+  }
+
+  static constexpr int nodes_of_span = 8;
+
+ private:
+  int degree_;
+  std::vector<Index> first_;
+  std::vector<double> weights_, basis_;
+};
+
 /// The variation of curves with given knots as a sum of squares, and the squared distance from the
 /// curve that is given.
 class VariationProblem {
@@ -73,81 +171,65 @@ class VariationProblem {
         given_(polynomialPoles(curve)),
         free_(given_.rows(), ends),
         dimensions_((given_.col(2).array() == 0).all() ? 2 : 3),
-        mass_(derivativeProducts(curve.degree, curve.knots, 0)) {
-    const GaussRule gauss = gaussRule(8);
-    for (int span = degree_; span < curve.count(); ++span) {
-      const double from = curve.knots[span], length = curve.knots[span + 1] - from;
-      for (std::size_t k = 0; length > 0 && k < gauss.nodes.size(); ++k)
-        nodes_.push_back({.first = span - degree_,
-                          .weight = gauss.weights[k] * length,
-                          .basis = bspline::basisDerivatives(degree_, curve.knots, span,
-                                                             from + gauss.nodes[k] * length, 3)});
-    }
-  }
+        mass_(derivativeProducts(curve.degree, curve.knots, 0)),
+        nodes_(curve) {}
 
   Index freeCount() const { return free_.count; }
   const Poles& given() const { return given_; }
 
   double variation(const Poles& poles) const {
     double sum = 0;
-    for (const Node& node : nodes_) {
-      const Eigen::MatrixXd d = derivativesAt(node, poles);
-      sum += node.weight * variationRoot(d.row(1), d.row(2), d.row(3)).squaredNorm();
-    }
+    for (Index node = 0; node < nodes_.nodes(); ++node)
+      sum += nodes_.weight(node) * variationAt(nodes_.derivativesAt(node, poles));
     return sum;
   }
   double squaredDistance(const Poles& poles) const {
     const Poles moves = poles - given_;
-    return moves.cwiseProduct(mass_ * moves).sum();
+    return moves.cwiseProduct(mass_.times(moves)).sum();
   }
 
   /// Half of the second derivatives of Gauss-Newton and of the gradient of the variation.
   struct Equations {
-    Normal matrix;
+    linear::SymmetricBand matrix;
     Eigen::VectorXd gradient;
   };
 
   Equations equations(const Poles& poles) const {
-    const Index size = dimensions_ * free_.count;
-    Equations result{.matrix = Normal(size, size), .gradient = Eigen::VectorXd::Zero(size)};
-    std::vector<Eigen::Triplet<double>> entries;
-    const Index width = dimensions_ * (degree_ + 1);
-    for (auto node = nodes_.begin(); node != nodes_.end();) {
-      const Index first = node->first;
-      Eigen::MatrixXd products = Eigen::MatrixXd::Zero(width, width);
-      Eigen::VectorXd slope = Eigen::VectorXd::Zero(width);
-      for (; node != nodes_.end() && node->first == first; ++node) {
-        const auto [root, rows] = rowsAt(*node, poles);
-        products += node->weight * rows.transpose() * rows;
-        slope += node->weight * rows.transpose() * root;
-      }
-      for (Index i = 0; i < width; ++i) {
-        const Index row = unknown(first, i);
-        if (row < 0 || row >= size) continue;
-        result.gradient(row) += slope(i);
-        for (Index j = 0; j < width; ++j) {
-          const Index column = unknown(first, j);
-          if (column >= 0 && column < size) entries.emplace_back(row, column, products(i, j));
+    const Index size = dimensions_ * free_.count, width = dimensions_ * (degree_ + 1);
+    Equations result{.matrix = linear::SymmetricBand(size, width - 1),
+                     .gradient = Eigen::VectorXd::Zero(size)};
+    Eigen::MatrixXd products(width, width);
+    Eigen::VectorXd slope(width), row(width);
+    for (Index span = 0; span < nodes_.spans(); ++span) {
+      products.setZero();
+      slope.setZero();
+      const Index first = span * VariationNodes::nodes_of_span;
+      for (Index node = first; node < first + VariationNodes::nodes_of_span; ++node) {
+        const double weight = nodes_.weight(node);
+        for (const RootRow& root : RootRows(nodes_.derivativesAt(node, poles), dimensions_ == 2)) {
+          fillRow(row, root, nodes_.basis(node));
+          slope += weight * root.root * row;
+          for (Index j = 0; j < width; ++j)
+            products.col(j).tail(width - j) += weight * row(j) * row.tail(width - j);
         }
       }
+      const Index start = dimensions_ * (nodes_.first(span) - free_.first);
+      for (Index j = std::max<Index>(0, -start); j < width && start + j < size; ++j) {
+        result.gradient(start + j) += slope(j);
+        for (Index i = j; i < width && start + i < size; ++i)
+          result.matrix(start + i, start + j) += products(i, j);
+      }
     }
-    result.matrix.setFromTriplets(entries.begin(), entries.end());
     return result;
   }
 
   /// The form of the squared distance for all coordinates of the free poles.
-  Normal distanceForm() const {
-    const Index size = dimensions_ * free_.count;
-    std::vector<Eigen::Triplet<double>> entries;
+  linear::SymmetricBand distanceForm() const {
+    linear::SymmetricBand form(dimensions_ * free_.count, dimensions_ * (degree_ + 1) - 1);
     for (Index j = 0; j < free_.count; ++j)
-      for (Normal::InnerIterator at(mass_, free_.first + j); at; ++at) {
-        const Index i = at.row() - free_.first;
-        if (i < 0 || i >= free_.count) continue;
+      for (Index i = j; i <= std::min(j + degree_, free_.count - 1); ++i)
         for (Index k = 0; k < dimensions_; ++k)
-          entries.emplace_back(dimensions_ * i + k, dimensions_ * j + k, at.value());
-      }
-    Normal form(size, size);
-    form.setFromTriplets(entries.begin(), entries.end());
+          form(dimensions_ * i + k, dimensions_ * j + k) = mass_(free_.first + i, free_.first + j);
     return form;
   }
 
@@ -167,41 +249,21 @@ class VariationProblem {
   }
 
  private:
-  struct Node {
-    Index first = 0;  ///< pole of the first basis function
-    double weight = 0;
-    Eigen::MatrixXd basis;  ///< 4 by degree + 1
-  };
-
-  struct Rows {
-    Vector3d root;
-    Eigen::MatrixXd jacobian;  ///< 3 by dimensions (degree + 1)
-  };
-
-  Index unknown(Index first, Index i) const { return dimensions_ * (first - free_.first) + i; }
-
-  Eigen::MatrixXd derivativesAt(const Node& node, const Poles& poles) const {
-    return node.basis * poles.middleRows(node.first, degree_ + 1);
-  }
-
-  Rows rowsAt(const Node& node, const Poles& poles) const {
-    const Eigen::MatrixXd d = derivativesAt(node, poles);
-    const VariationRoot at = linearisedRoot(d.row(1), d.row(2), d.row(3));
-    Rows rows{.root = at.root, .jacobian = Eigen::MatrixXd(3, dimensions_ * (degree_ + 1))};
+  /// The derivatives of a coordinate of the root by the coordinates of the poles of a span.
+  template <class Basis>
+  void fillRow(Eigen::VectorXd& row, const RootRow& root, const Basis& basis) const {
     for (Index i = 0; i <= degree_; ++i)
-      rows.jacobian.middleCols(dimensions_ * i, dimensions_) =
-          (node.basis(1, i) * at.by_first + node.basis(2, i) * at.by_second +
-           node.basis(3, i) * at.by_third)
-              .leftCols(dimensions_);
-    return rows;
+      for (Index k = 0; k < dimensions_; ++k)
+        row(dimensions_ * i + k) =
+            basis(0, i) * root.by[0](k) + basis(1, i) * root.by[1](k) + basis(2, i) * root.by[2](k);
   }
 
   int degree_;
   Poles given_;
   FreePoles free_;
   Index dimensions_;
-  Normal mass_;
-  std::vector<Node> nodes_;
+  linear::SymmetricBand mass_;
+  VariationNodes nodes_;
 };
 
 /// Minimises the variation plus a weight times the squared distance, for one weight after another.
@@ -212,7 +274,6 @@ class VariationDescent {
     const VariationProblem::Equations start = problem.equations(problem.given());
     // Both forms have the same size for this weight.
     middle_ = start.matrix.diagonal().sum() / distance_.diagonal().sum();
-    factor_.analyzePattern(Normal(start.matrix + distance_));
   }
 
   double middle() const { return middle_; }
@@ -239,12 +300,14 @@ class VariationDescent {
   }
 
   /// Not finite if the equations are singular.
-  Eigen::VectorXd stepFrom(const Poles& poles, double weight) {
-    const auto [matrix, gradient] = problem_.equations(poles);
-    factor_.factorize(Normal(matrix + weight * distance_));
-    if (factor_.info() != Eigen::Success)
-      return Eigen::VectorXd::Constant(gradient.size(), infinite);
-    return -factor_.solve(gradient + weight * (distance_ * problem_.unknowns(poles)));
+  Eigen::VectorXd stepFrom(const Poles& poles, double weight) const {
+    VariationProblem::Equations equations = problem_.equations(poles);
+    equations.matrix.add(weight, distance_);
+    const Eigen::VectorXd right =
+        -equations.gradient - weight * distance_.times(problem_.unknowns(poles));
+    const linear::BandCholesky factor(std::move(equations.matrix));
+    if (!factor.positive()) return Eigen::VectorXd::Constant(right.size(), infinite);
+    return factor.solve(right);
   }
 
   /// Shortens the step until the objective falls. \returns whether it does.
@@ -261,24 +324,15 @@ class VariationDescent {
   }
 
   const VariationProblem& problem_;
-  Normal distance_;
+  linear::SymmetricBand distance_;
   double middle_ = 0;
   int steps_ = 0;
-  Eigen::SimplicialLDLT<Normal, Eigen::Lower, Eigen::NaturalOrdering<int>> factor_;
 };
 
 struct Polished {
   Poles poles;
   double moved_mm = 0, weight_per_mm5 = 0, variation_per_mm3 = 0;
 };
-
-/// The bound of the distance, for poles as they are stored.
-double boundOfMoves_mm(const BSplineCurve& curve, const Poles& poles) {
-  const Poles moves = polynomialPoles(withPoles(curve, poles)) - polynomialPoles(curve);
-  // A Bézier pole is a mean that at most degree^2 insertions make, each with an error of 8 eps.
-  const double rounding = 8 * curve.degree * curve.degree * 0x1p-52;
-  return largestPole_mm(curve, moves) * (1 + rounding);
-}
 
 /// Lowers the weight until the tolerance stops it, then bisects.
 Polished smallestWeight(const BSplineCurve& curve, const VariationProblem& problem,
@@ -287,7 +341,7 @@ Polished smallestWeight(const BSplineCurve& curve, const VariationProblem& probl
   const auto attempt = [&](double exponent) {
     const double weight = descent.middle() * std::exp2(exponent);
     const Poles poles = descent.least(best.poles, weight);
-    const double moved_mm = boundOfMoves_mm(curve, poles);
+    const double moved_mm = boundOfMoves_mm(curve, withPoles(curve, poles));
     if (!(moved_mm <= tolerance_mm)) return false;
     const double variation = problem.variation(poles);
     if (variation < best.variation_per_mm3)

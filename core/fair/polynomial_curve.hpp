@@ -19,6 +19,10 @@ BSplineCurve withPoles(const BSplineCurve& curve, const Poles& poles);
 /// The largest distance of a Bézier pole of the spline with these poles from the origin.
 double largestPole_mm(const BSplineCurve& knots, const Poles& poles);
 
+/// Bound of the distance of points of the same parameter of curves with the same knots and weights,
+/// for poles as they are stored.
+double boundOfMoves_mm(const BSplineCurve& given, const BSplineCurve& moved);
+
 /// The poles that are free if the ends are held.
 struct FreePoles {
   Eigen::Index first = 0, count = 0;

@@ -73,11 +73,37 @@ bool advances(const CirclePolynomials& circle, const Interval& domain,
   return along.range().lower > 0;
 }
 
-}  // namespace
+/// The arc length over which a short piece can move on the circle from its start, to both sides.
+/// Nothing if it may be more than a quarter of the circle.
+std::optional<double> movement(const CirclePolynomials& circle, const Interval& domain,
+                               double curvature_per_mm, double distance_mm) {
+  const double least_weight = circle.weight.restricted(domain).range().lower;
+  const double closer = 1 - std::abs(curvature_per_mm) * distance_mm;
+  if (!(least_weight > 0) || !(closer > 0)) return std::nullopt;
+  const double speed = std::hypot(circle.x_velocity.restricted(domain).range().magnitude(),
+                                  circle.y_velocity.restricted(domain).range().magnitude());
+  const double length_mm = speed * domain.width() / (least_weight * least_weight * closer);
+  constexpr double quarter_rad = 1.5;
+  if (!(length_mm * std::abs(curvature_per_mm) < quarter_rad)) return std::nullopt;
+  return length_mm;
+}
 
-std::optional<AlongCircle> alongCircle(const CurvePiece& piece, const PlanarArc& arc,
-                                       double tolerance_mm) {
-  // A bound is good enough if it exceeds a value inside by 2 percent, or is below 1 percent of the
+/// Arc lengths on a circle.
+struct CircleStretch {
+  double from_mm = 0, to_mm = 0;
+};
+
+/// Of points that are near the circle and project on a stretch of it: the distance from the arc.
+double distanceFromArc(const PlanarArc& arc, const CircleStretch& stretch, double distance_mm) {
+  const double beyond_mm = std::max({0.0, -stretch.from_mm, stretch.to_mm - arc.length_mm});
+  const double wider = 1 + std::abs(arc.curvature_per_mm) * distance_mm;
+  return std::sqrt(distance_mm * distance_mm + wider * beyond_mm * beyond_mm);
+}
+
+/// \param begin_mm where the piece begins on the arc, if its projection may turn back.
+std::optional<AlongCircle> besideCircle(const CurvePiece& piece, const PlanarArc& arc,
+                                        double tolerance_mm, std::optional<double> begin_mm) {
+  // A bound is good enough if it exceeds a value inside by 2 percent and 1 percent of the
   // tolerance. Each division brings the bounds closer by a factor of 4, so a few do.
   constexpr double enough = 1.02, negligible = 0.01;
   // Of the domain. A bound of the work where the point turns back or bounds do not come close.
@@ -105,22 +131,41 @@ std::optional<AlongCircle> alongCircle(const CurvePiece& piece, const PlanarArc&
     const double inside_mm = distanceFrom(offsetInside(circle, part), k);
     if (inside_mm > tolerance_mm) return std::nullopt;
     const bool close =
-        bound_mm <= tolerance_mm && (bound_mm <= enough * std::max(inside_mm, result.distance_mm) ||
-                                     bound_mm <= negligible * tolerance_mm);
-    if (!close || !advances(circle, part, to - from)) {
-      if (part.width() <= smallest_share * piece.domain.width()) return std::nullopt;
+        bound_mm <= tolerance_mm &&
+        bound_mm <= enough * std::max(inside_mm, result.distance_mm) + negligible * tolerance_mm;
+    const auto divide = [&] {
+      if (part.width() <= smallest_share * piece.domain.width()) return false;
       parts.push_back({part.middle(), part.upper});
       parts.push_back({part.lower, part.middle()});
+      return true;
+    };
+    if (!close) {
+      if (!divide()) return std::nullopt;
       continue;
     }
-    result.distance_mm = std::max(result.distance_mm, bound_mm);
     const Eigen::Vector2d a = fromCentre(from), b = fromCentre(to);
     const double angle_rad = angleFromTo(a, b);
     // The projection of a short way on a flat circle: by its tangent, since the angle loses digits.
     constexpr double flat_rad = 1e-6;
     const Eigen::Vector2d tangent = Eigen::Vector2d(-a.y() - b.y(), a.x() + b.x()).normalized();
-    result.advance_mm +=
+    const double advance_mm =
         std::abs(angle_rad) < flat_rad || k == 0 ? tangent.dot(to - from) : angle_rad / k;
+    const bool forward = advances(circle, part, to - from);
+    const std::optional<double> most_mm =
+        forward || !begin_mm ? std::nullopt : movement(circle, part, k, bound_mm);
+    double distance_mm = forward || most_mm ? bound_mm : infinite;
+    if (begin_mm && (forward || most_mm)) {
+      const double at_mm = *begin_mm + result.advance_mm;
+      const CircleStretch stretch{.from_mm = at_mm - most_mm.value_or(0),
+                                  .to_mm = at_mm + most_mm.value_or(advance_mm)};
+      distance_mm = distanceFromArc(arc, stretch, bound_mm);
+    }
+    if (distance_mm > tolerance_mm) {
+      if (!divide()) return std::nullopt;
+      continue;
+    }
+    result.distance_mm = std::max(result.distance_mm, distance_mm);
+    result.advance_mm += advance_mm;
   }
   // Rounding of the arc's own points and directions.
   const double size =
@@ -128,6 +173,18 @@ std::optional<AlongCircle> alongCircle(const CurvePiece& piece, const PlanarArc&
   result.distance_mm += 8 * machine_epsilon * size;
   if (result.distance_mm > tolerance_mm) return std::nullopt;
   return result;
+}
+
+}  // namespace
+
+std::optional<AlongCircle> alongCircle(const CurvePiece& piece, const PlanarArc& arc,
+                                       double tolerance_mm) {
+  return besideCircle(piece, arc, tolerance_mm, std::nullopt);
+}
+
+std::optional<AlongCircle> besideArc(const CurvePiece& piece, const PlanarArc& arc,
+                                     double tolerance_mm, double begin_mm) {
+  return besideCircle(piece, arc, tolerance_mm, begin_mm);
 }
 
 }  // namespace seamwright

@@ -31,4 +31,12 @@ struct AlongCircle {
 std::optional<AlongCircle> alongCircle(const CurvePiece& piece, const PlanarArc& arc,
                                        double tolerance_mm);
 
+/// The same for a piece whose projection may turn back. The projection of its start is at the arc
+/// length \p begin_mm; where the projection is beyond an end of the arc, the distance is that from
+/// this end. Every point of the circle between the projections of the two ends is again the
+/// projection of a point of the piece.
+/// Source: docs/theory/planar.md P9.1.
+std::optional<AlongCircle> besideArc(const CurvePiece& piece, const PlanarArc& arc,
+                                     double tolerance_mm, double begin_mm);
+
 }  // namespace seamwright

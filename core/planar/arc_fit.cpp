@@ -9,10 +9,10 @@
 #include <stdexcept>
 
 #include <seamwright/core/numeric.hpp>
-#include <seamwright/core/planar/arc_distance.hpp>
 #include <seamwright/core/planar/arc_fit.hpp>
-#include <seamwright/core/planar/biarc.hpp>
+#include <seamwright/core/planar/arc_run.hpp>
 #include <seamwright/core/planar/fit_options.hpp>
+#include <seamwright/core/planar/free_arcs.hpp>
 #include <seamwright/core/planar/planar_curve.hpp>
 
 namespace seamwright {
@@ -21,188 +21,11 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// The largest turn of one arc. It leaves room below 2 pi, where ends meet and chords vanish.
-constexpr double most_turn_rad = 1.5 * std::numbers::pi;
-
-/// Arcs beside a part of the curve.
-struct FittedPart {
-  std::vector<PlanarArc> arcs;
-  double distance_mm = 0;
-};
-
-/// Upper bound of the distance between an arc and the part of the curve from u0 to u1; nothing if
-/// it is above the tolerance or if the part does not run along the arc.
-std::optional<double> distanceBetween(const PlanarCurve& curve, double u0, double u1,
-                                      const PlanarArc& arc, double tolerance_mm) {
-  double distance_mm = 0, advance_mm = 0;
-  for (int i = static_cast<int>(u0); i < curve.count() && i < u1; ++i) {
-    const Interval domain = {std::max(u0 - i, 0.0), std::min(u1 - i, 1.0)};
-    if (!(domain.width() > 0)) continue;
-    const std::optional<AlongCircle> along = alongCircle(
-        {.polynomials = curve.polynomials[i], .origin = curve.origins[i], .domain = domain}, arc,
-        tolerance_mm);
-    if (!along) return std::nullopt;
-    distance_mm = std::max(distance_mm, along->distance_mm);
-    advance_mm += along->advance_mm;
-  }
-  // Where one ends before the other, the rest is that far from the end.
-  distance_mm += std::abs(advance_mm - arc.length_mm);
-  return distance_mm <= tolerance_mm ? std::optional(distance_mm) : std::nullopt;
-}
-
-/// Where the curve crosses the normal of the arcs at their joint.
-double crossingOf(const PlanarCurve& curve, double u0, double u1, const PlanarArc& second) {
-  const Vector2d tangent = unitVector(second.direction_rad);
-  for (int i = 0; i < std::numeric_limits<double>::digits; ++i) {
-    const double middle = 0.5 * (u0 + u1);
-    const double ahead = (curve.at(middle).point - second.start).dot(tangent);
-    (ahead < 0 ? u0 : u1) = middle;
-  }
-  return 0.5 * (u0 + u1);
-}
-
-/// One arc or two between points of the curve, with these directions there.
-std::optional<FittedPart> fittedPart(const PlanarCurve& curve, double u0, double u1,
-                                     const HermiteEnds& ends, double tolerance_mm) {
-  if (ends.start == ends.end) return std::nullopt;
-  const PlanarArc whole = arcThrough(ends.start, ends.start_direction_rad, ends.end);
-  // An angle that rounding causes in the tangents of a curve.
-  constexpr double same_direction_rad = 1e-10;
-  const double off_rad = wrapped(whole.endDirection_rad() - ends.end_direction_rad);
-  if (std::abs(off_rad) <= same_direction_rad && std::abs(whole.sweep_rad()) <= most_turn_rad) {
-    if (const auto distance_mm = distanceBetween(curve, u0, u1, whole, tolerance_mm))
-      return FittedPart{.arcs = {whole}, .distance_mm = *distance_mm};
-  }
-  const ChordAngles angles = chordAngles(ends);
-  if (std::abs(angles.alpha_rad + angles.beta_rad) > most_turn_rad) return std::nullopt;
-  const Biarc pair = biarc(ends);
-  const double joint = crossingOf(curve, u0, u1, pair.second);
-  const auto first = distanceBetween(curve, u0, joint, pair.first, tolerance_mm);
-  if (!first) return std::nullopt;
-  const auto second = distanceBetween(curve, joint, u1, pair.second, tolerance_mm);
-  if (!second) return std::nullopt;
-  return FittedPart{.arcs = {pair.first, pair.second}, .distance_mm = std::max(*first, *second)};
-}
-
-/// A smooth part of the curve with the directions its arcs have at its ends.
-struct SmoothRun {
-  double begin = 0, end = 0;
-  double begin_direction_rad = 0, end_direction_rad = 0;
-};
-
-/// A part with the parameter and direction at which the next one begins.
-struct FittedStep {
-  FittedPart part;
-  double end = 0;
-  double end_direction_rad = 0;
-};
-
-/// Arcs from a point of the run to the point at u1.
-std::optional<FittedStep> stepTo(const PlanarCurve& curve, const SmoothRun& run, double u0,
-                                 double direction_rad, double u1, double tolerance_mm) {
-  const Vector2d start = curve.at(u0).point;
-  if (u1 >= run.end) {
-    const int last = static_cast<int>(std::ceil(run.end)) - 1;
-    const HermiteEnds ends = {.start = start,
-                              .start_direction_rad = direction_rad,
-                              .end = curve.endOf(last).point,
-                              .end_direction_rad = run.end_direction_rad};
-    std::optional<FittedPart> part = fittedPart(curve, u0, run.end, ends, tolerance_mm);
-    if (!part) return std::nullopt;
-    return FittedStep{
-        .part = std::move(*part), .end = run.end, .end_direction_rad = run.end_direction_rad};
-  }
-  const CurveFrame frame = curve.at(u1);
-  // docs/theory/planar.md P9.2: the ideal chain is rotated by k' l^2 / 12 where it crosses the
-  // curve, l being the length of an arc, and by not more than 10.4 of its tolerances over l.
-  const double arc_mm = (frame.point - start).norm() / 2;
-  if (!(arc_mm > 0)) return std::nullopt;
-  const double most_rad = 10.4 * tolerance_mm / arc_mm;
-  const double ideal_rad =
-      std::clamp(-frame.curvature_slope_per_mm2 * arc_mm * arc_mm / 12, -most_rad, most_rad);
-  for (const double rotation_rad : {ideal_rad, 0.0}) {
-    const HermiteEnds ends = {.start = start,
-                              .start_direction_rad = direction_rad,
-                              .end = frame.point,
-                              .end_direction_rad = frame.direction_rad + rotation_rad};
-    std::optional<FittedPart> part = fittedPart(curve, u0, u1, ends, tolerance_mm);
-    if (part)
-      return FittedStep{
-          .part = std::move(*part), .end = u1, .end_direction_rad = ends.end_direction_rad};
-  }
-  return std::nullopt;
-}
-
-/// The longest step that is found by doubling and halving its length.
-FittedStep longestStep(const PlanarCurve& curve, const SmoothRun& run, double u0,
-                       double direction_rad, double guess, double tolerance_mm) {
-  const auto attempt = [&](double u1) {
-    return stepTo(curve, run, u0, direction_rad, u1, tolerance_mm);
-  };
-  if (auto whole = attempt(run.end)) return *whole;
-  std::optional<FittedStep> best;
-  double reach = std::min(guess, (run.end - u0) / 2), fails = run.end - u0;
-  while (!(best = attempt(u0 + reach))) {
-    fails = reach;
-    reach /= 2;
-    // A share of a segment: below it the chord is a billionth of the curve, and rounding disturbs
-    // its direction.
-    constexpr double shortest = 0x1p-30;
-    if (reach < shortest) {
-      throw std::domain_error(fmt::format(
-          "no arc keeps the tolerance {} mm at the parameter {} (segments count by 1): the curve"
-          " turns back there, or the tolerance is below its rounding",
-          tolerance_mm, u0));
-    }
-  }
-  while (2 * reach < fails) {
-    auto longer = attempt(u0 + 2 * reach);
-    if (!longer) {
-      fails = 2 * reach;
-      break;
-    }
-    best = std::move(longer);
-    reach *= 2;
-  }
-  // The last digits of the length save no arc.
-  constexpr double resolution = 1.0 / 128;
-  while (fails - reach > resolution * reach) {
-    const double middle = 0.5 * (reach + fails);
-    if (auto longer = attempt(u0 + middle)) {
-      best = std::move(longer);
-      reach = middle;
-    } else {
-      fails = middle;
-    }
-  }
-  return *best;
-}
-
-void append(FittedPart& to, const FittedPart& part) {
-  to.arcs.insert(to.arcs.end(), part.arcs.begin(), part.arcs.end());
-  to.distance_mm = std::max(to.distance_mm, part.distance_mm);
-}
-
-FittedPart fitRun(const PlanarCurve& curve, const SmoothRun& run, double tolerance_mm,
-                  const Progress& progress) {
-  FittedPart result;
-  double u = run.begin, direction_rad = run.begin_direction_rad, guess = 1;
-  while (u < run.end) {
-    checkProgress(progress, u / curve.count());
-    const FittedStep step = longestStep(curve, run, u, direction_rad, guess, tolerance_mm);
-    append(result, step.part);
-    guess = step.end - u;
-    u = step.end;
-    direction_rad = step.end_direction_rad;
-  }
-  return result;
-}
-
 /// The segment as one arc, if it is one up to rounding.
 std::optional<FittedPart> exactArc(const PlanarCurve& curve, int i, double tolerance_mm) {
   const CurveFrame start = curve.startOf(i), end = curve.endOf(i);
   const double noise_mm = 64 * curve.segments[i].noise() + 1e-9 * tolerance_mm;
-  std::optional<FittedPart> part = fittedPart(curve, i, i + 1,
+  std::optional<FittedPart> part = fittedPart(curve, {double(i), double(i + 1)},
                                               {.start = start.point,
                                                .start_direction_rad = start.direction_rad,
                                                .end = end.point,
@@ -228,7 +51,7 @@ void appendExact(FittedPart& to, const FittedPart& part, bool at_corner, double 
       return;
     }
   }
-  append(to, part);
+  to.append(part);
 }
 
 double turnAt(const CurveFrame& before, const CurveFrame& after) {
@@ -249,50 +72,321 @@ void requireAboveNoise(const BezierSpline& spline, double tolerance_mm) {
         tolerance_mm, noise_mm, size_mm));
 }
 
+/// A curve with what its segments and joints are.
+struct CurveLayout {
+  PlanarCurve curve;
+  bool closed = false;
+  std::vector<double> turns_rad;  ///< at the joints 0 to N; an open end has none
+  std::vector<std::optional<FittedPart>> exact;
+  std::vector<bool> is_corner;  ///< of the joints
+  std::vector<bool> is_kept;    ///< segments that stay the arcs and lines that they are
+
+  int count() const { return curve.count(); }
+  bool isLine(int segment) const {
+    return exact[segment] && exact[segment]->arcs.front().curvature_per_mm == 0;
+  }
+  double length_mm(int segment) const { return exact[segment]->arcs.front().length_mm; }
+  /// The segments before and after a joint; -1 at an open end.
+  int before(int joint) const { return joint > 0 ? joint - 1 : closed ? count() - 1 : -1; }
+  int after(int joint) const { return joint < count() ? joint : closed ? 0 : -1; }
+};
+
+/// Segments that are arcs and lines; neighbours on one circle are one piece.
+struct ExactPieces {
+  std::vector<double> lengths_mm;  ///< of the piece of each segment; 0 for other curves
+  std::vector<int> begins, ends;   ///< the joints at which its piece begins and ends
+};
+
+ExactPieces exactPieces(const CurveLayout& layout, double tolerance_mm) {
+  const int n = layout.count();
+  ExactPieces pieces;
+  FittedPart first, last;
+  for (int i = 0; i < n;) {
+    last = {};
+    int end = i;
+    while (end < n && layout.exact[end]) {
+      appendExact(last, *layout.exact[end], false, tolerance_mm);
+      if (last.arcs.size() > 1) break;
+      ++end;
+    }
+    if (i == 0) first = last;
+    end = std::max(end, i + 1);
+    pieces.lengths_mm.resize(end, last.arcs.empty() ? 0 : last.arcs.front().length_mm);
+    pieces.begins.resize(end, i);
+    pieces.ends.resize(end, end);
+    i = end;
+  }
+  if (!layout.closed || first.arcs.empty() || last.arcs.empty() || pieces.ends[0] == n)
+    return pieces;
+  // The piece that passes the point where a closed curve begins.
+  FittedPart whole{.arcs = {last.arcs.front()}};
+  appendExact(whole, {.arcs = {first.arcs.front()}}, false, tolerance_mm);
+  if (whole.arcs.size() > 1) return pieces;
+  const int begin = pieces.begins.back(), end = pieces.ends.front();
+  for (int i = 0; i < n; ++i) {
+    if (i >= end && i < begin) continue;
+    pieces.lengths_mm[i] = whole.arcs.front().length_mm;
+    pieces.begins[i] = begin;
+    pieces.ends[i] = end;
+  }
+  return pieces;
+}
+
+/// Whether a smooth curve within the tolerance explains a joint of two sides of a polygon: a circle
+/// midway between the corner and the middle of the shorter side.
+bool isSample(const CurveLayout& layout, const ExactPieces& pieces, int joint,
+              double tolerance_mm) {
+  const int before = layout.before(joint), after = layout.after(joint);
+  if (before < 0 || after < 0 || !layout.isLine(before) || !layout.isLine(after)) return false;
+  const double shorter_mm = std::min(pieces.lengths_mm[before], pieces.lengths_mm[after]);
+  const double off_mm = shorter_mm / 4 * std::tan(std::abs(layout.turns_rad[joint]) / 4);
+  return off_mm <= tolerance_mm;
+}
+
+/// Points of the curve from a joint on, as far as there is no corner, up to a length.
+std::vector<Vector2d> pointsFrom(const CurveLayout& layout, int joint, bool forward,
+                                 double length_mm) {
+  std::vector<Vector2d> points;
+  const int begin = joint;
+  double walked_mm = 0;
+  while (walked_mm < length_mm && !layout.is_corner[joint]) {
+    const int i = forward ? layout.after(joint) : layout.before(joint);
+    if (i < 0) break;
+    const BezierCurve& segment = layout.curve.segments[i];
+    Vector2d last = segment.point(forward ? 0 : 1).head<2>();
+    // Of a segment: enough to tell it from an arc.
+    constexpr int steps = 8;
+    for (int k = 1; k <= steps && walked_mm < length_mm; ++k) {
+      const double t = static_cast<double>(forward ? k : steps - k) / steps;
+      points.emplace_back(segment.point(t).head<2>());
+      walked_mm += (points.back() - last).norm();
+      last = points.back();
+    }
+    joint = forward ? i + 1 : i;
+    if (joint == begin) break;
+  }
+  return points;
+}
+
+/// Whether an arc or line is more than a sample of a smooth curve: with half as much on both sides
+/// it is not near one arc.
+bool staysExact(const CurveLayout& layout, const ExactPieces& pieces, int segment,
+                double tolerance_mm) {
+  const int begin = pieces.begins[segment], end = pieces.ends[segment];
+  if (begin == 0 && end == layout.count()) return true;
+  const double half_mm = pieces.lengths_mm[segment] / 2;
+  std::vector<Vector2d> points = pointsFrom(layout, begin, false, half_mm);
+  std::ranges::reverse(points);
+  const auto beyond = static_cast<std::ptrdiff_t>(points.size());
+  for (const Vector2d& point : pointsFrom(layout, end, true, half_mm)) points.push_back(point);
+  if (points.empty()) return true;
+  const std::vector<Vector2d> inside = pointsFrom(
+      layout, begin, true, pieces.lengths_mm[segment] * (1 - std::sqrt(machine_epsilon)));
+  points.insert(points.begin() + beyond, inside.begin(), inside.end());
+  return freeArcEnds(points, tolerance_mm).size() > 1;
+}
+
+/// Corners, and the segments that stay.
+void classify(CurveLayout& layout, const ArcFitOptions& options) {
+  const int n = layout.count();
+  const double tolerance_mm = options.tolerance_mm;
+  const ExactPieces pieces = exactPieces(layout, tolerance_mm);
+  const auto isKink = [&](int joint) {
+    return std::abs(layout.turns_rad[joint]) > options.corner_rad;
+  };
+  layout.is_corner.assign(n + 1, false);
+  for (int joint = 0; joint <= n; ++joint)
+    layout.is_corner[joint] = isKink(joint) && !isSample(layout, pieces, joint, tolerance_mm);
+  layout.is_kept.assign(n, false);
+  for (int i = 0; i < n; ++i) {
+    const bool same = i > 0 && pieces.begins[i] == pieces.begins[i - 1];
+    layout.is_kept[i] = same ? layout.is_kept[i - 1]
+                             : layout.exact[i] && staysExact(layout, pieces, i, tolerance_mm);
+  }
+  // A kink between two pieces that stay is a corner.
+  for (int joint = 0; joint <= n; ++joint) {
+    const int before = layout.before(joint), after = layout.after(joint);
+    if (before >= 0 && after >= 0 && layout.is_kept[before] && layout.is_kept[after])
+      layout.is_corner[joint] = isKink(joint);
+  }
+}
+
+CurveLayout layoutOf(const BezierSpline& spline, const ArcFitOptions& options,
+                     const Progress& progress) {
+  CurveLayout layout;
+  layout.curve = planarCurve(spline);
+  layout.closed = spline.closed;
+  const PlanarCurve& curve = layout.curve;
+  const int n = curve.count();
+  layout.turns_rad.assign(n + 1, 0.0);
+  for (int i = 1; i < n; ++i) layout.turns_rad[i] = turnAt(curve.endOf(i - 1), curve.startOf(i));
+  if (spline.closed)
+    layout.turns_rad[0] = layout.turns_rad[n] = turnAt(curve.endOf(n - 1), curve.startOf(0));
+  for (int i = 0; i < n; ++i) {
+    checkProgress(progress, 0);
+    layout.exact.push_back(exactArc(curve, i, options.tolerance_mm));
+  }
+  classify(layout, options);
+  return layout;
+}
+
+/// The direction of arcs at an end of segments that do not stay; any at an end of a polygon.
+std::optional<double> directionAt(const CurveLayout& layout, int joint, bool at_begin) {
+  const int inside = at_begin ? joint : joint - 1;
+  const int beside = at_begin ? layout.before(joint) : layout.after(joint);
+  const bool is_end = beside < 0 || layout.is_corner[joint];
+  if (is_end && layout.isLine(inside)) return std::nullopt;
+  const double direction_rad = at_begin ? layout.curve.startOf(inside).direction_rad
+                                        : layout.curve.endOf(inside).direction_rad;
+  if (is_end) return direction_rad;
+  // At a smooth joint both sides share the mean of their directions. Arcs that stay keep theirs.
+  const double turn_rad = layout.turns_rad[joint] * (layout.is_kept[beside] ? 1 : 0.5);
+  return direction_rad + (at_begin ? -turn_rad : turn_rad);
+}
+
+/// Where the arcs of a closed curve without corners begin: on the circle near the samples around
+/// its first point. The samples can wave within the tolerance.
+RunEnd closedEnd(const SampledRun& sampled) {
+  const int last = sampled.last();
+  const double away_mm = sampled.scales_mm.front() / 4;
+  const auto indexAt = [&](double length_mm) {
+    const auto found = std::ranges::lower_bound(sampled.lengths_mm, length_mm);
+    return std::min(static_cast<int>(found - sampled.lengths_mm.begin()), last);
+  };
+  std::vector<Vector2d> around;
+  for (int i = indexAt(sampled.lengths_mm.back() - away_mm); i < last; ++i)
+    around.push_back(sampled.points[i]);
+  for (int i = 0; i <= indexAt(away_mm); ++i) around.push_back(sampled.points[i]);
+  const ArcStart start = nearestCircle(around, sampled.points.front());
+  return {.point = start.point, .direction_rad = start.direction_rad};
+}
+
+/// Arcs near segments that do not stay; nothing if they have kinks and no smooth chain is found.
+std::optional<FittedPart> fittedRun(const CurveLayout& layout, const CurvePart& range,
+                                    const ArcFitOptions& options, const Progress& progress) {
+  const int begin = static_cast<int>(range.begin), end = static_cast<int>(range.end);
+  const SampledRun sampled = sampledRun(layout.curve, range, options.tolerance_mm, arc_samples);
+  const SmoothRun run{.range = range,
+                      .ends = {.begin = {.point = sampled.points.front(),
+                                         .direction_rad = directionAt(layout, begin, true)},
+                               .end = {.point = sampled.points.back(),
+                                       .direction_rad = directionAt(layout, end, false)}}};
+  SmoothRun searched = run;
+  if (layout.closed && end - begin == layout.count() && !layout.is_corner.front())
+    searched.ends.begin = searched.ends.end = closedEnd(sampled);
+  if (auto part = fewArcsBeside(layout.curve, searched, sampled, options.tolerance_mm, progress))
+    return part;
+  for (int joint = begin + 1; joint < end; ++joint)
+    if (std::abs(layout.turns_rad[joint]) > options.corner_rad) return std::nullopt;
+  return greedyArcs(layout.curve, run, options.tolerance_mm, progress);
+}
+
+/// The arcs and lines that a part is, if it is without kinks.
+std::optional<FittedPart> exactRun(const CurveLayout& layout, const CurvePart& range,
+                                   const ArcFitOptions& options) {
+  FittedPart part;
+  const int begin = static_cast<int>(range.begin), end = static_cast<int>(range.end);
+  for (int i = begin; i < end; ++i) {
+    if (!layout.exact[i]) return std::nullopt;
+    const bool can_turn = i == begin && layout.is_corner[begin];
+    if (!can_turn && std::abs(layout.turns_rad[i]) > options.corner_rad) return std::nullopt;
+    appendExact(part, *layout.exact[i], i == begin, options.tolerance_mm);
+  }
+  if (!layout.is_corner[end] && std::abs(layout.turns_rad[end]) > options.corner_rad)
+    return std::nullopt;
+  return part;
+}
+
+/// Makes the fit of a part of a polygon easier: it may turn at kinks where it begins and ends, then
+/// at one in its middle. Sides with such kinks at both ends stay.
+void relax(CurveLayout& layout, const CurvePart& range, double corner_rad) {
+  const int begin = static_cast<int>(range.begin), end = static_cast<int>(range.end);
+  const auto isSmoothKink = [&](int joint) {
+    return !layout.is_corner[joint] && std::abs(layout.turns_rad[joint]) > corner_rad;
+  };
+  std::vector<int> corners;
+  for (const int joint : {begin, end})
+    if (isSmoothKink(joint)) corners.push_back(joint);
+  if (corners.empty()) {
+    int middle = begin;
+    for (int joint = begin + 1; joint < end; ++joint)
+      if (isSmoothKink(joint) &&
+          std::abs(2 * joint - begin - end) < std::abs(2 * middle - begin - end))
+        middle = joint;
+    corners.push_back(middle);
+  }
+  for (const int joint : corners) layout.is_corner[joint] = true;
+  const bool closes = layout.closed && (layout.is_corner.front() || layout.is_corner.back());
+  if (closes) layout.is_corner.front() = layout.is_corner.back() = true;
+}
+
+/// Of all chains from corner to corner. Arcs at an end with a given direction are those that have
+/// it; the others are of any kind.
+int leastArcs(const CurveLayout& layout, const CurvePart& range, double tolerance_mm) {
+  const int begin = static_cast<int>(range.begin), end = static_cast<int>(range.end);
+  std::vector<Vector2d> points = sampledRun(layout.curve, range, tolerance_mm, arc_samples).points;
+  int at_ends = 0;
+  for (const bool at_begin : {true, false}) {
+    const int joint = at_begin ? begin : end;
+    const bool is_end =
+        layout.before(joint) < 0 || layout.after(joint) < 0 || layout.is_corner[joint];
+    const auto direction_rad = directionAt(layout, joint, at_begin);
+    if (is_end && direction_rad && !points.empty()) {
+      const ArcStart start{.point = points.front(),
+                           .direction_rad = *direction_rad + (at_begin ? 0 : std::numbers::pi)};
+      points.erase(points.begin(), points.begin() + pointsBeside(points, start, tolerance_mm));
+      ++at_ends;
+    }
+    std::ranges::reverse(points);
+  }
+  return at_ends + static_cast<int>(freeArcEnds(points, tolerance_mm).size());
+}
+
+int leastArcs(const CurveLayout& layout, double tolerance_mm) {
+  const int n = layout.count();
+  int least = 0;
+  for (int i = 0; i < n;) {
+    int end = i + 1;
+    while (end < n && !layout.is_corner[end]) ++end;
+    least += leastArcs(layout, {double(i), double(end)}, tolerance_mm);
+    i = end;
+  }
+  // A chain can pass the point where a closed curve begins.
+  return std::max(1, layout.closed && !layout.is_corner[0] ? least - 1 : least);
+}
+
 }  // namespace
 
 ArcFit fitArcs(const BezierSpline& spline, const ArcFitOptions& options, const Progress& progress) {
   requireValid(spline);
   requireFitOptions(options.tolerance_mm, options.corner_rad);
   requireAboveNoise(spline, options.tolerance_mm);
-  const PlanarCurve curve = planarCurve(spline);
-  const int n = curve.count();
-  // Turns at the joints 0 to n; an open end has none.
-  std::vector<double> turns_rad(n + 1, 0.0);
-  for (int i = 1; i < n; ++i) turns_rad[i] = turnAt(curve.endOf(i - 1), curve.startOf(i));
-  if (spline.closed) turns_rad[0] = turns_rad[n] = turnAt(curve.endOf(n - 1), curve.startOf(0));
-  const auto isCorner = [&](int joint) { return std::abs(turns_rad[joint]) > options.corner_rad; };
-  std::vector<std::optional<FittedPart>> exact;
-  for (int i = 0; i < n; ++i) {
-    checkProgress(progress, 0);
-    exact.push_back(exactArc(curve, i, options.tolerance_mm));
-  }
-
+  CurveLayout layout = layoutOf(spline, options, progress);
+  const int n = layout.count();
   FittedPart fitted;
   ArcFit result = {.arcs = {}, .corners = {}, .closed = spline.closed};
   for (int i = 0; i < n;) {
-    if (isCorner(i) && (i > 0 || spline.closed))
-      result.corners.push_back(static_cast<int>(fitted.arcs.size()));
-    if (exact[i]) {
-      appendExact(fitted, *exact[i], isCorner(i), options.tolerance_mm);
+    if (layout.is_kept[i]) {
+      if (layout.is_corner[i]) result.corners.push_back(static_cast<int>(fitted.arcs.size()));
+      appendExact(fitted, *layout.exact[i], layout.is_corner[i], options.tolerance_mm);
       ++i;
       continue;
     }
     int end = i + 1;
-    while (end < n && !exact[end] && !isCorner(end)) ++end;
-    // At a smooth joint both sides share the mean of their directions. Exact arcs keep theirs.
-    const auto share = [&](int joint, bool beside_exact) {
-      return isCorner(joint) || beside_exact ? 0 : turns_rad[joint] / 2;
-    };
-    const SmoothRun run = {.begin = static_cast<double>(i),
-                           .end = static_cast<double>(end),
-                           .begin_direction_rad = curve.startOf(i).direction_rad -
-                                                  share(i, i > 0 && exact[i - 1].has_value()),
-                           .end_direction_rad = curve.endOf(end - 1).direction_rad +
-                                                share(end, end < n && exact[end].has_value())};
-    append(fitted, fitRun(curve, run, options.tolerance_mm, progress));
+    while (end < n && !layout.is_kept[end] && !layout.is_corner[end]) ++end;
+    const CurvePart range{.begin = double(i), .end = double(end)};
+    const auto exact = exactRun(layout, range, options);
+    auto part = fittedRun(layout, range, options, partOf(progress, range.begin / n, range.end / n));
+    if (exact && (!part || exact->arcs.size() <= part->arcs.size())) part = exact;
+    if (!part) {
+      relax(layout, range, options.corner_rad);
+      continue;
+    }
+    if (layout.is_corner[i]) result.corners.push_back(static_cast<int>(fitted.arcs.size()));
+    fitted.append(*part);
     i = end;
   }
+  result.least_arcs = leastArcs(layout, options.tolerance_mm);
   result.arcs = std::move(fitted.arcs);
   result.distance_mm = fitted.distance_mm;
   return result;

@@ -23,26 +23,35 @@ struct ArcFit {
   /// Upper bound of the distance in both directions: no point of the curve is further from the
   /// arcs, no point of the arcs is further from the curve.
   double distance_mm = 0;
+  /// No chain of arcs with these corners that is within the tolerance has fewer, even if its arcs
+  /// do not touch.
+  int least_arcs = 0;
 };
 
-/// A curve in the plane z = 0 as a G1 chain of arcs and lines within a tolerance. The ends of
-/// pairs of arcs are on the curve; at its ends and corners they have its tangent. Identities (each
-/// has a test of its number):
+/// A curve in the plane z = 0 as a G1 chain of few arcs and lines within a tolerance. At its ends
+/// and corners the chain has the point and tangent of the curve; elsewhere arcs end beside the
+/// curve. Identities (each has a test of its number):
 ///   (1) distance_mm <= tolerance_mm, and points of a dense sample are not further, in both
 ///       directions.
-///   (2) A chain of arcs and lines comes back with as many arcs, if neighbours differ in curvature.
-///   (3) Corners are kept; a closed curve gives a closed chain.
+///   (2) A chain of arcs and lines comes back with as many arcs, if each is more than a sample of a
+///       smooth curve: with half its length on both sides it is not within the tolerance of one
+///       arc.
+///   (3) Corners are kept; a closed curve gives a closed chain. A vertex of a polygon is a corner
+///       only if no smooth curve within the tolerance explains it; beside such a vertex the
+///       tangents at ends and corners are free.
 ///   (4) The chain is G1 between corners.
-///   (5) For a curvature that is linear in the arc length the number of arcs is at most 1.7 times
-///       that of an ideal G1 chain, plus 4.
-/// The chain is the greedy one: each pair of arcs reaches as far along the curve as the tolerance
-/// allows. Where the curve is nearly straight, a chain can change the side to which it turns more
-/// often than the curve does.
-/// \throws std::invalid_argument if the curve is not valid, a pole is outside of the plane, the
-/// tolerance is not positive and finite, or the corner angle is not in (0, pi). Throws
-/// std::domain_error if the curve stops or turns back (with the parameter), or if the tolerance is
-/// too small for the rounding of the curve. Throws Cancelled, see Progress; it is called before
-/// each pair of arcs. Source: docs/theory/planar.md P9.1, P9.2.
+///   (5) There are at least least_arcs arcs, and for a curvature that is linear in the arc length
+///   at
+///       most 1.2 times those of an ideal G1 chain, plus 3.
+/// If no chain is found by search, or its distance can't be proven, it is the greedy one: each pair
+/// of arcs reaches as far along the curve as the tolerance allows. Then there are up to twice as
+/// many, and a chain can change the side to which it turns more often than the curve does. A
+/// polygon gets corners where no smooth chain is found. \throws std::invalid_argument if the curve
+/// is not valid, a pole is outside of the plane, the tolerance is not positive and finite, or the
+/// corner angle is not in (0, pi). Throws std::domain_error if the curve stops or turns back (with
+/// the parameter), or if the tolerance is too small for the rounding of the curve. Throws
+/// Cancelled, see Progress; it is called before each pair of arcs. Source: docs/theory/planar.md
+/// P9.1, P9.2.
 ArcFit fitArcs(const BezierSpline& curve, const ArcFitOptions& options = {},
                const Progress& progress = {});
 

@@ -96,6 +96,10 @@ std::vector<Index> inflectionsOf(const NoisyCurvatures& curvatures) {
   return found;
 }
 
+/// Lengths in mm for which no formula overflows or vanishes: the highest power is the ninth, in
+/// squares of slopes of the energy, and 2^900 is in the range of doubles.
+constexpr double shortest_mm = 0x1p-100, longest_mm = 0x1p100;
+
 }  // namespace
 
 PointTriples::PointTriples(const PlanarPoints& points, bool closed)
@@ -106,10 +110,17 @@ PointTriples::PointTriples(const PlanarPoints& points, bool closed)
     if (!points.row(i).allFinite()) refuse(fmt::format("point {} is not finite", i));
   for (Index i = 0; i < count(); ++i) {
     const auto [a, b, c] = indices(i);
-    for (const auto& [one, other] : {std::pair{a, b}, {b, c}, {a, c}})
+    for (const auto& [one, other] : {std::pair{a, b}, {b, c}, {a, c}}) {
       if (points.row(one) == points.row(other))
         refuse(fmt::format("points {} and {} are equal: ({}, {})", one, other, points(one, 0),
                            points(one, 1)));
+      const double apart_mm = (points.row(one) - points.row(other)).lpNorm<Eigen::Infinity>();
+      if (!(apart_mm >= shortest_mm && apart_mm <= longest_mm))
+        refuse(
+            fmt::format("points {} and {} are {:.3g} mm apart: the energy needs distances from "
+                        "{:.3g} mm to {:.3g} mm, so scale the points",
+                        one, other, apart_mm, shortest_mm, longest_mm));
+    }
   }
 }
 

@@ -15,8 +15,9 @@ namespace seamwright {
 ///   (1) Points of a circle of radius r, run counter-clockwise, have the curvature 1 / r.
 ///   (2) Reversed points have the opposite curvatures in reversed order; a rigid motion does not
 ///       change them, scaling by s divides them by s.
-/// \throws std::invalid_argument for fewer than 3 points, numbers that are not finite, and two
-/// equal points among three neighbours (with the indices).
+/// \throws std::invalid_argument for fewer than 3 points, numbers that are not finite, and two of
+/// three neighbours that are equal, or apart by less than 2^-100 mm or more than 2^100 mm, some
+/// 1e-30 and 1e30 (with the indices).
 /// Source: docs/theory/planar.md P10.1.
 Eigen::VectorXd pointCurvatures_per_mm(const PlanarPoints& points, bool closed = false);
 

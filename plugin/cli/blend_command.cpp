@@ -21,6 +21,7 @@
 #include <seamwright/plugin/cli/key_curves.hpp>
 #include <seamwright/plugin/cli/output.hpp>
 #include <seamwright/plugin/cli/progress_bar.hpp>
+#include <seamwright/plugin/cli/rounding.hpp>
 #include <seamwright/plugin/report/blend_json.hpp>
 #include <seamwright/plugin/report/json.hpp>
 #include <stdexcept>
@@ -196,15 +197,35 @@ bool isFinite(const std::vector<double>& defects) {
   return std::ranges::all_of(defects, [](double defect) { return std::isfinite(defect); });
 }
 
+/// Key curves whose rounding can be what lowers the order of their joints.
+void noteKeyRounding(const KeyCurves& input, const BlendArguments& arguments,
+                     const SplineBlend& blend, BlendReport& report) {
+  if (std::ranges::all_of(blend.orders(), [&](int n) { return n >= report.order; })) return;
+  for (const KeyCurve& key : input.curves) {
+    const auto poles = key.curve.poles.leftCols<3>();
+    const double rounding_mm = roundingOf_mm(poles.cwiseAbs().colwise().maxCoeff().transpose());
+    const double leg_mm = (poles.bottomRows(poles.rows() - 1) - poles.topRows(poles.rows() - 1))
+                              .rowwise()
+                              .norm()
+                              .minCoeff();
+    // A defect is relative, and that of the curvature is the rounding by the leg of the polygon.
+    if (rounding_mm > JointBlendOptions().frame_tolerance * leg_mm)
+      report.notes.push_back(
+          fmt::format("{}: the coordinates are rounded by {:.3g} mm, which lowers the order of "
+                      "joints: move the curves to the origin",
+                      arguments.inputs[key.input], rounding_mm));
+  }
+}
+
 /// Notes on joints whose order is lower than the one asked for, and whether all are the order that
 /// the key curves have there.
 bool noteOrders(const SplineBlend& blend, BlendReport& report) {
   const std::vector<int> of_keys = blend.orders();
   const auto lower = std::ranges::count_if(of_keys, [&](int n) { return n < report.order; });
   if (lower > 0)
-    report.notes.push_back(
-        fmt::format("{} of the key curves: joints below G{} keep their own order in all frames",
-                    lower, report.order));
+    report.notes.push_back(fmt::format(
+        "{} of {} joints are below G{} in the key curves and keep their own order in all frames",
+        lower, of_keys.size(), report.order));
   std::size_t lost = 0;
   for (const report::BlendFrameRecord& frame : report.frames)
     for (std::size_t i = 0; i < frame.joints.size(); ++i)
@@ -324,8 +345,9 @@ void addBlendOptions(CLI::App& command, BlendArguments& arguments) {
   command
       .add_option(
           "--edge",
-          "Edges of the model: numbers as 3 or Edge3, separated by commas; give it once for "
-          "each INPUT that is a model. Not given: the free edges, joined where they meet")
+          "Edges of the model: numbers as 3 or Edge3, separated by commas, or all, each alone; "
+          "give it once for each INPUT that is a model. Not given: the free edges, joined where "
+          "they meet")
       ->type_name("N[,N...]")
       ->allow_extra_args(false)
       ->expected(1, -1)
@@ -352,6 +374,7 @@ int runBlend(const BlendArguments& arguments) {
   try {
     const SplineBlend blend = blendOf(input, arguments, report);
     frames = framesOf(blend, arguments, report);
+    noteKeyRounding(input, arguments, blend, report);
     report.reached = noteOrders(blend, report) && report.reached;
     if (arguments.loft) loft = loftOf(blend, arguments, report);
   } catch (const FrameFault& fault) {  // a curve that core can't match or blend

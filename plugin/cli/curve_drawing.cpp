@@ -137,15 +137,20 @@ std::string dxfOutline(const ArcOutline& outline) {
   return isLine(arc) ? dxfLine(arc) : isCircle(arc) ? dxfCircle(arc) : dxfArc(arc);
 }
 
+/// The box of the points of the arcs themselves.
 Eigen::AlignedBox2d boxOf(const std::vector<ArcOutline>& outlines) {
+  constexpr double quarter = std::numbers::pi / 2;
   Eigen::AlignedBox2d box;
   for (const ArcOutline& outline : outlines)
-    for (const PlanarArc& arc : outline.arcs)
-      for (const BezierCurve& curve : bezierCurves(arc)) {
-        const Poles poles = curve.poles();
-        for (Eigen::Index i = 0; i < poles.rows(); ++i)
-          box.extend(Vector2d(poles(i, 0), poles(i, 1)));
-      }
+    for (const PlanarArc& arc : outline.arcs) {
+      box.extend(arc.start);
+      box.extend(arc.end());
+      if (isLine(arc)) continue;
+      // A coordinate is extreme where the tangent is parallel to an axis.
+      const auto [least, most] = std::minmax({arc.direction_rad, arc.endDirection_rad()});
+      for (double turn = std::ceil(least / quarter); turn <= most / quarter; ++turn)
+        box.extend(arc.point((turn * quarter - arc.direction_rad) / arc.curvature_per_mm));
+    }
   return box;
 }
 

@@ -29,6 +29,10 @@ CurveInput pointInput(const CurveArguments& arguments) {
   GivenCurve curve;
   curve.points = coordinatesIn(plane.frame, file.points);
   curve.rounding_mm = file.rounding_mm;
+  curve.lines = file.lines;
+  if (!arguments.closed && endsMeet(file))
+    curve.record.notes.emplace_back(
+        "the last point is the first one again: --closed joins the curve smoothly there");
   curve.record.points = file.points.rows();
   curve.record.closed = arguments.closed;
   curve.record.plane = plane.frame;

@@ -15,6 +15,8 @@
 #include <seamwright/core/planar/point_corners.hpp>
 #include <seamwright/plugin/cli/curve_methods.hpp>
 #include <seamwright/plugin/cli/local_curve.hpp>
+#include <seamwright/plugin/cli/point_curves.hpp>
+#include <seamwright/plugin/cli/rounding.hpp>
 #include <stdexcept>
 
 namespace seamwright::cli {
@@ -50,7 +52,7 @@ struct SmoothCurve {
 
 SmoothCurve biarcsThrough(const GivenCurve& given) {
   const bool closed = given.record.closed;
-  SmoothCurve curve{chainOf(biarcSpline(given.points, {.closed = closed}).arcs, closed)};
+  SmoothCurve curve{chainOf(biarcsOf(given.points, closed).arcs, closed)};
   curve.figures = figuresFrom(figuresOf(curve.chain));
   return curve;
 }
@@ -75,7 +77,7 @@ SmoothCurve curveOf(const GivenCurve& given, double tolerance_mm, const Progress
   constexpr double share = 0.05;
   const bool closed = given.record.closed;
   try {
-    return splineOf(clothoidSpline(given.points, {.closed = closed}, progress).pieces, closed,
+    return splineOf(clothoidsOf(given.points, closed, progress).pieces, closed,
                     share * tolerance_mm);
   } catch (const std::domain_error&) {  // the points are too few for their turns
     return biarcsThrough(given);
@@ -155,9 +157,8 @@ MadeCurve madeClothoids(const GivenCurve& given, const CurveTask& task) {
   if (given.points.rows() > 0) {
     made.record.distance_mm = 0;
     made.record.before = biarcsThrough(given).figures;
-    takeClothoids(
-        made, clothoidSpline(given.points, {.closed = given.record.closed}, task.progress).pieces,
-        task.tolerance_mm);
+    takeClothoids(made, clothoidsOf(given.points, given.record.closed, task.progress).pieces,
+                  task.tolerance_mm);
     return made;
   }
   const ClothoidFit fit = fitClothoids(bezierSpline(given.chain, gapOf(given, given.chain)),
@@ -333,7 +334,7 @@ std::optional<MadeCurve> conicsNearPoints(const GivenCurve& given, const CurveTa
   CurveTask fitting = task;
   fitting.tolerance_mm -= off_mm;
   fitting.progress = partOf(task.progress, fairing_share, 1);
-  made.record.notes.clear();
+  made.record.notes = given.record.notes;
   made.points.resize(0, 2);
   made.clothoids.clear();
   made.record.moved_mm.reset();
@@ -492,8 +493,8 @@ void noteRounding(report::CurveRecord& record, const GivenCurve& given) {
   const auto extrema = static_cast<int>(certain.extrema.size());
   if (extrema < record.before.extrema)
     record.notes.push_back(fmt::format(
-        "{} of {} extrema before exceed what the digits of the points can make ({:.2g} mm)",
-        extrema, record.before.extrema, given.rounding_mm));
+        "the points, rounded by up to {:.2g} mm, certainly have only {} of the {} extrema before",
+        given.rounding_mm, extrema, record.before.extrema));
 }
 
 MadeCurve madeBy(const std::string& method, const GivenCurve& given, const CurveTask& task) {
@@ -501,6 +502,17 @@ MadeCurve madeBy(const std::string& method, const GivenCurve& given, const Curve
   if (method == "clothoid") return madeClothoids(given, task);
   if (method == "conic") return madeConics(given, task);
   return madeFair(given, task);
+}
+
+/// A method may fail because two points are far nearer to each other than the others.
+MadeCurve madeOf(const std::string& method, const GivenCurve& given, const CurveTask& task) {
+  try {
+    return madeBy(method, given, task);
+  } catch (const std::domain_error&) {
+    const std::string crowded = given.points.rows() > 0 ? crowdedPoints(given) : "";
+    if (crowded.empty()) throw;
+    throw std::domain_error(crowded);
+  }
 }
 
 }  // namespace
@@ -516,9 +528,10 @@ MadeCurve madeCurve(const std::string& method, const GivenCurve& given, const Cu
     throw std::invalid_argument("--tolerance is 0 mm: curves of a model need more");
   requireSize(given);
   const LocalCurve local = localCurve(given);
-  MadeCurve made = madeBy(method, local.given, taskOf(local, task));
+  requireAboveRounding(task.tolerance_mm, local.given);
+  MadeCurve made = madeOf(method, local.given, taskOf(local, task));
   if (!local.origin.isZero(0)) moveBack(made, local);
-  const bool has_notes = !made.record.notes.empty(), added = noteAdded(made.record);
+  const bool has_notes = made.record.notes != given.record.notes, added = noteAdded(made.record);
   // Arcs have jumps of the curvature, which nobody takes for a fair curve.
   made.record.with_reservations |= method != "arcs" && (added || (method == "conic" && has_notes));
   noteRounding(made.record, local.given);

@@ -16,8 +16,9 @@ struct GivenCurve {
   report::CurveRecord record;
   PlanarPoints points;
   PlanarChain chain;
-  double gap_mm = 0;       ///< the largest gap between curves of the chain
-  double rounding_mm = 0;  ///< of the points, by the digits of their file
+  double gap_mm = 0;            ///< the largest gap between curves of the chain
+  double rounding_mm = 0;       ///< of the points, by the digits of their file
+  std::vector<int> lines = {};  ///< of the points in their file
 };
 
 /// What a method made of a curve.

@@ -178,7 +178,7 @@ void writeTexts(const std::string& text, const std::string& report,
                 const OutputArguments& arguments) {
   PendingFile drawing(arguments.model, text);
   std::optional<PendingFile> json;
-  if (!arguments.report.empty()) json.emplace(arguments.report, report);
+  if (!arguments.report.empty()) json.emplace(arguments.report, report).writeStraight();
   drawing.takePlace();
   if (json) json->takePlace();
 }
@@ -190,7 +190,7 @@ std::vector<std::string> writeModel(occ::Model model, const std::string& report,
   std::optional<PendingFile> json;
   occ::WriteOptions options = arguments.writeOptions();
   options.check = [&](const std::filesystem::path&) {
-    if (!arguments.report.empty()) json.emplace(arguments.report, report);
+    if (!arguments.report.empty()) json.emplace(arguments.report, report).writeStraight();
   };
   const occ::WriteReport written = writeUnderBar(model, arguments.model, options);
   if (json) json->takePlace();

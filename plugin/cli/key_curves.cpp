@@ -9,6 +9,7 @@
 #include <seamwright/occ_adapter/geometry_error.hpp>
 #include <seamwright/plugin/cli/key_curves.hpp>
 #include <seamwright/plugin/cli/point_file.hpp>
+#include <seamwright/plugin/cli/rounding.hpp>
 #include <stdexcept>
 
 namespace seamwright::cli {
@@ -79,6 +80,11 @@ void addModel(KeyCurves& result, const std::string& path, const EdgeList& edges,
   result.notes.push_back(model.notes);
 }
 
+/// The largest size of each coordinate.
+Eigen::Vector3d largestOf(const BezierSpline& curve) {
+  return curve.poles.leftCols<3>().cwiseAbs().colwise().maxCoeff().transpose();
+}
+
 /// The edges of each file. Files of points take no list, unless none of the files is a model.
 std::vector<EdgeList> edgesOfInputs(const BlendArguments& arguments) {
   std::vector<EdgeList> lists(arguments.inputs.size());
@@ -111,6 +117,8 @@ KeyCurves keyCurves(const BlendArguments& arguments) {
         addPoints(result, path, edges, arguments.closed);
       else
         addModel(result, path, edges, arguments);
+      for (const KeyCurve& key : result.curves)
+        requireAboveRounding(arguments.tolerance_mm, largestOf(key.curve));
     } catch (const occ::GeometryError& error) {
       throw std::runtime_error(path + ": " + error.what());
     } catch (

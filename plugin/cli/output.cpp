@@ -7,6 +7,7 @@
 #include <seamwright/occ_adapter/model/target_file.hpp>
 #include <seamwright/plugin/cli/output.hpp>
 #include <stdexcept>
+#include <utility>
 
 namespace seamwright::cli {
 
@@ -67,7 +68,12 @@ PendingFile::~PendingFile() {
   if (!beside_.empty()) fs::remove(beside_, error);
 }
 
+void PendingFile::writeStraight() {
+  if (beside_.empty()) takePlace();
+}
+
 void PendingFile::takePlace() {
+  if (std::exchange(done_, true)) return;
   if (isStandardOutput(file_)) return writeStandardOutput(text_);
   if (beside_.empty()) {
     std::ofstream out(file_, std::ios::binary);

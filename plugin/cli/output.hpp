@@ -22,13 +22,17 @@ class PendingFile {
   PendingFile& operator=(const PendingFile&) = delete;
   ~PendingFile();
 
-  /// \throws std::runtime_error; the file then stays as it was.
+  /// Does nothing a second time. \throws std::runtime_error; the file then stays as it was.
   void takePlace();
+  /// A pipe, a device or standard output is written to now, since it may not take the text; a file
+  /// waits for takePlace(). \throws std::runtime_error
+  void writeStraight();
 
  private:
   std::filesystem::path file_;
   std::filesystem::path beside_;  ///< the temporary file; empty: none
   std::string text_;
+  bool done_ = false;
 };
 
 /// Writes a temporary file beside the target and renames it, so that the target is complete or

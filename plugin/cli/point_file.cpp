@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <numbers>
 #include <optional>
 #include <seamwright/plugin/cli/point_file.hpp>
@@ -41,18 +42,60 @@ int digitsOf(std::string_view word) {
   return digits;
 }
 
+/// Whether a word begins as a number does, so that it is no text: "1.2.3", "0x10", "-5mm".
+bool beginsAsNumber(std::string_view word) {
+  const std::size_t first = word.find_first_not_of("+-.");
+  return numberFrom(word) || (first != std::string_view::npos &&
+                              std::isdigit(static_cast<unsigned char>(word[first])) != 0);
+}
+
 std::vector<std::string> wordsOf(std::string line) {
   line.erase(std::min(line.find('#'), line.size()));
   // Between semicolons a comma is a decimal one: spreadsheets write 0,5;1,25.
   const bool decimal_comma = line.find(';') != std::string::npos;
+  bool quoted = false;
   for (char& c : line) {
-    if (c == ',') c = decimal_comma ? '.' : ' ';
-    if (c == ';' || c == '\r') c = ' ';
+    if (c == '"') {
+      quoted = !quoted;
+      c = ' ';
+    }
+    // In quotes it can be a decimal one or one of thousands: the word stays, and is no number.
+    if (c == ',' && (decimal_comma || !quoted)) c = decimal_comma ? '.' : ' ';
+    if (c == ';') c = ' ';
   }
   std::istringstream text(line);
   std::vector<std::string> words;
   for (std::string word; text >> word;) words.push_back(word);
   return words;
+}
+
+/// The lines of a text, whose ends are those of Unix, Windows or old Macintosh.
+std::vector<std::string> linesOf(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find_first_of("\r\n", begin), text.size());
+    lines.push_back(text.substr(begin, end - begin));
+    begin = end + (text.compare(end, 2, "\r\n") == 0 ? 2 : 1);
+  }
+  return lines;
+}
+
+/// The text of a file, without a byte order mark: with it the first point would be a header.
+std::string textOf(const fs::path& path) {
+  std::error_code error;
+  if (!fs::exists(path, error)) throw std::runtime_error(path.string() + ": no such file");
+  if (fs::is_directory(path, error)) throw std::runtime_error(path.string() + ": is a folder");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw std::runtime_error(path.string() + ": can't be opened");
+  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  // UTF-16 of digits has a byte 0 beside each of them.
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") ||
+      text.find('\0') != std::string::npos)
+    throw std::runtime_error(path.string() +
+                             ": is UTF-16 or no text: save the points as text in UTF-8");
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
+  return text;
 }
 
 /// The rows of a file as they are found.
@@ -61,11 +104,13 @@ class PointRows {
   explicit PointRows(std::string path) : path_(std::move(path)) {}
 
   void add(const std::vector<std::string>& words, int line) {
-    if (rows_.empty() && !numberFrom(words.front())) return;  // a header
+    if (rows_.empty() && !beginsAsNumber(words.front())) return;  // a header
     if (!std::exchange(begun_, true) && isName(words)) {
       notes_.push_back(fmt::format("line {} is taken for a name, because it has words", line));
       return;
     }
+    for (const std::string& word : words)
+      if (!numberFrom(word)) fail(line, fmt::format("has '{}' where a number is needed", word));
     const auto columns = words.size();
     if (columns != 2 && columns != 3)
       fail(line, fmt::format("has {} numbers: 2 or 3 are needed", columns));
@@ -110,9 +155,9 @@ class PointRows {
     rows_.erase(rows_.begin() + nose);
     lines_.erase(lines_.begin() + nose);
   }
-  /// "2412 airfoil"
+  /// "2412 airfoil", "20-32C airfoil"
   static bool isName(const std::vector<std::string>& words) {
-    return std::ranges::any_of(words, [](const std::string& word) { return !numberFrom(word); });
+    return !std::ranges::all_of(words, beginsAsNumber);
   }
   /// Half a unit of the last digit of the largest coordinate, on each axis.
   double rounding_mm() const {
@@ -126,15 +171,14 @@ class PointRows {
     throw std::runtime_error(fmt::format("{}: line {} {}", path_, line, what));
   }
   double coordinate(const std::string& word, int line) {
-    const std::optional<double> number = numberFrom(word);
-    if (!number) fail(line, fmt::format("has '{}' where a number is needed", word));
+    const double number = numberFrom(word).value();
     // OpenCASCADE takes such numbers for infinite.
     constexpr double too_large = 1e100;
-    if (!(std::abs(*number) < too_large))
+    if (!(std::abs(number) < too_large))
       fail(line, fmt::format("has the number {}, which is not finite or too large", word));
     digits_ = std::max(digits_, digitsOf(word));
-    largest_ = std::max(largest_, std::abs(*number));
-    return *number;
+    largest_ = std::max(largest_, std::abs(number));
+    return number;
   }
 
   std::string path_;
@@ -184,26 +228,30 @@ bool isPointFile(const fs::path& path) {
 }
 
 PointFile readPoints(const fs::path& path) {
-  std::error_code error;
-  if (!fs::exists(path, error)) throw std::runtime_error(path.string() + ": no such file");
-  if (fs::is_directory(path, error)) throw std::runtime_error(path.string() + ": is a folder");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw std::runtime_error(path.string() + ": can't be opened");
   PointRows rows(path.string());
-  std::string line;
-  for (int number = 1; std::getline(file, line); ++number) {
-    // With the mark the first point would be taken for a header.
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-    if (number == 1 && line.starts_with(byte_order_mark)) line.erase(0, byte_order_mark.size());
+  int number = 0;
+  for (const std::string& line : linesOf(textOf(path))) {
+    ++number;
     if (const std::vector<std::string> words = wordsOf(line); !words.empty())
       rows.add(words, number);
   }
   return rows.file();
 }
 
+bool endsMeet(const PointFile& file) {
+  constexpr Eigen::Index least_points = 4;
+  // A choice: far below the digits of files, and far above the rounding of sines and cosines.
+  constexpr double relative = 1e-9;
+  const Eigen::Index n = file.points.rows();
+  if (n < least_points) return false;
+  const Eigen::RowVector3d size =
+      file.points.colwise().maxCoeff() - file.points.colwise().minCoeff();
+  return (file.points.row(n - 1) - file.points.row(0)).norm() <= relative * size.maxCoeff();
+}
+
 void requireCurve(PointFile& file, const fs::path& path, bool closed) {
   Eigen::Index n = file.points.rows();
-  if (closed && n > 1 && file.points.row(0) == file.points.row(n - 1)) {
+  if (closed && endsMeet(file)) {
     file.points.conservativeResize(--n, Eigen::NoChange);
     file.lines.pop_back();
   }

@@ -22,16 +22,19 @@ struct PointFile {
 /// Whether the name of a file is that of a file of points: .csv, .txt, .dat, .xy or .xyz.
 bool isPointFile(const std::filesystem::path& path);
 
-/// Reads points: a line has two or three numbers, separated by commas, semicolons, blanks or tabs.
-/// Empty lines and what follows a # are skipped, and so are the lines before the first point that
-/// begin with anything but a number: a header, the name of an airfoil. The first line is also a
-/// name, with a note, if it begins with a number and has words that are none.
-/// \throws std::runtime_error, in one line with the number of the line: no file, no point, a word,
+/// Reads points: a line has two or three numbers, separated by commas, semicolons, blanks or tabs,
+/// in quotes or not, and ends with a line feed, a carriage return or both.
+/// Empty lines and what follows a # are skipped, and so are the lines before the first point whose
+/// first word does not begin as a number: a header, the name of an airfoil. The first line is also
+/// a name, with a note, if it begins as a number and has words that do not. \throws
+/// std::runtime_error, in one line with the number of the line: no file, no point, UTF-16, a word,
 /// a number that is not finite, another count of columns.
 PointFile readPoints(const std::filesystem::path& path);
 
-/// Checks points as the points of one curve. A closed one whose last point is its first one loses
-/// the last one.
+/// Whether the last of four or more points is the first one again, up to a billionth of their size.
+bool endsMeet(const PointFile& file);
+
+/// Checks points as the points of one curve. A closed one whose ends meet loses the last point.
 /// \throws std::runtime_error: too few points, neighbours that are equal, and a reversal by 180
 /// degrees, with the line.
 void requireCurve(PointFile& file, const std::filesystem::path& path, bool closed);

@@ -11,7 +11,8 @@ WrittenOutcome writeOutcome(const Outcome& outcome, const OutputArguments& argum
   std::optional<PendingFile> report;
   const auto prepareReport = [&] {
     if (!arguments.report.empty())
-      report.emplace(arguments.report, report::toLine(outcome.report(written.model)) + '\n');
+      report.emplace(arguments.report, report::toLine(outcome.report(written.model)) + '\n')
+          .writeStraight();
   };
   if (outcome.model != nullptr) {
     occ::WriteOptions how = arguments.writeOptions();

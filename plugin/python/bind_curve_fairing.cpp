@@ -145,12 +145,12 @@ ValueError for a rational curve and for a degree of 1.)");
              py::arg("ends") = "position",
              R"(The fairest curve with the same knots that moves no point by more: a FairedCurve.
 
-curve: polynomial, of any class, planar or in space. The integral of |D - C|^2 plus smoothing times
-the energy is least; smoothing is the largest one that tolerance_mm allows, up to 1 % of it. ends:
-'nothing', 'position', 'tangent' (position and first derivative) or 'curvature' (up to the second)
-stay, bitwise. The energy does not grow; a tolerance of 0 returns the curve. ValueError for a
-tolerance that is negative or not finite, and as for curve_fairness(). Source: docs/theory/planar.md
-P11.1.
+curve: polynomial, of any class, planar or in space. The energy is least while each Bézier pole of
+the difference stays within tolerance_mm, so every place may move as far; smoothing is the weight of
+the energy against the squared distance in the mean. ends: 'nothing', 'position', 'tangent'
+(position and first derivative) or 'curvature' (up to the second) stay, bitwise. The energy does not
+grow; a tolerance of 0 returns the curve. ValueError for a tolerance that is negative or not finite,
+and as for curve_fairness(). Source: docs/theory/planar.md P11.4.
 )");
   module.def("polish_curve", &polishCurveOf, py::arg("curve"), py::arg("tolerance_mm"),
              py::kw_only(), py::arg("ends") = "position",

@@ -245,7 +245,8 @@ outside of 0 .. 1e8. Source: docs/theory/planar.md P13.5; [Yang2016].
   module.def("curvature_variation", &curvatureVariationOf, py::arg("curve"),
              R"(How much the curvature of a curve of any class varies: a CurvatureVariation.
 
-The energy is 0 for arcs and lines; Gauss' quadrature finds it. Source: docs/theory/planar.md P13.4.
+The energy is 0 for arcs and lines; Gauss' quadrature finds it. ValueError for a segment that is a
+point. Source: docs/theory/planar.md P13.4.
 )");
 }
 

@@ -67,6 +67,7 @@ py::object fitArcsOf(const py::object& curve, const py::object& tolerance_mm,
   dict["chain"] = chain;
   dict["curve"] = exactSpline(chain);
   dict["distance_mm"] = fit.distance_mm;
+  dict["least_arcs"] = fit.least_arcs;
   return resultOf("ArcFit", dict);
 }
 
@@ -183,10 +184,11 @@ equal points. Source: docs/theory/planar.md P1.2.
       R"(Arcs and lines within a tolerance of a curve of any class in the plane z = 0: an ArcFit.
 
 The distance is proven in both directions. The chain is G1; a joint of the curve that turns by more
-than corner_rad stays a corner, and a closed BezierSpline gives a closed chain. ValueError for a
+than corner_rad stays a corner, unless it joins sides of a polygon that a smooth curve within the
+tolerance explains. A closed BezierSpline gives a closed chain. ValueError for a
 tolerance or an angle that makes no sense, a pole outside of the plane, a curve that stops or turns
 back (with the parameter), and a tolerance below the rounding of the curve. Source:
-docs/theory/planar.md P9.1, P9.2.
+docs/theory/planar.md P9.1, P9.2, P9.4, P9.5.
 )");
 }
 

@@ -220,8 +220,8 @@ void bindPlanarSpiral(py::module_& module) {
              R"(The LogSpiral between two points with directions that form a C-shape.
 
 start, end: (2,) in mm. ValueError for numbers that are not finite, equal points, tangents on both
-sides of the chord, a turn above pi, and radii that differ by more than the factor 1e12. Source:
-docs/theory/planar.md P6.2; [Yang2014].
+sides of the chord, a turn above pi, and radii that differ by more than the factor 1e12, as at the
+angles 0.01 and 1.5 against the chord. Source: docs/theory/planar.md P6.2; [Yang2014].
 )");
   module.def("euler_arcs", &eulerArcsOf, py::arg("start"), py::arg("start_direction_rad"),
              py::arg("end"), py::arg("end_direction_rad"), py::arg("count"),

@@ -94,7 +94,8 @@ void bindPointFairing(py::module_& module) {
 
 points: (count, 2) in mm; above 0 the polygon turns to the left. closed: (count,); open: (count -
 2,), without the end points. ValueError for fewer than 3 points, numbers that are not finite, and
-two equal points among three neighbours, with the indices. Source: docs/theory/planar.md P10.1.
+two of three neighbours that are equal or apart by less than 1e-30 mm or more than 1e30 mm, with the
+indices. Source: docs/theory/planar.md P10.1.
 )");
   module.def("isolated_inflections", &isolatedInflectionsOf, py::arg("points"), py::kw_only(),
              py::arg("closed") = false,

@@ -82,11 +82,12 @@ JointSummary summaryOf(const BlendReport& report) {
 std::string jointsText(const BlendReport& report) {
   const JointSummary summary = summaryOf(report);
   if (summary.count == 0) return "no joints\n";
-  std::string text = fmt::format("{} G{}: defect at most {:.2g}",
-                                 counted(summary.count - summary.short_of_order, "joint"),
-                                 report.order, summary.defect);
+  const std::size_t full = summary.count - summary.short_of_order;
+  std::string text = full > 0 ? fmt::format("{} G{}", counted(full, "joint"), report.order) : "";
   if (summary.short_of_order > 0)
-    text += fmt::format("; {} of a lower order", counted(summary.short_of_order, "joint"));
+    text += fmt::format("{}{} of a lower order than G{}", full > 0 ? ", " : "",
+                        counted(summary.short_of_order, "joint"), report.order);
+  text += fmt::format(": defect at most {:.2g}", summary.defect);
   text += " (";
   bool first = true;
   for (const auto& [remedy, count] : summary.remedies) {

@@ -121,6 +121,24 @@ TEST(FairCurve, ALargerToleranceGivesASmallerEnergy) {
   }
 }
 
+/// The poles whose noise is within the bounds have at least the least energy.
+TEST(FairCurve, HasAtMostTheEnergyOfTheCurveWithoutNoise) {
+  std::mt19937_64 random(testSeed());
+  for (const bool planar : {true, false}) {
+    for (const int degree : {2, 3, 5}) {
+      const double noise_mm = 0.01;
+      const BSplineCurve smooth = noisyCurve(degree, 600, planar, 0, random);
+      BSplineCurve noisy = smooth;
+      for (Eigen::Index i = 1; i + 1 < noisy.poles.rows(); ++i)
+        for (int k = 0; k < (planar ? 2 : 3); ++k)
+          noisy.poles(i, k) += uniform(random, -noise_mm, noise_mm);
+      const FairedCurve found = fairCurve(noisy, std::sqrt(3) * noise_mm);
+      EXPECT_LE(found.after.energy, fairnessOf(smooth).energy * (1 + 1e-4));
+      EXPECT_GT(found.smoothing, 0);
+    }
+  }
+}
+
 // Identity (6), and the knots of the given cases.
 TEST(SmoothingSpline, AgreesWithHighPrecision) {
   int cases = 0;

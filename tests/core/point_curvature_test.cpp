@@ -153,5 +153,16 @@ TEST(PointCurvature, BadPointsAreRefusedWithTheirIndices) {
   EXPECT_NO_THROW(fairnessOf(bad, false));
 }
 
+TEST(PointCurvature, SizesBeyondTheRangeAreRefused) {
+  const PlanarPoints points = planarPoints({{0, 0}, {1, 0.25}, {2, 0}, {3, 0.5}});
+  for (const double size : {1e-200, 1e-40, 1e40, 1e150, 1e200}) {
+    const PlanarPoints scaled = size * points;
+    EXPECT_THAT([&] { pointCurvatures_per_mm(scaled); },
+                ThrowsMessage<std::invalid_argument>(HasSubstr("points 0 and 1 are")));
+    EXPECT_THAT([&] { fairnessOf(scaled); },
+                ThrowsMessage<std::invalid_argument>(HasSubstr("mm apart")));
+  }
+}
+
 }  // namespace
 }  // namespace seamwright

@@ -73,11 +73,13 @@ class ArcFit(Result):
     chain        an ArcChain
     curve        the same points as a BezierSpline
     distance_mm  bound of the distance in both directions
+    least_arcs   no chain within the tolerance has fewer arcs
     """
 
     chain: ArcChain
     curve: BezierSpline
     distance_mm: float
+    least_arcs: int
 
 
 class SplineWithin(Result):

@@ -342,6 +342,25 @@ def test_corners_stay_corners(tmp_path, box):
     assert report["notes"] and report["notes"][0] in result.stdout
 
 
+def test_rounding_far_from_the_origin_is_named(tmp_path, pair):
+    far = points_file(tmp_path, [(x + 1e12, y) for x, y in LOW], "far.csv")
+    result = run("curve", "blend", pair[0], far, "-o", tmp_path / "out.step", "--exact")
+    expect_one_line(result, "far.csv: the tolerance 0.001 mm is too small for coordinates of 1e+12 mm")
+    options = ["--exact", "--tolerance", "0.01", "--frames", 3]
+    result, report, _ = blend(tmp_path, pair[0], far, options=options)
+    assert "9 joints of a lower order than G2: defect" in result.stdout
+    assert "3 of 3 joints are below G2 in the key curves" in result.stdout
+    assert any("far.csv: the coordinates are rounded by" in note for note in report["notes"])
+    assert not any("low.csv" in note for note in report["notes"])
+
+
+def test_an_order_above_that_of_the_key_curves_is_named(tmp_path, pair):
+    options = ["--exact", "--order", 3, "--frames", 3]
+    result, report, _ = blend(tmp_path, *pair, options=options)
+    assert "9 joints of a lower order than G3: defect" in result.stdout
+    assert not any("rounded" in note for note in report["notes"])
+
+
 def test_the_same_curve_twice_stays(tmp_path, pair):
     result, report, path = blend(tmp_path, pair[0], pair[0], options=["--exact", "--frames", 3])
     joints = [joint for frame in report["frames"] for joint in frame["joints"]]
@@ -431,3 +450,4 @@ def test_bad_usage(tmp_path, pair, box, arguments, message):
 def test_help_states_one_exit_status():
     shown = run("curve", "blend", "--help").stdout
     assert shown.count("Exit status:") == 1 and "every joint keeps the order" in shown
+    assert "or all, each alone" in " ".join(shown.split())

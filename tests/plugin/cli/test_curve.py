@@ -61,6 +61,44 @@ def test_points_of_a_circle_are_a_circle(tmp_path):
     assert report["curves"][0]["after"]["inflections"] == 0
 
 
+def arc_points(count, spacing=1.0):
+    """Points of a quarter of a circle; spacing: a power of the even parameters."""
+    turns = [math.pi / 2 * (i / (count - 1)) ** spacing for i in range(count)]
+    return [(3 + 50 * math.cos(turn), 4 + 50 * math.sin(turn)) for turn in turns]
+
+
+@pytest.mark.parametrize("count, spacing", [(3, 1), (9, 1), (33, 1), (91, 1), (33, 1.5)])
+def test_points_of_an_open_arc_are_this_arc(tmp_path, count, spacing):
+    given = points_file(tmp_path, arc_points(count, spacing))
+    _, report, out = curve("arcs", given)
+    ((name, groups),) = dxf_entities(out.read_text())
+    assert name == "ARC" and (groups[10], groups[20], groups[40]) == pytest.approx((3, 4, 50))
+    (found,) = report["curves"]
+    assert found["before"]["extrema"] == 0 and found["notes"] == []
+    (found,) = curve("clothoid", given)[1]["curves"]
+    assert found["after"]["extrema"] == found["after"]["inflections"] == 0
+    assert found["after"]["energy_per_mm"] == pytest.approx(math.pi / 100, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    "points, options, box",
+    [
+        ([(50 * x, 50 * y) for x, y in CIRCLE], ["--closed"], (-350, -300, 650, 700)),
+        (arc_points(9), [], (3, 4, 53, 54)),
+        ([(0, 1), (3, 5)], [], (0, 1, 3, 5)),
+    ],
+)
+def test_the_box_of_an_svg_is_tight(tmp_path, points, options, box):
+    _, _, out = curve("arcs", points_file(tmp_path, points), *options, out="out.svg")
+    x, y, width, height = map(
+        float, re.search('viewBox="([^"]*)"', out.read_text()).group(1).split()
+    )
+    border = 0.05 * max(box[2] - box[0], box[3] - box[1])
+    # Its y axis points downwards.
+    expected = (box[0] - border, -box[3] - border, box[2] - box[0], box[3] - box[1])
+    assert (x, y, width - 2 * border, height - 2 * border) == pytest.approx(expected)
+
+
 def test_two_points_are_a_line(tmp_path):
     given = points_file(tmp_path, [(0, 1), (3, 5)])
     ((name, groups),) = dxf_entities(curve("arcs", given)[2].read_text())

@@ -19,6 +19,8 @@ def test_files_of_points_have_many_forms(tmp_path):
         "b.dat": "NACA 0012\n 0.0  0.0\n 1.0\t2.0\n 3.0  3.0\n",
         "c.txt": "0;0\r\n1;2\r\n3;3\r\n",
         "d.xyz": "0,0,7\n+1,2e0,7\n3,3,7\n",
+        "e.csv": "x,y\r0,0\r1,2\r\r3,3\r",
+        "f.csv": '"x","y"\n"0","0"\n"1","2"\n"3","3"\n',
     }
     reports = []
     for name, text in forms.items():
@@ -56,6 +58,13 @@ def test_points_of_spreadsheets_and_airfoils(tmp_path, name, data):
         ("0,0\n1,1e999\n", [], "line 2 has the number 1e999, which is not finite"),
         ("0,0\n5,0\n2,0\n", [], "turn back by 180 degrees at line 2"),
         ("0,0\n1,one\n", [], "line 2 has 'one' where a number is needed"),
+        ("0,0\n1,1\nend of file\n", [], "line 3 has 'end' where a number is needed"),
+        ("1.2.3,0\n1,1\n2,0\n", [], "line 1 has '1.2.3' where a number is needed"),
+        ("x,y\n0x10,0\n1,1\n2,0\n", [], "line 2 has '0x10' where a number is needed"),
+        ("0,0x10\n1,1\n2,0\n", [], "line 1 has '0x10' where a number is needed"),
+        ("1.234,5;2,0\n1;1\n2;0\n", [], "line 1 has '1.234.5' where a number is needed"),
+        ('"1,234","5"\n1,1\n2,0\n', [], "line 1 has '1,234' where a number is needed"),
+        ("nan,0\n1,1\n2,0\n", [], "line 1 has the number nan, which is not finite"),
         ("0,0\n1,1,1\n", [], "line 2 has 3 numbers, line 1 has 2"),
         ("1\n", [], "line 1 has 1 numbers: 2 or 3 are needed"),
         ("0,0,0\n9,0,0\n9,9,0\n0,9,3\n", [], "are not in a plane: that of line "),
@@ -72,6 +81,33 @@ def test_bad_points(tmp_path, method, text, options, message):
     options = [*options, "--json", tmp_path / "curve.json"]
     expect_one_line(run("curve", method, given, "-o", tmp_path / "out.svg", *options), message)
     assert contents(tmp_path) == before
+
+
+@pytest.mark.parametrize("encoding", ["utf-16", "utf-16-le", "utf-16-be"])
+def test_utf_16_is_refused(tmp_path, encoding):
+    given = tmp_path / "points.csv"
+    given.write_bytes("0,0\n1,2\n3,3\n".encode(encoding))
+    result = run("curve", "arcs", given, "-o", tmp_path / "out.svg")
+    expect_one_line(result, "is UTF-16 or no text: save the points as text in UTF-8")
+
+
+@pytest.mark.parametrize("method", ["clothoid", "fair"])
+def test_points_that_are_too_near_are_named(tmp_path, method):
+    points = [*WAVE[:7], (WAVE[6][0], WAVE[6][1] + 1e-8), *WAVE[7:]]
+    result = run("curve", method, points_file(tmp_path, points), "-o", tmp_path / "out.csv")
+    expect_one_line(result, "the points of lines 7 and 8 are only 1e-08 mm apart: remove one")
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_ends_that_meet_are_noted(tmp_path, method):
+    ring = [(50 * math.cos(0.1 * i), 30 * math.sin(0.1 * i)) for i in range(62)]
+    given = points_file(tmp_path, [*ring, (ring[0][0], ring[0][1] + 1e-14)])
+    (open_curve,) = curve(method, given)[1]["curves"]
+    assert any("--closed joins the curve smoothly there" in note for note in open_curve["notes"])
+    (closed,) = curve(method, given, "--closed")[1]["curves"]
+    assert closed["points"] == 62 and closed["notes"] == [
+        note for note in closed["notes"] if "--closed" not in note
+    ]
 
 
 @pytest.mark.parametrize(
@@ -159,9 +195,18 @@ def test_a_tolerance_below_the_rounding_is_refused(tmp_path):
     expect_one_line(result, "is too small for coordinates of 1e+09 mm")
 
 
-def test_a_name_that_begins_with_a_number(tmp_path):
+@pytest.mark.parametrize("method", METHODS)
+def test_a_tolerance_below_the_rounding_of_large_sizes_is_refused(tmp_path, method):
+    given = points_file(tmp_path, [(0, 0), (1e20, 1e19), (2e20, 0), (3e20, 5e19)])
+    result = run("curve", method, given, "-o", tmp_path / "out.step")
+    expect_one_line(result, "is too small for coordinates of 3e+20 mm, which are rounded by")
+    assert curve(method, given, "--tolerance", "1e8", out="out.csv")[0].returncode == 0
+
+
+@pytest.mark.parametrize("name", ["2412 airfoil", "20-32C airfoil"])
+def test_a_name_that_begins_with_a_number(tmp_path, name):
     given = tmp_path / "foil.dat"
-    given.write_text("2412 airfoil\n4 0\n2 .5\n0 0\n2 -.5\n")
+    given.write_text(f"{name}\n4 0\n2 .5\n0 0\n2 -.5\n")
     result, report, _ = curve("arcs", given)
     assert report["curves"][0]["points"] == 4
     assert "line 1 is taken for a name" in result.stderr
@@ -171,9 +216,9 @@ def test_extrema_of_rounded_digits_do_not_count(tmp_path):
     circle = [(10 * math.cos(0.0015 * i), 10 * math.sin(0.0015 * i)) for i in range(2000)]
     given = points_file(tmp_path, [(round(x, 6), round(y, 6)) for x, y in circle])
     (found,) = curve("fair", given, "--tolerance", "0")[1]["curves"]
-    assert any(note.startswith("0 of ") for note in found["notes"])
+    assert any("certainly have only 0 of the" in note for note in found["notes"])
     notes = curve("clothoid", given)[1]["curves"][0]["notes"]
-    assert any("exceed what the digits of the points can make" in note for note in notes)
+    assert any("the points, rounded by up to 7.1e-07 mm, certainly have" in note for note in notes)
 
 
 def test_curves_of_a_model_need_a_tolerance(box):

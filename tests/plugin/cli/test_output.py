@@ -109,6 +109,23 @@ def test_a_full_disk_is_reported(box):
     assert run("analyze", box, "-o", "/dev/full").returncode == 2
 
 
+@pytest.mark.parametrize(
+    "command, out",
+    [
+        (["curve", "arcs", "points.csv"], "out.dxf"),
+        (["curve", "arcs", "points.csv"], "out.step"),
+        (["curve", "blend", "points.csv", "points.csv"], "out.csv"),
+        (["repair", "box.step"], "out.step"),
+    ],
+)
+def test_a_report_that_cannot_be_written_leaves_no_output(box, tmp_path, command, out):
+    (tmp_path / "points.csv").write_text("0,0\n1,2\n3,3\n")
+    before = set(os.listdir(tmp_path))
+    result = run(*command, "-o", out, "--json", "/dev/full", cwd=tmp_path)
+    assert (result.returncode, result.stdout) == (2, "") and "/dev/full" in result.stderr
+    assert set(os.listdir(tmp_path)) == before
+
+
 def test_a_read_only_folder_is_reported(box, tmp_path):
     folder = tmp_path / "locked"
     folder.mkdir(mode=0o500)

@@ -240,6 +240,8 @@ def test_the_spiral_between_two_ends_and_its_arcs():
         seamwright.log_arcs(*ENDS, len(fewest) - 1)
     with pytest.raises(ValueError):
         seamwright.log_spiral([0, 0], 0.5, [1, 0], 0.5)
+    with pytest.raises(ValueError, match="the radii at the ends differ by more than e"):
+        seamwright.log_spiral([0, 0], -0.01, [1, 0], 1.5)
 
 
 def test_quintics_of_a_spiral_keep_their_distance():

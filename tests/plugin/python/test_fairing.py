@@ -240,6 +240,75 @@ def test_fairing_at_knots():
     assert 0 < moves.max() <= 0.02 and faired.moved_mm <= 0.02 and faired.smoothing == 0
 
 
+def bezier_map(knots, degree, pole, count):
+    """Return the Bezier poles of a basis function, by its values in each span."""
+    poles = np.zeros((count, 3))
+    poles[pole, 0] = 1
+    curve = seamwright.BSplineCurve(degree, knots, poles)
+    t = np.linspace(0.02, 0.98, degree + 1)
+    bernstein = [
+        [math.comb(degree, j) * u**j * (1 - u) ** (degree - j) for j in range(degree + 1)]
+        for u in t
+    ]
+    ends = np.unique(knots)
+    values = [curve.derivatives(a + t * (b - a), 0)[:, 0, 0] for a, b in zip(ends, ends[1:])]
+    return np.concatenate([np.linalg.solve(bernstein, row) for row in values])
+
+
+@pytest.mark.parametrize("case", range(4))
+def test_fair_curves_have_the_least_energy_within_the_tolerance(case):
+    optimize = pytest.importorskip("scipy.optimize")
+    random = np.random.default_rng(case)
+    degree, count, tolerance = 3 + case % 2, 9 + case, 0.02
+    inner = np.cumsum(random.uniform(0.5, 1.5, count - degree - 1))
+    knots = np.r_[[0.0] * (degree + 1), inner, [inner[-1] + 1] * (degree + 1)]
+    t = 4 * np.array([knots[i + 1 : i + degree + 1].mean() for i in range(count)]) / knots[-1]
+    poles = np.stack([(5 + t) * np.cos(t), (5 + t) * np.sin(t), t * (case % 3 > 0)], axis=1)
+    poles[:, : 2 + (case % 3 > 0)] += random.uniform(-0.05, 0.05, (count, 2 + (case % 3 > 0)))
+    faired = seamwright.fair_curve(
+        seamwright.BSplineCurve(degree, knots, poles), tolerance, ends="tangent"
+    )
+    # The third derivative is linear in each span at most, so that two nodes are exact.
+    ends = np.unique(knots)
+    width = np.diff(ends)
+    nodes = np.ravel([ends[:-1] + width * (0.5 + s / math.sqrt(12)) for s in (-1, 1)])
+    roots = np.tile(np.sqrt(width / 2), 2)[:, None]
+
+    def third(rows):
+        curve = seamwright.BSplineCurve(degree, knots, rows)
+        return curve.derivatives(nodes, 3)[:, 3] * roots
+
+    free = range(2, count - 2)
+    unit = np.eye(count)[:, :, None] * np.array([1.0, 0, 0])
+    form = np.stack([third(unit[i])[:, 0] for i in free], axis=1)
+    bounds = np.stack([bezier_map(knots, degree, i, count) for i in free], axis=1)
+    start = third(poles)
+
+    def energy(moves):
+        rest = start + tolerance * form @ moves.reshape(-1, 3)
+        return (rest**2).sum() / faired.after.energy, (
+            2 * tolerance * (form.T @ rest).ravel() / faired.after.energy
+        )
+
+    def slacks(moves):
+        return 1 - ((bounds @ moves.reshape(-1, 3)) ** 2).sum(axis=1)
+
+    def slopes(moves):
+        sides = bounds @ moves.reshape(-1, 3)
+        return -2 * (bounds[:, :, None] * sides[:, None, :]).reshape(len(bounds), -1)
+
+    least = optimize.minimize(
+        energy,
+        np.zeros(3 * len(free)),
+        jac=True,
+        constraints={"type": "ineq", "fun": slacks, "jac": slopes},
+        method="SLSQP",
+        options={"maxiter": 500, "ftol": 1e-12},
+    )
+    assert least.success and abs(least.fun - 1) < 1e-4
+    assert faired.after.energy < faired.before.energy
+
+
 def test_a_smoothing_spline_is_between_interpolation_and_a_parabola():
     t = np.linspace(0, 9, 60)
     points = np.stack([t, np.sin(t), 0.1 * t * t], axis=1)
@@ -341,3 +410,29 @@ LINE = BezierCurve([[0, 0, 0], [1, 1, 0]])
 def test_bad_curves(call, kind, text):
     with pytest.raises(kind, match=text):
         call()
+
+
+@pytest.mark.parametrize("size", [1e-200, 1e-40, 1e40, 1e150, 1e200])
+def test_sizes_beyond_the_range_are_refused(size):
+    for function in (
+        seamwright.point_curvatures,
+        seamwright.point_fairness,
+        seamwright.isolated_inflections,
+        lambda points: seamwright.fair_points(points, 0.01 * size),
+    ):
+        with pytest.raises(ValueError, match="^points 0 and . are .* mm apart: the energy needs"):
+            function(PARABOLA * size)
+
+
+@pytest.mark.parametrize("size", [1e-27, 1e27])
+def test_sizes_in_the_range_scale(size):
+    k = seamwright.point_curvatures(PARABOLA)
+    assert np.abs(seamwright.point_curvatures(PARABOLA * size) * size - k).max() < 1e-9
+    faired = seamwright.fair_points(ROUGH * size, 1e-3 * size)
+    assert 0 < faired.after.energy_per_mm3 < faired.before.energy_per_mm3 < math.inf
+
+
+@pytest.mark.parametrize("count", [1, 3])
+def test_a_point_has_no_variation_of_the_curvature(count):
+    with pytest.raises(ValueError, match=r"segment 0 is the point \(1, 2, 0\)"):
+        seamwright.curvature_variation(BezierCurve([[1, 2, 0]] * count))
