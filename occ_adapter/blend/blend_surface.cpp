@@ -232,6 +232,15 @@ bool isOf(const ChosenEnd& end, const Coedge& use) {
                              [&](const HoleEdge& edge) { return edge.use.edge.IsSame(use.edge); });
 }
 
+TopoDS_Compound withFace(const TopoDS_Shape& model, const TopoDS_Face& face) {
+  BRep_Builder builder;
+  TopoDS_Compound whole;
+  builder.MakeCompound(whole);
+  builder.Add(whole, model);
+  builder.Add(whole, face);
+  return whole;
+}
+
 /// The number of the end that a coedge belongs to, or that of ends if to none.
 std::size_t endOf(const std::vector<ChosenEnd>& ends, const Coedge& use) {
   std::size_t k = 0;
@@ -314,6 +323,7 @@ BlendSurfaceReport fitted(const TopoDS_Shape& model, const std::vector<ChosenEnd
     measureSeams(model, ends, task, report);
     if (report.reached) break;
   }
+  report.shape = withFace(model, report.face);
   return report;
 }
 

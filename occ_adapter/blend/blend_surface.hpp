@@ -31,6 +31,7 @@ struct BlendSurfaceOptions {
 struct BlendSurfaceReport {
   BSplineSurface surface;
   TopoDS_Face face;
+  TopoDS_Shape shape;  ///< the model and the new face, which is its last, in one compound
   /// The seams between the new face and the faces of each end, in parts where edges join. Their
   /// second face is 0, the new one.
   std::vector<SeamResult> seams;

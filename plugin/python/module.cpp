@@ -65,6 +65,7 @@ PYBIND11_MODULE(_core, module) {
   bindModel(module);
   bindMesh(module);
   bindMatch(module);
+  bindBlendSurface(module);
   bindCornerFillet(module);
   bindRepair(module);
   bindHole(module);
