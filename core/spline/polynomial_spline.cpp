@@ -6,27 +6,12 @@
 #include <stdexcept>
 
 #include <seamwright/core/bezier/curve_difference.hpp>
+#include <seamwright/core/bezier/hermite.hpp>
 #include <seamwright/core/spline/polynomial_spline.hpp>
 
 namespace seamwright {
 
 namespace {
-
-/// Poles 0..n of a curve of that degree with these derivatives at its beginning, from its forward
-/// differences: X^(k) = degree! / (degree - k)! Delta^k P_0.
-Poles polesFrom(const CurveDerivatives& derivatives, int degree) {
-  const auto count = derivatives.rows();
-  Poles differences = derivatives;
-  double factor = 1;
-  for (Eigen::Index k = 1; k < count; ++k) {
-    factor *= degree - static_cast<double>(k) + 1;
-    differences.row(k) /= factor;
-  }
-  // Column of differences to poles: the poles are the sums of the difference table.
-  for (Eigen::Index k = count - 1; k > 0; --k)
-    for (Eigen::Index i = k; i < count; ++i) differences.row(i) += differences.row(i - 1);
-  return differences;
-}
 
 /// The curve of degree 2 n + 1 with the derivatives 0..n of the segment at both ends.
 BezierCurve hermiteCurve(const BezierCurve& segment, int n) {

@@ -15,6 +15,11 @@ ArcLength::ArcLength(std::shared_ptr<const FaceStrip> strip) : strip_(std::move(
   for (int k = 0; k < pieces; ++k) lengths_[k + 1] = lengths_[k] + between(at(k), at(k + 1));
 }
 
+double ArcLength::lengthTo(double parameter) const {
+  const int k = std::clamp(static_cast<int>(parameter * pieces), 0, pieces - 1);
+  return lengths_[k] + between(at(k), parameter);
+}
+
 double ArcLength::parameterAt(double length_mm) const {
   const auto after = std::upper_bound(lengths_.begin() + 1, lengths_.end() - 1, length_mm);
   const int k = static_cast<int>(after - lengths_.begin()) - 1;
@@ -44,10 +49,10 @@ double ArcLength::between(double from, double to) const {
   return half * sum;
 }
 
-SidePath::SidePath(const HoleSide& side, double gap_mm) {
+SidePath::SidePath(const HoleSide& side, double gap_mm, JetOrder order) {
   for (const HoleEdge& edge : side.edges) {
     strips_.push_back(std::make_shared<const FaceStrip>(
-        edge.use, pcurveOf(edge.use.edge, edge.use.shape, gap_mm)));
+        edge.use, pcurveOf(edge.use.edge, edge.use.shape, gap_mm), order));
     lengths_.emplace_back(strips_.back());
     reversed_.push_back(edge.reversed);
     numbers_.push_back(edge.edge);
@@ -61,6 +66,18 @@ SidePath::SidePath(const HoleSide& side, double gap_mm) {
 std::vector<double> SidePath::joints() const {
   std::vector<double> shares;
   for (std::size_t k = 1; k < begins_mm_.size(); ++k) shares.push_back(begins_mm_[k] / length_mm_);
+  return shares;
+}
+
+std::vector<double> SidePath::breaks() const {
+  std::vector<double> shares;
+  for (std::size_t k = 0; k < strips_.size(); ++k)
+    for (const double parameter : strips_[k]->breaks()) {
+      const double to_mm = lengths_[k].lengthTo(parameter);
+      const double along_mm = reversed_[k] ? lengths_[k].length_mm() - to_mm : to_mm;
+      shares.push_back((begins_mm_[k] + along_mm) / length_mm_);
+    }
+  std::ranges::sort(shares);
   return shares;
 }
 

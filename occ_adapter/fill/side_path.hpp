@@ -25,6 +25,7 @@ class ArcLength {
  public:
   explicit ArcLength(std::shared_ptr<const FaceStrip> strip);
   double length_mm() const { return lengths_[pieces]; }
+  double lengthTo(double parameter) const;
   double parameterAt(double length_mm) const;
 
  private:
@@ -40,13 +41,16 @@ class ArcLength {
 /// The edges of a side, one after the other.
 class SidePath {
  public:
+  /// \param order of the jets of samples
   /// \throws GeometryError for an edge that can't be evaluated or a side without length.
-  SidePath(const HoleSide& side, double gap_mm);
+  SidePath(const HoleSide& side, double gap_mm, JetOrder order = JetOrder::Second);
 
   bool isOneEdge() const { return strips_.size() == 1; }
   double length_mm() const { return length_mm_; }
   /// Shares of the length, inside (0, 1), at which one edge ends and the next begins.
   std::vector<double> joints() const;
+  /// Shares inside of the edges at which the path or the face may not be smooth.
+  std::vector<double> breaks() const;
   int edgeAt(double share) const { return numbers_[edgeIndex(share, true)]; }
 
   /// The sample at a share of the length in [0, 1], with the derivative by that share.

@@ -19,6 +19,7 @@ void bindFrameLoft(pybind11::module_& module);
 void bindFunctionSpline(pybind11::module_& module);
 void bindHole(pybind11::module_& module);
 void bindJoin(pybind11::module_& module);
+void bindBlendSurface(pybind11::module_& module);
 void bindMatch(pybind11::module_& module);
 void bindMatrixCurve(pybind11::module_& module);
 void bindMeasure(pybind11::module_& module);

@@ -66,6 +66,7 @@ PYBIND11_MODULE(_core, module) {
   bindBuiltModel(module);
   bindMesh(module);
   bindMatch(module);
+  bindBlendSurface(module);
   bindCornerFillet(module);
   bindRepair(module);
   bindHole(module);

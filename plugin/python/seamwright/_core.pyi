@@ -1373,6 +1373,40 @@ class Model:
         jobs: Whole = 0,
         progress: Progress = None,
     ) -> DisplayMesh: ...
+    def blend_surface(
+        self,
+        start: Union[Whole, Sequence[Whole]],
+        end: Union[Whole, Sequence[Whole]],
+        *,
+        start_faces: Union[Whole, Sequence[Whole]] = (),
+        end_faces: Union[Whole, Sequence[Whole]] = (),
+        start_order: str = "G2",
+        end_order: str = "G2",
+        start_tension: Number = 1.0,
+        end_tension: Number = 1.0,
+        profile: str = "default",
+        gap_mm: Optional[Number] = None,
+        angle_deg: Optional[Number] = None,
+        curvature_rel: Optional[Number] = None,
+        flat_radius_mm: Optional[Number] = None,
+        crease_deg: Optional[Number] = None,
+        progress: Progress = None,
+    ) -> BlendedSurface: ...
+    def extend_surface(
+        self,
+        edges: Union[Whole, Sequence[Whole]],
+        length_mm: Number,
+        *,
+        faces: Union[Whole, Sequence[Whole]] = (),
+        order: str = "G2",
+        profile: str = "default",
+        gap_mm: Optional[Number] = None,
+        angle_deg: Optional[Number] = None,
+        curvature_rel: Optional[Number] = None,
+        flat_radius_mm: Optional[Number] = None,
+        crease_deg: Optional[Number] = None,
+        progress: Progress = None,
+    ) -> BlendedSurface: ...
     def match_faces(
         self,
         first: Whole,
@@ -1473,6 +1507,21 @@ class DisplayMesh:
     def faults(self) -> List[_r.MeshFault]: ...
     def __getstate__(self) -> Tuple[Any, ...]: ...
     def __setstate__(self, arg0: Tuple[Any, ...]) -> None: ...
+
+class BlendedSurface:
+    @property
+    def reached(self) -> bool: ...
+    @property
+    def surface(self) -> BSplineSurface: ...
+    @property
+    def seams(self) -> List[_r.Seam]: ...
+    @property
+    def spans(self) -> int: ...
+    @property
+    def model(self) -> Model: ...
+    def to_dict(self) -> Dict[str, Any]: ...
+    def __copy__(self) -> BlendedSurface: ...
+    def __deepcopy__(self, memo: Dict[Any, Any]) -> BlendedSurface: ...
 
 class MatchResult:
     @property

@@ -3,6 +3,7 @@
 
 from . import PROFILES
 from ._core import (
+    BlendedSurface,
     Cancelled,
     CornerFillet,
     DisplayMesh,
@@ -39,6 +40,7 @@ from .results import (
 )
 
 __all__ = [
+    "BlendedSurface",
     "Cancelled",
     "CheckedWriteResult",
     "CornerFillet",

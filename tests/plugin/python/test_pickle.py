@@ -192,6 +192,7 @@ RESULTS_WITH_MODELS = {
     "FillReport": lambda box: box.fill(face=1, jobs=1),
     "MatchResult": lambda box: box.match_faces(1, 3),
     "CornerFillet": lambda box: box.corner_fillet(1, 0.1),
+    "BlendedSurface": lambda box: box.extend_surface(1, 0.1, faces=1),
 }
 
 

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <seamwright/core/differential/fundamental_forms.hpp>
+#include <seamwright/occ_adapter/blend/blend_side.hpp>
+#include <seamwright/occ_adapter/curves/edge_chain.hpp>
+#include <seamwright/occ_adapter/geometry_error.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+/// The coedges of an edge that may be meant.
+std::vector<Coedge> coedgesOf(const SeamGraph& graph, int edge, const std::vector<int>& faces) {
+  std::vector<Coedge> result;
+  const auto add = [&](const Coedge& use) {
+    if (faces.empty() || std::ranges::count(faces, use.face) > 0) result.push_back(use);
+  };
+  for (std::size_t i = 0; i < graph.open_uses.size(); ++i)
+    if (graph.open[i].edge == edge) add(graph.open_uses[i]);
+  if (faces.empty()) return result;
+  for (const Seam& seam : graph.seams)
+    if (std::ranges::count(seam.edges, edge) > 0)
+      for (const Coedge& use : seam.sides) add(use);
+  return result;
+}
+
+}  // namespace
+
+HoleSide chosenSide(const TopoDS_Shape& model, const SideChoice& choice, bool& closed) {
+  if (choice.edges.empty()) throw std::invalid_argument("a side needs an edge");
+  const std::vector<EdgeChain> chains = edgeChains(model, {.edges = choice.edges});
+  if (chains.size() != 1)
+    throw std::invalid_argument(fmt::format("the {} edges of a side are {} chains: one is needed",
+                                            choice.edges.size(), chains.size()));
+  closed = chains[0].closed;
+  const SeamGraph graph = findSeams(model);
+  HoleSide side;
+  for (const ChainedEdge& chained : chains[0].edges) {
+    const int number = chained.edge.number;
+    const std::vector<Coedge> uses = coedgesOf(graph, number, choice.faces);
+    if (uses.size() != 1)
+      throw std::invalid_argument(fmt::format(
+          "edge {} has {} faces that the side may continue: {}", number, uses.size(),
+          choice.faces.empty() ? "it is not free, name the face" : "name exactly one of them"));
+    requireUsable(uses[0]);
+    side.edges.push_back({.edge = number, .use = uses[0], .reversed = !chained.forward});
+  }
+  return side;
+}
+
+std::vector<double> BlendSide::joints() const {
+  std::vector<double> of_path = path_->joints();
+  if (begin_ > 0) of_path.push_back(0);  // the closing point
+  return sharesOf(of_path);
+}
+
+std::vector<double> BlendSide::breaks() const {
+  return sharesOf(path_->breaks());
+}
+
+std::vector<double> BlendSide::sharesOf(const std::vector<double>& of_path) const {
+  std::vector<double> shares;
+  for (const double at : of_path) {
+    const double along = reversed_ ? begin_ - at : at - begin_;
+    if (const double share = along - std::floor(along); share > 0) shares.push_back(share);
+  }
+  std::ranges::sort(shares);
+  return shares;
+}
+
+SideSample BlendSide::at(double share, bool after) const {
+  double of_path = reversed_ ? begin_ - share : begin_ + share;
+  // Only a closed side goes around; its end is the end of the path, not the beginning.
+  if (begin_ > 0)
+    of_path -= std::floor(of_path);
+  else if (reversed_)
+    of_path += 1;
+  SideSample sample = path_->atShare(of_path, after != reversed_);
+  if (reversed_) sample.derivative *= -1;
+  return sample;
+}
+
+Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> continuation(const SideSample& sample,
+                                                                       double sense, int order) {
+  CurveDerivatives result(order + 1, 3);
+  result.row(0) = sample.point.transpose();
+  const Eigen::Vector3d& normal = sample.normal;
+  const Eigen::Vector3d across = -sense * sample.beyond;
+  if (order > 0) result.row(1) = across.transpose();
+  if (order > 1) {
+    const double bend = across.dot(curvatureTensor(sample.jet, normal) * across);
+    result.row(2) = bend * normal.transpose();
+  }
+  if (order > 2) result.row(3) = curvatureChange(sample.jet, normal, across) * normal.transpose();
+  return result;
+}
+
+}  // namespace seamwright::occ

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include <seamwright/occ_adapter/fill/side_path.hpp>
+
+/// A side of a model that a new surface continues. Not a public header.
+namespace seamwright::occ {
+
+/// The edges of a side, and the face of each.
+struct SideChoice {
+  std::vector<int> edges;  ///< from 1, order of TopExp::MapShapes; in any order
+  /// The faces to continue, for edges that bound two faces; empty: the edges are free.
+  std::vector<int> faces = {};
+};
+
+/// The edges in their order along one chain. \throws std::invalid_argument for no edges, a number
+/// that names no edge, edges that are no single chain, and an edge that is not free and has not
+/// exactly one face among the given ones; GeometryError for an edge that can't be computed with.
+HoleSide chosenSide(const TopoDS_Shape& model, const SideChoice& choice, bool& closed);
+
+/// A chain of edges as a boundary of a new surface.
+class BlendSide {
+ public:
+  /// \param begin share of the path at which a closed side begins
+  BlendSide(std::shared_ptr<const SidePath> path, bool reversed, double begin = 0)
+      : path_(std::move(path)), reversed_(reversed), begin_(begin) {}
+
+  /// Inner shares at which edges join.
+  std::vector<double> joints() const;
+  /// Shares inside of edges at which the side may not be smooth.
+  std::vector<double> breaks() const;
+  /// \param after at a joint, the edge that begins there.
+  SideSample at(double share, bool after = true) const;
+
+ private:
+  std::vector<double> sharesOf(const std::vector<double>& of_path) const;
+
+  std::shared_ptr<const SidePath> path_;
+  bool reversed_;
+  double begin_;
+};
+
+/// The derivatives 0 to \p order, by rows, of the geodesic that leaves the face across its edge, at
+/// a speed of 1: the point, d, the normal curvature along d times the normal N, and the change of
+/// curvature along d times N. At third order the part in the tangent plane is left out; it does not
+/// affect continuity.
+/// \param sense 1: d points out of the face; -1: into it.
+Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> continuation(const SideSample& sample,
+                                                                       double sense, int order);
+
+}  // namespace seamwright::occ

@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
+#include <BRep_Builder.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Compound.hxx>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <stdexcept>
+
+#include <seamwright/core/blend/hermite_sheet.hpp>
+#include <seamwright/core/bspline/collocation.hpp>
+#include <seamwright/core/seam/measure.hpp>
+#include <seamwright/occ_adapter/analyze/measure_seam.hpp>
+#include <seamwright/occ_adapter/blend/blend_surface.hpp>
+#include <seamwright/occ_adapter/convert/spline_surface.hpp>
+#include <seamwright/occ_adapter/geometry_error.hpp>
+#include <seamwright/occ_adapter/seams/pair_free_edges.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+constexpr int degree_along = 5;
+constexpr int most_order = 3;
+
+struct ChosenEnd {
+  HoleSide edges;
+  std::shared_ptr<const SidePath> path;
+  bool closed = false;
+};
+
+void requireEnd(const char* name, const BlendEnd& end) {
+  if (end.order < 0 || end.order > most_order)
+    throw std::invalid_argument(
+        fmt::format("{}: order is {}: 0 to {} is possible", name, end.order, most_order));
+  if (!(end.tension > 0) || !std::isfinite(end.tension))
+    throw std::invalid_argument(
+        fmt::format("{}: tension is {}: it must be positive and finite", name, end.tension));
+}
+
+ChosenEnd chosenEnd(const char* name, const TopoDS_Shape& model, const BlendEnd& end,
+                    const BlendSurfaceOptions& options) {
+  ChosenEnd result;
+  try {
+    result.edges = chosenSide(model, end.side, result.closed);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("{}: {}", name, error.what()));
+  }
+  result.path = std::make_shared<const SidePath>(
+      result.edges, options.tolerance.gap_mm,
+      end.order == most_order ? JetOrder::Third : JetOrder::Second);
+  return result;
+}
+
+/// The sum of squared distances of points of equal shares.
+double apart(const BlendSide& a, const BlendSide& b) {
+  constexpr int samples = 16;
+  double sum = 0;
+  for (int i = 0; i <= samples; ++i) {
+    const double share = static_cast<double>(i) / samples;
+    sum += (a.at(share).point - b.at(share).point).squaredNorm();
+  }
+  return sum;
+}
+
+/// The end's side in the direction, and of a closed one from the beginning, nearest to the start's.
+BlendSide facing(const BlendSide& start, const ChosenEnd& end) {
+  const int begins = end.closed ? 64 : 1;
+  std::optional<BlendSide> best;
+  double least = 0;
+  for (const bool reversed : {false, true})
+    for (int i = 0; i < begins; ++i) {
+      const BlendSide side(end.path, reversed, static_cast<double>(i) / begins);
+      const double distance = apart(start, side);
+      if (best && !(distance < least)) continue;
+      best = side;
+      least = distance;
+    }
+  return *best;
+}
+
+/// The sides, one or two, and what the surface does there.
+struct Task {
+  std::vector<BlendSide> sides;
+  std::vector<BlendEnd> ends;
+  double length_mm = 0;  ///< of an extension, which has one side
+  SplineClosure closure = SplineClosure::Open;
+  ContinuityTolerance tolerance;
+
+  int count() const { return static_cast<int>(sides.size()); }
+};
+
+/// The speed of the surface across at a share of the sides, for a tension of 1.
+double speedAt(const Task& task, const std::vector<SideSample>& at, double share) {
+  if (at.size() < 2) return task.length_mm;
+  const double distance_mm = (at[1].point - at[0].point).norm();
+  if (!(distance_mm > task.tolerance.gap_mm))
+    throw GeometryError(fmt::format("the sides touch: at the share {:.3g} they are {:.3g} mm apart",
+                                    share, distance_mm));
+  return distance_mm;
+}
+
+/// The derivatives by the parameter across, of each end, at a share of the sides.
+std::vector<CurveDerivatives> derivativesAt(const Task& task, double share) {
+  std::vector<SideSample> at;
+  for (const BlendSide& side : task.sides) at.push_back(side.at(share, share < 1));
+  const double speed_mm = speedAt(task, at, share);
+  std::vector<CurveDerivatives> result;
+  for (int k = 0; k < task.count(); ++k) {
+    // Both ends run with the parameter: out of the face at the start, into it at the end.
+    result.push_back(continuation(at[k], k == 0 ? 1 : -1, task.ends[k].order));
+    for (int order = 1; order <= task.ends[k].order; ++order)
+      result[k].row(order) *= std::pow(task.ends[k].tension * speed_mm, order);
+  }
+  return result;
+}
+
+/// Inner knots by their multiplicity. At joints of edges derivatives along the side may jump. At
+/// breaks within an edge the path is C^2 as a rule, so directions across it are C^1.
+struct Knots {
+  static constexpr int of_joint = degree_along, of_break = degree_along - 1, free = 1;
+  std::map<double, int> multiplicities = {{0, degree_along + 1}, {1, degree_along + 1}};
+
+  void add(double at, int multiplicity) {
+    // Sums of lengths round by less, and splines over shorter spans have no digits left.
+    constexpr double same = 1e-6;
+    const auto after = multiplicities.lower_bound(at);
+    for (const auto& near : {after, std::prev(after)})
+      if (near != multiplicities.end() && std::abs(near->first - at) <= same) {
+        near->second = std::max(near->second, multiplicity);
+        return;
+      }
+    multiplicities[at] = multiplicity;
+  }
+  int spans() const { return static_cast<int>(multiplicities.size()) - 1; }
+  std::vector<double> flat() const {
+    std::vector<double> result;
+    for (const auto& [at, multiplicity] : multiplicities)
+      result.insert(result.end(), multiplicity, at);
+    return result;
+  }
+};
+
+BSplineSurface sheetOver(const Task& task, const std::vector<double>& knots) {
+  const GrevilleInterpolation interpolation(degree_along, knots, task.closure);
+  const std::vector<double>& parameters = interpolation.parameters();
+  std::vector<Eigen::MatrixXd> values;
+  for (const BlendEnd& end : task.ends) values.emplace_back(parameters.size(), 3 * (end.order + 1));
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const std::vector<CurveDerivatives> derivatives = derivativesAt(task, parameters[i]);
+    for (int k = 0; k < task.count(); ++k)
+      values[k].row(static_cast<Eigen::Index>(i)) = derivatives[k].reshaped<Eigen::RowMajor>();
+  }
+  std::vector<SheetRibbon> ribbons;
+  for (int k = 0; k < task.count(); ++k) {
+    const Eigen::MatrixXd poles = interpolation.poles(values[k]);
+    ribbons.push_back({.degree = degree_along, .knots = knots, .derivatives = {}});
+    for (int order = 0; order <= task.ends[k].order; ++order)
+      ribbons[k].derivatives.emplace_back(poles.middleCols(3 * order, 3));
+  }
+  return task.count() < 2 ? taylorSheet(ribbons[0]) : hermiteSheet(ribbons[0], ribbons[1]);
+}
+
+/// The largest figure at a point of an end over its tolerance.
+double excessAt(const Task& task, const BSplineSurface& sheet, int k, double share) {
+  const SideSample sample = task.sides[k].at(share);
+  const bool third = task.ends[k].order == most_order;
+  const SidePoint of_face{sample.jet, {}, sample.derivative, true, third},
+      of_sheet{jet(sheet, share, k), {}, sample.derivative, true, third};
+  const PairMeasure figures = measurePair(of_face, of_sheet);
+  const ContinuityTolerance& tolerance = task.tolerance;
+  double excess = figures.gap_mm.value_or(HUGE_VAL) / tolerance.gap_mm;
+  if (task.ends[k].order > 0)
+    excess = std::max(excess, figures.angle_rad.value_or(HUGE_VAL) / tolerance.angle_rad);
+  if (task.ends[k].order > 1 && figures.curvature)
+    excess = std::max(excess, relativeDifference(*figures.curvature, tolerance.flat_radius_mm) /
+                                  tolerance.curvature_rel);
+  if (task.ends[k].order > 2 && figures.curvature && figures.curvature_change)
+    excess = std::max(excess, relativeChange(*figures.curvature_change, *figures.curvature,
+                                             tolerance.flat_radius_mm) /
+                                  tolerance.curvature_rel);
+  return excess;
+}
+
+/// The middles of spans in which a seam is beyond that share of its tolerance.
+std::vector<double> middlesOfPoorSpans(const Task& task, const BSplineSurface& sheet,
+                                       const Knots& knots, double share_of_tolerance) {
+  constexpr int samples = 4;
+  // Where a derivative of the face jumps no spline is near enough. Second differences over shorter
+  // spans have fewer than half of the digits.
+  constexpr double shortest = 1.0 / 512;
+  std::vector<double> result;
+  const std::map<double, int>& at = knots.multiplicities;
+  for (auto from = at.begin(), to = std::next(from); to != at.end(); from = to++) {
+    const double start = from->first, length = to->first - start;
+    if (length < shortest) continue;
+    double excess = 0;
+    for (int i = 0; i < samples; ++i)
+      for (int k = 0; k < task.count(); ++k)
+        excess = std::max(excess, excessAt(task, sheet, k, start + (i + 0.5) / samples * length));
+    if (excess > share_of_tolerance) result.push_back(start + 0.5 * length);
+  }
+  return result;
+}
+
+/// The faces beside the new one, and the new one last.
+struct Neighbourhood {
+  TopoDS_Compound shape;
+  std::vector<int> faces;  ///< numbers in the model
+};
+
+Neighbourhood around(const std::vector<ChosenEnd>& ends, const TopoDS_Face& face) {
+  Neighbourhood result;
+  BRep_Builder builder;
+  builder.MakeCompound(result.shape);
+  for (const ChosenEnd& end : ends)
+    for (const HoleEdge& edge : end.edges.edges) {
+      if (std::ranges::count(result.faces, edge.use.face) > 0) continue;
+      builder.Add(result.shape, edge.use.shape);
+      result.faces.push_back(edge.use.face);
+    }
+  builder.Add(result.shape, face);
+  return result;
+}
+
+bool isOf(const ChosenEnd& end, const Coedge& use) {
+  return std::ranges::any_of(end.edges.edges,
+                             [&](const HoleEdge& edge) { return edge.use.edge.IsSame(use.edge); });
+}
+
+TopoDS_Compound withFace(const TopoDS_Shape& model, const TopoDS_Face& face) {
+  BRep_Builder builder;
+  TopoDS_Compound whole;
+  builder.MakeCompound(whole);
+  builder.Add(whole, model);
+  builder.Add(whole, face);
+  return whole;
+}
+
+/// The number of the end that a coedge belongs to, or that of ends if to none.
+std::size_t endOf(const std::vector<ChosenEnd>& ends, const Coedge& use) {
+  std::size_t k = 0;
+  while (k < ends.size() && !isOf(ends[k], use)) ++k;
+  return k;
+}
+
+void measureSeams(const TopoDS_Shape& model, const std::vector<ChosenEnd>& ends, const Task& task,
+                  BlendSurfaceReport& report) {
+  const Neighbourhood around_it = around(ends, report.face);
+  const int made = static_cast<int>(around_it.faces.size()) + 1;
+  SeamGraph graph = findSeams(around_it.shape);
+  matchFreeEdges({.match_mm = 2 * task.tolerance.gap_mm, .gap_mm = task.tolerance.gap_mm}, graph);
+  TopTools_IndexedMapOfShape edges;
+  TopExp::MapShapes(model, TopAbs_EDGE, edges);
+  report.reached = true;
+  std::vector<double> covered_mm(ends.size(), 0);
+  for (const Seam& seam : graph.seams) {
+    const int other = seam.sides[0].face == made ? 1 : 0;
+    if (seam.sides[1 - other].face != made || seam.sides[other].face == made) continue;
+    const std::size_t k = endOf(ends, seam.sides[other]);
+    if (k == ends.size()) continue;
+    const auto level = static_cast<Level>(static_cast<int>(Level::G0) + task.ends[k].order);
+    SeamResult result = measureSeam(seam, {.tolerance = task.tolerance, .level = level});
+    report.reached = report.reached && result.verdict.level >= level &&
+                     (result.verdict.certain || level == Level::G3);
+    covered_mm[k] += result.length_mm;
+    result.faces = {around_it.faces[seam.sides[other].face - 1], 0};
+    result.edges = {edges.FindIndex(seam.sides[other].edge)};
+    report.seams.push_back(std::move(result));
+  }
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    // A seam may end a little before the side does.
+    constexpr double most_of_it = 0.98;
+    if (covered_mm[k] < most_of_it * ends[k].path->length_mm()) report.reached = false;
+  }
+}
+
+Knots firstKnots(const Task& task) {
+  Knots knots;
+  for (const BlendSide& side : task.sides) {
+    for (const double at : side.joints()) knots.add(at, Knots::of_joint);
+    for (const double at : side.breaks()) knots.add(at, Knots::of_break);
+  }
+  // A side with fewer spans meets its tolerance by chance only.
+  constexpr int first_spans = 4;
+  for (int i = 1; i < first_spans; ++i)
+    knots.add(static_cast<double>(i) / first_spans, Knots::free);
+  return knots;
+}
+
+/// Halves spans until no sample is beyond that share of the tolerance, or no span can be halved.
+BSplineSurface refined(const Task& task, double share_of_tolerance, int max_spans, Knots& knots,
+                       const Progress& progress) {
+  for (int round = 0;; ++round) {
+    checkProgress(progress, shareAfter(round));
+    BSplineSurface sheet = sheetOver(task, knots.flat());
+    const std::vector<double> middles = middlesOfPoorSpans(task, sheet, knots, share_of_tolerance);
+    const int before = knots.spans();
+    if (before + static_cast<int>(middles.size()) > max_spans) return sheet;
+    for (const double at : middles) knots.add(at, Knots::free);
+    if (knots.spans() == before) return sheet;
+  }
+}
+
+/// The sheet with as many spans as its seams need, and its seams.
+BlendSurfaceReport fitted(const TopoDS_Shape& model, const std::vector<ChosenEnd>& ends,
+                          const Task& task, const BlendSurfaceOptions& options,
+                          const Progress& progress) {
+  Knots knots = firstKnots(task);
+  BlendSurfaceReport report;
+  // Seams are worst between the samples: then less is allowed at these.
+  for (const double share : {0.5, 0.25, 0.125}) {
+    const int before = report.spans;
+    report.surface = refined(task, share, options.max_spans, knots, progress);
+    report.spans = knots.spans();
+    if (report.spans == before) break;
+    report.face = faceOf(report.surface);
+    report.seams.clear();
+    measureSeams(model, ends, task, report);
+    if (report.reached) break;
+  }
+  report.shape = withFace(model, report.face);
+  return report;
+}
+
+SplineClosure closureOf(const ChosenEnd& end) {
+  // Where edges join the derivatives along the side may jump, so nothing has to be periodic.
+  return end.closed && end.path->isOneEdge() ? SplineClosure::Periodic : SplineClosure::Open;
+}
+
+}  // namespace
+
+BlendSurfaceReport blendSurface(const TopoDS_Shape& model, const BlendEnd& start,
+                                const BlendEnd& end, const BlendSurfaceOptions& options,
+                                const Progress& progress) {
+  options.tolerance.validate();
+  requireEnd("start", start);
+  requireEnd("end", end);
+  const std::vector<ChosenEnd> ends = {chosenEnd("start", model, start, options),
+                                       chosenEnd("end", model, end, options)};
+  if (ends[0].closed != ends[1].closed)
+    throw std::invalid_argument(
+        fmt::format("one side is closed, the {} is not", ends[0].closed ? "end" : "start"));
+  const BlendSide first(ends[0].path, false);
+  const Task task{.sides = {first, facing(first, ends[1])},
+                  .ends = {start, end},
+                  .closure = closureOf(ends[0]),
+                  .tolerance = options.tolerance};
+  return fitted(model, ends, task, options, progress);
+}
+
+BlendSurfaceReport extendSurface(const TopoDS_Shape& model, const BlendEnd& side, double length_mm,
+                                 const BlendSurfaceOptions& options, const Progress& progress) {
+  options.tolerance.validate();
+  requireEnd("side", side);
+  if (side.order < 1) throw std::invalid_argument("order is 0: an extension is G1, G2 or G3");
+  if (!(length_mm > 0) || !std::isfinite(length_mm))
+    throw std::invalid_argument(
+        fmt::format("length_mm is {}: it must be positive and finite", length_mm));
+  const std::vector<ChosenEnd> ends = {chosenEnd("side", model, side, options)};
+  BlendEnd end = side;
+  end.tension = 1;
+  const Task task{.sides = {BlendSide(ends[0].path, false)},
+                  .ends = {end},
+                  .length_mm = length_mm,
+                  .closure = closureOf(ends[0]),
+                  .tolerance = options.tolerance};
+  return fitted(model, ends, task, options, progress);
+}
+
+}  // namespace seamwright::occ

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
+#include <array>
+#include <vector>
+
+#include <seamwright/core/bspline/surface.hpp>
+#include <seamwright/occ_adapter/analyze/report.hpp>
+#include <seamwright/occ_adapter/blend/blend_side.hpp>
+#include <seamwright/occ_adapter/progress.hpp>
+
+namespace seamwright::occ {
+
+/// How a new surface joins a side of a model.
+struct BlendEnd {
+  SideChoice side;
+  int order = 2;  ///< 0 to 3: G0 to G3
+  /// The speed at which the surface leaves the side, as a multiple of the distance between the
+  /// sides.
+  double tension = 1;
+};
+
+struct BlendSurfaceOptions {
+  ContinuityTolerance tolerance;  ///< the seams meet it: gap, angle, curvature
+  int max_spans = 200;            ///< work limit: the most spans along the sides
+};
+
+/// A new face, and how it meets the model.
+struct BlendSurfaceReport {
+  BSplineSurface surface;
+  TopoDS_Face face;
+  TopoDS_Shape shape;  ///< the model and the new face, which is its last, in one compound
+  /// The seams between the new face and the faces of each end, in parts where edges join. Their
+  /// second face is 0, the new one.
+  std::vector<SeamResult> seams;
+  int spans = 0;         ///< along the sides
+  bool reached = false;  ///< all seams certainly have the level of their end
+};
+
+/// A surface between two sides of a model, of edges or chains of edges of any surfaces, trimmed or
+/// not: it joins each side G0 to G3. Where it begins it goes on as the geodesics across the side
+/// do; these are fitted by quintic splines over knots that both sides have in common, which are
+/// halved until each seam is within half of the tolerance. Both sides are run through by shares of
+/// their lengths.
+///
+///     const BlendSurfaceReport blend = blendSurface(model, {.side = {{3}}}, {.side = {{8, 9}}});
+///
+/// The surface has degree 5 along the sides and m + n + 1 across for the orders m and n.
+/// \throws std::invalid_argument for sides that chosenSide() refuses, with the end, for orders
+/// outside of 0..3, tensions that are not positive and finite, for one closed side and an open one,
+/// and invalid tolerances; GeometryError for edges that can't be evaluated, and for sides that
+/// touch; Cancelled.
+/// Source: docs/theory/surfaces.md S8.1 to S8.3.
+BlendSurfaceReport blendSurface(const TopoDS_Shape& model, const BlendEnd& start,
+                                const BlendEnd& end, const BlendSurfaceOptions& options = {},
+                                const Progress& progress = {});
+
+/// A surface that continues a side of a model over a length: its lines across are the Taylor
+/// polynomials of the geodesics across the side, of the order's degree. It joins the side G1, G2 or
+/// G3; for G1 it is ruled. The tension is not used.
+///
+///     const BlendSurfaceReport longer = extendSurface(model, {.side = {{3}}}, 10);
+///
+/// \throws as blendSurface(), and std::invalid_argument for order 0 and a length that is not
+/// positive and finite. Source: docs/theory/surfaces.md S8.2, S8.3.
+BlendSurfaceReport extendSurface(const TopoDS_Shape& model, const BlendEnd& side, double length_mm,
+                                 const BlendSurfaceOptions& options = {},
+                                 const Progress& progress = {});
+
+}  // namespace seamwright::occ

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pybind11/stl.h>
+
+#include <seamwright/occ_adapter/blend/blend_surface.hpp>
+#include <seamwright/occ_adapter/model/model.hpp>
+#include <seamwright/plugin/python/arguments.hpp>
+#include <seamwright/plugin/python/bindings.hpp>
+#include <seamwright/plugin/python/model_calls.hpp>
+#include <seamwright/plugin/python/results.hpp>
+#include <seamwright/plugin/report/json.hpp>
+
+namespace seamwright::python {
+
+namespace {
+
+/// A new face beside a model, with the tolerances that judged its seams.
+struct BlendedSurface {
+  occ::BlendSurfaceReport report;
+  occ::Model model;
+  ContinuityTolerance tolerance;
+};
+
+int orderOf(const char* name, const py::object& value) {
+  const auto level = argument<std::string>(name, value, "a name");
+  for (int order = 0; order <= 3; ++order)
+    if (level == "G" + std::to_string(order)) return order;
+  throw py::value_error(std::string(name) + " " + shown(value) + ": known are G0, G1, G2 and G3");
+}
+
+/// The numbers of edges or faces: one, or a sequence.
+std::vector<int> numbersOrOne(const char* name, const py::object& value) {
+  if (py::isinstance<py::sequence>(value)) return wholeNumbers(name, value);
+  return {wholeNumber(name, value)};
+}
+
+/// The arguments of one end.
+struct EndArguments {
+  const py::object& edges;
+  const py::object& faces;
+  const py::object& order;
+};
+
+occ::BlendEnd endOf(const std::string& name, const EndArguments& given) {
+  return {.side = {.edges = numbersOrOne(name.c_str(), given.edges),
+                   .faces = numbersOrOne((name + "_faces").c_str(), given.faces)},
+          .order = orderOf((name + "_order").c_str(), given.order)};
+}
+
+BlendedSurface withModel(occ::BlendSurfaceReport report, const ContinuityTolerance& tolerance) {
+  BlendedSurface result{std::move(report), {}, tolerance};
+  result.model = occ::modelFromShape(result.report.shape);
+  return result;
+}
+
+BlendedSurface blendSurface(const occ::Model& model, const py::object& start, const py::object& end,
+                            const py::object& start_faces, const py::object& end_faces,
+                            const py::object& start_order, const py::object& end_order,
+                            const py::object& start_tension, const py::object& end_tension,
+                            const py::object& profile, const py::object& gap_mm,
+                            const py::object& angle_deg, const py::object& curvature_rel,
+                            const py::object& flat_radius_mm, const py::object& crease_deg,
+                            const py::object& progress) {
+  occ::BlendEnd first = endOf("start", {start, start_faces, start_order}),
+                second = endOf("end", {end, end_faces, end_order});
+  first.tension = numberOf("start_tension", start_tension);
+  second.tension = numberOf("end_tension", end_tension);
+  occ::BlendSurfaceOptions options;
+  options.tolerance =
+      toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg});
+  return longCall(progress, [&](const occ::Progress& report) {
+    return withModel(occ::blendSurface(model.shape, first, second, options, report),
+                     options.tolerance);
+  });
+}
+
+BlendedSurface extendSurface(const occ::Model& model, const py::object& edges,
+                             const py::object& length_mm, const py::object& faces,
+                             const py::object& order, const py::object& profile,
+                             const py::object& gap_mm, const py::object& angle_deg,
+                             const py::object& curvature_rel, const py::object& flat_radius_mm,
+                             const py::object& crease_deg, const py::object& progress) {
+  const occ::BlendEnd side{
+      .side = {.edges = numbersOrOne("edges", edges), .faces = numbersOrOne("faces", faces)},
+      .order = orderOf("order", order)};
+  const double length = numberOf("length_mm", length_mm);
+  occ::BlendSurfaceOptions options;
+  options.tolerance =
+      toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg});
+  return longCall(progress, [&](const occ::Progress& report) {
+    return withModel(occ::extendSurface(model.shape, side, length, options, report),
+                     options.tolerance);
+  });
+}
+
+py::list seamsOf(const BlendedSurface& result) {
+  py::list seams;
+  for (const occ::SeamResult& seam : result.report.seams)
+    seams.append(resultOf("Seam", plainObject(report::toJson(seam, result.tolerance))));
+  return seams;
+}
+
+py::dict blendDict(const BlendedSurface& result) {
+  py::dict dict;
+  dict["reached"] = result.report.reached;
+  dict["spans"] = result.report.spans;
+  py::list seams;
+  for (const py::handle seam : seamsOf(result)) seams.append(seam.attr("to_dict")());
+  dict["seams"] = seams;
+  return dict;
+}
+
+void bindResult(py::module_& module) {
+  const std::string doc =
+      std::string("The result of Model.blend_surface() and Model.extend_surface().") + copies_doc;
+  py::class_<BlendedSurface> type(module, "BlendedSurface", py::module_local(), doc.c_str());
+  bindCopies(type);
+  type.def_property_readonly(
+          "reached", [](const BlendedSurface& result) { return result.report.reached; },
+          "Every seam with a side has the level of its end; certain for G0 to G2.")
+      .def_property_readonly(
+          "surface", [](const BlendedSurface& result) { return result.report.surface; },
+          "The new surface, a BSplineSurface: u runs along the sides, v from start to end.")
+      .def_property_readonly("seams", &seamsOf,
+                             "The Seams between the new face and the sides; the number of the new "
+                             "face is 0, the others are those of the model.")
+      .def_property_readonly(
+          "spans", [](const BlendedSurface& result) { return result.report.spans; },
+          "Spans of the surface along the sides.")
+      .def_readonly("model", &BlendedSurface::model, "The model with the new face, its last one.")
+      .def("to_dict", &blendDict, "All but surface and model as a plain dict.")
+      .def("__repr__", [](const BlendedSurface& result) {
+        return std::string("<BlendedSurface ") +
+               (result.report.reached ? "reached" : "not reached") + ": " +
+               std::to_string(result.report.surface.countU()) + " x " +
+               std::to_string(result.report.surface.countV()) + " poles>";
+      });
+}
+
+constexpr const char* blend_surface_doc =
+    R"(Makes a surface between two sides of the model: a BlendedSurface.
+
+start, end: an edge, or the edges of a chain, numbers from 1. Edges are free, or start_faces and
+end_faces name the faces to continue. start_order, end_order: 'G0' to 'G3', how the surface joins
+each side. start_tension, end_tension: how far the surface keeps its direction, as multiples of the
+distance between the sides. Tolerances and progress as in analyze(). ValueError for bad arguments,
+with name and value. The model is not changed.)";
+
+constexpr const char* extend_surface_doc =
+    R"(Continues the surface of a side over a length: a BlendedSurface.
+
+edges: an edge, or the edges of a chain, numbers from 1. Edges are free, or faces names the faces to
+continue. order: 'G1' (ruled), 'G2' or 'G3'. Tolerances and progress as in analyze(). ValueError for
+bad arguments, with name and value. The model is not changed.)";
+
+}  // namespace
+
+void bindBlendSurface(py::module_& module) {
+  bindResult(module);
+  py::class_<occ::Model> model(module.attr("Model"));
+  const py::tuple none;
+  model
+      .def("blend_surface", &blendSurface, blend_surface_doc, py::arg("start"), py::arg("end"),
+           py::kw_only(), py::arg("start_faces") = none, py::arg("end_faces") = none,
+           py::arg("start_order") = "G2", py::arg("end_order") = "G2",
+           py::arg("start_tension") = 1.0, py::arg("end_tension") = 1.0,
+           py::arg("profile") = "default", py::arg("gap_mm") = py::none(),
+           py::arg("angle_deg") = py::none(), py::arg("curvature_rel") = py::none(),
+           py::arg("flat_radius_mm") = py::none(), py::arg("crease_deg") = py::none(),
+           py::arg("progress") = py::none())
+      .def("extend_surface", &extendSurface, extend_surface_doc, py::arg("edges"),
+           py::arg("length_mm"), py::kw_only(), py::arg("faces") = none, py::arg("order") = "G2",
+           py::arg("profile") = "default", py::arg("gap_mm") = py::none(),
+           py::arg("angle_deg") = py::none(), py::arg("curvature_rel") = py::none(),
+           py::arg("flat_radius_mm") = py::none(), py::arg("crease_deg") = py::none(),
+           py::arg("progress") = py::none());
+}
+
+}  // namespace seamwright::python
