@@ -283,8 +283,8 @@ FittedPart arcsOfHalves(const PlanarCurve& curve, const SmoothRun& run, const Sa
   for (const SmoothRun& half : {halves.first, halves.second}) {
     const SampledRun samples = sampledRun(curve, half.range, tolerance_mm, arc_samples);
     const auto part = fewArcsBeside(curve, half, samples, tolerance_mm, progress);
-    append(result,
-           part ? *part : arcsOfHalves(curve, half, samples, tolerance_mm, progress, halvings + 1));
+    result.append(part ? *part
+                       : arcsOfHalves(curve, half, samples, tolerance_mm, progress, halvings + 1));
   }
   return result;
 }

@@ -222,7 +222,9 @@ TEST(ArcFit, OffsetsAreAtTheDistance) {
     const std::vector<PlanarArc> moved = offset(fit, distance);
     ASSERT_EQ(moved.size(), fit.arcs.size());
     for (std::size_t i = 0; i < moved.size(); ++i) {
-      if (i + 1 < moved.size()) EXPECT_LT((moved[i].end() - moved[i + 1].start).norm(), 1e-9);
+      if (i + 1 < moved.size()) {
+        EXPECT_LT((moved[i].end() - moved[i + 1].start).norm(), 1e-9);
+      }
       for (const double share : {0.0, 0.3, 1.0}) {
         const PlanarArc& arc = fit.arcs[i];
         const double s_mm = share * arc.length_mm;

@@ -175,7 +175,10 @@ TEST(HermiteSheet, Identity2SurfacesOfThatDegreeAreReproduced) {
   std::mt19937_64 random(testSeed());
   for (int m = 0; m <= 3; ++m)
     for (int n = 0; n <= 3; ++n) {
-      BSplineSurface surface{.degree_u = 3, .degree_v = m + n + 1, .knots_u = knotsOf(3, random)};
+      BSplineSurface surface;
+      surface.degree_u = 3;
+      surface.degree_v = m + n + 1;
+      surface.knots_u = knotsOf(3, random);
       surface.knots_v.assign(m + n + 2, 0);
       surface.knots_v.insert(surface.knots_v.end(), m + n + 2, 1);
       surface.poles.setOnes(static_cast<Eigen::Index>(surface.countU()) * (m + n + 2), 4);

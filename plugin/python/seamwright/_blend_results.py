@@ -210,7 +210,7 @@ class CommonKnots(Result):
     """Curves over common knots near the given ones.
 
     curves       BezierSplines of degree 5 with equal knots 0..1
-    distance_mm  of each from its given curve: of points at corresponding places, as measured
+    distance_mm  a bound of the distance of each from its given curve, in both directions
     reached      all distances are within the tolerance
     summary      how they were matched; without merged and largest_ratio
     """
