@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Surfaces between sides of a model, and beyond one, from Python."""
+
+import numpy as np
+import pytest
+
+import seamwright
+
+
+def sheet(x, z, tilt):
+    """A cubic patch of 30 by 40 mm."""
+    u, v = np.meshgrid(np.linspace(0, 30, 4), np.linspace(0, 40, 4), indexing="ij")
+    heights = z + tilt * u + 0.002 * (u - 15) ** 2 + 0.003 * (v - 10) ** 2
+    return seamwright.BezierPatch(np.stack([x + u, v, heights], axis=-1))
+
+
+@pytest.fixture(scope="module")
+def sheets():
+    return seamwright.Model.from_patches([sheet(0, 0, 0.3), sheet(60, 8, -0.2)])
+
+
+def edge_at(model, x):
+    """The number of the edge whose points all have that x."""
+    for edge in range(1, model.edge_count + 1):
+        if np.allclose(np.asarray(model.curve(edge).poles)[:, 0], x):
+            return edge
+    raise AssertionError(x)
+
+
+@pytest.mark.parametrize("start", ["G0", "G1", "G2", "G3"])
+@pytest.mark.parametrize("end", ["G1", "G2"])
+def test_a_surface_joins_two_sides(sheets, start, end):
+    edges = edge_at(sheets, 30), edge_at(sheets, 60)
+    result = sheets.blend_surface(*edges, start_order=start, end_order=end, angle_deg=1e-3)
+    assert result.reached and repr(result).startswith("<BlendedSurface reached: ")
+    assert result.surface.degree_v == int(start[1]) + int(end[1]) + 1
+    levels = {seam.edges[0]: seam.level for seam in result.seams}
+    assert levels[edges[0]] >= start and levels[edges[1]] >= end
+    assert all(seam.faces[1] == 0 for seam in result.seams)
+    assert result.model.face_count == sheets.face_count + 1
+    assert set(result.to_dict()) == {"reached", "spans", "seams"}
+
+
+def test_the_whole_model_is_as_smooth_as_the_result_says(sheets):
+    result = sheets.blend_surface(edge_at(sheets, 30), edge_at(sheets, 60))
+    report = result.model.analyze(level="G2", match_mm=0.02)
+    assert len(report.seams) == 2 and report.passed
+
+
+def test_tension_moves_the_surface(sheets):
+    edges = edge_at(sheets, 30), edge_at(sheets, 60)
+    middles = [
+        sheets.blend_surface(*edges, start_tension=t).surface.point(0.5, 0.5) for t in (0.5, 1, 2)
+    ]
+    assert np.linalg.norm(middles[1] - middles[0]) > 0.01
+    assert np.linalg.norm(middles[2] - middles[1]) > 0.01
+
+
+@pytest.mark.parametrize("order", ["G1", "G2", "G3"])
+def test_a_side_is_continued(sheets, order):
+    result = sheets.extend_surface(edge_at(sheets, 30), 5, order=order)
+    assert result.reached and result.surface.degree_v == int(order[1])
+    begin, end = (result.surface.point(0.5, v) for v in (0, 1))
+    assert 4.5 < np.linalg.norm(end - begin) < 5.5
+
+
+def test_a_face_is_named_where_an_edge_has_two(tmp_path):
+    patches = [sheet(0, 0, 0.3), sheet(30, 9, 0.3)]
+    joined = seamwright.Model.from_patches(patches, sew_mm=0.1)
+    shared = next(iter(joined.analyze().seams)).edges[0]
+    with pytest.raises(ValueError, match="it is not free, name the face"):
+        joined.extend_surface(shared, 5)
+    assert joined.extend_surface(shared, 5, faces=1).reached
+
+
+@pytest.mark.parametrize(
+    "change, message",
+    [
+        ({"start": []}, "start: a side needs an edge"),
+        ({"start": 99}, "99"),
+        ({"start": "1"}, "start is '1'"),
+        ({"start_order": "G4"}, "start_order 'G4': known are G0, G1, G2 and G3"),
+        ({"end_order": 2}, "end_order is 2"),
+        ({"end_tension": 0}, "end: tension is 0"),
+        ({"start_faces": [2]}, "has 0 faces that the side may continue"),
+        ({"gap_mm": -1}, "gap_mm"),
+    ],
+)
+def test_bad_arguments_are_named(sheets, change, message):
+    arguments = {"start": edge_at(sheets, 30), "end": edge_at(sheets, 60), **change}
+    with pytest.raises(ValueError, match=message):
+        sheets.blend_surface(**arguments)
+    with pytest.raises(ValueError, match="length_mm is -1"):
+        sheets.extend_surface(edge_at(sheets, 30), -1)
