@@ -100,6 +100,13 @@ double distanceFromArc(const PlanarArc& arc, const CircleInterval& interval, dou
   return std::sqrt(distance_mm * distance_mm + wider * beyond_mm * beyond_mm);
 }
 
+Eigen::Vector2d pointOf(const CurvePiece& piece, double t) {
+  const double weight = piece.polynomials.weight.evaluate(t).middle();
+  return piece.origin + Eigen::Vector2d(piece.polynomials.point[0].evaluate(t).middle(),
+                                        piece.polynomials.point[1].evaluate(t).middle()) /
+                            weight;
+}
+
 /// How far the projection of a short way moves along the circle of an arc.
 double advanceAlong(const PlanarArc& arc, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
   const double k = arc.curvature_per_mm;
@@ -123,18 +130,12 @@ std::optional<AlongCircle> besideCircle(const CurvePiece& piece, const PlanarArc
   constexpr double smallest_share = 0x1p-12;
   const CirclePolynomials circle = circlePolynomials(piece, arc);
   const double k = arc.curvature_per_mm;
-  const auto pointAt = [&](double t) -> Eigen::Vector2d {
-    const double w = piece.polynomials.weight.evaluate(t).middle();
-    return piece.origin + Eigen::Vector2d(piece.polynomials.point[0].evaluate(t).middle(),
-                                          piece.polynomials.point[1].evaluate(t).middle()) /
-                              w;
-  };
   AlongCircle result;
   std::vector<Interval> parts = {piece.domain};
   while (!parts.empty()) {
     const Interval part = parts.back();
     parts.pop_back();
-    const Eigen::Vector2d from = pointAt(part.lower), to = pointAt(part.upper);
+    const Eigen::Vector2d from = pointOf(piece, part.lower), to = pointOf(piece, part.upper);
     const double bound_mm = distanceFrom(offsetBound(circle, part), k);
     const double inside_mm = distanceFrom(offsetInside(circle, part), k);
     if (inside_mm > tolerance_mm) return std::nullopt;

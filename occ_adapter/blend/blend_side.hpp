@@ -5,17 +5,11 @@
 #include <memory>
 #include <vector>
 
+#include <seamwright/occ_adapter/blend/blend_surface.hpp>
 #include <seamwright/occ_adapter/fill/side_path.hpp>
 
 /// A side of a model that a new surface continues. Not a public header.
 namespace seamwright::occ {
-
-/// The edges of a side, and the face of each.
-struct SideChoice {
-  std::vector<int> edges;  ///< from 1, order of TopExp::MapShapes; in any order
-  /// The faces to continue, for edges that bound two faces; empty: the edges are free.
-  std::vector<int> faces = {};
-};
 
 /// The edges in their order along one chain. \throws std::invalid_argument for no edges, a number
 /// that names no edge, edges that are no single chain, and an edge that is not free and has not

@@ -15,6 +15,7 @@
 #include <seamwright/core/bspline/collocation.hpp>
 #include <seamwright/core/seam/measure.hpp>
 #include <seamwright/occ_adapter/analyze/measure_seam.hpp>
+#include <seamwright/occ_adapter/blend/blend_side.hpp>
 #include <seamwright/occ_adapter/blend/blend_surface.hpp>
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
 #include <seamwright/occ_adapter/geometry_error.hpp>

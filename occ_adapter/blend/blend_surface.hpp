@@ -8,10 +8,16 @@
 
 #include <seamwright/core/bspline/surface.hpp>
 #include <seamwright/occ_adapter/analyze/report.hpp>
-#include <seamwright/occ_adapter/blend/blend_side.hpp>
 #include <seamwright/occ_adapter/progress.hpp>
 
 namespace seamwright::occ {
+
+/// The edges of a side, and the face of each.
+struct SideChoice {
+  std::vector<int> edges;  ///< from 1, order of TopExp::MapShapes; in any order
+  /// The faces to continue, for edges that bound two faces; empty: the edges are free.
+  std::vector<int> faces = {};
+};
 
 /// How a new surface joins a side of a model.
 struct BlendEnd {

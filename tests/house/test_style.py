@@ -46,6 +46,12 @@ EXPECTED = {
     ("core/planar/fairing_run.cpp", "std::invalid_argument"): (
         "moves made neighbours equal: the move is not made"
     ),
+    ("core/blend/hermite_sheet.cpp", "std::invalid_argument"): (
+        "a ribbon that is no valid curve: throws it with the end"
+    ),
+    ("occ_adapter/blend/blend_surface.cpp", "std::invalid_argument"): (
+        "edges that are no side: throws it with the end"
+    ),
     ("core/planar/clothoid_fit.cpp", "std::domain_error"): (
         "no spline through points that are too far apart: more points are taken; no clothoids near"
         " arcs, or no spline through points: the other ones are taken"
