@@ -83,7 +83,7 @@ def test_a_face_is_named_where_an_edge_has_two(tmp_path):
         ({"end_order": 2}, "end_order is 2"),
         ({"end_tension": 0}, "end: tension is 0"),
         ({"start_faces": [2]}, "has 0 faces that the side may continue"),
-        ({"gap_mm": -1}, "gap_mm"),
+        ({"gap_mm": -1}, "gap tolerance is -1 mm"),
     ],
 )
 def test_bad_arguments_are_named(sheets, change, message):
