@@ -123,7 +123,7 @@ class PieceNodes {
   const Rows& rows(int node) const { return rows_[node]; }
 
  private:
-  std::array<double, count> weights_;
+  std::array<double, count> weights_ = {};
   std::array<Rows, count> rows_;
 };
 

@@ -156,7 +156,8 @@ std::optional<AlongCircle> besideCircle(const CurvePiece& piece, const PlanarArc
     const bool forward = advances(circle, part, to - from);
     const std::optional<double> most_mm =
         forward || !begin_mm ? std::nullopt : movement(circle, part, k, bound_mm);
-    double distance_mm = forward || most_mm ? bound_mm : infinite;
+    double distance_mm = infinite;
+    if (forward || most_mm) distance_mm = bound_mm;
     if (begin_mm && (forward || most_mm)) {
       const double at_mm = *begin_mm + result.advance_mm;
       const CircleInterval interval{.from_mm = at_mm - most_mm.value_or(0),

@@ -375,7 +375,8 @@ double sampledDistance_mm(const PlanarCurve& curve, const ConicPoint& from, cons
     largest_mm = std::max(
         largest_mm, distanceAbout_mm(beside == conics.end() ? conics.back() : *beside, point));
   }
-  return std::isfinite(largest_mm) ? largest_mm : infinite;
+  if (!std::isfinite(largest_mm)) return infinite;
+  return largest_mm;
 }
 
 /// A part of a span with the length that conics are to have there.

@@ -145,7 +145,7 @@ class InteriorPoint {
     for (Index place = 0; place < order_.count; ++place) {
       for (; next != row_order_.end() && firstPlaceOf(rows[*next], order_) == place; ++next) {
         const EnergyRow& row = rows[*next];
-        std::array<NarrowLeastSquares::Term, 4> terms;
+        std::array<NarrowLeastSquares::Term, 4> terms = {};
         for (std::size_t k = 0; k < 4; ++k)
           terms[k] = {.unknown = row.points[k], .factor = row.slopes[k]};
         squares.add(terms, -row.residual);

@@ -80,7 +80,10 @@ struct Course {
     const StoppedEnds stops = stoppedEnds(curve);
     const EndCurvature start = stops.start > 0 ? startCurvature(curve) : curvatureAtEnd(curve, 0);
     const EndCurvature end = stops.end > 0 ? endCurvature(curve) : curvatureAtEnd(curve, 1);
-    figures.energy_per_mm += start.finite_energy && end.finite_energy ? bendingOf(curve) : infinite;
+    if (start.finite_energy && end.finite_energy)
+      figures.energy_per_mm += bendingOf(curve);
+    else
+      figures.energy_per_mm = infinite;
     curvatures_per_mm.push_back(start.curvature_per_mm);
     for (const CurvatureExtremum& extremum : planarCurvatureProfile(curve).extrema)
       curvatures_per_mm.push_back(extremum.curvature_per_mm);

@@ -152,6 +152,11 @@ CurveWithArcs arcsOf(const GivenCurve& given, const CurveTask& task) {
   if (isDense(given, task.tolerance_mm)) {
     SmoothCurve polygon = polygonOf(given);
     ArcFit fit = arcsNear(given, polygon, task.tolerance_mm, task.progress);
+    if (fit.arcs.size() > 1) return {.curve = std::move(polygon), .fit = std::move(fit)};
+    // Points of a circle: the arc through them is nearer than that along the polygon.
+    SmoothCurve biarcs = biarcsThrough(given);
+    ArcFit through = arcsNear(given, biarcs, task.tolerance_mm, task.progress);
+    if (through.arcs.size() == 1) return {.curve = std::move(biarcs), .fit = std::move(through)};
     return {.curve = std::move(polygon), .fit = std::move(fit)};
   }
   // Choices of shares: the clothoids take about a tenth of the time, two chains of arcs the rest.
