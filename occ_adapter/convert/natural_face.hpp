@@ -5,7 +5,7 @@
 #include <Precision.hxx>
 #include <TopoDS_Face.hxx>
 
-#include <seamwright/core/bezier/homogeneous.hpp>
+#include <seamwright/core/bezier/curve.hpp>
 
 namespace seamwright::occ {
 
