@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <fmt/format.h>
 
-#include <TopExp.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -87,8 +85,7 @@ SideSample BlendSide::at(double share, bool after) const {
   return sample;
 }
 
-Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> continuation(const SideSample& sample,
-                                                                       double sense, int order) {
+CurveDerivatives continuation(const SideSample& sample, double sense, int order) {
   CurveDerivatives result(order + 1, 3);
   result.row(0) = sample.point.transpose();
   const Eigen::Vector3d& normal = sample.normal;

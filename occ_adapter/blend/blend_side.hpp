@@ -43,7 +43,6 @@ class BlendSide {
 /// curvature along d times N. At third order the part in the tangent plane is left out; it does not
 /// affect continuity.
 /// \param sense 1: d points out of the face; -1: into it.
-Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> continuation(const SideSample& sample,
-                                                                       double sense, int order);
+CurveDerivatives continuation(const SideSample& sample, double sense, int order);
 
 }  // namespace seamwright::occ

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <fmt/format.h>
 
-#include <BRep_Builder.hxx>
-#include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Compound.hxx>
 #include <algorithm>
@@ -19,6 +17,8 @@
 #include <seamwright/occ_adapter/blend/blend_surface.hpp>
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
 #include <seamwright/occ_adapter/geometry_error.hpp>
+#include <seamwright/occ_adapter/model/compound.hpp>
+#include <seamwright/occ_adapter/model/parts.hpp>
 #include <seamwright/occ_adapter/seams/pair_free_edges.hpp>
 
 namespace seamwright::occ {
@@ -68,20 +68,41 @@ double apart(const BlendSide& a, const BlendSide& b) {
   return sum;
 }
 
+/// How a side runs and, if it is closed, the share of its path at which it begins.
+struct Facing {
+  bool reversed = false;
+  double begin = 0;
+  double distance = HUGE_VAL;  ///< apart() from the other side
+
+  BlendSide side(const ChosenEnd& end) const { return {end.path, reversed, begin}; }
+};
+
 /// The end's side in the direction, and of a closed one from the beginning, nearest to the start's.
 BlendSide facing(const BlendSide& start, const ChosenEnd& end) {
+  const auto facingAt = [&](bool reversed, double begin) {
+    Facing result{.reversed = reversed, .begin = begin - std::floor(begin)};
+    result.distance = apart(start, result.side(end));
+    return result;
+  };
   const int begins = end.closed ? 64 : 1;
-  std::optional<BlendSide> best;
-  double least = 0;
+  Facing best;
   for (const bool reversed : {false, true})
-    for (int i = 0; i < begins; ++i) {
-      const BlendSide side(end.path, reversed, static_cast<double>(i) / begins);
-      const double distance = apart(start, side);
-      if (best && !(distance < least)) continue;
-      best = side;
-      least = distance;
-    }
-  return *best;
+    for (int i = 0; i < begins; ++i)
+      if (const Facing next = facingAt(reversed, static_cast<double>(i) / begins);
+          next.distance < best.distance)
+        best = next;
+  // Of the turn: a twist that nobody sees.
+  constexpr double least_step = 1e-6;
+  for (double step = 0.5 / begins; end.closed && step > least_step;) {
+    const Facing before = facingAt(best.reversed, best.begin - step),
+                 after = facingAt(best.reversed, best.begin + step),
+                 nearer = before.distance < after.distance ? before : after;
+    if (nearer.distance < best.distance)
+      best = nearer;
+    else
+      step /= 2;
+  }
+  return best.side(end);
 }
 
 /// The sides, one or two, and what the surface does there.
@@ -216,30 +237,21 @@ struct Neighbourhood {
 
 Neighbourhood around(const std::vector<ChosenEnd>& ends, const TopoDS_Face& face) {
   Neighbourhood result;
-  BRep_Builder builder;
-  builder.MakeCompound(result.shape);
+  std::vector<TopoDS_Shape> parts;
   for (const ChosenEnd& end : ends)
     for (const HoleEdge& edge : end.edges.edges) {
       if (std::ranges::count(result.faces, edge.use.face) > 0) continue;
-      builder.Add(result.shape, edge.use.shape);
+      parts.push_back(edge.use.shape);
       result.faces.push_back(edge.use.face);
     }
-  builder.Add(result.shape, face);
+  parts.push_back(face);
+  result.shape = compoundOf(parts);
   return result;
 }
 
 bool isOf(const ChosenEnd& end, const Coedge& use) {
   return std::ranges::any_of(end.edges.edges,
                              [&](const HoleEdge& edge) { return edge.use.edge.IsSame(use.edge); });
-}
-
-TopoDS_Compound withFace(const TopoDS_Shape& model, const TopoDS_Face& face) {
-  BRep_Builder builder;
-  TopoDS_Compound whole;
-  builder.MakeCompound(whole);
-  builder.Add(whole, model);
-  builder.Add(whole, face);
-  return whole;
 }
 
 /// The number of the end that a coedge belongs to, or that of ends if to none.
@@ -255,8 +267,7 @@ void measureSeams(const TopoDS_Shape& model, const std::vector<ChosenEnd>& ends,
   const int made = static_cast<int>(around_it.faces.size()) + 1;
   SeamGraph graph = findSeams(around_it.shape);
   matchFreeEdges({.match_mm = 2 * task.tolerance.gap_mm, .gap_mm = task.tolerance.gap_mm}, graph);
-  TopTools_IndexedMapOfShape edges;
-  TopExp::MapShapes(model, TopAbs_EDGE, edges);
+  const TopTools_IndexedMapOfShape edges = partsOf(model, TopAbs_EDGE);
   report.reached = true;
   std::vector<double> covered_mm(ends.size(), 0);
   for (const Seam& seam : graph.seams) {
@@ -324,7 +335,7 @@ BlendSurfaceReport fitted(const TopoDS_Shape& model, const std::vector<ChosenEnd
     measureSeams(model, ends, task, report);
     if (report.reached) break;
   }
-  report.shape = withFace(model, report.face);
+  report.shape = compoundOf({model, report.face});
   return report;
 }
 

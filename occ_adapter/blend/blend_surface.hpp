@@ -3,7 +3,6 @@
 
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
-#include <array>
 #include <vector>
 
 #include <seamwright/core/bspline/surface.hpp>
@@ -54,11 +53,11 @@ struct BlendSurfaceReport {
 ///     const BlendSurfaceReport blend = blendSurface(model, {.side = {{3}}}, {.side = {{8, 9}}});
 ///
 /// The surface has degree 5 along the sides and m + n + 1 across for the orders m and n.
-/// \throws std::invalid_argument for sides that chosenSide() refuses, with the end, for orders
-/// outside of 0..3, tensions that are not positive and finite, for one closed side and an open one,
-/// and invalid tolerances; GeometryError for edges that can't be evaluated, and for sides that
-/// touch; Cancelled.
-/// Source: docs/theory/surfaces.md S8.1 to S8.3.
+/// \throws std::invalid_argument, with the end, for sides without edges, with a number that names
+/// no edge, that are no single chain, and with an edge that is not free and has not exactly one of
+/// the given faces; for orders outside of 0..3, tensions that are not positive and finite, for one
+/// closed side and an open one, and invalid tolerances; GeometryError for edges that can't be
+/// evaluated, and for sides that touch; Cancelled. Source: docs/theory/surfaces.md S8.1 to S8.3.
 BlendSurfaceReport blendSurface(const TopoDS_Shape& model, const BlendEnd& start,
                                 const BlendEnd& end, const BlendSurfaceOptions& options = {},
                                 const Progress& progress = {});

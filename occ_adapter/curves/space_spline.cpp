@@ -9,7 +9,6 @@
 #include <Geom_Line.hxx>
 #include <Geom_TrimmedCurve.hxx>
 #include <Precision.hxx>
-#include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
@@ -20,6 +19,7 @@
 #include <seamwright/occ_adapter/convert/spline_curve.hpp>
 #include <seamwright/occ_adapter/curves/space_spline.hpp>
 #include <seamwright/occ_adapter/geometry_error.hpp>
+#include <seamwright/occ_adapter/model/compound.hpp>
 
 namespace seamwright::occ {
 
@@ -174,11 +174,9 @@ TopoDS_Wire wireOf(const BezierSpline& spline) {
 }
 
 TopoDS_Shape wiresOf(const std::vector<BezierSpline>& splines) {
-  TopoDS_Compound compound;
-  const BRep_Builder builder;
-  builder.MakeCompound(compound);
-  for (const BezierSpline& spline : splines) builder.Add(compound, wireOf(spline));
-  return compound;
+  std::vector<TopoDS_Shape> wires;
+  for (const BezierSpline& spline : splines) wires.push_back(wireOf(spline));
+  return compoundOf(wires);
 }
 
 }  // namespace seamwright::occ

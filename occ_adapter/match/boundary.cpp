@@ -4,13 +4,11 @@
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
-#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GCPnts_AbscissaPoint.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Compound.hxx>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,6 +17,7 @@
 #include <seamwright/occ_adapter/convert/surface_kind.hpp>
 #include <seamwright/occ_adapter/match/boundary.hpp>
 #include <seamwright/occ_adapter/match/match_reasons.hpp>
+#include <seamwright/occ_adapter/model/compound.hpp>
 #include <seamwright/occ_adapter/model/edge_curves.hpp>
 #include <seamwright/occ_adapter/seams/pair_free_edges.hpp>
 
@@ -223,11 +222,7 @@ Pcurve storedPath(const Coedge& use, double match_mm) {
 }  // namespace
 
 TopoDS_Shape pairOf(const std::array<TopoDS_Face, 2>& faces) {
-  BRep_Builder builder;
-  TopoDS_Compound pair;
-  builder.MakeCompound(pair);
-  for (const TopoDS_Face& face : faces) builder.Add(pair, face);
-  return pair;
+  return compoundOf({faces[0], faces[1]});
 }
 
 CommonBoundary commonBoundary(const TopoDS_Shape& model, const std::array<TopoDS_Face, 2>& faces,

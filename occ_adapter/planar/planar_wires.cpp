@@ -6,7 +6,6 @@
 #include <Geom_Curve.hxx>
 #include <Geom_TrimmedCurve.hxx>
 #include <Precision.hxx>
-#include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
@@ -15,6 +14,7 @@
 #include <seamwright/occ_adapter/convert/points.hpp>
 #include <seamwright/occ_adapter/curves/edge_chain.hpp>
 #include <seamwright/occ_adapter/geometry_error.hpp>
+#include <seamwright/occ_adapter/model/compound.hpp>
 #include <seamwright/occ_adapter/planar/planar_curves.hpp>
 #include <seamwright/occ_adapter/planar/planar_wires.hpp>
 
@@ -171,11 +171,9 @@ TopoDS_Wire wireOf(const PlanarChain& chain, const PlaneFrame& frame) {
 }
 
 TopoDS_Shape wiresOf(const std::vector<PlanarWire>& wires) {
-  TopoDS_Compound compound;
-  const BRep_Builder builder;
-  builder.MakeCompound(compound);
-  for (const PlanarWire& wire : wires) builder.Add(compound, wireOf(wire.chain, wire.frame));
-  return compound;
+  std::vector<TopoDS_Shape> made;
+  for (const PlanarWire& wire : wires) made.push_back(wireOf(wire.chain, wire.frame));
+  return compoundOf(made);
 }
 
 }  // namespace seamwright::occ

@@ -10,7 +10,6 @@
 #include <Geom_TrimmedCurve.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shell.hxx>
@@ -23,6 +22,7 @@
 #include <seamwright/occ_adapter/convert/spline_curve.hpp>
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
 #include <seamwright/occ_adapter/convert/surface_kind.hpp>
+#include <seamwright/occ_adapter/model/compound.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
 #include <seamwright/occ_adapter/model/usable.hpp>
 #include <seamwright/occ_adapter/topology/built_model.hpp>
@@ -128,16 +128,11 @@ Model builtModel(const std::vector<BuiltItem>& items, double tolerance_mm) {
     throw std::invalid_argument(
         fmt::format("tolerance is {:.6g} mm: it must be positive and finite", tolerance_mm));
   if (items.empty()) throw std::invalid_argument("no surfaces and no curves: one is needed");
-  const BRep_Builder builder;
-  TopoDS_Compound compound;
-  builder.MakeCompound(compound);
   std::vector<TopoDS_Shape> parts;
-  for (std::size_t i = 0; i < items.size(); ++i) {
+  for (std::size_t i = 0; i < items.size(); ++i)
     parts.push_back(shapeOf(items[i], i, tolerance_mm));
-    builder.Add(compound, parts.back());
-  }
   Model model;
-  model.shape = compound;
+  model.shape = compoundOf(parts);
   model.format = "memory";
   model.length_unit = "mm (assumed)";
   if (model.faceCount() > 0) noteUnusableParts(model);

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <seamwright/core/bezier/stopped_ends.hpp>
-#include <seamwright/core/fair/fair_curve.hpp>
 #include <seamwright/core/planar/arc_fit.hpp>
 #include <seamwright/core/planar/clothoid_fit.hpp>
 #include <seamwright/core/planar/clothoid_spline.hpp>
@@ -13,7 +11,9 @@
 #include <seamwright/core/planar/fair_clothoids.hpp>
 #include <seamwright/core/planar/fair_points.hpp>
 #include <seamwright/core/planar/point_corners.hpp>
+#include <seamwright/plugin/cli/curve_figures.hpp>
 #include <seamwright/plugin/cli/curve_methods.hpp>
+#include <seamwright/plugin/cli/fair_splines.hpp>
 #include <seamwright/plugin/cli/local_curve.hpp>
 #include <seamwright/plugin/cli/point_curves.hpp>
 #include <seamwright/plugin/cli/rounding.hpp>
@@ -25,22 +25,8 @@ namespace {
 
 using report::CurveFigures;
 
-/// \param figures of a chain or of clothoids.
-template <class Figures>
-CurveFigures figuresFrom(const Figures& figures) {
-  CurveFigures result{.length_mm = figures.length_mm,
-                      .extrema = figures.extrema,
-                      .inflections = figures.inflections};
-  if (std::isfinite(figures.energy_per_mm)) result.energy_per_mm = figures.energy_per_mm;
-  return result;
-}
-
 PlanarChain chainOf(const std::vector<PlanarArc>& arcs, bool closed) {
   return {.curves = {arcs.begin(), arcs.end()}, .closed = closed};
-}
-
-CurveFigures figuresFrom(const std::vector<Clothoid>& chain, bool closed) {
-  return figuresFrom(figuresOf(chain, closed));
 }
 
 /// The curve that is approximated, and its distance from the one that was asked for.
@@ -65,7 +51,7 @@ SmoothCurve splineOf(const std::vector<Clothoid>& pieces, bool closed, double to
   return {
       .chain = {.curves = {bsplineCurve(spline.curve, continuity(spline.curve))}, .closed = closed},
       .distance_mm = spline.distance_mm,
-      .figures = figuresFrom(pieces, closed)};
+      .figures = figuresFrom(figuresOf(pieces, closed))};
 }
 
 /// That of the model; of points with a tolerance the clothoids through them, which are smoother
@@ -193,7 +179,7 @@ MadeCurve madeArcs(const GivenCurve& given, const CurveTask& task) {
 /// Spline through clothoids for a model file, and the figures.
 void takeClothoids(MadeCurve& made, std::vector<Clothoid> pieces, double tolerance_mm) {
   const bool closed = made.record.closed;
-  made.record.after = figuresFrom(pieces, closed);
+  made.record.after = figuresFrom(figuresOf(pieces, closed));
   // A tenth of the tolerance is left to the spline; without a tolerance a billionth of the length.
   const double spline_mm =
       tolerance_mm > 0 ? 0.1 * tolerance_mm : 1e-9 * made.record.after.length_mm;
@@ -424,99 +410,6 @@ MadeCurve conicsOfPoints(const GivenCurve& given, const CurveTask& task) {
 
 MadeCurve madeConics(const GivenCurve& given, const CurveTask& task) {
   return given.points.rows() > 0 ? conicsOfPoints(given, task) : conicsNearCurve(given, task);
-}
-
-bool isPolynomial(const BSplineCurve& curve) {
-  return (curve.poles.col(3).array() == curve.poles(0, 3)).all();
-}
-
-bool noLessFair(const ChainFigures& one, const ChainFigures& other) {
-  // Energies that agree to this are the same.
-  constexpr double same = 1 + 1e-9;
-  return one.extrema <= other.extrema && one.inflections <= other.inflections &&
-         one.energy_per_mm <= same * other.energy_per_mm;
-}
-
-/// The spline made fair, if its curvature is fair too: the least integral of the squared third
-/// derivative can cost extrema where the parameters are uneven. Smaller moves cost fewer.
-std::optional<FairedCurve> fairerSpline(const BSplineCurve& spline, double tolerance_mm,
-                                        const CurveFairingOptions& options,
-                                        const Progress& progress) {
-  const auto figures = [](const BSplineCurve& curve) {
-    return figuresOf({.curves = {curve}, .closed = false});
-  };
-  const ChainFigures before = figures(spline);
-  for (const double share : {1.0, 0x1p-2, 0x1p-4}) {
-    const FairedCurve faired = fairCurve(spline, share * tolerance_mm, options, progress);
-    if (noLessFair(figures(faired.curve), before)) return faired;
-  }
-  return std::nullopt;
-}
-
-/// How many poles keep the tangents at both ends: the first two that differ, and those before them.
-std::optional<HeldEnds> heldTangent(const BSplineCurve& spline) {
-  const std::vector<BezierCurve> spans = bezierCurves(spline);
-  const int stops = std::max(stoppedEnds(spans.front()).start, stoppedEnds(spans.back()).end);
-  if (stops > 1) return std::nullopt;
-  return stops == 1 ? HeldEnds::Curvature : HeldEnds::Tangent;
-}
-
-void noteKept(report::CurveRecord& record, int kept, int not_fairer) {
-  record.with_reservations = not_fairer > 0;
-  if (kept > 0)
-    record.notes.push_back(fmt::format(
-        "{} curve{} as given: only polynomial B-splines of degree 2 and more are faired", kept,
-        kept == 1 ? " stays" : "s stay"));
-  if (not_fairer > 0)
-    record.notes.push_back(
-        fmt::format("{} curve{} as given: moves of poles would cost extrema, inflections or energy",
-                    not_fairer, not_fairer == 1 ? " stays" : "s stay"));
-}
-
-MadeCurve madeFairSplines(const GivenCurve& given, const CurveTask& task) {
-  MadeCurve made{.record = given.record};
-  const ChainFigures before = figuresOf(given.chain, partOf(task.progress, 0, 0));
-  made.record.before = figuresFrom(before);
-  made.chain.closed = given.chain.closed;
-  const auto whole = static_cast<double>(given.chain.curves.size());
-  double moved_mm = 0;
-  int kept = 0, not_fairer = 0;
-  // Neighbours meet in position and tangent, and so do the ends of a closed chain.
-  const bool joins = given.chain.closed || given.chain.curves.size() > 1;
-  for (const ChainCurve& curve : given.chain.curves) {
-    const double done = static_cast<double>(made.chain.curves.size()) / whole;
-    const auto* spline = std::get_if<BSplineCurve>(&curve);
-    if (!spline || spline->degree < 2 || !isPolynomial(*spline)) {
-      made.chain.curves.push_back(curve);
-      ++kept;
-      continue;
-    }
-    const std::optional<HeldEnds> ends = joins ? heldTangent(*spline) : HeldEnds::Position;
-    std::optional<FairedCurve> faired;
-    if (ends)
-      faired = fairerSpline(*spline, task.tolerance_mm, {.ends = *ends},
-                            partOf(task.progress, done, done));
-    if (!faired) {
-      made.chain.curves.push_back(curve);
-      ++not_fairer;
-      continue;
-    }
-    moved_mm = std::max(moved_mm, faired->moved_mm);
-    made.chain.curves.emplace_back(faired->curve);
-    made.record.pieces += bezierSpline(faired->curve).segments();
-  }
-  const ChainFigures after = figuresOf(made.chain, partOf(task.progress, 1, 1));
-  made.record.after = figuresFrom(after);
-  if (!noLessFair(after, before)) {  // at joints, where neighbours are fair by themselves
-    made.chain = given.chain;
-    made.record.after = made.record.before;
-    made.record.pieces = 0;
-    moved_mm = 0;
-    not_fairer = static_cast<int>(given.chain.curves.size()) - kept;
-  }
-  made.record.distance_mm = made.record.moved_mm = moved_mm;
-  noteKept(made.record, kept, not_fairer);
-  return made;
 }
 
 MadeCurve madeFair(const GivenCurve& given, const CurveTask& task) {

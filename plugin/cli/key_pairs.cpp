@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <seamwright/core/bezier/length.hpp>
+#include <seamwright/core/blend/spline_places.hpp>
 #include <seamwright/plugin/cli/key_curves.hpp>
 #include <seamwright/plugin/cli/key_pairs.hpp>
 #include <sstream>
@@ -36,24 +36,10 @@ KeyPlace placeFrom(const std::string& text) {
       CLI::ExitCodes::ValidationError);
 }
 
-/// The parameter up to which the curve has this share of its length, to a millionth.
 double parameterAtShare(const BezierSpline& spline, double share) {
-  constexpr double relative = 1e-6;
-  const auto precision_mm = [](const BezierCurve& piece) {
-    return relative * std::max(polygonLength(piece), 1e-300);
-  };
-  std::vector<double> sums = {0};
-  for (int i = 0; i < spline.segments(); ++i) {
-    const BezierCurve piece = segment(spline, i);
-    sums.push_back(sums.back() + arcLength(piece, precision_mm(piece)).value_mm);
-  }
-  const double at_mm = share * sums.back();
-  const auto after = std::upper_bound(sums.begin() + 1, sums.end() - 1, at_mm);
-  const int i = static_cast<int>(after - sums.begin()) - 1;
-  const BezierCurve piece = segment(spline, i);
-  const double inside_mm = std::clamp(at_mm - sums[i], 0.0, sums[i + 1] - sums[i]);
-  const double t = parameterAtLength(piece, inside_mm, precision_mm(piece));
-  return spline.knots[i] + t * (spline.knots[i + 1] - spline.knots[i]);
+  const match::Place place = match::Measured(spline).placeAt(share);
+  const double begin = spline.knots[place.piece], end = spline.knots[place.piece + 1];
+  return begin + place.t * (end - begin);
 }
 
 double parameterOf(const KeyCurve& key, const std::string& path, const KeyPair& pair,

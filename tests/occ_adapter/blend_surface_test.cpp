@@ -126,6 +126,12 @@ TEST(BlendSurface, RingsAreClosedSmoothly) {
     for (int k = 0; k <= 40; ++k)
       EXPECT_NEAR(jet(blend.surface, k / 40.0, i / 10.0).p.head<2>().norm(), radius, 1e-4);
   }
+  // It is not twisted: lines u = const lie in planes through the axis.
+  for (int k = 0; k < 8; ++k) {
+    const Eigen::Vector3d from = jet(blend.surface, k / 8.0, 0).p,
+                          to = jet(blend.surface, k / 8.0, 1).p;
+    EXPECT_LT(std::abs(from.x() * to.y() - from.y() * to.x()) / (20 * 12), 1e-4);
+  }
   const SurfaceJet begin = jet(blend.surface, 0, 0.5), end = jet(blend.surface, 1, 0.5);
   EXPECT_LT((begin.u - end.u).norm(), 1e-7 * begin.u.norm());
   EXPECT_LT((begin.uu - end.uu).norm(), 1e-5 * begin.uu.norm());
