@@ -51,11 +51,9 @@ Level reachedLevel(const SeamFigures& figures, const ContinuityTolerance& tolera
   if (counts_left_out && !figures.curvature_left_out.isWithin(tolerance.curvature_rel, tolerance))
     return Level::G1;
   if (!isWithin(figures.curvature_change_rel, tolerance.curvature_rel, end)) return Level::G2;
-  // Where the curvature is left out, its change has no bound.
-  const LeftOut& left_out = figures.curvature_left_out;
-  if (counts_left_out && !left_out.intervals.empty() && left_out.longest_mm > tolerance.gap_mm)
-    return Level::G2;
-  return Level::G3;
+  const LeftOut left_out = figures.curvatureChangeLeftOut();
+  const bool is_known = !counts_left_out || left_out.isWithin(tolerance.curvature_rel, tolerance);
+  return is_known ? Level::G3 : Level::G2;
 }
 
 bool isCrease(const SeamFigures& figures, const ContinuityTolerance& tolerance, End end) {

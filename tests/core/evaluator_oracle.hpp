@@ -73,7 +73,7 @@ inline Jet sine(const Jet& a) {
 }
 
 inline Jet hyperbolicCosine(const Jet& a) {
-  return chain(a, std::cosh(a.f), std::sinh(a.f), std::cosh(a.f), std::sinh(a.f), std::cosh(a.f));
+  return chain(a, std::cosh(a.f), std::sinh(a.f), std::cosh(a.f), std::sinh(a.f));
 }
 inline Jet hyperbolicSine(const Jet& a) {
   return chain(a, std::sinh(a.f), std::cosh(a.f), std::sinh(a.f), std::cosh(a.f));
