@@ -54,7 +54,8 @@ SurfaceFields placed(const SurfaceFields& local, const Placement& placement, Det
 SurfaceFields unknownPlane(SurfaceFields fields) {
   fields.normal.fill(ChebyshevModel::unknown());
   fields.tensor.fill(ChebyshevModel::unknown());
-  fields.change.first.fill(ChebyshevModel::unknown());
+  for (VectorModel* field : {&fields.u, &fields.v, &fields.change.first})
+    field->fill(ChebyshevModel::unknown());
   return fields;
 }
 
