@@ -102,8 +102,9 @@ struct Divisor {
 
 PieceBound relativeChangeBound(const Changes& changes, double largest_difference,
                                const Slack& slack) {
-  const double most_a = largestValue(changes.a, slack).upper,
-               most_b = largestValue(changes.b, slack).upper;
+  constexpr Slack hundredth{0.01, 0};
+  const double most_a = largestValue(changes.a, hundredth).upper,
+               most_b = largestValue(changes.b, hundredth).upper;
   if (std::max(most_a, most_b) < changes.flat) return {0, 0, 0};
   Divisor divisor;
   divisor.offer(changes.a);
@@ -114,7 +115,8 @@ PieceBound relativeChangeBound(const Changes& changes, double largest_difference
   }
   // Where the figure is not 0, its divisor is at least the flat change.
   PieceBound bound{0, largest_difference / std::max(divisor.at_least, changes.flat), 0};
-  if (divisor.at_least > 0 && bound.upper > std::max(slack.absolute, 0.25 * slack.relative))
+  const double enough = std::max(slack.absolute, slack.relative * bound.upper) / 4;
+  if (divisor.at_least > 0 && bound.upper > enough)
     bound.upper =
         std::min(bound.upper, changeQuotient(changes.difference, divisor.below, slack, bound.at));
   bound.upper *= 1 + short_rounding;
