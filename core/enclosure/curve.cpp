@@ -27,6 +27,7 @@ CurveJetModel jetOf(const EllipseEvaluator& ellipse, const ChebyshevModel& t, in
   jet.p = combined({ellipse.center, ellipse.x, ellipse.y}, cosine, sine);
   if (order >= 1) jet.d1 = combined({nothing, ellipse.y, -ellipse.x}, cosine, sine);
   if (order >= 2) jet.d2 = combined({nothing, -ellipse.x, -ellipse.y}, cosine, sine);
+  if (order >= 3) jet.d3 = combined({nothing, -ellipse.y, ellipse.x}, cosine, sine);
   return jet;
 }
 
@@ -36,6 +37,7 @@ CurveJetModel jetOf(const HyperbolaEvaluator& hyperbola, const ChebyshevModel& t
   jet.p = combined({hyperbola.center, hyperbola.x, hyperbola.y}, cosine, sine);
   if (order >= 1) jet.d1 = combined({nothing, hyperbola.y, hyperbola.x}, cosine, sine);
   if (order >= 2) jet.d2 = combined({nothing, hyperbola.x, hyperbola.y}, cosine, sine);
+  if (order >= 3) jet.d3 = combined({nothing, hyperbola.y, hyperbola.x}, cosine, sine);
   return jet;
 }
 
@@ -62,7 +64,7 @@ double CurveEvaluator::parameterSize() const {
 CurveJetModel CurveEvaluator::jet(const ChebyshevModel& t, double hint, int order) const {
   if (const auto* spline = std::get_if<std::shared_ptr<const SplineEvaluator>>(&form_)) {
     const JetModel jet = (*spline)->jet(t, ChebyshevModel(0), hint, 0, order);
-    return {jet.p, jet.u, jet.uu};
+    return {jet.p, jet.u, jet.uu, jet.uuu};
   }
   if (const auto* line = std::get_if<LineEvaluator>(&form_)) return jetOf(*line, t, order);
   if (const auto* ellipse = std::get_if<EllipseEvaluator>(&form_)) return jetOf(*ellipse, t, order);

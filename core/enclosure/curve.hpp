@@ -13,6 +13,7 @@ namespace seamwright {
 /// Point and derivatives of a curve along a piece of it, as models.
 struct CurveJetModel {
   VectorModel p, d1, d2;
+  VectorModel d3 = {};
 };
 
 /// origin + t direction.
@@ -54,7 +55,7 @@ class CurveEvaluator {
   double parameterSize() const;
   /// Point and derivatives along t.
   /// \param hint a parameter inside the smooth piece to evaluate.
-  /// \param order 0, 1 or 2: highest derivative wanted.
+  /// \param order 0 to 3: highest derivative wanted.
   CurveJetModel jet(const ChebyshevModel& t, double hint, int order) const;
 
  private:

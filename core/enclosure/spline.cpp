@@ -93,7 +93,7 @@ VectorModel space(const HomogeneousModel& h) {
 /// Partial derivatives of the quotient of the space part and the weight of h, by the product rule
 /// solved for them.
 /// Source: docs/theory/enclosures.md E2.4.
-JetModel projected(const std::array<HomogeneousModel, 6>& h, int order) {
+JetModel projected(const std::array<HomogeneousModel, 10>& h, int order) {
   const ChebyshevModel w = inverse(h[0][3]);
   JetModel jet;
   jet.p = w * space(h[0]);
@@ -104,12 +104,26 @@ JetModel projected(const std::array<HomogeneousModel, 6>& h, int order) {
   jet.uu = w * (space(h[3]) - 2 * (h[1][3] * jet.u) - h[3][3] * jet.p);
   jet.uv = w * (space(h[4]) - h[1][3] * jet.v - h[2][3] * jet.u - h[4][3] * jet.p);
   jet.vv = w * (space(h[5]) - 2 * (h[2][3] * jet.v) - h[5][3] * jet.p);
+  if (order < 3) return jet;
+  jet.uuu = w * (space(h[6]) - 3 * (h[1][3] * jet.uu + h[3][3] * jet.u) - h[6][3] * jet.p);
+  jet.uuv = w * (space(h[7]) - 2 * (h[1][3] * jet.uv + h[4][3] * jet.u) - h[2][3] * jet.uu -
+                 h[3][3] * jet.v - h[7][3] * jet.p);
+  jet.uvv = w * (space(h[8]) - 2 * (h[2][3] * jet.uv + h[4][3] * jet.v) - h[1][3] * jet.vv -
+                 h[5][3] * jet.u - h[8][3] * jet.p);
+  jet.vvv = w * (space(h[9]) - 3 * (h[2][3] * jet.vv + h[5][3] * jet.v) - h[9][3] * jet.p);
   return jet;
 }
 
-/// The number of nets of a jet of that order: p; u, v; uu, uv, vv.
+/// The number of nets of a jet of that order: p; u, v; uu, uv, vv; uuu, uuv, uvv, vvv.
 int netCount(int order) {
-  return order == 0 ? 1 : order == 1 ? 3 : 6;
+  return (order + 1) * (order + 2) / 2;
+}
+
+/// The order of a jet of so many nets.
+int orderOf(int nets) {
+  int order = 0;
+  while (netCount(order) < nets) ++order;
+  return order;
 }
 
 void requireFit(const SplineDirection& direction, std::size_t poles, const char* name) {
@@ -150,34 +164,41 @@ SplineEvaluator::SplineEvaluator(SplineDirection u, SplineDirection v,
     for (int s = degree; s + degree + 1 < static_cast<int>(knots.size()); ++s)
       if (knots[s] < knots[s + 1]) spans_[d].push_back({s, knots[s], knots[s + 1]});
     if (spans_[d].empty()) throw std::invalid_argument("all knots of a spline are the same");
-    for (int lowering = 0; lowering < 3; ++lowering)
+    for (int lowering = 0; lowering < 4; ++lowering)
       bezier_to_chebyshev_[d][lowering] = bezierToChebyshev(std::max(degree - lowering, 0));
   }
 }
 
-SplineEvaluator::SpanMatrices SplineEvaluator::makeMatrices(int direction, int span) const {
+SplineEvaluator::SpanMatrices SplineEvaluator::makeMatrices(int direction, int span,
+                                                            int highest) const {
   const auto& [degree, knots, period] = directions_[direction];
   const int s = spans_[direction][span].knot;
   SpanMatrices matrices;
-  for (int order = 0; order < 3; ++order) {
+  matrices.order = highest;
+  for (int order = 0; order <= highest; ++order) {
     const int lower = std::max(degree - order, 0);
     const SmallMatrix to_bezier = splineToBezier(knots, lower, s);
     matrices.to_chebyshev[order] = bezier_to_chebyshev_[direction][order] * to_bezier;
     matrices.to_chebyshev_terms[order] =
         bezier_to_chebyshev_[direction][order].cwiseAbs() * to_bezier;
     matrices.roundings[order] = to_bezier.isIdentity(0) ? lower + 3 : 8 * lower + 3;
-    if (order < 2) matrices.factors[order] = derivativeFactors(knots, lower, s);
+    if (order < highest) matrices.factors[order] = derivativeFactors(knots, lower, s);
   }
   return matrices;
 }
 
-const SplineEvaluator::SpanMatrices& SplineEvaluator::matrices(int direction, int span) const {
+const SplineEvaluator::SpanMatrices& SplineEvaluator::matrices(int direction, int span,
+                                                               int nets) const {
+  const int order = std::max(orderOf(nets), 2);  // lower orders are soon followed by the second
   const auto known = matrices_[direction].find(span);
-  if (known != matrices_[direction].end()) return known->second;
+  if (known != matrices_[direction].end()) {
+    if (known->second.order < order) known->second = makeMatrices(direction, span, order);
+    return known->second;
+  }
   // A bound of memory: a path lies in one span after another, so old ones are not needed again.
   constexpr std::size_t most_kept = 1000;
   if (matrices_[direction].size() >= most_kept) matrices_[direction].clear();
-  return matrices_[direction].emplace(span, makeMatrices(direction, span)).first->second;
+  return matrices_[direction].emplace(span, makeMatrices(direction, span, order)).first->second;
 }
 
 std::vector<double> SplineEvaluator::knotsInside(int direction, const Interval& range) const {
@@ -289,12 +310,16 @@ void SplineEvaluator::addNets(const RoundedNet& poles, const RoundedNet& local,
   const auto along_v = [&](const RoundedNet& net, int order) {
     return net.transposed().derivative(mv.factors[order]).transposed();
   };
-  constexpr std::array<std::array<int, 2>, 6> orders = {
-      {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}}};
-  std::array<RoundedNet, 6> nets = {local};
+  constexpr std::array<std::array<int, 2>, 10> orders = {
+      {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}, {3, 0}, {2, 1}, {1, 2}, {0, 3}}};
+  std::array<RoundedNet, 10> nets = {local};
   if (cell.count > 1) nets[1] = along_u(poles, 0), nets[2] = along_v(poles, 0);
   if (cell.count > 3)
     nets[3] = along_u(nets[1], 1), nets[4] = along_v(nets[1], 0), nets[5] = along_v(nets[2], 1);
+  if (cell.count > 6) {
+    nets[6] = along_u(nets[3], 2), nets[7] = along_v(nets[3], 0);
+    nets[8] = along_v(nets[4], 1), nets[9] = along_v(nets[5], 2);
+  }
   for (int k = 0; k < cell.count; ++k) {
     const auto [du, dv] = orders[k];
     const SmallMatrix& net = nets[k].value;
@@ -334,8 +359,8 @@ SplineEvaluator::RoundedNet SplineEvaluator::localNet(int span_u, int span_v, in
 }
 
 SplineEvaluator::Cell SplineEvaluator::makeCell(int span_u, int span_v, int nets) const {
-  const SpanMatrices& mu = matrices(0, span_u);
-  const SpanMatrices& mv = matrices(1, span_v);
+  const SpanMatrices& mu = matrices(0, span_u, nets);
+  const SpanMatrices& mv = matrices(1, span_v, nets);
   const int first_u = spans_[0][span_u].knot - directions_[0].degree;
   const int first_v = spans_[1][span_v].knot - directions_[1].degree;
   Cell cell;
@@ -389,7 +414,7 @@ JetModel SplineEvaluator::evaluated(const Cell& c, const ChebyshevModel& x, cons
       degree = std::max(degree, product.degree());
     }
   const double outside = off.col(1).maxCoeff();  // largest factor of the error of a coefficient
-  std::array<HomogeneousModel, 6> h;
+  std::array<HomogeneousModel, 10> h;
   for (int k = 0; k < nets; ++k)
     for (int d = 0; d < dimension; ++d) {
       const Eigen::VectorXd& net = c.nets[k].coefficients[d];
@@ -403,7 +428,8 @@ JetModel SplineEvaluator::evaluated(const Cell& c, const ChebyshevModel& x, cons
           sum, (error[0] + rounding + c.nets[k].error[d] * std::max(1.0, outside)) * (1 + 1e-12));
     }
   if (dimension == 4) return projected(h, order);
-  return {space(h[0]), space(h[1]), space(h[2]), space(h[3]), space(h[4]), space(h[5])};
+  return {space(h[0]), space(h[1]), space(h[2]), space(h[3]), space(h[4]),
+          space(h[5]), space(h[6]), space(h[7]), space(h[8]), space(h[9])};
 }
 
 /// The common point of all poles of the boundary; nothing if they differ.
@@ -429,15 +455,18 @@ std::optional<Eigen::Vector3d> SplineEvaluator::collapsedPoint(int span_u, int s
 }
 
 /// The matrices of the quotient, which has one degree less and is in Bézier form over the span.
-SplineEvaluator::SpanMatrices SplineEvaluator::quotientMatrices(int direction, int span) const {
+SplineEvaluator::SpanMatrices SplineEvaluator::quotientMatrices(int direction, int span,
+                                                                int highest) const {
   const double width = spans_[direction][span].upper - spans_[direction][span].lower;
   SpanMatrices matrices;
-  for (int order = 0; order < 3; ++order) {
+  matrices.order = highest;
+  for (int order = 0; order <= highest; ++order) {
     const int degree = std::max(directions_[direction].degree - 1 - order, 0);
     matrices.to_chebyshev[order] = bezierToChebyshev(degree);
     matrices.to_chebyshev_terms[order] = matrices.to_chebyshev[order].cwiseAbs();
     matrices.roundings[order] = degree + 3;
-    if (order < 2) matrices.factors[order] = Eigen::VectorXd::Constant(degree, degree / width);
+    if (order < highest)
+      matrices.factors[order] = Eigen::VectorXd::Constant(degree, degree / width);
   }
   return matrices;
 }
@@ -458,9 +487,9 @@ SplineEvaluator::Cell SplineEvaluator::makeCollapsedCell(const CollapsedKey& key
                                                          int nets) const {
   const int d = key.boundary.direction;
   const int span = d == 0 ? key.span_u : key.span_v;
-  const SpanMatrices& mu = matrices(0, key.span_u);
-  const SpanMatrices& mv = matrices(1, key.span_v);
-  const SpanMatrices divided = quotientMatrices(d, span);
+  const SpanMatrices& mu = matrices(0, key.span_u, nets);
+  const SpanMatrices& mv = matrices(1, key.span_v, nets);
+  const SpanMatrices divided = quotientMatrices(d, span, std::max(orderOf(nets), 2));
   Cell cell;
   cell.count = nets;
   cell.origin = point;

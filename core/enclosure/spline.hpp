@@ -15,6 +15,7 @@ namespace seamwright {
 /// Point and partial derivatives of a surface along a path, as models.
 struct JetModel {
   VectorModel p, u, v, uu, uv, vv;
+  VectorModel uuu = {}, uuv = {}, uvv = {}, vvv = {};
 };
 
 /// A surface next to a boundary that is one point P0: the surface is P0 + tau Q. tau is the
@@ -64,7 +65,7 @@ class SplineEvaluator {
   double parameterSize(int direction) const;
 
   /// The jet along (u, v) of the polynomial of the span that holds (hint_u, hint_v).
-  /// \param order 0, 1 or 2: highest derivatives wanted.
+  /// \param order 0 to 3: highest derivatives wanted.
   JetModel jet(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u, double hint_v,
                int order) const;
 
@@ -86,12 +87,13 @@ class SplineEvaluator {
   };
   /// The matrices of one span, indexed by the order of the derivative.
   struct SpanMatrices {
-    std::array<Eigen::VectorXd, 2>
+    int order = 0;  ///< highest derivative
+    std::array<Eigen::VectorXd, 3>
         factors;  ///< factors that turn differences of poles into poles of the next order
-    std::array<SmallMatrix, 3> to_chebyshev;  ///< from poles to Chebyshev coefficients
-    std::array<SmallMatrix, 3>
+    std::array<SmallMatrix, 4> to_chebyshev;  ///< from poles to Chebyshev coefficients
+    std::array<SmallMatrix, 4>
         to_chebyshev_terms;  ///< sums of the absolute values of the terms of each entry
-    std::array<int, 3>
+    std::array<int, 4>
         roundings{};  ///< roundings of an entry times a pole, summed up, in units of 2^-53
   };
   struct Net {
@@ -101,16 +103,16 @@ class SplineEvaluator {
   };
   struct Cell {
     Eigen::Vector3d origin;
-    int count = 0;            ///< number of nets that are computed
-    std::array<Net, 6> nets;  ///< p, u, v, uu, uv, vv
+    int count = 0;             ///< number of nets that are computed
+    std::array<Net, 10> nets;  ///< p, u, v, uu, uv, vv, uuu, uuv, uvv, vvv
   };
   struct Local {
     int span = 0;
     ChebyshevModel x;  ///< -1..1 over the span
   };
 
-  const SpanMatrices& matrices(int direction, int span) const;
-  SpanMatrices makeMatrices(int direction, int span) const;
+  const SpanMatrices& matrices(int direction, int span, int nets) const;
+  SpanMatrices makeMatrices(int direction, int span, int order) const;
   Local localize(int direction, const ChebyshevModel& parameter, double hint) const;
   const Cell& cell(int span_u, int span_v, int nets) const;
   Cell makeCell(int span_u, int span_v, int nets) const;
@@ -136,7 +138,7 @@ class SplineEvaluator {
   };
   std::optional<Eigen::Vector3d> collapsedPoint(int span_u, int span_v,
                                                 const Boundary& boundary) const;
-  SpanMatrices quotientMatrices(int direction, int span) const;
+  SpanMatrices quotientMatrices(int direction, int span, int order) const;
   RoundedNet quotientNet(const RoundedNet& net, int span, const Boundary& boundary) const;
   Cell makeCollapsedCell(const CollapsedKey& key, const Eigen::Vector3d& point, int nets) const;
 
@@ -147,7 +149,7 @@ class SplineEvaluator {
   std::array<std::vector<Span>, 2> spans_;
   /// The matrices from Bézier points to Chebyshev coefficients, indexed by how far the degree is
   /// lowered.
-  std::array<std::array<SmallMatrix, 3>, 2> bezier_to_chebyshev_;
+  std::array<std::array<SmallMatrix, 4>, 2> bezier_to_chebyshev_;
   mutable std::array<std::map<int, SpanMatrices>, 2> matrices_;
   mutable std::map<std::pair<int, int>, Cell> cells_;
   mutable std::map<CollapsedKey, Cell> collapsed_cells_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 
 #include <seamwright/core/enclosure/surface.hpp>
@@ -32,12 +33,29 @@ SurfaceFields placed(const SurfaceFields& local, const Placement& placement, Det
   if (detail >= Detail::TangentPlane) fields.normal = side * (placement.orthogonal * local.normal);
   if (detail >= Detail::Curvature)
     fields.tensor = (side / placement.scale) * turned(placement.orthogonal, local.tensor);
+  if (detail < Detail::CurvatureChange) return fields;
+  fields.u = placement.scale * (placement.orthogonal * local.u);
+  fields.v = placement.scale * (placement.orthogonal * local.v);
+  // Two factors, because the product with a number covers one rounding of the number.
+  const double by_scale = 1 / placement.scale;
+  const auto scaled = [&](const ChebyshevModel& coefficient) {
+    return (side * by_scale) * (by_scale * coefficient);
+  };
+  const CubicForm& form = local.change;
+  fields.change = {.first = placement.orthogonal * form.first,
+                   .second = placement.orthogonal * form.second,
+                   .xxx = scaled(form.xxx),
+                   .xxy = scaled(form.xxy),
+                   .xyy = scaled(form.xyy),
+                   .yyy = scaled(form.yyy)};
   return fields;
 }
 
 SurfaceFields unknownPlane(SurfaceFields fields) {
   fields.normal.fill(ChebyshevModel::unknown());
   fields.tensor.fill(ChebyshevModel::unknown());
+  for (VectorModel* field : {&fields.u, &fields.v, &fields.change.first})
+    field->fill(ChebyshevModel::unknown());
   return fields;
 }
 
@@ -62,22 +80,30 @@ class Plane : public SurfaceEvaluator {
  public:
   SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double, double,
                        Detail) const override {
-    return {vectorModel(u, v, ChebyshevModel(0)),
-            vectorModel(ChebyshevModel(0), ChebyshevModel(0), ChebyshevModel(1)),
-            {}};
+    const ChebyshevModel zero(0), one(1);
+    return {.point = vectorModel(u, v, zero),
+            .normal = vectorModel(zero, zero, one),
+            .tensor = {},
+            .u = vectorModel(one, zero, zero),
+            .v = vectorModel(zero, one, zero)};
   }
 };
 
 /// A curve (rho(v), height(v)) turned about the z axis, with normal (outward(v), axial(v)) and
-/// principal curvatures along the circle and along the curve.
+/// principal curvatures along the circle and along the curve. The curvature along the curve is
+/// constant.
 struct Profile {
   ChebyshevModel rho, height;
   ChebyshevModel outward, axial;
   ChebyshevModel circle_curvature, curve_curvature;
+  double speed = 1;  ///< X_v is speed (-axial e(u) + outward z)
 };
 
 /// The fields of a turned profile. e(u) and its derivative span the plane of the circle.
-SurfaceFields turnedFields(const ChebyshevModel& u, const Profile& profile, Detail detail) {
+/// \param circle_change returns the derivative of circle_curvature by the arc length of the curve.
+template <class Change>
+SurfaceFields turnedFields(const ChebyshevModel& u, const Profile& profile, Detail detail,
+                           const Change& circle_change) {
   const auto [cosine, sine] = cosSin(u);
   const ChebyshevModel zero(0);
   SurfaceFields fields;
@@ -90,6 +116,19 @@ SurfaceFields turnedFields(const ChebyshevModel& u, const Profile& profile, Deta
         vectorModel(-(profile.axial * cosine), -(profile.axial * sine), profile.outward);
     fields.tensor = profile.circle_curvature * symmetricProduct(around, around) +
                     profile.curve_curvature * symmetricProduct(along, along);
+    if (detail >= Detail::CurvatureChange) {
+      fields.u = profile.rho * around;
+      fields.v = profile.speed * along;
+      // Meridians are geodesics, and the direction of the circle is parallel along them. So the
+      // derivative of the second form along the curve has the derivatives of both curvatures; by
+      // symmetry nothing else remains.
+      fields.change = {.first = around,
+                       .second = along,
+                       .xxx = zero,
+                       .xxy = circle_change(),
+                       .xyy = zero,
+                       .yyy = zero};
+    }
   }
   return fields;
 }
@@ -102,7 +141,7 @@ class Cylinder : public SurfaceEvaluator {
     return turnedFields(u,
                         {ChebyshevModel(radius_), v, ChebyshevModel(1), ChebyshevModel(0),
                          -inverse(ChebyshevModel(radius_)), ChebyshevModel(0)},
-                        detail);
+                        detail, [] { return ChebyshevModel(0); });
   }
 
  private:
@@ -120,10 +159,14 @@ class Cone : public SurfaceEvaluator {
                        Detail detail) const override {
     const ChebyshevModel rho = ChebyshevModel(radius_) + v * sine_;
     const double side = sideOfAxis(rho, std::abs(radius_) + v.magnitude());
-    const SurfaceFields fields = turnedFields(u,
-                                              {rho, v * cosine_, side * cosine_, -side * sine_,
-                                               -side * (cosine_ * inverse(rho)), ChebyshevModel(0)},
-                                              detail);
+    const SurfaceFields fields =
+        turnedFields(u,
+                     {rho, v * cosine_, side * cosine_, -side * sine_,
+                      -side * (cosine_ * inverse(rho)), ChebyshevModel(0), side},
+                     detail, [&] {
+                       const ChebyshevModel by_rho = inverse(rho);
+                       return cosine_ * sine_ * (by_rho * by_rho);
+                     });
     return side == 0 ? unknownPlane(fields) : fields;
   }
 
@@ -140,11 +183,14 @@ class Torus : public SurfaceEvaluator {
     const auto [cosine, sine] = cosSin(v);
     const ChebyshevModel rho = ChebyshevModel(major_) + minor_ * cosine;
     const double side = sideOfAxis(rho, minor_);
-    const SurfaceFields fields =
-        turnedFields(u,
-                     {rho, minor_ * sine, side * cosine, side * sine,
-                      -side * (cosine * inverse(rho)), -side * inverse(ChebyshevModel(minor_))},
-                     detail);
+    const SurfaceFields fields = turnedFields(
+        u,
+        {rho, minor_ * sine, side * cosine, side * sine, -side * (cosine * inverse(rho)),
+         -side * inverse(ChebyshevModel(minor_)), side * minor_},
+        detail, [&] {
+          const ChebyshevModel by_rho = inverse(rho);
+          return inverse(ChebyshevModel(minor_)) * (major_ * (sine * (by_rho * by_rho)));
+        });
     return side == 0 ? unknownPlane(fields) : fields;
   }
 
@@ -165,9 +211,10 @@ class Sphere : public SurfaceEvaluator {
     const Interval height = cosine.range();
     const double side = height.lower >= -rounding ? 1 : height.upper <= rounding ? -1 : 0;
     const ChebyshevModel curvature = -side * inverse(ChebyshevModel(radius_));
-    const SurfaceFields fields = turnedFields(
-        u, {radius_ * cosine, radius_ * sine, side * cosine, side * sine, curvature, curvature},
-        detail);
+    const SurfaceFields fields = turnedFields(u,
+                                              {radius_ * cosine, radius_ * sine, side * cosine,
+                                               side * sine, curvature, curvature, side * radius_},
+                                              detail, [] { return ChebyshevModel(0); });
     return side == 0 ? unknownPlane(fields) : fields;
   }
 
@@ -208,7 +255,9 @@ class Extrusion : public SurfaceEvaluator {
   SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u, double,
                        Detail detail) const override {
     const CurveJetModel curve = curve_.jet(u, hint_u, static_cast<int>(detail));
-    return fieldsOf({curve.p + v * direction_, curve.d1, direction_, curve.d2, {}, {}}, detail);
+    return fieldsOf(
+        {curve.p + v * direction_, curve.d1, direction_, curve.d2, {}, {}, curve.d3, {}, {}, {}},
+        detail);
   }
 
  private:
@@ -234,10 +283,19 @@ class Revolution : public SurfaceEvaluator {
     const VectorModel d2 = into_frame * curve.d2;
     const ChebyshevModel zero(0);
     // The jet at u = 0. A turn about z moves (x, y, z) by (-y, x, 0) per radian.
-    return turn(fieldsOf({p, vectorModel(-p[1], p[0], zero), d1, vectorModel(-p[0], -p[1], zero),
-                          vectorModel(-d1[1], d1[0], zero), d2},
-                         detail),
-                u, detail);
+    JetModel jet{p,
+                 vectorModel(-p[1], p[0], zero),
+                 d1,
+                 vectorModel(-p[0], -p[1], zero),
+                 vectorModel(-d1[1], d1[0], zero),
+                 d2};
+    if (detail >= Detail::CurvatureChange) {
+      jet.uuu = vectorModel(p[1], -p[0], zero);
+      jet.uuv = vectorModel(-d1[0], -d1[1], zero);
+      jet.uvv = vectorModel(-d2[1], d2[0], zero);
+      jet.vvv = into_frame * curve.d3;
+    }
+    return turn(fieldsOf(jet, detail), u, detail);
   }
 
  private:
@@ -261,6 +319,13 @@ class Revolution : public SurfaceEvaluator {
       const VectorModel second = turn({x[1], y[1], z[1]});
       fields.tensor = {first[0], second[1], z[2], first[1], z[1], z[0]};
     }
+    if (detail >= Detail::CurvatureChange) {
+      fields.u = turn(start.u);
+      fields.v = turn(start.v);
+      fields.change = start.change;
+      fields.change.first = turn(start.change.first);
+      fields.change.second = turn(start.change.second);
+    }
     return fields;
   }
 
@@ -278,7 +343,8 @@ class Offset : public SurfaceEvaluator {
   double parameterSize(int direction) const override { return basis_->parameterSize(direction); }
   SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u,
                        double hint_v, Detail detail) const override {
-    const SurfaceFields basis = basis_->fields(u, v, hint_u, hint_v, Detail::Curvature);
+    const SurfaceFields basis =
+        basis_->fields(u, v, hint_u, hint_v, std::max(detail, Detail::Curvature));
     SurfaceFields fields;
     fields.point = basis.point + distance_ * basis.normal;
     if (detail == Detail::Position) return fields;
@@ -299,6 +365,27 @@ class Offset : public SurfaceEvaluator {
       fields.tensor =
           (side * inverse(area_factor)) * (basis.tensor - (distance_ * gauss) * projection);
     }
+    if (detail < Detail::CurvatureChange) return fields;
+    // As a form of parameter vectors the change is that of the basis. X_u becomes (I - d S) X_u, so
+    // first and second become (I - d S)^-1 times themselves, which is ((1 - d tr S) I + d S) /
+    // det(I - d S) in the tangent plane.
+    const ChebyshevModel inverse_factor = inverse(area_factor);
+    const auto moved = [&](const VectorModel& tangent) {
+      return tangent - distance_ * (basis.tensor * tangent);
+    };
+    const auto dual = [&](const VectorModel& tangent) {
+      return inverse_factor * ((ChebyshevModel(1) - distance_ * mean) * tangent +
+                               distance_ * (basis.tensor * tangent));
+    };
+    fields.u = moved(basis.u);
+    fields.v = moved(basis.v);
+    const CubicForm& form = basis.change;
+    fields.change = {.first = dual(form.first),
+                     .second = dual(form.second),
+                     .xxx = side * form.xxx,
+                     .xxy = side * form.xxy,
+                     .xyy = side * form.xyy,
+                     .yyy = side * form.yyy};
     return fields;
   }
 
@@ -347,17 +434,49 @@ struct TangentBasis {
   /// dual basis.
   SymmetricModel tensor(const ChebyshevModel& l, const ChebyshevModel& m,
                         const ChebyshevModel& k) const {
-    const VectorModel dual_a = inverse_length * cross(b, normal);
-    const VectorModel dual_b = inverse_length * cross(normal, a);
+    const VectorModel dual_a = dualA();
+    const VectorModel dual_b = dualB();
     return symmetricProduct(l * dual_a + m * dual_b, dual_a) +
            symmetricProduct(m * dual_a + k * dual_b, dual_b);
   }
+
+  VectorModel dualA() const { return inverse_length * cross(b, normal); }
+  VectorModel dualB() const { return inverse_length * cross(normal, a); }
 
   VectorModel a, b, normal;
   ChebyshevModel inverse_length;
 };
 
+/// Partial derivatives of a surface in a basis of its tangent plane.
+struct PartialDerivatives {
+  VectorModel aa, ab, bb, aaa, aab, abb, bbb;
+};
+
+/// The change of curvature for the normal n and the tensor K of that normal. In n.(D3X[v, v, v] + 3
+/// D2X[v, w]) w is minus the tangential part of D2X[v, v], so n.D2X[v, w] is -K X_v . D2X[v, v].
+CubicForm changeOf(const TangentBasis& basis, const VectorModel& n, const SymmetricModel& tensor,
+                   const PartialDerivatives& d) {
+  const VectorModel ka = tensor * basis.a, kb = tensor * basis.b;
+  return {.first = basis.dualA(),
+          .second = basis.dualB(),
+          .xxx = dot(n, d.aaa) - 3 * dot(ka, d.aa),
+          .xxy = dot(n, d.aab) - 2 * dot(ka, d.ab) - dot(kb, d.aa),
+          .xyy = dot(n, d.abb) - 2 * dot(kb, d.ab) - dot(ka, d.bb),
+          .yyy = dot(n, d.bbb) - 3 * dot(kb, d.bb)};
+}
+
 }  // namespace
+
+ChebyshevModel CubicForm::operator()(const VectorModel& d) const {
+  const ChebyshevModel x = dot(first, d), y = dot(second, d);
+  const ChebyshevModel xx = x * x, yy = y * y;
+  return ProductSum()
+      .add(xx, xxx * x)
+      .add(xx, 3 * (xxy * y))
+      .add(yy, 3 * (xyy * x))
+      .add(yy, yyy * y)
+      .model();
+}
 
 SurfaceFields fieldsOf(const JetModel& jet, Detail detail) {
   SurfaceFields fields;
@@ -365,8 +484,19 @@ SurfaceFields fieldsOf(const JetModel& jet, Detail detail) {
   if (detail == Detail::Position) return fields;
   const TangentBasis basis(jet.u, jet.v);
   const VectorModel& n = fields.normal = basis.normal;
-  if (detail == Detail::Curvature)
-    fields.tensor = basis.tensor(dot(n, jet.uu), dot(n, jet.uv), dot(n, jet.vv));
+  if (detail < Detail::Curvature) return fields;
+  fields.tensor = basis.tensor(dot(n, jet.uu), dot(n, jet.uv), dot(n, jet.vv));
+  if (detail < Detail::CurvatureChange) return fields;
+  fields.u = jet.u;
+  fields.v = jet.v;
+  fields.change = changeOf(basis, n, fields.tensor,
+                           {.aa = jet.uu,
+                            .ab = jet.uv,
+                            .bb = jet.vv,
+                            .aaa = jet.uuu,
+                            .aab = jet.uuv,
+                            .abb = jet.uvv,
+                            .bbb = jet.vvv});
   return fields;
 }
 
@@ -388,8 +518,25 @@ SurfaceFields collapsedFieldsOf(const CollapsedJetModel& jet, Detail detail) {
   const VectorModel& q_tau_tau = along_v ? q.vv : q.uu;
   // X_ss = tau Q_ss and X_s,tau = Q_s + tau Q_s,tau with n.Q_s = 0. The coefficients of the basis
   // (Q_s, X_tau) are these, divided by tau^2 and by tau.
-  fields.tensor = basis.tensor(inverse(tau) * dot(n, along_v ? q.uu : q.vv), dot(n, q.uv),
-                               dot(n, 2 * q_tau + tau * q_tau_tau));
+  const VectorModel& q_ss = along_v ? q.uu : q.vv;
+  fields.tensor =
+      basis.tensor(inverse(tau) * dot(n, q_ss), dot(n, q.uv), dot(n, 2 * q_tau + tau * q_tau_tau));
+  if (detail < Detail::CurvatureChange) return fields;
+  const VectorModel x_s = tau * q_s;
+  fields.u = along_v ? x_s : basis.b;
+  fields.v = along_v ? basis.b : x_s;
+  // The third derivatives of tau Q, each divided by tau for every s.
+  const VectorModel& q_sst = along_v ? q.uuv : q.uvv;
+  const VectorModel& q_stt = along_v ? q.uvv : q.uuv;
+  const ChebyshevModel by_tau = inverse(tau);
+  fields.change = changeOf(basis, n, fields.tensor,
+                           {.aa = by_tau * q_ss,
+                            .ab = by_tau * q_s + q.uv,
+                            .bb = 2 * q_tau + tau * q_tau_tau,
+                            .aaa = by_tau * (by_tau * (along_v ? q.uuu : q.vvv)),
+                            .aab = by_tau * (by_tau * q_ss + q_sst),
+                            .abb = by_tau * (2 * q.uv) + q_stt,
+                            .bbb = 3 * q_tau_tau + tau * (along_v ? q.vvv : q.uuu)});
   return fields;
 }
 

@@ -10,23 +10,36 @@
 namespace seamwright {
 
 /// What is wanted of a surface along a path; each level includes the levels before it.
-enum class Detail { Position, TangentPlane, Curvature };
+/// The value is the highest order of derivatives that it needs.
+enum class Detail { Position, TangentPlane, Curvature, CurvatureChange };
+
+/// A cubic form of the vectors d of a tangent plane: with x = first.d and y = second.d,
+///     xxx x^3 + 3 xxy x^2 y + 3 xyy x y^2 + yyy y^3.
+/// first and second are tangent vectors.
+struct CubicForm {
+  VectorModel first, second;
+  ChebyshevModel xxx, xxy, xyy, yyy;
+
+  ChebyshevModel operator()(const VectorModel& d) const;
+};
 
 /// The fields of a surface along a path. A field that is not bounded there has an infinite radius,
 /// for instance the normal at a pole or a cusp.
 struct SurfaceFields {
   VectorModel point;
-  VectorModel normal;     ///< unit, in the direction of X_u x X_v
-  SymmetricModel tensor;  ///< curvature tensor for that normal, see curvatureTensor()
+  VectorModel normal;          ///< unit, in the direction of X_u x X_v
+  SymmetricModel tensor;       ///< curvature tensor for that normal, see curvatureTensor()
+  VectorModel u = {}, v = {};  ///< X_u and X_v, only with the change of curvature
+  CubicForm change = {};       ///< curvatureChange() for that normal, as a form of the direction
 };
 
 /// The fields of a parametrised surface from its jet.
-/// Source: docs/theory/enclosures.md E3.1; docs/theory/surfaces.md S1.4.
+/// Source: docs/theory/enclosures.md E3.1, E3.6; docs/theory/surfaces.md S1.4, S1.6.
 SurfaceFields fieldsOf(const JetModel& jet, Detail detail);
 /// The fields next to a boundary that is one point. The normal is known up to the boundary where
 /// X_tau and Q_s are independent; Q_s is the derivative of the quotient along the boundary. The
-/// tensor is known away from the boundary.
-/// Source: docs/theory/enclosures.md E5.1.
+/// tensor and its change are known away from the boundary.
+/// Source: docs/theory/enclosures.md E5.1, E3.6.
 SurfaceFields collapsedFieldsOf(const CollapsedJetModel& jet, Detail detail);
 
 /// A surface that can be evaluated along pieces of paths in its parameter plane.

@@ -61,7 +61,8 @@ class Enclosure {
   /// above it, pieces that were measured before have curvatures, which isSettled(), excess() and
   /// figuresOf() ignore.
   Detail detail() const {
-    return lower_[Angle] > tolerance_.crease_rad ? Detail::TangentPlane : Detail::Curvature;
+    if (lower_[Angle] > tolerance_.crease_rad) return Detail::TangentPlane;
+    return options_.curvature_change ? Detail::CurvatureChange : Detail::Curvature;
   }
   bool folds(const Piece& piece) const {
     return enclosure::folds(piece, a_.faceOnLeft() == b_.faceOnLeft());
@@ -110,9 +111,14 @@ class Enclosure {
 };
 
 double Enclosure::tolerated(Quantity quantity) const {
+  const double flat = 1 / tolerance_.flat_radius_mm;
+  const double flat_change = 100 * flat * flat;  // see relativeChange()
   const double tolerances[] = {
-      tolerance_.gap_mm, tolerance_.angle_rad,
-      tolerance_.curvature_rel * std::max(curvature_norm_, 1 / tolerance_.flat_radius_mm),
+      tolerance_.gap_mm,
+      tolerance_.angle_rad,
+      tolerance_.curvature_rel * std::max(curvature_norm_, flat),
+      tolerance_.curvature_rel,
+      tolerance_.curvature_rel * std::max(curvature_norm_ * curvature_norm_, flat_change),
       tolerance_.curvature_rel};
   return tolerances[quantity];
 }
@@ -123,10 +129,11 @@ double Enclosure::allowed(Quantity quantity) const {
 
 /// Whether the upper bound of a piece may stay as it is.
 bool Enclosure::isEnough(Quantity quantity, double upper) const {
-  if (quantity == RelativeCurvature) upper = std::min(upper, largest_relative_difference);
+  if (quantity == RelativeCurvature || quantity == RelativeChange)
+    upper = std::min(upper, largest_relative_difference);
   if (upper <= lower_[quantity] + allowed(quantity)) return true;
   if (options_.figures) return false;
-  return quantity == Curvature || upper <= tolerated(quantity) ||
+  return quantity == Curvature || quantity == Change || upper <= tolerated(quantity) ||
          lower_[quantity] > tolerated(quantity);
 }
 
@@ -151,8 +158,12 @@ bool Enclosure::isSettled(const Piece& piece) const {
   if (!isEnough(Angle, f.angle_rad.upper)) return false;
   if (sharp) return std::isfinite(f.angle_rad.upper);
   if (piece.curvature_left_out) return f.curvature_rel && isOnOneSide(*f.curvature_rel);
-  return f.curvature_per_mm && isEnough(Curvature, f.curvature_per_mm->upper) &&
-         isEnough(RelativeCurvature, f.curvature_rel->upper);
+  if (!f.curvature_per_mm || !isEnough(Curvature, f.curvature_per_mm->upper) ||
+      !isEnough(RelativeCurvature, f.curvature_rel->upper))
+    return false;
+  return !options_.curvature_change ||
+         (f.curvature_change_per_mm2 && isEnough(Change, f.curvature_change_per_mm2->upper) &&
+          isEnough(RelativeChange, f.curvature_change_rel->upper));
 }
 
 double Enclosure::excess(const PieceBound& bound, Quantity quantity) const {
@@ -175,8 +186,12 @@ double Enclosure::excess(const Piece& piece) const {
   // Where one side becomes flat the figure steps from 0 to 1. The step does not shrink with the
   // piece, so the pieces must locate it.
   if (figures.curvature_rel->upper == 1 && figures.curvature_rel->lower < 1) return infinite;
-  return std::max({largest, excess(*figures.curvature_per_mm, Curvature),
-                   excess(*figures.curvature_rel, RelativeCurvature)});
+  const double of_curvature = std::max({largest, excess(*figures.curvature_per_mm, Curvature),
+                                        excess(*figures.curvature_rel, RelativeCurvature)});
+  if (!options_.curvature_change) return of_curvature;
+  if (!figures.curvature_change_per_mm2) return infinite;
+  return std::max({of_curvature, excess(*figures.curvature_change_per_mm2, Change),
+                   excess(*figures.curvature_change_rel, RelativeChange)});
 }
 
 /// Raises the lower bound of a figure to a value that the piece attains.
@@ -196,6 +211,9 @@ void Enclosure::see(const Piece& piece) {
   if (!piece.figures.curvature_per_mm) return;
   see(Curvature, *piece.figures.curvature_per_mm, piece);
   see(RelativeCurvature, *piece.figures.curvature_rel, piece);
+  if (!piece.figures.curvature_change_per_mm2) return;
+  see(Change, *piece.figures.curvature_change_per_mm2, piece);
+  see(RelativeChange, *piece.figures.curvature_change_rel, piece);
 }
 
 void Enclosure::leaveOut(const Piece& piece, const SideFields& a, const SideFields& b) {
@@ -215,15 +233,18 @@ bool Enclosure::measure(Piece& piece, Detail detail, std::optional<double>& spli
   const SideFields b = b_.fields(piece.from, piece.to, detail);
   split = b.split;
   if (split) return false;
-  const PieceSlack slack = {{allowed_share, allowed(Gap)},
-                            {allowed_share, allowed(Angle)},
-                            {allowed_share, allowed(Curvature)},
-                            {allowed_share, allowed(RelativeCurvature)}};
+  const PieceSlack slack = {
+      {allowed_share, allowed(Gap)},       {allowed_share, allowed(Angle)},
+      {allowed_share, allowed(Curvature)}, {allowed_share, allowed(RelativeCurvature)},
+      {allowed_share, allowed(Change)},    {allowed_share, allowed(RelativeChange)}};
   bool first = true;
   for (const SurfaceFields& fields_a : a.alternatives)
     for (const SurfaceFields& fields_b : b.alternatives) {
-      const PieceFigures figures =
+      PieceFigures figures =
           measurePiece(fields_a, fields_b, detail, tolerance_.flat_radius_mm, slack);
+      if (detail == Detail::CurvatureChange)
+        measureChange({fields_a, a.direction}, {fields_b, b.direction}, tolerance_.flat_radius_mm,
+                      slack, figures);
       if (first)
         piece.figures = figures;
       else
@@ -383,7 +404,8 @@ void Enclosure::leaveOutCurvatureNearDegenerate() {
     changed |= piece.curvature_left_out;
   }
   if (!changed) return;
-  lower_[Curvature] = lower_[RelativeCurvature] = 0;
+  for (const Quantity quantity : {Curvature, RelativeCurvature, Change, RelativeChange})
+    lower_[quantity] = 0;
   for (const Piece& piece : pieces_) see(piece);
 }
 
@@ -426,7 +448,8 @@ SeamPieces Enclosure::run() {
           .degenerate = std::move(degenerate_),
           .faces_on_one_side = a_.faceOnLeft() == b_.faceOnLeft(),
           .looks = looks_,
-          .exhausted = exhausted_};
+          .exhausted = exhausted_,
+          .has_change = options_.curvature_change};
 }
 
 }  // namespace

@@ -16,9 +16,11 @@ struct EncloseOptions {
   int max_knot_cuts = 30'000;  ///< work limit: cuts where sides cross knot lines
   bool figures =
       true;  ///< false: stop as soon as the verdict is certain, with enclosures of any width
+  bool curvature_change = false;  ///< also encloses the change of curvature, for level G3
 };
 
-/// Encloses the largest gap, tangent-plane angle and curvature difference along a seam.
+/// Encloses the largest gap, tangent-plane angle and curvature difference along a seam; if asked
+/// for also the largest difference of the change of curvature.
 ///
 /// The seam is cut into pieces. On each piece polynomials with a radius (ChebyshevModel) enclose
 /// the points, normals and curvature tensors of both sides. Differences are formed before ranges
@@ -28,15 +30,17 @@ struct EncloseOptions {
 /// hundredth of its tolerance), or until the work limit is reached. At the limit the enclosures are
 /// wider, but still proven.
 ///
-/// The figures are those of measurePair() and relativeDifference(), over all points where both
-/// sides have a tangent plane, except for what \p angle_left_out and \p curvature_left_out list:
+/// The figures are those of measurePair(), relativeDifference() and relativeChange(), over all
+/// points where both sides have a tangent plane, except for what \p angle_left_out and \p
+/// curvature_left_out list:
 ///   - A piece that holds a point without tangent plane and is shorter than 2^-30 of the seam, in
 ///     parameter and in length, is left out of both figures. \p degenerate names it.
 ///   - The curvature also leaves out what lies within 2^-20 of the seam of such a point, because
 ///     curvature may grow without limit there. The distance is 2^-16 where no bound of the angle is
 ///     known up to a point at an end. The same holds near a boundary of a spline whose poles all
 ///     coincide, although the tangent plane may be known there.
-/// What is left out is bounded separately. Outside \p range only the gap is known.
+/// What is left out is bounded separately, except for the change of curvature. Outside \p range
+/// only the gap is known.
 ///
 /// Where the path crosses a knot line, both sides of the line count. Along a knot line, the side on
 /// which the face lies counts. The path is on a knot line if it is within 2^-46 of the parameter,
@@ -51,10 +55,11 @@ struct EncloseOptions {
 ///       value exceeds the bounds given for it. The lower bounds are attained.
 ///   (2) Swapping the sides, reversing the seam and rigid motion never change the verdict, and
 ///       change the bounds only within their widths.
-///   (3) For an exact G1 (G2) join the upper bound of the angle (curvature) is rounding only.
+///   (3) For an exact G1 (G2, G3) join the upper bound of the angle (curvature, change of
+///       curvature) is rounding only.
 ///
 /// \throws std::invalid_argument for an invalid tolerance.
-/// Source: docs/theory/enclosures.md E3.1 to E3.5, E5.1, E5.2; docs/theory/surfaces.md S1.5.
+/// Source: docs/theory/enclosures.md E3.1 to E3.6, E5.1, E5.2; docs/theory/surfaces.md S1.5.
 SeamFigures encloseSeam(const SeamSide& a, const SeamSide& b, const ContinuityTolerance& tolerance,
                         const EncloseOptions& options = {});
 

@@ -50,8 +50,10 @@ Level reachedLevel(const SeamFigures& figures, const ContinuityTolerance& tolera
   if (!isWithin(figures.curvature_rel, tolerance.curvature_rel, end)) return Level::G1;
   if (counts_left_out && !figures.curvature_left_out.isWithin(tolerance.curvature_rel, tolerance))
     return Level::G1;
-  return isWithin(figures.curvature_change_rel, tolerance.curvature_rel, end) ? Level::G3
-                                                                              : Level::G2;
+  if (!isWithin(figures.curvature_change_rel, tolerance.curvature_rel, end)) return Level::G2;
+  const LeftOut left_out = figures.curvatureChangeLeftOut();
+  const bool is_known = !counts_left_out || left_out.isWithin(tolerance.curvature_rel, tolerance);
+  return is_known ? Level::G3 : Level::G2;
 }
 
 bool isCrease(const SeamFigures& figures, const ContinuityTolerance& tolerance, End end) {

@@ -33,6 +33,9 @@ struct PieceFigures {
   /// The upper bound may exceed largest_relative_difference: it then states how far the figure is
   /// from being known.
   std::optional<PieceBound> curvature_rel;
+  /// Nothing if they were not asked for. The bound of the second is as that of curvature_rel.
+  std::optional<PieceBound> curvature_change_per_mm2;
+  std::optional<PieceBound> curvature_change_rel;
 };
 
 /// The slack that a bound may keep without further work: upper - lower <= max(relative * lower,
@@ -44,15 +47,29 @@ struct Slack {
 
 struct PieceSlack {
   Slack gap_mm, angle_rad, curvature_per_mm, curvature_rel;
+  Slack curvature_change_per_mm2 = {}, curvature_change_rel = {};
 };
 
 /// Bounds gap, angle and curvature difference over a piece, from the fields of both sides there.
 ///
-/// \param detail Curvature: with the curvature figures; TangentPlane: without them; Position: only
-/// the gap.
+/// \param detail Curvature and above: with the curvature figures, but not with the change of
+/// curvature; TangentPlane: without them; Position: only the gap.
 /// Source: docs/theory/enclosures.md E3.2 to E3.4.
 PieceFigures measurePiece(const SurfaceFields& a, const SurfaceFields& b, Detail detail,
                           double flat_radius_mm, const PieceSlack& slack);
+
+/// One side of a piece with what the change of curvature across the seam needs.
+struct ChangeSide {
+  const SurfaceFields& fields;
+  /// Derivative of (u, v) along the seam, of any length; the third coordinate is 0.
+  const VectorModel& direction;
+};
+
+/// Bounds the difference of the change of curvature over a piece. The fields have
+/// Detail::CurvatureChange.
+/// Source: docs/theory/enclosures.md E3.6.
+void measureChange(const ChangeSide& a, const ChangeSide& b, double flat_radius_mm,
+                   const PieceSlack& slack, PieceFigures& figures);
 
 /// Adds the bounds of another pair of sides over the same piece.
 /// On a piece across knot lines every combination of sides is possible, so no value is known to be

@@ -147,6 +147,11 @@ Summary Figures::summary() const {
           std::max(sum.upper[Curvature], f.curvature_per_mm ? f.curvature_per_mm->upper : infinite);
       sum.upper[RelativeCurvature] = std::max(sum.upper[RelativeCurvature],
                                               f.curvature_rel ? f.curvature_rel->upper : infinite);
+      const auto& change = f.curvature_change_per_mm2;
+      sum.upper[Change] = std::max(sum.upper[Change], change ? change->upper : infinite);
+      const auto& relative = f.curvature_change_rel;
+      sum.upper[RelativeChange] =
+          std::max(sum.upper[RelativeChange], relative ? relative->upper : infinite);
     }
     if (!std::isfinite(f.angle_rad.upper)) sum.unknown_at = piece.at(0);
     if (!foldsAt(piece)) continue;
@@ -154,9 +159,12 @@ Summary Figures::summary() const {
     if (f.smallest_angle_rad <= tolerance_.crease_rad) sum.may_fold = true;
   }
   // The relative difference cannot be larger where the curvature has bounds at all.
-  if (std::isfinite(sum.upper[Curvature]))
-    sum.upper[RelativeCurvature] =
-        std::min(sum.upper[RelativeCurvature], largest_relative_difference);
+  const auto limit = [&](Quantity relative, Quantity absolute) {
+    if (std::isfinite(sum.upper[absolute]))
+      sum.upper[relative] = std::min(sum.upper[relative], largest_relative_difference);
+  };
+  limit(RelativeCurvature, Curvature);
+  limit(RelativeChange, Change);
   return sum;
 }
 
@@ -169,6 +177,9 @@ void Figures::addFigures(const Summary& sum, SeamFigures& figures) const {
   if (sharp || sum.fold_at) return;
   figures.curvature_per_mm = figure(Curvature, sum.upper[Curvature]);
   figures.curvature_rel = figure(RelativeCurvature, sum.upper[RelativeCurvature]);
+  if (!seam_.has_change) return;
+  figures.curvature_change_per_mm2 = figure(Change, sum.upper[Change]);
+  figures.curvature_change_rel = figure(RelativeChange, sum.upper[RelativeChange]);
 }
 
 /// The most important reason comes first.
@@ -181,6 +192,8 @@ std::string Figures::whyUncertified(const Summary& sum, const SeamFigures& figur
   if (sum.isFoldOpen()) return "the faces may fold back on one another";
   if (!is_crease_known) return "the crease angle is passed near the middle of its length";
   if (figures.curvature_rel && !figures.curvature_rel->upper) return "the curvature is not bounded";
+  if (figures.curvature_change_rel && !figures.curvature_change_rel->upper)
+    return "the change of curvature is not bounded";
   if (seam_.exhausted)
     return fmt::format("the enclosures are still wide after {} pieces", seam_.looks);
   return "";
@@ -203,7 +216,9 @@ SeamFigures Figures::all() const {
   const auto known = [](const std::optional<Figure>& figure) { return !figure || figure->upper; };
   figures.certified =
       known(figures.gap_mm) && known(figures.angle_rad) &&
-      (figures.fold_at || (known(figures.curvature_per_mm) && known(figures.curvature_rel)));
+      (figures.fold_at ||
+       (known(figures.curvature_per_mm) && known(figures.curvature_rel) &&
+        known(figures.curvature_change_per_mm2) && known(figures.curvature_change_rel)));
   return figures;
 }
 

@@ -17,7 +17,7 @@ namespace seamwright::enclosure {
 /// left out.
 constexpr double pole_piece = 0x1p-30;
 
-enum Quantity { Gap, Angle, Curvature, RelativeCurvature, Quantities };
+enum Quantity { Gap, Angle, Curvature, RelativeCurvature, Change, RelativeChange, Quantities };
 
 struct Piece {
   double from = 0;
@@ -47,6 +47,7 @@ struct SeamPieces {
   bool faces_on_one_side = false;  ///< both faces are left of the seam, or both right
   int looks = 0;                   ///< number of pieces measured
   bool exhausted = false;          ///< the work limit was reached
+  bool has_change = false;         ///< the change of curvature was asked for
 };
 
 struct FigureOptions {

@@ -93,6 +93,10 @@ SideFields SideEvaluator::fields(double from, double to, Detail detail) const {
   for (const double u : hints[0])
     for (const double v : hints[1])
       result.alternatives.push_back(side_.surface->fields(uv[0], uv[1], u, v, detail));
+  if (detail >= Detail::CurvatureChange) {
+    result.direction = side_.path.jet(t, t.coefficient(0), 1).d1;
+    if (side_.t.back() < side_.t.front()) result.direction = -result.direction;
+  }
   return result;
 }
 

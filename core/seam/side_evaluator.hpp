@@ -13,6 +13,9 @@ namespace seamwright {
 struct SideFields {
   std::vector<SurfaceFields> alternatives;  ///< more than one if the piece lies across a knot line
   std::optional<double> split;              ///< there are no fields: cut the piece here first
+  /// Derivative of (u, v) in the direction of increasing s, of any length; the third coordinate is
+  /// 0. Only with the change of curvature.
+  VectorModel direction = {};
 
   /// Whether the side is known to have a tangent plane on the whole piece.
   bool hasPlane() const;

@@ -70,6 +70,14 @@ struct SeamFigures {
   bool settled = true;        ///< false: figures still changed when the limit of points was reached
   std::vector<DegeneratePoint> degenerate;
   int points = 0;
+
+  /// What the figures of the change of curvature leave out: the same as those of the curvature, but
+  /// without a bound.
+  LeftOut curvatureChangeLeftOut() const {
+    LeftOut left_out = curvature_left_out;
+    if (!left_out.intervals.empty()) left_out.upper.reset();
+    return left_out;
+  }
 };
 
 struct SurveyOptions {

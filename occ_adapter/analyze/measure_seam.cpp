@@ -161,6 +161,7 @@ SeamFigures enclosed(const Seam& seam, const std::array<Pcurve, 2>& pcurves,
   const PoleIntervals poles = poleIntervals(seam, pcurves);
   EncloseOptions enclose_options;
   enclose_options.range = poles.between;
+  enclose_options.curvature_change = options.level == Level::G3;
   SeamFigures figures = encloseSeam(a, b, options.tolerance, enclose_options);
   figures.degenerate.insert(figures.degenerate.end(), poles.points.begin(), poles.points.end());
   return figures;
@@ -207,18 +208,17 @@ SeamFigures figuresOf(const Seam& seam, const std::array<Pcurve, 2>& pcurves,
     } catch (const std::invalid_argument& not_finite) {
       figures.uncertified = not_finite.what();
     }
-    if (figures.certified && options.level != Level::G3) return figures;
+    if (figures.certified) return figures;
   }
   SeamFigures samples = sampled(seam, pcurves, options);
-  if (!figures.certified && !(isEnclosed(figures.gap_mm) && isEnclosed(figures.angle_rad))) {
+  if (!(isEnclosed(figures.gap_mm) && isEnclosed(figures.angle_rad))) {
     samples.uncertified = figures.uncertified;
     return samples;
   }
   raise(samples.curvature_per_mm, figures.curvature_per_mm);
   raise(samples.curvature_rel, figures.curvature_rel);
-  figures.curvature_change_per_mm2 = samples.curvature_change_per_mm2;
-  figures.curvature_change_rel = samples.curvature_change_rel;
-  if (figures.uncertified.empty()) figures.uncertified = "the change of curvature is sampled";
+  raise(samples.curvature_change_per_mm2, figures.curvature_change_per_mm2);
+  raise(samples.curvature_change_rel, figures.curvature_change_rel);
   return figures;
 }
 

@@ -108,7 +108,7 @@ py::object encloseSeamOf(const py::object& a, const py::object& edge_a, const py
   const Level required = levelOf(level);
   if (required == Level::G3)
     throw py::value_error(
-        "level 'G3': the change of curvature is not enclosed; known are G0, G1 and G2");
+        "level 'G3': the change of curvature is not measured here; known are G0, G1 and G2");
   SeamFigures figures;
   {
     const py::gil_scoped_release release;
@@ -138,7 +138,7 @@ py::list encloseKnotLinesOf(const py::object& given, const py::object& direction
   const Level required = levelOf(level);
   if (required == Level::G3)
     throw py::value_error(
-        "level 'G3': the change of curvature is not enclosed; known are G0, G1 and G2");
+        "level 'G3': the change of curvature is not measured here; known are G0, G1 and G2");
   const std::vector<KnotLine> lines = [&] {
     const py::gil_scoped_release release;
     return encloseKnotLines(surface, along, tolerance, around);

@@ -47,6 +47,10 @@ std::string firstDoubt(const SeamFigures& figures, const ContinuityTolerance& to
   if (text.empty())
     text = doubt("change of curvature", figures.curvature_change_rel, 100, tolerance.curvature_rel,
                  "%");
+  if (text.empty())
+    text = doubtLeftOut("change of curvature", figures.curvature_change_rel,
+                        figures.curvatureChangeLeftOut(), tolerance, 100, tolerance.curvature_rel,
+                        "%");
   return text;
 }
 
@@ -113,8 +117,6 @@ std::string noteOf(const occ::SeamResult& seam, const ContinuityTolerance& toler
   const std::string note =
       joinedNotes({seam.note, leftOutText("angle", seam.figures.angle_left_out),
                    leftOutText("curvature", seam.figures.curvature_left_out)});
-  // No note says that the change of curvature is sampled: this holds for every row, and the figure
-  // shows it.
   if (seam.verdict.certain && seam.figures.certified) return note;
   std::string why = seam.figures.uncertified;
   if (why.empty() && !seam.verdict.certain) why = firstDoubt(seam.figures, tolerance);

@@ -13,16 +13,17 @@
 
 #include "surfaces.hpp"
 
-/// Surfaces as formulas of second-order jets in long double, and their fields along paths.
+/// Surfaces as formulas of third-order jets in long double, and their fields along paths.
 namespace seamwright::test::formulas {
 
 using Real = long double;
 using Vec3 = Eigen::Matrix<Real, 3, 1>;
 using Matrix3 = Eigen::Matrix<Real, 3, 3>;
 
-/// Value and partial derivatives to second order of a function of (u, v).
+/// Value and partial derivatives to third order of a function of (u, v).
 struct Jet {
   Real f = 0, u = 0, v = 0, uu = 0, uv = 0, vv = 0;
+  Real uuu = 0, uuv = 0, uvv = 0, vvv = 0;
   Jet() = default;
   Jet(Real value) : f(value) {}  // NOLINT(google-explicit-constructor)
   Jet(Real value, Real du, Real dv) : f(value), u(du), v(dv) {}
@@ -31,6 +32,7 @@ struct Jet {
 inline Jet operator+(const Jet& a, const Jet& b) {
   Jet c(a.f + b.f, a.u + b.u, a.v + b.v);
   c.uu = a.uu + b.uu, c.uv = a.uv + b.uv, c.vv = a.vv + b.vv;
+  c.uuu = a.uuu + b.uuu, c.uuv = a.uuv + b.uuv, c.uvv = a.uvv + b.uvv, c.vvv = a.vvv + b.vvv;
   return c;
 }
 inline Jet operator*(const Jet& a, const Jet& b) {
@@ -38,34 +40,43 @@ inline Jet operator*(const Jet& a, const Jet& b) {
   c.uu = a.uu * b.f + 2 * a.u * b.u + a.f * b.uu;
   c.uv = a.uv * b.f + a.u * b.v + a.v * b.u + a.f * b.uv;
   c.vv = a.vv * b.f + 2 * a.v * b.v + a.f * b.vv;
+  c.uuu = a.uuu * b.f + 3 * (a.uu * b.u + a.u * b.uu) + a.f * b.uuu;
+  c.uuv = a.uuv * b.f + a.uu * b.v + a.v * b.uu + 2 * (a.uv * b.u + a.u * b.uv) + a.f * b.uuv;
+  c.uvv = a.uvv * b.f + a.vv * b.u + a.u * b.vv + 2 * (a.uv * b.v + a.v * b.uv) + a.f * b.uvv;
+  c.vvv = a.vvv * b.f + 3 * (a.vv * b.v + a.v * b.vv) + a.f * b.vvv;
   return c;
 }
 inline Jet operator-(const Jet& a, const Jet& b) {
   return a + Jet(-1) * b;
 }
 /// g(a) from the derivatives of g.
-inline Jet chain(const Jet& a, Real g, Real g1, Real g2) {
+inline Jet chain(const Jet& a, Real g, Real g1, Real g2, Real g3) {
   Jet c(g, g1 * a.u, g1 * a.v);
   c.uu = g1 * a.uu + g2 * a.u * a.u;
   c.uv = g1 * a.uv + g2 * a.u * a.v;
   c.vv = g1 * a.vv + g2 * a.v * a.v;
+  c.uuu = g1 * a.uuu + 3 * g2 * a.u * a.uu + g3 * a.u * a.u * a.u;
+  c.uuv = g1 * a.uuv + g2 * (a.uu * a.v + 2 * a.u * a.uv) + g3 * a.u * a.u * a.v;
+  c.uvv = g1 * a.uvv + g2 * (a.vv * a.u + 2 * a.v * a.uv) + g3 * a.u * a.v * a.v;
+  c.vvv = g1 * a.vvv + 3 * g2 * a.v * a.vv + g3 * a.v * a.v * a.v;
   return c;
 }
 inline Jet operator/(const Jet& a, const Jet& b) {
-  return a * chain(b, 1 / b.f, -1 / (b.f * b.f), 2 / (b.f * b.f * b.f));
+  return a *
+         chain(b, 1 / b.f, -1 / (b.f * b.f), 2 / (b.f * b.f * b.f), -6 / (b.f * b.f * b.f * b.f));
 }
 inline Jet cosine(const Jet& a) {
-  return chain(a, std::cos(a.f), -std::sin(a.f), -std::cos(a.f));
+  return chain(a, std::cos(a.f), -std::sin(a.f), -std::cos(a.f), std::sin(a.f));
 }
 inline Jet sine(const Jet& a) {
-  return chain(a, std::sin(a.f), std::cos(a.f), -std::sin(a.f));
+  return chain(a, std::sin(a.f), std::cos(a.f), -std::sin(a.f), -std::cos(a.f));
 }
 
 inline Jet hyperbolicCosine(const Jet& a) {
-  return chain(a, std::cosh(a.f), std::sinh(a.f), std::cosh(a.f));
+  return chain(a, std::cosh(a.f), std::sinh(a.f), std::cosh(a.f), std::sinh(a.f));
 }
 inline Jet hyperbolicSine(const Jet& a) {
-  return chain(a, std::sinh(a.f), std::cosh(a.f), std::sinh(a.f));
+  return chain(a, std::sinh(a.f), std::cosh(a.f), std::sinh(a.f), std::cosh(a.f));
 }
 
 using Point = std::array<Jet, 3>;
@@ -97,6 +108,10 @@ inline Surface inFrame(const Frame& frame, const Surface& local) {
 struct Fields {
   Vec3 point, normal;
   Matrix3 tensor;
+  Vec3 u, v;
+  /// The third derivative of the height over the tangent plane in the direction of the tangential
+  /// part of d, times the cube of its length.
+  std::function<Real(const Vec3& d)> change;
 };
 
 /// X_u x X_v normalised and J I^-1 II I^-1 J^T.
@@ -113,6 +128,20 @@ inline Fields fieldsAt(const Surface& surface, Real u, Real v) {
       fields.normal.dot(part(&Jet::uv)), fields.normal.dot(part(&Jet::vv));
   const Eigen::Matrix<Real, 2, 2> inverse = (jacobian.transpose() * jacobian).inverse();
   fields.tensor = jacobian * inverse * second * inverse * jacobian.transpose();
+  fields.u = part(&Jet::u), fields.v = part(&Jet::v);
+  const Vec3 n = fields.normal, uu = part(&Jet::uu), uv = part(&Jet::uv), vv = part(&Jet::vv);
+  const Vec3 uuu = part(&Jet::uuu), uuv = part(&Jet::uuv), uvv = part(&Jet::uvv),
+             vvv = part(&Jet::vvv);
+  const Eigen::Matrix<Real, 2, 3> parameters = inverse * jacobian.transpose();
+  fields.change = [=](const Vec3& d) {
+    const Eigen::Matrix<Real, 2, 1> a = parameters * d;
+    const Vec3 along = a[0] * a[0] * uu + 2 * a[0] * a[1] * uv + a[1] * a[1] * vv;
+    const Eigen::Matrix<Real, 2, 1> b = -parameters * along;
+    const Vec3 third = a[0] * a[0] * a[0] * uuu + 3 * a[0] * a[0] * a[1] * uuv +
+                       3 * a[0] * a[1] * a[1] * uvv + a[1] * a[1] * a[1] * vvv;
+    const Vec3 mixed = a[0] * b[0] * uu + (a[0] * b[1] + a[1] * b[0]) * uv + a[1] * b[1] * vv;
+    return n.dot(third + 3 * mixed);
+  };
   return fields;
 }
 
@@ -150,12 +179,29 @@ inline void expectHeld(const ChebyshevModel& model, Real x, Real truth, Real noi
       << field << " is " << static_cast<double>(truth) << " at " << static_cast<double>(x);
 }
 
+/// The partial derivatives, and the cubic form in directions that determine it.
+inline void expectChangeHeld(const SurfaceFields& fields, const Fields& there, Real x, Real noise) {
+  for (int d = 0; d < 3; ++d) {
+    expectHeld(fields.u[d], x, there.u[d], 2 * noise * there.u.norm(), "X_u");
+    expectHeld(fields.v[d], x, there.v[d], 2 * noise * there.v.norm(), "X_v");
+  }
+  const std::array<Vec, 7> directions = {Vec(1, 0, 0), Vec(0, 1, 0),  Vec(0, 0, 1), Vec(1, 1, 0),
+                                         Vec(0, 1, 1), Vec(1, 0, -1), Vec(1, -2, 3)};
+  Real largest = there.tensor.squaredNorm();
+  for (const Vec& d : directions)
+    largest = std::max(largest, std::abs(there.change(d.cast<Real>())));
+  for (const Vec& d : directions)
+    expectHeld(fields.change(constantModel(d)), x, there.change(d.cast<Real>()),
+               64 * noise * largest, "change of curvature");
+}
+
 /// \param noise of the input, absolute for the normal, relative to the size of the others: frames
 /// are orthonormal but for rounding.
 inline void expectHeld(const SurfaceEvaluator& evaluator,
                        const std::function<Fields(Real, Real)>& truth, const Path& path,
                        double hint_u, double hint_v, Real noise = 1e-15L) {
-  const SurfaceFields fields = evaluator.fields(path.u, path.v, hint_u, hint_v, Detail::Curvature);
+  const SurfaceFields fields =
+      evaluator.fields(path.u, path.v, hint_u, hint_v, Detail::CurvatureChange);
   for (const Real off : {-1, 0, 1})
     for (int i = 0; i <= 8; ++i) {
       const Real x = -1 + i / 4.0L;
@@ -170,6 +216,7 @@ inline void expectHeld(const SurfaceEvaluator& evaluator,
       for (int k = 0; k < 6; ++k)
         expectHeld(fields.tensor[k], x, there.tensor(rows[k], columns[k]), 4 * noise * bent,
                    "tensor");
+      expectChangeHeld(fields, there, x, noise);
     }
 }
 

@@ -54,7 +54,7 @@ TEST(SplineEvaluator, JetsAreHeldWhereRoundingIsAllThereIs) {
                               (spline.v.knots.size() - spline.v.degree - 1);
     for (std::size_t k = 0; k < count; ++k) spline.poles.push_back(test::randomVector(random));
     const double u = placeIn(spline.u, random), v = placeIn(spline.v, random);
-    const JetModel jet = spline.evaluator()->jet(ChebyshevModel(u), ChebyshevModel(v), u, v, 2);
+    const JetModel jet = spline.evaluator()->jet(ChebyshevModel(u), ChebyshevModel(v), u, v, 3);
     const auto [x, y, z] = formulaOf(spline, u, v)(Jet(u, 1, 0), Jet(v, 0, 1));
     const std::array<Jet, 3> truth = {x, y, z};
     for (std::size_t d = 0; d < 3; ++d) {
@@ -68,6 +68,10 @@ TEST(SplineEvaluator, JetsAreHeldWhereRoundingIsAllThereIs) {
       held(jet.uu, truth[d].uu, "uu");
       held(jet.uv, truth[d].uv, "uv");
       held(jet.vv, truth[d].vv, "vv");
+      held(jet.uuu, truth[d].uuu, "uuu");
+      held(jet.uuv, truth[d].uuv, "uuv");
+      held(jet.uvv, truth[d].uvv, "uvv");
+      held(jet.vvv, truth[d].vvv, "vvv");
     }
   }
 }
@@ -169,12 +173,18 @@ TEST(Evaluator, PeriodicSplinesRepeat) {
 }
 
 /// The offset's fields from those of the basis: the tensor W (I - d W)^-1, the normal turned where
-/// the area does.
+/// the area does. As a form of parameter vectors the change is that of the basis: with S the
+/// Weingarten map, -(n_uu + S X_uu).X_u becomes -(I - d S)^-1 (n_uu + S X_uu).(I - d S) X_u.
 Fields offsetAt(const Fields& basis, Real distance) {
   const Matrix3 interval = Matrix3::Identity() - distance * basis.tensor;
   const Real side = interval.determinant() < 0 ? -1 : 1;
-  return {basis.point + distance * basis.normal, side * basis.normal,
-          side * basis.tensor * interval.inverse()};
+  const Matrix3 inverse = interval.inverse();
+  return {basis.point + distance * basis.normal,
+          side * basis.normal,
+          side * basis.tensor * inverse,
+          interval * basis.u,
+          interval * basis.v,
+          [=](const Vec3& d) { return side * basis.change(inverse * d); }};
 }
 
 TEST(Evaluator, OffsetsAreHeldOnBothSidesOfTheFocus) {
@@ -193,6 +203,19 @@ TEST(Evaluator, OffsetsAreHeldOnBothSidesOfTheFocus) {
         1e-17L);
   }
   EXPECT_GT(known, 10000);
+  for (int i = 0; i < 50; ++i) {  // the offset of a torus is a torus
+    SCOPED_TRACE(i);
+    const double minor = logUniform(random, -1, 1), distance = minor * logUniform(random, -2, 0.3);
+    const Path path = randomPath(0.3, 1, logUniform(random, -6, -1.5), random);
+    const Surface torus = [=](const Jet& u, const Jet& v) {
+      const Jet radius(static_cast<Real>(minor) + distance);
+      return Point{(Jet(3 * minor) + radius * cosine(v)) * cosine(u),
+                   (Jet(3 * minor) + radius * cosine(v)) * sine(u), radius * sine(v)};
+    };
+    expectHeld(
+        *offsetEvaluator(torusEvaluator({}, 3 * minor, minor), distance),
+        [&](Real a, Real b) { return fieldsAt(torus, a, b); }, path, 0.3, 1);
+  }
   // By the focal distance: a cylinder moved onto its axis.
   const auto axis = offsetEvaluator(cylinderEvaluator(Frame(), 2), -2);
   const SurfaceFields fields =
