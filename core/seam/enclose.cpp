@@ -183,9 +183,6 @@ double Enclosure::excess(const Piece& piece) const {
     if (isOnOneSide(*figures.curvature_rel)) return largest;
     return std::max(largest, excess(*figures.curvature_rel, RelativeCurvature));
   }
-  // Where one side becomes flat the figure steps from 0 to 1. The step does not shrink with the
-  // piece, so the pieces must locate it.
-  if (figures.curvature_rel->upper == 1 && figures.curvature_rel->lower < 1) return infinite;
   const double of_curvature = std::max({largest, excess(*figures.curvature_per_mm, Curvature),
                                         excess(*figures.curvature_rel, RelativeCurvature)});
   if (!options_.curvature_change) return of_curvature;

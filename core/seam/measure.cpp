@@ -80,11 +80,8 @@ PairMeasure measurePair(const SidePoint& a, const SidePoint& b) {
 
 double relativeDifference(const CurvatureDifference& curvature, double flat_radius_mm) {
   const double flat = 1 / flat_radius_mm;
-  const bool flat_a = curvature.norm_a_per_mm < flat;
-  const bool flat_b = curvature.norm_b_per_mm < flat;
-  if (flat_a && flat_b) return 0;
-  if (flat_a != flat_b) return 1;
-  return curvature.difference_per_mm / std::max(curvature.norm_a_per_mm, curvature.norm_b_per_mm);
+  const double larger = std::max(curvature.norm_a_per_mm, curvature.norm_b_per_mm);
+  return larger < flat ? 0 : curvature.difference_per_mm / larger;
 }
 
 double relativeChange(const CurvatureChange& change, const CurvatureDifference& curvature,

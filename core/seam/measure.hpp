@@ -81,8 +81,9 @@ struct PairMeasure {
 /// Source: docs/theory/surfaces.md S1.2, S1.3, S1.5, S1.6; [PegnaWolter1992].
 PairMeasure measurePair(const SidePoint& a, const SidePoint& b);
 
-/// The difference divided by the larger norm. It is 0 where both sides are flatter than the flat
-/// radius, and 1 where only one side is (the flat rule of ISO 10303-59).
+/// The difference divided by the larger norm, 0..2: 1 beside a plane. It is 0 where both sides are
+/// flatter than the flat radius. Where only one is, it is not 1 as in ISO 10303-59: two sides of
+/// nearly the same curvature, just below and above 1 / R, are nearly smooth.
 /// \param flat_radius_mm positive.
 double relativeDifference(const CurvatureDifference& curvature, double flat_radius_mm);
 

@@ -47,10 +47,7 @@ double relativeAt(const SymmetricModel& a, const SymmetricModel& b,
                radius_a = radius(a) + norm_rounding * norm_a;
   const double norm_b = spectralNorm(seriesValue(b, x)),
                radius_b = radius(b) + norm_rounding * norm_b;
-  const bool curved_a = norm_a - radius_a >= flat, flat_a = norm_a + radius_a < flat;
-  const bool curved_b = norm_b - radius_b >= flat, flat_b = norm_b + radius_b < flat;
-  if ((curved_a && flat_b) || (curved_b && flat_a)) return 1;
-  if (!curved_a || !curved_b) return 0;
+  if (std::max(norm_a - radius_a, norm_b - radius_b) < flat) return 0;
   const double norm = spectralNorm(seriesValue(difference, x));
   const double largest = std::max(norm_a + radius_a, norm_b + radius_b);
   return std::max(0.0, (norm * (1 - norm_rounding) - radius(difference)) / largest);
@@ -67,23 +64,13 @@ PieceBound relativeBound(const SideTensor& a, const SideTensor& b, const Symmetr
   const auto& [tensor_a, norm_a] = a;
   const auto& [tensor_b, norm_b] = b;
   if (norm_a.at_most < flat && norm_b.at_most < flat) return {0, 0, 0};
-  if ((norm_a.at_least >= flat && norm_b.at_most < flat) ||
-      (norm_b.at_least >= flat && norm_a.at_most < flat))
-    return {1, 1, 0};
   const TensorNorm& larger = norm_a.at_least > norm_b.at_least ? norm_a : norm_b;
   PieceBound bound;
-  if (larger.at_least > 0) {
-    bound.upper = largest_difference / larger.at_least;
-    const double enough = std::max(slack.absolute, slack.relative * bound.upper) / 4;
-    if (bound.upper > enough)
-      bound.upper = largestQuotient(difference, larger.below, slack, bound.at);
-  } else {
-    bound.upper = largest_relative_difference + std::max(norm_a.at_most, norm_b.at_most) / flat;
-  }
-  if (norm_a.at_most < flat || norm_b.at_most < flat)
-    bound.upper = 1;
-  else if (!(norm_a.at_least >= flat && norm_b.at_least >= flat))
-    bound.upper = std::max(bound.upper, 1.0);
+  bound.upper = largest_difference / std::max(larger.at_least, flat);
+  const double enough = std::max(slack.absolute, slack.relative * bound.upper) / 4;
+  if (larger.at_least > 0 && bound.upper > enough)
+    bound.upper =
+        std::min(bound.upper, largestQuotient(difference, larger.below, slack, bound.at));
   const double best = bound.at;
   bound.lower = -1;
   for (const double x : {best, -1.0, 0.0, 1.0})

@@ -302,7 +302,7 @@ TEST(EncloseSeam, CylindersThatPassTheFlatRadius) {
       const bool flat_a = radius > 1000, flat_b = std::abs(other) > 1000;
       const double difference = std::abs(1 / radius - 1 / other);
       const double largest = std::max(1 / radius, 1 / std::abs(other));
-      const double truth = flat_a && flat_b ? 0 : flat_a != flat_b ? 1 : difference / largest;
+      const double truth = flat_a && flat_b ? 0 : difference / largest;
       ASSERT_TRUE(figures.curvature_rel && figures.curvature_rel->upper) << figures.uncertified;
       EXPECT_GE(*figures.curvature_rel->upper, truth * (1 - 1e-12));
       EXPECT_LE(figures.curvature_rel->lower, truth * (1 + 1e-12));
@@ -313,6 +313,33 @@ TEST(EncloseSeam, CylindersThatPassTheFlatRadius) {
         EXPECT_EQ(verdict.level >= Level::G2, truth <= tolerance.curvature_rel);
       }
     }
+}
+
+TEST(EncloseSeam, ConesThatPassTheFlatRadiusAtDifferentPlacesAreSmooth) {
+  // Two cones with one apex touch along a ruling, where their curvatures are 1 / (v tan(angle)).
+  constexpr double radius = 1000;
+  const auto cone = [](double tangent) {
+    const double cosine = 1 / std::sqrt(1 + tangent * tangent), sine = cosine * tangent;
+    Frame frame;
+    frame.axes << sine, 0, cosine, 0, -1, 0, cosine, 0, -sine;
+    return coneEvaluator(frame, 0, std::atan(tangent));
+  };
+  for (const double excess : {1e-6, 1e-3, 0.1}) {
+    SCOPED_TRACE(excess);
+    const LineEvaluator ruling{{0, 0.5 * radius, 0}, {0, 1.5 * radius, 0}};
+    const SeamSide a{ruling, cone(1)};
+    SeamSide b{ruling, cone(1 + excess)};
+    b.face_on_left = false;
+    ContinuityTolerance tolerance;
+    tolerance.flat_radius_mm = radius;
+    const SeamFigures figures = encloseSeam(a, b, tolerance, {});
+    ASSERT_TRUE(figures.certified) << figures.uncertified;
+    const double truth = excess / (1 + excess);
+    EXPECT_LE(figures.curvature_rel->lower, truth * (1 + 1e-9));
+    EXPECT_GE(*figures.curvature_rel->upper, truth * (1 - 1e-9));
+    EXPECT_LE(*figures.curvature_rel->upper, 1.02 * truth + 0.01 * tolerance.curvature_rel);
+    EXPECT_TRUE(judge(figures, tolerance, Level::G2).certain);
+  }
 }
 
 TEST(EncloseSeam, SpheresThatTouchAreHeldToThePrecisionOfRounding) {

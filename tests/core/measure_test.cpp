@@ -339,7 +339,8 @@ TEST(RelativeDifference, IsZeroWhereBothSidesAreFlat) {
   const double flat_radius = 1000;
   EXPECT_EQ(relativeDifference({5e-4, 5e-4, 0}, flat_radius), 0);
   EXPECT_EQ(relativeDifference({0.002, 0.002, 0}, flat_radius), 1);
-  EXPECT_EQ(relativeDifference({0.001, 0.0015, 0.0005}, flat_radius), 1);
+  EXPECT_DOUBLE_EQ(relativeDifference({0.001, 0.0015, 0.0005}, flat_radius), 2.0 / 3);
+  EXPECT_DOUBLE_EQ(relativeDifference({1e-6, 0.001, 0.000999}, flat_radius), 0.001);
   EXPECT_DOUBLE_EQ(relativeDifference({0.001, 0.004, 0.005}, flat_radius), 0.2);
   EXPECT_DOUBLE_EQ(relativeDifference({0.009, 0.004, 0.005}, flat_radius), 1.8);
 }
