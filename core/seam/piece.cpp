@@ -69,8 +69,7 @@ PieceBound relativeBound(const SideTensor& a, const SideTensor& b, const Symmetr
   bound.upper = largest_difference / std::max(larger.at_least, flat);
   const double enough = std::max(slack.absolute, slack.relative * bound.upper) / 4;
   if (larger.at_least > 0 && bound.upper > enough)
-    bound.upper =
-        std::min(bound.upper, largestQuotient(difference, larger.below, slack, bound.at));
+    bound.upper = std::min(bound.upper, largestQuotient(difference, larger.below, slack, bound.at));
   const double best = bound.at;
   bound.lower = -1;
   for (const double x : {best, -1.0, 0.0, 1.0})
