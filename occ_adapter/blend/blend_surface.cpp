@@ -277,8 +277,7 @@ void measureSeams(const TopoDS_Shape& model, const std::vector<ChosenEnd>& ends,
     if (k == ends.size()) continue;
     const auto level = static_cast<Level>(static_cast<int>(Level::G0) + task.ends[k].order);
     SeamResult result = measureSeam(seam, {.tolerance = task.tolerance, .level = level});
-    report.reached = report.reached && result.verdict.level >= level &&
-                     (result.verdict.certain || level == Level::G3);
+    report.reached = report.reached && result.verdict.level >= level && result.verdict.certain;
     covered_mm[k] += result.length_mm;
     result.faces = {around_it.faces[seam.sides[other].face - 1], 0};
     result.edges = {edges.FindIndex(seam.sides[other].edge)};

@@ -116,7 +116,7 @@ void bindResult(py::module_& module) {
   bindCopies(type);
   type.def_property_readonly(
           "reached", [](const BlendedSurface& result) { return result.report.reached; },
-          "Every seam with a side has the level of its end; certain for G0 to G2.")
+          "Every seam with a side certainly has the level of its end.")
       .def_property_readonly(
           "surface", [](const BlendedSurface& result) { return result.report.surface; },
           "The new surface, a BSplineSurface: u runs along the sides, v from start to end.")
