@@ -281,7 +281,7 @@ void measureSeams(const TopoDS_Shape& model, const std::vector<ChosenEnd>& ends,
     covered_mm[k] += result.length_mm;
     result.faces = {around_it.faces[seam.sides[other].face - 1], 0};
     result.edges = {edges.FindIndex(seam.sides[other].edge)};
-    report.seams.push_back(std::move(result));
+    report.seams.push_back({.result = std::move(result), .level = level});
   }
   for (std::size_t k = 0; k < ends.size(); ++k) {
     // A seam may end a little before the side does.

@@ -32,16 +32,20 @@ struct BlendSurfaceOptions {
   int max_spans = 200;            ///< work limit: the most spans along the sides
 };
 
+/// A seam between the new face and a face of the model. Its second face is 0, the new one.
+struct BlendSeam {
+  SeamResult result;
+  Level level = Level::G0;  ///< of its end: what the seam must reach
+};
+
 /// A new face, and how it meets the model.
 struct BlendSurfaceReport {
   BSplineSurface surface;
   TopoDS_Face face;
-  TopoDS_Shape shape;  ///< the model and the new face, which is its last, in one compound
-  /// The seams between the new face and the faces of each end, in parts where edges join. Their
-  /// second face is 0, the new one.
-  std::vector<SeamResult> seams;
-  int spans = 0;         ///< along the sides
-  bool reached = false;  ///< all seams certainly have the level of their end
+  TopoDS_Shape shape;            ///< the model and the new face, which is its last, in one compound
+  std::vector<BlendSeam> seams;  ///< with the faces of each end, in parts where edges join
+  int spans = 0;                 ///< along the sides
+  bool reached = false;          ///< all seams certainly have the level of their end
 };
 
 /// A surface between two sides of a model, of edges or chains of edges of any surfaces, trimmed or

@@ -13,6 +13,7 @@
 #include <seamwright/plugin/cli/fill_command.hpp>
 #include <seamwright/plugin/cli/interrupt.hpp>
 #include <seamwright/plugin/cli/repair_command.hpp>
+#include <seamwright/plugin/cli/surface_command.hpp>
 
 namespace seamwright::cli {
 
@@ -70,6 +71,13 @@ int run(int argc, char** argv) {
       app.add_subcommand("corner", "Fillet the edges at a vertex, each with its own radius");
   CornerArguments to_corner;
   addCornerOptions(*corner, to_corner);
+  CLI::App* blend_surface =
+      app.add_subcommand("blend", "Make a surface between two sides of a model");
+  BlendSurfaceArguments to_blend_surface;
+  addBlendSurfaceOptions(*blend_surface, to_blend_surface);
+  CLI::App* extend = app.add_subcommand("extend", "Continue faces of a model across a side");
+  ExtendSurfaceArguments to_extend;
+  addExtendSurfaceOptions(*extend, to_extend);
   CLI::App* curve = app.add_subcommand(
       "curve", "Turn planar points or curves into arcs, clothoids or conics, or make them fair");
   CurveArguments to_curve;
@@ -88,14 +96,16 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
     if (argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty())
-      return complain(
-          "unknown command '" + std::string(argv[1]) +
-          "': the commands are 'analyze', 'repair', 'fill', 'corner' and 'curve' (see 'seamwright "
-          "--help')");
+      return complain("unknown command '" + std::string(argv[1]) +
+                      "': the commands are 'analyze', 'repair', 'fill', 'corner', 'blend', "
+                      "'extend' and 'curve' "
+                      "(see 'seamwright --help')");
     return complain(std::string(error.what()) + " (see '" + parsedCommand(app) + " --help')");
   }
   if (fill->parsed()) return runFill(to_fill);
   if (corner->parsed()) return runCorner(to_corner);
+  if (blend_surface->parsed()) return runBlendSurface(to_blend_surface);
+  if (extend->parsed()) return runExtendSurface(to_extend);
   if (blend->parsed()) return runBlend(to_blend);
   if (curve->parsed()) return runCurve(to_curve);
   return repair->parsed() ? runRepair(to_repair) : runAnalyze(to_analyze);

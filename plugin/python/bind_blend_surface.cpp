@@ -94,8 +94,8 @@ BlendedSurface extendSurface(const occ::Model& model, const py::object& edges,
 
 py::list seamsOf(const BlendedSurface& result) {
   py::list seams;
-  for (const occ::SeamResult& seam : result.report.seams)
-    seams.append(resultOf("Seam", plainObject(report::toJson(seam, result.tolerance))));
+  for (const occ::BlendSeam& seam : result.report.seams)
+    seams.append(resultOf("Seam", plainObject(report::toJson(seam.result, result.tolerance))));
   return seams;
 }
 

@@ -96,7 +96,8 @@ TEST(BlendSurface, SidesAreMetAtEachOrderIndependently) {
             blendSurface(pair.shape, {.side = {{pair.left}}, .order = m},
                          {.side = {{pair.right}}, .order = n}, fine());
         std::string figures;
-        for (const occ::SeamResult& seam : blend.seams) figures += occ::figuresText(seam) + "; ";
+        for (const occ::BlendSeam& seam : blend.seams)
+          figures += occ::figuresText(seam.result) + "; ";
         EXPECT_EQ(blend.surface.degree_v, m + n + 1);
         EXPECT_EQ(blend.seams.size(), 2U) << pair.name;
         EXPECT_TRUE(blend.reached)
@@ -160,7 +161,8 @@ TEST(ExtendSurface, SidesAreContinuedAtEachOrder) {
         const BlendSurfaceReport longer =
             extendSurface(pair.shape, {.side = {{edge}}, .order = order}, 5, fine());
         std::string figures;
-        for (const occ::SeamResult& seam : longer.seams) figures += occ::figuresText(seam) + "; ";
+        for (const occ::BlendSeam& seam : longer.seams)
+          figures += occ::figuresText(seam.result) + "; ";
         EXPECT_TRUE(longer.reached) << pair.name << " G" << order << " edge " << edge << " spans "
                                     << longer.spans << ": " << figures;
         EXPECT_EQ(longer.surface.degree_v, order);

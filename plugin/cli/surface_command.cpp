@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <seamwright/occ_adapter/analyze/analyze.hpp>
+#include <seamwright/plugin/cli/output.hpp>
+#include <seamwright/plugin/cli/progress_bar.hpp>
+#include <seamwright/plugin/cli/read_back.hpp>
+#include <seamwright/plugin/cli/surface_command.hpp>
+#include <seamwright/plugin/report/blend_surface_json.hpp>
+
+namespace seamwright::cli {
+
+namespace {
+
+occ::BlendEnd endOf(const SideArguments& side) {
+  return {.side = {.edges = side.edges, .faces = side.faces},
+          .order = static_cast<int>(*levelFromName(side.order)) - static_cast<int>(Level::G0),
+          .tension = side.tension};
+}
+
+CLI::Option* addEdges(CLI::App& command, const std::string& option, SideArguments& side) {
+  return addList(command, option, side.edges, "The side: an edge, or the edges of a chain",
+                 numberOf("Edge"))
+      ->type_name("N[,N...]")
+      ->required();
+}
+
+void addFaces(CLI::App& command, const std::string& option, SideArguments& side) {
+  addList(command, option, side.faces, "The faces to continue, for edges that bound two faces",
+          numberOf("Face"))
+      ->type_name("N[,N...]");
+}
+
+void addOrder(CLI::App& command, const std::string& option, SideArguments& side,
+              const std::vector<std::string>& orders) {
+  command.add_option(option, side.order, "How the surface joins the side")
+      ->check(CLI::IsMember(orders))
+      ->capture_default_str();
+}
+
+void addModel(CLI::App& command, SurfaceArguments& arguments) {
+  command
+      .add_option("MODEL", arguments.model, "STEP, IGES or BREP file, recognised by its content")
+      ->required();
+}
+
+void addCommonOptions(CLI::App& command, SurfaceArguments& arguments) {
+  command.add_flag("--keep-anyway", arguments.keep_anyway,
+                   "Write OUT even if the new seams fall short");
+  addToleranceOptions(command, arguments.measure);
+  addOutputOptions(command, "model with the new face", arguments.output);
+  exitStatus(command, "every seam of the new face has the level of its end, also in OUT",
+             "some fall short (OUT is written only with --keep-anyway)");
+}
+
+/// Makes the surface, judges it and writes the model with it.
+using Construction = std::function<occ::BlendSurfaceReport(
+    const occ::Model& model, const occ::BlendSurfaceOptions& options, const occ::Progress&)>;
+
+int run(const SurfaceArguments& arguments, const Construction& construct) {
+  requireOutputs(arguments.model, arguments.output);
+  const occ::Model model = readUnderBar(arguments.model);
+  occ::BlendSurfaceOptions options;
+  options.tolerance = toleranceOf(arguments.measure);
+  const occ::BlendSurfaceReport blend = [&] {
+    ProgressBar bar(doing("making a surface in", arguments.model));
+    return construct(model, options, bar.progress());
+  }();
+  const occ::Model made = occ::modelFromShape(blend.shape);
+  const report::Judge judge = report::judgeOf(blend, options.tolerance, made.faceCount());
+  const report::ModelCounts memory = judge(made, {});
+  const auto json = [&](const std::optional<report::WrittenModel>& output) {
+    return report::toJson(blend, options.tolerance, occ::factsOf(model), output);
+  };
+  const bool kept = blend.reached || arguments.keep_anyway;
+  const WrittenOutcome written =
+      writeOutcome({kept ? &made : nullptr, judge, json, false, memory}, arguments.output);
+  writeStandardOutput(report::toTable(blend, options.tolerance, memory, written.model));
+  warn(arguments.model, model.notes);
+  warnOf(written, arguments.output, memory);
+  return blend.reached && written.model->isAsGoodAs(memory) ? 0 : 1;
+}
+
+}  // namespace
+
+void addBlendSurfaceOptions(CLI::App& command, BlendSurfaceArguments& arguments) {
+  addModel(command, arguments.surface);
+  const auto add_side = [&](const std::string& name, SideArguments& side) {
+    addEdges(command, "--" + name, side);
+    addFaces(command, "--" + name + "-faces", side);
+    addOrder(command, "--" + name + "-order", side, {"G0", "G1", "G2", "G3"});
+    command
+        .add_option("--" + name + "-tension", side.tension,
+                    "How long the surface keeps its direction, a multiple of the distance between "
+                    "the sides")
+        ->type_name("FACTOR")
+        ->check(numberIn(Range::Positive))
+        ->capture_default_str();
+  };
+  add_side("start", arguments.start);
+  add_side("end", arguments.end);
+  addCommonOptions(command, arguments.surface);
+}
+
+void addExtendSurfaceOptions(CLI::App& command, ExtendSurfaceArguments& arguments) {
+  addModel(command, arguments.surface);
+  addEdges(command, "--edge", arguments.side);
+  addFaces(command, "--faces", arguments.side);
+  addOrder(command, "--order", arguments.side, {"G1", "G2", "G3"});
+  command.add_option("--length", arguments.length_mm, "Length of the extension, mm")
+      ->type_name("MM")
+      ->check(numberIn(Range::Positive))
+      ->required();
+  addCommonOptions(command, arguments.surface);
+}
+
+int runBlendSurface(const BlendSurfaceArguments& arguments) {
+  return run(arguments.surface,
+             [&](const occ::Model& model, const occ::BlendSurfaceOptions& options,
+                 const occ::Progress& progress) {
+               return occ::blendSurface(model.shape, endOf(arguments.start), endOf(arguments.end),
+                                        options, progress);
+             });
+}
+
+int runExtendSurface(const ExtendSurfaceArguments& arguments) {
+  return run(arguments.surface,
+             [&](const occ::Model& model, const occ::BlendSurfaceOptions& options,
+                 const occ::Progress& progress) {
+               return occ::extendSurface(model.shape, endOf(arguments.side), arguments.length_mm,
+                                         options, progress);
+             });
+}
+
+}  // namespace seamwright::cli

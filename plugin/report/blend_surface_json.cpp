@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <seamwright/core/seam/judge.hpp>
+#include <seamwright/occ_adapter/analyze/analyze.hpp>
+#include <seamwright/plugin/report/blend_surface_json.hpp>
+#include <seamwright/plugin/report/json.hpp>
+#include <seamwright/plugin/report/numbers.hpp>
+#include <seamwright/plugin/report/text.hpp>
+#include <sstream>
+
+namespace seamwright::report {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+/// What the seam with each face of the sides must reach.
+std::map<int, Level> levelsOf(const occ::BlendSurfaceReport& blend) {
+  std::map<int, Level> levels;
+  for (const occ::BlendSeam& seam : blend.seams) {
+    const auto [at, added] = levels.try_emplace(seam.result.faces[0], seam.level);
+    at->second = std::min(at->second, seam.level);
+  }
+  return levels;
+}
+
+Level highest(const std::map<int, Level>& levels) {
+  Level result = Level::G0;
+  for (const auto& [face, level] : levels) result = std::max(result, level);
+  return result;
+}
+
+/// Judges each seam of the new face by the level of its end, and drops seams with other faces.
+void judgeByEnds(const std::map<int, Level>& levels, int made, occ::Report& report) {
+  const auto other = [&](const occ::SeamResult& seam) {
+    return seam.faces[0] == made ? seam.faces[1] : seam.faces[0];
+  };
+  std::erase_if(report.seams,
+                [&](const occ::SeamResult& seam) { return !levels.contains(other(seam)); });
+  for (occ::SeamResult& seam : report.seams)
+    seam.verdict = judge(seam.figures, report.tolerance, levels.at(other(seam)));
+}
+
+std::vector<Column> columnsOf(const occ::BlendSurfaceReport& blend,
+                              const ContinuityTolerance& tolerance) {
+  std::vector<Column> columns = figureColumns(tolerance);
+  const auto is_g3 = [](const occ::BlendSeam& seam) { return seam.level == Level::G3; };
+  if (std::ranges::any_of(blend.seams, is_g3))
+    columns.push_back(
+        {"change %", &SeamFigures::curvature_change_rel, 100, 100 * tolerance.curvature_rel});
+  return columns;
+}
+
+}  // namespace
+
+Judge judgeOf(const occ::BlendSurfaceReport& blend, const ContinuityTolerance& tolerance,
+              int faces) {
+  return [&blend, tolerance, faces](const occ::Model& model, const occ::Progress& progress) {
+    const std::map<int, Level> levels = levelsOf(blend);
+    occ::AnalyzeOptions asked;
+    asked.tolerance = tolerance;
+    asked.level = highest(levels);
+    asked.match_mm = 2 * tolerance.gap_mm;
+    const bool same_faces = model.faceCount() == faces;
+    if (same_faces) asked.faces = {faces};
+    occ::Report found = occ::analyze(model, asked, progress);
+    if (same_faces) judgeByEnds(levels, faces, found);
+    return countsOf(found, model);
+  };
+}
+
+ordered_json toJson(const occ::BlendSurfaceReport& blend, const ContinuityTolerance& tolerance,
+                    const occ::ModelFacts& given, const std::optional<WrittenModel>& output) {
+  ordered_json json = headJson("seamwright.blend_surface/1", given);
+  json["gap_mm"] = tolerance.gap_mm;
+  json["angle_deg"] = givenDegrees(tolerance.angle_rad);
+  json["curvature_rel"] = tolerance.curvature_rel;
+  json["reached"] = blend.reached;
+  json["surface"] = {{"degrees", {blend.surface.degree_u, blend.surface.degree_v}},
+                     {"poles", {blend.surface.countU(), blend.surface.countV()}},
+                     {"spans", blend.spans}};
+  json["output"] = toJson(output);
+  json["seams"] = ordered_json::array();
+  for (const occ::BlendSeam& seam : blend.seams) {
+    json["seams"].push_back(toJson(seam.result, tolerance));
+    json["seams"].back()["target"] = name(seam.level);
+  }
+  return json;
+}
+
+std::string toTable(const occ::BlendSurfaceReport& blend, const ContinuityTolerance& tolerance,
+                    const ModelCounts& memory, const std::optional<WrittenModel>& output) {
+  const std::vector<Column> columns = columnsOf(blend, tolerance);
+  std::vector<Row> rows = {{"target", "level", "edge", "face", "length mm"}};
+  for (const Column& column : columns) rows[0].emplace_back(column.title);
+  rows[0].emplace_back("note");
+  for (const occ::BlendSeam& seam : blend.seams) {
+    Row row = {
+        std::string(name(seam.level)),
+        std::string(name(seam.result.verdict.level)) + (seam.result.verdict.certain ? "" : "?"),
+        edgesText(seam.result), "Face" + std::to_string(seam.result.faces[0]),
+        fmt::format("{:.3f}", seam.result.length_mm)};
+    for (const Column& column : columns) row.push_back(cellOf(seam.result, column));
+    row.push_back(noteOf(seam.result, tolerance));
+    rows.push_back(row);
+  }
+  std::ostringstream out;
+  constexpr std::size_t length = 4;  // index of the first column of numbers
+  writeRows(out, rows, length);
+  out << fmt::format("surface of degrees {} x {}, {} x {} poles\n", blend.surface.degree_u,
+                     blend.surface.degree_v, blend.surface.countU(), blend.surface.countV());
+  const std::string differences = output ? output->differences(memory) : "";
+  if (!differences.empty()) out << output->path.string() << ' ' << differences << '\n';
+  const bool reached = blend.reached && (!output || output->isAsGoodAs(memory));
+  out << (reached ? "REACHED" : "NOT REACHED")
+      << (reached               ? ": every seam has the level of its end"
+          : blend.seams.empty() ? ": the surface meets no side"
+                                : ": a seam, or a part of a side, falls short")
+      << '\n';
+  return out.str();
+}
+
+}  // namespace seamwright::report
