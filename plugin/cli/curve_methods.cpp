@@ -309,14 +309,30 @@ void noteTurns(report::CurveRecord& record, const FairedClothoids& faired) {
                     more == 1 ? "" : "s"));
 }
 
+Eigen::VectorXd tolerancesOf(const GivenCurve& given, const CurveTask& task) {
+  if (given.tolerances_mm.size() > 0) return given.tolerances_mm;
+  return Eigen::VectorXd::Constant(given.points.rows(), task.tolerance_mm);
+}
+
+/// The middle one of those above 0, so that few points with large ones do not hide corners.
+double middleOf(const Eigen::VectorXd& tolerances_mm) {
+  std::vector<double> sorted;
+  for (const double tolerance_mm : tolerances_mm)
+    if (tolerance_mm > 0) sorted.push_back(tolerance_mm);
+  if (sorted.empty()) return 0;
+  const auto middle = sorted.begin() + std::ssize(sorted) / 2;
+  std::ranges::nth_element(sorted, middle);
+  return *middle;
+}
+
 MadeCurve madeFairPoints(const GivenCurve& given, const CurveTask& task) {
   const bool closed = given.record.closed;
-  const Eigen::VectorXd tolerances =
-      Eigen::VectorXd::Constant(given.points.rows(), task.tolerance_mm);
+  const Eigen::VectorXd tolerances = tolerancesOf(given, task);
   const FairedClothoids faired = fairClothoids(
       given.points, tolerances,
       {.closed = closed,
-       .corners = pointCorners(given.points, {.closed = closed, .error_mm = task.tolerance_mm})},
+       .corners = pointCorners(given.points, {.closed = closed, .error_mm = middleOf(tolerances)}),
+       .ends_fixed = !given.free_ends},
       task.progress);
   MadeCurve made{.record = given.record};
   made.points = faired.points;

@@ -66,7 +66,7 @@ def test_points_of_spreadsheets_and_airfoils(tmp_path, name, data):
         ('"1,234","5"\n1,1\n2,0\n', [], "line 1 has '1,234' where a number is needed"),
         ("nan,0\n1,1\n2,0\n", [], "line 1 has the number nan, which is not finite"),
         ("0,0\n1,1,1\n", [], "line 2 has 3 numbers, line 1 has 2"),
-        ("1\n", [], "line 1 has 1 numbers: 2 or 3 are needed"),
+        ("1\n", [], "line 1 has 1 number: 2 or 3 are needed"),
         ("0,0,0\n9,0,0\n9,9,0\n0,9,3\n", [], "are not in a plane: that of line "),
         ("0,0\n1,2\n3,3\n", ["--edge", "1"], "has no edges"),
         ("0,0\n1,2\n3,3\n", ["--tolerance", "-1"], "--tolerance: -1 must not be negative"),
