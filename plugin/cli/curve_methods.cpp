@@ -329,8 +329,8 @@ double middleOf(const Eigen::VectorXd& tolerances_mm) {
 struct PointsToFair {
   GivenCurve curve;
   Eigen::VectorXd tolerances_mm;
-  std::vector<PointTwin> twins;
-  std::vector<Eigen::Index> kept;
+  std::vector<PointTwin> twins = {};
+  std::vector<Eigen::Index> kept = {};
 };
 
 /// A point that stands for another one moves by less, so that the other one is within its

@@ -343,7 +343,7 @@ def test_free_ends_have_no_hooks(tmp_path):
     for seed in range(5):
         noise = random.Random(seed)
         read = [(x, y + noise.uniform(-0.03, 0.03)) for x, y in exact]
-        read[0], read[-1] = ((x, y + 0.04) for x, y in (exact[0], exact[-1]))
+        read[0], read[-1] = ((x, y + 0.1) for x, y in (exact[0], exact[-1]))
         given = points_file(tmp_path, read)
         turns = []
         for options in ([], ["--free-ends"]):
