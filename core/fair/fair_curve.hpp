@@ -57,9 +57,10 @@ struct CurveFairingOptions {
 ///   (5) A curve with a larger tolerance has an energy that is at most as large.
 ///   (9) No curve within the bounds has an energy that is smaller by more than 0.01 % (the test, in
 ///       Python, compares with a general solver).
-/// The cost of a step is O(poles); 10 to 30 steps are usual, the most are 60, after which (5) and
-/// (9) may fail. Where the energy does not decide, as between parabolas within the tolerance, D is
-/// near to C.
+/// The cost of a step is O(poles); 10 to 30 steps are usual. No more than 60 are taken, after which
+/// (5) and (9) may fail. None of 20000 random noisy curves needs more than 50, with tolerances from
+/// 1/150 to 20 times their noise, and distances of knots that differ up to 8000 times.
+/// Where the energy does not decide, as between parabolas within the tolerance, D is near to C.
 /// \throws std::invalid_argument as fairnessOf() does, and for a tolerance that is negative or not
 /// finite. Throws Cancelled, see Progress; it is called before each step and each span.
 /// Source: docs/theory/planar.md P11.1, P11.4.

@@ -146,6 +146,8 @@ class FairingSteps {
   }
 
   const Poles& moves() const { return moves_; }
+  /// The share that the bounds let the last step take.
+  double lastShare() const { return last_share_; }
 
   double complementarity() const { return (multipliers_ * slacks()).sum(); }
 
@@ -173,6 +175,7 @@ class FairingSteps {
         primal = std::min(primal, off_bound * share);
       if (multipliers(j) < 0) dual = std::min(dual, -off_bound * multipliers_(j) / multipliers(j));
     }
+    last_share_ = std::min(primal, dual);
     moves_ += primal * *change;
     sides_ += primal * sides;
     multipliers_ += dual * multipliers;
@@ -245,6 +248,25 @@ class FairingSteps {
   const BoundingPoles& bounds_;
   Poles moves_, sides_;  ///< in tolerances
   ArrayXd multipliers_;
+  double last_share_ = 1;
+};
+
+/// Whether rounding alone is left of the gradient. A whole step of Newton makes the rest of the
+/// gradient that of second order, so that one which stays is the rounding of a large energy form:
+/// that of knots whose distances differ by factors of hundreds, or of the steepest parts of a curve
+/// whose energy falls by many powers of ten.
+class RoundingCheck {
+ public:
+  bool isReached(double miss, double last_share) {
+    // A choice: a quarter is usual far from the rounding.
+    constexpr double still = 0.5;
+    const bool reached = last_share == 1 && miss > still * before_;
+    before_ = miss;
+    return reached;
+  }
+
+ private:
+  double before_ = infinite;
 };
 
 template <int dimensions>
@@ -252,18 +274,23 @@ FairestMoves leastEnergy(const MovedEnergy& energy, const BoundingPoles& bounds,
                          const Progress& progress) {
   // Where ends that are held need most of the energy, the waves between them have a small share.
   constexpr double precision = 1e-6;
-  // Choices: a barrier that falls faster, or below what is missing, makes steps short.
+  // Choices: a barrier that falls faster, or below what is missing, makes steps short. After a
+  // short step it falls by less: otherwise moves stick at their bounds, and all later steps are
+  // short.
   constexpr double centring = 0.2, behind = 0.5;
   constexpr int most_steps = 60;
   FairingSteps<dimensions> steps(energy, bounds);
+  RoundingCheck rounding;
   FairestMoves result;
   while (result.steps < most_steps) {
     checkProgress(progress, shareAfter(result.steps));
     const double gap = steps.complementarity(), miss = steps.miss();
     const double small = precision * energy.of(steps.moves()) + energy.rounding();
-    result.converged = gap <= small && miss <= small;
+    const double share = steps.lastShare();
+    result.converged = gap <= small && (miss <= small || rounding.isReached(miss, share));
     if (result.converged) break;
-    const double aim = std::max({centring * gap, behind * std::min(gap, miss), small / 4});
+    const double falls_to = std::max(centring, 1 - share);
+    const double aim = std::max({falls_to * gap, behind * std::min(gap, miss), small / 4});
     const double barrier = aim / static_cast<double>(bounds.count());
     if (!steps.step(barrier)) break;
     ++result.steps;

@@ -9,7 +9,7 @@ namespace seamwright {
 struct FairestMoves {
   Poles moves;  ///< of all poles of the curve
   int steps = 0;
-  /// Whether the energy has the precision of the method.
+  /// Whether the energy has the precision of the method, or that which rounding allows.
   bool converged = false;
 };
 

@@ -39,7 +39,8 @@ FairedRun unmovedRun(const FairingRun& run) {
 FairedRun fairRun(const FairingRun& run) {
   if (run.count() < 3) return unmovedRun(run);
   const FairedPoints faired =
-      fairPoints(run.points, run.tolerances_mm, {.closed = run.closed}, partOf(run.progress, 0, 0));
+      fairPoints(run.points, run.tolerances_mm, {.closed = run.closed, .ends_fixed = false},
+                 partOf(run.progress, 0, 0));
   FairedRun result;
   result.point_inflections = static_cast<int>(faired.after.inflections.size());
   const RunFairing fairing(run, faired.points);
@@ -84,6 +85,15 @@ void requireCorners(const std::vector<Index>& corners, Index count, bool closed)
   }
 }
 
+/// With 0 for corners and for ends that stay.
+Eigen::VectorXd tolerancesOfMoves(const Eigen::VectorXd& tolerances_mm,
+                                  const ClothoidFairingOptions& options) {
+  Eigen::VectorXd result = tolerances_mm;
+  if (!options.closed && options.ends_fixed) result(0) = result(result.size() - 1) = 0;
+  for (const Index corner : options.corners) result(corner) = 0;
+  return result;
+}
+
 }  // namespace
 
 ClothoidFigures figuresOf(const std::vector<Clothoid>& chain, bool closed) {
@@ -115,6 +125,7 @@ FairedClothoids fairClothoids(const PlanarPoints& points, const Eigen::VectorXd&
   fairnessOf(points, options.closed);  // throws for points without curvatures
   requireTolerances(tolerances_mm, count);
   requireCorners(options.corners, count, options.closed);
+  const Eigen::VectorXd movable_mm = tolerancesOfMoves(tolerances_mm, options);
   FairedClothoids result;
   result.points = points;
   result.corners = options.corners;
@@ -134,7 +145,7 @@ FairedClothoids fairClothoids(const PlanarPoints& points, const Eigen::VectorXd&
     done = std::min(1.0, done + share);
     for (Index i = 0; i < size; ++i) {
       run.points.row(i) = points.row(indices[static_cast<std::size_t>(i)]);
-      run.tolerances_mm(i) = tolerances_mm(indices[static_cast<std::size_t>(i)]);
+      run.tolerances_mm(i) = movable_mm(indices[static_cast<std::size_t>(i)]);
     }
     FairedRun faired = fairRun(run);
     for (Index i = 0; i < size; ++i)

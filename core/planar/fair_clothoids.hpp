@@ -44,8 +44,11 @@ struct FairedClothoids {
 
 struct ClothoidFairingOptions {
   bool closed = false;
-  /// Points in whose middle the curve is cut; these stay. Ends of open curves stay as well.
+  /// Points in whose middle the curve is cut; these stay.
   std::vector<Eigen::Index> corners = {};
+  /// Whether the first and the last point of an open curve stay. An end with an error that stays
+  /// makes a hook: the curve bends within its last pieces to reach it.
+  bool ends_fixed = true;
 };
 
 /// The spline of clothoids with the least variation of the curvature that moves of the points
@@ -56,7 +59,9 @@ struct ClothoidFairingOptions {
 /// exactly. Identities (each has a test of its number):
 ///   (2) No point moves by more than its tolerance, and a tolerance of 0 fixes a point bitwise.
 ///   (3) Neither variation nor inflections grow. Points of a circle stay.
-///   (4) Corners stay bitwise, and the curve has one there.
+///   (4) Corners stay bitwise, and the curve has one there. So do ends that are fixed.
+///   (5) Free ends move across the curve like other points, each by itself: ends that coincide may
+///       part. Fewer points are held, so the variation is in general smaller.
 /// \param tolerances_mm one for each point; at least 0 and finite.
 /// \param progress called once for each step.
 /// \throws as fairPoints() and clothoidSpline() do; Cancelled; std::invalid_argument for corners

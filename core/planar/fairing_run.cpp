@@ -39,9 +39,7 @@ struct FairingUnits {
 /// The program for the curvatures and moves of a run, linearised at a state.
 class RunProgram {
  public:
-  RunProgram(const FairingRun& run, const PlanarPoints& normals,
-             const Eigen::VectorXd& tolerances_mm)
-      : run_(run), normals_(normals), tolerances_mm_(tolerances_mm) {}
+  RunProgram(const FairingRun& run, const PlanarPoints& normals) : run_(run), normals_(normals) {}
 
   FairingUnits unitsOf(const Chain& chain) const {
     double length_mm = 0;
@@ -116,7 +114,7 @@ class RunProgram {
     for (int end = 0; end < 2; ++end) {
       const Index point = end == 0 ? s : next;
       const Eigen::Vector2d move =
-          (end == 0 ? -1 : 1) * tolerances_mm_(point) * normals_.row(point).transpose();
+          (end == 0 ? -1 : 1) * run_.tolerances_mm(point) * normals_.row(point).transpose();
       result.by_moves.col(end) = of_length * along.dot(move) + of_turn * across.dot(move);
     }
     return result;
@@ -146,7 +144,6 @@ class RunProgram {
 
   const FairingRun& run_;
   const PlanarPoints& normals_;
-  const Eigen::VectorXd& tolerances_mm_;
 };
 
 }  // namespace
@@ -174,9 +171,7 @@ double variationOf(const Chain& chain) {
 
 RunFairing::RunFairing(const FairingRun& run, const PlanarPoints& fair_points) : run_(run) {
   const Index n = run.count();
-  tolerances_mm_ = run.tolerances_mm;
-  if (!run.closed) tolerances_mm_(0) = tolerances_mm_(n - 1) = 0;
-  MoveNormals normals = moveNormals(run.points, tolerances_mm_, run.closed);
+  MoveNormals normals = moveNormals(run.points, run.tolerances_mm, run.closed);
   if (normals.crowded) normals = moveNormals(fair_points, Eigen::VectorXd::Zero(n), run.closed);
   normals_ = std::move(normals.vectors);
 }
@@ -184,10 +179,10 @@ RunFairing::RunFairing(const FairingRun& run, const PlanarPoints& fair_points) :
 std::optional<FairingState> RunFairing::stateOf(const Eigen::VectorXd& shares) const {
   PlanarPoints points = run_.points;
   for (Index i = 0; i < run_.count(); ++i)
-    if (tolerances_mm_(i) > 0 && shares(i) != 0)
+    if (run_.tolerances_mm(i) > 0 && shares(i) != 0)
       points.row(i) =
-          withinDistance(points.row(i) + shares(i) * tolerances_mm_(i) * normals_.row(i),
-                         run_.points.row(i), tolerances_mm_(i));
+          withinDistance(points.row(i) + shares(i) * run_.tolerances_mm(i) * normals_.row(i),
+                         run_.points.row(i), run_.tolerances_mm(i));
   std::optional<Chain> chain = triedChain(points, run_.closed);
   if (!chain) return std::nullopt;
   return FairingState{.shares = shares, .points = std::move(points), .chain = std::move(*chain)};
@@ -196,9 +191,10 @@ std::optional<FairingState> RunFairing::stateOf(const Eigen::VectorXd& shares) c
 std::optional<FairingState> RunFairing::stateAt(const PlanarPoints& points) const {
   Eigen::VectorXd shares = Eigen::VectorXd::Zero(run_.count());
   for (Index i = 0; i < run_.count(); ++i)
-    if (tolerances_mm_(i) > 0)
+    if (run_.tolerances_mm(i) > 0)
       shares(i) = std::clamp(
-          (points.row(i) - run_.points.row(i)).dot(normals_.row(i)) / tolerances_mm_(i), -1.0, 1.0);
+          (points.row(i) - run_.points.row(i)).dot(normals_.row(i)) / run_.tolerances_mm(i), -1.0,
+          1.0);
   return stateOf(shares);
 }
 
@@ -208,7 +204,7 @@ FairingSearch RunFairing::improved(FairingState now, const CurvatureShape& shape
   // Moves by this share of the tolerance, and this relative gain, are negligible.
   constexpr double still = 1e-3, gain = 1e-4;
   FairingSearch search{.state = std::move(now)};
-  const RunProgram program(run_, normals_, tolerances_mm_);
+  const RunProgram program(run_, normals_);
   double penalty = 0;
   while (search.steps < most_steps) {
     checkProgress(run_.progress, shareAfter(steps_before + search.steps));

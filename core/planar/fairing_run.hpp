@@ -19,7 +19,7 @@ namespace seamwright {
 /// The part of a curve between corners, or all of it.
 struct FairingRun {
   PlanarPoints points;
-  Eigen::VectorXd tolerances_mm;
+  Eigen::VectorXd tolerances_mm;  ///< 0 for points that stay
   bool closed = false;
   Progress progress = {};
 
@@ -111,7 +111,6 @@ class RunFairing {
 
   const FairingRun& run_;
   PlanarPoints normals_;
-  Eigen::VectorXd tolerances_mm_;
 };
 
 }  // namespace seamwright

@@ -58,14 +58,18 @@ MatchOptions matchOptions(const KeyCurves& input, const BlendArguments& argument
 
 std::string matchNote(const MatchSummary& summary, MatchBy by) {
   const auto [fewest, most] = std::ranges::minmax(summary.pieces_before);
-  std::string note =
-      fmt::format("matched: {} to {} pieces each became {}", fewest, most, summary.pieces_after);
-  if (summary.matched_features > 0)
-    note +=
-        fmt::format(", {} {} correspond", summary.matched_features,
-                    by == MatchBy::Given ? "given pairs" : "corners or extrema of the curvature");
+  const std::string before = fewest == most ? fmt::format("{} piece{}", most, most == 1 ? "" : "s")
+                                            : fmt::format("{} to {} pieces", fewest, most);
+  std::string note = fmt::format("matched: {} each became {}", before, summary.pieces_after);
+  if (const auto count = summary.matched_features; count > 0 && by == MatchBy::Given)
+    note += fmt::format(", {} given pair{}", count, count == 1 ? " corresponds" : "s correspond");
+  else if (count > 0)
+    note += fmt::format(
+        ", {} of the curvature correspond{}",
+        count == 1 ? "1 corner or extremum" : fmt::format("{} corners or extrema", count),
+        count == 1 ? "s" : "");
   if (const auto reversed = std::ranges::count(summary.reversed, true))
-    note += fmt::format(", {} run in the other direction", reversed);
+    note += fmt::format(", {} run{} in the other direction", reversed, reversed == 1 ? "s" : "");
   return note;
 }
 
@@ -224,16 +228,17 @@ bool noteOrders(const SplineBlend& blend, BlendReport& report) {
   const auto lower = std::ranges::count_if(of_keys, [&](int n) { return n < report.order; });
   if (lower > 0)
     report.notes.push_back(fmt::format(
-        "{} of {} joints are below G{} in the key curves and keep their own order in all frames",
-        lower, of_keys.size(), report.order));
+        "{} of {} joint{} below G{} in the key curves and {} own order in all frames", lower,
+        of_keys.size(), (of_keys.size() == 1 ? "" : "s") + std::string(lower == 1 ? " is" : " are"),
+        report.order, lower == 1 ? "keeps its" : "keep their"));
   std::size_t lost = 0;
   for (const report::BlendFrameRecord& frame : report.frames)
     for (std::size_t i = 0; i < frame.joints.size(); ++i)
       if (frame.joints[i].order < of_keys[i] || !isFinite(frame.joints[i].defects)) ++lost;
   if (lost > 0)
-    report.notes.push_back(fmt::format(
-        "{} joints of frames have a lower order than the key curves: add a key curve between",
-        lost));
+    report.notes.push_back(
+        fmt::format("{} joint{} a lower order than the key curves: add a key curve between", lost,
+                    lost == 1 ? " of a frame has" : "s of frames have"));
   return lost == 0;
 }
 

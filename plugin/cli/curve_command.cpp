@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
@@ -63,6 +64,15 @@ void requireSome(const CurveResults& results, const std::string& path) {
   throw std::runtime_error(path + ": " + name + first.reason + others);
 }
 
+/// The tolerance of a curve, the least one if points have their own.
+double leastTolerance(const GivenCurve& given, const CurveArguments& arguments) {
+  double least_mm = HUGE_VAL;
+  for (const double tolerance_mm : given.tolerances_mm)
+    if (tolerance_mm > 0) least_mm = std::min(least_mm, tolerance_mm);
+  if (least_mm < HUGE_VAL) return least_mm;
+  return given.tolerances_mm.size() > 0 ? 0 : arguments.tolerance_mm;
+}
+
 CurveResults madeCurves(const CurveInput& input, const CurveArguments& arguments,
                         const WorkLimit& limit) {
   ProgressBar bar(doing("working on", arguments.input));
@@ -71,7 +81,7 @@ CurveResults madeCurves(const CurveInput& input, const CurveArguments& arguments
   CurveResults results{.made = {}, .refused = input.refused};
   double done = 0;
   for (const GivenCurve& given : input.curves) {
-    const CurveTask task{.tolerance_mm = arguments.tolerance_mm,
+    const CurveTask task{.tolerance_mm = leastTolerance(given, arguments),
                          .progress = partOf(progress, done / whole, (done + 1) / whole)};
     ++done;
     try {
@@ -95,6 +105,12 @@ report::CurveReport reportOf(const CurveInput& input, const CurveArguments& argu
   return report;
 }
 
+/// That of the curve of points, or of all curves of a model.
+double drawnTolerance(const CurveInput& input, const CurveArguments& arguments) {
+  return input.curves.size() == 1 ? leastTolerance(input.curves.front(), arguments)
+                                  : arguments.tolerance_mm;
+}
+
 /// Arcs of a drawing are this near to curves of other kinds.
 double drawnWithin(double tolerance_mm, const std::vector<MadeCurve>& curves) {
   constexpr double share = 0.1, of_length = 1e-6;
@@ -103,12 +119,11 @@ double drawnWithin(double tolerance_mm, const std::vector<MadeCurve>& curves) {
 }
 
 /// The lines of a drawing or table. Curves that can't be drawn become refused ones.
-CurveText drawnCurves(CurveFormat format, const CurveArguments& arguments, CurveResults& results,
-                      const WorkLimit& limit) {
+CurveText drawnCurves(CurveFormat format, const CurveArguments& arguments, double tolerance_mm,
+                      CurveResults& results, const WorkLimit& limit) {
   ProgressBar bar(doing("drawing", arguments.output.model));
-  CurveText text =
-      curveText(format, arguments.method, results.made,
-                drawnWithin(arguments.tolerance_mm, results.made), limit.progress(bar));
+  CurveText text = curveText(format, arguments.method, results.made,
+                             drawnWithin(tolerance_mm, results.made), limit.progress(bar));
   for (auto undrawn = text.undrawn.rbegin(); undrawn != text.undrawn.rend(); ++undrawn) {
     const auto curve = results.made.begin() + static_cast<std::ptrdiff_t>(undrawn->curve);
     results.refused.push_back({.edges = curve->record.edges, .reason = undrawn->reason});
@@ -151,8 +166,9 @@ void addCurveOptions(CLI::App& command, CurveArguments& arguments) {
       ->check(CLI::IsMember(curveMethods()));
   command.add_option(
       "INPUT", arguments.input,
-      "Points (.csv, .txt, .dat, .xy, .xyz: x,y or x,y,z on each line), or a STEP, IGES "
-      "or BREP file with planar curves");
+      "Points (.csv, .txt, .dat, .xy, .xyz: x,y or x,y,z on each line; after a header with the "
+      "last column tolerance, for fair: of each point), or a STEP, IGES or BREP file with planar "
+      "curves");
   command
       .add_option("--tolerance", arguments.tolerance_mm,
                   "Largest distance from the curve, mm; fair: largest move of a point. 0: arcs "
@@ -167,6 +183,8 @@ void addCurveOptions(CLI::App& command, CurveArguments& arguments) {
       ->check(numberIn(Range::NotNegative))
       ->capture_default_str();
   command.add_flag("--closed", arguments.closed, "Join the last point with the first one");
+  command.add_flag("--free-ends", arguments.free_ends,
+                   "fair: the first and the last point may move as well");
   command
       .add_option_function<std::string>(
           "--edge", [&arguments](const std::string& text) { arguments.edges = edgeList(text); },
@@ -201,7 +219,8 @@ int runCurve(const CurveArguments& arguments) {
   CurveResults results = madeCurves(input, arguments, limit);
   requireSome(results, arguments.input);
   std::optional<CurveText> text;
-  if (format != CurveFormat::Model) text = drawnCurves(format, arguments, results, limit);
+  if (format != CurveFormat::Model)
+    text = drawnCurves(format, arguments, drawnTolerance(input, arguments), results, limit);
   report::CurveReport report = reportOf(input, arguments, results);
   report.output = {.path = arguments.output.model,
                    .format = formatName(format, arguments.output.model)};

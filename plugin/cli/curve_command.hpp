@@ -17,7 +17,8 @@ struct CurveArguments {
   double tolerance_mm = 0.01;
   double flatness_mm = 0.001;  ///< largest distance of the input from its plane
   bool closed = false;
-  EdgeList edges;  ///< of a model; not given: the free ones
+  bool free_ends = false;  ///< of points made fair: the ends move as well
+  EdgeList edges;          ///< of a model; not given: the free ones
   double max_time_s = HUGE_VAL;
 };
 

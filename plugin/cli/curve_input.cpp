@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <seamwright/core/planar/plane_frame.hpp>
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
 #include <seamwright/occ_adapter/geometry_error.hpp>
@@ -13,7 +14,31 @@ namespace seamwright::cli {
 
 namespace {
 
+void requireEnds(const CurveArguments& arguments) {
+  if (!arguments.free_ends) return;
+  if (arguments.method != "fair")
+    throw std::runtime_error("--free-ends: is for the method fair, not for " + arguments.method);
+  if (arguments.closed)
+    throw std::runtime_error("--free-ends: a curve with --closed has no ends; corners stay");
+}
+
+/// Tolerances of points; empty if they have none of their own.
+Eigen::VectorXd ownTolerances(const PointFile& file, double default_mm) {
+  const auto& own = file.tolerances_mm;
+  if (std::ranges::none_of(own, [](const auto& one) { return one.has_value(); })) return {};
+  Eigen::VectorXd result(std::ssize(own));
+  for (std::size_t i = 0; i < own.size(); ++i)
+    result(static_cast<Eigen::Index>(i)) = own[i].value_or(default_mm);
+  return result;
+}
+
+std::string tolerancesNote(const Eigen::VectorXd& tolerances_mm) {
+  return fmt::format("tolerances of the points, by their file: {:.3g} to {:.3g} mm",
+                     tolerances_mm.minCoeff(), tolerances_mm.maxCoeff());
+}
+
 CurveInput pointInput(const CurveArguments& arguments) {
+  requireEnds(arguments);
   if (arguments.edges.isGiven())
     throw std::runtime_error(arguments.input +
                              ": is a file of points, which has no edges: --edge "
@@ -30,9 +55,9 @@ CurveInput pointInput(const CurveArguments& arguments) {
   curve.points = coordinatesIn(plane.frame, file.points);
   curve.rounding_mm = file.rounding_mm;
   curve.lines = file.lines;
-  if (!arguments.closed && endsMeet(file))
-    curve.record.notes.emplace_back(
-        "the last point is the first one again: --closed joins the curve smoothly there");
+  curve.free_ends = arguments.free_ends;
+  if (const std::string note = arguments.closed ? "" : endsNote(file); !note.empty())
+    curve.record.notes.push_back(note);
   curve.record.points = file.points.rows();
   curve.record.closed = arguments.closed;
   curve.record.plane = plane.frame;
@@ -42,6 +67,12 @@ CurveInput pointInput(const CurveArguments& arguments) {
   input.facts.format = "points";
   input.facts.length_unit = "mm (assumed)";
   input.notes = file.notes;
+  if (arguments.method == "fair")
+    curve.tolerances_mm = ownTolerances(file, arguments.tolerance_mm);
+  else if (!file.tolerances_mm.empty())
+    input.notes.emplace_back("tolerances of points are for the method fair: --tolerance holds");
+  if (curve.tolerances_mm.size() > 0)
+    curve.record.notes.push_back(tolerancesNote(curve.tolerances_mm));
   input.curves.push_back(std::move(curve));
   return input;
 }
@@ -58,6 +89,8 @@ GivenCurve givenCurve(occ::PlanarWire wire) {
 }
 
 CurveInput modelInput(const CurveArguments& arguments) {
+  if (arguments.free_ends)
+    throw std::runtime_error(arguments.input + ": is a model: --free-ends is for points");
   if (arguments.closed)
     throw std::runtime_error(
         arguments.input + ": is a model, whose curves are closed or not: --closed is for points");

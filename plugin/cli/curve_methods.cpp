@@ -309,29 +309,109 @@ void noteTurns(report::CurveRecord& record, const FairedClothoids& faired) {
                     more == 1 ? "" : "s"));
 }
 
+Eigen::VectorXd tolerancesOf(const GivenCurve& given, const CurveTask& task) {
+  if (given.tolerances_mm.size() > 0) return given.tolerances_mm;
+  return Eigen::VectorXd::Constant(given.points.rows(), task.tolerance_mm);
+}
+
+/// The middle one of those above 0, so that few points with large ones do not hide corners.
+double middleOf(const Eigen::VectorXd& tolerances_mm) {
+  std::vector<double> sorted;
+  for (const double tolerance_mm : tolerances_mm)
+    if (tolerance_mm > 0) sorted.push_back(tolerance_mm);
+  if (sorted.empty()) return 0;
+  const auto middle = sorted.begin() + std::ssize(sorted) / 2;
+  std::ranges::nth_element(sorted, middle);
+  return *middle;
+}
+
+/// The points to be made fair: without those that repeat a neighbour.
+struct PointsToFair {
+  GivenCurve curve;
+  Eigen::VectorXd tolerances_mm;
+  std::vector<PointTwin> twins = {};
+  std::vector<Eigen::Index> kept = {};
+};
+
+/// A point that stands for another one moves by less, so that the other one is within its
+/// tolerance.
+PointsToFair pointsToFair(const GivenCurve& given, const CurveTask& task) {
+  PointsToFair result{.curve = given, .tolerances_mm = tolerancesOf(given, task)};
+  result.twins = pointTwins(given.points, result.tolerances_mm, given.record.closed);
+  if (result.twins.empty()) return result;
+  Eigen::VectorXd& tolerances_mm = result.tolerances_mm;
+  std::vector<bool> left_out(static_cast<std::size_t>(given.points.rows()));
+  for (const PointTwin& twin : result.twins) {
+    const double gap_mm = (given.points.row(twin.left_out) - given.points.row(twin.kept)).norm();
+    left_out[static_cast<std::size_t>(twin.left_out)] = true;
+    tolerances_mm(twin.kept) =
+        std::min(tolerances_mm(twin.kept), tolerances_mm(twin.left_out) - gap_mm);
+  }
+  for (Eigen::Index i = 0; i < given.points.rows(); ++i)
+    if (!left_out[static_cast<std::size_t>(i)]) result.kept.push_back(i);
+  const PlanarPoints points = given.points(result.kept, Eigen::indexing::all);
+  const Eigen::VectorXd tolerances = tolerances_mm(result.kept);
+  result.curve.points = points;
+  result.tolerances_mm = tolerances;
+  result.curve.lines.clear();
+  for (const Eigen::Index i : result.kept)
+    result.curve.lines.push_back(given.lines[static_cast<std::size_t>(i)]);
+  return result;
+}
+
+/// The largest distance of a point that was left out from the one that stands for it.
+double leftOutWithin_mm(const GivenCurve& given, const PointsToFair& part,
+                        const PlanarPoints& faired) {
+  double largest_mm = 0;
+  for (const PointTwin& twin : part.twins) {
+    const auto at = std::ranges::lower_bound(part.kept, twin.kept) - part.kept.begin();
+    largest_mm = std::max(largest_mm, (faired.row(at) - given.points.row(twin.left_out)).norm());
+  }
+  return largest_mm;
+}
+
+void noteTwins(report::CurveRecord& record, const GivenCurve& given, const PointsToFair& part) {
+  if (!part.twins.empty()) {
+    const auto lineOf = [&](Eigen::Index i) { return given.lines[static_cast<std::size_t>(i)]; };
+    const PointTwin& first = part.twins.front();
+    const double gap_mm = (given.points.row(first.left_out) - given.points.row(first.kept)).norm();
+    const std::string more =
+        part.twins.size() == 1 ? "" : fmt::format(", and {} more", part.twins.size() - 1);
+    record.notes.push_back(
+        fmt::format("left out: the point of line {}, {:.3g} mm from that of line {}{}",
+                    lineOf(first.left_out), gap_mm, lineOf(first.kept), more));
+  }
+  if (const std::string crowded = crowdedPoints(part.curve); !crowded.empty())
+    record.notes.push_back(crowded);
+}
+
 MadeCurve madeFairPoints(const GivenCurve& given, const CurveTask& task) {
   const bool closed = given.record.closed;
-  const Eigen::VectorXd tolerances =
-      Eigen::VectorXd::Constant(given.points.rows(), task.tolerance_mm);
+  const PointsToFair part = pointsToFair(given, task);
+  const PlanarPoints& points = part.curve.points;
   const FairedClothoids faired = fairClothoids(
-      given.points, tolerances,
+      points, part.tolerances_mm,
       {.closed = closed,
-       .corners = pointCorners(given.points, {.closed = closed, .error_mm = task.tolerance_mm})},
+       .corners = pointCorners(points,
+                               {.closed = closed, .error_mm = middleOf(tolerancesOf(given, task))}),
+       .ends_fixed = !given.free_ends},
       task.progress);
   MadeCurve made{.record = given.record};
   made.points = faired.points;
   takeRuns(made, faired, task.tolerance_mm);
   made.record.pieces = static_cast<int>(faired.points.rows());
   made.record.corners = static_cast<int>(faired.corners.size());
-  made.record.distance_mm = made.record.moved_mm = faired.moved_mm;
+  made.record.moved_mm = faired.moved_mm;
+  made.record.distance_mm = std::max(faired.moved_mm, leftOutWithin_mm(given, part, faired.points));
   made.record.after = withVariation(faired.after);
   if (faired.before) {
     made.record.before = withVariation(*faired.before);
   } else {
-    made.record.before = biarcsThrough(given).figures;
+    made.record.before = biarcsThrough(part.curve).figures;
     made.record.notes.push_back(
         "no clothoids pass through the points as read: the figures before are those of biarcs");
   }
+  noteTwins(made.record, given, part);
   noteTurns(made.record, faired);
   return made;
 }
@@ -368,7 +448,7 @@ std::optional<MadeCurve> conicsNearPoints(const GivenCurve& given, const CurveTa
   } catch (const std::domain_error&) {  // the points are too few for their turns
     return std::nullopt;
   }
-  const double off_mm = *made.record.moved_mm + made.chain_distance_mm;
+  const double off_mm = *made.record.distance_mm + made.chain_distance_mm;
   CurveTask fitting = task;
   fitting.tolerance_mm -= off_mm;
   fitting.progress = partOf(task.progress, fairing_share, 1);

@@ -19,6 +19,10 @@ struct GivenCurve {
   double gap_mm = 0;            ///< the largest gap between curves of the chain
   double rounding_mm = 0;       ///< of the points, by the digits of their file
   std::vector<int> lines = {};  ///< of the points in their file
+  /// Fairing: of each point; empty if all have that of the task, which is the least of them above 0
+  /// otherwise.
+  Eigen::VectorXd tolerances_mm = {};
+  bool free_ends = false;  ///< fairing: the ends move as well
 };
 
 /// What a method made of a curve.

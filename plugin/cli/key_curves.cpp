@@ -50,7 +50,11 @@ void addPoints(KeyCurves& result, const std::string& path, const EdgeList& edges
   curve.curve = splineThrough(file.points, closed);
   result.curves.push_back(std::move(curve));
   result.facts.push_back(pointFacts(path));
-  result.notes.push_back(file.notes);
+  if (const std::string note = closed ? "" : endsNote(file); !note.empty())
+    file.notes.push_back(note);
+  if (!file.tolerances_mm.empty())
+    file.notes.emplace_back("tolerances of points are for the method fair");
+  result.notes.push_back(std::move(file.notes));
 }
 
 /// The curves of a model; \p only_input: all of them, else one.

@@ -78,8 +78,8 @@ struct PairAt {
 PairAt pairAt(const KeyCurves& input, const KeyPair& pair) {
   if (pair.places.size() != input.curves.size())
     throw std::runtime_error(
-        fmt::format("--pair {}: has {} places, and {} key curves need one each", pair.text,
-                    pair.places.size(), input.curves.size()));
+        fmt::format("--pair {}: has {} place{}, and {} key curves need one each", pair.text,
+                    pair.places.size(), pair.places.size() == 1 ? "" : "s", input.curves.size()));
   PairAt result{&pair, {}};
   for (std::size_t i = 0; i < input.curves.size(); ++i) {
     const KeyCurve& key = input.curves[i];

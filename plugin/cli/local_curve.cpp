@@ -57,6 +57,9 @@ LocalCurve localCurve(const GivenCurve& given) {
   // Points are moved to the origin without rounding, poles of rational splines with one.
   local.rounding_mm = (has_points ? 1 : 2) * roundingAt_mm(local.origin);
   local.given.points.rowwise() -= local.origin.transpose();
+  // A tolerance that is too small for that is refused by taskOf().
+  for (double& tolerance_mm : local.given.tolerances_mm)
+    tolerance_mm = std::max(tolerance_mm - local.rounding_mm, 0.0);
   local.given.chain = moved(given.chain, -local.origin);
   local.given.gap_mm += local.rounding_mm;
   return local;

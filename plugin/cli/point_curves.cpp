@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -22,6 +23,61 @@ std::optional<double> circleDirection_rad(const Vector2d& first, const Vector2d&
   if (std::abs(angle_rad) > largest_rad) return std::nullopt;
   return directionOf(second - first) - angle_rad;
 }
+
+/// A choice: samples of a curve do not become that much denser from one chord to the next.
+constexpr double least_ratio = 0.05;
+
+/// Looks for points that repeat the one before them.
+class TwinSearch {
+ public:
+  TwinSearch(const PlanarPoints& points, const Eigen::VectorXd& tolerances_mm, bool closed)
+      : points_(points), tolerances_mm_(tolerances_mm), closed_(closed) {}
+
+  std::vector<PointTwin> twins() {
+    const Eigen::Index n = points_.rows();
+    kept_ = {0};
+    for (Eigen::Index i = 1; i < n; ++i) {
+      if (!isTwin(i)) {
+        kept_.push_back(i);
+      } else if (closed_ || i + 1 < n || kept_.size() == 1) {
+        twins_.push_back({.left_out = i, .kept = kept_.back()});
+      } else {  // an end stays
+        keepInstead(i);
+      }
+    }
+    return twins_;
+  }
+
+ private:
+  double apart_mm(Eigen::Index i, Eigen::Index j) const {
+    return (points_.row(i) - points_.row(j)).norm();
+  }
+  /// So that half of the tolerance is left for moves.
+  bool isTwin(Eigen::Index i) const {
+    const Eigen::Index last = kept_.back();
+    const double gap_mm = apart_mm(i, last);
+    if (gap_mm > std::min(tolerances_mm_(i), tolerances_mm_(last)) / 2) return false;
+    const double least_mm = gap_mm / least_ratio;
+    if (kept_.size() > 1 && apart_mm(kept_[kept_.size() - 2], last) < least_mm) return false;
+    const Eigen::Index n = points_.rows();
+    Eigen::Index next = i + 1;
+    while (next < n && apart_mm(next, last) <= 2 * gap_mm) ++next;  // more of them
+    if (next == n) return kept_.size() > 1 || closed_;
+    return apart_mm(next, last) >= least_mm;
+  }
+  void keepInstead(Eigen::Index i) {
+    for (PointTwin& twin : twins_)
+      if (twin.kept == kept_.back()) twin.kept = i;
+    twins_.push_back({.left_out = kept_.back(), .kept = i});
+    kept_.back() = i;
+  }
+
+  const PlanarPoints& points_;
+  const Eigen::VectorXd& tolerances_mm_;
+  bool closed_;
+  std::vector<Eigen::Index> kept_ = {};
+  std::vector<PointTwin> twins_ = {};
+};
 
 }  // namespace
 
@@ -45,9 +101,12 @@ ClothoidSpline clothoidsOf(const PlanarPoints& points, bool closed, const Progre
   return clothoidSpline(points, options, progress);
 }
 
+std::vector<PointTwin> pointTwins(const PlanarPoints& points, const Eigen::VectorXd& tolerances_mm,
+                                  bool closed) {
+  return TwinSearch(points, tolerances_mm, closed).twins();
+}
+
 std::string crowdedPoints(const GivenCurve& given) {
-  // A choice: samples of a curve do not become that much denser from one chord to the next.
-  constexpr double least_ratio = 1e-3;
   const Eigen::Index n = given.points.rows(), chords = given.record.closed ? n : n - 1;
   const auto chord_mm = [&](Eigen::Index i) {
     const Eigen::Index from = (i + chords) % chords;

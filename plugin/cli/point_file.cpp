@@ -98,29 +98,60 @@ std::string textOf(const fs::path& path) {
   return text;
 }
 
+/// Whether an entry between separators is empty, except for the last one.
+bool hasGap(const std::string& line) {
+  const std::string text = line.substr(0, line.find('#'));
+  const char separator = text.find(';') != std::string::npos ? ';' : ',';
+  bool blank = true;
+  for (const char c : text) {
+    if (c == separator && blank) return true;
+    blank = c == separator || (blank && std::isspace(static_cast<unsigned char>(c)) != 0);
+  }
+  return false;
+}
+
+bool namesTolerance(std::string word) {
+  for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return word == "tolerance" || word == "tolerance_mm";
+}
+
+struct PointRow {
+  std::array<double, 3> place = {};
+  std::optional<double> tolerance_mm = {};
+  int line = 0;
+};
+
+std::string numbersText(std::size_t count) {
+  return fmt::format("{} number{}", count, count == 1 ? "" : "s");
+}
+
 /// The rows of a file as they are found.
 class PointRows {
  public:
   explicit PointRows(std::string path) : path_(std::move(path)) {}
 
+  bool hasTolerances() const { return has_tolerances_; }
+
   void add(const std::vector<std::string>& words, int line) {
-    if (rows_.empty() && !beginsAsNumber(words.front())) return;  // a header
+    if (rows_.empty() && !beginsAsNumber(words.front())) {
+      readHeader(words, line);
+      return;
+    }
     if (!std::exchange(begun_, true) && isName(words)) {
       notes_.push_back(fmt::format("line {} is taken for a name, because it has words", line));
       return;
     }
     for (const std::string& word : words)
       if (!numberFrom(word)) fail(line, fmt::format("has '{}' where a number is needed", word));
-    const auto columns = words.size();
-    if (columns != 2 && columns != 3)
-      fail(line, fmt::format("has {} numbers: 2 or 3 are needed", columns));
-    if (!rows_.empty() && columns != columns_)
-      fail(line, fmt::format("has {} numbers, line {} has {}", columns, lines_.front(), columns_));
-    columns_ = columns;
-    std::array<double, 3> row{};
-    for (std::size_t i = 0; i < columns; ++i) row[i] = coordinate(words[i], line);
+    requireColumns(words.size(), line);
+    PointRow row{.line = line};
+    for (std::size_t i = 0; i < columns_; ++i) row.place[i] = coordinate(words[i], line);
+    if (words.size() > columns_) row.tolerance_mm = tolerance_mm(words.back(), line);
     rows_.push_back(row);
-    lines_.push_back(line);
+  }
+
+  [[noreturn]] void fail(int line, const std::string& what) const {
+    throw std::runtime_error(fmt::format("{}: line {} {}", path_, line, what));
   }
 
   PointFile file() {
@@ -129,31 +160,61 @@ class PointRows {
     orderAirfoil();
     PointFile file{.points = Poles(static_cast<Eigen::Index>(rows_.size()), 3),
                    .has_z = columns_ == 3,
-                   .lines = lines_,
+                   .lines = {},
                    .rounding_mm = rounding_mm(),
                    .notes = notes_};
-    for (std::size_t i = 0; i < rows_.size(); ++i)
-      file.points.row(static_cast<Eigen::Index>(i)) << rows_[i][0], rows_[i][1], rows_[i][2];
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const PointRow& row = rows_[i];
+      file.points.row(static_cast<Eigen::Index>(i)) << row.place[0], row.place[1], row.place[2];
+      file.lines.push_back(row.line);
+      if (has_tolerances_) file.tolerances_mm.push_back(row.tolerance_mm);
+    }
     return file;
   }
 
  private:
+  void readHeader(const std::vector<std::string>& names, int line) {
+    // More words are a text.
+    constexpr std::size_t most_columns = 4;
+    has_tolerances_ = false;
+    if (names.size() > most_columns || std::ranges::none_of(names, namesTolerance)) return;
+    if (names.size() < 3 || !namesTolerance(names.back()))
+      fail(line, "names a column of tolerances, which must follow x,y or x,y,z");
+    has_tolerances_ = true;
+    columns_ = names.size() - 1;
+  }
+  void requireColumns(std::size_t count, int line) {
+    if (has_tolerances_) {
+      if (count != columns_ && count != columns_ + 1)
+        fail(line, fmt::format("has {}: {} and at most a tolerance are needed", numbersText(count),
+                               columns_));
+      return;
+    }
+    if (count != 2 && count != 3)
+      fail(line, fmt::format("has {}: 2 or 3 are needed", numbersText(count)));
+    if (!rows_.empty() && count != columns_)
+      fail(line,
+           fmt::format("has {}, line {} has {}", numbersText(count), rows_.front().line, columns_));
+    columns_ = count;
+  }
+  double tolerance_mm(const std::string& word, int line) const {
+    const double number = numberFrom(word).value();
+    if (!(number >= 0) || number == HUGE_VAL)
+      fail(line, fmt::format("has the tolerance {} mm: it must be at least 0 and finite", word));
+    return number;
+  }
   /// Airfoils in the format of Lednicer begin with the numbers of upper and lower points, and both
   /// sides run from the nose: the outline runs along the upper side to the nose, then back.
   void orderAirfoil() {
-    const double upper = rows_.front()[0], lower = rows_.front()[1];
+    const double upper = rows_.front().place[0], lower = rows_.front().place[1];
     const auto count = static_cast<double>(rows_.size() - 1);
     if (columns_ != 2 || upper < 2 || lower < 2 || upper != std::floor(upper) ||
         lower != std::floor(lower) || upper + lower != count)
       return;
     rows_.erase(rows_.begin());
-    lines_.erase(lines_.begin());
     const auto nose = static_cast<std::ptrdiff_t>(upper);
     std::reverse(rows_.begin(), rows_.begin() + nose);
-    std::reverse(lines_.begin(), lines_.begin() + nose);
-    if (rows_[nose - 1] != rows_[nose]) return;
-    rows_.erase(rows_.begin() + nose);
-    lines_.erase(lines_.begin() + nose);
+    if (rows_[nose - 1].place == rows_[nose].place) rows_.erase(rows_.begin() + nose);
   }
   /// "2412 airfoil", "20-32C airfoil"
   static bool isName(const std::vector<std::string>& words) {
@@ -167,9 +228,6 @@ class PointRows {
     const double unit = std::pow(10, std::floor(std::log10(largest_)) + 1 - digits_);
     return unit / 2 * std::sqrt(static_cast<double>(columns_));
   }
-  [[noreturn]] void fail(int line, const std::string& what) const {
-    throw std::runtime_error(fmt::format("{}: line {} {}", path_, line, what));
-  }
   double coordinate(const std::string& word, int line) {
     const double number = numberFrom(word).value();
     // OpenCASCADE takes such numbers for infinite.
@@ -182,13 +240,12 @@ class PointRows {
   }
 
   std::string path_;
-  bool begun_ = false;
+  bool begun_ = false, has_tolerances_ = false;
   int digits_ = 0;
   double largest_ = 0;
   std::vector<std::string> notes_;
-  std::size_t columns_ = 0;
-  std::vector<std::array<double, 3>> rows_;
-  std::vector<int> lines_;
+  std::size_t columns_ = 0;  ///< of coordinates
+  std::vector<PointRow> rows_;
 };
 
 void requireApart(const PointFile& file, const fs::path& path, bool closed) {
@@ -232,8 +289,11 @@ PointFile readPoints(const fs::path& path) {
   int number = 0;
   for (const std::string& line : linesOf(textOf(path))) {
     ++number;
-    if (const std::vector<std::string> words = wordsOf(line); !words.empty())
-      rows.add(words, number);
+    const std::vector<std::string> words = wordsOf(line);
+    if (words.empty()) continue;
+    // Without it a tolerance would be taken for a coordinate.
+    if (rows.hasTolerances() && hasGap(line)) rows.fail(number, "has an empty entry");
+    rows.add(words, number);
   }
   return rows.file();
 }
@@ -249,11 +309,32 @@ bool endsMeet(const PointFile& file) {
   return (file.points.row(n - 1) - file.points.row(0)).norm() <= relative * size.maxCoeff();
 }
 
+std::string endsNote(const PointFile& file) {
+  if (endsMeet(file))
+    return "the last point is the first one again: --closed joins the curve smoothly there";
+  // A choice: neighbours of one outline do not come that much nearer at once, and two readings of
+  // one point are no further apart.
+  constexpr double share = 0.25;
+  constexpr Eigen::Index least_points = 4;
+  const Eigen::Index n = file.points.rows();
+  if (n < least_points) return "";
+  const auto apart_mm = [&](Eigen::Index i, Eigen::Index j) {
+    return (file.points.row(i) - file.points.row(j)).norm();
+  };
+  const double gap_mm = apart_mm(0, n - 1);
+  if (gap_mm > share * std::min(apart_mm(0, 1), apart_mm(n - 2, n - 1))) return "";
+  return fmt::format(
+      "the last point is {:.3g} mm from the first one: if the curve is closed there, remove the "
+      "point and give --closed",
+      gap_mm);
+}
+
 void requireCurve(PointFile& file, const fs::path& path, bool closed) {
   Eigen::Index n = file.points.rows();
   if (closed && endsMeet(file)) {
     file.points.conservativeResize(--n, Eigen::NoChange);
     file.lines.pop_back();
+    if (!file.tolerances_mm.empty()) file.tolerances_mm.pop_back();
   }
   const Eigen::Index least = closed ? 3 : 2;
   if (n < least)

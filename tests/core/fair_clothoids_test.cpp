@@ -201,6 +201,66 @@ TEST(FairClothoids, KeepCorners) {
   }
 }
 
+/// How far a chain turns from the exact outline within its first and its last 5 %, in degrees: the
+/// hooks at its ends, by chords of dense points.
+double hooks_deg(const std::vector<Clothoid>& chain, const Foil& foil) {
+  const PlanarPoints dense = sampled(chain, 20);
+  double largest = 0;
+  for (Index i = 1; i < dense.rows(); ++i) {
+    const Eigen::RowVector2d chord = dense.row(i) - dense.row(i - 1);
+    const double x = dense(i, 0) / foil.chord_mm, h = 1e-4;
+    if (x < 0.95 || x > 1) continue;
+    const double side = chord.x() < 0 ? 1 : -1;
+    const Eigen::RowVector2d exact =
+        side * (foilPoint(foil, x - h, side) - foilPoint(foil, x, side));
+    const double turn = std::atan2(exact.x() * chord.y() - exact.y() * chord.x(), exact.dot(chord));
+    largest = std::max(largest, std::abs(turn) * 180 / pi);
+  }
+  return largest;
+}
+
+// Identity (5), and (2) for ends that are free.
+TEST(FairClothoids, WithFreeEndsHaveNoHooks) {
+  std::mt19937_64 random(testSeed());
+  constexpr double tolerance = 0.1;
+  double of_held = 0, of_free = 0;
+  for (int i = 0; i < 12; ++i) {
+    const Foil foil = {.camber = i % 2 * 0.02, .sharp = false, .points = 40, .grid_mm = 1e-9};
+    PlanarPoints points = foilPoints(foil);
+    for (Index k = 0; k < points.rows(); ++k)
+      points.row(k) +=
+          Eigen::RowVector2d(uniform(random, -0.02, 0.02), uniform(random, -0.06, 0.06));
+    // Ends that were read too high, on both sides.
+    for (const Index end : {Index{0}, points.rows() - 1}) points(end, 1) += 0.06;
+    const Eigen::VectorXd tolerances = Eigen::VectorXd::Constant(points.rows(), tolerance);
+    const FairedClothoids held = fairClothoids(points, tolerances);
+    const FairedClothoids free = fairClothoids(points, tolerances, {.ends_fixed = false});
+    for (const Index end : {Index{0}, points.rows() - 1}) {
+      EXPECT_EQ(held.points.row(end), points.row(end));
+      EXPECT_NE(free.points.row(end), points.row(end));
+    }
+    EXPECT_LE((free.points - points).rowwise().norm().maxCoeff(), tolerance);
+    EXPECT_LE(free.after.variation_per_mm3, held.after.variation_per_mm3 * 1.01);
+    EXPECT_LE(free.after.inflections, held.after.inflections);
+    of_held += hooks_deg(held.pieces, foil) / 12;
+    of_free += hooks_deg(free.pieces, foil) / 12;
+  }
+  EXPECT_GT(of_held, 5 * of_free);
+}
+
+TEST(FairClothoids, WithFreeEndsHaveTheirCorners) {
+  PlanarPoints points(21, 2);
+  for (Index i = 0; i < 21; ++i)
+    points.row(i) << double(i), 0.02 * double(i % 2) + (i < 10 ? double(i) : 20.0 - double(i));
+  const Eigen::VectorXd tolerances = Eigen::VectorXd::Constant(21, 0.03);
+  const FairedClothoids found =
+      fairClothoids(points, tolerances, {.corners = {10}, .ends_fixed = false});
+  EXPECT_EQ(found.points.row(10), points.row(10));
+  EXPECT_NE(found.points.row(0), points.row(0));
+  EXPECT_NE(found.points.row(20), points.row(20));
+  EXPECT_LE((found.points - points).rowwise().norm().maxCoeff(), 0.03);
+}
+
 // An airfoil of 200 mm with a tolerance of 0.5 mm, which is more than the distance of points.
 TEST(FairClothoids, MayHaveAToleranceAboveTheSpacing) {
   const Foil foil = {

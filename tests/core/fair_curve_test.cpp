@@ -52,6 +52,37 @@ TEST(FairCurve, LosesTheWavesOfItsNoise) {
   }
 }
 
+/// Knots whose distances differ up to 8000 times make the rounding of the gradient large.
+std::vector<double> unevenKnots(int degree, int count, std::mt19937_64& random) {
+  std::vector<double> knots(static_cast<std::size_t>(degree) + 1, 0.0);
+  double at = 0;
+  for (int i = 0; i < count - degree; ++i) {
+    at += std::exp(uniform(random, -9, 0));
+    const int times = i + 1 == count - degree ? degree + 1 : 1;
+    knots.insert(knots.end(), static_cast<std::size_t>(times), at);
+  }
+  return knots;
+}
+
+// The steps end before the most that are taken, so (5) and (9) hold.
+TEST(FairCurve, EndsOverUnevenKnots) {
+  std::mt19937_64 random(testSeed());
+  for (int i = 0; i < 200; ++i) {
+    const int degree = 2 + i % 5, count = degree + 4 + static_cast<int>(random() % 70);
+    BSplineCurve curve = noisyCurve(degree, count, i % 2 == 0, 0, random);
+    const double noise_mm = std::exp(uniform(random, -8, -1));
+    for (Eigen::Index k = 0; k < count; ++k)
+      for (int c = 0; c < (i % 2 == 0 ? 2 : 3); ++c)
+        curve.poles(k, c) += uniform(random, -noise_mm, noise_mm);
+    curve.knots = unevenKnots(degree, count, random);
+    const double tolerance_mm = noise_mm * std::exp(uniform(random, 0, 3));
+    const FairedCurve found =
+        fairCurve(curve, tolerance_mm, {.ends = static_cast<HeldEnds>(random() % 4)});
+    EXPECT_LT(found.steps, 60) << i;
+    EXPECT_LE(found.moved_mm, tolerance_mm);
+  }
+}
+
 // Beside a large smoothing the equations of a curve of one span are singular.
 TEST(FairCurve, OfOneSpanIsFairer) {
   Poles poles(4, 3);

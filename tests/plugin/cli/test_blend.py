@@ -417,7 +417,7 @@ def test_runs_are_repeated_bitwise(tmp_path, pair):
         (["low.csv", "high.csv", "-o", "out.step", "--match", "near"], "--match"),
         (["low.csv", "high.csv", "-o", "out.step", "--pair", "1,3"], "an end of the curve of low"),
         (["low.csv", "high.csv", "-o", "out.step", "--pair", "2,9"], "and no point 9"),
-        (["low.csv", "high.csv", "-o", "out.step", "--pair", "2"], "has 1 places, and 2 key"),
+        (["low.csv", "high.csv", "-o", "out.step", "--pair", "2"], "has 1 place, and 2 key"),
         (["low.csv", "high.csv", "-o", "out.step", "--pair", "2,x"], "--pair: 'x' is neither"),
         (["low.csv", "high.csv", "-o", "out.step", "--pair", "2,0"], "--pair: '0' is neither"),
         (["low.csv", "high.csv", "-o", "out.step", "--pair", "2,101%"], "--pair: '101%'"),

@@ -323,6 +323,41 @@ def test_a_faired_airfoil_turns_to_one_side(tmp_path, thickness, count, toleranc
     assert math.dist(start, outline[0]) < 1e-6 and math.dist(end, outline[0]) < 1e-6
 
 
+def end_turns_deg(rows, exact, count=4):
+    """How far the outer chords of a curve turn from those of the exact points, in degrees."""
+
+    def turn(i, j):
+        a, b = (
+            math.atan2(points[j][1] - points[i][1], points[j][0] - points[i][0])
+            for points in (rows, exact)
+        )
+        return abs(math.degrees(math.remainder(a - b, math.tau)))
+
+    last = len(rows) - 1
+    return max(max(turn(k, k + 1), turn(last - k - 1, last - k)) for k in range(count))
+
+
+def test_free_ends_have_no_hooks(tmp_path):
+    exact = naca(0.12, 20, sharp=False)
+    held_deg = free_deg = 0
+    for seed in range(5):
+        noise = random.Random(seed)
+        read = [(x, y + noise.uniform(-0.03, 0.03)) for x, y in exact]
+        read[0], read[-1] = ((x, y + 0.1) for x, y in (exact[0], exact[-1]))
+        given = points_file(tmp_path, read)
+        turns = []
+        for options in ([], ["--free-ends"]):
+            out = curve("fair", given, "--tolerance", "0.06", *options, out="out.csv")[2]
+            rows = [(float(row["x"]), float(row["y"])) for row in rows_of(out)]
+            assert all(math.dist(p, q) <= 0.06 for p, q in zip(read, rows))
+            stays = [rows[0] == read[0], rows[-1] == read[-1]]
+            assert stays == ([False, False] if options else [True, True])
+            turns.append(end_turns_deg(rows, exact))
+        held_deg += turns[0]
+        free_deg += turns[1]
+    assert held_deg > 3 * free_deg
+
+
 def test_conics_of_an_airfoil_have_a_corner_at_its_sharp_end(tmp_path):
     outline = naca(0.12, 40, chord=100)
     given = points_file(tmp_path, outline)

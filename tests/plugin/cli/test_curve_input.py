@@ -3,6 +3,7 @@
 
 import json
 import math
+import random
 import signal
 import subprocess
 import time
@@ -66,8 +67,17 @@ def test_points_of_spreadsheets_and_airfoils(tmp_path, name, data):
         ('"1,234","5"\n1,1\n2,0\n', [], "line 1 has '1,234' where a number is needed"),
         ("nan,0\n1,1\n2,0\n", [], "line 1 has the number nan, which is not finite"),
         ("0,0\n1,1,1\n", [], "line 2 has 3 numbers, line 1 has 2"),
-        ("1\n", [], "line 1 has 1 numbers: 2 or 3 are needed"),
+        ("1\n", [], "line 1 has 1 number: 2 or 3 are needed"),
         ("0,0,0\n9,0,0\n9,9,0\n0,9,3\n", [], "are not in a plane: that of line "),
+        ("tolerance,x,y\n1,0,0\n", [], "line 1 names a column of tolerances, which must follow"),
+        ("x,y,tolerance\n0,0\n1,2,-1\n", [], "line 3 has the tolerance -1 mm: it must be"),
+        ("x,y,tolerance\n0,0\n1,2,nan\n", [], "line 3 has the tolerance nan mm: it must"),
+        ("x,y,tolerance\n0,0\n1,2,inf\n", [], "line 3 has the tolerance inf mm: it must"),
+        ("x,y,tolerance\n0,0\n1,,2\n", [], "line 3 has an empty entry"),
+        ("x;y;tolerance\n0;0\n1; ;2\n", [], "line 3 has an empty entry"),
+        ("x,y,tolerance\n0,0\n1,2,3,4\n", [], "line 3 has 4 numbers: 2 and at most a tolerance"),
+        ("x,y,z,tolerance\n0,0\n", [], "line 2 has 2 numbers: 3 and at most a tolerance"),
+        ("x,y,tolerance\n0,0\n1,2,few\n", [], "line 3 has 'few' where a number is needed"),
         ("0,0\n1,2\n3,3\n", ["--edge", "1"], "has no edges"),
         ("0,0\n1,2\n3,3\n", ["--tolerance", "-1"], "--tolerance: -1 must not be negative"),
         ("0,0\n1,2\n3,3\n", ["--edge", "0"], "--edge: invalid Edge number '0'"),
@@ -91,11 +101,70 @@ def test_utf_16_is_refused(tmp_path, encoding):
     expect_one_line(result, "is UTF-16 or no text: save the points as text in UTF-8")
 
 
-@pytest.mark.parametrize("method", ["clothoid", "fair"])
-def test_points_that_are_too_near_are_named(tmp_path, method):
+def test_points_that_are_too_near_are_named(tmp_path):
     points = [*WAVE[:7], (WAVE[6][0], WAVE[6][1] + 1e-8), *WAVE[7:]]
-    result = run("curve", method, points_file(tmp_path, points), "-o", tmp_path / "out.csv")
+    result = run("curve", "clothoid", points_file(tmp_path, points), "-o", tmp_path / "out.csv")
     expect_one_line(result, "the points of lines 7 and 8 are only 1e-08 mm apart: remove one")
+
+
+@pytest.mark.parametrize("gap", [1e-13, 1e-8, 1e-4, 4e-3])
+@pytest.mark.parametrize("at", [0, 7, 19])
+@pytest.mark.parametrize("angle", [0, 1.2, 3])
+def test_points_made_fair_may_repeat_a_neighbour(tmp_path, gap, at, angle):
+    noise = random.Random(at)
+    points = [(x, y + noise.uniform(-0.005, 0.005)) for x, y in WAVE]
+    x, y = points[at]
+    twin = (x + gap * math.cos(angle), y + gap * math.sin(angle))
+    given = points_file(tmp_path, [*points[: at + 1], twin, *points[at + 1 :]])
+    result, report, out = curve("fair", given, out="out.csv")
+    (record,) = report["curves"]
+    # The end of the curve is the last point.
+    left, kept = (20, 21) if at == 19 else (at + 2, at + 1)
+    assert f"left out: the point of line {left}, " in result.stdout
+    assert f" mm from that of line {kept}\n" in result.stdout
+    assert (record["points"], record["pieces"]) == (21, 20)
+    rows = [(float(row["x"]), float(row["y"])) for row in rows_of(out)]
+    assert len(rows) == 20 and record["moved_mm"] <= record["distance_mm"] <= 0.01
+    assert all(min(math.dist(p, q) for q in rows) <= 0.01 for p in [*points, twin])
+    assert record["after"]["inflections"] <= 4
+
+
+def test_points_that_are_too_near_for_the_tolerance_are_noted(tmp_path):
+    points = [*WAVE, (WAVE[-1][0] + 0.02, WAVE[-1][1] + 0.02)]
+    result = curve("fair", points_file(tmp_path, points), "--tolerance", "1e-3")[0]
+    assert "  the points of lines 20 and 21 are only 0.0283 mm apart: remove one\n" in result.stdout
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_tolerances_of_points(tmp_path, method):
+    noise = random.Random(4)
+    points = [(x, y + noise.uniform(-0.02, 0.02)) for x, y in WAVE]
+    tolerances = [0.0, 0.04, 0.001, None] * 5
+    given = tmp_path / "points.csv"
+    lines = [
+        ",".join(repr(number) for number in (*point, tolerance) if number is not None)
+        for point, tolerance in zip(points, tolerances)
+    ]
+    given.write_text("x,y,Tolerance_mm\n" + "\n".join(lines) + "\n")
+    result, report, out = curve(method, given, "--tolerance", "0.03", out="out.csv")
+    note = "tolerances of points are for the method fair: --tolerance holds"
+    assert (note in result.stderr) == (method != "fair")
+    if method != "fair":
+        return
+    assert "  tolerances of the points, by their file: 0 to 0.04 mm\n" in result.stdout
+    rows = [(float(row["x"]), float(row["y"])) for row in rows_of(out)]
+    moves = [math.dist(p, q) for p, q in zip(points, rows)]
+    for move, tolerance in zip(moves, tolerances):
+        assert move <= (0.03 if tolerance is None else tolerance)
+    assert moves[0] == moves[4] == 0 and max(moves[1::4]) > 0.03 < 0.04
+    assert report["curves"][0]["moved_mm"] == pytest.approx(max(moves))
+
+
+def test_a_column_of_tolerances_may_be_empty(tmp_path):
+    given = points_file(tmp_path, WAVE, header="x,y,tolerance\n")
+    plain = points_file(tmp_path, WAVE, name="plain.csv")
+    one, other = (curve("fair", path)[1]["curves"][0] for path in (given, plain))
+    assert one == other
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -110,9 +179,21 @@ def test_ends_that_meet_are_noted(tmp_path, method):
     ]
 
 
+@pytest.mark.parametrize("method", METHODS)
+def test_ends_that_nearly_meet_are_noted(tmp_path, method):
+    ring = [(50 * math.cos(0.1 * i), 30 * math.sin(0.1 * i)) for i in range(62)]
+    note = "mm from the first one: if the curve is closed there, remove the point and give --closed"
+    again = points_file(tmp_path, [*ring, (ring[0][0], ring[0][1] + 0.05)])
+    assert f"  the last point is 0.05 {note}\n" in curve(method, again)[0].stdout
+    assert note not in curve(method, points_file(tmp_path, ring))[0].stdout
+    assert note not in curve(method, points_file(tmp_path, ring), "--closed")[0].stdout
+
+
 @pytest.mark.parametrize(
     "arguments, message",
     [
+        (["arcs", "points.csv", "-o", "out.svg", "--free-ends"], "is for the method fair"),
+        (["fair", "points.csv", "-o", "out.svg", "--free-ends", "--closed"], "has no ends"),
         (["arcs", "points.csv", "-o", "out.pdf"], "'.pdf' is not a known extension"),
         (["arcs", "points.csv", "-o", "points.csv"], "is the input itself"),
         (["arcs", "points.csv", "-o", "old.dxf"], "already exists; use --overwrite"),
