@@ -198,6 +198,63 @@ class VariationSpans {
   std::vector<PieceNodes> kept_;
 };
 
+/// The part of a span in the equations: sums over the rows of the nodes of products of their
+/// entries.
+class SpanEquations {
+ public:
+  /// \param rows the most that newRow() begins before addRows().
+  SpanEquations(Index width, Index rows)
+      : products_(padded(width), padded(width)),
+        slope_(padded(width)),
+        rows_(Eigen::MatrixXd::Zero(padded(width), rows)),
+        weights_(rows),
+        roots_(rows) {}
+
+  void clear() {
+    products_.setZero();
+    slope_.setZero();
+  }
+
+  /// The entries of a row, to be filled from the first one on.
+  Eigen::Ref<Eigen::VectorXd> newRow(double weight, double root) {
+    weights_(count_) = weight;
+    roots_(count_) = root;
+    return rows_.col(count_++);
+  }
+
+  void addRows() {
+    for (Index r = 0; r < count_; ++r) slope_ += weights_(r) * roots_(r) * rows_.col(r);
+    for (Index j = 0; j < rows_.rows(); j += tile)
+      for (Index i = j; i < rows_.rows(); i += tile) addProducts(i, j);
+    count_ = 0;
+  }
+
+  /// The part below the diagonal and on it.
+  const Eigen::MatrixXd& products() const { return products_; }
+  const Eigen::VectorXd& slope() const { return slope_; }
+
+ private:
+  /// A square of sums that fits into the registers of processors.
+  static constexpr Index tile = 4;
+  static Index padded(Index width) { return (width + tile - 1) / tile * tile; }
+
+  void addProducts(Index i, Index j) {
+    Eigen::Matrix4d sums = products_.block<tile, tile>(i, j);
+    for (Index r = 0; r < count_; ++r) {
+      const Eigen::Vector4d left = rows_.col(r).segment<tile>(i),
+                            right = weights_(r) * rows_.col(r).segment<tile>(j);
+      sums.noalias() += left * right.transpose();
+    }
+    products_.block<tile, tile>(i, j) = sums;
+  }
+
+  Eigen::MatrixXd products_;
+  Eigen::VectorXd slope_;
+  Eigen::MatrixXd rows_;  ///< one column for each row
+  Eigen::VectorXd weights_, roots_;
+  Index count_ = 0;
+};
+
 /// Poles with the variation of their curve and the pieces of the spans on which its quadrature was
 /// accurate, one span after the other: what the equations of a step at these poles need again.
 struct MeasuredPoles {
@@ -250,7 +307,7 @@ class VariationProblem {
     const Index size = dimensions_ * free_.count, width = dimensions_ * (degree_ + 1);
     Equations result{.matrix = linear::SymmetricBand(size, width - 1),
                      .gradient = Eigen::VectorXd::Zero(size)};
-    SpanEquations of_span(width);
+    SpanEquations of_span(width, PieceNodes::count * (dimensions_ == 2 ? 1 : 3));
     PieceNodes::Rows basis(3, degree_ + 1);
     for (Index span = 0; span < spans_.count(); ++span) {
       of_span.clear();
@@ -258,13 +315,12 @@ class VariationProblem {
         for (int node = 0; node < PieceNodes::count; ++node) {
           spans_.fillBasis(basis, span, nodes, node);
           const PointDerivatives at = derivativesAt(basis, at_poles.poles, spans_.first(span));
-          for (const RootRow& root : RootRows(at, dimensions_ == 2)) {
-            fillRow(of_span.row, root, basis);
-            of_span.addRow(nodes.weight(node), root.root);
-          }
+          for (const RootRow& root : RootRows(at, dimensions_ == 2))
+            fillRow(of_span.newRow(nodes.weight(node), root.root), root, basis);
         }
+        of_span.addRows();
       });
-      addSpan(result, of_span, dimensions_ * (spans_.first(span) - free_.first));
+      addSpan(result, of_span, width, dimensions_ * (spans_.first(span) - free_.first));
     }
     return result;
   }
@@ -295,37 +351,18 @@ class VariationProblem {
   }
 
  private:
-  /// The part of a span in the equations.
-  struct SpanEquations {
-    Eigen::MatrixXd products;
-    Eigen::VectorXd slope, row;
-
-    explicit SpanEquations(Index width) : products(width, width), slope(width), row(width) {}
-
-    void clear() {
-      products.setZero();
-      slope.setZero();
-    }
-    void addRow(double weight, double root) {
-      const Index width = row.size();
-      slope += weight * root * row;
-      for (Index j = 0; j < width; ++j)
-        products.col(j).tail(width - j) += weight * row(j) * row.tail(width - j);
-    }
-  };
-
   static std::span<const DyadicPiece> piecesOf(const MeasuredPoles& at, Index span) {
     const std::size_t begin = span > 0 ? at.ends[span - 1] : 0;
     return std::span(at.pieces).subspan(begin, at.ends[span] - begin);
   }
 
   /// \param start where the poles of the span begin among the unknowns; negative if they are held.
-  static void addSpan(Equations& sum, const SpanEquations& of_span, Index start) {
-    const Index size = sum.gradient.size(), width = of_span.slope.size();
+  static void addSpan(Equations& sum, const SpanEquations& of_span, Index width, Index start) {
+    const Index size = sum.gradient.size();
     for (Index j = std::max<Index>(0, -start); j < width && start + j < size; ++j) {
-      sum.gradient(start + j) += of_span.slope(j);
+      sum.gradient(start + j) += of_span.slope()(j);
       for (Index i = j; i < width && start + i < size; ++i)
-        sum.matrix(start + i, start + j) += of_span.products(i, j);
+        sum.matrix(start + i, start + j) += of_span.products()(i, j);
     }
   }
 
@@ -340,7 +377,8 @@ class VariationProblem {
   }
 
   /// The derivatives of a coordinate of the root by the coordinates of the poles of a span.
-  void fillRow(Eigen::VectorXd& row, const RootRow& root, const PieceNodes::Rows& basis) const {
+  void fillRow(Eigen::Ref<Eigen::VectorXd> row, const RootRow& root,
+               const PieceNodes::Rows& basis) const {
     for (Index i = 0; i <= degree_; ++i)
       for (Index k = 0; k < dimensions_; ++k)
         row(dimensions_ * i + k) =
