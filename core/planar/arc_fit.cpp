@@ -274,6 +274,10 @@ RunEnd closedEnd(const SampledRun& sampled) {
   return {.point = start.point, .direction_rad = start.direction_rad};
 }
 
+bool isSmoothKink(const CurveLayout& layout, int joint, double corner_rad) {
+  return !layout.is_corner[joint] && std::abs(layout.turns_rad[joint]) > corner_rad;
+}
+
 /// Arcs near segments that do not stay; nothing if they have kinks and no smooth chain is found.
 std::optional<FittedPart> fittedRun(const CurveLayout& layout, const CurvePart& range,
                                     const ArcFitOptions& options, const Progress& progress) {
@@ -292,8 +296,9 @@ std::optional<FittedPart> fittedRun(const CurveLayout& layout, const CurvePart& 
   }
   if (auto part = fewArcsBeside(layout.curve, searched, sampled, options.tolerance_mm, progress))
     return part;
-  for (int joint = begin + 1; joint < end; ++joint)
-    if (std::abs(layout.turns_rad[joint]) > options.corner_rad) return std::nullopt;
+  // Also at its ends: no short arc makes up for the direction of a neighbour.
+  for (int joint = begin; joint <= end; ++joint)
+    if (isSmoothKink(layout, joint, options.corner_rad)) return std::nullopt;
   return arcsOfHalves(layout.curve, run, sampled, options.tolerance_mm, progress);
 }
 
@@ -317,19 +322,16 @@ std::optional<FittedPart> exactRun(const CurveLayout& layout, const CurvePart& r
 /// at one in its middle, or at all. Sides with such kinks at both ends stay.
 void relax(CurveLayout& layout, const CurvePart& range, double corner_rad, bool at_all) {
   const int begin = static_cast<int>(range.begin), end = static_cast<int>(range.end);
-  const auto isSmoothKink = [&](int joint) {
-    return !layout.is_corner[joint] && std::abs(layout.turns_rad[joint]) > corner_rad;
-  };
   std::vector<int> corners;
   for (const int joint : {begin, end})
-    if (isSmoothKink(joint)) corners.push_back(joint);
+    if (isSmoothKink(layout, joint, corner_rad)) corners.push_back(joint);
   if (at_all) {
     for (int joint = begin + 1; joint < end; ++joint)
-      if (isSmoothKink(joint)) corners.push_back(joint);
+      if (isSmoothKink(layout, joint, corner_rad)) corners.push_back(joint);
   } else if (corners.empty()) {
     int middle = begin;
     for (int joint = begin + 1; joint < end; ++joint)
-      if (isSmoothKink(joint) &&
+      if (isSmoothKink(layout, joint, corner_rad) &&
           std::abs(2 * joint - begin - end) < std::abs(2 * middle - begin - end))
         middle = joint;
     corners.push_back(middle);
@@ -409,6 +411,10 @@ ArcFit fitArcs(const BezierSpline& spline, const ArcFitOptions& options, const P
     fitted.append(*part);
     i = end;
   }
+  // The last part can make a corner of the point where a closed curve begins.
+  if (layout.closed && layout.is_corner.front() &&
+      (result.corners.empty() || result.corners.front() != 0))
+    result.corners.insert(result.corners.begin(), 0);
   result.least_arcs = leastArcs(layout, options.tolerance_mm);
   result.arcs = std::move(fitted.arcs);
   result.distance_mm = fitted.distance_mm;
