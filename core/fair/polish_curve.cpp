@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include <seamwright/core/fair/polish_curve.hpp>
@@ -165,14 +167,14 @@ class VariationSpans {
                            .lazyProduct(hodograph_maps_[span].transpose()));
   }
 
-  /// The derivatives of the basis functions of the span at a node.
-  PieceNodes::Rows basis(Index span, const PieceNodes& nodes, int node) const {
-    return nodes.rows(node).lazyProduct(maps_[span]);
+  /// The derivatives of the basis functions of the span at a node. \p basis has their size.
+  void fillBasis(PieceNodes::Rows& basis, Index span, const PieceNodes& nodes, int node) const {
+    basis.noalias() = nodes.rows(node).lazyProduct(maps_[span]);
   }
 
   /// Calls visit(nodes) for each piece.
   template <class Visit>
-  void forNodes(const std::vector<DyadicPiece>& pieces, const Visit& visit) const {
+  void forNodes(std::span<const DyadicPiece> pieces, const Visit& visit) const {
     for (const DyadicPiece& piece : pieces) {
       if (piece.halvings > kept_halvings) {
         visit(PieceNodes(degree_, piece));
@@ -191,8 +193,75 @@ class VariationSpans {
   std::vector<double> knots_;
   VariationQuadrature quadrature_;
   std::vector<Index> first_;
-  std::vector<Eigen::MatrixXd> maps_, hodograph_maps_;
+  std::vector<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> maps_;
+  std::vector<Eigen::MatrixXd> hodograph_maps_;
   std::vector<PieceNodes> kept_;
+};
+
+/// The part of a span in the equations: sums over the rows of the nodes of products of their
+/// entries.
+class SpanEquations {
+ public:
+  /// \param rows the most that newRow() begins before addRows().
+  SpanEquations(Index width, Index rows)
+      : products_(padded(width), padded(width)),
+        slope_(padded(width)),
+        rows_(Eigen::MatrixXd::Zero(padded(width), rows)),
+        weights_(rows),
+        roots_(rows) {}
+
+  void clear() {
+    products_.setZero();
+    slope_.setZero();
+  }
+
+  /// The entries of a row, to be filled from the first one on.
+  Eigen::Ref<Eigen::VectorXd> newRow(double weight, double root) {
+    weights_(count_) = weight;
+    roots_(count_) = root;
+    return rows_.col(count_++);
+  }
+
+  void addRows() {
+    for (Index r = 0; r < count_; ++r) slope_ += weights_(r) * roots_(r) * rows_.col(r);
+    for (Index j = 0; j < rows_.rows(); j += tile)
+      for (Index i = j; i < rows_.rows(); i += tile) addProducts(i, j);
+    count_ = 0;
+  }
+
+  /// The part below the diagonal and on it.
+  const Eigen::MatrixXd& products() const { return products_; }
+  const Eigen::VectorXd& slope() const { return slope_; }
+
+ private:
+  /// A square of sums that fits into the registers of processors.
+  static constexpr Index tile = 4;
+  static Index padded(Index width) { return (width + tile - 1) / tile * tile; }
+
+  void addProducts(Index i, Index j) {
+    Eigen::Matrix4d sums = products_.block<tile, tile>(i, j);
+    for (Index r = 0; r < count_; ++r) {
+      const Eigen::Vector4d left = rows_.col(r).segment<tile>(i),
+                            right = weights_(r) * rows_.col(r).segment<tile>(j);
+      sums.noalias() += left * right.transpose();
+    }
+    products_.block<tile, tile>(i, j) = sums;
+  }
+
+  Eigen::MatrixXd products_;
+  Eigen::VectorXd slope_;
+  Eigen::MatrixXd rows_;  ///< one column for each row
+  Eigen::VectorXd weights_, roots_;
+  Index count_ = 0;
+};
+
+/// Poles with the variation of their curve and the pieces of the spans on which its quadrature was
+/// accurate, one span after the other: what the equations of a step at these poles need again.
+struct MeasuredPoles {
+  Poles poles;
+  double variation_per_mm3 = 0;
+  std::vector<DyadicPiece> pieces;
+  std::vector<std::size_t> ends = {};  ///< for each span, where its pieces end
 };
 
 /// The variation of curves with given knots as a sum of squares, and the squared distance from the
@@ -210,13 +279,17 @@ class VariationProblem {
   Index freeCount() const { return free_.count; }
   const Poles& given() const { return given_; }
 
-  /// Up to the share variation_accuracy.
-  double variation(const Poles& poles) const {
-    const Eigen::Matrix3Xd derivative = spans_.derivativePoles(poles);
-    double sum = 0;
-    for (Index span = 0; span < spans_.count() && sum < infinite; ++span)
-      sum += spans_.variation(span, derivative).energy_per_mm3;
-    return sum;
+  /// The variation up to the share variation_accuracy. If it is not finite, pieces are missing.
+  MeasuredPoles measured(Poles poles) const {
+    MeasuredPoles result{.poles = std::move(poles), .pieces = {}};
+    const Eigen::Matrix3Xd derivative = spans_.derivativePoles(result.poles);
+    for (Index span = 0; span < spans_.count() && result.variation_per_mm3 < infinite; ++span) {
+      const SegmentVariation found = spans_.variation(span, derivative);
+      result.variation_per_mm3 += found.energy_per_mm3;
+      result.pieces.insert(result.pieces.end(), found.pieces.begin(), found.pieces.end());
+      result.ends.push_back(result.pieces.size());
+    }
+    return result;
   }
   double squaredDistance(const Poles& poles) const {
     const Poles moves = poles - given_;
@@ -229,25 +302,25 @@ class VariationProblem {
     Eigen::VectorXd gradient;
   };
 
-  Equations equations(const Poles& poles) const {
+  /// \pre the variation is finite.
+  Equations equations(const MeasuredPoles& at_poles) const {
     const Index size = dimensions_ * free_.count, width = dimensions_ * (degree_ + 1);
     Equations result{.matrix = linear::SymmetricBand(size, width - 1),
                      .gradient = Eigen::VectorXd::Zero(size)};
-    const Eigen::Matrix3Xd derivative = spans_.derivativePoles(poles);
-    SpanEquations of_span(width);
+    SpanEquations of_span(width, PieceNodes::count * (dimensions_ == 2 ? 1 : 3));
+    PieceNodes::Rows basis(3, degree_ + 1);
     for (Index span = 0; span < spans_.count(); ++span) {
       of_span.clear();
-      spans_.forNodes(spans_.variation(span, derivative).pieces, [&](const PieceNodes& nodes) {
+      spans_.forNodes(piecesOf(at_poles, span), [&](const PieceNodes& nodes) {
         for (int node = 0; node < PieceNodes::count; ++node) {
-          const PieceNodes::Rows basis = spans_.basis(span, nodes, node);
-          const PointDerivatives at = derivativesAt(basis, poles, spans_.first(span));
-          for (const RootRow& root : RootRows(at, dimensions_ == 2)) {
-            fillRow(of_span.row, root, basis);
-            of_span.addRow(nodes.weight(node), root.root);
-          }
+          spans_.fillBasis(basis, span, nodes, node);
+          const PointDerivatives at = derivativesAt(basis, at_poles.poles, spans_.first(span));
+          for (const RootRow& root : RootRows(at, dimensions_ == 2))
+            fillRow(of_span.newRow(nodes.weight(node), root.root), root, basis);
         }
+        of_span.addRows();
       });
-      addSpan(result, of_span, dimensions_ * (spans_.first(span) - free_.first));
+      addSpan(result, of_span, width, dimensions_ * (spans_.first(span) - free_.first));
     }
     return result;
   }
@@ -278,32 +351,18 @@ class VariationProblem {
   }
 
  private:
-  /// The part of a span in the equations.
-  struct SpanEquations {
-    Eigen::MatrixXd products;
-    Eigen::VectorXd slope, row;
-
-    explicit SpanEquations(Index width) : products(width, width), slope(width), row(width) {}
-
-    void clear() {
-      products.setZero();
-      slope.setZero();
-    }
-    void addRow(double weight, double root) {
-      const Index width = row.size();
-      slope += weight * root * row;
-      for (Index j = 0; j < width; ++j)
-        products.col(j).tail(width - j) += weight * row(j) * row.tail(width - j);
-    }
-  };
+  static std::span<const DyadicPiece> piecesOf(const MeasuredPoles& at, Index span) {
+    const std::size_t begin = span > 0 ? at.ends[span - 1] : 0;
+    return std::span(at.pieces).subspan(begin, at.ends[span] - begin);
+  }
 
   /// \param start where the poles of the span begin among the unknowns; negative if they are held.
-  static void addSpan(Equations& sum, const SpanEquations& of_span, Index start) {
-    const Index size = sum.gradient.size(), width = of_span.slope.size();
+  static void addSpan(Equations& sum, const SpanEquations& of_span, Index width, Index start) {
+    const Index size = sum.gradient.size();
     for (Index j = std::max<Index>(0, -start); j < width && start + j < size; ++j) {
-      sum.gradient(start + j) += of_span.slope(j);
+      sum.gradient(start + j) += of_span.slope()(j);
       for (Index i = j; i < width && start + i < size; ++i)
-        sum.matrix(start + i, start + j) += of_span.products(i, j);
+        sum.matrix(start + i, start + j) += of_span.products()(i, j);
     }
   }
 
@@ -318,7 +377,8 @@ class VariationProblem {
   }
 
   /// The derivatives of a coordinate of the root by the coordinates of the poles of a span.
-  void fillRow(Eigen::VectorXd& row, const RootRow& root, const PieceNodes::Rows& basis) const {
+  void fillRow(Eigen::Ref<Eigen::VectorXd> row, const RootRow& root,
+               const PieceNodes::Rows& basis) const {
     for (Index i = 0; i <= degree_; ++i)
       for (Index k = 0; k < dimensions_; ++k)
         row(dimensions_ * i + k) =
@@ -336,9 +396,9 @@ class VariationProblem {
 /// Minimises the variation plus a weight times the squared distance, for one weight after another.
 class VariationDescent {
  public:
-  explicit VariationDescent(const VariationProblem& problem)
+  VariationDescent(const VariationProblem& problem, const MeasuredPoles& given)
       : problem_(problem), distance_(problem.distanceForm()) {
-    const VariationProblem::Equations start = problem.equations(problem.given());
+    const VariationProblem::Equations start = problem.equations(given);
     // Both forms have the same size for this weight.
     middle_ = start.matrix.diagonal().sum() / distance_.diagonal().sum();
   }
@@ -346,44 +406,44 @@ class VariationDescent {
   double middle() const { return middle_; }
   int steps() const { return steps_; }
 
-  Poles least(Poles poles, double weight) {
-    double objective = objectiveOf(poles, weight);
+  MeasuredPoles least(MeasuredPoles at, double weight) {
+    double objective = objectiveOf(at, weight);
     // Steps converge quadratically near a minimum without residual, linearly elsewhere; what twelve
     // leave is removed for the next weight.
     for (int i = 0; i < 12; ++i) {
-      const Eigen::VectorXd step = stepFrom(poles, weight);
-      if (!step.allFinite()) return poles;
+      const Eigen::VectorXd step = stepFrom(at, weight);
+      if (!step.allFinite()) return at;
       ++steps_;
       const double before = objective;
-      if (!descend(poles, objective, step, weight) || before - objective < 1e-6 * before)
-        return poles;
+      if (!descend(at, objective, step, weight) || before - objective < 1e-6 * before) return at;
     }
-    return poles;
+    return at;
   }
 
  private:
-  double objectiveOf(const Poles& poles, double weight) const {
-    return problem_.variation(poles) + weight * problem_.squaredDistance(poles);
+  double objectiveOf(const MeasuredPoles& at, double weight) const {
+    return at.variation_per_mm3 + weight * problem_.squaredDistance(at.poles);
   }
 
   /// Not finite if the equations are singular.
-  Eigen::VectorXd stepFrom(const Poles& poles, double weight) const {
-    VariationProblem::Equations equations = problem_.equations(poles);
+  Eigen::VectorXd stepFrom(const MeasuredPoles& at, double weight) const {
+    VariationProblem::Equations equations = problem_.equations(at);
     equations.matrix.add(weight, distance_);
     const Eigen::VectorXd right =
-        -equations.gradient - weight * distance_.times(problem_.unknowns(poles));
+        -equations.gradient - weight * distance_.times(problem_.unknowns(at.poles));
     const linear::BandCholesky factor(std::move(equations.matrix));
     if (!factor.positive()) return Eigen::VectorXd::Constant(right.size(), infinite);
     return factor.solve(right);
   }
 
   /// Shortens the step until the objective falls. \returns whether it does.
-  bool descend(Poles& poles, double& objective, const Eigen::VectorXd& step, double weight) const {
+  bool descend(MeasuredPoles& at, double& objective, const Eigen::VectorXd& step,
+               double weight) const {
     for (double share = 1; share > 1e-3; share /= 2) {
-      const Poles trial = problem_.moved(poles, share * step);
+      MeasuredPoles trial = problem_.measured(problem_.moved(at.poles, share * step));
       const double value = objectiveOf(trial, weight);
       if (!(value < objective)) continue;
-      poles = trial;
+      at = std::move(trial);
       objective = value;
       return true;
     }
@@ -397,25 +457,21 @@ class VariationDescent {
 };
 
 struct Polished {
-  Poles poles;
-  double moved_mm = 0, weight_per_mm5 = 0, variation_per_mm3 = 0;
+  MeasuredPoles at;
+  double moved_mm = 0, weight_per_mm5 = 0;
 };
 
 /// Lowers the weight until the tolerance stops it, then bisects.
-Polished smallestWeight(const BSplineCurve& curve, const VariationProblem& problem,
-                        VariationDescent& descent, double tolerance_mm) {
-  Polished best{.poles = problem.given(), .variation_per_mm3 = problem.variation(problem.given())};
+Polished smallestWeight(const BSplineCurve& curve, MeasuredPoles given, VariationDescent& descent,
+                        double tolerance_mm) {
+  Polished best{.at = std::move(given)};
   const auto attempt = [&](double exponent) {
     const double weight = descent.middle() * std::exp2(exponent);
-    const Poles poles = descent.least(best.poles, weight);
-    const double moved_mm = boundOfMoves_mm(curve, withPoles(curve, poles));
+    MeasuredPoles found = descent.least(best.at, weight);
+    const double moved_mm = boundOfMoves_mm(curve, withPoles(curve, found.poles));
     if (!(moved_mm <= tolerance_mm)) return false;
-    const double variation = problem.variation(poles);
-    if (variation < best.variation_per_mm3)
-      best = {.poles = poles,
-              .moved_mm = moved_mm,
-              .weight_per_mm5 = weight,
-              .variation_per_mm3 = variation};
+    if (found.variation_per_mm3 < best.at.variation_per_mm3)
+      best = {.at = std::move(found), .moved_mm = moved_mm, .weight_per_mm5 = weight};
     return true;
   };
   // Waves of the lowest frequency in n poles have n^-6 of the energy of the highest: 2^-80 for
@@ -447,22 +503,23 @@ PolishedCurve polishCurve(const BSplineCurve& curve, double tolerance_mm,
   result.curve = curve;
   result.after = result.before;
   const VariationProblem problem(curve, options.ends);
-  const double variation = problem.variation(problem.given());
+  MeasuredPoles given = problem.measured(problem.given());
+  const double variation = given.variation_per_mm3;
   if (!std::isfinite(variation))
     throw std::domain_error(fmt::format(
         "the curve stops, so the variation of its curvature is {}: it can't be polished",
         variation));
   result.variation_before_per_mm3 = result.variation_after_per_mm3 = variation;
   if (tolerance_mm == 0 || problem.freeCount() == 0 || variation == 0) return result;
-  VariationDescent descent(problem);
-  const Polished found = smallestWeight(curve, problem, descent, tolerance_mm);
+  VariationDescent descent(problem, given);
+  const Polished found = smallestWeight(curve, std::move(given), descent, tolerance_mm);
   result.steps = descent.steps();
   // Both figures have an error of this share.
-  if (!(found.variation_per_mm3 < (1 - 2 * variation_accuracy) * variation)) return result;
-  result.curve = withPoles(curve, found.poles);
+  if (!(found.at.variation_per_mm3 < (1 - 2 * variation_accuracy) * variation)) return result;
+  result.curve = withPoles(curve, found.at.poles);
   result.moved_mm = found.moved_mm;
   result.weight_per_mm5 = found.weight_per_mm5;
-  result.variation_after_per_mm3 = found.variation_per_mm3;
+  result.variation_after_per_mm3 = found.at.variation_per_mm3;
   result.after = fairnessOf(result.curve);
   return result;
 }

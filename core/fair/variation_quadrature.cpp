@@ -17,23 +17,39 @@ using Eigen::Index;
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
+using AtNodes = VariationQuadrature::AtNodes;
+using NodeVectors = Eigen::Matrix<double, VariationQuadrature::rows, 3>;
+
+AtNodes dotAtNodes(const NodeVectors& a, const NodeVectors& b) {
+  return a.col(0).array() * b.col(0).array() + a.col(1).array() * b.col(1).array() +
+         a.col(2).array() * b.col(2).array();
+}
+
+/// Derivatives of the orders 1 to 3 at the nodes of both rules.
+struct NodeDerivatives {
+  NodeVectors first, second, third;
+};
+
 /// The variation by both rules, and what the fine one makes of the parts whose difference the
 /// density is, to know the rounding in it.
 struct RulePair {
   double coarse = 0, fine = 0, parts = 0;
 
-  void add(int node, double weight, const Vector3d& first, const Vector3d& second,
-           const Vector3d& third) {
-    const double s = first.squaredNorm(), share = 3 * first.dot(second) / s;
-    const Vector3d change = third - share * second;
-    const Vector3d across = change - first.dot(change) / s * first;
-    const double factor = weight / (s * s * std::sqrt(s));
-    if (node < VariationQuadrature::coarse_nodes) {
-      coarse += factor * across.squaredNorm();
-      return;
+  RulePair(const AtNodes& weights, const NodeDerivatives& at) {
+    const auto& [first, second, third] = at;
+    const AtNodes s = dotAtNodes(first, first), share = 3 * dotAtNodes(first, second) / s;
+    const NodeVectors change = third - (second.array().colwise() * share).matrix();
+    const AtNodes along = dotAtNodes(first, change) / s;
+    const NodeVectors across = change - (first.array().colwise() * along).matrix();
+    const AtNodes factor = weights / (s * s * s.sqrt());
+    const AtNodes density = factor * dotAtNodes(across, across);
+    const AtNodes part =
+        factor * (dotAtNodes(third, third) + share * share * dotAtNodes(second, second));
+    for (int k = 0; k < VariationQuadrature::coarse_nodes; ++k) coarse += density(k);
+    for (int k = VariationQuadrature::coarse_nodes; k < VariationQuadrature::nodes; ++k) {
+      fine += density(k);
+      parts += part(k);
     }
-    fine += factor * across.squaredNorm();
-    parts += factor * (third.squaredNorm() + share * share * second.squaredNorm());
   }
 
   bool agree() const {
@@ -72,12 +88,13 @@ Matrix3Xd differences(const Matrix3Xd& vectors) {
   return static_cast<double>(count) * (vectors.rightCols(count) - vectors.leftCols(count));
 }
 
-/// Bernstein polynomials at the nodes of both rules, one row for each; none for a degree below 0.
-Eigen::MatrixXd valuesAtNodes(int degree, const std::vector<double>& nodes) {
-  Eigen::MatrixXd values(std::max(0, degree + 1), static_cast<Index>(nodes.size()));
+/// Bernstein polynomials at the nodes of both rules, one column for each; none for a degree below
+/// 0.
+VariationQuadrature::ValuesAtNodes valuesAtNodes(int degree, const std::vector<double>& nodes) {
+  VariationQuadrature::ValuesAtNodes values(VariationQuadrature::rows, std::max(0, degree + 1));
   if (degree < 0) return values;
-  for (Index k = 0; k < values.cols(); ++k)
-    values.col(k) = bernsteinDerivatives(degree, nodes[k]).row(0).transpose();
+  for (Index k = 0; k < values.rows(); ++k)
+    values.row(k) = bernsteinDerivatives(degree, nodes[k]).row(0);
   return values;
 }
 
@@ -90,7 +107,11 @@ struct BothRules {
       nodes.insert(nodes.end(), rule.nodes.begin(), rule.nodes.end());
       weights.insert(weights.end(), rule.weights.begin(), rule.weights.end());
     }
+    nodes.resize(VariationQuadrature::rows, nodes.back());
+    weights.resize(VariationQuadrature::rows, 0);
   }
+
+  AtNodes weightsAtNodes() const { return AtNodes::Map(weights.data()); }
 };
 
 }  // namespace
@@ -105,15 +126,12 @@ class PolynomialPiece {
   bool straight() const { return parallel(hodograph_); }
 
   RulePair variation() const {
-    using AtNodes = Eigen::Matrix<double, 3, VariationQuadrature::nodes>;
-    const Matrix3Xd change = differences(hodograph_);
-    const AtNodes first = hodograph_.lazyProduct(rules_.first_),
-                  second = change.lazyProduct(rules_.second_),
-                  third = differences(change).lazyProduct(rules_.third_);
-    RulePair result;
-    for (int k = 0; k < VariationQuadrature::nodes; ++k)
-      result.add(k, rules_.weights_(k), first.col(k), second.col(k), third.col(k));
-    return result;
+    const Matrix3Xd change = differences(hodograph_), second_change = differences(change);
+    return {rules_.weights_, NodeDerivatives{
+                                 .first = rules_.first_.lazyProduct(hodograph_.transpose()),
+                                 .second = rules_.second_.lazyProduct(change.transpose()),
+                                 .third = rules_.third_.lazyProduct(second_change.transpose()),
+                             }};
   }
 
   std::pair<PolynomialPiece, PolynomialPiece> halves() const {
@@ -149,12 +167,14 @@ class RationalPiece {
   bool straight() const { return parallel(differences(curve_.poles().transpose())); }
 
   RulePair variation() const {
-    RulePair result;
-    for (int k = 0; k < VariationQuadrature::nodes; ++k) {
+    NodeDerivatives all;
+    for (int k = 0; k < VariationQuadrature::rows; ++k) {
       const CurveDerivatives at = curve_.derivatives(rules_.nodes[k], 3);
-      result.add(k, rules_.weights[k], at.row(1), at.row(2), at.row(3));
+      all.first.row(k) = at.row(1);
+      all.second.row(k) = at.row(2);
+      all.third.row(k) = at.row(3);
     }
-    return result;
+    return {rules_.weightsAtNodes(), all};
   }
 
   std::pair<RationalPiece, RationalPiece> halves() const {
@@ -212,7 +232,7 @@ VariationQuadrature::VariationQuadrature(int degree) {
   first_ = valuesAtNodes(degree - 1, rules.nodes);
   second_ = valuesAtNodes(degree - 2, rules.nodes);
   third_ = valuesAtNodes(degree - 3, rules.nodes);
-  for (int k = 0; k < nodes; ++k) weights_(k) = rules.weights[k];
+  weights_ = rules.weightsAtNodes();
 }
 
 SegmentVariation VariationQuadrature::operator()(const Matrix3Xd& hodograph) const {

@@ -38,14 +38,21 @@ class VariationQuadrature {
 
   static constexpr int coarse_nodes = 6, fine_nodes = 9;
   static constexpr int nodes = coarse_nodes + fine_nodes;
+  /// An even number, which fills the registers of processors: the last node is repeated with the
+  /// weight 0.
+  static constexpr int rows = nodes + nodes % 2;
+
+  /// A number for each node, those of the coarse rule first.
+  using AtNodes = Eigen::Array<double, rows, 1>;
+  using ValuesAtNodes = Eigen::Matrix<double, rows, Eigen::Dynamic>;
 
  private:
   friend class PolynomialPiece;
 
   /// Values of the Bernstein polynomials of the derivatives of the orders 1 to 3, one column for
-  /// each node of the coarse and then of the fine rule.
-  Eigen::MatrixXd first_, second_, third_;
-  Eigen::Matrix<double, nodes, 1> weights_;
+  /// each polynomial.
+  ValuesAtNodes first_, second_, third_;
+  AtNodes weights_;
 };
 
 /// Polynomial or rational.

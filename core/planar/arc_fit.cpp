@@ -14,6 +14,7 @@
 #include <seamwright/core/planar/fit_options.hpp>
 #include <seamwright/core/planar/free_arcs.hpp>
 #include <seamwright/core/planar/planar_curve.hpp>
+#include <seamwright/core/planar/tangent_chain.hpp>
 
 namespace seamwright {
 
@@ -274,6 +275,10 @@ RunEnd closedEnd(const SampledRun& sampled) {
   return {.point = start.point, .direction_rad = start.direction_rad};
 }
 
+bool isSmoothKink(const CurveLayout& layout, int joint, double corner_rad) {
+  return !layout.is_corner[joint] && std::abs(layout.turns_rad[joint]) > corner_rad;
+}
+
 /// Arcs near segments that do not stay; nothing if they have kinks and no smooth chain is found.
 std::optional<FittedPart> fittedRun(const CurveLayout& layout, const CurvePart& range,
                                     const ArcFitOptions& options, const Progress& progress) {
@@ -292,8 +297,9 @@ std::optional<FittedPart> fittedRun(const CurveLayout& layout, const CurvePart& 
   }
   if (auto part = fewArcsBeside(layout.curve, searched, sampled, options.tolerance_mm, progress))
     return part;
-  for (int joint = begin + 1; joint < end; ++joint)
-    if (std::abs(layout.turns_rad[joint]) > options.corner_rad) return std::nullopt;
+  // Also at its ends: no short arc makes up for the direction of a neighbour.
+  for (int joint = begin; joint <= end; ++joint)
+    if (isSmoothKink(layout, joint, options.corner_rad)) return std::nullopt;
   return arcsOfHalves(layout.curve, run, sampled, options.tolerance_mm, progress);
 }
 
@@ -313,23 +319,45 @@ std::optional<FittedPart> exactRun(const CurveLayout& layout, const CurvePart& r
   return part;
 }
 
+/// The lines and arcs of which the vertices of a closed polygon without corners are samples, up to
+/// the rounding of their digits.
+std::optional<FittedPart> sampledPieces(const CurveLayout& layout, std::size_t fewer_than,
+                                        double tolerance_mm) {
+  SampledPolygon polygon{.vertices = {}, .closed = layout.closed};
+  for (int i = 0; i < layout.count(); ++i) {
+    if (!layout.isLine(i)) return std::nullopt;
+    polygon.vertices.push_back(layout.curve.startOf(i).point);
+  }
+  // Choices: of the tolerance. With less noise the joints are known better.
+  for (const double share : {1e-3, 1e-2, 0.1, 0.3, 0.6}) {
+    const auto chain = tangentChain(polygon, share * tolerance_mm, static_cast<int>(fewer_than));
+    if (!chain) continue;
+    auto part = proven(layout.curve, polygon.begin, *chain, tolerance_mm);
+    if (!part) continue;
+    // The first vertex divides an arc.
+    PlanarArc whole = part->arcs.back();
+    whole.length_mm += part->arcs.front().length_mm;
+    part->arcs.front() = whole;
+    part->arcs.pop_back();
+    return part;
+  }
+  return std::nullopt;
+}
+
 /// Makes the fit of a part of a polygon easier: it may turn at kinks where it begins and ends, then
 /// at one in its middle, or at all. Sides with such kinks at both ends stay.
 void relax(CurveLayout& layout, const CurvePart& range, double corner_rad, bool at_all) {
   const int begin = static_cast<int>(range.begin), end = static_cast<int>(range.end);
-  const auto isSmoothKink = [&](int joint) {
-    return !layout.is_corner[joint] && std::abs(layout.turns_rad[joint]) > corner_rad;
-  };
   std::vector<int> corners;
   for (const int joint : {begin, end})
-    if (isSmoothKink(joint)) corners.push_back(joint);
+    if (isSmoothKink(layout, joint, corner_rad)) corners.push_back(joint);
   if (at_all) {
     for (int joint = begin + 1; joint < end; ++joint)
-      if (isSmoothKink(joint)) corners.push_back(joint);
+      if (isSmoothKink(layout, joint, corner_rad)) corners.push_back(joint);
   } else if (corners.empty()) {
     int middle = begin;
     for (int joint = begin + 1; joint < end; ++joint)
-      if (isSmoothKink(joint) &&
+      if (isSmoothKink(layout, joint, corner_rad) &&
           std::abs(2 * joint - begin - end) < std::abs(2 * middle - begin - end))
         middle = joint;
     corners.push_back(middle);
@@ -382,6 +410,7 @@ ArcFit fitArcs(const BezierSpline& spline, const ArcFitOptions& options, const P
   requireAboveNoise(spline, options.tolerance_mm);
   CurveLayout layout = layoutOf(spline, options, progress);
   const int n = layout.count();
+  const bool is_smooth = layout.closed && std::ranges::count(layout.is_corner, true) == 0;
   FittedPart fitted;
   ArcFit result = {.arcs = {}, .corners = {}, .closed = spline.closed};
   // Searches of the whole curve. A choice: enough for 200 corners that are found by halving.
@@ -409,6 +438,16 @@ ArcFit fitArcs(const BezierSpline& spline, const ArcFitOptions& options, const P
     fitted.append(*part);
     i = end;
   }
+  // The last part can make a corner of the point where a closed curve begins.
+  if (layout.closed && layout.is_corner.front() &&
+      (result.corners.empty() || result.corners.front() != 0))
+    result.corners.insert(result.corners.begin(), 0);
+  if (is_smooth)
+    if (auto pieces = sampledPieces(layout, fitted.arcs.size(), options.tolerance_mm)) {
+      fitted = std::move(*pieces);
+      result.corners.clear();
+      layout.is_corner.assign(layout.is_corner.size(), false);
+    }
   result.least_arcs = leastArcs(layout, options.tolerance_mm);
   result.arcs = std::move(fitted.arcs);
   result.distance_mm = fitted.distance_mm;

@@ -166,7 +166,8 @@ FittedStep longestStep(const PlanarCurve& curve, const SmoothRun& run, double u0
   return *best;
 }
 
-/// Nothing if an arc is not certainly within the tolerance.
+}  // namespace
+
 std::optional<FittedPart> proven(const PlanarCurve& curve, double begin, const PlacedArcs& placed,
                                  double tolerance_mm) {
   FittedPart part{.arcs = placed.arcs};
@@ -181,8 +182,6 @@ std::optional<FittedPart> proven(const PlanarCurve& curve, double begin, const P
   }
   return part;
 }
-
-}  // namespace
 
 FittedPart greedyArcs(const PlanarCurve& curve, const SmoothRun& run, double tolerance_mm,
                       const Progress& progress) {

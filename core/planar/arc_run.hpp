@@ -29,6 +29,11 @@ struct FittedPart {
 std::optional<FittedPart> fittedPart(const PlanarCurve& curve, const CurvePart& range,
                                      const HermiteEnds& ends, double tolerance_mm);
 
+/// A chain that begins beside a parameter of the curve, with the bound of its distance; nothing if
+/// an arc is not certainly within the tolerance.
+std::optional<FittedPart> proven(const PlanarCurve& curve, double begin, const PlacedArcs& placed,
+                                 double tolerance_mm);
+
 /// A smooth part of the curve with the directions its arcs have at its ends.
 struct SmoothRun {
   CurvePart range;

@@ -107,16 +107,22 @@ CShape cShapeOf(const HermiteEnds& ends) {
   return shape;
 }
 
-/// The root of an increasing function, between bounds that double from [-1, 1]. Bisection keeps the
-/// bracket, the secant through its ends is tried first.
+/// The largest logarithm of the ratio of the radii at the ends: that of 1e12. A choice: beyond it
+/// the small end has fewer than four digits in the coordinates of the large one.
+constexpr double largest_growth = 27.6;
+
+/// The root of an increasing function of the logarithm of the ratio of the radii at the ends,
+/// between bounds that double from [-1, 1]. Bisection keeps the bracket, the secant through its
+/// ends is tried first.
 template <class Function>
-double increasingRoot(const Function& f, double largest) {
+double increasingRoot(const Function& f) {
   double low = -1, high = 1;
-  while (f(low) > 0 && low > -largest) low *= 2;
-  while (f(high) < 0 && high < largest) high *= 2;
+  while (f(low) > 0 && low > -largest_growth) low = std::max(2 * low, -largest_growth);
+  while (f(high) < 0 && high < largest_growth) high = std::min(2 * high, largest_growth);
   double f_low = f(low), f_high = f(high);
   if (f_low > 0 || f_high < 0)
-    throw std::domain_error(fmt::format("the radii at the ends differ by more than e^{}", largest));
+    throw std::domain_error(
+        fmt::format("the radii at the ends differ by more than e^{}", largest_growth));
   // Half of the steps are halvings, and 100 of these reduce any bracket by 2^-100: more than the
   // digits of a double, unless the root is 0.
   constexpr int most_steps = 200;
@@ -142,10 +148,6 @@ Complex exponentialQuotient(const Complex& z) {
                           (growth + 1) * std::sin(z.imag()));
   return numerator / z;
 }
-
-/// The largest logarithm of the ratio of the radii at the ends: that of 1e12. A choice: beyond it
-/// the small end has fewer than four digits in the coordinates of the large one.
-constexpr double largest_growth = 27.6;
 
 /// sum of rho^j e^(i j theta), j < count, times e^(-x (count - 1)) if x > 0, with rho = e^x.
 Complex chordSum(double x, double theta, int count) {
@@ -222,9 +224,7 @@ LogSpiral logSpiral(const HermiteEnds& ends) {
     return exponentialQuotient(Complex(growth, 1) * turn) * std::exp(-std::max(0.0, growth * turn));
   };
   const double growth =
-      increasingRoot([&](double x) { return std::arg(chord(x / turn)) - shape.alpha; },
-                     largest_growth) /
-      turn;
+      increasingRoot([&](double x) { return std::arg(chord(x / turn)) - shape.alpha; }) / turn;
   const double chord_per_radius = turn * std::abs(exponentialQuotient(Complex(growth, 1) * turn));
   return {.start = ends.start,
           .direction_rad = ends.start_direction_rad,
@@ -253,10 +253,11 @@ std::vector<PlanarArc> logArcs(const HermiteEnds& ends, int count) {
                                         count, shape.angles.alpha_rad, shape.angles.beta_rad,
                                         least));
   const double sweep = shape.turn() / count;
-  const auto angle = [&](double x) {
-    return std::arg(chordSum(x, sweep, count)) - (shape.alpha - sweep / 2);
+  const int steps = std::max(1, count - 1);
+  const auto angle = [&](double growth) {
+    return std::arg(chordSum(growth / steps, sweep, count)) - (shape.alpha - sweep / 2);
   };
-  const double x = count == 1 ? 0 : increasingRoot(angle, largest_growth);
+  const double x = count == 1 ? 0 : increasingRoot(angle) / steps;
   // For growing radii the sum is taken from the last arc.
   const double sum = std::abs(chordSum(x, sweep, count));
   const double reference_mm = shape.angles.chord_mm / sum / (2 * std::sin(sweep / 2));

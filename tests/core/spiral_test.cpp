@@ -254,6 +254,37 @@ TEST(LogSpiral, SplineKeepsItsDistance) {
   }
 }
 
+// The largest ratio of radii is 1e12 = e^27.63: beside it both ways, to growing and to falling
+// radii.
+TEST(LogSpiral, RadiiDifferByAtMostTheFactorThatIsStated) {
+  for (const double sign : {-1.0, 1.0}) {
+    const auto endsOf = [](const Eigen::Vector2d& end, double turn_rad) {
+      return HermiteEnds{.end = end, .end_direction_rad = turn_rad};
+    };
+    const auto spiral = [&](double growth) {
+      const LogSpiral wanted{.radius_mm = 1, .growth = sign * growth / 2, .turn_rad = 2};
+      return logSpiral(endsOf(wanted.point(2), 2));
+    };
+    EXPECT_NEAR(spiral(27.5).growth * 2, sign * 27.5, 1e-6);
+    EXPECT_THROW(spiral(27.7), std::domain_error);
+    const auto arcs = [&](double growth) {
+      const int count = 4;
+      Eigen::Vector2d at = Eigen::Vector2d::Zero();
+      for (int i = 0; i < count; ++i)
+        at = PlanarArc{.start = at,
+                       .direction_rad = 0.5 * i,
+                       .curvature_per_mm = std::exp(-sign * growth * i / (count - 1)),
+                       .length_mm = 0.5 * std::exp(sign * growth * i / (count - 1))}
+                 .end();
+      return logArcs(endsOf(at, 0.5 * count), count);
+    };
+    const std::vector<PlanarArc> found = arcs(27.5);
+    EXPECT_NEAR(std::log(found.front().curvature_per_mm / found.back().curvature_per_mm),
+                sign * 27.5, 1e-6);
+    EXPECT_THROW(arcs(27.7), std::domain_error);
+  }
+}
+
 TEST(LogSpiral, InvalidEndsAreNamed) {
   EXPECT_THROW(logSpiral(endsWith(0.4, -0.3)), std::domain_error);
   EXPECT_THROW(logSpiral(endsWith(0, 0.3)), std::domain_error);

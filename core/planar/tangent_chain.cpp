@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <seamwright/core/numeric.hpp>
+#include <seamwright/core/planar/free_arcs.hpp>
+#include <seamwright/core/planar/tangent_chain.hpp>
+
+namespace seamwright {
+
+namespace {
+
+using Eigen::Vector2d;
+
+/// A point of a circle or line with its direction and curvature.
+struct CirclePoint {
+  Vector2d point = Vector2d::Zero();
+  double direction_rad = 0, curvature_per_mm = 0;
+
+  Vector2d normal() const { return {-std::sin(direction_rad), std::cos(direction_rad)}; }
+  CirclePoint after(double length_mm) const {
+    const PlanarArc arc{.start = point,
+                        .direction_rad = direction_rad,
+                        .curvature_per_mm = curvature_per_mm,
+                        .length_mm = length_mm};
+    return {.point = arc.end(),
+            .direction_rad = arc.endDirection_rad(),
+            .curvature_per_mm = curvature_per_mm};
+  }
+  /// The point of the circle beside another one.
+  CirclePoint beside(const Vector2d& other) const {
+    const Vector2d away = other - point;
+    const double along = away.dot(unitVector(direction_rad)), left = away.dot(normal());
+    const double k = curvature_per_mm;
+    return after(k == 0 ? along : std::atan2(k * along, 1 - k * left) / k);
+  }
+  double distance_mm(const Vector2d& other) const { return (beside(other).point - other).norm(); }
+};
+
+/// The circle that leaves a point in its direction and touches a circle or line so that it
+/// continues in the same sense.
+CirclePoint touching(const CirclePoint& from, const CirclePoint& to) {
+  const Vector2d away = from.point - to.point, normal = to.normal();
+  const double k = to.curvature_per_mm;
+  const double curvature = 2 * (1 - from.normal().dot(normal) + k * away.dot(from.normal())) /
+                           (2 * away.dot(normal) - k * away.squaredNorm());
+  return {.point = from.point,
+          .direction_rad = from.direction_rad,
+          .curvature_per_mm = std::isfinite(curvature) ? curvature : 0};
+}
+
+/// Where a circle that touches another circle or line does so, as a point of the other.
+CirclePoint touchPoint(const CirclePoint& circle, const CirclePoint& to) {
+  // The centres and the point are on one line; from the larger circle or the line it is seen best.
+  if (std::abs(to.curvature_per_mm) > std::abs(circle.curvature_per_mm)) {
+    const CirclePoint other = touchPoint(to, circle);
+    return to.beside(other.point);
+  }
+  const Vector2d centre = circle.point + circle.normal() / circle.curvature_per_mm;
+  return to.beside(centre);
+}
+
+/// Vertices of one circle or line.
+struct ChainPiece {
+  int first = 0, last = 0;
+  int middle() const { return (first + last) / 2; }
+};
+
+/// How far an arc advances between points of its circle.
+double lengthBetween(const CirclePoint& from, const CirclePoint& to) {
+  const double k = from.curvature_per_mm;
+  if (k == 0) return (to.point - from.point).dot(unitVector(from.direction_rad));
+  double turn_rad = wrapped(to.direction_rad - from.direction_rad);
+  // Less than it is the rounding of an arc that vanishes.
+  constexpr double nothing_rad = 1e-9;
+  if (turn_rad * k < 0 && std::abs(turn_rad) > nothing_rad)
+    turn_rad += std::copysign(2 * std::numbers::pi, k);
+  return turn_rad / k;
+}
+
+/// The vertices from one on, in a circle if they are closed, and their pieces.
+class ChainOfPieces {
+ public:
+  ChainOfPieces(const SampledPolygon& polygon, double noise_mm) : closed_(polygon.closed) {
+    points_ = polygon.vertices;
+    if (closed_) {
+      // From the end of a piece on, so that the first piece is whole.
+      offset_ = freeArcEnds(points_, noise_mm).front() % count();
+      std::ranges::rotate(points_, points_.begin() + offset_);
+      points_.push_back(points_.front());
+    }
+    int first = 0;
+    for (const int end : freeArcEnds(points_, noise_mm)) {
+      // A rest of few points is what the piece before it did not reach.
+      constexpr int least_points = 3;
+      if (end - first < least_points && !pieces_.empty())
+        pieces_.back().last = end;
+      else
+        pieces_.push_back({.first = first, .last = end});
+      first = end;
+    }
+  }
+
+  const std::vector<ChainPiece>& pieces() const { return pieces_; }
+  const std::vector<Vector2d>& points() const { return points_; }
+  int offset() const { return offset_; }
+
+  CirclePoint nearCircle(const ChainPiece& piece) const {
+    // Pieces reach beyond their ends as far as the noise allows.
+    const int margin = (piece.last - piece.first) / 8;
+    const std::vector<Vector2d> inside(points_.begin() + piece.first + margin,
+                                       points_.begin() + piece.last + 1 - margin);
+    const int middle = piece.middle();
+    const ArcStart found = nearestCircle(inside, points_[middle]);
+    CirclePoint circle{.point = found.point,
+                       .direction_rad = found.direction_rad,
+                       .curvature_per_mm = found.curvature_per_mm};
+    if (unitVector(circle.direction_rad).dot(points_[middle + 1] - points_[middle - 1]) < 0) {
+      circle.direction_rad += std::numbers::pi;
+      circle.curvature_per_mm = -circle.curvature_per_mm;
+    }
+    return circle;
+  }
+
+  /// The circle between two others that is nearest to the vertices of a piece.
+  CirclePoint between(const CirclePoint& from, const ChainPiece& piece,
+                      const CirclePoint& to) const {
+    const CirclePoint start = from.beside(points_[piece.first]);
+    const double reach_mm = (points_[piece.last] - points_[piece.first]).norm() / 2;
+    const auto candidate = [&](double u) { return touching(start.after(u), to); };
+    const auto off_mm = [&](double u) {
+      const CirclePoint circle = candidate(u);
+      double largest = 0;
+      constexpr int looks = 16;
+      const int length = piece.last - piece.first;
+      for (int k = 2; k <= looks - 2; ++k)
+        largest = std::max(largest, circle.distance_mm(points_[piece.first + length * k / looks]));
+      return largest;
+    };
+    // The distance has one minimum near the true joint; a grid finds its basin, thirds narrow it.
+    constexpr int grid = 32, narrowings = 80;
+    double best = 0, best_mm = infinite;
+    for (int k = -grid; k <= grid; ++k)
+      if (const double u = reach_mm * k / grid; off_mm(u) < best_mm) {
+        best = u;
+        best_mm = off_mm(u);
+      }
+    double low = best - reach_mm / grid, high = best + reach_mm / grid;
+    for (int i = 0; i < narrowings; ++i) {
+      const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+      (off_mm(a) < off_mm(b) ? high : low) = off_mm(a) < off_mm(b) ? b : a;
+    }
+    return candidate((low + high) / 2);
+  }
+
+ private:
+  int count() const { return static_cast<int>(points_.size()); }
+
+  bool closed_;
+  int offset_ = 0;
+  std::vector<Vector2d> points_;
+  std::vector<ChainPiece> pieces_;
+};
+
+/// The arcs of pieces with the vertex after the start of each one.
+struct VertexArcs {
+  std::vector<PlanarArc> arcs;
+  std::vector<int> starts;
+};
+
+/// The arcs of a closed chain, from the piece \p fixed on.
+std::optional<VertexArcs> closedArcs(const ChainOfPieces& chain, int fixed) {
+  const std::vector<ChainPiece>& pieces = chain.pieces();
+  const int m = static_cast<int>(pieces.size());
+  std::vector<CirclePoint> circles(m), joints(m + 1);
+  for (int i = fixed; i < m; i += 2) circles[i] = chain.nearCircle(pieces[i]);
+  for (int i = 1 - fixed; i < m; i += 2) {
+    const CirclePoint &before = circles[(i + m - 1) % m], &after = circles[(i + 1) % m];
+    circles[i] = chain.between(before, pieces[i], after);
+    if (circles[i].curvature_per_mm == 0) return std::nullopt;
+    joints[i] = circles[i];
+    const CirclePoint touch = touchPoint(circles[i], after);
+    joints[(i + 1) % m] = touch;
+  }
+  VertexArcs result;
+  for (int i = 0; i < m; ++i) {
+    CirclePoint from = joints[i], to = joints[(i + 1) % m];
+    from.curvature_per_mm = circles[i].curvature_per_mm;
+    const double length_mm = lengthBetween(from, to);
+    if (!(length_mm > 0)) return std::nullopt;
+    result.arcs.push_back({.start = from.point,
+                           .direction_rad = from.direction_rad,
+                           .curvature_per_mm = from.curvature_per_mm,
+                           .length_mm = length_mm});
+    const Vector2d tangent = unitVector(from.direction_rad);
+    const int n = static_cast<int>(chain.points().size()) - 1;
+    const int begin = i > 0 ? pieces[i - 1].middle() : pieces[m - 1].middle() - n;
+    int vertex = begin + 1;
+    const auto ahead = [&](int at) {
+      return (chain.points()[(at + n) % n] - from.point).dot(tangent) >= 0;
+    };
+    while (vertex < pieces[i].middle() && !ahead(vertex)) ++vertex;
+    result.starts.push_back(vertex);
+  }
+  return result;
+}
+
+/// From the first vertex of the polygon on, beside which an arc is divided.
+PlacedArcs fromFirstVertex(const SampledPolygon& polygon, const ChainOfPieces& chain,
+                           const VertexArcs& found) {
+  const int n = static_cast<int>(polygon.vertices.size());
+  const int m = static_cast<int>(found.arcs.size());
+  // The vertices of the polygon at which arcs start, each above the one before.
+  const auto startOf = [&](int i) {
+    return found.starts[i % m] + chain.offset() + (i / m - 2) * n;
+  };
+  int first = 0;
+  while (startOf(first) <= 0) ++first;
+  const PlanarArc& divided = found.arcs[(first - 1) % m];
+  const CirclePoint start{.point = divided.start,
+                          .direction_rad = divided.direction_rad,
+                          .curvature_per_mm = divided.curvature_per_mm};
+  const CirclePoint beside = start.beside(polygon.vertices.front());
+  PlanarArc head = divided, tail = divided;
+  head.length_mm = lengthBetween(start, beside);
+  tail.start = beside.point;
+  tail.direction_rad = beside.direction_rad;
+  tail.length_mm = divided.length_mm - head.length_mm;
+  PlacedArcs result{.arcs = {tail}, .ends = {}};
+  for (int i = first; i < first + m - 1; ++i) {
+    result.arcs.push_back(found.arcs[i % m]);
+    const double vertex = polygon.begin + startOf(i);
+    result.ends.push_back({vertex - 1, vertex});
+  }
+  result.arcs.push_back(head);
+  const double vertex = polygon.begin + startOf(first + m - 1);
+  result.ends.push_back({vertex - 1, vertex});
+  result.ends.push_back({polygon.begin + n, polygon.begin + n});
+  return result;
+}
+
+}  // namespace
+
+std::optional<PlacedArcs> tangentChain(const SampledPolygon& polygon, double noise_mm,
+                                       int fewer_than) {
+  // Five points of each of two pieces: fewer are near any two arcs.
+  constexpr std::size_t least_vertices = 10;
+  if (!polygon.closed || polygon.vertices.size() < least_vertices) return std::nullopt;
+  const ChainOfPieces chain(polygon, noise_mm);
+  const int m = static_cast<int>(chain.pieces().size());
+  if (m < 2 || m % 2 != 0 || m >= fewer_than) return std::nullopt;
+  // The longer ones are known better, so the others are made to touch them.
+  std::array<double, 2> lengths_mm = {};
+  for (int i = 0; i < m; ++i) {
+    const ChainPiece& piece = chain.pieces()[i];
+    lengths_mm[i % 2] += (chain.points()[piece.last] - chain.points()[piece.first]).norm();
+  }
+  const auto arcs = closedArcs(chain, lengths_mm[0] >= lengths_mm[1] ? 0 : 1);
+  if (!arcs) return std::nullopt;
+  return fromFirstVertex(polygon, chain, *arcs);
+}
+
+}  // namespace seamwright
