@@ -134,8 +134,9 @@ std::string linesText(const std::vector<LoftLineRecord>& lines, int order_asked_
                       leftOut(corners, 1));
   if (order_asked_for < 2) return text;
   if (curved.empty()) return text + fmt::format(", no curvature judged{}", leftOut(uncurved, 2));
-  return text + fmt::format(", curvature difference at most {:.2g} %{}",
-                            100 * largest(curved, &SeamFigures::curvature_rel),
+  // Where a line is flat, a difference by the curvature says nothing: it is stated per mm.
+  return text + fmt::format(", curvature difference at most {:.2g} /mm{}",
+                            largest(curved, &SeamFigures::curvature_per_mm),
                             leftOut(uncurved, 2));
 }
 
