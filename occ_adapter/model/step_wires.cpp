@@ -92,8 +92,7 @@ void replaceElements(StepShape_GeometricCurveSet& set,
 
 void keepWires(STEPControl_Writer& writer, const std::vector<TopoDS_Shape>& shapes) {
   const handle<StepData_StepModel> model = writer.Model();
-  const handle<Transfer_FinderProcess> process =
-      writer.WS()->TransferWriter()->FinderProcess();
+  const handle<Transfer_FinderProcess> process = writer.WS()->TransferWriter()->FinderProcess();
   const std::set<const Standard_Transient*> styled = styledItems(*model);
   for (const TopoDS_Shape& shape : shapes)
     for (TopExp_Explorer wire(shape, TopAbs_WIRE, TopAbs_FACE); wire.More(); wire.Next()) {

@@ -126,9 +126,9 @@ std::string leftOut(std::size_t count, int order) {
 std::string linesText(const std::vector<LoftLineRecord>& lines, int order_asked_for) {
   std::string text = fmt::format("; across {} of joints: ", counted(lines.size(), "line"));
   const std::vector<LoftLineRecord> tangent = judgedLines(lines, 1), curved = judgedLines(lines, 2);
-  const std::size_t corners = lines.size() - tangent.size(), uncurved = lines.size() - curved.size();
-  if (tangent.empty())
-    return text + fmt::format("no angle judged{}", leftOut(corners, 1));
+  const std::size_t corners = lines.size() - tangent.size(),
+                    uncurved = lines.size() - curved.size();
+  if (tangent.empty()) return text + fmt::format("no angle judged{}", leftOut(corners, 1));
   text += fmt::format("angle at most {:.2g} deg{}",
                       degrees_per_radian * largest(tangent, &SeamFigures::angle_rad),
                       leftOut(corners, 1));
@@ -136,8 +136,7 @@ std::string linesText(const std::vector<LoftLineRecord>& lines, int order_asked_
   if (curved.empty()) return text + fmt::format(", no curvature judged{}", leftOut(uncurved, 2));
   // Where a line is flat, a difference by the curvature says nothing: it is stated per mm.
   return text + fmt::format(", curvature difference at most {:.2g} /mm{}",
-                            largest(curved, &SeamFigures::curvature_per_mm),
-                            leftOut(uncurved, 2));
+                            largest(curved, &SeamFigures::curvature_per_mm), leftOut(uncurved, 2));
 }
 
 std::string loftText(const BlendLoftRecord& loft, int order) {

@@ -150,9 +150,9 @@ TEST(SpaceSplines, FilesHoldWiresInTheirOrder) {
       EXPECT_EQ(vertices.Extent(), 3) << name;
       heights.push_back(BRep_Tool::Pnt(TopoDS::Vertex(vertices(1))).Z());
     }
-    EXPECT_THAT(heights, testing::ElementsAre(testing::DoubleNear(5, 1e-12),
-                                              testing::DoubleNear(-1, 1e-12),
-                                              testing::DoubleNear(3, 1e-12)))
+    EXPECT_THAT(heights,
+                testing::ElementsAre(testing::DoubleNear(5, 1e-12), testing::DoubleNear(-1, 1e-12),
+                                     testing::DoubleNear(3, 1e-12)))
         << name;
     EXPECT_FALSE(TopExp_Explorer(read.shape, TopAbs_EDGE, TopAbs_WIRE).More()) << name;
   }

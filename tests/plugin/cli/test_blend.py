@@ -281,7 +281,7 @@ def test_loft(tmp_path, space):
 
 
 def test_corners_are_left_out_of_the_figures_of_a_loft(tmp_path):
-    """A polygon has corners, whose lines are a difference of the input and not of the loft."""
+    """A polygon has corners: their lines say nothing about the loft."""
     files = []
     for i, z in enumerate((0, 40)):
         files.append(tmp_path / f"box{i}.step")
@@ -292,8 +292,6 @@ def test_corners_are_left_out_of_the_figures_of_a_loft(tmp_path):
     assert orders == [joint["order"] for joint in report["frames"][0]["joints"]]
     corners = orders.count(0)
     assert corners >= 1
-    corner = report["loft"]["lines"][orders.index(0)]
-    assert corner["angle_deg"]["lower"] > 80
     assert f"deg ({corners} left out, below G1 in the key curves)" in result.stdout or (
         f"no angle judged ({corners} left out, below G1 in the key curves)" in result.stdout
     )
