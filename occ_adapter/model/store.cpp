@@ -50,6 +50,7 @@
 #include <seamwright/occ_adapter/model/carry.hpp>
 #include <seamwright/occ_adapter/model/load.hpp>
 #include <seamwright/occ_adapter/model/real_text.hpp>
+#include <seamwright/occ_adapter/model/step_wires.hpp>
 #include <seamwright/occ_adapter/model/store.hpp>
 #include <seamwright/occ_adapter/occt_version.hpp>
 
@@ -386,6 +387,14 @@ void keepHeader(const opencascade::handle<StepData_StepModel>& model, const Mann
   if (!manner.description.IsNull()) header.SetDescription(manner.description->Description());
 }
 
+std::vector<TopoDS_Shape> shapesOf(const Document& document) {
+  TDF_LabelSequence labels;
+  XCAFDoc_DocumentTool::ShapeTool(document->Main())->GetShapes(labels);
+  std::vector<TopoDS_Shape> shapes;
+  for (const TDF_Label& label : labels) shapes.push_back(XCAFDoc_ShapeTool::GetShape(label));
+  return shapes;
+}
+
 std::string writeStep(const Document& document, const Manner& manner,
                       const Message_ProgressRange& range) {
   STEPCAFControl_Controller::Init();
@@ -405,6 +414,7 @@ std::string writeStep(const Document& document, const Manner& manner,
   writer.SetLayerMode(true);
   writer.SetSHUOMode(true);
   if (!writer.Transfer(document, STEPControl_AsIs, nullptr, range)) failToWrite("STEP");
+  keepWires(writer.ChangeWriter(), shapesOf(document));
   const opencascade::handle<StepData_StepModel> model = writer.ChangeWriter().Model();
   keepHeader(model, manner);
   StepData_StepWriter text(model);

@@ -50,8 +50,11 @@ std::vector<double> evenOmegas(std::size_t count) {
 /// Curves with given pairs keep their start and direction.
 MatchOptions matchOptions(const KeyCurves& input, const BlendArguments& arguments, bool closed) {
   if (!arguments.pairs.empty())
-    return {.by = MatchBy::Given, .given = pairParameters(input, arguments.pairs)};
+    return {.by = MatchBy::Given,
+            .closeness = arguments.closeness,
+            .given = pairParameters(input, arguments.pairs)};
   return {.by = arguments.match == "features" ? MatchBy::Features : MatchBy::Length,
+          .closeness = arguments.closeness,
           .find_start = closed,
           .find_direction = true};
 }
@@ -170,10 +173,13 @@ FrameLoft loftOf(const SplineBlend& blend, const BlendArguments& arguments, Blen
                                  .poles_v = loft.surface.countV(),
                                  .distance_mm = loft.distance_mm,
                                  .reached = loft.reached && loft.ratios_positive};
-  int joint = 0;
+  std::size_t joint = 0;
   for (const KnotLine& line :
-       encloseKnotLines(loft.surface, SurfaceDirection::U, {}, report.closed))
-    record.lines.push_back({.joint = ++joint, .figures = line.figures});
+       encloseKnotLines(loft.surface, SurfaceDirection::U, {}, report.closed)) {
+    const int order = options.joint_orders.at(joint);
+    record.lines.push_back(
+        {.joint = static_cast<int>(++joint), .order = order, .figures = line.figures});
+  }
   if (!loft.ratios_positive)
     report.notes.emplace_back(
         "the loft may fold at a line of joints: the ratio of the speeds of its sides may vanish");
@@ -334,9 +340,18 @@ void addBlendOptions(CLI::App& command, BlendArguments& arguments) {
                   "Smoothness from frame to frame at key curves between the outer ones")
       ->check(CLI::IsMember({"C0", "C1", "C2"}))
       ->capture_default_str();
-  command.add_flag("--exact", arguments.exact,
-                   "Keep the key curves exactly: divide them into corresponding pieces. Not given: "
-                   "they get common knots within the tolerance, so that curves between are fair");
+  CLI::Option* exact = command.add_flag(
+      "--exact", arguments.exact,
+      "Keep the key curves exactly: divide them into corresponding pieces. Not given: they get "
+      "common knots within the tolerance, so that curves between are fair");
+  command
+      .add_option("--closeness", arguments.closeness,
+                  "With --exact: joints of different curves are one joint if their places differ "
+                  "by at most this share of the length, 0 to 0.5")
+      ->type_name("SHARE")
+      ->check(CLI::Range(0.0, 0.5))
+      ->needs(exact)
+      ->capture_default_str();
   command.add_flag("--loft", arguments.loft,
                    "Write the surface through the frames instead of the frames");
   command

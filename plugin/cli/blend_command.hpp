@@ -21,7 +21,8 @@ struct BlendArguments {
   std::string in_between = "C2";
   double tolerance_mm = 0.001;
   bool closed = false;
-  bool exact = false;  ///< the key curves are divided, not refitted over common knots
+  bool exact = false;       ///< the key curves are divided, not refitted over common knots
+  double closeness = 0.01;  ///< of joints that are one joint, as a share of the length
   bool loft = false;
 };
 

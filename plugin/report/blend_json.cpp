@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <seamwright/core/angle.hpp>
 #include <seamwright/plugin/report/blend_json.hpp>
@@ -39,6 +40,7 @@ ordered_json frameJson(const BlendFrameRecord& record) {
 
 ordered_json lineJson(const LoftLineRecord& record) {
   return {{"joint", record.joint},
+          {"order", record.order},
           {"gap_mm", figureJson(record.figures.gap_mm)},
           {"angle_deg", figureJson(record.figures.angle_rad, degrees_per_radian)},
           {"curvature_per_mm", figureJson(record.figures.curvature_per_mm)},
@@ -106,16 +108,42 @@ double largest(const std::vector<LoftLineRecord>& lines,
   return result;
 }
 
-std::string loftText(const BlendLoftRecord& loft) {
+/// The lines at which the key curves have at least this order. Elsewhere the loft has an angle, or
+/// a difference of the curvature, because the key curves do.
+std::vector<LoftLineRecord> judgedLines(const std::vector<LoftLineRecord>& lines, int order) {
+  std::vector<LoftLineRecord> result;
+  std::ranges::copy_if(lines, std::back_inserter(result),
+                       [&](const LoftLineRecord& line) { return line.order >= order; });
+  return result;
+}
+
+/// How many lines a figure leaves out, and why.
+std::string leftOut(std::size_t count, int order) {
+  if (count == 0) return "";
+  return fmt::format(" ({} left out, below G{} in the key curves)", count, order);
+}
+
+std::string linesText(const std::vector<LoftLineRecord>& lines, int order_asked_for) {
+  std::string text = fmt::format("; across {} of joints: ", counted(lines.size(), "line"));
+  const std::vector<LoftLineRecord> tangent = judgedLines(lines, 1), curved = judgedLines(lines, 2);
+  const std::size_t corners = lines.size() - tangent.size(),
+                    uncurved = lines.size() - curved.size();
+  if (tangent.empty()) return text + fmt::format("no angle judged{}", leftOut(corners, 1));
+  text += fmt::format("angle at most {:.2g} deg{}",
+                      degrees_per_radian * largest(tangent, &SeamFigures::angle_rad),
+                      leftOut(corners, 1));
+  if (order_asked_for < 2) return text;
+  if (curved.empty()) return text + fmt::format(", no curvature judged{}", leftOut(uncurved, 2));
+  // Where a line is flat, a difference by the curvature says nothing: it is stated per mm.
+  return text + fmt::format(", curvature difference at most {:.2g} /mm{}",
+                            largest(curved, &SeamFigures::curvature_per_mm), leftOut(uncurved, 2));
+}
+
+std::string loftText(const BlendLoftRecord& loft, int order) {
   std::string text =
       fmt::format("loft: degree {} x {}, {} x {} poles, {:.3g} mm from the frames", loft.degree_u,
                   loft.degree_v, loft.poles_u, loft.poles_v, loft.distance_mm);
-  if (!loft.lines.empty())
-    text += fmt::format(
-        "; across {} of joints: angle at most {:.2g} deg, curvature difference at most {:.2g} %",
-        counted(loft.lines.size(), "line"),
-        degrees_per_radian * largest(loft.lines, &SeamFigures::angle_rad),
-        100 * largest(loft.lines, &SeamFigures::curvature_rel));
+  if (!loft.lines.empty()) text += linesText(loft.lines, order);
   return text + '\n';
 }
 
@@ -149,7 +177,7 @@ std::string toText(const BlendReport& report) {
                   report.closed ? ", closed" : "", counted(report.frames.size(), "frame"),
                   counted(report.frames.front().joints.size(), "joint"));
   text += jointsText(report);
-  if (report.loft) text += loftText(*report.loft);
+  if (report.loft) text += loftText(*report.loft, report.order);
   for (const std::string& note : report.notes) text += "  " + note + '\n';
   if (report.output) text += report.output->path + ": " + report.output->format + '\n';
   return text + (report.reached ? "REACHED\n" : "NOT REACHED\n");

@@ -43,6 +43,7 @@ struct BlendFrameRecord {
 /// A line of joints of the loft, with proven figures.
 struct LoftLineRecord {
   int joint = 0;
+  int order = 0;  ///< n of the G^n that all key curves have there, up to the order asked for
   SeamFigures figures = {};
 };
 

@@ -12,6 +12,7 @@
 #include <Geom_OffsetCurve.hxx>
 #include <TColgp_Array1OfPnt.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
@@ -22,6 +23,10 @@
 
 #include <seamwright/occ_adapter/curves/space_spline.hpp>
 #include <seamwright/occ_adapter/geometry_error.hpp>
+#include <seamwright/occ_adapter/model/read.hpp>
+#include <seamwright/occ_adapter/model/write.hpp>
+
+#include "files.hpp"
 
 namespace seamwright::test {
 namespace {
@@ -121,6 +126,36 @@ TEST(SpaceSplines, SmoothSegmentsAreOneEdgeAndACornerIsAVertex) {
       handle<Geom_BSplineCurve>::DownCast(BRep_Tool::Curve(TopoDS::Edge(edges(1)), first, last));
   ASSERT_FALSE(curve.IsNull());
   EXPECT_TRUE(curve->IsCN(1));
+}
+
+TEST(SpaceSplines, FilesHoldWiresInTheirOrder) {
+  const Folder folder;
+  std::vector<BezierSpline> splines;
+  for (const double z : {5.0, -1.0, 3.0}) {
+    splines.push_back(splineWithCorner());
+    splines.back().poles.col(2).setConstant(z);
+  }
+  for (const char* name : {"wires.step", "wires.brep", "wires.bin"}) {
+    occ::Model model;
+    model.shape = occ::wiresOf(splines);
+    model.length_unit = "mm";
+    occ::writeModel(model, folder / name);
+    const occ::Model read = occ::readModel(folder / name, {}, occ::Needed::Edges);
+    std::vector<double> heights;
+    for (TopExp_Explorer wire(read.shape, TopAbs_WIRE); wire.More(); wire.Next()) {
+      TopTools_IndexedMapOfShape edges, vertices;
+      TopExp::MapShapes(wire.Current(), TopAbs_EDGE, edges);
+      TopExp::MapShapes(wire.Current(), TopAbs_VERTEX, vertices);
+      EXPECT_EQ(edges.Extent(), 2) << name;
+      EXPECT_EQ(vertices.Extent(), 3) << name;
+      heights.push_back(BRep_Tool::Pnt(TopoDS::Vertex(vertices(1))).Z());
+    }
+    EXPECT_THAT(heights,
+                testing::ElementsAre(testing::DoubleNear(5, 1e-12), testing::DoubleNear(-1, 1e-12),
+                                     testing::DoubleNear(3, 1e-12)))
+        << name;
+    EXPECT_FALSE(TopExp_Explorer(read.shape, TopAbs_EDGE, TopAbs_WIRE).More()) << name;
+  }
 }
 
 TEST(SpaceSplines, AnOffsetCurveIsRefusedByItsName) {

@@ -280,6 +280,69 @@ def test_loft(tmp_path, space):
     assert summary["defects"] == 0
 
 
+def test_corners_are_left_out_of_the_figures_of_a_loft(tmp_path):
+    """A polygon has corners: their lines say nothing about the loft."""
+    files = []
+    for i, z in enumerate((0, 40)):
+        files.append(tmp_path / f"box{i}.step")
+        files[i].write_text(box_text(20, 30 + i, z or 5))
+    edges = ["--edge", "1,2"] * 2
+    result, report, _ = blend(tmp_path, *files, options=["--loft", *edges])
+    orders = [line["order"] for line in report["loft"]["lines"]]
+    assert orders == [joint["order"] for joint in report["frames"][0]["joints"]]
+    corners = orders.count(0)
+    assert corners >= 1
+    assert f"deg ({corners} left out, below G1 in the key curves)" in result.stdout or (
+        f"no angle judged ({corners} left out, below G1 in the key curves)" in result.stdout
+    )
+
+
+def test_joints_below_g2_are_left_out_of_the_curvature(tmp_path):
+    """Joints of arcs are G1, and not G2."""
+    files = [tmp_path / "low.step", tmp_path / "high.step"]
+    for points, z, file in ((LOW, 0, files[0]), (HIGH, 30, files[1])):
+        space = points_file(tmp_path, [(x, y, z) for x, y in points], "arcs.csv")
+        assert run("curve", "arcs", space, "-o", file).returncode in (0, 1)
+    result, report, _ = blend(tmp_path, *files, options=["--exact", "--loft"])
+    lines = report["loft"]["lines"]
+    lower = [line for line in lines if line["order"] < 2]
+    assert lower and all(line["order"] >= 1 for line in lines)
+    assert any(line["curvature_per_mm"]["lower"] > 1e-3 for line in lower)
+    assert f"({len(lower)} left out, below G2 in the key curves)" in result.stdout
+    found = re.search(r"angle at most (\S+) deg", result.stdout)
+    assert float(found.group(1)) < 1e-6
+
+
+def test_frames_are_wires_in_files_of_step(tmp_path, pair):
+    """Readers make a wire of a composite curve, and loose edges of a set of other curves."""
+    _, report, path = blend(tmp_path, *pair, options=["--exact", "--frames", 4])
+    text = re.sub(r"\s+", "", path.read_text())
+    sets = re.findall(r"=GEOMETRIC_CURVE_SET\('',\((#\d+)\)\);", text)
+    assert len(sets) == len(report["frames"]) == 4
+    starts = []
+    for name in sets:
+        segments = re.search(name + r"=COMPOSITE_CURVE\('',\(([^)]*)\),", text).group(1)
+        first = segments.split(",")[0]
+        curve = re.search(first + r"=COMPOSITE_CURVE_SEGMENT\(.CONTINUOUS.,.T.,(#\d+)\)", text)
+        point = re.search(curve.group(1) + r"=TRIMMED_CURVE\('',#\d+,\((#\d+)", text).group(1)
+        coordinates = re.search(point + r"=CARTESIAN_POINT\('',\(([^)]*)\)", text).group(1)
+        starts.append(float(coordinates.split(",")[1]))
+    assert starts == pytest.approx([0, 10, 20, 30])
+
+
+def test_closeness_merges_joints(tmp_path, pair):
+    low, high = pair
+    shifted = points_file(tmp_path, [(x + 0.05 * (x == 25), y + 20) for x, y in LOW], "shifted.csv")
+    pieces = [
+        len(blend(tmp_path, low, shifted, options=[
+            "--exact", "--match", "length", "--closeness", closeness])[1]["frames"][0]["joints"])
+        for closeness in (0, 0.05)
+    ]
+    assert pieces[1] == 3 < pieces[0]
+    expect_one_line(run("curve", "blend", low, high, "--closeness", 0.1, "-o", tmp_path / "a.step"),
+                    "--exact")
+
+
 def test_a_closed_loft_has_no_defects(tmp_path):
     files = [points_file(tmp_path, p, f"{i}.csv") for i, p in enumerate((CIRCLE, ELLIPSE))]
     _, report, path = blend(tmp_path, *files, options=["--exact", "--closed", "--loft"])
