@@ -113,12 +113,13 @@ class _Part:
         return self.add(f"ADVANCED_FACE('',({bound}),{surface},.T.)")
 
 
-def sheet_text(count_x=2, count_y=1, noise_mm=0.05, seed=1, shared=True):
+def sheet_text(count_x=2, count_y=1, noise_mm=0.05, seed=1, shared=True, without=()):
     """A STEP file of a shell of patches; those beside one another share an edge, or none does."""
     part = _Part(shared)
     faces = [
         part.face(i, j, poles)
         for (i, j), poles in sheet_poles(count_x, count_y, noise_mm, seed).items()
+        if (i, j) not in without
     ]
     return file_text(part.lines, faces, closed=False)
 

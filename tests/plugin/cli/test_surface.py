@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The commands blend and extend: what they write, say and refuse."""
+
+import json
+
+import pytest
+
+from command import expect_one_line, run
+from patches import SIZE, point_and_normal, sheet_text, surfaces_of
+from schemas import expect_every_key_matters, expect_valid, validator
+
+VALIDATOR = validator("blend_surface")
+RIGHT, LEFT = "Edge2", "Edge8"  # of the left patch, of the right patch: they face each other
+
+
+@pytest.fixture
+def gap(tmp_path):
+    """A smooth sheet of three patches without the middle one."""
+    path = tmp_path / "gap.step"
+    path.write_text(sheet_text(3, 1, noise_mm=0, without={(1, 0)}))
+    return path
+
+
+def made(command, model, *options, out="out.step"):
+    """The result, the report and the file written."""
+    out, report = model.parent / out, model.parent / "surface.json"
+    result = run(command, model, "-o", out, "--json", report, "--overwrite", *options)
+    assert result.returncode in (0, 1), result.stderr
+    report = json.loads(report.read_text())
+    expect_valid(report, VALIDATOR)
+    return result, report, out
+
+
+def blend(model, *options, out="out.step"):
+    return made("blend", model, "--start", RIGHT, "--end", LEFT, *options, out=out)
+
+
+@pytest.mark.parametrize("out", ["out.step", "out.igs", "out.brep", "out.bin"])
+def test_a_blend_joins_both_sides(gap, out):
+    result, report, written = blend(gap, "--start-order", "G3", "--end-order", "G1", out=out)
+    assert result.returncode == 0, result.stdout + result.stderr
+    assert "REACHED: every seam has the level of its end" in result.stdout
+    assert [(seam["target"], seam["level"]) for seam in report["seams"]] == [
+        ("G3", "G3"),
+        ("G1", "G1"),
+    ]
+    assert report["surface"]["degrees"] == [5, 3 + 1 + 1]
+    analysis = json.loads(
+        run("analyze", "--format", "json", "--match", "0.02", written).stdout
+    )
+    assert analysis["model"]["faces"] == 3 == report["output"]["faces"]
+    assert sorted(seam["faces"] for seam in analysis["seams"]) == [[1, 3], [2, 3]]
+    assert analysis["summary"]["defects"] == 0 == report["output"]["defects"]
+
+
+def test_the_surface_fills_the_gap_of_the_sheet(gap):
+    text = blend(gap)[2].read_text()
+    (place,) = [key for key in surfaces_of(text) if key[0] == 1]
+    surface = surfaces_of(text)[place]
+    whole = surfaces_of(sheet_text(3, 1, noise_mm=0))[1, 0]
+    for k in range(11):
+        point = point_and_normal(surface, k / 10, 0.5)[0]
+        # The middle patch is plane but for small heights, which its parameters measure.
+        wanted = point_and_normal(whole, point[0] / SIZE - 1, point[1] / SIZE)[0]
+        assert abs(point[2] - wanted[2]) < 0.05
+
+
+def test_an_extension_has_its_length_and_order(gap):
+    result, report, written = made("extend", gap, "--edge", RIGHT, "--length", "5")
+    assert result.returncode == 0, result.stdout + result.stderr
+    assert [seam["target"] for seam in report["seams"]] == ["G2"]
+    surfaces = surfaces_of(written.read_text()).values()
+    ends = [row[-1] for surface in surfaces for row in surface["poles"]]
+    assert max(x for x, _, _ in ends) > SIZE + 4
+
+
+def test_every_key_of_the_report_matters(gap):
+    expect_every_key_matters(blend(gap)[1], VALIDATOR)
+
+
+def test_what_falls_short_is_not_written(gap):
+    options = ["--angle", "1e-13"]
+    result, report, out = blend(gap, *options)
+    assert result.returncode == 1 and "NOT REACHED" in result.stdout
+    assert not out.exists() and report["output"] is None and not report["reached"]
+    result, report, out = blend(gap, *options, "--keep-anyway")
+    assert result.returncode == 1 and out.exists() and report["output"]["defects"] > 0
+
+
+@pytest.mark.parametrize(
+    "command, options, message",
+    [
+        ("blend", ["--start", "1"], "--end"),
+        ("blend", ["--start", "99", "--end", "1"], "start: edge 99"),
+        ("blend", ["--start", "Face1", "--end", "1"], "invalid Edge number 'Face1'"),
+        ("blend", ["--start", RIGHT, "--end", LEFT, "--start-order", "G4"], "--start-order"),
+        ("blend", ["--start", RIGHT, "--end", LEFT, "--end-tension", "0"], "--end-tension: 0"),
+        ("blend", ["--start", RIGHT, "--end", LEFT, "--start-faces", "7"], "start: "),
+        ("blend", ["--start", RIGHT, "--end", RIGHT], "the sides touch"),
+        ("extend", ["--edge", RIGHT], "--length"),
+        ("extend", ["--edge", RIGHT, "--length", "-1"], "--length: -1 must be larger than zero"),
+        ("extend", ["--edge", RIGHT, "--length", "5", "--order", "G0"], "--order"),
+    ],
+)
+def test_bad_arguments_are_refused_in_one_line(gap, command, options, message):
+    out = gap.parent / "out.step"
+    result = run(command, gap, "-o", out, *options)
+    expect_one_line(result, message)
+    assert not out.exists()
