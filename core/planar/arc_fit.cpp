@@ -329,16 +329,11 @@ std::optional<FittedPart> sampledPieces(const CurveLayout& layout, std::size_t f
     polygon.vertices.push_back(layout.curve.startOf(i).point);
   }
   // Choices: of the tolerance. With less noise the joints are known better.
-  for (const double share : {1e-3, 1e-2, 0.1, 0.3, 0.6}) {
+  for (const double share : {1e-3, 3e-3, 0.01, 0.03, 0.07, 0.15, 0.3, 0.6}) {
     const auto chain = tangentChain(polygon, share * tolerance_mm, static_cast<int>(fewer_than));
     if (!chain) continue;
     auto part = proven(layout.curve, polygon.begin, *chain, tolerance_mm);
     if (!part) continue;
-    // The first vertex divides an arc.
-    PlanarArc whole = part->arcs.back();
-    whole.length_mm += part->arcs.front().length_mm;
-    part->arcs.front() = whole;
-    part->arcs.pop_back();
     return part;
   }
   return std::nullopt;
@@ -387,6 +382,17 @@ int leastArcs(const CurveLayout& layout, const CurvePart& range, double toleranc
     std::ranges::reverse(points);
   }
   return at_ends + static_cast<int>(freeArcEnds(points, tolerance_mm).size());
+}
+
+/// The arc that passes the point where a closed curve begins becomes the first one.
+void joinAtBegin(FittedPart& fitted, double tolerance_mm) {
+  if (fitted.arcs.size() < 2) return;
+  FittedPart whole{.arcs = {fitted.arcs.back()}};
+  appendExact(whole, {.arcs = {fitted.arcs.front()}}, false, tolerance_mm);
+  if (whole.arcs.size() > 1) return;
+  fitted.arcs.front() = whole.arcs.front();
+  fitted.arcs.pop_back();
+  fitted.distance_mm += whole.distance_mm;
 }
 
 int leastArcs(const CurveLayout& layout, double tolerance_mm) {
@@ -448,6 +454,7 @@ ArcFit fitArcs(const BezierSpline& spline, const ArcFitOptions& options, const P
       result.corners.clear();
       layout.is_corner.assign(layout.is_corner.size(), false);
     }
+  if (layout.closed && !layout.is_corner.front()) joinAtBegin(fitted, options.tolerance_mm);
   result.least_arcs = leastArcs(layout, options.tolerance_mm);
   result.arcs = std::move(fitted.arcs);
   result.distance_mm = fitted.distance_mm;

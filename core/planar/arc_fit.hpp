@@ -36,6 +36,9 @@ struct ArcFit {
 ///   (2) A chain of arcs and lines comes back with as many arcs, if each is more than a sample of a
 ///       smooth curve: with half its length on both sides it is not within the tolerance of one
 ///       arc.
+///       So does a closed chain with an even number of arcs of which the vertices of a polygon are
+///       samples up to the rounding of their digits. If the curve begins inside of an arc, this is
+///       the first one of the chain, as a whole.
 ///   (3) Corners are kept; a closed curve gives a closed chain. A vertex of a polygon is a corner
 ///       only if no smooth curve within the tolerance explains it; beside such a vertex the
 ///       tangents at ends and corners are free.

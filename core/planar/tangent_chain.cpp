@@ -83,7 +83,8 @@ double lengthBetween(const CirclePoint& from, const CirclePoint& to) {
 /// The vertices from one on, in a circle if they are closed, and their pieces.
 class ChainOfPieces {
  public:
-  ChainOfPieces(const SampledPolygon& polygon, double noise_mm) : closed_(polygon.closed) {
+  ChainOfPieces(const SampledPolygon& polygon, double noise_mm)
+      : closed_(polygon.closed), noise_mm_(noise_mm) {
     points_ = polygon.vertices;
     if (closed_) {
       // From the end of a piece on, so that the first piece is whole.
@@ -93,13 +94,14 @@ class ChainOfPieces {
     }
     int first = 0;
     for (const int end : freeArcEnds(points_, noise_mm)) {
-      // A rest of few points is what the piece before it did not reach.
-      constexpr int least_points = 3;
-      if (end - first < least_points && !pieces_.empty())
-        pieces_.back().last = end;
-      else
-        pieces_.push_back({.first = first, .last = end});
+      pieces_.push_back({.first = first, .last = end});
       first = end;
+    }
+    // Pieces reach beyond their ends as far as the noise allows. So the last one can be what the
+    // piece before it did not reach; then their number is odd, and each second one has no partner.
+    if (closed_ && pieces_.size() > 1 && pieces_.size() % 2 != 0) {
+      pieces_.pop_back();
+      pieces_.back().last = first;
     }
   }
 
@@ -113,6 +115,7 @@ class ChainOfPieces {
     const std::vector<Vector2d> inside(points_.begin() + piece.first + margin,
                                        points_.begin() + piece.last + 1 - margin);
     const int middle = piece.middle();
+    if (const auto line = lineBeside(inside, points_[middle])) return *line;
     const ArcStart found = nearestCircle(inside, points_[middle]);
     CirclePoint circle{.point = found.point,
                        .direction_rad = found.direction_rad,
@@ -156,9 +159,27 @@ class ChainOfPieces {
   }
 
  private:
+  /// The line along the chord of points, next to another one; nothing if they are not near it.
+  std::optional<CirclePoint> lineBeside(const std::vector<Vector2d>& points,
+                                        const Vector2d& beside) const {
+    CirclePoint line{.point = beside, .direction_rad = directionOf(points.back() - points.front())};
+    const Vector2d normal = line.normal();
+    double low_mm = 0, high_mm = 0;
+    for (const Vector2d& point : points) {
+      low_mm = std::min(low_mm, normal.dot(point - points.front()));
+      high_mm = std::max(high_mm, normal.dot(point - points.front()));
+    }
+    // Each point of the piece, also its ends, can be off by the noise to both sides.
+    if (high_mm - low_mm > 4 * noise_mm_) return std::nullopt;
+    line.point -= normal * (normal.dot(beside - points.front()) - (low_mm + high_mm) / 2);
+    return line;
+  }
+
+ private:
   int count() const { return static_cast<int>(points_.size()); }
 
   bool closed_;
+  double noise_mm_;
   int offset_ = 0;
   std::vector<Vector2d> points_;
   std::vector<ChainPiece> pieces_;
@@ -251,6 +272,10 @@ std::optional<PlacedArcs> tangentChain(const SampledPolygon& polygon, double noi
   const ChainOfPieces chain(polygon, noise_mm);
   const int m = static_cast<int>(chain.pieces().size());
   if (m < 2 || m % 2 != 0 || m >= fewer_than) return std::nullopt;
+  // A piece of fewer vertices has no circle of its own.
+  constexpr int least_steps = 4;
+  for (const ChainPiece& piece : chain.pieces())
+    if (piece.last - piece.first < least_steps) return std::nullopt;
   // The longer ones are known better, so the others are made to touch them.
   std::array<double, 2> lengths_mm = {};
   for (int i = 0; i < m; ++i) {

@@ -20,7 +20,7 @@ struct SampledPolygon {
 /// few digits: each second piece is the circle or line near its vertices, and the pieces between
 /// touch both neighbours. A closed chain begins beside the first vertex, so that the arc there is
 /// divided. Nothing is said about the distance. Nothing if there are no such pieces, or not fewer
-/// than \p fewer_than.
+/// than \p fewer_than. Source: docs/theory/planar.md P9.6.
 std::optional<PlacedArcs> tangentChain(const SampledPolygon& polygon, double noise_mm,
                                        int fewer_than);
 

@@ -150,6 +150,102 @@ TEST(ArcFit, OfArcsAndLinesAreThese) {
   }
 }
 
+BezierSpline closedPolygon(const std::vector<Vector2d>& vertices) {
+  std::vector<BezierCurve> sides;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Vector2d &from = vertices[i], &to = vertices[(i + 1) % vertices.size()];
+    Poles poles(2, 3);
+    poles << from.transpose(), 0, to.transpose(), 0;
+    sides.emplace_back(poles);
+  }
+  return planarSpline(sides, true);
+}
+
+/// A closed G1 chain that turns by 2 pi.
+std::vector<PlanarArc> closedChain(const std::vector<std::pair<double, double>>& pieces,
+                                   double direction_rad) {
+  std::vector<PlanarArc> arcs;
+  PlanarArc arc{.start = {3, 5}, .direction_rad = direction_rad};
+  for (const auto& [curvature_per_mm, length_mm] : pieces) {
+    arc.curvature_per_mm = curvature_per_mm;
+    arc.length_mm = length_mm;
+    arcs.push_back(arc);
+    arc.start = arc.end();
+    arc.direction_rad = arc.endDirection_rad();
+  }
+  return arcs;
+}
+
+/// Some 1000 points at nearly equal distances with a number of digits, from one of them on.
+std::vector<Vector2d> samplesOf(const std::vector<PlanarArc>& arcs, int digits, int first) {
+  double length_mm = 0;
+  for (const PlanarArc& arc : arcs) length_mm += arc.length_mm;
+  std::vector<Vector2d> points;
+  for (const PlanarArc& arc : arcs) {
+    const int count = static_cast<int>(1000 * arc.length_mm / length_mm);
+    for (int i = 0; i < count; ++i) points.push_back(arc.point(arc.length_mm * i / count));
+  }
+  // Digits of coordinates up to 100 mm.
+  const double unit_mm = std::pow(10, 2 - digits);
+  for (Vector2d& point : points) point = (point / unit_mm).array().round() * unit_mm;
+  std::ranges::rotate(points, points.begin() + first);
+  return points;
+}
+
+// Identity (2): a stadium, a rounded rectangle and a slot around a circle.
+TEST(ArcFit, OfSamplesOfClosedArcsAndLinesAreThese) {
+  std::mt19937_64 random(testSeed());
+  const std::vector<std::vector<std::pair<double, double>>> outlines = {
+      {{0, 40}, {0.1, 10 * pi}, {0, 40}, {0.1, 10 * pi}},
+      {{0, 35},
+       {0.25, 2 * pi},
+       {0, 20},
+       {0.25, 2 * pi},
+       {0, 35},
+       {0.25, 2 * pi},
+       {0, 20},
+       {0.25, 2 * pi}},
+      {{-1.0 / 30, 20}, {0.25, 4 * pi}, {1.0 / 38, 20 * 38.0 / 30}, {0.25, 4 * pi}}};
+  for (const auto& outline : outlines) {
+    for (int digits = 5; digits <= 15; digits += 2) {
+      for (const int first : {0, 33}) {
+        const std::vector<PlanarArc> arcs = closedChain(outline, uniform(random, -3, 3));
+        const BezierSpline curve = closedPolygon(samplesOf(arcs, digits, first));
+        const ArcFit fit = fitArcs(curve, {.tolerance_mm = 0.02});
+        ASSERT_THAT(fit.arcs, SizeIs(arcs.size())) << digits << ' ' << first;
+        EXPECT_THAT(fit.corners, IsEmpty());
+        EXPECT_LE(sampledDistances(curve, fit.arcs).first, fit.distance_mm * (1 + 1e-9));
+        EXPECT_LE(sampledDistances(curve, fit.arcs).second, fit.distance_mm * (1 + 1e-9));
+        const auto lines = [](const std::vector<PlanarArc>& of) {
+          return std::ranges::count(of, 0, &PlanarArc::curvature_per_mm);
+        };
+        EXPECT_EQ(lines(fit.arcs), lines(arcs)) << digits << ' ' << first;
+        double length_mm = 0;
+        for (const PlanarArc& arc : fit.arcs) length_mm += arc.length_mm;
+        double wanted_mm = 0;
+        for (const PlanarArc& arc : arcs) wanted_mm += arc.length_mm;
+        EXPECT_NEAR(length_mm, wanted_mm, 0.02);
+      }
+    }
+  }
+}
+
+// Sides that turn where a line that stays begins leave no room for an arc.
+TEST(ArcFit, PixelsAreFollowedWithinLessThanTheirSize) {
+  std::vector<Vector2d> points;
+  for (int i = 0; i < 300; ++i) {
+    const double angle = 2 * pi * i / 300, radius = 50 + 8 * std::sin(5 * angle);
+    const Vector2d point = radius * unitVector(angle);
+    points.emplace_back((point * 20).array().round() / 20);
+  }
+  const BezierSpline curve = closedPolygon(points);
+  const ArcFit fit = fitArcs(curve, {.tolerance_mm = 0.01});
+  EXPECT_LE(fit.distance_mm, 0.01);
+  EXPECT_LE(fit.arcs.size(), 200);
+  const auto [from_curve, from_arcs] = sampledDistances(curve, fit.arcs);
+  EXPECT_LE(std::max(from_curve, from_arcs), fit.distance_mm * (1 + 1e-9));
+}
+
 TEST(ArcFit, OfACircleIsOneArc) {
   const PlanarArc circle = {
       .start = {3, 0}, .direction_rad = pi / 2, .curvature_per_mm = 1.0 / 3, .length_mm = 6 * pi};
