@@ -300,7 +300,13 @@ std::optional<FittedPart> fittedRun(const CurveLayout& layout, const CurvePart& 
   // Also at its ends: no short arc makes up for the direction of a neighbour.
   for (int joint = begin; joint <= end; ++joint)
     if (isSmoothKink(layout, joint, options.corner_rad)) return std::nullopt;
-  return arcsOfHalves(layout.curve, run, sampled, options.tolerance_mm, progress);
+  // Where any direction will do, that of the curve.
+  SmoothRun directed = run;
+  RunEnds& ends = directed.ends;
+  if (!ends.begin.direction_rad)
+    ends.begin.direction_rad = layout.curve.startOf(begin).direction_rad;
+  if (!ends.end.direction_rad) ends.end.direction_rad = layout.curve.endOf(end - 1).direction_rad;
+  return arcsOfHalves(layout.curve, directed, sampled, options.tolerance_mm, progress);
 }
 
 /// The arcs and lines that a part is, if it is without kinks.
