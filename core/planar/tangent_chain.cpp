@@ -15,12 +15,12 @@ namespace {
 using Eigen::Vector2d;
 
 /// A point of a circle or line with its direction and curvature.
-struct CirclePoint {
+struct TouchPoint {
   Vector2d point = Vector2d::Zero();
   double direction_rad = 0, curvature_per_mm = 0;
 
   Vector2d normal() const { return {-std::sin(direction_rad), std::cos(direction_rad)}; }
-  CirclePoint after(double length_mm) const {
+  TouchPoint after(double length_mm) const {
     const PlanarArc arc{.start = point,
                         .direction_rad = direction_rad,
                         .curvature_per_mm = curvature_per_mm,
@@ -30,7 +30,7 @@ struct CirclePoint {
             .curvature_per_mm = curvature_per_mm};
   }
   /// The point of the circle beside another one.
-  CirclePoint beside(const Vector2d& other) const {
+  TouchPoint beside(const Vector2d& other) const {
     const Vector2d away = other - point;
     const double along = away.dot(unitVector(direction_rad)), left = away.dot(normal());
     const double k = curvature_per_mm;
@@ -41,7 +41,7 @@ struct CirclePoint {
 
 /// The circle that leaves a point in its direction and touches a circle or line so that it
 /// continues in the same sense.
-CirclePoint touching(const CirclePoint& from, const CirclePoint& to) {
+TouchPoint touching(const TouchPoint& from, const TouchPoint& to) {
   const Vector2d away = from.point - to.point, normal = to.normal();
   const double k = to.curvature_per_mm;
   const double curvature = 2 * (1 - from.normal().dot(normal) + k * away.dot(from.normal())) /
@@ -52,10 +52,10 @@ CirclePoint touching(const CirclePoint& from, const CirclePoint& to) {
 }
 
 /// Where a circle that touches another circle or line does so, as a point of the other.
-CirclePoint touchPoint(const CirclePoint& circle, const CirclePoint& to) {
+TouchPoint touchPoint(const TouchPoint& circle, const TouchPoint& to) {
   // The centres and the point are on one line; from the larger circle or the line it is seen best.
   if (std::abs(to.curvature_per_mm) > std::abs(circle.curvature_per_mm)) {
-    const CirclePoint other = touchPoint(to, circle);
+    const TouchPoint other = touchPoint(to, circle);
     return to.beside(other.point);
   }
   const Vector2d centre = circle.point + circle.normal() / circle.curvature_per_mm;
@@ -63,13 +63,13 @@ CirclePoint touchPoint(const CirclePoint& circle, const CirclePoint& to) {
 }
 
 /// Vertices of one circle or line.
-struct ChainPiece {
+struct TangentPiece {
   int first = 0, last = 0;
   int middle() const { return (first + last) / 2; }
 };
 
 /// How far an arc advances between points of its circle.
-double lengthBetween(const CirclePoint& from, const CirclePoint& to) {
+double lengthBetween(const TouchPoint& from, const TouchPoint& to) {
   const double k = from.curvature_per_mm;
   if (k == 0) return (to.point - from.point).dot(unitVector(from.direction_rad));
   double turn_rad = wrapped(to.direction_rad - from.direction_rad);
@@ -105,11 +105,11 @@ class ChainOfPieces {
     }
   }
 
-  const std::vector<ChainPiece>& pieces() const { return pieces_; }
+  const std::vector<TangentPiece>& pieces() const { return pieces_; }
   const std::vector<Vector2d>& points() const { return points_; }
   int offset() const { return offset_; }
 
-  CirclePoint nearCircle(const ChainPiece& piece) const {
+  TouchPoint nearCircle(const TangentPiece& piece) const {
     // Pieces reach beyond their ends as far as the noise allows.
     const int margin = (piece.last - piece.first) / 8;
     const std::vector<Vector2d> inside(points_.begin() + piece.first + margin,
@@ -117,9 +117,9 @@ class ChainOfPieces {
     const int middle = piece.middle();
     if (const auto line = lineBeside(inside, points_[middle])) return *line;
     const ArcStart found = nearestCircle(inside, points_[middle]);
-    CirclePoint circle{.point = found.point,
-                       .direction_rad = found.direction_rad,
-                       .curvature_per_mm = found.curvature_per_mm};
+    TouchPoint circle{.point = found.point,
+                      .direction_rad = found.direction_rad,
+                      .curvature_per_mm = found.curvature_per_mm};
     if (unitVector(circle.direction_rad).dot(points_[middle + 1] - points_[middle - 1]) < 0) {
       circle.direction_rad += std::numbers::pi;
       circle.curvature_per_mm = -circle.curvature_per_mm;
@@ -128,13 +128,13 @@ class ChainOfPieces {
   }
 
   /// The circle between two others that is nearest to the vertices of a piece.
-  CirclePoint between(const CirclePoint& from, const ChainPiece& piece,
-                      const CirclePoint& to) const {
-    const CirclePoint start = from.beside(points_[piece.first]);
+  TouchPoint between(const TouchPoint& from, const TangentPiece& piece,
+                     const TouchPoint& to) const {
+    const TouchPoint start = from.beside(points_[piece.first]);
     const double reach_mm = (points_[piece.last] - points_[piece.first]).norm() / 2;
     const auto candidate = [&](double u) { return touching(start.after(u), to); };
     const auto off_mm = [&](double u) {
-      const CirclePoint circle = candidate(u);
+      const TouchPoint circle = candidate(u);
       double largest = 0;
       constexpr int looks = 16;
       const int length = piece.last - piece.first;
@@ -160,9 +160,9 @@ class ChainOfPieces {
 
  private:
   /// The line along the chord of points, next to another one; nothing if they are not near it.
-  std::optional<CirclePoint> lineBeside(const std::vector<Vector2d>& points,
-                                        const Vector2d& beside) const {
-    CirclePoint line{.point = beside, .direction_rad = directionOf(points.back() - points.front())};
+  std::optional<TouchPoint> lineBeside(const std::vector<Vector2d>& points,
+                                       const Vector2d& beside) const {
+    TouchPoint line{.point = beside, .direction_rad = directionOf(points.back() - points.front())};
     const Vector2d normal = line.normal();
     double low_mm = 0, high_mm = 0;
     for (const Vector2d& point : points) {
@@ -182,7 +182,7 @@ class ChainOfPieces {
   double noise_mm_;
   int offset_ = 0;
   std::vector<Vector2d> points_;
-  std::vector<ChainPiece> pieces_;
+  std::vector<TangentPiece> pieces_;
 };
 
 /// The arcs of pieces with the vertex after the start of each one.
@@ -193,21 +193,21 @@ struct VertexArcs {
 
 /// The arcs of a closed chain, from the piece \p fixed on.
 std::optional<VertexArcs> closedArcs(const ChainOfPieces& chain, int fixed) {
-  const std::vector<ChainPiece>& pieces = chain.pieces();
+  const std::vector<TangentPiece>& pieces = chain.pieces();
   const int m = static_cast<int>(pieces.size());
-  std::vector<CirclePoint> circles(m), joints(m + 1);
+  std::vector<TouchPoint> circles(m), joints(m + 1);
   for (int i = fixed; i < m; i += 2) circles[i] = chain.nearCircle(pieces[i]);
   for (int i = 1 - fixed; i < m; i += 2) {
-    const CirclePoint &before = circles[(i + m - 1) % m], &after = circles[(i + 1) % m];
+    const TouchPoint &before = circles[(i + m - 1) % m], &after = circles[(i + 1) % m];
     circles[i] = chain.between(before, pieces[i], after);
     if (circles[i].curvature_per_mm == 0) return std::nullopt;
     joints[i] = circles[i];
-    const CirclePoint touch = touchPoint(circles[i], after);
+    const TouchPoint touch = touchPoint(circles[i], after);
     joints[(i + 1) % m] = touch;
   }
   VertexArcs result;
   for (int i = 0; i < m; ++i) {
-    CirclePoint from = joints[i], to = joints[(i + 1) % m];
+    TouchPoint from = joints[i], to = joints[(i + 1) % m];
     from.curvature_per_mm = circles[i].curvature_per_mm;
     const double length_mm = lengthBetween(from, to);
     if (!(length_mm > 0)) return std::nullopt;
@@ -240,10 +240,10 @@ PlacedArcs fromFirstVertex(const SampledPolygon& polygon, const ChainOfPieces& c
   int first = 0;
   while (startOf(first) <= 0) ++first;
   const PlanarArc& divided = found.arcs[(first - 1) % m];
-  const CirclePoint start{.point = divided.start,
-                          .direction_rad = divided.direction_rad,
-                          .curvature_per_mm = divided.curvature_per_mm};
-  const CirclePoint beside = start.beside(polygon.vertices.front());
+  const TouchPoint start{.point = divided.start,
+                         .direction_rad = divided.direction_rad,
+                         .curvature_per_mm = divided.curvature_per_mm};
+  const TouchPoint beside = start.beside(polygon.vertices.front());
   PlanarArc head = divided, tail = divided;
   head.length_mm = lengthBetween(start, beside);
   tail.start = beside.point;
@@ -274,12 +274,12 @@ std::optional<PlacedArcs> tangentChain(const SampledPolygon& polygon, double noi
   if (m < 2 || m % 2 != 0 || m >= fewer_than) return std::nullopt;
   // A piece of fewer vertices has no circle of its own.
   constexpr int least_steps = 4;
-  for (const ChainPiece& piece : chain.pieces())
+  for (const TangentPiece& piece : chain.pieces())
     if (piece.last - piece.first < least_steps) return std::nullopt;
   // The longer ones are known better, so the others are made to touch them.
   std::array<double, 2> lengths_mm = {};
   for (int i = 0; i < m; ++i) {
-    const ChainPiece& piece = chain.pieces()[i];
+    const TangentPiece& piece = chain.pieces()[i];
     lengths_mm[i % 2] += (chain.points()[piece.last] - chain.points()[piece.first]).norm();
   }
   const auto arcs = closedArcs(chain, lengths_mm[0] >= lengths_mm[1] ? 0 : 1);
