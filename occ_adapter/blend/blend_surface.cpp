@@ -266,7 +266,8 @@ void measureSeams(const TopoDS_Shape& model, const std::vector<ChosenEnd>& ends,
   const Neighbourhood around_it = around(ends, report.face);
   const int made = static_cast<int>(around_it.faces.size()) + 1;
   SeamGraph graph = findSeams(around_it.shape);
-  matchFreeEdges({.match_mm = 2 * task.tolerance.gap_mm, .gap_mm = task.tolerance.gap_mm}, graph);
+  const double match_mm = 2 * task.tolerance.gap_mm;
+  matchFreeEdges({.match_mm = match_mm, .gap_mm = task.tolerance.gap_mm}, graph);
   const TopTools_IndexedMapOfShape edges = partsOf(model, TopAbs_EDGE);
   report.reached = true;
   std::vector<double> covered_mm(ends.size(), 0);
@@ -276,7 +277,8 @@ void measureSeams(const TopoDS_Shape& model, const std::vector<ChosenEnd>& ends,
     const std::size_t k = endOf(ends, seam.sides[other]);
     if (k == ends.size()) continue;
     const auto level = static_cast<Level>(static_cast<int>(Level::G0) + task.ends[k].order);
-    SeamResult result = measureSeam(seam, {.tolerance = task.tolerance, .level = level});
+    SeamResult result =
+        measureSeam(seam, {.tolerance = task.tolerance, .level = level, .match_mm = match_mm});
     report.reached = report.reached && result.verdict.level >= level && result.verdict.certain;
     covered_mm[k] += result.length_mm;
     result.faces = {around_it.faces[seam.sides[other].face - 1], 0};
