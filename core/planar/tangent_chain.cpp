@@ -175,7 +175,6 @@ class ChainOfPieces {
     return line;
   }
 
- private:
   int count() const { return static_cast<int>(points_.size()); }
 
   bool closed_;
