@@ -187,7 +187,7 @@ class Torus : public SurfaceEvaluator {
         u,
         {rho, minor_ * sine, side * cosine, side * sine, -side * (cosine * inverse(rho)),
          -side * inverse(ChebyshevModel(minor_)), side * minor_},
-        detail, [&] {
+        detail, [&, &sine = sine] {
           const ChebyshevModel by_rho = inverse(rho);
           return inverse(ChebyshevModel(minor_)) * (major_ * (sine * (by_rho * by_rho)));
         });

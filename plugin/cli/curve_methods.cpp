@@ -511,15 +511,16 @@ bool noteAdded(report::CurveRecord& record) {
 }
 
 /// Curves through points have the extrema of the curvature that rounding of the points made.
-void noteRounding(report::CurveRecord& record, const GivenCurve& given) {
+void noteRounding(report::CurveRecord& record, const GivenCurve& given, double tolerance_mm) {
   constexpr Eigen::Index least_points = 3;
   if (given.rounding_mm == 0 || given.points.rows() < least_points) return;
   const PointFairness certain = fairnessOf(given.points, record.closed, given.rounding_mm);
   const auto extrema = static_cast<int>(certain.extrema.size());
   if (extrema < record.before.extrema)
     record.notes.push_back(fmt::format(
-        "the points, rounded by up to {:.2g} mm, certainly have only {} of the {} extrema before",
-        given.rounding_mm, extrema, record.before.extrema));
+        "the points, rounded by up to {:.2g} mm, certainly have only {} of the {} extrema before{}",
+        given.rounding_mm, extrema, record.before.extrema,
+        tolerance_mm < given.rounding_mm ? ": give a larger --tolerance" : ""));
 }
 
 MadeCurve madeBy(const std::string& method, const GivenCurve& given, const CurveTask& task) {
@@ -559,7 +560,7 @@ MadeCurve madeCurve(const std::string& method, const GivenCurve& given, const Cu
   const bool has_notes = made.record.notes != given.record.notes, added = noteAdded(made.record);
   // Arcs have jumps of the curvature, which nobody takes for a fair curve.
   made.record.with_reservations |= method != "arcs" && (added || (method == "conic" && has_notes));
-  noteRounding(made.record, local.given);
+  noteRounding(made.record, local.given, task.tolerance_mm);
   return made;
 }
 
