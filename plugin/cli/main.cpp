@@ -4,7 +4,10 @@
 #include <Standard_Version.hxx>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <functional>
 #include <iostream>
+#include <memory>
 #include <seamwright/occ_adapter/progress.hpp>
 #include <seamwright/plugin/cli/analyze_command.hpp>
 #include <seamwright/plugin/cli/blend_command.hpp>
@@ -14,6 +17,9 @@
 #include <seamwright/plugin/cli/interrupt.hpp>
 #include <seamwright/plugin/cli/repair_command.hpp>
 #include <seamwright/plugin/cli/surface_command.hpp>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace seamwright::cli {
 
@@ -47,6 +53,65 @@ std::string parsedCommand(const CLI::App& app) {
   return app.get_name() + (below.empty() ? "" : ' ' + parsedCommand(*below.front()));
 }
 
+/// A command with what it does.
+struct Command {
+  CLI::App* app = nullptr;
+  std::function<int()> run;
+};
+
+template <typename Arguments>
+CLI::App* addCommand(std::vector<Command>& commands, CLI::App& parent,
+                     const std::pair<std::string, std::string>& name_and_help,
+                     void (*add)(CLI::App&, Arguments&), int (*run)(const Arguments&)) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* app = parent.add_subcommand(name_and_help.first, name_and_help.second);
+  add(*app, *arguments);
+  commands.push_back({.app = app, .run = [run, arguments] { return run(*arguments); }});
+  return app;
+}
+
+/// Those of a parent come before it.
+std::vector<Command> addCommands(CLI::App& app) {
+  std::vector<Command> commands;
+  addCommand(commands, app,
+             {"analyze", "Measure and judge every seam of STEP, IGES or BREP models"},
+             &addAnalyzeOptions, &runAnalyze);
+  addCommand(commands, app,
+             {"repair", "Move poles of spline faces until the seams of a model are smooth"},
+             &addRepairOptions, &runRepair);
+  addCommand(commands, app,
+             {"fill", "Fill a hole in a model with faces that are tangent to their surroundings"},
+             &addFillOptions, &runFill);
+  addCommand(commands, app, {"corner", "Fillet the edges at a vertex, each with its own radius"},
+             &addCornerOptions, &runCorner);
+  addCommand(commands, app, {"blend", "Make a surface between two sides of a model"},
+             &addBlendSurfaceOptions, &runBlendSurface);
+  addCommand(commands, app, {"extend", "Continue faces of a model across a side"},
+             &addExtendSurfaceOptions, &runExtendSurface);
+  CLI::App* curve = addCommand(
+      commands, app,
+      {"curve", "Turn planar points or curves into arcs, clothoids or conics, or make them fair"},
+      &addCurveOptions, &runCurve);
+  CLI::App* blend = addCommand(
+      commands, *curve,
+      {"blend", "Curves between key curves that keep the continuity of their joints, or a loft"},
+      &addBlendOptions, &runBlend);
+  blend->footer("");  // that of `curve`, which it inherits
+  std::ranges::reverse(commands);
+  return commands;
+}
+
+/// "'analyze', 'repair' and 'curve'"
+std::string namesOf(const CLI::App& app) {
+  const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
+  std::string text;
+  for (const CLI::App* command : commands) {
+    if (!text.empty()) text += command == commands.back() ? " and " : ", ";
+    text += '\'' + command->get_name() + '\'';
+  }
+  return text;
+}
+
 int run(int argc, char** argv) {
   CLI::App app(
       "Finds, measures and repairs the seams of CAD models, the edges along which faces meet.",
@@ -55,38 +120,7 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version",
                        "seamwright " SEAMWRIGHT_VERSION " (OpenCASCADE " OCC_VERSION_COMPLETE ")");
   app.require_subcommand(1);
-  CLI::App* analyze =
-      app.add_subcommand("analyze", "Measure and judge every seam of STEP, IGES or BREP models");
-  AnalyzeArguments to_analyze;
-  addAnalyzeOptions(*analyze, to_analyze);
-  CLI::App* repair = app.add_subcommand(
-      "repair", "Move poles of spline faces until the seams of a model are smooth");
-  RepairArguments to_repair;
-  addRepairOptions(*repair, to_repair);
-  CLI::App* fill = app.add_subcommand(
-      "fill", "Fill a hole in a model with faces that are tangent to their surroundings");
-  FillArguments to_fill;
-  addFillOptions(*fill, to_fill);
-  CLI::App* corner =
-      app.add_subcommand("corner", "Fillet the edges at a vertex, each with its own radius");
-  CornerArguments to_corner;
-  addCornerOptions(*corner, to_corner);
-  CLI::App* blend_surface =
-      app.add_subcommand("blend", "Make a surface between two sides of a model");
-  BlendSurfaceArguments to_blend_surface;
-  addBlendSurfaceOptions(*blend_surface, to_blend_surface);
-  CLI::App* extend = app.add_subcommand("extend", "Continue faces of a model across a side");
-  ExtendSurfaceArguments to_extend;
-  addExtendSurfaceOptions(*extend, to_extend);
-  CLI::App* curve = app.add_subcommand(
-      "curve", "Turn planar points or curves into arcs, clothoids or conics, or make them fair");
-  CurveArguments to_curve;
-  addCurveOptions(*curve, to_curve);
-  CLI::App* blend = curve->add_subcommand(
-      "blend", "Curves between key curves that keep the continuity of their joints, or a loft");
-  blend->footer("");  // that of `curve`, which it inherits
-  BlendArguments to_blend;
-  addBlendOptions(*blend, to_blend);
+  const std::vector<Command> commands = addCommands(app);
   // Commands inherit a footer that is set before them.
   app.footer(
       "Exit status: 0 the result meets its target, 1 it falls short, 2 bad usage or "
@@ -96,19 +130,13 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
     if (argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty())
-      return complain("unknown command '" + std::string(argv[1]) +
-                      "': the commands are 'analyze', 'repair', 'fill', 'corner', 'blend', "
-                      "'extend' and 'curve' "
-                      "(see 'seamwright --help')");
+      return complain("unknown command '" + std::string(argv[1]) + "': the commands are " +
+                      namesOf(app) + " (see 'seamwright --help')");
     return complain(std::string(error.what()) + " (see '" + parsedCommand(app) + " --help')");
   }
-  if (fill->parsed()) return runFill(to_fill);
-  if (corner->parsed()) return runCorner(to_corner);
-  if (blend_surface->parsed()) return runBlendSurface(to_blend_surface);
-  if (extend->parsed()) return runExtendSurface(to_extend);
-  if (blend->parsed()) return runBlend(to_blend);
-  if (curve->parsed()) return runCurve(to_curve);
-  return repair->parsed() ? runRepair(to_repair) : runAnalyze(to_analyze);
+  return std::ranges::find_if(commands,
+                              [](const Command& command) { return command.app->parsed(); })
+      ->run();
 }
 
 }  // namespace
