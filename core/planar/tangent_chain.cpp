@@ -89,7 +89,7 @@ class ChainOfPieces {
     if (closed_) {
       // From the end of a piece on, so that the first piece is whole.
       offset_ = freeArcEnds(points_, noise_mm).front() % count();
-      std::ranges::rotate(points_, points_.begin() + offset_);
+      std::rotate(points_.begin(), points_.begin() + offset_, points_.end());
       points_.push_back(points_.front());
     }
     int first = 0;

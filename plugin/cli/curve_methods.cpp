@@ -389,13 +389,14 @@ MadeCurve madeFairPoints(const GivenCurve& given, const CurveTask& task) {
   const bool closed = given.record.closed;
   const PointsToFair part = pointsToFair(given, task);
   const PlanarPoints& points = part.curve.points;
-  const FairedClothoids faired = fairClothoids(
-      points, part.tolerances_mm,
-      {.closed = closed,
-       .corners = pointCorners(points,
-                               {.closed = closed, .error_mm = middleOf(tolerancesOf(given, task))}),
-       .ends_fixed = !given.free_ends},
-      task.progress);
+  // Points are off by their rounding, also where the tolerance is smaller.
+  const double error_mm = std::max(middleOf(tolerancesOf(given, task)), given.rounding_mm);
+  const FairedClothoids faired =
+      fairClothoids(points, part.tolerances_mm,
+                    {.closed = closed,
+                     .corners = pointCorners(points, {.closed = closed, .error_mm = error_mm}),
+                     .ends_fixed = !given.free_ends},
+                    task.progress);
   MadeCurve made{.record = given.record};
   made.points = faired.points;
   takeRuns(made, faired, task.tolerance_mm);
