@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include <seamwright/core/angle.hpp>
 #include <seamwright/core/differential/fundamental_forms.hpp>
 #include <seamwright/occ_adapter/blend/blend_side.hpp>
 #include <seamwright/occ_adapter/curves/edge_chain.hpp>
@@ -29,6 +31,36 @@ std::vector<Coedge> coedgesOf(const SeamGraph& graph, int edge, const std::vecto
   return result;
 }
 
+/// Why an edge with these coedges can't be continued.
+std::string faultOf(int edge, const std::vector<Coedge>& uses, const std::vector<int>& faces) {
+  if (faces.empty()) return fmt::format("edge {} is not free, name the face to continue", edge);
+  if (uses.empty())
+    return fmt::format("edge {} does not bound face {}", edge, fmt::join(faces, ", face "));
+  if (std::ranges::all_of(uses, [&](const Coedge& use) { return use.face == uses[0].face; }))
+    return fmt::format("face {} lies on both sides of edge {}, which can't be a side", uses[0].face,
+                       edge);
+  return fmt::format("edge {} has {} faces that the side may continue: name exactly one of them",
+                     edge, uses.size());
+}
+
+/// \throws std::invalid_argument where edges of the path meet at an angle.
+void requireSmooth(const SidePath& path, bool closed) {
+  // A choice: directions across the side jump by that much, which nobody sees.
+  constexpr double most_kink_rad = 1 * radians_per_degree;
+  const auto require = [&](double arriving, double leaving) {
+    const Eigen::Vector3d before = path.atShare(arriving, false).derivative,
+                          after = path.atShare(leaving, true).derivative;
+    const double kink_rad = std::atan2(before.cross(after).norm(), before.dot(after));
+    if (!(kink_rad <= most_kink_rad))
+      throw std::invalid_argument(
+          fmt::format("the side has a corner of {:.3g} degrees beside edge {}: make a surface for "
+                      "each part without corners",
+                      kink_rad / radians_per_degree, path.edgeAt(leaving)));
+  };
+  for (const double joint : path.joints()) require(joint, joint);
+  if (closed) require(1, 0);
+}
+
 }  // namespace
 
 HoleSide chosenSide(const TopoDS_Shape& model, const SideChoice& choice, bool& closed) {
@@ -43,14 +75,18 @@ HoleSide chosenSide(const TopoDS_Shape& model, const SideChoice& choice, bool& c
   for (const ChainedEdge& chained : chains[0].edges) {
     const int number = chained.edge.number;
     const std::vector<Coedge> uses = coedgesOf(graph, number, choice.faces);
-    if (uses.size() != 1)
-      throw std::invalid_argument(fmt::format(
-          "edge {} has {} faces that the side may continue: {}", number, uses.size(),
-          choice.faces.empty() ? "it is not free, name the face" : "name exactly one of them"));
+    if (uses.size() != 1) throw std::invalid_argument(faultOf(number, uses, choice.faces));
     requireUsable(uses[0]);
     side.edges.push_back({.edge = number, .use = uses[0], .reversed = !chained.forward});
   }
   return side;
+}
+
+std::shared_ptr<const SidePath> smoothPath(const HoleSide& side, bool closed, double gap_mm,
+                                           JetOrder order) {
+  auto path = std::make_shared<const SidePath>(side, gap_mm, order);
+  requireSmooth(*path, closed);
+  return path;
 }
 
 std::vector<double> BlendSide::joints() const {

@@ -13,8 +13,14 @@ namespace seamwright::occ {
 
 /// The edges in their order along one chain. \throws std::invalid_argument for no edges, a number
 /// that names no edge, edges that are no single chain, and an edge that is not free and has not
-/// exactly one face among the given ones; GeometryError for an edge that can't be computed with.
+/// exactly one face among the given ones, also if it has that face on both sides; GeometryError for
+/// an edge that can't be computed with.
 HoleSide chosenSide(const TopoDS_Shape& model, const SideChoice& choice, bool& closed);
+
+/// The path along a side.
+/// \throws std::invalid_argument where its edges meet at an angle; GeometryError as SidePath.
+std::shared_ptr<const SidePath> smoothPath(const HoleSide& side, bool closed, double gap_mm,
+                                           JetOrder order);
 
 /// A chain of edges as a boundary of a new surface.
 class BlendSide {

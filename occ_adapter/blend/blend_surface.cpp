@@ -11,6 +11,7 @@
 
 #include <seamwright/core/blend/hermite_sheet.hpp>
 #include <seamwright/core/bspline/collocation.hpp>
+#include <seamwright/core/linear/gauss_rule.hpp>
 #include <seamwright/core/seam/measure.hpp>
 #include <seamwright/occ_adapter/analyze/measure_seam.hpp>
 #include <seamwright/occ_adapter/blend/blend_side.hpp>
@@ -48,12 +49,11 @@ ChosenEnd chosenEnd(const char* name, const TopoDS_Shape& model, const BlendEnd&
   ChosenEnd result;
   try {
     result.edges = chosenSide(model, end.side, result.closed);
+    result.path = smoothPath(result.edges, result.closed, options.tolerance.gap_mm,
+                             end.order == most_order ? JetOrder::Third : JetOrder::Second);
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(fmt::format("{}: {}", name, error.what()));
   }
-  result.path = std::make_shared<const SidePath>(
-      result.edges, options.tolerance.gap_mm,
-      end.order == most_order ? JetOrder::Third : JetOrder::Second);
   return result;
 }
 
@@ -116,13 +116,40 @@ struct Task {
   int count() const { return static_cast<int>(sides.size()); }
 };
 
-/// The speed of the surface across at a share of the sides, for a tension of 1.
-double speedAt(const Task& task, const std::vector<SideSample>& at, double share) {
-  if (at.size() < 2) return task.length_mm;
+/// The parameter up to which a curve, given by its derivatives at 0, has the length.
+double parameterAtLength(const CurveDerivatives& derivatives, double length_mm) {
+  static const GaussRule rule = gaussRule(12);
+  const auto lengthTo = [&](double t) {
+    double sum = 0;
+    for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+      Eigen::RowVector3d slope = Eigen::RowVector3d::Zero();
+      double power = 1;
+      for (Eigen::Index k = 1; k < derivatives.rows(); ++k) {
+        slope += power * derivatives.row(k);
+        power *= rule.nodes[i] * t / static_cast<double>(k);
+      }
+      sum += rule.weights[i] * slope.norm();
+    }
+    return t * sum;
+  };
+  // The speed is least at 0, where it is 1: the other derivatives are normal to the first one.
+  double low = 0, high = length_mm;
+  constexpr int halvings = 60;  // more than a double has digits
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (lengthTo(middle) < length_mm ? low : high) = middle;
+  }
+  return high;
+}
+
+/// The distance of the sides, which is the speed of the surface across for a tension of 1.
+double distanceAt(const Task& task, const std::vector<SideSample>& at, double share) {
   const double distance_mm = (at[1].point - at[0].point).norm();
   if (!(distance_mm > task.tolerance.gap_mm))
-    throw GeometryError(fmt::format("the sides touch: at the share {:.3g} they are {:.3g} mm apart",
-                                    share, distance_mm));
+    throw GeometryError(fmt::format(
+        "at the share {:.3g} of their lengths the sides are {:.3g} mm apart: that is no "
+        "more than the gap tolerance of {:.3g} mm",
+        share, distance_mm, task.tolerance.gap_mm));
   return distance_mm;
 }
 
@@ -130,13 +157,19 @@ double speedAt(const Task& task, const std::vector<SideSample>& at, double share
 std::vector<CurveDerivatives> derivativesAt(const Task& task, double share) {
   std::vector<SideSample> at;
   for (const BlendSide& side : task.sides) at.push_back(side.at(share, share < 1));
-  const double speed_mm = speedAt(task, at, share);
   std::vector<CurveDerivatives> result;
   for (int k = 0; k < task.count(); ++k) {
     // Both ends run with the parameter: out of the face at the start, into it at the end.
     result.push_back(continuation(at[k], k == 0 ? 1 : -1, task.ends[k].order));
+    const double speed_mm = task.count() < 2 ? parameterAtLength(result[k], task.length_mm)
+                                             : task.ends[k].tension * distanceAt(task, at, share);
     for (int order = 1; order <= task.ends[k].order; ++order)
-      result[k].row(order) *= std::pow(task.ends[k].tension * speed_mm, order);
+      result[k].row(order) *= std::pow(speed_mm, order);
+    if (!result[k].allFinite())
+      throw GeometryError(
+          fmt::format("at the share {:.3g} of side {} the face has no tangent plane, or the {} is "
+                      "too large",
+                      share, k + 1, task.count() < 2 ? "length" : "tension"));
   }
   return result;
 }
@@ -277,11 +310,15 @@ void measureSeams(const TopoDS_Shape& model, const std::vector<ChosenEnd>& ends,
     const std::size_t k = endOf(ends, seam.sides[other]);
     if (k == ends.size()) continue;
     const auto level = static_cast<Level>(static_cast<int>(Level::G0) + task.ends[k].order);
+    Seam named = seam;
+    named.sides[other].face = around_it.faces[seam.sides[other].face - 1];
+    named.sides[1 - other].face = 0;
     SeamResult result =
-        measureSeam(seam, {.tolerance = task.tolerance, .level = level, .match_mm = match_mm});
-    report.reached = report.reached && result.verdict.level >= level && result.verdict.certain;
+        measureSeam(named, {.tolerance = task.tolerance, .level = level, .match_mm = match_mm});
+    report.reached = report.reached && result.verdict.level >= level && result.verdict.certain &&
+                     result.figures.degenerate.empty();
     covered_mm[k] += result.length_mm;
-    result.faces = {around_it.faces[seam.sides[other].face - 1], 0};
+    result.faces = {named.sides[other].face, 0};
     result.edges = {edges.FindIndex(seam.sides[other].edge)};
     report.seams.push_back({.result = std::move(result), .level = level});
   }

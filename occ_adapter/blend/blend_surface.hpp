@@ -58,17 +58,19 @@ struct BlendSurfaceReport {
 ///
 /// The surface has degree 5 along the sides and m + n + 1 across for the orders m and n.
 /// \throws std::invalid_argument, with the end, for sides without edges, with a number that names
-/// no edge, that are no single chain, and with an edge that is not free and has not exactly one of
-/// the given faces; for orders outside of 0..3, tensions that are not positive and finite, for one
-/// closed side and an open one, and invalid tolerances; GeometryError for edges that can't be
-/// evaluated, and for sides that touch; Cancelled. Source: docs/theory/surfaces.md S8.1 to S8.3.
+/// no edge, that are no single chain, with a corner between edges, and with an edge that is not
+/// free and has not exactly one of the given faces; for orders outside of 0..3, tensions that are
+/// not positive and finite, for one closed side and an open one, and invalid tolerances;
+/// GeometryError for edges that can't be evaluated, and for sides that touch; Cancelled. Source:
+/// docs/theory/surfaces.md S8.1 to S8.3.
 BlendSurfaceReport blendSurface(const TopoDS_Shape& model, const BlendEnd& start,
                                 const BlendEnd& end, const BlendSurfaceOptions& options = {},
                                 const Progress& progress = {});
 
 /// A surface that continues a side of a model over a length: its lines across are the Taylor
-/// polynomials of the geodesics across the side, of the order's degree. It joins the side G1, G2 or
-/// G3; for G1 it is ruled. The tension is not used.
+/// polynomials of the geodesics across the side, of the order's degree, and have the length. It
+/// joins the side G1, G2 or G3; for G1 it is ruled. The tension is not used. Beyond the radius of
+/// curvature the surface is far from the geodesics: a cylinder of radius R goes on as a parabola.
 ///
 ///     const BlendSurfaceReport longer = extendSurface(model, {.side = {{3}}}, 10);
 ///

@@ -389,6 +389,12 @@ MadeCurve madeFairPoints(const GivenCurve& given, const CurveTask& task) {
   const bool closed = given.record.closed;
   const PointsToFair part = pointsToFair(given, task);
   const PlanarPoints& points = part.curve.points;
+  constexpr Eigen::Index least_points = 3;
+  if (points.rows() < least_points && !part.twins.empty())
+    throw std::domain_error(
+        fmt::format("{} of the {} points repeat their neighbours: at least {} "
+                    "others are needed",
+                    part.twins.size(), given.points.rows(), least_points));
   // Points are off by their rounding, also where the tolerance is smaller.
   const double error_mm = std::max(middleOf(tolerancesOf(given, task)), given.rounding_mm);
   const FairedClothoids faired =

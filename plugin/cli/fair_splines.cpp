@@ -6,6 +6,7 @@
 #include <seamwright/core/fair/fair_curve.hpp>
 #include <seamwright/plugin/cli/curve_figures.hpp>
 #include <seamwright/plugin/cli/fair_splines.hpp>
+#include <stdexcept>
 
 namespace seamwright::cli {
 
@@ -31,9 +32,13 @@ std::optional<FairedCurve> fairerSpline(const BSplineCurve& spline, double toler
     return figuresOf({.curves = {curve}, .closed = false});
   };
   const ChainFigures before = figures(spline);
-  for (const double share : {1.0, 0x1p-2, 0x1p-4}) {
+  for (const double share : {1.0, 0x1p-2, 0x1p-4, 0x1p-7, 0x1p-10}) {
     const FairedCurve faired = fairCurve(spline, share * tolerance_mm, options, progress);
-    if (noLessFair(figures(faired.curve), before)) return faired;
+    try {
+      if (noLessFair(figures(faired.curve), before)) return faired;
+    } catch (const std::domain_error&) {  // it may stop within
+      continue;
+    }
   }
   return std::nullopt;
 }
@@ -53,9 +58,10 @@ void noteKept(report::CurveRecord& record, int kept, int not_fairer) {
         "{} curve{} as given: only polynomial B-splines of degree 2 and more are faired", kept,
         kept == 1 ? " stays" : "s stay"));
   if (not_fairer > 0)
-    record.notes.push_back(
-        fmt::format("{} curve{} as given: moves of poles would cost extrema, inflections or energy",
-                    not_fairer, not_fairer == 1 ? " stays" : "s stay"));
+    record.notes.push_back(fmt::format(
+        "{} curve{} as given: moves of poles, by a thousandth of the tolerance or more, "
+        "would cost extrema, inflections or energy",
+        not_fairer, not_fairer == 1 ? " stays" : "s stay"));
 }
 
 }  // namespace

@@ -83,7 +83,8 @@ std::string line(const std::string& method, const CurveRecord& record) {
   if (record.corners > 0)
     text += ", " + counted(static_cast<std::size_t>(record.corners), "corner");
   text += fmt::format(", {:.6g} mm long", record.after.length_mm);
-  if (record.distance_mm) text += fmt::format(", distance at most {:.3g} mm", *record.distance_mm);
+  const char* what = record.points > 0 && method != "arcs" ? "points within" : "distance at most";
+  if (record.distance_mm) text += fmt::format(", {} {:.3g} mm", what, *record.distance_mm);
   if (record.moved_mm) text += fmt::format(", moved by at most {:.3g} mm", *record.moved_mm);
   text += energyText(record);
   text += changeText("extrema", record.before.extrema, record.after.extrema);

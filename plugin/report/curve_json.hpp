@@ -31,7 +31,7 @@ struct CurveRecord {
   int lines = 0;            ///< of the pieces
   int corners = 0;
   /// No point of the result is further from the curve, and no point of the curve is further from
-  /// the result.
+  /// the result. For points, except to arcs: none of them is further from the result.
   std::optional<double> distance_mm = {};
   std::optional<double> moved_mm = {};  ///< fairing: the largest move of a point
   CurveFigures before = {}, after = {};

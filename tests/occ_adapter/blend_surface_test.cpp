@@ -169,19 +169,48 @@ TEST(ExtendSurface, SidesAreContinuedAtEachOrder) {
       }
 }
 
-TEST(ExtendSurface, OfACylinderAcrossItsAxisStaysOnIt) {
+TEST(ExtendSurface, OfACylinderHasTheLengthAndStaysNearTheCylinder) {
+  constexpr double radius = 50;
   const TopoDS_Shape model =
-      BRepBuilderAPI_MakeFace(new Geom_CylindricalSurface(gp::XOY(), 50), 0, 1, 0, 30, 1e-7);
-  const int edge = edgeNear(model, gp_Pnt(50 * std::cos(1), 50 * std::sin(1), 15));
-  const BlendSurfaceReport longer =
-      extendSurface(model, {.side = {{edge}}, .order = 3}, 10, fine());
-  for (int i = 0; i <= 10; ++i)
-    for (int k = 0; k <= 10; ++k) {
-      const double s = k / 10.0;
-      // The Taylor polynomial without its tangential third term: R (1 - x^2/2) and R x, x = s 10/R.
-      const double x = s * 10 / 50, radius = 50 * std::hypot(1 - x * x / 2, x);
-      EXPECT_NEAR(jet(longer.surface, i / 10.0, s).p.head<2>().norm(), radius, 1e-4);
+      BRepBuilderAPI_MakeFace(new Geom_CylindricalSurface(gp::XOY(), radius), 0, 1, 0, 30, 1e-7);
+  const int edge = edgeNear(model, gp_Pnt(radius * std::cos(1), radius * std::sin(1), 15));
+  for (const double length : {1.0, 10.0, 60.0}) {
+    const BlendSurfaceReport longer =
+        extendSurface(model, {.side = {{edge}}, .order = 3}, length, fine());
+    EXPECT_TRUE(longer.reached);
+    for (int i = 0; i <= 10; ++i) {
+      double sum = 0;
+      Eigen::Vector3d before = jet(longer.surface, i / 10.0, 0).p;
+      constexpr int steps = 1000;
+      for (int k = 1; k <= steps; ++k) {
+        const Eigen::Vector3d p = jet(longer.surface, i / 10.0, k / double{steps}).p;
+        sum += (p - before).norm();
+        before = p;
+        // A circle and the parabola with its curvature part by the fourth order.
+        const double x = sum / radius;
+        EXPECT_NEAR(p.head<2>().norm(), radius, radius * std::pow(x, 4) / 8 + 1e-4);
+      }
+      EXPECT_NEAR(sum, length, 1e-4 * length);
     }
+  }
+}
+
+TEST(BlendSurface, CornersOfASideAreRefused) {
+  const TopoDS_Shape model =
+      loose(BRepBuilderAPI_MakeFace(gp_Pln(gp::XOY()), 0, 10, 0, 10).Face(),
+            BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0, 0, 5), gp::DZ()), -2, 12, -2, 12).Face());
+  const auto edgesOf = [&](double low, double high, double z) {
+    const double middle = (low + high) / 2;
+    return std::vector<int>{
+        edgeNear(model, gp_Pnt(middle, low, z)), edgeNear(model, gp_Pnt(high, middle, z)),
+        edgeNear(model, gp_Pnt(middle, high, z)), edgeNear(model, gp_Pnt(low, middle, z))};
+  };
+  const std::vector<int> inner = edgesOf(0, 10, 0), outer = edgesOf(-2, 12, 5);
+  const auto refused =
+      ThrowsMessage<std::invalid_argument>(HasSubstr("has a corner of 90 degrees"));
+  EXPECT_THAT([&] { extendSurface(model, {.side = {{inner[0], inner[1]}}}, 3); }, refused);
+  EXPECT_THAT([&] { extendSurface(model, {.side = {inner}}, 3); }, refused);
+  EXPECT_THAT([&] { blendSurface(model, {.side = {inner}}, {.side = {outer}}); }, refused);
 }
 
 TEST(BlendSurface, BadInputIsRefused) {

@@ -2,6 +2,7 @@
 """The commands blend and extend: what they write, say and refuse."""
 
 import json
+import math
 
 import pytest
 
@@ -71,8 +72,10 @@ def test_an_extension_has_its_length_and_order(gap):
     assert result.returncode == 0, result.stdout + result.stderr
     assert [seam["target"] for seam in report["seams"]] == ["G2"]
     surfaces = surfaces_of(written.read_text()).values()
-    ends = [row[-1] for surface in surfaces for row in surface["poles"]]
-    assert max(x for x, _, _ in ends) > SIZE + 4
+    (new,) = (surface for surface in surfaces if surface["degrees"] == (5, 2))
+    for k in range(5):
+        line = [point_and_normal(new, k / 4, i / 200)[0] for i in range(201)]
+        assert abs(sum(map(math.dist, line, line[1:])) - 5) < 1e-3
 
 
 def test_every_key_of_the_report_matters(gap):
@@ -96,8 +99,11 @@ def test_what_falls_short_is_not_written(gap):
         ("blend", ["--start", "Face1", "--end", "1"], "invalid Edge number 'Face1'"),
         ("blend", ["--start", RIGHT, "--end", LEFT, "--start-order", "G4"], "--start-order"),
         ("blend", ["--start", RIGHT, "--end", LEFT, "--end-tension", "0"], "--end-tension: 0"),
-        ("blend", ["--start", RIGHT, "--end", LEFT, "--start-faces", "7"], "start: "),
-        ("blend", ["--start", RIGHT, "--end", RIGHT], "the sides touch"),
+        ("blend", ["--start", RIGHT, "--end", LEFT, "--start-faces", "7"], "edge 6 does not bound face 7"),
+        ("blend", ["--start", RIGHT, "--end", RIGHT], "no more than the gap tolerance of 0.01 mm"),
+        ("blend", ["--start", "5,6", "--end", LEFT], "start: the side has a corner of "),
+        ("extend", ["--edge", "5,6,7,8", "--length", "1"], "side: the side has a corner of "),
+        ("extend", ["--edge", RIGHT, "--length", "1e300"], "or the length is too large"),
         ("extend", ["--edge", RIGHT], "--length"),
         ("extend", ["--edge", RIGHT, "--length", "-1"], "--length: -1 must be larger than zero"),
         ("extend", ["--edge", RIGHT, "--length", "5", "--order", "G0"], "--order"),
