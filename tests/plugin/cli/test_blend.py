@@ -314,7 +314,7 @@ def test_joints_below_g2_are_left_out_of_the_curvature(tmp_path):
 
 
 def test_frames_are_wires_in_files_of_step(tmp_path, pair):
-    """Readers make a wire of a composite curve, and loose edges of a set of other curves."""
+    """Readers make a wire of a composite curve, and single edges of a set of other curves."""
     _, report, path = blend(tmp_path, *pair, options=["--exact", "--frames", 4])
     text = re.sub(r"\s+", "", path.read_text())
     sets = re.findall(r"=GEOMETRIC_CURVE_SET\('',\((#\d+)\)\);", text)

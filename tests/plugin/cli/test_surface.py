@@ -99,7 +99,11 @@ def test_what_falls_short_is_not_written(gap):
         ("blend", ["--start", "Face1", "--end", "1"], "invalid Edge number 'Face1'"),
         ("blend", ["--start", RIGHT, "--end", LEFT, "--start-order", "G4"], "--start-order"),
         ("blend", ["--start", RIGHT, "--end", LEFT, "--end-tension", "0"], "--end-tension: 0"),
-        ("blend", ["--start", RIGHT, "--end", LEFT, "--start-faces", "7"], "edge 6 does not bound face 7"),
+        (
+            "blend",
+            ["--start", RIGHT, "--end", LEFT, "--start-faces", "7"],
+            "edge 6 does not bound face 7",
+        ),
         ("blend", ["--start", RIGHT, "--end", RIGHT], "no more than the gap tolerance of 0.01 mm"),
         ("blend", ["--start", "5,6", "--end", LEFT], "start: the side has a corner of "),
         ("extend", ["--edge", "5,6,7,8", "--length", "1"], "side: the side has a corner of "),
