@@ -334,8 +334,7 @@ std::optional<FittedPart> sampledPieces(const CurveLayout& layout, std::size_t f
     if (!layout.isLine(i)) return std::nullopt;
     polygon.vertices.push_back(layout.curve.startOf(i).point);
   }
-  // Choices: of the tolerance. With less noise the joints are known better.
-  for (const double share : {1e-3, 3e-3, 0.01, 0.03, 0.07, 0.15, 0.3, 0.6}) {
+  for (const double share : noise_shares) {
     const auto chain = tangentChain(polygon, share * tolerance_mm, static_cast<int>(fewer_than));
     if (!chain) continue;
     auto part = proven(layout.curve, polygon.begin, *chain, tolerance_mm);

@@ -261,6 +261,44 @@ PlacedArcs fromFirstVertex(const SampledPolygon& polygon, const ChainOfPieces& c
   return result;
 }
 
+/// An upper bound, which is the distance up to rounding for points near the arc.
+double distance_mm(const PlanarArc& arc, const Vector2d& point) {
+  const Vector2d away = point - arc.start, tangent = unitVector(arc.direction_rad);
+  const double along = away.dot(tangent), left = cross(tangent, away), k = arc.curvature_per_mm;
+  const double s = k == 0 ? along : std::atan2(k * along, 1 - k * left) / k;
+  const double once_around = k == 0 ? s : s + 2 * std::numbers::pi / std::abs(k);
+  double result = infinite;
+  for (const double at : {s, once_around})
+    result = std::min(result, (arc.point(std::clamp(at, 0.0, arc.length_mm)) - point).norm());
+  return result;
+}
+
+/// The largest distance of a point from the arcs beside which it lies.
+double largestDistance_mm(const PlacedArcs& placed, const std::vector<Vector2d>& points) {
+  double largest = 0;
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    double nearest = infinite;
+    for (std::size_t i = 0; i < placed.arcs.size(); ++i) {
+      const double begin = i > 0 ? placed.ends[i - 1].begin : 0, end = placed.ends[i].end;
+      const auto at = static_cast<double>(v);
+      if (begin <= at && at <= end)
+        nearest = std::min(nearest, distance_mm(placed.arcs[i], points[v]));
+    }
+    largest = std::max(largest, nearest);
+  }
+  return largest;
+}
+
+/// Whether the chain is as long as arcs between neighbours are. A piece has four of them or more,
+/// so those of half a circle are longer than their chords by 3 %.
+bool runsFromPointToPoint(const PlacedArcs& placed, const std::vector<Vector2d>& points) {
+  constexpr double longer = 1.1;
+  double length_mm = 0, polygon_mm = (points.front() - points.back()).norm();
+  for (const PlanarArc& arc : placed.arcs) length_mm += arc.length_mm;
+  for (std::size_t v = 1; v < points.size(); ++v) polygon_mm += (points[v] - points[v - 1]).norm();
+  return length_mm <= longer * polygon_mm;
+}
+
 }  // namespace
 
 std::optional<PlacedArcs> tangentChain(const SampledPolygon& polygon, double noise_mm,
@@ -284,6 +322,24 @@ std::optional<PlacedArcs> tangentChain(const SampledPolygon& polygon, double noi
   const auto arcs = closedArcs(chain, lengths_mm[0] >= lengths_mm[1] ? 0 : 1);
   if (!arcs) return std::nullopt;
   return fromFirstVertex(polygon, chain, *arcs);
+}
+
+std::optional<SampledChain> sampledChain(const std::vector<Vector2d>& points, double tolerance_mm) {
+  const auto fewer_than = static_cast<int>(points.size());
+  for (const double share : noise_shares) {
+    const auto placed =
+        tangentChain({.vertices = points, .closed = true}, share * tolerance_mm, fewer_than);
+    if (!placed || !runsFromPointToPoint(*placed, points)) continue;
+    SampledChain result{.arcs = placed->arcs, .distance_mm = largestDistance_mm(*placed, points)};
+    if (!(result.distance_mm <= tolerance_mm)) continue;
+    // The arc beside the first point is divided there.
+    const double tail_mm = result.arcs.front().length_mm;
+    result.arcs.front() = result.arcs.back();
+    result.arcs.front().length_mm += tail_mm;
+    result.arcs.pop_back();
+    return result;
+  }
+  return std::nullopt;
 }
 
 }  // namespace seamwright

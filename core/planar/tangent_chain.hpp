@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -8,6 +9,10 @@
 
 /// Lines and arcs of which points are samples. Not a public header.
 namespace seamwright {
+
+/// Choices: the noise that is tried, as shares of a tolerance. With less noise the joints are known
+/// better.
+constexpr std::array noise_shares = {1e-3, 3e-3, 0.01, 0.03, 0.07, 0.15, 0.3, 0.6};
 
 /// A polygon whose vertices are to be samples. Vertex i has the parameter begin + i.
 struct SampledPolygon {
@@ -23,5 +28,17 @@ struct SampledPolygon {
 /// than \p fewer_than. Source: docs/theory/planar.md P9.6.
 std::optional<PlacedArcs> tangentChain(const SampledPolygon& polygon, double noise_mm,
                                        int fewer_than);
+
+/// A closed G1 chain of lines and arcs of which points are samples.
+struct SampledChain {
+  std::vector<PlanarArc> arcs;
+  double distance_mm = 0;  ///< no point is further from the chain
+};
+
+/// The chain of tangentChain() for points of a closed curve, at the least noise up to the tolerance
+/// at which there is one. Its first arc is the one beside the first point. Nothing if a point is
+/// further from it than the tolerance, or it does not run from point to point.
+std::optional<SampledChain> sampledChain(const std::vector<Eigen::Vector2d>& points,
+                                         double tolerance_mm);
 
 }  // namespace seamwright

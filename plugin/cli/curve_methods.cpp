@@ -11,6 +11,7 @@
 #include <seamwright/core/planar/fair_clothoids.hpp>
 #include <seamwright/core/planar/fair_points.hpp>
 #include <seamwright/core/planar/point_corners.hpp>
+#include <seamwright/core/planar/tangent_chain.hpp>
 #include <seamwright/plugin/cli/curve_figures.hpp>
 #include <seamwright/plugin/cli/curve_methods.hpp>
 #include <seamwright/plugin/cli/fair_splines.hpp>
@@ -163,9 +164,31 @@ CurveWithArcs arcsOf(const GivenCurve& given, const CurveTask& task) {
   return {.curve = std::move(curve), .fit = std::move(fit)};
 }
 
+/// The chain of lines and arcs of which the points of a closed curve are samples; nothing if it
+/// does not have fewer than so many.
+std::optional<CurveWithArcs> arcsSampledBy(const GivenCurve& given, double tolerance_mm,
+                                           std::size_t fewer_than) {
+  if (!given.record.closed || given.points.rows() == 0 || tolerance_mm == 0) return std::nullopt;
+  std::vector<Eigen::Vector2d> points;
+  for (const auto& point : given.points.rowwise()) points.emplace_back(point.transpose());
+  const auto sampled = sampledChain(points, tolerance_mm);
+  if (!sampled || sampled->arcs.size() >= fewer_than) return std::nullopt;
+  CurveWithArcs result{.curve = {.chain = chainOf(sampled->arcs, true)}, .fit = {}};
+  result.curve.figures = figuresFrom(figuresOf(result.curve.chain));
+  result.fit = {.arcs = sampled->arcs, .corners = {}, .closed = true};
+  result.fit.distance_mm = sampled->distance_mm;
+  return result;
+}
+
 MadeCurve madeArcs(const GivenCurve& given, const CurveTask& task) {
-  const auto [curve, fit] = arcsOf(given, task);
   MadeCurve made{.record = given.record};
+  CurveWithArcs near = arcsOf(given, task);
+  if (auto sampled = arcsSampledBy(given, task.tolerance_mm, near.fit.arcs.size())) {
+    near = *std::move(sampled);
+    made.record.notes.emplace_back(
+        "the points are samples of these lines and arcs: the distance is that of the points");
+  }
+  const auto& [curve, fit] = near;
   made.chain = chainOf(fit.arcs, fit.closed);
   made.record.pieces = static_cast<int>(fit.arcs.size());
   made.record.lines = linesIn(fit.arcs);

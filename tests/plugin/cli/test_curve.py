@@ -99,6 +99,22 @@ def test_the_box_of_an_svg_is_tight(tmp_path, points, options, box):
     assert (x, y, width - 2 * border, height - 2 * border) == pytest.approx(expected)
 
 
+@pytest.mark.parametrize("steps", [8, 30])
+def test_samples_of_a_stadium_are_its_lines_and_arcs(tmp_path, steps):
+    """Also if the polygon of the points is further from the arcs than the tolerance."""
+    points = []
+    for side in (1, -1):
+        points += [(side * (-20 + 40 * k / steps), -10 * side) for k in range(steps)]
+        angles = [math.pi * (k / steps - 0.5) for k in range(steps)]
+        points += [(side * (20 + 10 * math.cos(a)), side * 10 * math.sin(a)) for a in angles]
+    rounded = [(round(x, 4), round(y, 4)) for x, y in points]
+    result, report, out = curve("arcs", points_file(tmp_path, rounded), "--closed", out="out.csv")
+    assert result.returncode == 0 and ": 2 arcs and 2 lines, " in result.stdout
+    (found,) = report["curves"]
+    assert found["distance_mm"] < 1e-3 and "samples of these lines and arcs" in found["notes"][0]
+    assert found["after"]["length_mm"] == pytest.approx(80 + 20 * math.pi, abs=0.01)
+
+
 def test_two_points_are_a_line(tmp_path):
     given = points_file(tmp_path, [(0, 1), (3, 5)])
     ((name, groups),) = dxf_entities(curve("arcs", given)[2].read_text())
