@@ -12,7 +12,7 @@ namespace seamwright {
 
 /// Choices: the noise that is tried, as shares of a tolerance. With less noise the joints are known
 /// better.
-constexpr std::array noise_shares = {1e-3, 3e-3, 0.01, 0.03, 0.07, 0.15, 0.3, 0.6};
+inline constexpr std::array noise_shares = {1e-3, 3e-3, 0.01, 0.03, 0.07, 0.15, 0.3, 0.6};
 
 /// A polygon whose vertices are to be samples. Vertex i has the parameter begin + i.
 struct SampledPolygon {
