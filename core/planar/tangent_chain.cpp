@@ -325,21 +325,22 @@ std::optional<PlacedArcs> tangentChain(const SampledPolygon& polygon, double noi
 }
 
 std::optional<SampledChain> sampledChain(const std::vector<Vector2d>& points, double tolerance_mm) {
-  const auto fewer_than = static_cast<int>(points.size());
+  std::optional<SampledChain> best;
   for (const double share : noise_shares) {
+    const int fewer_than = static_cast<int>(best ? best->arcs.size() : points.size());
     const auto placed =
         tangentChain({.vertices = points, .closed = true}, share * tolerance_mm, fewer_than);
     if (!placed || !runsFromPointToPoint(*placed, points)) continue;
-    SampledChain result{.arcs = placed->arcs, .distance_mm = largestDistance_mm(*placed, points)};
-    if (!(result.distance_mm <= tolerance_mm)) continue;
+    SampledChain chain{.arcs = placed->arcs, .distance_mm = largestDistance_mm(*placed, points)};
+    if (!(chain.distance_mm <= tolerance_mm)) continue;
     // The arc beside the first point is divided there.
-    const double tail_mm = result.arcs.front().length_mm;
-    result.arcs.front() = result.arcs.back();
-    result.arcs.front().length_mm += tail_mm;
-    result.arcs.pop_back();
-    return result;
+    const double tail_mm = chain.arcs.front().length_mm;
+    chain.arcs.front() = chain.arcs.back();
+    chain.arcs.front().length_mm += tail_mm;
+    chain.arcs.pop_back();
+    best = std::move(chain);
   }
-  return std::nullopt;
+  return best;
 }
 
 }  // namespace seamwright

@@ -35,9 +35,10 @@ struct SampledChain {
   double distance_mm = 0;  ///< no point is further from the chain
 };
 
-/// The chain of tangentChain() for points of a closed curve, at the least noise up to the tolerance
-/// at which there is one. Its first arc is the one beside the first point. Nothing if a point is
-/// further from it than the tolerance, or it does not run from point to point.
+/// The chain of fewest arcs of tangentChain() for points of a closed curve and a noise below the
+/// tolerance; of chains with equally many arcs that of the least noise. Its first arc is the one
+/// beside the first point. Nothing if a point is further from it than the tolerance, or it does not
+/// run from point to point.
 std::optional<SampledChain> sampledChain(const std::vector<Eigen::Vector2d>& points,
                                          double tolerance_mm);
 
