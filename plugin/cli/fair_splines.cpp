@@ -32,7 +32,7 @@ std::optional<FairedCurve> fairerSpline(const BSplineCurve& spline, double toler
     return figuresOf({.curves = {curve}, .closed = false});
   };
   const ChainFigures before = figures(spline);
-  for (const double share : {1.0, 0x1p-2, 0x1p-4, 0x1p-7, 0x1p-10}) {
+  for (const double share : {1.0, 0x1p-2, 0x1p-4}) {
     const FairedCurve faired = fairCurve(spline, share * tolerance_mm, options, progress);
     try {
       if (noLessFair(figures(faired.curve), before)) return faired;
@@ -58,10 +58,10 @@ void noteKept(report::CurveRecord& record, int kept, int not_fairer) {
         "{} curve{} as given: only polynomial B-splines of degree 2 and more are faired", kept,
         kept == 1 ? " stays" : "s stay"));
   if (not_fairer > 0)
-    record.notes.push_back(fmt::format(
-        "{} curve{} as given: moves of poles, by a thousandth of the tolerance or more, "
-        "would cost extrema, inflections or energy",
-        not_fairer, not_fairer == 1 ? " stays" : "s stay"));
+    record.notes.push_back(
+        fmt::format("{} curve{} as given: moves of poles, by a sixteenth of the tolerance or more, "
+                    "would cost extrema, inflections or energy",
+                    not_fairer, not_fairer == 1 ? " stays" : "s stay"));
 }
 
 }  // namespace

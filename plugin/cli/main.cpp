@@ -65,6 +65,7 @@ CLI::App* addCommand(std::vector<Command>& commands, CLI::App& parent,
                      void (*add)(CLI::App&, Arguments&), int (*run)(const Arguments&)) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* app = parent.add_subcommand(name_and_help.first, name_and_help.second);
+  app->footer("");  // that of the parent, which it inherits
   add(*app, *arguments);
   commands.push_back({.app = app, .run = [run, arguments] { return run(*arguments); }});
   return app;
@@ -92,11 +93,10 @@ std::vector<Command> addCommands(CLI::App& app) {
       commands, app,
       {"curve", "Turn planar points or curves into arcs, clothoids or conics, or make them fair"},
       &addCurveOptions, &runCurve);
-  CLI::App* blend = addCommand(
+  addCommand(
       commands, *curve,
       {"blend", "Curves between key curves that keep the continuity of their joints, or a loft"},
       &addBlendOptions, &runBlend);
-  blend->footer("");  // that of `curve`, which it inherits
   std::ranges::reverse(commands);
   return commands;
 }

@@ -229,8 +229,9 @@ TEST(BlendSurface, BadInputIsRefused) {
   EXPECT_THAT([&] { blendSurface(pair.shape, left, unknown); }, refused("999"));
   EXPECT_THAT([&] { blendSurface(pair.shape, order, right); }, refused("order is 4"));
   EXPECT_THAT([&] { blendSurface(pair.shape, left, tension); }, refused("end: tension is -1"));
-  EXPECT_THAT([&] { blendSurface(pair.shape, left, left); },
-              testing::ThrowsMessage<std::exception>(HasSubstr("no more than the gap tolerance of")));
+  EXPECT_THAT(
+      [&] { blendSurface(pair.shape, left, left); },
+      testing::ThrowsMessage<std::exception>(HasSubstr("no more than the gap tolerance of")));
   EXPECT_THAT([&] { extendSurface(pair.shape, left, std::nan("")); }, refused("length_mm is nan"));
 }
 

@@ -68,7 +68,7 @@ def test_a_face_is_named_where_an_edge_has_two(tmp_path):
     patches = [sheet(0, 0, 0.3), sheet(30, 9, 0.3)]
     joined = seamwright.Model.from_patches(patches, sew_mm=0.1)
     shared = next(iter(joined.analyze().seams)).edges[0]
-    with pytest.raises(ValueError, match="it is not free, name the face"):
+    with pytest.raises(ValueError, match="edge 2 is not free, name the face to continue"):
         joined.extend_surface(shared, 5)
     assert joined.extend_surface(shared, 5, faces=1).reached
 
@@ -82,7 +82,7 @@ def test_a_face_is_named_where_an_edge_has_two(tmp_path):
         ({"start_order": "G4"}, "start_order 'G4': known are G0, G1, G2 and G3"),
         ({"end_order": 2}, "end_order is 2"),
         ({"end_tension": 0}, "end: tension is 0"),
-        ({"start_faces": [2]}, "has 0 faces that the side may continue"),
+        ({"start_faces": [2]}, "edge 2 does not bound face 2"),
         ({"gap_mm": -1}, "gap tolerance is -1 mm"),
     ],
 )
