@@ -48,7 +48,7 @@ void addCommonOptions(CLI::App& command, SurfaceArguments& arguments) {
   command.add_flag("--keep-anyway", arguments.keep_anyway,
                    "Write OUT even if the new seams fall short");
   addToleranceOptions(command, arguments.measure);
-  addOutputOptions(command, "model with the new face", arguments.output);
+  addOutputOptions(command, "extended", arguments.output);
   exitStatus(command, "every seam of the new face has the level of its end, also in OUT",
              "some fall short (OUT is written only with --keep-anyway)");
 }
