@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -110,9 +111,25 @@ bool hasGap(const std::string& line) {
   return false;
 }
 
-bool namesTolerance(std::string word) {
-  for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return word == "tolerance" || word == "tolerance_mm";
+/// The names of columns in a line: between separators a name can have blanks.
+std::vector<std::string> namesIn(const std::string& line) {
+  const std::size_t separator = line.find_first_of(";,\t");
+  if (separator == std::string::npos) return wordsOf(line);
+  const char mark = line.find(';') != std::string::npos ? ';' : line[separator];
+  std::vector<std::string> names;
+  std::istringstream text(line.substr(0, line.find('#')));
+  for (std::string name; std::getline(text, name, mark);) {
+    const std::vector<std::string> words = wordsOf(name);
+    names.push_back(fmt::format("{}", fmt::join(words, " ")));
+  }
+  return names;
+}
+
+bool namesTolerance(std::string name) {
+  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  constexpr std::array<std::string_view, 5> known = {"tolerance", "tolerance_mm", "tolerance [mm]",
+                                                     "tolerance (mm)", "tol"};
+  return std::ranges::find(known, name) != known.end();
 }
 
 struct PointRow {
@@ -130,11 +147,13 @@ class PointRows {
  public:
   explicit PointRows(std::string path) : path_(std::move(path)) {}
 
-  bool hasTolerances() const { return has_tolerances_; }
-
-  void add(const std::vector<std::string>& words, int line) {
+  void add(const std::string& text, int line) {
+    const std::vector<std::string> words = wordsOf(text);
+    if (words.empty()) return;
+    // Without it a tolerance would be taken for a coordinate.
+    if (has_tolerances_ && hasGap(text)) fail(line, "has an empty entry");
     if (rows_.empty() && !beginsAsNumber(words.front())) {
-      readHeader(words, line);
+      readHeader(namesIn(text), line);
       return;
     }
     if (!std::exchange(begun_, true) && isName(words)) {
@@ -288,12 +307,7 @@ PointFile readPoints(const fs::path& path) {
   PointRows rows(path.string());
   int number = 0;
   for (const std::string& line : linesOf(textOf(path))) {
-    ++number;
-    const std::vector<std::string> words = wordsOf(line);
-    if (words.empty()) continue;
-    // Without it a tolerance would be taken for a coordinate.
-    if (rows.hasTolerances() && hasGap(line)) rows.fail(number, "has an empty entry");
-    rows.add(words, number);
+    rows.add(line, ++number);
   }
   return rows.file();
 }

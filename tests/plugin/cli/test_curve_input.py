@@ -71,6 +71,8 @@ def test_points_of_spreadsheets_and_airfoils(tmp_path, name, data):
         ("0,0,0\n9,0,0\n9,9,0\n0,9,3\n", [], "are not in a plane: that of line "),
         ("tolerance,x,y\n1,0,0\n", [], "line 1 names a column of tolerances, which must follow"),
         ("x,y,tolerance\n0,0\n1,2,-1\n", [], "line 3 has the tolerance -1 mm: it must be"),
+        ("x [mm],half breadth,Tolerance [mm]\n0,0\n1,2,-1\n", [], "line 3 has the tolerance -1 mm"),
+        ("a x;a y;tol\n0;0\n1;2;-1\n", [], "line 3 has the tolerance -1 mm"),
         ("x,y,tolerance\n0,0\n1,2,nan\n", [], "line 3 has the tolerance nan mm: it must"),
         ("x,y,tolerance\n0,0\n1,2,inf\n", [], "line 3 has the tolerance inf mm: it must"),
         ("x,y,tolerance\n0,0\n1,,2\n", [], "line 3 has an empty entry"),
