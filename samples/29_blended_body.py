@@ -8,15 +8,13 @@ the stripes break at the joint. Right: SplineBlend keeps G2, and the stripes run
 the curvature along both profiles.
 """
 
-import base64
 import math
-import struct
 import sys
-import zlib
 
 import numpy as np
 
 import seamwright
+from grey_png import png
 
 if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
     sys.exit(__doc__)
@@ -79,20 +77,6 @@ def zebra(profile):
     light = 0.55 + 0.45 * np.clip(0.8 * normal[1] - 0.4 * normal[0] + 0.3 * normal[2], 0, 1)
     grey = np.where(inside, 255 * light * np.where(stripe, 1, 0.25), 255)
     return png(grey.astype(np.uint8))
-
-
-def png(grey):
-    """A grey picture as a data URL."""
-    rows = b"".join(b"\0" + row.tobytes() for row in grey)
-    head = struct.pack(">IIBBBBB", grey.shape[1], grey.shape[0], 8, 0, 0, 0, 0)
-
-    def chunk(name, data):
-        whole = name + data
-        return struct.pack(">I", len(data)) + whole + struct.pack(">I", zlib.crc32(whole))
-
-    parts = [(b"IHDR", head), (b"IDAT", zlib.compress(rows, 9)), (b"IEND", b"")]
-    data = b"\x89PNG\r\n\x1a\n" + b"".join(chunk(*part) for part in parts)
-    return "data:image/png;base64," + base64.b64encode(data).decode()
 
 
 def plot(curves, top, height, width):

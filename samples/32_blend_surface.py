@@ -7,14 +7,12 @@ The stripes of the G1 surface bend where it meets the faces given, those of the 
 smoothly.
 """
 
-import base64
-import struct
 import sys
-import zlib
 
 import numpy as np
 
 import seamwright
+from grey_png import png
 
 if len(sys.argv) != 2 or sys.argv[1].startswith("-"):
     sys.exit(__doc__)
@@ -67,20 +65,6 @@ def zebra(surfaces):
         front = near >= depth[place] - 0.2  # mm: samples of one pixel
         grey[place[0][front], place[1][front]] = shade[front]
     return png(grey.astype(np.uint8))
-
-
-def png(grey):
-    """A grey picture as a data URL."""
-    rows = b"".join(b"\0" + row.tobytes() for row in grey)
-    head = struct.pack(">IIBBBBB", grey.shape[1], grey.shape[0], 8, 0, 0, 0, 0)
-
-    def chunk(name, data):
-        whole = name + data
-        return struct.pack(">I", len(data)) + whole + struct.pack(">I", zlib.crc32(whole))
-
-    parts = [(b"IHDR", head), (b"IDAT", zlib.compress(rows, 9)), (b"IEND", b"")]
-    data = b"\x89PNG\r\n\x1a\n" + b"".join(chunk(*part) for part in parts)
-    return "data:image/png;base64," + base64.b64encode(data).decode()
 
 
 given = [sheet(0, 0, 1.6), sheet(60, 11, -1.6)]

@@ -306,9 +306,7 @@ bool isPointFile(const fs::path& path) {
 PointFile readPoints(const fs::path& path) {
   PointRows rows(path.string());
   int number = 0;
-  for (const std::string& line : linesOf(textOf(path))) {
-    rows.add(line, ++number);
-  }
+  for (const std::string& line : linesOf(textOf(path))) rows.add(line, ++number);
   return rows.file();
 }
 
@@ -326,8 +324,7 @@ bool endsMeet(const PointFile& file) {
 std::string endsNote(const PointFile& file) {
   if (endsMeet(file))
     return "the last point is the first one again: --closed joins the curve smoothly there, "
-           "without it "
-           "the end can be sharp";
+           "without it the end can be sharp";
   // A choice: neighbours of one outline do not come that much nearer at once, and two readings of
   // one point are no further apart.
   constexpr double share = 0.25;
