@@ -334,14 +334,14 @@ std::optional<FittedPart> sampledPieces(const CurveLayout& layout, std::size_t f
     if (!layout.isLine(i)) return std::nullopt;
     polygon.vertices.push_back(layout.curve.startOf(i).point);
   }
+  std::optional<FittedPart> best;
   for (const double share : noise_shares) {
+    if (best) fewer_than = best->arcs.size();
     const auto chain = tangentChain(polygon, share * tolerance_mm, static_cast<int>(fewer_than));
     if (!chain) continue;
-    auto part = proven(layout.curve, polygon.begin, *chain, tolerance_mm);
-    if (!part) continue;
-    return part;
+    if (auto part = proven(layout.curve, polygon.begin, *chain, tolerance_mm)) best = part;
   }
-  return std::nullopt;
+  return best;
 }
 
 /// Makes the fit of a part of a polygon easier: it may turn at kinks where it begins and ends, then

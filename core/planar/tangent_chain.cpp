@@ -7,6 +7,7 @@
 #include <seamwright/core/numeric.hpp>
 #include <seamwright/core/planar/free_arcs.hpp>
 #include <seamwright/core/planar/tangent_chain.hpp>
+#include <seamwright/core/planar/touch_point.hpp>
 
 namespace seamwright {
 
@@ -14,71 +15,11 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// A point of a circle or line with its direction and curvature.
-struct TouchPoint {
-  Vector2d point = Vector2d::Zero();
-  double direction_rad = 0, curvature_per_mm = 0;
-
-  Vector2d normal() const { return {-std::sin(direction_rad), std::cos(direction_rad)}; }
-  TouchPoint after(double length_mm) const {
-    const PlanarArc arc{.start = point,
-                        .direction_rad = direction_rad,
-                        .curvature_per_mm = curvature_per_mm,
-                        .length_mm = length_mm};
-    return {.point = arc.end(),
-            .direction_rad = arc.endDirection_rad(),
-            .curvature_per_mm = curvature_per_mm};
-  }
-  /// The point of the circle beside another one.
-  TouchPoint beside(const Vector2d& other) const {
-    const Vector2d away = other - point;
-    const double along = away.dot(unitVector(direction_rad)), left = away.dot(normal());
-    const double k = curvature_per_mm;
-    return after(k == 0 ? along : std::atan2(k * along, 1 - k * left) / k);
-  }
-  double distance_mm(const Vector2d& other) const { return (beside(other).point - other).norm(); }
-};
-
-/// The circle that leaves a point in its direction and touches a circle or line so that it
-/// continues in the same sense.
-TouchPoint touching(const TouchPoint& from, const TouchPoint& to) {
-  const Vector2d away = from.point - to.point, normal = to.normal();
-  const double k = to.curvature_per_mm;
-  const double curvature = 2 * (1 - from.normal().dot(normal) + k * away.dot(from.normal())) /
-                           (2 * away.dot(normal) - k * away.squaredNorm());
-  return {.point = from.point,
-          .direction_rad = from.direction_rad,
-          .curvature_per_mm = std::isfinite(curvature) ? curvature : 0};
-}
-
-/// Where a circle that touches another circle or line does so, as a point of the other.
-TouchPoint touchPoint(const TouchPoint& circle, const TouchPoint& to) {
-  // The centres and the point are on one line; from the larger circle or the line it is seen best.
-  if (std::abs(to.curvature_per_mm) > std::abs(circle.curvature_per_mm)) {
-    const TouchPoint other = touchPoint(to, circle);
-    return to.beside(other.point);
-  }
-  const Vector2d centre = circle.point + circle.normal() / circle.curvature_per_mm;
-  return to.beside(centre);
-}
-
 /// Vertices of one circle or line.
 struct TangentPiece {
   int first = 0, last = 0;
   int middle() const { return (first + last) / 2; }
 };
-
-/// How far an arc advances between points of its circle.
-double lengthBetween(const TouchPoint& from, const TouchPoint& to) {
-  const double k = from.curvature_per_mm;
-  if (k == 0) return (to.point - from.point).dot(unitVector(from.direction_rad));
-  double turn_rad = wrapped(to.direction_rad - from.direction_rad);
-  // Less than it is the rounding of an arc that vanishes.
-  constexpr double nothing_rad = 1e-9;
-  if (turn_rad * k < 0 && std::abs(turn_rad) > nothing_rad)
-    turn_rad += std::copysign(2 * std::numbers::pi, k);
-  return turn_rad / k;
-}
 
 /// The vertices from one on, in a circle if they are closed, and their pieces.
 class ChainOfPieces {
@@ -127,19 +68,47 @@ class ChainOfPieces {
     return circle;
   }
 
+  /// Whether the vertices are near a line.
+  bool isLine(const TangentPiece& piece) const {
+    const std::vector<Vector2d> all(points_.begin() + piece.first,
+                                    points_.begin() + piece.last + 1);
+    return lineBeside(all, all.front()).has_value();
+  }
+
   /// The circle between two others that is nearest to the vertices of a piece.
   TouchPoint between(const TouchPoint& from, const TangentPiece& piece,
                      const TouchPoint& to) const {
     const TouchPoint start = from.beside(points_[piece.first]);
+    return nearest(piece, [&](double u) { return touching(start.after(u), to); });
+  }
+
+  /// The circle that touches its neighbour and ends beside the first or last vertex of its piece,
+  /// nearest to the vertices.
+  TouchPoint atEnd(const TangentPiece& piece, const TouchPoint& neighbour, bool at_begin) const {
+    const Vector2d& end = points_[at_begin ? piece.first : piece.last];
+    const TouchPoint start = neighbour.beside(points_[at_begin ? piece.last : piece.first]);
+    return nearest(piece, [&](double u) {
+      TouchPoint circle = start.after(u);
+      const Vector2d away = end - circle.point;
+      circle.curvature_per_mm = 2 * away.dot(circle.normal()) / away.squaredNorm();
+      return circle;
+    });
+  }
+
+ private:
+  /// The candidate nearest to the vertices of a piece, of those that leave a neighbour beside an
+  /// end of the piece or some way from there.
+  template <typename Candidate>
+  TouchPoint nearest(const TangentPiece& piece, const Candidate& candidate) const {
     const double reach_mm = (points_[piece.last] - points_[piece.first]).norm() / 2;
-    const auto candidate = [&](double u) { return touching(start.after(u), to); };
     const auto off_mm = [&](double u) {
       const TouchPoint circle = candidate(u);
       double largest = 0;
       constexpr int looks = 16;
       const int length = piece.last - piece.first;
       for (int k = 2; k <= looks - 2; ++k)
-        largest = std::max(largest, circle.distance_mm(points_[piece.first + length * k / looks]));
+        largest = std::max(largest,
+                           std::abs(circle.distance_mm(points_[piece.first + length * k / looks])));
       return largest;
     };
     // The distance has one minimum near the true joint; a grid finds its basin, thirds narrow it.
@@ -158,7 +127,6 @@ class ChainOfPieces {
     return candidate((low + high) / 2);
   }
 
- private:
   /// The line along the chord of points, next to another one; nothing if they are not near it.
   std::optional<TouchPoint> lineBeside(const std::vector<Vector2d>& points,
                                        const Vector2d& beside) const {
@@ -190,6 +158,16 @@ struct VertexArcs {
   std::vector<int> starts;
 };
 
+/// The first vertex from \p vertex on, and before \p end, that lies ahead of a point.
+int vertexAhead(const ChainOfPieces& chain, const TouchPoint& from, int vertex, int end) {
+  const int n = static_cast<int>(chain.points().size()) - 1;
+  const auto isAhead = [&](int at) {
+    return (chain.points()[(at + n) % n] - from.point).dot(from.tangent()) >= 0;
+  };
+  while (vertex < end && !isAhead(vertex)) ++vertex;
+  return vertex;
+}
+
 /// The arcs of a closed chain, from the piece \p fixed on.
 std::optional<VertexArcs> closedArcs(const ChainOfPieces& chain, int fixed) {
   const std::vector<TangentPiece>& pieces = chain.pieces();
@@ -210,26 +188,71 @@ std::optional<VertexArcs> closedArcs(const ChainOfPieces& chain, int fixed) {
     from.curvature_per_mm = circles[i].curvature_per_mm;
     const double length_mm = lengthBetween(from, to);
     if (!(length_mm > 0)) return std::nullopt;
-    result.arcs.push_back({.start = from.point,
-                           .direction_rad = from.direction_rad,
-                           .curvature_per_mm = from.curvature_per_mm,
-                           .length_mm = length_mm});
-    const Vector2d tangent = unitVector(from.direction_rad);
+    result.arcs.push_back(from.arc(length_mm));
     const int n = static_cast<int>(chain.points().size()) - 1;
     const int begin = i > 0 ? pieces[i - 1].middle() : pieces[m - 1].middle() - n;
-    int vertex = begin + 1;
-    const auto ahead = [&](int at) {
-      return (chain.points()[(at + n) % n] - from.point).dot(tangent) >= 0;
-    };
-    while (vertex < pieces[i].middle() && !ahead(vertex)) ++vertex;
-    result.starts.push_back(vertex);
+    result.starts.push_back(vertexAhead(chain, from, begin + 1, pieces[i].middle()));
   }
   return result;
 }
 
-/// From the first vertex of the polygon on, beside which an arc is divided.
+/// The arcs of an open chain, from beside its first vertex to beside its last one.
+std::optional<PlacedArcs> openArcs(const ChainOfPieces& chain, double begin, int fixed) {
+  const std::vector<TangentPiece>& pieces = chain.pieces();
+  const std::vector<Vector2d>& points = chain.points();
+  const int m = static_cast<int>(pieces.size());
+  std::vector<TouchPoint> circles(m), joints(m + 1);
+  for (int i = fixed; i < m; i += 2) circles[i] = chain.nearCircle(pieces[i]);
+  for (int i = 1 - fixed; i < m; i += 2) {
+    if (i == 0) {
+      circles[i] = chain.atEnd(pieces[i], circles[1], true);
+    } else if (i == m - 1) {
+      circles[i] = chain.atEnd(pieces[i], circles[i - 1], false);
+    } else {
+      circles[i] = chain.between(circles[i - 1], pieces[i], circles[i + 1]);
+    }
+    if (i > 0) joints[i] = circles[i];
+    if (i == m - 1) continue;
+    if (i > 0 && circles[i].curvature_per_mm == 0) return std::nullopt;
+    joints[i + 1] = i == 0 ? circles[i] : touchPoint(circles[i], circles[i + 1]);
+  }
+  joints.front() = circles.front().beside(points.front());
+  joints.back() = circles.back().beside(points.back());
+  PlacedArcs result;
+  for (int i = 0; i < m; ++i) {
+    TouchPoint from = joints[i];
+    from.curvature_per_mm = circles[i].curvature_per_mm;
+    const double length_mm = lengthBetween(from, joints[i + 1]);
+    if (!(length_mm > 0)) return std::nullopt;
+    result.arcs.push_back(from.arc(length_mm));
+    if (i == 0) continue;
+    const double vertex =
+        begin + vertexAhead(chain, from, pieces[i - 1].middle() + 1, pieces[i].middle());
+    result.ends.push_back({vertex - 1, vertex});
+  }
+  const double last = begin + static_cast<double>(points.size()) - 1;
+  result.ends.push_back({last, last});
+  return result;
+}
+
+/// Whether each second piece from 0 or from 1 on has a circle of its own. Lines do, so that they
+/// stay lines; of pieces without lines the longer ones, which are known better.
+int fixedPieces(const ChainOfPieces& chain) {
+  std::array<int, 2> lines = {};
+  std::array<double, 2> lengths_mm = {};
+  for (std::size_t i = 0; i < chain.pieces().size(); ++i) {
+    const TangentPiece& piece = chain.pieces()[i];
+    lengths_mm[i % 2] += (chain.points()[piece.last] - chain.points()[piece.first]).norm();
+    if (chain.isLine(piece)) ++lines[i % 2];
+  }
+  if ((lines[0] == 0) != (lines[1] == 0)) return lines[0] > 0 ? 0 : 1;
+  return lengths_mm[0] >= lengths_mm[1] ? 0 : 1;
+}
+
+/// From the first vertex of the polygon on, beside which an arc is divided. Where it is beside a
+/// joint, up to the noise, none is.
 PlacedArcs fromFirstVertex(const SampledPolygon& polygon, const ChainOfPieces& chain,
-                           const VertexArcs& found) {
+                           const VertexArcs& found, double noise_mm) {
   const int n = static_cast<int>(polygon.vertices.size());
   const int m = static_cast<int>(found.arcs.size());
   // The vertices of the polygon at which arcs start, each above the one before.
@@ -239,64 +262,36 @@ PlacedArcs fromFirstVertex(const SampledPolygon& polygon, const ChainOfPieces& c
   int first = 0;
   while (startOf(first) <= 0) ++first;
   const PlanarArc& divided = found.arcs[(first - 1) % m];
-  const TouchPoint start{.point = divided.start,
-                         .direction_rad = divided.direction_rad,
-                         .curvature_per_mm = divided.curvature_per_mm};
-  const TouchPoint beside = start.beside(polygon.vertices.front());
-  PlanarArc head = divided, tail = divided;
-  head.length_mm = lengthBetween(start, beside);
-  tail.start = beside.point;
-  tail.direction_rad = beside.direction_rad;
-  tail.length_mm = divided.length_mm - head.length_mm;
-  PlacedArcs result{.arcs = {tail}, .ends = {}};
-  for (int i = first; i < first + m - 1; ++i) {
-    result.arcs.push_back(found.arcs[i % m]);
-    const double vertex = polygon.begin + startOf(i);
-    result.ends.push_back({vertex - 1, vertex});
+  const TouchPoint beside = touchPointOf(divided).beside(polygon.vertices.front());
+  const double head_mm = lengthBetween(touchPointOf(divided), beside);
+  const double tail_mm = divided.length_mm - head_mm;
+  PlacedArcs result;
+  const auto append = [&](const PlanarArc& arc, int i) {
+    if (!result.arcs.empty()) {
+      const double vertex = polygon.begin + startOf(i);
+      result.ends.push_back({vertex - 1, vertex});
+    }
+    result.arcs.push_back(arc);
+  };
+  if (head_mm <= noise_mm) {
+    append(divided, first - 1);
+  } else if (tail_mm > noise_mm) {
+    append(beside.arc(tail_mm), first - 1);
   }
-  result.arcs.push_back(head);
-  const double vertex = polygon.begin + startOf(first + m - 1);
-  result.ends.push_back({vertex - 1, vertex});
+  for (int i = first; i < first + m - 1; ++i) append(found.arcs[i % m], i);
+  if (head_mm > noise_mm) {
+    PlanarArc last = divided;
+    if (tail_mm > noise_mm) last.length_mm = head_mm;
+    append(last, first + m - 1);
+  }
   result.ends.push_back({polygon.begin + n, polygon.begin + n});
   return result;
 }
 
-/// An upper bound, which is the distance up to rounding for points near the arc.
-double distance_mm(const PlanarArc& arc, const Vector2d& point) {
-  const Vector2d away = point - arc.start, tangent = unitVector(arc.direction_rad);
-  const double along = away.dot(tangent), left = cross(tangent, away), k = arc.curvature_per_mm;
-  const double s = k == 0 ? along : std::atan2(k * along, 1 - k * left) / k;
-  const double once_around = k == 0 ? s : s + 2 * std::numbers::pi / std::abs(k);
-  double result = infinite;
-  for (const double at : {s, once_around})
-    result = std::min(result, (arc.point(std::clamp(at, 0.0, arc.length_mm)) - point).norm());
-  return result;
-}
-
-/// The largest distance of a point from the arcs beside which it lies.
-double largestDistance_mm(const PlacedArcs& placed, const std::vector<Vector2d>& points) {
-  double largest = 0;
-  for (std::size_t v = 0; v < points.size(); ++v) {
-    double nearest = infinite;
-    for (std::size_t i = 0; i < placed.arcs.size(); ++i) {
-      const double begin = i > 0 ? placed.ends[i - 1].begin : 0, end = placed.ends[i].end;
-      const auto at = static_cast<double>(v);
-      if (begin <= at && at <= end)
-        nearest = std::min(nearest, distance_mm(placed.arcs[i], points[v]));
-    }
-    largest = std::max(largest, nearest);
-  }
-  return largest;
-}
-
-/// Whether the chain is as long as arcs between neighbours are. A piece has four of them or more,
-/// so those of half a circle are longer than their chords by 3 %.
-bool runsFromPointToPoint(const PlacedArcs& placed, const std::vector<Vector2d>& points) {
-  constexpr double longer = 1.1;
-  double length_mm = 0, polygon_mm = (points.front() - points.back()).norm();
-  for (const PlanarArc& arc : placed.arcs) length_mm += arc.length_mm;
-  for (std::size_t v = 1; v < points.size(); ++v) polygon_mm += (points[v] - points[v - 1]).norm();
-  return length_mm <= longer * polygon_mm;
+/// A piece of fewer vertices has no circle of its own.
+bool hasFewVertices(const TangentPiece& piece) {
+  constexpr int least_steps = 4;
+  return piece.last - piece.first < least_steps;
 }
 
 }  // namespace
@@ -305,42 +300,21 @@ std::optional<PlacedArcs> tangentChain(const SampledPolygon& polygon, double noi
                                        int fewer_than) {
   // Five points of each of two pieces: fewer are near any two arcs.
   constexpr std::size_t least_vertices = 10;
-  if (!polygon.closed || polygon.vertices.size() < least_vertices) return std::nullopt;
+  if (polygon.closed && polygon.vertices.size() < least_vertices) return std::nullopt;
   const ChainOfPieces chain(polygon, noise_mm);
-  const int m = static_cast<int>(chain.pieces().size());
-  if (m < 2 || m % 2 != 0 || m >= fewer_than) return std::nullopt;
-  // A piece of fewer vertices has no circle of its own.
-  constexpr int least_steps = 4;
-  for (const TangentPiece& piece : chain.pieces())
-    if (piece.last - piece.first < least_steps) return std::nullopt;
-  // The longer ones are known better, so the others are made to touch them.
-  std::array<double, 2> lengths_mm = {};
-  for (int i = 0; i < m; ++i) {
-    const TangentPiece& piece = chain.pieces()[i];
-    lengths_mm[i % 2] += (chain.points()[piece.last] - chain.points()[piece.first]).norm();
+  const auto& pieces = chain.pieces();
+  const int m = static_cast<int>(pieces.size());
+  if (m >= fewer_than) return std::nullopt;
+  if (!polygon.closed && m == 1) {
+    if (hasFewVertices(pieces.front()) && !chain.isLine(pieces.front())) return std::nullopt;
+    return openArcs(chain, polygon.begin, 0);
   }
-  const auto arcs = closedArcs(chain, lengths_mm[0] >= lengths_mm[1] ? 0 : 1);
+  if (m < 2 || std::ranges::any_of(pieces, hasFewVertices)) return std::nullopt;
+  if (!polygon.closed) return openArcs(chain, polygon.begin, fixedPieces(chain));
+  if (m % 2 != 0) return std::nullopt;
+  const auto arcs = closedArcs(chain, fixedPieces(chain));
   if (!arcs) return std::nullopt;
-  return fromFirstVertex(polygon, chain, *arcs);
-}
-
-std::optional<SampledChain> sampledChain(const std::vector<Vector2d>& points, double tolerance_mm) {
-  std::optional<SampledChain> best;
-  for (const double share : noise_shares) {
-    const int fewer_than = static_cast<int>(best ? best->arcs.size() : points.size());
-    const auto placed =
-        tangentChain({.vertices = points, .closed = true}, share * tolerance_mm, fewer_than);
-    if (!placed || !runsFromPointToPoint(*placed, points)) continue;
-    SampledChain chain{.arcs = placed->arcs, .distance_mm = largestDistance_mm(*placed, points)};
-    if (!(chain.distance_mm <= tolerance_mm)) continue;
-    // The arc beside the first point is divided there.
-    const double tail_mm = chain.arcs.front().length_mm;
-    chain.arcs.front() = chain.arcs.back();
-    chain.arcs.front().length_mm += tail_mm;
-    chain.arcs.pop_back();
-    best = std::move(chain);
-  }
-  return best;
+  return fromFirstVertex(polygon, chain, *arcs, noise_mm);
 }
 
 }  // namespace seamwright

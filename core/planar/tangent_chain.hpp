@@ -24,22 +24,10 @@ struct SampledPolygon {
 /// The G1 chain of lines and arcs whose samples the vertices are up to a noise, as of points with
 /// few digits: each second piece is the circle or line near its vertices, and the pieces between
 /// touch both neighbours. A closed chain begins beside the first vertex, so that the arc there is
-/// divided. Nothing is said about the distance. Nothing if there are no such pieces, or not fewer
-/// than \p fewer_than. Source: docs/theory/planar.md P9.6.
+/// divided if it does not begin or end there. An open one ends beside its first and last vertices.
+/// Nothing is said about the distance. Nothing if there are no such pieces, or not fewer than \p
+/// fewer_than. Source: docs/theory/planar.md P9.6.
 std::optional<PlacedArcs> tangentChain(const SampledPolygon& polygon, double noise_mm,
                                        int fewer_than);
-
-/// A closed G1 chain of lines and arcs of which points are samples.
-struct SampledChain {
-  std::vector<PlanarArc> arcs;
-  double distance_mm = 0;  ///< no point is further from the chain
-};
-
-/// The chain of fewest arcs of tangentChain() for points of a closed curve and a noise below the
-/// tolerance; of chains with equally many arcs that of the least noise. Its first arc is the one
-/// beside the first point. Nothing if a point is further from it than the tolerance, or it does not
-/// run from point to point.
-std::optional<SampledChain> sampledChain(const std::vector<Eigen::Vector2d>& points,
-                                         double tolerance_mm);
 
 }  // namespace seamwright

@@ -2,7 +2,6 @@
 #include <seamwright/core/numeric.hpp>
 #include <seamwright/core/planar/arc_fit.hpp>
 #include <seamwright/core/planar/clothoid.hpp>
-#include <seamwright/core/planar/tangent_chain.hpp>
 
 #include "planar.hpp"
 
@@ -229,48 +228,6 @@ TEST(ArcFit, OfSamplesOfClosedArcsAndLinesAreThese) {
       }
     }
   }
-}
-
-// The polygon of few points is further from the arcs than the tolerance.
-TEST(SampledChain, OfFewPointsOfLinesAndArcsIsThese) {
-  std::mt19937_64 random(testSeed());
-  const std::vector<std::pair<double, double>> stadium = {
-      {0, 40}, {0.1, 10 * pi}, {0, 40}, {0.1, 10 * pi}};
-  for (const double unit_mm : {1e-3, 1e-6, 1e-12})
-    for (const int steps : {8, 25})
-      for (const int first : {0, 3, 11}) {
-        SCOPED_TRACE(testing::Message() << unit_mm << ' ' << steps << ' ' << first);
-        std::vector<Vector2d> points;
-        for (const PlanarArc& arc : closedChain(stadium, uniform(random, -3, 3)))
-          for (int k = 0; k < steps; ++k)
-            points.emplace_back((arc.point(arc.length_mm * k / steps) / unit_mm).array().round() *
-                                unit_mm);
-        std::ranges::rotate(points, points.begin() + first);
-        const auto chain = sampledChain(points, 0.02);
-        ASSERT_TRUE(chain);
-        ASSERT_THAT(chain->arcs, SizeIs(stadium.size()));
-        EXPECT_LE(chain->distance_mm, 20 * unit_mm + 1e-9);
-        std::vector<double> lengths_mm;
-        for (std::size_t i = 0; i < chain->arcs.size(); ++i) {
-          const PlanarArc &arc = chain->arcs[i], &next = chain->arcs[(i + 1) % stadium.size()];
-          EXPECT_LT((arc.end() - next.start).norm(), 1e-6);
-          EXPECT_LT(std::abs(wrapped(arc.endDirection_rad() - next.direction_rad)), 1e-6);
-          lengths_mm.push_back(arc.length_mm);
-        }
-        std::ranges::sort(lengths_mm);
-        EXPECT_NEAR(lengths_mm[0], 10 * pi, 0.1);
-        EXPECT_NEAR(lengths_mm[3], 40, 0.1);
-        EXPECT_EQ(std::ranges::count(chain->arcs, 0, &PlanarArc::curvature_per_mm), 2);
-      }
-}
-
-TEST(SampledChain, OfOtherCurvesIsNothing) {
-  std::vector<Vector2d> ellipse;
-  for (int i = 0; i < 100; ++i)
-    ellipse.emplace_back(30 * std::cos(pi * i / 50), 10 * std::sin(pi * i / 50));
-  const auto chain = sampledChain(ellipse, 1e-4);
-  EXPECT_TRUE(!chain || chain->distance_mm <= 1e-4);
-  EXPECT_FALSE(sampledChain({{0, 0}, {1, 0}, {1, 1}}, 0.1));
 }
 
 // Sides that turn where a line that stays begins leave no room for an arc.

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <seamwright/core/planar/arc.hpp>
+#include <seamwright/core/planar/biarc_spline.hpp>
+
+namespace seamwright {
+
+/// Lines and arcs of which points are samples.
+struct SampledChain {
+  std::vector<PlanarArc> arcs;
+  std::vector<int> corners;  ///< arcs that begin at a corner; ends do not count
+  bool closed = false;
+  double distance_mm = 0;  ///< no point is further from the chain
+};
+
+struct SampledChainOptions {
+  bool closed = false;
+  double tolerance_mm = 0.01;
+};
+
+/// The chain of fewest lines and arcs whose samples the points are, each off by less than the
+/// tolerance; of chains with equally many arcs that of the least errors. It is G1 except at the
+/// corners of pointCorners(), where the pieces on both sides meet. A piece needs five points, or
+/// two if a line is alone between corners. A closed chain begins at its first corner, else its
+/// first arc is the one beside the first point. Identities (each has a test of its number):
+///   (1) Samples of lines and arcs give these, up to the rounding of their digits; corners among
+///       the samples stay corners.
+///   (2) No point is further from the chain than distance_mm <= tolerance_mm.
+/// Nothing if a point is further from each chain found than the tolerance, or the chain does not
+/// run from point to point. \throws std::invalid_argument for equal neighbours.
+/// Source: docs/theory/planar.md P9.6.
+std::optional<SampledChain> sampledChain(const PlanarPoints& points,
+                                         const SampledChainOptions& options);
+
+}  // namespace seamwright

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seamwright/core/numeric.hpp>
+#include <seamwright/core/planar/sampled_chain.hpp>
+
+#include "planar.hpp"
+
+namespace seamwright {
+namespace {
+
+using Eigen::Vector2d;
+using std::numbers::pi;
+using test::uniform;
+using ::testing::Each;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+/// A piece of an outline: it turns at its start, then is a line or an arc.
+struct OutlinePiece {
+  double turn_rad = 0, curvature_per_mm = 0, length_mm = 0;
+};
+
+std::vector<PlanarArc> outlineOf(const std::vector<OutlinePiece>& pieces, double direction_rad) {
+  std::vector<PlanarArc> arcs;
+  PlanarArc arc{.start = {3, 5}, .direction_rad = direction_rad};
+  for (const OutlinePiece& piece : pieces) {
+    arc.direction_rad += piece.turn_rad;
+    arc.curvature_per_mm = piece.curvature_per_mm;
+    arc.length_mm = piece.length_mm;
+    arcs.push_back(arc);
+    arc.start = arc.end();
+    arc.direction_rad = arc.endDirection_rad();
+  }
+  return arcs;
+}
+
+struct Sampling {
+  int steps = 8;           ///< of a piece
+  double unit_mm = 1e-12;  ///< of the last digit
+  int first = 0;           ///< of a closed outline
+  bool closed = true;
+};
+
+PlanarPoints samplesOf(const std::vector<PlanarArc>& outline, const Sampling& sampling) {
+  std::vector<Vector2d> points;
+  for (const PlanarArc& arc : outline)
+    for (int k = 0; k < sampling.steps; ++k)
+      points.push_back(arc.point(arc.length_mm * k / sampling.steps));
+  if (!sampling.closed) points.push_back(outline.back().end());
+  PlanarPoints result(std::ssize(points), 2);
+  const auto n = static_cast<Eigen::Index>(points.size());
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Vector2d& point = points[static_cast<std::size_t>((i + sampling.first) % n)];
+    result.row(i) = (point / sampling.unit_mm).array().round().transpose() * sampling.unit_mm;
+  }
+  return result;
+}
+
+/// Distance of a point from samples of a chain.
+double distanceTo(const std::vector<PlanarArc>& arcs, const Vector2d& point) {
+  double nearest = infinite;
+  constexpr int samples = 4000;
+  for (const PlanarArc& arc : arcs)
+    for (int k = 0; k <= samples; ++k)
+      nearest = std::min(nearest, (arc.point(arc.length_mm * k / samples) - point).norm());
+  return nearest;
+}
+
+double largestDistance(const std::vector<PlanarArc>& arcs, const PlanarPoints& points) {
+  double largest = 0;
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+    largest = std::max(largest, distanceTo(arcs, points.row(i).transpose()));
+  return largest;
+}
+
+/// The turn at the start of each arc but the first; also there if the chain is closed. Arcs that do
+/// not touch have none.
+std::vector<double> turnsOf(const SampledChain& chain) {
+  std::vector<double> turns;
+  for (std::size_t i = chain.closed ? 0 : 1; i < chain.arcs.size(); ++i) {
+    const PlanarArc& before = chain.arcs[i > 0 ? i - 1 : chain.arcs.size() - 1];
+    const PlanarArc& arc = chain.arcs[i];
+    EXPECT_LT((before.end() - arc.start).norm(), 1e-9) << i;
+    turns.push_back(std::abs(wrapped(arc.direction_rad - before.endDirection_rad())));
+  }
+  return turns;
+}
+
+// Identity (1) for a closed outline without corners; the polygon of few points is further from the
+// arcs than the tolerance.
+TEST(SampledChain, OfFewPointsOfLinesAndArcsIsThese) {
+  std::mt19937_64 random(testSeed());
+  const std::vector<OutlinePiece> stadium = {
+      {0, 0, 40}, {0, 0.1, 10 * pi}, {0, 0, 40}, {0, 0.1, 10 * pi}};
+  for (const double unit_mm : {1e-3, 1e-6, 1e-12})
+    for (const int steps : {8, 25})
+      for (const int first : {0, 3, 11}) {
+        SCOPED_TRACE(testing::Message() << unit_mm << ' ' << steps << ' ' << first);
+        const PlanarPoints points = samplesOf(outlineOf(stadium, uniform(random, -3, 3)),
+                                              {.steps = steps, .unit_mm = unit_mm, .first = first});
+        const auto chain = sampledChain(points, {.closed = true, .tolerance_mm = 0.02});
+        ASSERT_TRUE(chain);
+        ASSERT_THAT(chain->arcs, SizeIs(stadium.size()));
+        EXPECT_THAT(chain->corners, IsEmpty());
+        EXPECT_LE(chain->distance_mm, 20 * unit_mm + 1e-9);
+        EXPECT_THAT(turnsOf(*chain), Each(testing::Lt(1e-6)));
+        std::vector<double> lengths_mm;
+        for (const PlanarArc& arc : chain->arcs) lengths_mm.push_back(arc.length_mm);
+        std::ranges::sort(lengths_mm);
+        EXPECT_NEAR(lengths_mm[0], 10 * pi, 0.1);
+        EXPECT_NEAR(lengths_mm[3], 40, 0.1);
+        EXPECT_EQ(std::ranges::count(chain->arcs, 0, &PlanarArc::curvature_per_mm), 2);
+      }
+}
+
+// Identity (1): corners are not rounded, however large the tolerance is.
+TEST(SampledChain, CornersStay) {
+  std::mt19937_64 random(testSeed());
+  const std::vector<OutlinePiece> rectangle = {
+      {pi / 2, 0, 40}, {pi / 2, 0, 20}, {pi / 2, 0, 40}, {pi / 2, 0, 20}};
+  for (const double unit_mm : {1e-3, 1e-9})
+    for (const int steps : {2, 5, 50, 400})
+      for (const double tolerance_mm : {0.02, 0.1})
+        for (const int first : {0, 1}) {
+          SCOPED_TRACE(testing::Message() << unit_mm << ' ' << steps << ' ' << tolerance_mm);
+          const std::vector<PlanarArc> outline = outlineOf(rectangle, uniform(random, -3, 3));
+          const PlanarPoints points =
+              samplesOf(outline, {.steps = steps, .unit_mm = unit_mm, .first = first});
+          const auto chain = sampledChain(points, {.closed = true, .tolerance_mm = tolerance_mm});
+          ASSERT_TRUE(chain);
+          ASSERT_THAT(chain->arcs, SizeIs(4));
+          EXPECT_THAT(chain->corners, ElementsAre(0, 1, 2, 3));
+          EXPECT_THAT(turnsOf(*chain), Each(testing::DoubleNear(pi / 2, 4 * unit_mm + 1e-9)));
+          for (const PlanarArc& side : chain->arcs) {
+            EXPECT_EQ(side.curvature_per_mm, 0);
+            EXPECT_LT(distanceTo(outline, side.start), 4 * unit_mm + 1e-9);
+          }
+          EXPECT_LE(chain->distance_mm, 4 * unit_mm + 1e-9);
+        }
+}
+
+// Identity (1): a corner between an arc and a line, and one between two arcs.
+TEST(SampledChain, ArcsMeetAtCorners) {
+  // A half circle on a line, and two quarters of circles on a common chord.
+  const std::vector<std::vector<OutlinePiece>> outlines = {
+      {{pi / 2, 0, 20}, {pi / 2, 0.1, 10 * pi}}, {{pi / 2, 0.1, 5 * pi}, {pi / 2, 0.1, 5 * pi}}};
+  for (const auto& pieces : outlines) {
+    const std::vector<PlanarArc> outline = outlineOf(pieces, 0.3);
+    ASSERT_LT((outline.back().end() - outline.front().start).norm(), 1e-9);
+    const PlanarPoints points = samplesOf(outline, {.steps = 60, .unit_mm = 1e-6});
+    const auto chain = sampledChain(points, {.closed = true, .tolerance_mm = 0.05});
+    ASSERT_TRUE(chain);
+    ASSERT_THAT(chain->arcs, SizeIs(2));
+    EXPECT_THAT(chain->corners, ElementsAre(0, 1));
+    EXPECT_LT(chain->distance_mm, 1e-5);
+    for (const PlanarArc& arc : chain->arcs) EXPECT_LT(distanceTo(outline, arc.start), 1e-5);
+    EXPECT_LT(largestDistance(chain->arcs, points), 0.01);
+  }
+}
+
+// Identity (1) for open curves: pieces at the ends, one piece, corners between.
+TEST(SampledChain, OfOpenCurves) {
+  std::mt19937_64 random(testSeed());
+  const std::vector<std::vector<OutlinePiece>> curves = {
+      {{0, 0, 30}, {0, 0.1, 10}, {0, 0, 30}},
+      {{0, 0.1, 12}, {0, 0, 30}, {0, -0.05, 25}},
+      {{0, 0, 30}, {0, -0.1, 12}},
+      {{0, 0.2, 9}, {0, 0, 25}},
+      {{0, 0, 30}},
+      {{0, 0.05, 30}},
+      {{0, 0, 30}, {pi / 2, 0, 20}, {0, 0.1, 15}, {-pi / 2, 0, 10}}};
+  for (const auto& pieces : curves)
+    for (const double unit_mm : {1e-3, 1e-9}) {
+      const std::vector<PlanarArc> curve = outlineOf(pieces, uniform(random, -3, 3));
+      const PlanarPoints points =
+          samplesOf(curve, {.steps = 40, .unit_mm = unit_mm, .closed = false});
+      SCOPED_TRACE(testing::Message() << &pieces - curves.data() << ' ' << unit_mm);
+      const auto chain = sampledChain(points, {.tolerance_mm = 0.05});
+      ASSERT_TRUE(chain);
+      ASSERT_THAT(chain->arcs, SizeIs(curve.size()));
+      EXPECT_FALSE(chain->closed);
+      EXPECT_LE(chain->distance_mm, 20 * unit_mm + 1e-9);
+      EXPECT_LT((chain->arcs.front().start - curve.front().start).norm(), 20 * unit_mm + 1e-9);
+      EXPECT_LT((chain->arcs.back().end() - curve.back().end()).norm(), 20 * unit_mm + 1e-9);
+      const std::vector<double> turns = turnsOf(*chain);
+      std::vector<int> corners;
+      for (std::size_t i = 0; i < curve.size(); ++i) {
+        EXPECT_NEAR(chain->arcs[i].curvature_per_mm, curve[i].curvature_per_mm,
+                    0.02 * std::abs(curve[i].curvature_per_mm));
+        if (i == 0) continue;
+        EXPECT_NEAR(turns[i - 1], std::abs(pieces[i].turn_rad), 20 * unit_mm + 1e-6);
+        if (pieces[i].turn_rad != 0) corners.push_back(static_cast<int>(i));
+      }
+      EXPECT_EQ(chain->corners, corners);
+    }
+}
+
+// Identity (2), for points with errors and curves that are no lines and arcs.
+TEST(SampledChain, IsWithinTheToleranceOrNothing) {
+  std::mt19937_64 random(testSeed());
+  int found = 0;
+  for (int i = 0; i < 60; ++i) {
+    std::vector<OutlinePiece> pieces;
+    for (int k = 0; k < 5; ++k)
+      pieces.push_back({k % 2 == 0 ? 0 : uniform(random, -2, 2),
+                        k % 2 == 0 ? 0 : uniform(random, -0.2, 0.2), uniform(random, 2, 20)});
+    PlanarPoints points = samplesOf(outlineOf(pieces, uniform(random, -3, 3)),
+                                    {.steps = 20, .unit_mm = 1e-9, .closed = false});
+    for (double& x : points.reshaped()) x += uniform(random, -0.01, 0.01);
+    const auto chain = sampledChain(points, {.tolerance_mm = 0.05});
+    if (!chain) continue;
+    ++found;
+    EXPECT_LE(chain->distance_mm, 0.05);
+    turnsOf(*chain);
+    EXPECT_LE(largestDistance(chain->arcs, points), chain->distance_mm + 0.01);
+  }
+  EXPECT_GT(found, 5);
+}
+
+TEST(SampledChain, OfAnEllipseIsNothingOrNear) {
+  PlanarPoints ellipse(100, 2);
+  for (int i = 0; i < 100; ++i)
+    ellipse.row(i) << 30 * std::cos(pi * i / 50), 10 * std::sin(pi * i / 50);
+  const auto chain = sampledChain(ellipse, {.closed = true, .tolerance_mm = 1e-4});
+  EXPECT_TRUE(!chain || largestDistance(chain->arcs, ellipse) <= 1e-4 + 0.01);
+}
+
+TEST(SampledChain, OfFewPointsIsNothing) {
+  PlanarPoints points(3, 2);
+  points << 0, 0, 1, 0, 1, 1;
+  EXPECT_FALSE(sampledChain(points, {.closed = true, .tolerance_mm = 0.1}));
+  EXPECT_FALSE(sampledChain(points.topRows(2), {.tolerance_mm = 0.1}));
+  points.row(1) = points.row(0);
+  EXPECT_THROW(sampledChain(points, {.tolerance_mm = 0.1}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace seamwright
