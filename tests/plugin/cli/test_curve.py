@@ -115,6 +115,35 @@ def test_samples_of_a_stadium_are_its_lines_and_arcs(tmp_path, steps):
     assert found["after"]["length_mm"] == pytest.approx(80 + 20 * math.pi, abs=0.01)
 
 
+@pytest.mark.parametrize("first", [0, 5])
+def test_samples_of_a_rectangle_are_its_sides(tmp_path, first):
+    corners = [(0, 0), (40, 0), (40, 20), (0, 20)]
+    points = [
+        tuple(round(a + (b - a) * k / 50, 3) for a, b in zip(corner, corners[(i + 1) % 4]))
+        for i, corner in enumerate(corners)
+        for k in range(50)
+    ]
+    given = points_file(tmp_path, points[first:] + points[:first])
+    result, report, out = curve("arcs", given, "--closed", "--tolerance", "0.1", out="out.csv")
+    assert ": 0 arcs and 4 lines, " in result.stdout
+    (found,) = report["curves"]
+    assert found["corners"] == 4 and found["distance_mm"] < 1e-9
+    ends = [(float(row["x"]), float(row["y"])) for row in rows_of(out)]
+    assert all(distance(corner, ends) < 1e-9 for corner in corners)
+
+
+@pytest.mark.parametrize("tolerance", ["0", "0.001", "0.05"])
+def test_arcs_of_an_airfoil_have_a_corner_at_its_sharp_end(tmp_path, tolerance):
+    outline = naca(0.12, 60, chord=100)
+    given = points_file(tmp_path, outline)
+    _, report, out = curve("arcs", given, "--closed", "--tolerance", tolerance, out="out.dxf")
+    (found,) = report["curves"]
+    assert found["closed"] and found["corners"] == 1
+    samples = dxf_samples(out.read_text())
+    assert distance(max(outline), samples) < 1e-9
+    assert max(distance(point, samples) for point in outline) < float(tolerance) + 0.02
+
+
 def test_two_points_are_a_line(tmp_path):
     given = points_file(tmp_path, [(0, 1), (3, 5)])
     ((name, groups),) = dxf_entities(curve("arcs", given)[2].read_text())
