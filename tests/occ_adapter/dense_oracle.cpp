@@ -164,12 +164,9 @@ void measureCurvature(const Local& a, const Local& b, double flat_radius_mm, Den
                                      4 * point.norm_per_mm * turning);
   point.curvature_per_mm = {difference, noise};
   const double flat = 1 / flat_radius_mm;
-  const bool flat_a = norm_a < flat, flat_b = norm_b < flat;
-  if (flat_a && flat_b)
-    point.curvature_rel.value = 0;
-  else
-    point.curvature_rel.value = flat_a || flat_b ? 1 : difference / point.norm_per_mm;
-  const bool may_be_either = std::abs(norm_a - flat) <= noise || std::abs(norm_b - flat) <= noise;
+  const bool both_flat = point.norm_per_mm < flat;
+  point.curvature_rel.value = both_flat ? 0 : difference / point.norm_per_mm;
+  const bool may_be_either = std::abs(point.norm_per_mm - flat) <= noise;
   point.curvature_rel.noise = may_be_either ? 1 : 3 * noise / point.norm_per_mm;
 }
 

@@ -153,7 +153,8 @@ TEST(HiddenDefect, CurvatureSpotOfOnePole) {
   SCOPED_TRACE(describe(seam));
   EXPECT_LT(angleDeg(seam), 1e-9);
   EXPECT_NEAR(curvature(seam), expected, 0.01 * expected);
-  EXPECT_NEAR(relativeCurvature(seam), 1, 1e-9) << "the plane is flat, the spot is not";
+  // The figure is the lower end of an enclosure.
+  EXPECT_NEAR(relativeCurvature(seam), 1, 1e-6) << "the plane is flat, the spot is not";
   EXPECT_EQ(seam.verdict.level, Level::G1);
   EXPECT_EQ(seam.verdict.seam_class, SeamClass::Defect);
 }
