@@ -224,22 +224,23 @@ void ChebyshevModel::widen(double radius) {
   radius_ = up(radius_ + radius);
 }
 
-ProductSum& ProductSum::add(const ChebyshevModel& a, const ChebyshevModel& b, double sign) {
+ProductSum& ProductSum::add(const ChebyshevModel& a, const ChebyshevModel& b, double factor) {
   double absolute_a = 0;
   double absolute_b = 0;
   for (int j = 0; j <= b.degree_; ++j) absolute_b += std::abs(b.coefficients_[j]);
   for (int i = 0; i <= a.degree_; ++i) {
-    const double factor = sign * a.coefficients_[i];
-    absolute_a += std::abs(factor);
+    const double coefficient = factor * a.coefficients_[i];
+    absolute_a += std::abs(coefficient);
     // T_i T_j = (T_(i + j) + T_|i - j|) / 2.
-    for (int j = 0; j <= b.degree_; ++j) twice_[i + j] += factor * b.coefficients_[j];
-    for (int j = 0; j <= b.degree_; ++j) twice_[std::abs(i - j)] += factor * b.coefficients_[j];
+    for (int j = 0; j <= b.degree_; ++j) twice_[i + j] += coefficient * b.coefficients_[j];
+    for (int j = 0; j <= b.degree_; ++j)
+      twice_[std::abs(i - j)] += coefficient * b.coefficients_[j];
   }
   degree_ = std::max(degree_, a.degree_ + b.degree_);
   terms_ += 2 * std::min(a.degree_, b.degree_) + 3;
   absolute_ += absolute_a * absolute_b;
   if (a.radius_ != 0 || b.radius_ != 0)  // also true for NaN, which unknown times zero may give
-    radius_ += absolute_a * b.radius_ + (absolute_b + b.radius_) * a.radius_;
+    radius_ += absolute_a * b.radius_ + (absolute_b + b.radius_) * (std::abs(factor) * a.radius_);
   return *this;
 }
 

@@ -88,7 +88,7 @@ class ChebyshevModel {
 /// end.
 class ProductSum {
  public:
-  ProductSum& add(const ChebyshevModel& a, const ChebyshevModel& b, double sign = 1);
+  ProductSum& add(const ChebyshevModel& a, const ChebyshevModel& b, double factor = 1);
   ChebyshevModel model() const;
 
  private:

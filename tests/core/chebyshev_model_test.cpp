@@ -150,6 +150,22 @@ TEST(ChebyshevModel, Identity1SumsAndProducts) {
   }
 }
 
+TEST(ChebyshevModel, Identity1AFactorOfAProductWidensBothErrors) {
+  const std::vector<double> three = {3}, two = {2};
+  const auto exact = ChebyshevModel::series(three, 0), wide = ChebyshevModel::series(two, 0.5);
+  for (const double factor : {-2.0, -0.5, 1.0, 2.0, 10.0}) {
+    for (const bool swapped : {false, true}) {
+      const ChebyshevModel& a = swapped ? exact : wide;
+      const ChebyshevModel& b = swapped ? wide : exact;
+      const Interval range = ProductSum().add(a, b, factor).model().range();
+      const auto [low, high] = std::minmax({factor * 3 * 1.5, factor * 3 * 2.5});
+      EXPECT_LE(range.lower, low) << factor << ' ' << swapped;
+      EXPECT_GE(range.upper, high) << factor << ' ' << swapped;
+      EXPECT_LE(range.width(), (high - low) * (1 + 1e-12)) << factor << ' ' << swapped;
+    }
+  }
+}
+
 TEST(ChebyshevModel, Identity1LongSumsOfProductsThatCancel) {
   Models models;
   for (int i = 0; i < 300; ++i) {
