@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -17,6 +18,10 @@ namespace seamwright {
 namespace {
 
 using Eigen::Vector2d;
+
+/// Choices. Points of lines and arcs show corners that those of other curves do not: with a corner
+/// at a smaller turn there are fewer pieces, or it is none.
+constexpr std::array corner_angles_deg = {60.0, 12.0};
 
 /// An upper bound, which is the distance up to rounding for points near the arc.
 double distance_mm(const PlanarArc& arc, const Vector2d& point) {
@@ -156,14 +161,21 @@ std::optional<SampledChain> sampledChain(const PlanarPoints& points,
   constexpr Eigen::Index least_points = 3;
   if (points.rows() < least_points) return best;
   for (const double share : noise_shares) {
-    const int fewer_than = static_cast<int>(best ? best->arcs.size() : all.size());
     const double noise_mm = share * options.tolerance_mm;
-    const std::vector<Eigen::Index> corners =
-        pointCorners(points, {.closed = options.closed, .error_mm = noise_mm});
-    auto chain = corners.empty() ? smoothChain(all, options.closed, noise_mm, fewer_than)
-                                 : chainWithCorners(sampled, corners, noise_mm, fewer_than);
-    if (!chain || !(chain->distance_mm <= options.tolerance_mm)) continue;
-    if (runsFromPointToPoint(*chain, all)) best = std::move(chain);
+    std::vector<Eigen::Index> tried = {-1};
+    for (const double corner_deg : corner_angles_deg) {
+      const std::vector<Eigen::Index> corners =
+          pointCorners(points, {.closed = options.closed,
+                                .corner_rad = corner_deg * radians_per_degree,
+                                .error_mm = noise_mm});
+      if (corners == tried) continue;
+      tried = corners;
+      const int fewer_than = static_cast<int>(best ? best->arcs.size() : all.size());
+      auto chain = corners.empty() ? smoothChain(all, options.closed, noise_mm, fewer_than)
+                                   : chainWithCorners(sampled, corners, noise_mm, fewer_than);
+      if (!chain || !(chain->distance_mm <= options.tolerance_mm)) continue;
+      if (runsFromPointToPoint(*chain, all)) best = std::move(chain);
+    }
   }
   return best;
 }

@@ -150,13 +150,16 @@ CurveWithArcs arcsOf(const GivenCurve& given, const CurveTask& task) {
   return corners.empty() ? smoothArcs(given, task) : arcsBetween(given, corners, task);
 }
 
-/// The lines and arcs of which the points are samples; nothing if these are not fewer than so many.
+/// The lines and arcs of which the points are samples; nothing if the other ones are fewer, or as
+/// many and nearer.
 std::optional<CurveWithArcs> arcsSampledBy(const GivenCurve& given, double tolerance_mm,
-                                           std::size_t fewer_than) {
+                                           const ArcFit& other) {
   if (given.points.rows() == 0 || tolerance_mm == 0) return std::nullopt;
   const bool closed = given.record.closed;
   const auto sampled = sampledChain(given.points, {.closed = closed, .tolerance_mm = tolerance_mm});
-  if (!sampled || sampled->arcs.size() >= fewer_than) return std::nullopt;
+  if (!sampled || sampled->arcs.size() > other.arcs.size()) return std::nullopt;
+  if (sampled->arcs.size() == other.arcs.size() && sampled->distance_mm > other.distance_mm)
+    return std::nullopt;
   CurveWithArcs result{.curve = {.chain = chainOf(sampled->arcs, closed)}, .fit = {}};
   result.curve.figures = figuresFrom(figuresOf(result.curve.chain));
   result.fit = {.arcs = sampled->arcs, .corners = sampled->corners, .closed = closed};
@@ -164,12 +167,10 @@ std::optional<CurveWithArcs> arcsSampledBy(const GivenCurve& given, double toler
   return result;
 }
 
-}  // namespace
-
 MadeCurve madeArcs(const GivenCurve& given, const CurveTask& task) {
   MadeCurve made{.record = given.record};
   CurveWithArcs near = arcsOf(given, task);
-  if (auto sampled = arcsSampledBy(given, task.tolerance_mm, near.fit.arcs.size())) {
+  if (auto sampled = arcsSampledBy(given, task.tolerance_mm, near.fit)) {
     near = *std::move(sampled);
     made.record.notes.emplace_back(
         "the points are samples of these lines and arcs: the distance is that of the points");

@@ -139,6 +139,22 @@ TEST(SampledChain, CornersStay) {
         }
 }
 
+// Identity (1): chamfers of 45 degrees.
+TEST(SampledChain, SmallCornersStayIfThePiecesAreFewer) {
+  std::vector<OutlinePiece> plate;
+  for (int side = 0; side < 4; ++side) {
+    plate.push_back({pi / 4, 0, side % 2 == 0 ? 40.0 : 20.0});
+    plate.push_back({pi / 4, 0, 5});
+  }
+  const std::vector<PlanarArc> outline = outlineOf(plate, 0.2);
+  const PlanarPoints points = samplesOf(outline, {.steps = 25, .unit_mm = 1e-4, .first = 7});
+  const auto chain = sampledChain(points, {.closed = true, .tolerance_mm = 0.05});
+  ASSERT_TRUE(chain);
+  EXPECT_THAT(chain->arcs, SizeIs(8));
+  EXPECT_THAT(chain->corners, SizeIs(8));
+  for (const PlanarArc& side : chain->arcs) EXPECT_LT(distanceTo(outline, side.start), 1e-3);
+}
+
 // Identity (1): a corner between an arc and a line, and one between two arcs.
 TEST(SampledChain, ArcsMeetAtCorners) {
   // A half circle on a line, and two quarters of circles on a common chord.
