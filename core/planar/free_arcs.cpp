@@ -170,6 +170,21 @@ int freeArcEnd(const std::vector<Vector2d>& points, int first, int guess, double
   return reach;
 }
 
+/// The middle of the signed distances of points from a flat circle through another one. \param
+/// normal there, towards the centre: the side of the distances above 0.
+double middleOf(const std::vector<Vector2d>& points, const Vector2d& through,
+                const Vector2d& normal, double curvature_per_mm) {
+  double low_mm = infinite, high_mm = -infinite;
+  for (const Vector2d& point : points) {
+    const Vector2d away = point - through;
+    const double twice_mm = 2 * away.dot(normal) - curvature_per_mm * away.squaredNorm();
+    const double left_mm = twice_mm / (1 + std::sqrt(1 - curvature_per_mm * twice_mm));
+    low_mm = std::min(low_mm, left_mm);
+    high_mm = std::max(high_mm, left_mm);
+  }
+  return (low_mm + high_mm) / 2;
+}
+
 }  // namespace
 
 FourPointCircle circleOfFour(const FourPoints& points) {
@@ -215,17 +230,21 @@ ArcStart nearestCircle(const std::vector<Vector2d>& points, const Vector2d& besi
   const FourPointCircle circle =
       farFour({.points = points, .first = 0, .last = last}, ExchangeStops{}).circle;
   Vector2d normal = circle.normal;
-  double ahead_mm = 0, curvature_per_mm = 0;
+  double curvature_per_mm = 0;
   if (normal.isZero(0)) {
     curvature_per_mm = 1 / circle.radius_mm;
-    normal = (beside - circle.centre).normalized();
-    ahead_mm = (beside - circle.centre).norm() - circle.radius_mm;
-  } else {
-    ahead_mm = normal.dot(beside) - circle.radius_mm;
+    normal = (circle.centre - beside).normalized();
   }
-  const Vector2d tangent(-normal.y(), normal.x());
+  double farthest_mm = 0;
+  for (const Vector2d& point : points) farthest_mm = std::max(farthest_mm, (point - beside).norm());
+  // The centre of a flat circle is known to few digits.
+  constexpr double flat_rad = 0.1;
+  const double left_mm = farthest_mm * curvature_per_mm < flat_rad
+                             ? middleOf(points, beside, normal, curvature_per_mm)
+                             : (circle.centre - beside).norm() - circle.radius_mm;
+  const Vector2d tangent(normal.y(), -normal.x());
   const double turned = tangent.dot(chord) < 0 ? -1 : 1;
-  return {.point = beside - ahead_mm * normal,
+  return {.point = beside + left_mm * normal,
           .direction_rad = directionOf(turned * tangent),
           .curvature_per_mm = turned * curvature_per_mm};
 }

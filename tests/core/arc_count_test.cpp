@@ -67,6 +67,26 @@ TEST(FreeArcs, OfArcsAreNotMoreThanThese) {
   }
 }
 
+TEST(FreeArcs, TheNearestCircleOfARunThatIsNearlyStraightIsBesideIt) {
+  std::mt19937_64 random(testSeed());
+  for (int i = 0; i < 2000; ++i) {
+    const double curvature_per_mm = i % 4 == 0 ? 0 : std::pow(10, uniform(random, -12, -3));
+    const double noise_mm = std::pow(10, uniform(random, -12, -3));
+    const PlanarArc arc{.start = {uniform(random, -300, 300), uniform(random, -300, 300)},
+                        .direction_rad = uniform(random, -3, 3),
+                        .curvature_per_mm = curvature_per_mm,
+                        .length_mm = uniform(random, 1, 90)};
+    std::vector<Vector2d> points;
+    constexpr int last = 40;
+    for (int k = 0; k <= last; ++k)
+      points.push_back(arc.point(arc.length_mm * k / last) +
+                       noise_mm * Vector2d(uniform(random, -1, 1), uniform(random, -1, 1)));
+    const ArcStart found = nearestCircle(points, points[last / 2]);
+    EXPECT_LT((found.point - points[last / 2]).norm(), 4 * noise_mm + 1e-12)
+        << noise_mm << ' ' << curvature_per_mm;
+  }
+}
+
 TEST(ArcCount, OfAClothoidIsNearThatOfTheIdealChain) {
   for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
     const Clothoid clothoid = {
