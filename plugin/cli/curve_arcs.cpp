@@ -167,6 +167,8 @@ std::optional<CurveWithArcs> arcsSampledBy(const GivenCurve& given, double toler
   return result;
 }
 
+}  // namespace
+
 MadeCurve madeArcs(const GivenCurve& given, const CurveTask& task) {
   MadeCurve made{.record = given.record};
   CurveWithArcs near = arcsOf(given, task);
