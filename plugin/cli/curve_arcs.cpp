@@ -151,14 +151,14 @@ CurveWithArcs arcsOf(const GivenCurve& given, const CurveTask& task) {
 }
 
 /// The lines and arcs of which the points are samples; nothing if the other ones are fewer, or as
-/// many and nearer.
+/// many with as many lines.
 std::optional<CurveWithArcs> arcsSampledBy(const GivenCurve& given, double tolerance_mm,
                                            const ArcFit& other) {
   if (given.points.rows() == 0 || tolerance_mm == 0) return std::nullopt;
   const bool closed = given.record.closed;
   const auto sampled = sampledChain(given.points, {.closed = closed, .tolerance_mm = tolerance_mm});
   if (!sampled || sampled->arcs.size() > other.arcs.size()) return std::nullopt;
-  if (sampled->arcs.size() == other.arcs.size() && sampled->distance_mm > other.distance_mm)
+  if (sampled->arcs.size() == other.arcs.size() && linesIn(sampled->arcs) <= linesIn(other.arcs))
     return std::nullopt;
   CurveWithArcs result{.curve = {.chain = chainOf(sampled->arcs, closed)}, .fit = {}};
   result.curve.figures = figuresFrom(figuresOf(result.curve.chain));
