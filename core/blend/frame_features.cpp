@@ -136,19 +136,23 @@ std::vector<Run> runsOf(const Measured& frame, bool planar, const std::vector<Fe
 }
 
 /// The extremum, in the middle of the points between its neighbours that are as high or low.
-Feature extremumAt(const Measured& frame, const Run& run, const std::vector<std::size_t>& turns,
-                   std::size_t k, double flat_per_mm) {
+/// Nothing if these reach from jump to jump, which say where they are.
+std::optional<Feature> extremumAt(const Measured& frame, const Run& run,
+                                  const std::vector<std::size_t>& turns, std::size_t k,
+                                  double flat_per_mm) {
   const CurvaturePoint& top = run[turns[k]];
   const bool maximum = top.curvature_per_mm > run[turns[k - 1]].curvature_per_mm;
   Feature result{maximum ? FeatureKind::Maximum : FeatureKind::Minimum, top.place, top.share};
-  double first = top.share, last = top.share;
+  std::size_t first = turns[k], last = turns[k];
   for (std::size_t i = turns[k - 1] + 1; i < turns[k + 1]; ++i)
     if (std::abs(run[i].curvature_per_mm - top.curvature_per_mm) <= flat_per_mm) {
-      first = std::min(first, run[i].share);
-      last = std::max(last, run[i].share);
+      first = std::min(first, i);
+      last = std::max(last, i);
     }
-  if (first < last) {
-    result.share = 0.5 * (first + last);
+  const double from = run[first].share, to = run[last].share;
+  if (run[first - 1].share == from && run[last + 1].share == to) return std::nullopt;
+  if (from < to) {
+    result.share = 0.5 * (from + to);
     result.place = frame.placeAt(result.share);
   }
   return result;
@@ -199,7 +203,8 @@ Features featuresOf(const Measured& frame, bool planar, const FeatureOptions& op
     std::vector<std::size_t> turns = turningPoints(run);
     dropFaint(run, turns, prominence_per_mm);
     for (std::size_t k = 1; k + 1 < turns.size(); ++k)
-      result.all.push_back(extremumAt(frame, run, turns, k, flat * prominence_per_mm));
+      if (const auto extremum = extremumAt(frame, run, turns, k, flat * prominence_per_mm))
+        result.all.push_back(*extremum);
   }
   std::stable_sort(result.all.begin(), result.all.end(),
                    [](const Feature& a, const Feature& b) { return a.share < b.share; });

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -62,20 +63,47 @@ double apart(double share, double other) {
   return std::min(distance, 1 - distance);
 }
 
-/// The joint of a closed frame where it is as sharp as the first frame where that one starts, and
-/// nearest to it. \param share the nearest place of all.
-std::optional<Place> sharpStart(const Features& features, FeatureKind kind,
+/// The joints of a closed frame that are as sharp as the one where it starts.
+struct SharpJoints {
+  std::optional<FeatureKind> kind;
+  std::vector<Feature> all;
+  Poles points;  ///< about their mean
+};
+
+/// \param kind nothing: that of the joint where the frame starts.
+SharpJoints sharpJoints(const Measured& frame, const Features& features,
+                        std::optional<FeatureKind> kind) {
+  SharpJoints result{kind ? kind : features.closing, {}, {}};
+  if (!result.kind) return result;
+  if (features.closing == result.kind) result.all.push_back({*result.kind, {0, 0}, 0});
+  for (const Feature& feature : features.all)
+    if (feature.kind == result.kind) result.all.push_back(feature);
+  if (result.all.empty()) return result;
+  result.points.resize(static_cast<Eigen::Index>(result.all.size()), 3);
+  for (std::size_t i = 0; i < result.all.size(); ++i)
+    result.points.row(static_cast<Eigen::Index>(i)) = frame.point(result.all[i].place).transpose();
+  result.points = (result.points.rowwise() - result.points.colwise().mean()).eval();
+  return result;
+}
+
+/// The sharp joint to start from: the best one by the distances of sharp joints if there are
+/// equally many, otherwise by those of samples. \param share the best place of all.
+std::optional<Place> sharpStart(const SharpJoints& first, const SharpJoints& joints,
                                 const Eigen::VectorXd& costs, double share, double reach,
                                 double equal) {
-  std::vector<Feature> candidates;
-  if (features.closing == kind) candidates.push_back({kind, {0, 0}, 0});
-  for (const Feature& feature : features.all)
-    if (feature.kind == kind) candidates.push_back(feature);
+  const bool paired = first.all.size() == joints.all.size();
+  Eigen::VectorXd of_joints;
+  if (paired) {
+    of_joints = shiftCosts(first.points, joints.points);
+    equal = equal_cost * (first.points.squaredNorm() + joints.points.squaredNorm());
+  }
   std::optional<Place> best;
   double best_cost = infinite;
-  for (const Feature& candidate : candidates) {
-    if (apart(candidate.share, share) > reach) continue;
-    const double cost = costAt(costs, candidate.share);
+  for (std::size_t i = 0; i < joints.all.size(); ++i) {
+    const Feature& candidate = joints.all[i];
+    if (!paired && apart(candidate.share, share) > reach) continue;
+    const double cost =
+        paired ? of_joints(static_cast<Eigen::Index>(i)) : costAt(costs, candidate.share);
     if (!(cost < best_cost - equal)) continue;
     best = candidate.place;
     best_cost = cost;
@@ -91,11 +119,31 @@ Place startPlace(const Measured& frame, double share, double near_share) {
   return apart(frame.share(best), share) <= near_share ? Place{best, 0} : frame.placeAt(share);
 }
 
+/// Which way a closed frame goes round: twice its vector area.
+Eigen::Vector3d roundOf(const Poles& points) {
+  Eigen::Vector3d result = Eigen::Vector3d::Zero();
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+    result += points.row(i).transpose().cross(points.row((i + 1) % points.rows()).transpose());
+  return result;
+}
+
+/// Whether closed frames go round the same way; nothing if they have no areas to compare.
+std::optional<bool> goAlike(const Poles& first, const Poles& frame) {
+  const Eigen::Vector3d a = roundOf(first), b = roundOf(frame);
+  // A choice: figures of eight, and planes that are turned by more than 84 degrees, say nothing.
+  constexpr double least_area = 1e-4, least_cosine = 0.1;
+  if (!(a.norm() > least_area * first.squaredNorm()) ||
+      !(b.norm() > least_area * frame.squaredNorm()) ||
+      !(std::abs(a.dot(b)) > least_cosine * a.norm() * b.norm()))
+    return std::nullopt;
+  return a.dot(b) > 0;
+}
+
 /// What the other frames are compared with.
 struct FirstFrame {
   Poles points;
-  std::optional<FeatureKind> start;  ///< what its start is, if it is closed and starts are found
-  bool flat = false;                 ///< all frames are
+  SharpJoints sharp;  ///< none if its start is smooth, or starts are not found
+  bool flat = false;  ///< all frames are
 };
 
 struct Turned {
@@ -113,7 +161,7 @@ class Turner {
     const Measured first = measured(frames[0], 0);
     first_.points = samples(first, sample_count);
     first_.flat = areFlat(frames);
-    if (finds_start_) first_.start = features(first).closing;
+    if (finds_start_) first_.sharp = sharpJoints(first, features(first), std::nullopt);
   }
 
   Turned operator()(const BezierSpline& frame, std::size_t index) const {
@@ -127,6 +175,8 @@ class Turner {
           finds_start_ ? shiftCosts(first_.points, points)
                        : Eigen::VectorXd::Constant(1, (first_.points - points).squaredNorm());
       const double equal = equal_cost * (first_.points.squaredNorm() + points.squaredNorm());
+      if (frame.closed && options_.find_direction && !goAlike(first_.points, points).value_or(true))
+        continue;
       if (!(costs.minCoeff() < best_cost - equal)) continue;
       best_cost = costs.minCoeff();
       best = {candidate.spline(), reversed, 0};
@@ -148,10 +198,12 @@ class Turner {
     while (!(costs(at) <= costs.minCoeff() + equal)) ++at;
     const double steps = static_cast<double>(at) + refinedShift(costs, at) + sample_count;
     const double share = steps / sample_count - std::floor(steps / sample_count);
-    if (first_.start)
-      if (const std::optional<Place> sharp =
-              sharpStart(features(frame), *first_.start, costs, share, options_.reach, equal))
-        return *sharp;
+    if (first_.sharp.kind) {
+      const SharpJoints sharp = sharpJoints(frame, features(frame), first_.sharp.kind);
+      if (const std::optional<Place> place =
+              sharpStart(first_.sharp, sharp, costs, share, options_.reach, equal))
+        return *place;
+    }
     return startPlace(frame, share, near_share_);
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <fmt/format.h>
 
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -177,19 +178,31 @@ Eigen::Vector3d tangentAt(const BezierSpline& spline, const Place& place) {
   return first.stableNorm() > 0 ? first.stableNormalized() : Eigen::Vector3d::Zero();
 }
 
-/// How much the tangents at corresponding places of neighbouring frames differ: the mean square of
-/// the difference. It does not depend on where the frames are and how large they are.
+/// The least sum of squared differences of unit vectors and others that are turned alike, by the
+/// singular values of the sum of their products.
+double leastDifference(const Poles& a, const Poles& b) {
+  const Eigen::Matrix3d products = a.transpose() * b;
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(products);
+  const Eigen::Vector3d values = svd.singularValues();
+  const double last = products.determinant() < 0 ? -values(2) : values(2);
+  return a.squaredNorm() + b.squaredNorm() - 2 * (values(0) + values(1) + last);
+}
+
+/// How much the tangents at corresponding places of neighbouring frames differ, if the frames are
+/// turned such that they differ least: the mean square of the difference.
 double turnOf(const std::vector<Measured>& frames, const std::vector<Anchor>& anchors) {
   constexpr int count = 256;  // dense enough for outlines of a few dozen features
   const Scale scale = scaleOf(anchors, frames.size());
   double sum = 0;
-  for (int i = 0; i < count; ++i) {
-    std::vector<Eigen::Vector3d> tangents;
-    for (std::size_t f = 0; f < frames.size(); ++f) {
+  Poles before;
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    Poles tangents(count, 3);
+    for (int i = 0; i < count; ++i) {
       const double share = mapped((i + 0.5) / count, scale.common, scale.of_frame[f]);
-      tangents.push_back(tangentAt(frames[f].spline(), frames[f].placeAt(share, 1e-4)));
-      if (f > 0) sum += (tangents[f] - tangents[f - 1]).squaredNorm();
+      tangents.row(i) = tangentAt(frames[f].spline(), frames[f].placeAt(share, 1e-4)).transpose();
     }
+    if (f > 0) sum += leastDifference(before, tangents);
+    before = std::move(tangents);
   }
   return sum / count;
 }

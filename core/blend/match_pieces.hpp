@@ -24,10 +24,11 @@ struct MatchOptions {
   /// frames the first of them is the start.
   std::vector<std::vector<double>> given = {};
   /// Closed frames start where they are nearest to the first frame, about their centroids (not for
-  /// MatchBy::Given). If that one starts at a corner, or at a jump of the curvature, they do: at
-  /// the best one within the reach.
+  /// MatchBy::Given). If that one starts at a corner, or at a jump of the curvature, they do: if
+  /// there are equally many, where the sum of their squared distances is least.
   bool find_start = false;
-  /// Frames run in the direction in which they are nearer to the first frame.
+  /// Frames run in the direction in which they are nearer to the first frame; closed ones in that
+  /// in which they go round as it does, unless they lie in planes across or are figures of eight.
   bool find_direction = false;
   /// MatchBy::Features: joints whose tangents turn by more are corners.
   double corner_rad = 10 * radians_per_degree;
@@ -92,11 +93,11 @@ struct MatchedFrames {
 /// arc, is in its middle. They are matched in order, and only of one kind, such that the sum of
 /// costs is least: displacement by reach for a pair, 1/2 for each extremum that is left alone, 1
 /// for a jump, 2 for a corner. Equal shares of the length correspond instead if the tangents of
-/// neighbouring frames then differ less, in the mean square. \throws std::invalid_argument for
-/// fewer than two frames, a frame that requireValid() refuses (with its index), open and closed
-/// frames together, a piece without length (with frame and piece), and options out of range:
-/// closeness, reach and prominence 0 to 1/2, counts, order and range of given parameters. Source:
-/// docs/theory/curves.md C12.1, C12.2.
+/// neighbouring frames, turned to fit, then differ less in the mean square. \throws
+/// std::invalid_argument for fewer than two frames, a frame that requireValid() refuses (with its
+/// index), open and closed frames together, a piece without length (with frame and piece), and
+/// options out of range: closeness, reach and prominence 0 to 1/2, counts, order and range of given
+/// parameters. Source: docs/theory/curves.md C12.1, C12.2.
 MatchedFrames matchPieces(const std::vector<BezierSpline>& frames,
                           const MatchOptions& options = {});
 
