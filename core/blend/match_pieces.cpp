@@ -141,7 +141,10 @@ std::vector<Anchor> featureAnchors(const std::vector<Measured>& frames, const Ma
       anchor.places.push_back(feature.place);
       anchor.shares.push_back(feature.share);
     }
-    insert(anchor, options.closeness, result);
+    // Joints that exist may be close together, as the corners of a blunt end.
+    const bool exists = std::all_of(anchor.places.begin(), anchor.places.end(),
+                                    [](const Place& place) { return place.t == 0; });
+    insert(anchor, exists ? same_place : options.closeness, result);
   }
   return result;
 }

@@ -73,7 +73,7 @@ std::size_t bestShift(const Corners& first, const Corners& second) {
 
 TEST(FrameStarts, RectanglesStartAtCornersThatCorrespond) {
   std::mt19937_64 random(testSeed());
-  for (int run = 0; run < 60; ++run) {
+  for (int run = 0; run < 24; ++run) {
     const Corners first = rectangle(20, 10, 0);
     Corners second =
         rotated(rectangle(drawn(12, 24, random), drawn(5, 10, random), 30), drawn(-1, 1, random));
@@ -225,6 +225,18 @@ TEST(FrameStarts, LinesOfSlotsCorrespondToLines) {
     EXPECT_LT((matched.frames[0].poles - a.poles).norm(), 1e-9);
     EXPECT_LT((matched.frames[1].poles - b.poles).norm(), 1e-9);
   }
+}
+
+TEST(FrameStarts, BothCornersOfABluntEndCorrespond) {
+  // The ends are 0.2 and 1 % of the length.
+  const Corners thin{{100, 0.2, 0}, {0, 5, 0}, {0, -5, 0}, {100, -0.2, 0}},
+      thick{{90, 1, 20}, {0, 12, 20}, {0, -12, 20}, {90, -1, 20}};
+  const MatchedFrames matched =
+      matchPieces({polygonFrame(thin), polygonFrame(thick)},
+                  {.by = MatchBy::Features, .find_start = true, .find_direction = true});
+  EXPECT_EQ(matched.summary.pieces_after, 4);
+  EXPECT_EQ(matched.frames[0].poles, polygonFrame(thin).poles);
+  EXPECT_EQ(matched.frames[1].poles, polygonFrame(thick).poles);
 }
 
 TEST(FrameStarts, LengthsCorrespondWhereFeaturesMislead) {

@@ -202,7 +202,7 @@ def test_a_polygon_of_many_corners_is_named(tmp_path):
     assert run("curve", "arcs", low, "--tolerance", 0.05, "-o", arcs).returncode == 0
     result, report, _ = blend(tmp_path, arcs, arcs, options=["--frames", 2])
     orders = {joint["order"] for frame in report["frames"] for joint in frame["joints"]}
-    assert 0 not in orders and "polygon" not in result.stdout
+    assert 0 not in orders and "a polygon with" not in result.stdout
 
 
 def test_between_two_curves_has_no_effect(tmp_path):
