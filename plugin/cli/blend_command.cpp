@@ -251,10 +251,10 @@ void noteKeyCurves(const KeyCurves& input, const BlendArguments& arguments, Blen
   for (const KeyCurve& key : input.curves) {
     const std::string name = keyName(key, arguments);
     if (const std::size_t count = key.corners.size(); count > 0)
-      report.notes.push_back(
-          fmt::format("{}: {} point{} (number {}), and joint{} of G0 in all frames", name, count,
-                      count == 1 ? " is a corner" : "s are corners", fmt::join(key.corners, ", "),
-                      count == 1 ? "" : "s"));
+      report.notes.push_back(fmt::format(
+          "{}: {} (number {}), and {} of G0 in all frames", name,
+          count == 1 ? "1 point is a corner" : fmt::format("{} points are corners", count),
+          fmt::join(key.corners, ", "), count == 1 ? "a joint" : "joints"));
     if (const int corners = polygonCorners(key.curve); corners >= many_corners)
       report.notes.push_back(fmt::format(
           "{0}: a polygon with {1} corners, all of which stay in all frames. If it samples a "
