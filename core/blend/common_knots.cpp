@@ -277,7 +277,7 @@ CommonKnots commonKnots(const std::vector<BezierSpline>& frames,
                        options.tolerance_mm));
   CommonKnots result;
   const match::Correspondence correspondence =
-      match::corresponding(frames, options.match, result.summary);
+      match::corresponding(frames, options.match, match::same_place, result.summary);
   match::requireMeasurable(correspondence, options.tolerance_mm);
   const std::vector<match::Course> courses = match::coursesOf(correspondence);
   const std::size_t count = courses.size();

@@ -20,9 +20,18 @@ struct Correspondence {
   std::vector<Anchor> anchors;   ///< increasing
 };
 
+/// A share of the length by which starts and extrema are moved to joints in any case, so that no
+/// joint has to be that near to another. A turn of a circle by it moves no circle between by a
+/// billionth of the radius.
+constexpr double same_place = 1e-5;
+
+/// \param near_share places within that share of the length of a joint are at the joint.
 /// \throws as matchPieces().
 Correspondence corresponding(const std::vector<BezierSpline>& frames, const MatchOptions& options,
-                             MatchSummary& summary);
+                             double near_share, MatchSummary& summary);
+
+/// \throws FrameFault for a piece without length, with the index of the frame.
+Measured measured(const BezierSpline& frame, std::size_t index);
 
 /// The common places of anchors, with those of both ends, and in each frame.
 struct Scale {

@@ -14,9 +14,20 @@ namespace seamwright::match {
 namespace {
 
 /// What it costs to leave a feature alone, in units of the reach. Two other features at the limit
-/// of the reach cost as much as to leave both; corners are matched in preference to extrema.
+/// of the reach cost as much as to leave both; corners are matched in preference to jumps of the
+/// curvature, and these to extrema.
 double aloneCost(const Feature& feature) {
-  return feature.kind == FeatureKind::Corner ? 2 : 0.5;
+  switch (feature.kind) {
+    case FeatureKind::Corner:
+      return 2;
+    case FeatureKind::Rise:
+    case FeatureKind::Fall:
+      return 1;
+    case FeatureKind::Maximum:
+    case FeatureKind::Minimum:
+      break;
+  }
+  return 0.5;
 }
 
 double pairCost(const Feature& a, const Feature& b, double reach) {
@@ -25,12 +36,15 @@ double pairCost(const Feature& a, const Feature& b, double reach) {
   return moved == 0 ? 0 : moved / reach;
 }
 
-void addCorners(const Measured& frame, double corner_rad, std::vector<Feature>& all) {
+void addCorners(const Measured& frame, double corner_rad, Features& result) {
   const std::vector<CurveJoint> joints = measureJoints(frame.spline(), 1);
+  const auto isCorner = [&](const CurveJoint& joint) {
+    return joint.angle_rad && *joint.angle_rad > corner_rad;
+  };
   for (int i = 1; i < frame.spline().segments(); ++i)
-    if (const auto& angle = joints[static_cast<std::size_t>(i) - 1].angle_rad;
-        angle && *angle > corner_rad)
-      all.push_back({FeatureKind::Corner, {i, 0}, frame.share(i)});
+    if (isCorner(joints[static_cast<std::size_t>(i) - 1]))
+      result.all.push_back({FeatureKind::Corner, {i, 0}, frame.share(i)});
+  if (frame.spline().closed && isCorner(joints.back())) result.closing = FeatureKind::Corner;
 }
 
 /// The curvature at a place of a run between corners.
@@ -63,28 +77,31 @@ std::vector<CurvaturePoint> pointsOf(const Measured& frame, int i, bool planar) 
   return points;
 }
 
-/// The ends of a run and its local extrema.
-std::vector<CurvaturePoint> turningPoints(const std::vector<CurvaturePoint>& run) {
-  std::vector<CurvaturePoint> result;
-  for (const CurvaturePoint& point : run) {
+using Run = std::vector<CurvaturePoint>;
+
+/// The ends of a run and its local extrema, as indices.
+std::vector<std::size_t> turningPoints(const Run& run) {
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < run.size(); ++i) {
     const std::size_t n = result.size();
-    const double rise = n > 0 ? point.curvature_per_mm - result[n - 1].curvature_per_mm : 1;
+    const auto curvature = [&](std::size_t k) { return run[result[k]].curvature_per_mm; };
+    const double rise = n > 0 ? run[i].curvature_per_mm - curvature(n - 1) : 1;
     if (rise == 0) continue;
-    const bool goes_on =
-        n > 1 && (result[n - 1].curvature_per_mm > result[n - 2].curvature_per_mm) == (rise > 0);
+    const bool goes_on = n > 1 && (curvature(n - 1) > curvature(n - 2)) == (rise > 0);
     if (goes_on) result.pop_back();
-    result.push_back(point);
+    result.push_back(i);
   }
   return result;
 }
 
 /// Leaves out extrema that differ from a neighbour by less than that, the least prominent first.
-void dropFaint(std::vector<CurvaturePoint>& turns, double prominence_per_mm) {
+void dropFaint(const Run& run, std::vector<std::size_t>& turns, double prominence_per_mm) {
   while (turns.size() > 2) {
     std::size_t at = 1;
     double least = infinite;
     for (std::size_t k = 1; k < turns.size(); ++k)
-      if (const double step = std::abs(turns[k].curvature_per_mm - turns[k - 1].curvature_per_mm);
+      if (const double step =
+              std::abs(run[turns[k]].curvature_per_mm - run[turns[k - 1]].curvature_per_mm);
           step < least) {
         least = step;
         at = k;
@@ -100,10 +117,9 @@ void dropFaint(std::vector<CurvaturePoint>& turns, double prominence_per_mm) {
 }
 
 /// The curvature along the runs between corners. Pieces of unknown curvature have none.
-std::vector<std::vector<CurvaturePoint>> runsOf(const Measured& frame, bool planar,
-                                                const std::vector<Feature>& corners,
-                                                int& unknown_pieces) {
-  std::vector<std::vector<CurvaturePoint>> runs(1);
+std::vector<Run> runsOf(const Measured& frame, bool planar, const std::vector<Feature>& corners,
+                        int& unknown_pieces) {
+  std::vector<Run> runs(1);
   for (int i = 0; i < frame.spline().segments(); ++i) {
     const bool corner = std::any_of(corners.begin(), corners.end(), [&](const Feature& feature) {
       return feature.place.piece == i;
@@ -119,27 +135,76 @@ std::vector<std::vector<CurvaturePoint>> runsOf(const Measured& frame, bool plan
   return runs;
 }
 
+/// The extremum, in the middle of the points between its neighbours that are as high or low.
+/// Nothing if these reach from jump to jump, which say where they are.
+std::optional<Feature> extremumAt(const Measured& frame, const Run& run,
+                                  const std::vector<std::size_t>& turns, std::size_t k,
+                                  double flat_per_mm) {
+  const CurvaturePoint& top = run[turns[k]];
+  const bool maximum = top.curvature_per_mm > run[turns[k - 1]].curvature_per_mm;
+  Feature result{maximum ? FeatureKind::Maximum : FeatureKind::Minimum, top.place, top.share};
+  std::size_t first = turns[k], last = turns[k];
+  for (std::size_t i = turns[k - 1] + 1; i < turns[k + 1]; ++i)
+    if (std::abs(run[i].curvature_per_mm - top.curvature_per_mm) <= flat_per_mm) {
+      first = std::min(first, i);
+      last = std::max(last, i);
+    }
+  const double from = run[first].share, to = run[last].share;
+  if (run[first - 1].share == from && run[last + 1].share == to) return std::nullopt;
+  if (from < to) {
+    result.share = 0.5 * (from + to);
+    result.place = frame.placeAt(result.share);
+  }
+  return result;
+}
+
+/// What the curvature does from one point to the next, if it jumps.
+std::optional<FeatureKind> jumpBetween(const CurvaturePoint& before, const CurvaturePoint& after,
+                                       double least_per_mm) {
+  const double rise = after.curvature_per_mm - before.curvature_per_mm;
+  if (!(least_per_mm > 0) || !(std::abs(rise) >= least_per_mm)) return std::nullopt;
+  return rise > 0 ? FeatureKind::Rise : FeatureKind::Fall;
+}
+
+/// Joints between corners at which the curvature jumps by as much as extrema stand out.
+void addJumps(const Measured& frame, const std::vector<Run>& runs, double least_per_mm,
+              Features& result) {
+  for (const Run& run : runs)
+    for (std::size_t i = 1; i < run.size(); ++i) {
+      const Place &before = run[i - 1].place, &after = run[i].place;
+      if (before.piece != after.piece || before.t != 0 || after.t != 0) continue;
+      if (const auto jump = jumpBetween(run[i - 1], run[i], least_per_mm))
+        result.all.push_back({*jump, after, run[i].share});
+    }
+  if (!frame.spline().closed || result.closing || runs.front().empty() || runs.back().empty())
+    return;
+  const CurvaturePoint &end = runs.back().back(), &start = runs.front().front();
+  if (end.place.piece == frame.spline().segments() && start.place.piece == 0)
+    result.closing = jumpBetween(end, start, least_per_mm);
+}
+
 }  // namespace
 
 Features featuresOf(const Measured& frame, bool planar, const FeatureOptions& options) {
   Features result;
-  addCorners(frame, options.corner_rad, result.all);
-  std::vector<std::vector<CurvaturePoint>> runs =
-      runsOf(frame, planar, result.all, result.unknown_pieces);
+  addCorners(frame, options.corner_rad, result);
+  const std::vector<Run> runs = runsOf(frame, planar, result.all, result.unknown_pieces);
   double least = infinite, most = -infinite;
-  for (const std::vector<CurvaturePoint>& run : runs)
+  for (const Run& run : runs)
     for (const CurvaturePoint& point : run) {
       least = std::min(least, point.curvature_per_mm);
       most = std::max(most, point.curvature_per_mm);
     }
-  for (const std::vector<CurvaturePoint>& run : runs) {
-    std::vector<CurvaturePoint> turns = turningPoints(run);
-    dropFaint(turns, options.prominence * (most - least));
+  const double prominence_per_mm = options.prominence * (most - least);
+  addJumps(frame, runs, prominence_per_mm, result);
+  // Above what a spline through points of an arc waves, below what moves the vertex of a nose.
+  constexpr double flat = 0.25;
+  for (const Run& run : runs) {
+    std::vector<std::size_t> turns = turningPoints(run);
+    dropFaint(run, turns, prominence_per_mm);
     for (std::size_t k = 1; k + 1 < turns.size(); ++k)
-      result.all.push_back({turns[k].curvature_per_mm > turns[k - 1].curvature_per_mm
-                                ? FeatureKind::Maximum
-                                : FeatureKind::Minimum,
-                            turns[k].place, turns[k].share});
+      if (const auto extremum = extremumAt(frame, run, turns, k, flat * prominence_per_mm))
+        result.all.push_back(*extremum);
   }
   std::stable_sort(result.all.begin(), result.all.end(),
                    [](const Feature& a, const Feature& b) { return a.share < b.share; });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -10,7 +11,8 @@
 /// Features of a frame and their matching; not a public header.
 namespace seamwright::match {
 
-enum class FeatureKind { Corner, Maximum, Minimum };
+/// Rise and Fall are joints at which the curvature jumps.
+enum class FeatureKind { Corner, Rise, Fall, Maximum, Minimum };
 
 struct Feature {
   FeatureKind kind = FeatureKind::Corner;
@@ -19,17 +21,20 @@ struct Feature {
 };
 
 struct Features {
-  std::vector<Feature> all;  ///< by their place
+  std::vector<Feature> all;            ///< by their place
+  std::optional<FeatureKind> closing;  ///< what the joint that closes a frame is
   int unknown_pieces = 0;
 };
 
 struct FeatureOptions {
   double corner_rad = 0;  ///< joints that turn by more are corners
-  double prominence = 0;  ///< share of the range of the curvature by which extrema stand out
+  double prominence = 0;  ///< share of the range of the curvature by which extrema stand out,
+                          ///< and by which jumps are jumps
 };
 
-/// Corners, and the extrema of the curvature between them, in pieces and at joints.
-/// \param planar take the signed curvature. \pre then the frame lies in z = 0.
+/// Corners, and between them the jumps and the extrema of the curvature, in pieces and at joints.
+/// An extremum that is a plateau, as the curvature of an arc, is in the middle of it. \param planar
+/// take the signed curvature. \pre then the frame lies in z = 0.
 Features featuresOf(const Measured& frame, bool planar, const FeatureOptions& options);
 
 /// Pairs of indices in order that cost least. Source: docs/theory/curves.md C12.2.

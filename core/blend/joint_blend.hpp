@@ -84,7 +84,11 @@ class JointPath;
 ///
 /// Identities (each has a test of its number):
 ///   (1) omega = 0 and 1: the key frames, raised, bitwise.
-///   (2) The joint has the order and the betas of the result; defects are rounding.
+///   (2) The joint has the order and the betas of the result; defects are rounding. Measured for
+///       2000 random frames of each n: at most 1e-11 for n <= 2, and for 99.7, 98.8, 89 and 82 % of
+///       those with n = 3 to 6. None of the others exceeds a quarter of what a change of each pole
+///       beside the joint by 2^-52 of the largest coordinate makes, so poles of doubles can't
+///       promise less: a derivative of order k is a k-th difference of poles.
 ///   (3) Frames with equal betas: linear blending.
 ///   (4) n = 1: only the pole at the joint differs from linear blending, P_0 = (m beta_1 P_(-1) +
 ///       m' P_1) / (m' + m beta_1).

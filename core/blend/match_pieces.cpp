@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <fmt/format.h>
 
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -10,6 +11,7 @@
 #include <seamwright/core/blend/frame_fault.hpp>
 #include <seamwright/core/blend/frame_features.hpp>
 #include <seamwright/core/blend/frame_form.hpp>
+#include <seamwright/core/blend/frame_starts.hpp>
 #include <seamwright/core/blend/match_pieces.hpp>
 #include <seamwright/core/blend/spline_places.hpp>
 #include <seamwright/core/numeric.hpp>
@@ -78,138 +80,41 @@ void requireOptions(const Splines& frames, const MatchOptions& options) {
     refuse("given parameters are for MatchBy::Given only");
 }
 
-Measured measured(const BezierSpline& frame, std::size_t index) {
-  return naming(index, [&] { return Measured(frame); });
-}
-
-/// Points at equal shares of the length, about their mean. They are only compared, so that a
-/// thousandth of a piece is precise enough.
-Poles samples(const Measured& frame, int count) {
-  const bool closed = frame.spline().closed;
-  Poles result(count, 3);
-  for (int i = 0; i < count; ++i)
-    result.row(i) =
-        frame.point(frame.placeAt(static_cast<double>(i) / (closed ? count : count - 1), 1e-3));
-  return result.rowwise() - result.colwise().mean();
-}
-
-/// Mean square distances of a frame from the first, for every shift by one sample.
-Eigen::VectorXd shiftCosts(const Poles& first, const Poles& frame) {
-  const Eigen::Index count = first.rows();
-  Eigen::VectorXd result(count);
-  for (Eigen::Index shift = 0; shift < count; ++shift)
-    result(shift) = (first.topRows(count - shift) - frame.bottomRows(count - shift)).squaredNorm() +
-                    (first.bottomRows(shift) - frame.topRows(shift)).squaredNorm();
-  return result;
-}
-
-/// The minimum of the parabola through three neighbours, in steps from the middle one.
-double refinedShift(const Eigen::VectorXd& costs, Eigen::Index at) {
-  const Eigen::Index count = costs.size();
-  const double before = costs((at + count - 1) % count), after = costs((at + 1) % count);
-  const double bend = before - 2 * costs(at) + after;
-  return bend > 0 ? std::clamp(0.5 * (before - after) / bend, -0.5, 0.5) : 0;
-}
-
-/// Samples of a curve: enough for outlines of a few dozen features; a start is found to about a
-/// hundredth of their distance, and may be given where that is too coarse.
-constexpr int sample_count = 128;
-
-struct Turned {
-  BezierSpline frame;
-  bool reversed = false;
-  double start = 0;
-};
-
-/// The place to start from: a joint, where one is within the closeness, or half a sample.
-Place startPlace(const Measured& frame, double share, double closeness) {
-  const double near = std::max(closeness, 0.5 / sample_count);
-  int best = 0;
-  double best_distance = infinite;
-  for (int i = 0; i < frame.spline().segments(); ++i) {
-    const double apart = std::abs(frame.share(i) - share), distance = std::min(apart, 1 - apart);
-    if (distance < best_distance) {
-      best = i;
-      best_distance = distance;
-    }
-  }
-  return best_distance <= near ? Place{best, 0} : frame.placeAt(share);
-}
-
-Turned turnedLike(const Poles& first, const BezierSpline& frame, std::size_t index,
-                  const MatchOptions& options) {
-  double best_cost = infinite;
-  Turned best{frame};
-  for (const bool reversed : {false, true}) {
-    if (reversed && !options.find_direction) continue;
-    const Measured candidate = measured(reversed ? runBackwards(frame) : frame, index);
-    const Poles points = samples(candidate, sample_count);
-    const bool shifts = frame.closed && options.find_start;
-    const Eigen::VectorXd costs =
-        shifts ? shiftCosts(first, points)
-               : Eigen::VectorXd::Constant(1, (first - points).squaredNorm());
-    Eigen::Index at = 0;
-    const double cost = costs.minCoeff(&at);
-    if (!(cost < best_cost)) continue;
-    best_cost = cost;
-    best = {candidate.spline(), reversed, 0};
-    if (!shifts) continue;
-    const double share =
-        (static_cast<double>(at) + refinedShift(costs, at) + sample_count) / sample_count;
-    const Place place = startPlace(candidate, share - std::floor(share), options.closeness);
-    best.frame = startingAt(candidate.spline(), place);
-    best.start = candidate.shareAt(place);
-  }
-  return best;
-}
-
-/// The frames in their directions, from their starts.
-Splines turned(const Splines& frames, const MatchOptions& options, MatchSummary& summary) {
-  Splines result = frames;
-  summary.reversed.assign(frames.size(), false);
-  summary.start.assign(frames.size(), 0);
-  if (options.by == MatchBy::Given && frames[0].closed && !options.given[0].empty())
-    for (std::size_t f = 0; f < frames.size(); ++f) {
-      const Measured frame = measured(frames[f], f);
-      const Place place = frame.placeOf(options.given[f][0]);
-      summary.start[f] = frame.shareAt(place);
-      result[f] = startingAt(frames[f], place);
-    }
-  if (!options.find_direction && !(options.find_start && frames[0].closed)) return result;
-  const Poles first = samples(measured(frames[0], 0), sample_count);
-  for (std::size_t f = 1; f < frames.size(); ++f) {
-    Turned best = turnedLike(first, frames[f], f, options);
-    result[f] = std::move(best.frame);
-    summary.reversed[f] = best.reversed;
-    summary.start[f] = best.start;
-  }
-  return result;
-}
-
-/// A feature beside a joint is at the joint.
-Feature snapped(const Measured& frame, Feature feature, double closeness) {
+/// A feature beside a joint is at the nearest one.
+Feature snapped(const Measured& frame, Feature feature, double near_share) {
+  if (feature.place.t == 0) return feature;
+  const double share = feature.share;
   for (int i = 1; i < frame.spline().segments(); ++i)
-    if (std::abs(frame.share(i) - feature.share) <= closeness) {
+    if (const double apart = std::abs(frame.share(i) - share);
+        apart <= near_share && (feature.place.t > 0 || apart < std::abs(feature.share - share))) {
       feature.place = {i, 0};
       feature.share = frame.share(i);
     }
   return feature;
 }
 
-/// Whether an anchor lies inside, and after the one before, in all frames.
-bool follows(const Anchor& anchor, const std::vector<Anchor>& before, double closeness) {
+/// Whether an anchor lies between two others, or ends, in all frames.
+bool isBetween(const Anchor& anchor, const Anchor* before, const Anchor* after, double closeness) {
   for (std::size_t f = 0; f < anchor.shares.size(); ++f) {
-    const double last = before.empty() ? 0 : before.back().shares[f];
-    if (!(anchor.shares[f] > last + closeness) || !(anchor.shares[f] < 1 - closeness)) return false;
+    const double last = before ? before->shares[f] : 0, next = after ? after->shares[f] : 1;
+    if (!(anchor.shares[f] > last + closeness) || !(anchor.shares[f] < next - closeness))
+      return false;
   }
   return true;
 }
 
+/// Adds an anchor where it belongs, unless others leave no room.
+void insert(const Anchor& anchor, double closeness, std::vector<Anchor>& all) {
+  const auto after = std::find_if(all.begin(), all.end(), [&](const Anchor& other) {
+    return other.shares[0] > anchor.shares[0];
+  });
+  if (isBetween(anchor, after == all.begin() ? nullptr : &*(after - 1),
+                after == all.end() ? nullptr : &*after, closeness))
+    all.insert(after, anchor);
+}
+
 std::vector<Anchor> featureAnchors(const std::vector<Measured>& frames, const MatchOptions& options,
-                                   MatchSummary& summary) {
-  bool planar = true;
-  for (const Measured& frame : frames)
-    planar = planar && (frame.spline().poles.col(2).array() == 0).all();
+                                   double near_share, bool planar, MatchSummary& summary) {
   std::vector<std::vector<Feature>> all;
   for (const Measured& frame : frames) {
     Features features = featuresOf(frame, planar, {options.corner_rad, options.prominence});
@@ -222,16 +127,24 @@ std::vector<Anchor> featureAnchors(const std::vector<Measured>& frames, const Ma
   for (std::size_t i = 0; i < partners.size(); ++i) partners[i][0] = static_cast<int>(i);
   for (std::size_t f = 1; f < frames.size(); ++f)
     for (const auto& [i, j] : matchedFeatures(all[0], all[f], options.reach)) partners[i][f] = j;
+  // Corners first: an extremum beside one leaves it no room.
+  std::stable_sort(partners.begin(), partners.end(),
+                   [&](const std::vector<int>& a, const std::vector<int>& b) {
+                     return all[0][a[0]].kind < all[0][b[0]].kind;
+                   });
   std::vector<Anchor> result;
   for (const std::vector<int>& partner : partners) {
     if (std::find(partner.begin(), partner.end(), -1) != partner.end()) continue;
     Anchor anchor;
     for (std::size_t f = 0; f < frames.size(); ++f) {
-      const Feature feature = snapped(frames[f], all[f][partner[f]], options.closeness);
+      const Feature feature = snapped(frames[f], all[f][partner[f]], near_share);
       anchor.places.push_back(feature.place);
       anchor.shares.push_back(feature.share);
     }
-    if (follows(anchor, result, options.closeness)) result.push_back(std::move(anchor));
+    // Joints that exist may be close together, as the corners of a blunt end.
+    const bool exists = std::all_of(anchor.places.begin(), anchor.places.end(),
+                                    [](const Place& place) { return place.t == 0; });
+    insert(anchor, exists ? same_place : options.closeness, result);
   }
   return result;
 }
@@ -248,7 +161,7 @@ std::vector<Anchor> givenAnchors(const std::vector<Measured>& frames, const Spli
           frames[f].placeOf(frames[f].spline().knots.front() + (options.given[f][i] - start)));
       anchor.shares.push_back(frames[f].shareAt(anchor.places.back()));
     }
-    if (!follows(anchor, result, 0))
+    if (!isBetween(anchor, result.empty() ? nullptr : &result.back(), nullptr, 0))
       refuse(fmt::format("given parameter {} is at the same place as another", i));
     result.push_back(std::move(anchor));
   }
@@ -260,6 +173,41 @@ double mapped(double x, const std::vector<double>& from, const std::vector<doubl
   const auto above = std::upper_bound(from.begin() + 1, from.end() - 1, x);
   const auto i = static_cast<std::size_t>(above - from.begin());
   return to[i - 1] + (x - from[i - 1]) / (from[i] - from[i - 1]) * (to[i] - to[i - 1]);
+}
+
+/// The unit tangent at a place; 0 where the curve stops.
+Eigen::Vector3d tangentAt(const BezierSpline& spline, const Place& place) {
+  const Eigen::Vector3d first = segment(spline, place.piece).derivatives(place.t, 1).row(1);
+  return first.stableNorm() > 0 ? first.stableNormalized() : Eigen::Vector3d::Zero();
+}
+
+/// The least sum of squared differences of unit vectors and others that are turned alike, by the
+/// singular values of the sum of their products.
+double leastDifference(const Poles& a, const Poles& b) {
+  const Eigen::Matrix3d products = a.transpose() * b;
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(products);
+  const Eigen::Vector3d values = svd.singularValues();
+  const double last = products.determinant() < 0 ? -values(2) : values(2);
+  return a.squaredNorm() + b.squaredNorm() - 2 * (values(0) + values(1) + last);
+}
+
+/// How much the tangents at corresponding places of neighbouring frames differ, if the frames are
+/// turned such that they differ least: the mean square of the difference.
+double turnOf(const std::vector<Measured>& frames, const std::vector<Anchor>& anchors) {
+  constexpr int count = 256;  // dense enough for outlines of a few dozen features
+  const Scale scale = scaleOf(anchors, frames.size());
+  double sum = 0;
+  Poles before;
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    Poles tangents(count, 3);
+    for (int i = 0; i < count; ++i) {
+      const double share = mapped((i + 0.5) / count, scale.common, scale.of_frame[f]);
+      tangents.row(i) = tangentAt(frames[f].spline(), frames[f].placeAt(share, 1e-4)).transpose();
+    }
+    if (f > 0) sum += leastDifference(before, tangents);
+    before = std::move(tangents);
+  }
+  return sum / count;
 }
 
 /// A joint of one frame at its common place.
@@ -365,16 +313,26 @@ double largestRatio(const Splines& frames) {
 
 }  // namespace
 
+Measured measured(const BezierSpline& frame, std::size_t index) {
+  return naming(index, [&] { return Measured(frame); });
+}
+
 Correspondence corresponding(const std::vector<BezierSpline>& frames, const MatchOptions& options,
-                             MatchSummary& summary) {
+                             double near_share, MatchSummary& summary) {
   requireFrames(frames);
   requireOptions(frames, options);
   for (const BezierSpline& frame : frames) summary.pieces_before.push_back(frame.segments());
-  const Splines start = turned(frames, options, summary);
+  const Splines start = turned(frames, options, near_share, summary);
   Correspondence result;
   for (std::size_t f = 0; f < start.size(); ++f) result.frames.push_back(measured(start[f], f));
-  if (options.by == MatchBy::Features)
-    result.anchors = featureAnchors(result.frames, options, summary);
+  if (options.by == MatchBy::Features) {
+    result.anchors = featureAnchors(result.frames, options, near_share, areFlat(frames), summary);
+    // Less by rounding is not less.
+    constexpr double rounding = 1e-9;
+    summary.lengths_fit_better =
+        turnOf(result.frames, {}) < turnOf(result.frames, result.anchors) - rounding;
+    if (summary.lengths_fit_better) result.anchors.clear();
+  }
   if (options.by == MatchBy::Given) result.anchors = givenAnchors(result.frames, frames, options);
   summary.matched_features = static_cast<int>(result.anchors.size());
   return result;
@@ -398,7 +356,8 @@ MatchedFrames matchPieces(const std::vector<BezierSpline>& frames, const MatchOp
   using namespace match;
   MatchedFrames result;
   MatchSummary& summary = result.summary;
-  const auto [all, anchors] = corresponding(frames, options, summary);
+  const auto [all, anchors] =
+      corresponding(frames, options, std::max(options.closeness, same_place), summary);
   int degree = 0;
   for (const BezierSpline& frame : frames) degree = std::max(degree, frame.degree);
   const Scale scale = scaleOf(anchors, all.size());

@@ -11,7 +11,7 @@ namespace seamwright {
 /// How places of different frames correspond.
 enum class MatchBy {
   Length,    ///< equal fractions of the length
-  Features,  ///< corners and extrema of the curvature in order; between them by length
+  Features,  ///< corners, jumps and extrema of the curvature in order; between them by length
   Given      ///< given parameters; between them by length
 };
 
@@ -23,15 +23,18 @@ struct MatchOptions {
   /// MatchBy::Given: for each frame increasing parameters by its knots, equally many. For closed
   /// frames the first of them is the start.
   std::vector<std::vector<double>> given = {};
-  /// Closed frames start where they are nearest to the first frame (not for MatchBy::Given).
+  /// Closed frames start where they are nearest to the first frame, about their centroids (not for
+  /// MatchBy::Given). If that one starts at a corner, or at a jump of the curvature, they do: if
+  /// there are equally many, where the sum of their squared distances is least.
   bool find_start = false;
-  /// Frames run in the direction in which they are nearer to the first frame.
+  /// Frames run in the direction in which they are nearer to the first frame; closed ones in that
+  /// in which they go round as it does, unless they lie in planes across or are figures of eight.
   bool find_direction = false;
   /// MatchBy::Features: joints whose tangents turn by more are corners.
   double corner_rad = 10 * radians_per_degree;
   /// MatchBy::Features: an extremum of the curvature counts if it differs from its neighbours by
-  /// this share of the range of the curvature of its frame. Fainter ones are left out in pairs, the
-  /// faintest first.
+  /// this share of the range of the curvature of its frame, and so does a jump. Fainter extrema are
+  /// left out in pairs, the faintest first.
   double prominence = 0.1;
   /// MatchBy::Features: features whose places differ by more than this share are not matched.
   double reach = 0.2;
@@ -40,9 +43,12 @@ struct MatchOptions {
 struct MatchSummary {
   std::vector<int> pieces_before;  ///< of each frame
   int pieces_after = 0;
-  int merged = 0;              ///< joints that belong to several frames because they are close
-  std::vector<int> features;   ///< found in each frame
-  int matched_features = 0;    ///< matched in all frames; given pairs count, too
+  int merged = 0;             ///< joints that belong to several frames because they are close
+  std::vector<int> features;  ///< found in each frame
+  int matched_features = 0;   ///< matched in all frames; given pairs count, too
+  /// MatchBy::Features: features were found, but equal shares of the length correspond: with them
+  /// the tangents at corresponding places differ less.
+  bool lengths_fit_better = false;
   int unknown_pieces = 0;      ///< whose curvature has no certain profile: no features from them
   std::vector<bool> reversed;  ///< of each frame
   std::vector<double> start;   ///< of each frame: the parameter at which it now starts, 0..1 of
@@ -81,14 +87,17 @@ struct MatchedFrames {
 ///       within that.
 /// Frames keep knots of their own; those of new joints divide the old interval.
 ///
-/// The features are joints that turn by more than corner_rad, and the extrema of the curvature
-/// between them, in pieces and at joints: signed for frames that lie in z = 0, otherwise of the
-/// curvature in space. They are matched in order, and only of one kind, such that the sum of costs
-/// is least: displacement by reach for a pair, 1/2 for each feature that is left alone, 2 for a
-/// corner. \throws std::invalid_argument for fewer than two frames, a frame that requireValid()
-/// refuses (with its index), open and closed frames together, a piece without length (with frame
-/// and piece), and options out of range: closeness, reach and prominence 0 to 1/2, counts, order
-/// and range of given parameters. Source: docs/theory/curves.md C12.1, C12.2.
+/// The features are joints that turn by more than corner_rad, and between them joints at which the
+/// curvature jumps and the extrema of the curvature, in pieces and at joints: signed for frames
+/// that lie in z = 0, otherwise of the curvature in space. An extremum that is a plateau, as on an
+/// arc, is in its middle. They are matched in order, and only of one kind, such that the sum of
+/// costs is least: displacement by reach for a pair, 1/2 for each extremum that is left alone, 1
+/// for a jump, 2 for a corner. Equal shares of the length correspond instead if the tangents of
+/// neighbouring frames, turned to fit, then differ less in the mean square. \throws
+/// std::invalid_argument for fewer than two frames, a frame that requireValid() refuses (with its
+/// index), open and closed frames together, a piece without length (with frame and piece), and
+/// options out of range: closeness, reach and prominence 0 to 1/2, counts, order and range of given
+/// parameters. Source: docs/theory/curves.md C12.1, C12.2.
 MatchedFrames matchPieces(const std::vector<BezierSpline>& frames,
                           const MatchOptions& options = {});
 

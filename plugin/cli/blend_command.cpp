@@ -39,6 +39,9 @@ const std::map<std::string, KeyInterpolation::Continuity>& continuities() {
   return names;
 }
 
+constexpr const char* by_features = "features";
+constexpr const char* by_length = "length";
+
 /// The key curves at omega 0..1.
 std::vector<double> evenOmegas(std::size_t count) {
   std::vector<double> omegas;
@@ -53,7 +56,7 @@ MatchOptions matchOptions(const KeyCurves& input, const BlendArguments& argument
     return {.by = MatchBy::Given,
             .closeness = arguments.closeness,
             .given = pairParameters(input, arguments.pairs)};
-  return {.by = arguments.match == "features" ? MatchBy::Features : MatchBy::Length,
+  return {.by = arguments.match == by_features ? MatchBy::Features : MatchBy::Length,
           .closeness = arguments.closeness,
           .find_start = closed,
           .find_direction = true};
@@ -71,18 +74,29 @@ std::string matchNote(const MatchSummary& summary, MatchBy by) {
         ", {} of the curvature correspond{}",
         count == 1 ? "1 corner or extremum" : fmt::format("{} corners or extrema", count),
         count == 1 ? "s" : "");
+  if (summary.lengths_fit_better)
+    note +=
+        ", by equal shares of the length: with corners and extrema of the curvature the tangents "
+        "at corresponding points would differ more";
   if (const auto reversed = std::ranges::count(summary.reversed, true))
     note += fmt::format(", {} run{} in the other direction", reversed, reversed == 1 ? "s" : "");
   return note;
+}
+
+void addMatch(const MatchSummary& summary, MatchBy by, const std::string& more,
+              BlendReport& report) {
+  report.notes.push_back(matchNote(summary, by) + more);
+  if (summary.lengths_fit_better) report.match = by_length;
 }
 
 /// The key curves, divided into corresponding pieces.
 std::vector<BezierSpline> dividedCurves(const std::vector<BezierSpline>& curves,
                                         const MatchOptions& options, BlendReport& report) {
   MatchedFrames matched = matchPieces(curves, options);
-  report.notes.push_back(matchNote(matched.summary, options.by) +
-                         fmt::format("; shares of the length differ up to {:.3g} times",
-                                     matched.summary.largest_ratio));
+  addMatch(matched.summary, options.by,
+           fmt::format("; shares of the length differ up to {:.3g} times",
+                       matched.summary.largest_ratio),
+           report);
   return std::move(matched.frames);
 }
 
@@ -91,7 +105,7 @@ std::vector<BezierSpline> refittedCurves(const std::vector<BezierSpline>& curves
                                          const MatchOptions& options, double tolerance_mm,
                                          BlendReport& report) {
   CommonKnots common = commonKnots(curves, {.match = options, .tolerance_mm = tolerance_mm});
-  report.notes.push_back(matchNote(common.summary, options.by));
+  addMatch(common.summary, options.by, "", report);
   for (std::size_t i = 0; i < curves.size(); ++i)
     report.key_curves[i].refitted_mm = common.distance_mm[i];
   report.reached = common.reached;
@@ -202,6 +216,54 @@ void addKeyCurves(const KeyCurves& input, BlendReport& report) {
   report.closed = input.curves.front().curve.closed;
 }
 
+/// The file of a key curve, and its edge where the file has several.
+std::string keyName(const KeyCurve& key, const BlendArguments& arguments) {
+  const std::string& path = arguments.inputs[key.input];
+  const bool alone = arguments.inputs.size() > 1 || key.edges.empty();
+  return alone ? path : fmt::format("{}: Edge{}", path, key.edges.front());
+}
+
+/// How many joints between straight pieces are corners.
+int polygonCorners(const BezierSpline& curve) {
+  std::vector<bool> straight;
+  for (int i = 0; i < curve.segments(); ++i) {
+    const BezierCurve piece = segment(curve, i);
+    const double chord_mm = (piece.point(1) - piece.point(0)).norm();
+    straight.push_back(polygonLength(piece) <=
+                       (1 + JointBlendOptions().frame_tolerance) * chord_mm);
+  }
+  const std::vector<CurveJoint> joints = measureJoints(curve, 1);
+  int corners = 0;
+  for (std::size_t i = 0; i < joints.size(); ++i)
+    if (straight[i] && straight[(i + 1) % straight.size()] &&
+        joints[i].angle_rad.value_or(0) > JointBlendOptions().frame_tolerance)
+      ++corners;
+  return corners;
+}
+
+/// Corners of the key curves, which all frames keep, and an option without effect.
+void noteKeyCurves(const KeyCurves& input, const BlendArguments& arguments, BlendReport& report) {
+  if (input.curves.size() == 2 && arguments.in_between != BlendArguments().in_between)
+    report.notes.push_back(fmt::format(
+        "--between {} has no effect: there is no key curve between two", arguments.in_between));
+  // Polygons that are drawn have few corners, sections of a mesh hundreds.
+  constexpr int many_corners = 24;
+  for (const KeyCurve& key : input.curves) {
+    const std::string name = keyName(key, arguments);
+    if (const std::size_t count = key.corners.size(); count > 0)
+      report.notes.push_back(fmt::format(
+          "{}: {} (number {}), and {} of G0 in all frames", name,
+          count == 1 ? "1 point is a corner" : fmt::format("{} points are corners", count),
+          fmt::join(key.corners, ", "), count == 1 ? "a joint" : "joints"));
+    if (const int corners = polygonCorners(key.curve); corners >= many_corners)
+      report.notes.push_back(fmt::format(
+          "{0}: a polygon with {1} corners, all of which stay in all frames. If it samples a "
+          "smooth "
+          "curve, make one of it first: seamwright curve arcs {2} --tolerance MM -o smooth.step",
+          name, corners, arguments.inputs[key.input]));
+  }
+}
+
 /// Where a frame shrinks to a point, no defect has a value.
 bool isFinite(const std::vector<double>& defects) {
   return std::ranges::all_of(defects, [](double defect) { return std::isfinite(defect); });
@@ -248,13 +310,6 @@ bool noteOrders(const SplineBlend& blend, BlendReport& report) {
   return lost == 0;
 }
 
-/// The file of a key curve, and its edge where the file has several.
-std::string keyName(const KeyCurve& key, const BlendArguments& arguments) {
-  const std::string& path = arguments.inputs[key.input];
-  const bool alone = arguments.inputs.size() > 1 || key.edges.empty();
-  return alone ? path : fmt::format("{}: Edge{}", path, key.edges.front());
-}
-
 std::string lineOf(const BlendReport& report) {
   return report::toLine(report::toJson(report)) + '\n';
 }
@@ -298,10 +353,12 @@ void addOutputs(CLI::App& command, OutputArguments& output) {
 void addMatching(CLI::App& command, BlendArguments& arguments) {
   CLI::Option* match =
       command
-          .add_option("--match", arguments.match,
-                      "Which points of the curves correspond. features: corners and extrema of the "
-                      "curvature, and lengths between them; length: lengths from the beginning")
-          ->check(CLI::IsMember({"features", "length"}))
+          .add_option(
+              "--match", arguments.match,
+              "Which points of the curves correspond. features: corners and extrema of the "
+              "curvature, and lengths between them, or lengths alone where they fit better; "
+              "length: lengths from the beginning")
+          ->check(CLI::IsMember({by_features, by_length}))
           ->capture_default_str();
   command
       .add_option(
@@ -389,6 +446,7 @@ int runBlend(const BlendArguments& arguments) {
                      .in_between = arguments.in_between,
                      .reached = true};
   addKeyCurves(input, report);
+  noteKeyCurves(input, arguments, report);
   std::optional<FrameLoft> loft;
   std::vector<BezierSpline> frames;
   try {

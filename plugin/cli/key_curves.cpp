@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <seamwright/core/planar/plane_frame.hpp>
+#include <seamwright/core/planar/point_corners.hpp>
 #include <seamwright/core/spline/nu_spline.hpp>
 #include <seamwright/core/spline/polynomial_spline.hpp>
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
@@ -30,6 +32,84 @@ BezierSpline splineThrough(const Poles& points, bool closed) {
   return nuSpline(data).curve;
 }
 
+/// Corners that have enough points on one side to tell them from the bends of a curve of few
+/// points.
+std::vector<Eigen::Index> clearCorners(const std::vector<Eigen::Index>& corners,
+                                       Eigen::Index points, bool closed) {
+  constexpr std::size_t least_beside = 5;  // a choice: three turns that are all far smaller
+  if (corners.empty()) return {};
+  const std::vector<std::vector<Eigen::Index>> runs = runsBetween(points, corners, closed);
+  std::vector<Eigen::Index> result;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const std::size_t before = closed ? (k + runs.size() - 1) % runs.size() : k,
+                      after = closed ? k : k + 1;
+    if (std::max(runs[before].size(), runs[after].size()) >= least_beside)
+      result.push_back(corners[k]);
+  }
+  return result;
+}
+
+/// Corners of points in a plane; points in space have none.
+std::vector<Eigen::Index> cornersOf(const PointFile& file, bool closed, double flat_mm) {
+  constexpr Eigen::Index least_points = 3;
+  if (file.points.rows() < least_points) return {};
+  const FittedPlane plane = fitPlane(file.points);
+  if (plane.distance_mm > flat_mm) return {};
+  return clearCorners(pointCorners(coordinatesIn(plane.frame, file.points),
+                                   {.closed = closed, .error_mm = file.rounding_mm}),
+                      file.points.rows(), closed);
+}
+
+/// The derivative at the first of three points of the parabola through them.
+Eigen::Vector3d startOfParabola(const Poles& points, double first_step, double second_step) {
+  const Eigen::Vector3d first = (points.row(1) - points.row(0)).transpose() / first_step,
+                        second = (points.row(2) - points.row(1)).transpose() / second_step;
+  return first - first_step * (second - first) / (first_step + second_step);
+}
+
+/// The C2 cubic spline through the points of one side of a corner. It begins and ends as parabolas
+/// through three points: a corner says nothing about the curvature beside it.
+BezierSpline splineBeside(const Poles& points) {
+  NuSplineData data;
+  data.points = points;
+  data.knots = knotsOf(points);
+  data.nu.assign(data.knots.size(), 0);
+  const std::size_t last = data.knots.size() - 1;
+  if (last >= 2) {
+    const auto step = [&](std::size_t i) { return data.knots[i + 1] - data.knots[i]; };
+    data.ends = SplineEnds::Clamped;
+    data.start_derivative = startOfParabola(points.topRows<3>(), step(0), step(1));
+    data.end_derivative = -startOfParabola(points.bottomRows<3>().colwise().reverse(),
+                                           step(last - 1), step(last - 2));
+  }
+  return nuSpline(data).curve;
+}
+
+/// The spline through the points, with corners at some of them. It begins at the first point.
+BezierSpline splineThrough(const Poles& points, const std::vector<Eigen::Index>& corners,
+                           bool closed) {
+  if (corners.empty()) return splineThrough(points, closed);
+  std::vector<BezierCurve> pieces;
+  std::vector<double> steps;
+  for (const std::vector<Eigen::Index>& run : runsBetween(points.rows(), corners, closed)) {
+    const BezierSpline part = splineBeside(points(run, Eigen::indexing::all));
+    for (int i = 0; i < part.segments(); ++i) {
+      pieces.push_back(segment(part, i));
+      steps.push_back(part.knots[i + 1] - part.knots[i]);
+    }
+  }
+  // The runs of a closed curve begin at its first corner.
+  const std::size_t count = pieces.size(),
+                    first = closed ? count - static_cast<std::size_t>(corners.front()) : 0;
+  std::vector<BezierCurve> in_order;
+  std::vector<double> knots{0};
+  for (std::size_t k = 0; k < count; ++k) {
+    in_order.push_back(pieces[(first + k) % count]);
+    knots.push_back(knots.back() + steps[(first + k) % count]);
+  }
+  return bezierSpline(in_order, knots, closed);
+}
+
 occ::ModelFacts pointFacts(const std::string& path) {
   occ::ModelFacts facts;
   facts.path = path;
@@ -38,7 +118,9 @@ occ::ModelFacts pointFacts(const std::string& path) {
   return facts;
 }
 
-void addPoints(KeyCurves& result, const std::string& path, const EdgeList& edges, bool closed) {
+void addPoints(KeyCurves& result, const std::string& path, const EdgeList& edges,
+               const BlendArguments& arguments) {
+  const bool closed = arguments.closed;
   if (edges.isGiven())
     throw std::runtime_error(path +
                              ": is a file of points, which has no edges: --edge is for models");
@@ -47,7 +129,9 @@ void addPoints(KeyCurves& result, const std::string& path, const EdgeList& edges
   KeyCurve curve;
   curve.input = result.facts.size();
   curve.points = file.points.rows();
-  curve.curve = splineThrough(file.points, closed);
+  const std::vector<Eigen::Index> corners = cornersOf(file, closed, arguments.tolerance_mm);
+  for (const Eigen::Index corner : corners) curve.corners.push_back(corner + 1);
+  curve.curve = splineThrough(file.points, corners, closed);
   result.curves.push_back(std::move(curve));
   result.facts.push_back(pointFacts(path));
   if (const std::string note = closed ? "" : endsNote(file); !note.empty())
@@ -118,7 +202,7 @@ KeyCurves keyCurves(const BlendArguments& arguments) {
     const EdgeList& edges = edges_of_inputs[i];
     try {
       if (isPointFile(path))
-        addPoints(result, path, edges, arguments.closed);
+        addPoints(result, path, edges, arguments);
       else
         addModel(result, path, edges, arguments);
       for (const KeyCurve& key : result.curves)

@@ -15,9 +15,11 @@ struct KeyCurve {
   std::size_t input = 0;      ///< index of its file
   std::vector<int> edges;     ///< of a model, along the curve; empty for points
   std::ptrdiff_t points = 0;  ///< of a file of points; 0 for edges
-  BezierSpline curve;         ///< polynomial
-  double gap_mm = 0;          ///< the largest gap between edges that was closed
-  double polynomial_mm = 0;   ///< bound of the distance from the rational curve of the model
+  /// Numbers of the points, from 1, at which the curve has a corner.
+  std::vector<std::ptrdiff_t> corners = {};
+  BezierSpline curve;        ///< polynomial
+  double gap_mm = 0;         ///< the largest gap between edges that was closed
+  double polynomial_mm = 0;  ///< bound of the distance from the rational curve of the model
 };
 
 /// Two or more curves in the order of the files.
@@ -27,11 +29,11 @@ struct KeyCurves {
   std::vector<std::vector<std::string>> notes;  ///< of each file
 };
 
-/// Reads files of points, through which a C2 cubic spline with centripetal knots is laid, and
-/// models, whose edges are joined to curves. Each file has one curve; a single model has all of
-/// them, in the order of their edges.
-/// \throws std::runtime_error for a file that has no or several curves, and for fewer than two
-/// curves; occ::ModelError, occ::Cancelled.
+/// Reads files of points, through which a C2 cubic spline with centripetal knots is laid from
+/// corner to corner (pointCorners(), for points in a plane within the tolerance), and models, whose
+/// edges are joined to curves. Each file has one curve; a single model has all of them, in the
+/// order of their edges. \throws std::runtime_error for a file that has no or several curves, and
+/// for fewer than two curves; occ::ModelError, occ::Cancelled.
 KeyCurves keyCurves(const BlendArguments& arguments);
 
 }  // namespace seamwright::cli

@@ -61,6 +61,7 @@ py::object summaryResult(const MatchSummary& summary) {
   dict["merged"] = summary.merged;
   dict["features"] = summary.features;
   dict["matched_features"] = summary.matched_features;
+  dict["lengths_fit_better"] = summary.lengths_fit_better;
   dict["unknown_pieces"] = summary.unknown_pieces;
   dict["reversed"] = summary.reversed;
   dict["start"] = summary.start;

@@ -137,7 +137,7 @@ TEST(JointBlend, Identity1KeyFramesAreKept) {
 TEST(JointBlend, Identity2JointsHaveTheOrder) {
   std::mt19937_64 random(testSeed());
   std::array<int, 5> remedies{};
-  int above = 0, joints = 0;
+  int above = 0, above_for_certain = 0, joints = 0;
   for (int i = 0; i < 396; ++i) {
     const int n = 1 + i % 6, m = n + i / 6 % 3, mb = n + i / 18 % 3;
     const CurveKind kind = i % 5 == 0 ? CurveKind::Planar : CurveKind::Space;
@@ -151,6 +151,7 @@ TEST(JointBlend, Identity2JointsHaveTheOrder) {
       SCOPED_TRACE(i);
       expectJoined(joint, n);
       above += n <= 4 && test::largestOf(joint.defects) > 1e-11;
+      above_for_certain += test::largestOf(fitBeta(joint.a, joint.b, n).lower) > 1e-11;
       if (kind == CurveKind::Planar) {
         EXPECT_LT(joint.a.poles().col(2).cwiseAbs().maxCoeff(), 1e-12);
       }
@@ -159,6 +160,8 @@ TEST(JointBlend, Identity2JointsHaveTheOrder) {
   // Above 1e-11 are only defects that rounding of the poles explains, of the orders 5 and 6 as a
   // rule.
   EXPECT_LT(above, joints / 50);
+  // Most of that is rounding of the measure: the poles as they are hardly miss it.
+  EXPECT_LT(above_for_certain, joints / 200);
   EXPECT_GT(remedies[1], joints * 8 / 10);
   EXPECT_LT(remedies[3] + remedies[4], joints / 20);
   for (std::size_t k = 0; k < remedies.size(); ++k)

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <seamwright/core/blend/correspondence.hpp>
+#include <seamwright/core/blend/frame_features.hpp>
+#include <seamwright/core/blend/frame_starts.hpp>
+#include <seamwright/core/numeric.hpp>
+
+namespace seamwright::match {
+
+namespace {
+
+/// Points at equal shares of the length, about their mean. They are only compared, so that a
+/// thousandth of a piece is precise enough.
+Poles samples(const Measured& frame, int count) {
+  const bool closed = frame.spline().closed;
+  Poles result(count, 3);
+  for (int i = 0; i < count; ++i)
+    result.row(i) =
+        frame.point(frame.placeAt(static_cast<double>(i) / (closed ? count : count - 1), 1e-3));
+  return result.rowwise() - result.colwise().mean();
+}
+
+/// Sums of squared distances of a frame from the first, for every shift by one sample.
+Eigen::VectorXd shiftCosts(const Poles& first, const Poles& frame) {
+  const Eigen::Index count = first.rows();
+  Eigen::VectorXd result(count);
+  for (Eigen::Index shift = 0; shift < count; ++shift)
+    result(shift) = (first.topRows(count - shift) - frame.bottomRows(count - shift)).squaredNorm() +
+                    (first.bottomRows(shift) - frame.topRows(shift)).squaredNorm();
+  return result;
+}
+
+/// The minimum of the parabola through three neighbours, in steps from the middle one.
+double refinedShift(const Eigen::VectorXd& costs, Eigen::Index at) {
+  const Eigen::Index count = costs.size();
+  const double before = costs((at + count - 1) % count), after = costs((at + 1) % count);
+  const double bend = before - 2 * costs(at) + after;
+  return bend > 0 ? std::clamp(0.5 * (before - after) / bend, -0.5, 0.5) : 0;
+}
+
+/// Samples of a curve: enough for outlines of a few dozen features; a start is found to about a
+/// hundredth of their distance, and may be given where that is too coarse.
+constexpr int sample_count = 128;
+
+/// Sums of squares that differ by less, as a share of what they are made of, are equal: which of
+/// them is less is rounding, and the first one is taken.
+constexpr double equal_cost = 1e-9;
+
+double costAt(const Eigen::VectorXd& costs, double share) {
+  const double at = share * static_cast<double>(costs.size());
+  const auto before = static_cast<Eigen::Index>(at);
+  const double part = at - static_cast<double>(before);
+  return (1 - part) * costs(before % costs.size()) + part * costs((before + 1) % costs.size());
+}
+
+/// The distance of two places along a closed curve.
+double apart(double share, double other) {
+  const double distance = std::abs(share - other);
+  return std::min(distance, 1 - distance);
+}
+
+/// The joints of a closed frame that are as sharp as the one where it starts.
+struct SharpJoints {
+  std::optional<FeatureKind> kind;
+  std::vector<Feature> all;
+  Poles points;  ///< about their mean
+};
+
+/// \param kind nothing: that of the joint where the frame starts.
+SharpJoints sharpJoints(const Measured& frame, const Features& features,
+                        std::optional<FeatureKind> kind) {
+  SharpJoints result{kind ? kind : features.closing, {}, {}};
+  if (!result.kind) return result;
+  if (features.closing == result.kind) result.all.push_back({*result.kind, {0, 0}, 0});
+  for (const Feature& feature : features.all)
+    if (feature.kind == result.kind) result.all.push_back(feature);
+  if (result.all.empty()) return result;
+  result.points.resize(static_cast<Eigen::Index>(result.all.size()), 3);
+  for (std::size_t i = 0; i < result.all.size(); ++i)
+    result.points.row(static_cast<Eigen::Index>(i)) = frame.point(result.all[i].place).transpose();
+  result.points = (result.points.rowwise() - result.points.colwise().mean()).eval();
+  return result;
+}
+
+/// The sharp joint to start from: the best one by the distances of sharp joints if there are
+/// equally many, otherwise by those of samples. \param share the best place of all.
+std::optional<Place> sharpStart(const SharpJoints& first, const SharpJoints& joints,
+                                const Eigen::VectorXd& costs, double share, double reach,
+                                double equal) {
+  const bool paired = first.all.size() == joints.all.size();
+  Eigen::VectorXd of_joints;
+  if (paired) {
+    of_joints = shiftCosts(first.points, joints.points);
+    equal = equal_cost * (first.points.squaredNorm() + joints.points.squaredNorm());
+  }
+  std::optional<Place> best;
+  double best_cost = infinite;
+  for (std::size_t i = 0; i < joints.all.size(); ++i) {
+    const Feature& candidate = joints.all[i];
+    if (!paired && apart(candidate.share, share) > reach) continue;
+    const double cost =
+        paired ? of_joints(static_cast<Eigen::Index>(i)) : costAt(costs, candidate.share);
+    if (!(cost < best_cost - equal)) continue;
+    best = candidate.place;
+    best_cost = cost;
+  }
+  return best;
+}
+
+/// The place to start from: a joint, where one is near.
+Place startPlace(const Measured& frame, double share, double near_share) {
+  int best = 0;
+  for (int i = 0; i < frame.spline().segments(); ++i)
+    if (apart(frame.share(i), share) < apart(frame.share(best), share)) best = i;
+  return apart(frame.share(best), share) <= near_share ? Place{best, 0} : frame.placeAt(share);
+}
+
+/// Which way a closed frame goes round: twice its vector area.
+Eigen::Vector3d roundOf(const Poles& points) {
+  Eigen::Vector3d result = Eigen::Vector3d::Zero();
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+    result += points.row(i).transpose().cross(points.row((i + 1) % points.rows()).transpose());
+  return result;
+}
+
+/// Whether closed frames go round the same way; nothing if they have no areas to compare.
+std::optional<bool> goAlike(const Poles& first, const Poles& frame) {
+  const Eigen::Vector3d a = roundOf(first), b = roundOf(frame);
+  // A choice: figures of eight, and planes that are turned by more than 84 degrees, say nothing.
+  constexpr double least_area = 1e-4, least_cosine = 0.1;
+  if (!(a.norm() > least_area * first.squaredNorm()) ||
+      !(b.norm() > least_area * frame.squaredNorm()) ||
+      !(std::abs(a.dot(b)) > least_cosine * a.norm() * b.norm()))
+    return std::nullopt;
+  return a.dot(b) > 0;
+}
+
+/// What the other frames are compared with.
+struct FirstFrame {
+  Poles points;
+  SharpJoints sharp;  ///< none if its start is smooth, or starts are not found
+  bool flat = false;  ///< all frames are
+};
+
+struct Turned {
+  BezierSpline frame;
+  bool reversed = false;
+  double start = 0;
+};
+
+class Turner {
+ public:
+  Turner(const std::vector<BezierSpline>& frames, const MatchOptions& options, double near_share)
+      : options_(options),
+        near_share_(near_share),
+        finds_start_(frames[0].closed && options.find_start) {
+    const Measured first = measured(frames[0], 0);
+    first_.points = samples(first, sample_count);
+    first_.flat = areFlat(frames);
+    if (finds_start_) first_.sharp = sharpJoints(first, features(first), std::nullopt);
+  }
+
+  Turned operator()(const BezierSpline& frame, std::size_t index) const {
+    double best_cost = infinite;
+    Turned best{frame};
+    for (const bool reversed : {false, true}) {
+      if (reversed && !options_.find_direction) continue;
+      const Measured candidate = measured(reversed ? runBackwards(frame) : frame, index);
+      const Poles points = samples(candidate, sample_count);
+      const Eigen::VectorXd costs =
+          finds_start_ ? shiftCosts(first_.points, points)
+                       : Eigen::VectorXd::Constant(1, (first_.points - points).squaredNorm());
+      const double equal = equal_cost * (first_.points.squaredNorm() + points.squaredNorm());
+      if (frame.closed && options_.find_direction && !goAlike(first_.points, points).value_or(true))
+        continue;
+      if (!(costs.minCoeff() < best_cost - equal)) continue;
+      best_cost = costs.minCoeff();
+      best = {candidate.spline(), reversed, 0};
+      if (!finds_start_) continue;
+      const Place place = start(candidate, costs, equal);
+      best.frame = startingAt(candidate.spline(), place);
+      best.start = candidate.shareAt(place);
+    }
+    return best;
+  }
+
+ private:
+  Features features(const Measured& frame) const {
+    return featuresOf(frame, first_.flat, {options_.corner_rad, options_.prominence});
+  }
+
+  Place start(const Measured& frame, const Eigen::VectorXd& costs, double equal) const {
+    Eigen::Index at = 0;
+    while (!(costs(at) <= costs.minCoeff() + equal)) ++at;
+    const double steps = static_cast<double>(at) + refinedShift(costs, at) + sample_count;
+    const double share = steps / sample_count - std::floor(steps / sample_count);
+    if (first_.sharp.kind) {
+      const SharpJoints sharp = sharpJoints(frame, features(frame), first_.sharp.kind);
+      if (const std::optional<Place> place =
+              sharpStart(first_.sharp, sharp, costs, share, options_.reach, equal))
+        return *place;
+    }
+    return startPlace(frame, share, near_share_);
+  }
+
+  const MatchOptions& options_;
+  double near_share_;
+  bool finds_start_;
+  FirstFrame first_;
+};
+
+/// Closed frames from their first given parameters.
+void startAtGiven(const std::vector<BezierSpline>& frames, const MatchOptions& options,
+                  std::vector<BezierSpline>& result, MatchSummary& summary) {
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    const Measured frame = measured(frames[f], f);
+    const Place place = frame.placeOf(options.given[f][0]);
+    summary.start[f] = frame.shareAt(place);
+    result[f] = startingAt(frames[f], place);
+  }
+}
+
+}  // namespace
+
+bool areFlat(const std::vector<BezierSpline>& frames) {
+  return std::all_of(frames.begin(), frames.end(), [](const BezierSpline& frame) {
+    return (frame.poles.col(2).array() == 0).all();
+  });
+}
+
+std::vector<BezierSpline> turned(const std::vector<BezierSpline>& frames,
+                                 const MatchOptions& options, double near_share,
+                                 MatchSummary& summary) {
+  std::vector<BezierSpline> result = frames;
+  summary.reversed.assign(frames.size(), false);
+  summary.start.assign(frames.size(), 0);
+  if (options.by == MatchBy::Given && frames[0].closed && !options.given[0].empty())
+    startAtGiven(frames, options, result, summary);
+  if (!options.find_direction && !(options.find_start && frames[0].closed)) return result;
+  const Turner turn(frames, options, near_share);
+  for (std::size_t f = 1; f < frames.size(); ++f) {
+    Turned best = turn(frames[f], f);
+    result[f] = std::move(best.frame);
+    summary.reversed[f] = best.reversed;
+    summary.start[f] = best.start;
+  }
+  return result;
+}
+
+}  // namespace seamwright::match
