@@ -60,15 +60,17 @@ void requirePlane(const BezierCurve& curve) {
 }
 
 /// \param squared_speed of the curve, up to a positive factor.
-void requireMotion(const Polynomial& squared_speed) {
+void requireMotion(const BezierCurve& curve, const Polynomial& squared_speed) {
   const SignChanges zeros = signChanges(squared_speed);
   if (zeros.undecided.empty() && zeros.changes.empty()) return;
   const Interval where =
       zeros.undecided.empty() ? zeros.changes.front().interval : zeros.undecided.front();
-  throw std::domain_error(fmt::format(
-      "the curve may stop at the parameter {}, as in a cusp: its speed is not certainly "
-      "above 0",
-      where.middle()));
+  const Eigen::Vector3d point = curve.point(where.middle());
+  throw std::domain_error(
+      fmt::format("the curve may stop at the parameter {:.6g}, at ({:.6g}, {:.6g}, {:.6g}), as in "
+                  "a cusp: its speed is not certainly "
+                  "above 0",
+                  where.middle(), point.x(), point.y(), point.z()));
 }
 
 /// What has the sign of the derivative of the curvature of a curve with stopped ends.
@@ -126,7 +128,7 @@ CurvatureProfile planarCurvatureProfile(const BezierCurve& curve) {
   const CurvePolynomials motion = polynomialsOf(curve);
   const Polynomial &w = motion.weight, w1 = w.derivative();
   const Polynomial s = dot(motion.velocity, motion.velocity);
-  requireMotion(s);
+  requireMotion(curve, s);
   const Polynomial c = crossInPlane(motion.velocity, derivative(motion.velocity));
   const Polynomial slope =
       (2 * (w1 * c) + w * c.derivative()) * s - 1.5 * (w * (c * s.derivative()));
@@ -138,7 +140,7 @@ CurvatureProfile spaceCurvatureProfile(const BezierCurve& curve) {
   const CurvePolynomials motion = polynomialsOf(curve);
   const Polynomial &w = motion.weight, w1 = w.derivative();
   const Polynomial s = dot(motion.velocity, motion.velocity);
-  requireMotion(s);
+  requireMotion(curve, s);
   const PolynomialVector c = cross(motion.velocity, derivative(motion.velocity));
   const Polynomial q = dot(c, c);
   const Polynomial slope = (4 * (w1 * q) + w * q.derivative()) * s - 3 * (w * (q * s.derivative()));
@@ -149,7 +151,7 @@ CurvatureProfile spaceCurvatureProfile(const BezierCurve& curve) {
 EndCurvature startCurvature(const BezierCurve& curve) {
   requirePlane(curve);
   const CurvePolynomials motion = polynomialsOf(curve);
-  requireMotion(dot(motion.velocity, motion.velocity));
+  requireMotion(curve, dot(motion.velocity, motion.velocity));
   const Polynomial c = crossInPlane(motion.velocity, derivative(motion.velocity));
   const int zeros = zerosAtStart(c), stops = motion.stops.start;
   if (zeros > c.degree()) return {};

@@ -137,10 +137,11 @@ FittedStep longestStep(const PlanarCurve& curve, const SmoothRun& run, double u0
     // its direction.
     constexpr double shortest = 0x1p-30;
     if (reach < shortest) {
-      throw std::domain_error(fmt::format(
-          "no arc keeps the tolerance {} mm at the parameter {} (segments count by 1): the curve"
-          " turns back there, or the tolerance is below its rounding",
-          tolerance_mm, u0));
+      const Vector2d point = curve.point(u0);
+      throw std::domain_error(
+          fmt::format("no arc keeps the tolerance {:.6g} mm at ({:.6g}, {:.6g}): the curve turns "
+                      "back there, or the tolerance is below its rounding",
+                      tolerance_mm, point.x(), point.y()));
     }
   }
   while (2 * reach < fails) {

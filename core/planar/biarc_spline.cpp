@@ -65,7 +65,8 @@ Polygon polygonOf(const PlanarPoints& points, bool closed) {
     // (some 1e-16), and far below any turn that is meant.
     constexpr double reversal_rad = pi - 1e-9;
     if (std::abs(polygon.turns_rad(i)) > reversal_rad)
-      throw std::domain_error(fmt::format("the polygon reverses its direction at point {}", i));
+      throw std::domain_error(fmt::format("the polygon reverses its direction at ({:.6g}, {:.6g})",
+                                          points(i, 0), points(i, 1)));
   }
   return polygon;
 }
@@ -168,16 +169,18 @@ double endAngle(const Polygon& polygon, const Eigen::VectorXd& alpha, Index s) {
   return polygon.turns_rad(next) - alpha(next);
 }
 
-void requireSmallAngles(const Polygon& polygon, const Eigen::VectorXd& alpha) {
+void requireSmallAngles(const PlanarPoints& points, const Polygon& polygon,
+                        const Eigen::VectorXd& alpha) {
   // A choice: a tangent farther from its chord gives a loop rather than a curve along the points.
   constexpr double largest_rad = 2 * pi / 3;
   for (Index s = 0; s < polygon.segments(); ++s)
     for (const double angle : {alpha(s), endAngle(polygon, alpha, s)})
       if (std::abs(angle) > largest_rad)
-        throw std::domain_error(
-            fmt::format("a tangent of segment {} has the angle {:.6g} rad against its chord, more "
-                        "than 2 pi / 3: insert a point",
-                        s, angle));
+        throw std::domain_error(fmt::format(
+            "a tangent between the points ({:.6g}, {:.6g}) and ({:.6g}, {:.6g}) is {:.0f} degrees "
+            "off their chord, more than {:.0f}: insert a point",
+            points(s, 0), points(s, 1), points(polygon.next(s), 0), points(polygon.next(s), 1),
+            std::abs(angle) * degrees_per_radian, largest_rad * degrees_per_radian));
 }
 
 double energyOf(const Polygon& polygon, const Eigen::VectorXd& alpha) {
@@ -248,11 +251,11 @@ Tangents tangentsAt(const PlanarPoints& points, const TangentOptions& options) {
   requireOptions(options);
   const Polygon polygon = polygonOf(points, options.closed);
   Eigen::VectorXd alpha = linearAngles(points, polygon, options);
-  requireSmallAngles(polygon, alpha);
+  requireSmallAngles(points, polygon, alpha);
   Tangents result;
   if (options.rule == TangentRule::Energy) {
     result.steps = minimiseEnergy(polygon, endAngles(points, polygon, options), alpha);
-    requireSmallAngles(polygon, alpha);
+    requireSmallAngles(points, polygon, alpha);
   }
   for (Index i = 0; i < polygon.points(); ++i) {
     const Index segment = std::min(i, polygon.segments() - 1);

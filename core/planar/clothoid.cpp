@@ -105,8 +105,9 @@ PhaseRoot rootOf(const Phase& phase) {
     root.width = end.width - change * end.width_slope;
     if (change * change <= 60 * std::abs(end.height_slope) * machine_epsilon * size) return root;
   }
-  throw std::domain_error(fmt::format("no clothoid was found for tangents at {} rad and {} rad",
-                                      phase.start, phase.start + phase.change));
+  throw std::domain_error(fmt::format(
+      "no clothoid was found for tangents at {:.6g} and {:.6g} degrees",
+      phase.start * degrees_per_radian, (phase.start + phase.change) * degrees_per_radian));
 }
 
 Eigen::Vector2d Clothoid::point(double s_mm) const {
@@ -133,10 +134,12 @@ Clothoid clothoid(const HermiteEnds& ends) {
   // eight digits.
   constexpr double least_width = 1e-8;
   if (!(root.width > least_width))
-    throw std::domain_error(fmt::format(
-        "both tangents point against the chord (alpha {} rad, beta {} rad): the clothoid would be "
-        "more than 1e8 times as long as the chord",
-        angles.alpha_rad, angles.beta_rad));
+    throw std::domain_error(
+        fmt::format("both tangents point against the chord from ({:.6g}, {:.6g}) to ({:.6g}, "
+                    "{:.6g}), by the angles {:.6g} and {:.6g} degrees: the clothoid would be "
+                    "more than 1e8 times as long as the chord",
+                    ends.start.x(), ends.start.y(), ends.end.x(), ends.end.y(),
+                    angles.alpha_rad * degrees_per_radian, angles.beta_rad * degrees_per_radian));
   const double length_mm = angles.chord_mm / root.width;
   return {.start = ends.start,
           .direction_rad = ends.start_direction_rad,

@@ -90,6 +90,13 @@ std::optional<ClothoidSpline> splineThrough(const PlanarCurve& curve, const Clot
   }
 }
 
+[[noreturn]] void refuseTurnBack(const Vector2d& point, double tolerance_mm) {
+  throw std::domain_error(
+      fmt::format("no clothoids keep the tolerance {:.6g} mm at ({:.6g}, {:.6g}): the curve turns "
+                  "back there, or the tolerance is below its rounding",
+                  tolerance_mm, point.x(), point.y()));
+}
+
 FittedRun splineRun(const PlanarCurve& curve, const ClothoidRun& run, double tolerance_mm,
                     const Progress& progress) {
   // Four pieces of a closed run turn by a right angle each.
@@ -111,11 +118,7 @@ FittedRun splineRun(const PlanarCurve& curve, const ClothoidRun& run, double tol
       if (distance_mm) {
         result.distance_mm = std::max(result.distance_mm, *distance_mm);
       } else {
-        if (range.width() < shortest)
-          throw std::domain_error(fmt::format(
-              "no clothoids keep the tolerance {} mm at the parameter {} (segments count by 1): "
-              "the curve turns back there, or the tolerance is below its rounding",
-              tolerance_mm, range.lower));
+        if (range.width() < shortest) refuseTurnBack(curve.point(range.lower), tolerance_mm);
         finer.push_back(range.middle());
       }
       finer.push_back(range.upper);

@@ -182,15 +182,16 @@ ClothoidSpline clothoidSpline(const PlanarPoints& points, const ClothoidSplineOp
     spline.directions_rad = std::move(next);
     now = std::move(tried);
   }
-  spline.curvature_jump_per_mm = now.jumps_per_mm.cwiseAbs().maxCoeff();
+  Index roughest = 0;
+  spline.curvature_jump_per_mm = now.jumps_per_mm.cwiseAbs().maxCoeff(&roughest);
   // Far above the rounding of the angles, so that long polygons pass; far below any angle that a
   // tolerance of G2 notices.
   constexpr double accepted_rad = 1e-9;
   if (!(now.miss <= accepted_rad * accepted_rad))
-    throw std::domain_error(
-        fmt::format("no G2 spline of clothoids was found: a curvature jump of "
-                    "{:.3g} per mm is left after {} steps; insert points",
-                    spline.curvature_jump_per_mm, spline.steps));
+    throw std::domain_error(fmt::format(
+        "no G2 spline of clothoids was found: a curvature jump of "
+        "{:.3g} per mm is left at ({:.6g}, {:.6g}) after {} steps; insert points there",
+        spline.curvature_jump_per_mm, points(roughest, 0), points(roughest, 1), spline.steps));
   for (double& direction_rad : spline.directions_rad) direction_rad = wrapped(direction_rad);
   spline.pieces = std::move(now.pieces);
   return spline;

@@ -436,10 +436,10 @@ std::optional<double> fitConicRun(const ConicFitCurve& of, const ConicRun& run, 
       if (spans ? found.distances_mm[i] <= tolerance_mm : from.line_after || !sharp[i]) continue;
       if (to.u - from.u < shortest_span) {
         if (const auto stop = stopWithin(of.curve, from.u, to.u)) return stop;
-        throw std::domain_error(fmt::format(
-            "no conics keep the tolerance {} mm at the parameter {} (segments count by 1): the "
-            "curve turns back there, or the tolerance is below its rounding",
-            tolerance_mm, from.u));
+        throw std::domain_error(
+            fmt::format("no conics keep the tolerance {:.6g} mm at ({:.6g}, {:.6g}): the curve "
+                        "turns back there, or the tolerance is below its rounding",
+                        tolerance_mm, from.point.x(), from.point.y()));
       }
       const double middle = (from.u + to.u) / 2;
       finer.push_back({.u = middle, .point = of.curve.point(middle)});
@@ -447,10 +447,10 @@ std::optional<double> fitConicRun(const ConicFitCurve& of, const ConicRun& run, 
     finer.push_back(points.back());
     if (finer.size() == points.size()) {
       if (!spans)
-        throw std::domain_error(
-            fmt::format("no conics pass through the lines from the parameter "
-                        "{} to {} (segments count by 1)",
-                        run.begin, run.end));
+        throw std::domain_error(fmt::format(
+            "no conics pass through the lines from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g})",
+            points.front().point.x(), points.front().point.y(), points.back().point.x(),
+            points.back().point.y()));
       appendSpans(points, *spans, result);
       result.distance_mm = std::max(result.distance_mm, std::ranges::max(found.distances_mm));
       return std::nullopt;
@@ -514,8 +514,7 @@ ConicFit fitConics(const BezierSpline& spline, const ConicFitOptions& options,
     const auto stop = fitAllRuns(of, options, progress, result);
     if (!stop) break;
     if (cut == most_cuts)
-      throw std::domain_error(
-          fmt::format("the curve turns back more than {} times (segments count by 1)", most_cuts));
+      throw std::domain_error(fmt::format("the curve turns back more than {} times", most_cuts));
     turnBackAt(of, *stop);
   }
   if (result.conics.empty())

@@ -208,10 +208,11 @@ ConicPair fairConics(const ConicPairEnds& given, PairEffort effort) {
   const ChordAngles angles = chordAngles(given.ends);
   const double alpha = angles.alpha_rad, beta = angles.beta_rad;
   if (!(alpha * beta > 0 && std::abs(alpha + beta) < std::numbers::pi))
-    throw std::domain_error(
-        fmt::format("tangents with the angles {} and {} rad against their chord form no C-shape "
-                    "that turns by less than pi",
-                    alpha, beta));
+    throw std::domain_error(fmt::format(
+        "tangents with the angles {:.6g} and {:.6g} degrees against the chord from ({:.6g}, "
+        "{:.6g}) to ({:.6g}, {:.6g}) form no C-shape that turns by less than 180 degrees",
+        alpha * degrees_per_radian, beta * degrees_per_radian, given.ends.start.x(),
+        given.ends.start.y(), given.ends.end.x(), given.ends.end.y()));
   const bool right = alpha < 0;
   // The curvature grows along the unit pair: so a pair and the reversed one are found alike.
   const bool falls = std::abs(given.start_curvature_per_mm) > std::abs(given.end_curvature_per_mm);

@@ -122,7 +122,8 @@ NodeChain chainOf(const PlanarPoints& points, bool closed) {
     // As in tangentsAt(): the sense of a turn by pi is rounding.
     constexpr double reversal_rad = pi - 1e-9;
     if (std::abs(chain.at(i).turn_rad) > reversal_rad)
-      throw std::domain_error(fmt::format("the polygon reverses its direction at point {}", i));
+      throw std::domain_error(fmt::format("the polygon reverses its direction at ({:.6g}, {:.6g})",
+                                          chain.at(i).point.x(), chain.at(i).point.y()));
   }
   return chain;
 }

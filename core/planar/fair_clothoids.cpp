@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <seamwright/core/numeric.hpp>
 #include <seamwright/core/planar/fair_clothoids.hpp>
@@ -25,6 +26,7 @@ struct FairedRun {
   ClothoidFigures after;
   int point_inflections = 0;
   int steps = 0;
+  bool stays = false;  ///< nothing fairer was found
 };
 
 FairedRun unmovedRun(const FairingRun& run) {
@@ -36,8 +38,7 @@ FairedRun unmovedRun(const FairingRun& run) {
   return result;
 }
 
-FairedRun fairRun(const FairingRun& run) {
-  if (run.count() < 3) return unmovedRun(run);
+FairedRun fairedWithin(const FairingRun& run) {
   const FairedPoints faired =
       fairPoints(run.points, run.tolerances_mm, {.closed = run.closed, .ends_fixed = false},
                  partOf(run.progress, 0, 0));
@@ -61,10 +62,48 @@ FairedRun fairRun(const FairingRun& run) {
                         result.after.variation_per_mm3 >= result.before->variation_per_mm3)) {
     best = std::move(given);
     result.after = *result.before;
+    result.stays = true;
   }
   result.points = best->points;
   result.pieces = std::move(best->chain);
   return result;
+}
+
+int turnsOf(const ClothoidFigures& figures) {
+  return figures.extrema + figures.inflections;
+}
+
+/// Whether a run has more extrema or inflections than before, or stays as it is.
+bool isLacking(const FairedRun& run) {
+  return run.stays || (run.before && (run.after.extrema > run.before->extrema ||
+                                      run.after.inflections > run.before->inflections));
+}
+
+/// The search may miss the solution where points may move by about their distances: with a part of
+/// the tolerances it can find fewer extrema and inflections. These may cost up to twice the
+/// variation, as in fewerTurns().
+FairedRun fairRun(const FairingRun& run) {
+  if (run.count() < 3) return unmovedRun(run);
+  constexpr double most_times = 2;
+  FairedRun best = fairedWithin(run);
+  const double most_per_mm3 = most_times * best.after.variation_per_mm3;
+  int steps = best.steps;
+  for (const double share : {0.5, 0.2, 0.1, 0.05}) {
+    if (turnsOf(best.after) <= 1) break;
+    FairingRun part = run;
+    part.tolerances_mm *= share;
+    part.progress = partOf(run.progress, 1, 1);
+    FairedRun found = fairedWithin(part);
+    steps += found.steps;
+    // Then the curve follows errors, and smaller parts will too.
+    constexpr int most_turns = 2;
+    if (!isLacking(best) && turnsOf(found.after) > most_turns * turnsOf(best.after)) break;
+    const bool fewer =
+        turnsOf(found.after) < turnsOf(best.after) && found.after.variation_per_mm3 <= most_per_mm3;
+    if (!isLacking(found) && (isLacking(best) || fewer)) best = std::move(found);
+  }
+  best.steps = steps;
+  return best;
 }
 
 void addFigures(ClothoidFigures& sum, const ClothoidFigures& part) {

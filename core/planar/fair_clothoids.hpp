@@ -55,8 +55,10 @@ struct ClothoidFairingOptions {
 /// within the tolerances allow, each point along the normal of the chord of its neighbours. Where
 /// the circles through three points of fairPoints() turn to one side, so does the spline, if the
 /// tolerances allow it. Fewer inflections and extrema may cost up to twice the least variation.
-/// Pieces at ends and corners are arcs (ClothoidEnd::arc). Each step linearises the curvatures,
-/// exactly. Identities (each has a test of its number):
+/// Parts of the tolerances, down to a twentieth, are tried as well: the search can miss the fairest
+/// curve where points may move by about their distances. Pieces at ends and corners are arcs
+/// (ClothoidEnd::arc). Each step linearises the curvatures, exactly. Identities (each has a test of
+/// its number):
 ///   (2) No point moves by more than its tolerance, and a tolerance of 0 fixes a point bitwise.
 ///   (3) Neither variation nor inflections grow. Points of a circle stay.
 ///   (4) Corners stay bitwise, and the curve has one there. So do ends that are fixed.

@@ -129,7 +129,7 @@ class TurnReduction {
     const Eigen::VectorXd values = curvaturesAt(chain, run_.closed);
     const double range = values.maxCoeff() - values.minCoeff();
     std::size_t tried = 0;
-    for (const double share : {0.3, 0.1, 0.03, 0.01, 0.003}) {
+    for (const double share : {0.3, 0.1, 0.03, 0.01, 0.003, 0.001, 3e-4, 1e-4, 3e-5}) {
       const std::vector<Index> extrema = highExtrema(values, run_.closed, share * range);
       if (std::ssize(extrema) >= figuresOf(chain, run_.closed).extrema) return;
       if (extrema.size() % 2 != 0 && run_.closed) continue;

@@ -19,8 +19,11 @@ CurveFrame frameAt(const BezierCurve& segment, double t, int index) {
                         third = d.row(3).head<2>();
   const double speed = first.norm();
   if (!(speed > 0)) {
-    throw std::domain_error(fmt::format(
-        "the curve stops in segment {} at the parameter {}: it has no tangent there", index, t));
+    const Eigen::Vector3d point = segment.point(t);
+    throw std::domain_error(
+        fmt::format("the curve stops at ({:.6g}, {:.6g}), in segment {} at the parameter {}: it "
+                    "has no tangent there",
+                    point.x(), point.y(), index, t));
   }
   // docs/theory/planar.md P8.1.
   const double slope =

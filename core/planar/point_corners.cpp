@@ -76,6 +76,34 @@ std::vector<Index> sharpest(const TurningPolygon& polygon, const std::vector<dou
   return result;
 }
 
+/// A corner, if the turns beside it show so.
+struct SharpTurn {
+  Index at = 0;
+  double turn_rad = 0, beside_rad = 0;
+};
+
+/// Choices. A nose of which one point and its neighbours are known turns by up to four times as
+/// much as its neighbours; a bend of few points by up to ten times.
+constexpr double least_times = 5, least_times_of_few = 20;
+
+/// Without those that can be bends of a curve of few points.
+std::vector<Index> clearCorners(const std::vector<SharpTurn>& found, Index points, bool closed) {
+  constexpr std::size_t few = 5;  // three turns that are far smaller are no chance
+  std::vector<Index> corners;
+  for (const SharpTurn& turn : found) corners.push_back(turn.at);
+  if (corners.empty()) return corners;
+  const std::vector<std::vector<Index>> runs = runsBetween(points, corners, closed);
+  std::vector<Index> result;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const std::size_t before = closed ? (k + runs.size() - 1) % runs.size() : k,
+                      after = closed ? k : k + 1;
+    const bool has_few = std::max(runs[before].size(), runs[after].size()) < few;
+    if (!has_few || found[k].turn_rad > least_times_of_few * found[k].beside_rad)
+      result.push_back(found[k].at);
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<Index> pointCorners(const PlanarPoints& points, const PointCornerOptions& options) {
@@ -93,10 +121,7 @@ std::vector<Index> pointCorners(const PlanarPoints& points, const PointCornerOpt
     turns.push_back(polygon.turn_rad(i, 0));
     wide_turns.push_back(away_mm > 0 ? polygon.turn_rad(i, away_mm) : turns.back());
   }
-  // Between the turns at a corner and those beside it. A nose of which one point and its neighbours
-  // are known turns by up to four times as much as its neighbours.
-  constexpr double times = 5;
-  std::vector<Index> corners;
+  std::vector<SharpTurn> found;
   for (Index i = 0; i < n; ++i) {
     const double wide_rad = wide_turns[static_cast<std::size_t>(i)];
     if (!(turns[static_cast<std::size_t>(i)] > options.corner_rad)) continue;
@@ -105,9 +130,10 @@ std::vector<Index> pointCorners(const PlanarPoints& points, const PointCornerOpt
       return smoothTurn(polygon, wide_turns, i, direction, 2 * away_mm, options.corner_rad);
     };
     const auto before = beside(-1), after = beside(1);
-    if (before && after && wide_rad > times * std::max(*before, *after)) corners.push_back(i);
+    if (before && after && wide_rad > least_times * std::max(*before, *after))
+      found.push_back({i, wide_rad, std::max(*before, *after)});
   }
-  return sharpest(polygon, turns, corners, away_mm);
+  return sharpest(polygon, turns, clearCorners(found, n, options.closed), away_mm);
 }
 
 std::vector<std::vector<Index>> runsBetween(Index points, const std::vector<Index>& corners,

@@ -9,6 +9,7 @@
 #include <seamwright/occ_adapter/model/write.hpp>
 #include <seamwright/occ_adapter/planar/planar_wires.hpp>
 #include <seamwright/plugin/cli/curve_command.hpp>
+#include <seamwright/plugin/cli/curve_help.hpp>
 #include <seamwright/plugin/cli/curve_input.hpp>
 #include <seamwright/plugin/cli/curve_methods.hpp>
 #include <seamwright/plugin/cli/curve_output.hpp>
@@ -159,11 +160,10 @@ void addCurveOptions(CLI::App& command, CurveArguments& arguments) {
     for (const char* name : {"METHOD", "INPUT", "-o"})
       if (command.get_option(name)->count() == 0) throw CLI::RequiredError(name);
   });
-  command
-      .add_option("METHOD", arguments.method,
-                  "arcs: arcs and lines; clothoid: clothoids with continuous curvature; conic: "
-                  "conics with continuous curvature; fair: the curve or the points made fair")
-      ->check(CLI::IsMember(curveMethods()));
+  const CLI::Option* method =
+      command.add_option("METHOD", arguments.method, methodsText() + " (METHOD --help shows more)")
+          ->check(CLI::IsMember(curveMethods()));
+  helpByMethod(command, *method);
   command.add_option(
       "INPUT", arguments.input,
       "Points (.csv, .txt, .dat, .xy, .xyz: x,y or x,y,z on each line; after a header with the "

@@ -53,7 +53,8 @@ MadeCurve madeClothoids(const GivenCurve& given, const CurveTask& task) {
 }
 
 MadeCurve madeFair(const GivenCurve& given, const CurveTask& task) {
-  return given.points.rows() > 0 ? madeFairPoints(given, task) : madeFairSplines(given, task);
+  return given.points.rows() > 0 ? madeFairPoints(given, task, pointError_mm(given, task))
+                                 : madeFairSplines(given, task);
 }
 
 /// Extrema and inflections that the work added. Returns whether there are some.
@@ -77,10 +78,11 @@ void noteRounding(report::CurveRecord& record, const GivenCurve& given, double t
   const PointFairness certain = fairnessOf(given.points, record.closed, given.rounding_mm);
   const auto extrema = static_cast<int>(certain.extrema.size());
   if (extrema < record.before.extrema)
-    record.notes.push_back(fmt::format(
-        "the points, rounded by up to {:.2g} mm, certainly have only {} of the {} extrema before{}",
-        given.rounding_mm, extrema, record.before.extrema,
-        tolerance_mm < given.rounding_mm ? ": give a larger --tolerance" : ""));
+    record.notes.push_back(
+        fmt::format("{} of the {} extrema before can come from the rounding of the points, by up "
+                    "to {:.2g} mm{}",
+                    record.before.extrema - extrema, record.before.extrema, given.rounding_mm,
+                    tolerance_mm < given.rounding_mm ? "; give a larger --tolerance" : ""));
 }
 
 MadeCurve madeBy(const std::string& method, const GivenCurve& given, const CurveTask& task) {
@@ -101,6 +103,17 @@ MadeCurve madeOf(const std::string& method, const GivenCurve& given, const Curve
   }
 }
 
+/// Far from the origin, messages have the coordinates of the local curve.
+MadeCurve madeLocally(const std::string& method, const LocalCurve& local, const CurveTask& task) {
+  try {
+    return madeOf(method, local.given, taskOf(local, task));
+  } catch (const std::domain_error& error) {
+    if (local.origin.isZero(0)) throw;
+    throw std::domain_error(fmt::format("{} (coordinates from ({:.15g}, {:.15g}))", error.what(),
+                                        local.origin.x(), local.origin.y()));
+  }
+}
+
 }  // namespace
 
 const std::vector<std::string>& curveMethods() {
@@ -115,11 +128,11 @@ MadeCurve madeCurve(const std::string& method, const GivenCurve& given, const Cu
   requireSize(given);
   const LocalCurve local = localCurve(given);
   requireAboveRounding(task.tolerance_mm, local.given);
-  MadeCurve made = madeOf(method, local.given, taskOf(local, task));
+  MadeCurve made = madeLocally(method, local, task);
   if (!local.origin.isZero(0)) moveBack(made, local);
-  const bool has_notes = made.record.notes != given.record.notes, added = noteAdded(made.record);
+  const bool added = noteAdded(made.record);
   // Arcs have jumps of the curvature, which nobody takes for a fair curve.
-  made.record.with_reservations |= method != "arcs" && (added || (method == "conic" && has_notes));
+  made.record.with_reservations |= method != "arcs" && added;
   noteRounding(made.record, local.given, task.tolerance_mm);
   return made;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <seamwright/core/planar/fair_clothoids.hpp>
 #include <seamwright/core/planar/point_corners.hpp>
+#include <seamwright/core/planar/sampled_chain.hpp>
 #include <seamwright/plugin/cli/curve_figures.hpp>
 #include <seamwright/plugin/cli/faired_points.hpp>
 #include <seamwright/plugin/cli/point_curves.hpp>
@@ -118,24 +119,53 @@ double leftOutWithin_mm(const GivenCurve& given, const PointsToFair& part,
   return largest_mm;
 }
 
-void noteTwins(report::CurveRecord& record, const GivenCurve& given, const PointsToFair& part) {
+std::vector<std::string> twinNotes(const GivenCurve& given, const PointsToFair& part) {
+  std::vector<std::string> notes;
   if (!part.twins.empty()) {
     const auto lineOf = [&](Eigen::Index i) { return given.lines[static_cast<std::size_t>(i)]; };
     const PointTwin& first = part.twins.front();
     const double gap_mm = (given.points.row(first.left_out) - given.points.row(first.kept)).norm();
     const std::string more =
         part.twins.size() == 1 ? "" : fmt::format(", and {} more", part.twins.size() - 1);
-    record.notes.push_back(
-        fmt::format("left out: the point of line {}, {:.3g} mm from that of line {}{}",
-                    lineOf(first.left_out), gap_mm, lineOf(first.kept), more));
+    notes.push_back(fmt::format("left out: the point of line {}, {:.3g} mm from that of line {}{}",
+                                lineOf(first.left_out), gap_mm, lineOf(first.kept), more));
   }
-  if (const std::string crowded = crowdedPoints(part.curve); !crowded.empty())
-    record.notes.push_back(crowded);
+  if (std::string crowded = crowdedPoints(part.curve); !crowded.empty())
+    notes.push_back(std::move(crowded));
+  return notes;
+}
+
+/// Samples of lines and arcs, such as a slot: their extrema are no errors.
+void noteSampled(report::CurveRecord& record, const GivenCurve& given) {
+  constexpr int least_extrema = 4;
+  constexpr std::size_t points_of_a_piece = 8;
+  if (record.after.extrema < least_extrema) return;
+  const double size_mm =
+      (given.points.colwise().maxCoeff() - given.points.colwise().minCoeff()).norm();
+  const double error_mm = std::max(given.rounding_mm, 1e-9 * size_mm);
+  const auto chain =
+      sampledChain(given.points, {.closed = record.closed, .tolerance_mm = error_mm});
+  if (!chain || chain->arcs.size() < 2 ||
+      points_of_a_piece * chain->arcs.size() > static_cast<std::size_t>(given.points.rows()))
+    return;
+  record.notes.push_back(
+      fmt::format("the points are samples of {} lines and arcs: the curvature jumps where these "
+                  "meet, and a curve "
+                  "with continuous curvature has extrema there; the method arcs gives them",
+                  chain->arcs.size()));
 }
 
 }  // namespace
 
-MadeCurve madeFairPoints(const GivenCurve& given, const CurveTask& task) {
+double pointError_mm(const GivenCurve& given, const CurveTask& task) {
+  return std::max(middleOf(tolerancesOf(given, task)), given.rounding_mm);
+}
+
+std::vector<std::string> twinNotes(const GivenCurve& given, const CurveTask& task) {
+  return twinNotes(given, pointsToFair(given, task));
+}
+
+MadeCurve madeFairPoints(const GivenCurve& given, const CurveTask& task, double error_mm) {
   const bool closed = given.record.closed;
   const PointsToFair part = pointsToFair(given, task);
   const PlanarPoints& points = part.curve.points;
@@ -145,8 +175,6 @@ MadeCurve madeFairPoints(const GivenCurve& given, const CurveTask& task) {
         fmt::format("{} of the {} points repeat their neighbours: at least {} "
                     "others are needed",
                     part.twins.size(), given.points.rows(), least_points));
-  // Points are off by their rounding, also where the tolerance is smaller.
-  const double error_mm = std::max(middleOf(tolerancesOf(given, task)), given.rounding_mm);
   const FairedClothoids faired =
       fairClothoids(points, part.tolerances_mm,
                     {.closed = closed,
@@ -168,8 +196,9 @@ MadeCurve madeFairPoints(const GivenCurve& given, const CurveTask& task) {
     made.record.notes.push_back(
         "no clothoids pass through the points as read: the figures before are those of biarcs");
   }
-  noteTwins(made.record, given, part);
+  for (std::string& note : twinNotes(given, part)) made.record.notes.push_back(std::move(note));
   noteTurns(made.record, faired);
+  noteSampled(made.record, given);
   return made;
 }
 

@@ -32,32 +32,14 @@ BezierSpline splineThrough(const Poles& points, bool closed) {
   return nuSpline(data).curve;
 }
 
-/// Corners that have enough points on one side to tell them from the bends of a curve of few
-/// points.
-std::vector<Eigen::Index> clearCorners(const std::vector<Eigen::Index>& corners,
-                                       Eigen::Index points, bool closed) {
-  constexpr std::size_t least_beside = 5;  // a choice: three turns that are all far smaller
-  if (corners.empty()) return {};
-  const std::vector<std::vector<Eigen::Index>> runs = runsBetween(points, corners, closed);
-  std::vector<Eigen::Index> result;
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const std::size_t before = closed ? (k + runs.size() - 1) % runs.size() : k,
-                      after = closed ? k : k + 1;
-    if (std::max(runs[before].size(), runs[after].size()) >= least_beside)
-      result.push_back(corners[k]);
-  }
-  return result;
-}
-
 /// Corners of points in a plane; points in space have none.
 std::vector<Eigen::Index> cornersOf(const PointFile& file, bool closed, double flat_mm) {
   constexpr Eigen::Index least_points = 3;
   if (file.points.rows() < least_points) return {};
   const FittedPlane plane = fitPlane(file.points);
   if (plane.distance_mm > flat_mm) return {};
-  return clearCorners(pointCorners(coordinatesIn(plane.frame, file.points),
-                                   {.closed = closed, .error_mm = file.rounding_mm}),
-                      file.points.rows(), closed);
+  return pointCorners(coordinatesIn(plane.frame, file.points),
+                      {.closed = closed, .error_mm = file.rounding_mm});
 }
 
 /// The derivative at the first of three points of the parabola through them.

@@ -135,11 +135,18 @@ EXPECTED = {
     ("plugin/cli/curve_output.cpp", "std::logic_error"): (
         "core finds no arcs near the curve: the reason in the report, and the others are drawn"
     ),
+    ("plugin/cli/curve_arcs.cpp", "std::domain_error"): (
+        "no clothoids through points that are too far apart: biarcs instead"
+    ),
+    ("plugin/cli/curve_conics.cpp", "std::domain_error"): (
+        "no figures of a kink: throws what to do",
+        "a part of the tolerance that is too small: the conics of the others",
+        "points that are too few for their turns: the conics of other parts, or through the points",
+        "no conics through the points: those near them, or throws it",
+    ),
     ("plugin/cli/curve_methods.cpp", "std::domain_error"): (
-        "no clothoids through points that are too far apart: biarcs instead",
-        "no figures of a kink: conics near the points, or says what to do",
-        "fair points need clothoids, and there are none: conics near the points as they are",
         "points that are too close together: throws it with their lines",
+        "throws it with the origin of the coordinates",
     ),
     ("plugin/cli/main.cpp", "std::exception"): "the end of a program: prints the error",
     ("samples/01_analyze_model.cpp", "std::exception"): "the end of a program: prints the error",

@@ -352,7 +352,7 @@ def test_a_faired_airfoil_turns_to_one_side(tmp_path, thickness, count, toleranc
     _, report, out = curve("fair", given, "--closed", "--tolerance", tolerance, out="out.step")
     (found,) = report["curves"]
     assert found["after"]["inflections"] == 0 and found["corners"] == 1
-    assert all("the points, rounded by up to" in note for note in found["notes"])
+    assert all("can come from the rounding of the points" in note for note in found["notes"])
     assert found["after"]["extrema"] <= 3
     assert found["after"]["variation_per_mm3"] < found["before"]["variation_per_mm3"]
     assert found["moved_mm"] <= tolerance
