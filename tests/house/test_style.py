@@ -280,3 +280,16 @@ def test_files_that_use_eigens_geometry_include_it():
         if not re.search(r"#include <Eigen/(Geometry|Dense)>", text)
     ]
     assert not without, "\n".join(without)
+
+
+def test_every_file_of_tests_is_run():
+    lists = {
+        folder: set(re.findall(r"\w+", (ROOT / folder / "CMakeLists.txt").read_text()))
+        for folder in ("tests/plugin/cli", "tests/plugin/python")
+    }
+    files = {
+        folder: {path.stem.removeprefix("test_") for path in (ROOT / folder).glob("test_*.py")}
+        for folder in lists
+    }
+    assert all(files.values())
+    assert {folder: files[folder] - lists[folder] for folder in lists} == dict.fromkeys(lists, set())
