@@ -99,6 +99,9 @@ void addBlendSurfaceOptions(CLI::App& command, BlendSurfaceArguments& arguments)
   };
   add_side("start", arguments.start);
   add_side("end", arguments.end);
+  command.add_flag("--flip", arguments.flip,
+                   "The end runs in the other direction than that in which the surface is less "
+                   "twisted");
   addCommonOptions(command, arguments.surface);
 }
 
@@ -118,8 +121,10 @@ int runBlendSurface(const BlendSurfaceArguments& arguments) {
   return run(arguments.surface,
              [&](const occ::Model& model, const occ::BlendSurfaceOptions& options,
                  const occ::Progress& progress) {
+               occ::BlendSurfaceOptions flipped = options;
+               flipped.flip = arguments.flip;
                return occ::blendSurface(model.shape, endOf(arguments.start), endOf(arguments.end),
-                                        options, progress);
+                                        flipped, progress);
              });
 }
 

@@ -28,6 +28,7 @@ struct SurfaceArguments {
 struct BlendSurfaceArguments {
   SurfaceArguments surface;
   SideArguments start, end;
+  bool flip = false;
 };
 
 /// Arguments of `seamwright extend`.
