@@ -96,6 +96,14 @@ std::string reasonOf(const BlendEndReport& end, double match_mm, double apart_mm
   return fmt::format("seams cover {:.4g} of {:.4g} mm: {}", end.covered_mm, end.length_mm, apart);
 }
 
+/// Whether there are tangent planes, but for ends, where boundaries of the model's faces collapse.
+bool isRegular(const SeamFigures& figures) {
+  constexpr double end = 1e-5;  // more than rounding makes of a pole
+  return std::ranges::all_of(figures.degenerate, [](const DegeneratePoint& point) {
+    return point.at < end || point.at > 1 - end;
+  });
+}
+
 BlendEndReport unmeasured(const ChosenEnd& chosen) {
   BlendEndReport result;
   result.name = chosen.end.side.name;
@@ -118,7 +126,8 @@ void measureBlend(const TopoDS_Shape& model, const std::vector<ChosenEnd>& ends,
   report.seams.clear();
   report.ends.clear();
   report.fold = foldOf(report.surface);
-  report.reached = !report.fold;
+  // A blend that folds still joins its sides; an extension that does is no continuation.
+  report.reached = task.count() == 2 || !report.fold;
   for (std::size_t k = 0; k < ends.size(); ++k) {
     const Neighbourhood around_it = around(ends[k], report.face);
     const int made = static_cast<int>(around_it.faces.size()) + 1;
@@ -134,7 +143,7 @@ void measureBlend(const TopoDS_Shape& model, const std::vector<ChosenEnd>& ends,
       SeamResult result =
           measureSeam(named, {.tolerance = tolerance, .level = end.level, .match_mm = match_mm});
       report.reached = report.reached && result.verdict.level >= end.level &&
-                       result.verdict.certain && result.figures.degenerate.empty();
+                       result.verdict.certain && isRegular(result.figures);
       end.covered_mm += result.length_mm;
       result.faces = {named.sides[other].face, 0};
       result.edges = {edges.FindIndex(seam.sides[other].edge)};

@@ -9,6 +9,7 @@
 #include <functional>
 
 #include <seamwright/core/blend/hermite_sheet.hpp>
+#include <seamwright/core/differential/fundamental_forms.hpp>
 #include <seamwright/core/linear/gauss_rule.hpp>
 #include <seamwright/core/seam/measure.hpp>
 #include <seamwright/occ_adapter/blend/blend_sheet.hpp>
@@ -142,9 +143,11 @@ std::vector<PoorSpan> poorSpans(const BlendTask& task, const BSplineSurface& she
                                 const SheetKnots& knots, double share_of_tolerance) {
   // Seams are worst beside breaks and at ends.
   constexpr std::array<double, 6> samples = {0.01, 0.15, 0.38, 0.62, 0.85, 0.99};
-  // Where a derivative of the face jumps no spline is near enough. Second differences over shorter
-  // spans have fewer than half of the digits.
-  constexpr double shortest = 1.0 / 4096;
+  // Where a derivative of the face jumps no spline is near enough. The figures of second order need
+  // second differences, those of third order third ones: over shorter spans they have fewer than
+  // half of the digits.
+  const auto is_third = [](const BlendEnd& end) { return end.order == most_blend_order; };
+  const double shortest = std::ranges::any_of(task.ends, is_third) ? 1.0 / 512 : 1.0 / 4096;
   std::vector<PoorSpan> result;
   const std::map<double, int>& at = knots.multiplicities();
   for (auto from = at.begin(), to = std::next(from); to != at.end(); from = to++) {
@@ -158,6 +161,17 @@ std::vector<PoorSpan> poorSpans(const BlendTask& task, const BSplineSurface& she
   }
   std::ranges::sort(result, std::greater(), &PoorSpan::excess);
   return result;
+}
+
+/// Whether the curvature of the face is the same on both sides of a break.
+bool isCurvatureContinuous(const BlendSide& side, double at) {
+  // Of the side: far above rounding, and so near that smooth curvature changes by less than
+  // another sixth digit. A jump below the fourth digit is below every tolerance.
+  constexpr double beside = 1e-7, least_jump = 1e-4;
+  const SideSample before = side.at(at - beside), after = side.at(at + beside);
+  const Eigen::Matrix3d one = curvatureTensor(before.jet, before.normal),
+                        other = curvatureTensor(after.jet, after.normal);
+  return (one - other).norm() <= least_jump * std::max(one.norm(), other.norm());
 }
 
 /// Where normals turn over along a line across the sheet.
@@ -181,10 +195,11 @@ std::optional<SheetFold> foldAlong(const BSplineSurface& sheet, double u) {
 SheetKnots::SheetKnots(const BlendTask& task)
     : multiplicities_{{0, degree_along + 1}, {1, degree_along + 1}} {
   // At joints of edges derivatives along the side may jump. At breaks within an edge the path and
-  // the directions are C^1.
+  // the directions are C^1, unless the curvature of the face jumps.
   for (const BlendSide& side : task.sides) {
     for (const double at : side.joints()) add(at, degree_along);
-    for (const double at : side.breaks()) add(at, degree_along - 1);
+    for (const double at : side.breaks())
+      add(at, isCurvatureContinuous(side, at) ? degree_along - 1 : degree_along);
   }
   // A side with fewer spans meets its tolerance by chance only.
   constexpr double longest = 0.25;
@@ -193,6 +208,27 @@ SheetKnots::SheetKnots(const BlendTask& task)
     const double length = to->first - from->first;
     const int parts = static_cast<int>(std::ceil(length / longest));
     for (int i = 1; i < parts; ++i) multiplicities_[from->first + length * i / parts] = 1;
+  }
+  grade();
+}
+
+void SheetKnots::grade() {
+  // Slopes at a knot between a long and a short span are as good as in the long one; divided by the
+  // length of the short one they are its error of curvature.
+  constexpr double most = 4;
+  for (auto from = multiplicities_.begin(); std::next(from) != multiplicities_.end();) {
+    const auto to = std::next(from);
+    const double length = to->first - from->first;
+    double beside = length;
+    if (from != multiplicities_.begin()) beside = from->first - std::prev(from)->first;
+    if (std::next(to) != multiplicities_.end())
+      beside = std::min(beside, std::next(to)->first - to->first);
+    if (length <= most * beside) {
+      ++from;
+      continue;
+    }
+    halve(from->first, to->first);
+    if (from != multiplicities_.begin()) --from;  // its span may be too long now
   }
 }
 
@@ -215,6 +251,10 @@ std::vector<double> SheetKnots::flat() const {
   return result;
 }
 
+BSplineSurface firstSheet(const BlendTask& task) {
+  return sheetOver(task, SheetKnots(task).flat());
+}
+
 BSplineSurface refinedSheet(const BlendTask& task, double share_of_tolerance, int max_spans,
                             SheetKnots& knots, const Progress& progress) {
   for (int round = 0;; ++round) {
@@ -224,6 +264,7 @@ BSplineSurface refinedSheet(const BlendTask& task, double share_of_tolerance, in
     const int more = std::min(static_cast<int>(poor.size()), max_spans - knots.spans());
     if (more <= 0) return sheet;
     for (int i = 0; i < more; ++i) knots.halve(poor[i].from, poor[i].to);
+    knots.grade();
   }
 }
 

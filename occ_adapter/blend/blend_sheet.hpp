@@ -32,6 +32,8 @@ class SheetKnots {
   explicit SheetKnots(const BlendTask& task);
 
   void halve(double from, double to) { multiplicities_[0.5 * (from + to)] = 1; }
+  /// Halves spans that are much longer than one beside them.
+  void grade();
   const std::map<double, int>& multiplicities() const { return multiplicities_; }
   int spans() const { return static_cast<int>(multiplicities_.size()) - 1; }
   std::vector<double> flat() const;
@@ -41,6 +43,9 @@ class SheetKnots {
 
   std::map<double, int> multiplicities_;
 };
+
+/// The sheet with the fewest knots.
+BSplineSurface firstSheet(const BlendTask& task);
 
 /// Halves spans until no sample is beyond that share of the tolerance, or no span can be halved.
 /// \throws GeometryError where a side can't be continued, and for sides that touch; Cancelled.

@@ -76,22 +76,24 @@ std::string faultOf(const SeamGraph& graph, int edge, const std::vector<Coedge>&
 void requireSmooth(const SidePath& path, bool closed) {
   // A choice: directions across the side jump by that much, which nobody sees.
   constexpr double most_kink_rad = 1 * radians_per_degree;
+  // Of the side: far above rounding, and so short that only a corner turns by a degree. Chords also
+  // have a direction where a path stands still.
+  constexpr double beside = 1e-7;
   const auto require = [&](double arriving, double leaving, const char* where) {
-    const Eigen::Vector3d before = path.atShare(arriving, false).derivative,
-                          after = path.atShare(leaving, true).derivative;
+    const Eigen::Vector3d at = path.atShare(leaving, true).point,
+                          before = path.atShare(arriving, false).point -
+                                   path.atShare(arriving - beside, false).point,
+                          after = path.atShare(leaving + beside, true).point - at;
     const double kink_rad = std::atan2(before.cross(after).norm(), before.dot(after));
     if (!(kink_rad <= most_kink_rad))
-      throw std::invalid_argument(
-          fmt::format("the side has a corner of {:.3g} degrees {} edge {}, at ({:.6g}): make a "
-                      "surface for each part without corners",
-                      kink_rad / radians_per_degree, where, path.edgeAt(leaving),
-                      fmt::join(path.atShare(leaving, true).point, ", ")));
+      throw std::invalid_argument(fmt::format(
+          "the side has a corner of {:.3g} degrees {} edge {}, at ({:.6g}): make a "
+          "surface for each part without corners",
+          kink_rad / radians_per_degree, where, path.edgeAt(leaving), fmt::join(at, ", ")));
   };
   for (const double joint : path.joints()) require(joint, joint, "beside");
   if (closed) require(1, 0, "beside");
-  // Far above rounding, and so short that only a corner turns by a degree.
-  constexpr double beside = 1e-9;
-  for (const double inside : path.breaks()) require(inside - beside, inside + beside, "inside of");
+  for (const double inside : path.breaks()) require(inside, inside, "inside of");
 }
 
 /// "Edge1, Edge2 and of Edge5": the edges of each chain.

@@ -4,6 +4,8 @@
 
 #include <Eigen/Geometry>
 #include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <cmath>
@@ -12,8 +14,10 @@
 #include <seamwright/occ_adapter/blend/blend_seams.hpp>
 #include <seamwright/occ_adapter/blend/blend_sheet.hpp>
 #include <seamwright/occ_adapter/blend/blend_surface.hpp>
+#include <seamwright/occ_adapter/blend/extend_to.hpp>
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
 #include <seamwright/occ_adapter/model/compound.hpp>
+#include <seamwright/occ_adapter/model/parts.hpp>
 
 namespace seamwright::occ {
 
@@ -173,7 +177,7 @@ BlendSide facing(const BlendSide& start, const ChosenEnd& end, bool flip) {
 /// The sheet with as many spans as its seams need, and its seams.
 BlendSurfaceReport fitted(const TopoDS_Shape& model, const std::vector<ChosenEnd>& ends,
                           const BlendTask& task, const BlendSurfaceOptions& options,
-                          const Progress& progress) {
+                          const Progress& progress, const ExtensionTarget* target = nullptr) {
   SheetKnots knots(task);
   BlendSurfaceReport report;
   // Seams are worst between the samples: then less is allowed at these.
@@ -182,7 +186,7 @@ BlendSurfaceReport fitted(const TopoDS_Shape& model, const std::vector<ChosenEnd
     report.surface = refinedSheet(task, share, options.max_spans, knots, progress);
     report.spans = knots.spans();
     if (report.spans == before) break;
-    report.face = faceOf(report.surface);
+    report.face = target ? trimmedBy(report.surface, *target) : faceOf(report.surface);
     measureBlend(model, ends, task, report);
     if (report.reached) break;
   }
@@ -193,6 +197,22 @@ BlendSurfaceReport fitted(const TopoDS_Shape& model, const std::vector<ChosenEnd
 SplineClosure closureOf(const ChosenEnd& end) {
   // Where edges join the derivatives along the side may jump, so nothing has to be periodic.
   return end.closed && end.path->isOneEdge() ? SplineClosure::Periodic : SplineClosure::Open;
+}
+
+ChosenEnd chosenExtension(const TopoDS_Shape& model, const BlendEnd& side,
+                          const BlendSurfaceOptions& options) {
+  options.tolerance.validate();
+  requireEnd("side", side);
+  if (side.order < 1) throw std::invalid_argument("order is 0: an extension is G1, G2 or G3");
+  return chosenEnd("side", model, side, options);
+}
+
+BlendTask extensionOf(const ChosenEnd& end, double length_mm, const BlendSurfaceOptions& options) {
+  return {.sides = {BlendSide(end.path, end.directions, false)},
+          .ends = {end.end},
+          .length_mm = length_mm,
+          .closure = closureOf(end),
+          .tolerance = options.tolerance};
 }
 
 }  // namespace
@@ -219,19 +239,30 @@ BlendSurfaceReport blendSurface(const TopoDS_Shape& model, const BlendEnd& start
 
 BlendSurfaceReport extendSurface(const TopoDS_Shape& model, const BlendEnd& side, double length_mm,
                                  const BlendSurfaceOptions& options, const Progress& progress) {
-  options.tolerance.validate();
-  requireEnd("side", side);
-  if (side.order < 1) throw std::invalid_argument("order is 0: an extension is G1, G2 or G3");
   if (!(length_mm > 0) || !std::isfinite(length_mm))
     throw std::invalid_argument(
         fmt::format("length_mm is {}: it must be positive and finite", length_mm));
-  const std::vector<ChosenEnd> ends = {chosenEnd("side", model, side, options)};
-  const BlendTask task{.sides = {BlendSide(ends[0].path, ends[0].directions, false)},
-                       .ends = {ends[0].end},
-                       .length_mm = length_mm,
-                       .closure = closureOf(ends[0]),
-                       .tolerance = options.tolerance};
-  return fitted(model, ends, task, options, progress);
+  const ChosenEnd end = chosenExtension(model, side, options);
+  return fitted(model, {end}, extensionOf(end, length_mm, options), options, progress);
+}
+
+BlendSurfaceReport extendSurfaceTo(const TopoDS_Shape& model, const BlendEnd& side, int face,
+                                   const BlendSurfaceOptions& options, const Progress& progress) {
+  const TopTools_IndexedMapOfShape faces = partsOf(model, TopAbs_FACE);
+  requireFace(face, faces.Extent());
+  const ExtensionTarget target{TopoDS::Face(faces(face)), face};
+  const ChosenEnd end = chosenExtension(model, side, options);
+  // Lines that bend are longer than straight ones.
+  constexpr double longer = 1.5;
+  const double most_mm = longer * farthestOf(*end.path, target);
+  const LineLengths lengths = lengthsTo(firstSheet(extensionOf(end, most_mm, options)), target);
+  // Beyond the face, so that it divides the sheet: the lines between those that were looked at may
+  // be longer.
+  constexpr double beyond = 1.05;
+  const BlendTask task = extensionOf(end, beyond * lengths.most_mm, options);
+  BlendSurfaceReport report = fitted(model, {end}, task, options, progress, &target);
+  report.to = ExtensionEnd{face, lengths.least_mm, lengths.most_mm, gapTo(report.face, target)};
+  return report;
 }
 
 }  // namespace seamwright::occ

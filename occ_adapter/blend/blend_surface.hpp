@@ -32,7 +32,7 @@ struct BlendEnd {
 
 struct BlendSurfaceOptions {
   ContinuityTolerance tolerance;  ///< the seams meet it: gap, angle, curvature
-  int max_spans = 200;            ///< work limit: the most spans along the sides
+  int max_spans = 300;            ///< work limit: the most spans along the sides
   /// The end runs in the other direction than that in which a blend is less twisted.
   bool flip = false;
 };
@@ -59,6 +59,13 @@ struct SheetFold {
   Eigen::Vector3d point_mm;
 };
 
+/// How an extension ends at a face.
+struct ExtensionEnd {
+  int face = 0;
+  double least_mm = 0, most_mm = 0;  ///< length of the lines across
+  double distance_mm = 0;            ///< largest, from the new edges to the face
+};
+
 /// A new face, and how it meets the model.
 struct BlendSurfaceReport {
   BSplineSurface surface;
@@ -68,7 +75,9 @@ struct BlendSurfaceReport {
   int spans = 0;                 ///< along the sides
   std::vector<BlendEndReport> ends;  ///< start and end, or the one side
   std::optional<SheetFold> fold;     ///< the one nearest to the start, if the surface has any
-  /// All seams certainly have the level of their end and cover the sides, and nothing folds.
+  std::optional<ExtensionEnd> to;    ///< of an extension up to a face
+  /// All seams certainly have the level of their end and cover the sides, and an extension does not
+  /// fold.
   bool reached = false;
 };
 
@@ -105,5 +114,16 @@ BlendSurfaceReport blendSurface(const TopoDS_Shape& model, const BlendEnd& start
 BlendSurfaceReport extendSurface(const TopoDS_Shape& model, const BlendEnd& side, double length_mm,
                                  const BlendSurfaceOptions& options = {},
                                  const Progress& progress = {});
+
+/// A surface that continues a side of a model up to a face, which trims it: OpenCASCADE divides an
+/// extension that is a little longer. The face is not changed.
+///
+///     const BlendSurfaceReport longer = extendSurfaceTo(model, {.side = {{3}}}, 7);
+///
+/// \throws as extendSurface(); std::invalid_argument for a number that names no face; GeometryError
+/// where a line across does not meet the face, with the line, and if OpenCASCADE can't divide.
+BlendSurfaceReport extendSurfaceTo(const TopoDS_Shape& model, const BlendEnd& side, int face,
+                                   const BlendSurfaceOptions& options = {},
+                                   const Progress& progress = {});
 
 }  // namespace seamwright::occ

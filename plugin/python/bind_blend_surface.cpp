@@ -76,20 +76,26 @@ BlendedSurface blendSurface(const occ::Model& model, const py::object& start, co
 }
 
 BlendedSurface extendSurface(const occ::Model& model, const py::object& edges,
-                             const py::object& length_mm, const py::object& faces,
-                             const py::object& order, const py::object& profile,
-                             const py::object& gap_mm, const py::object& angle_deg,
-                             const py::object& curvature_rel, const py::object& flat_radius_mm,
-                             const py::object& crease_deg, const py::object& progress) {
+                             const py::object& length_mm, const py::object& to,
+                             const py::object& faces, const py::object& order,
+                             const py::object& profile, const py::object& gap_mm,
+                             const py::object& angle_deg, const py::object& curvature_rel,
+                             const py::object& flat_radius_mm, const py::object& crease_deg,
+                             const py::object& progress) {
   const occ::BlendEnd side{
       .side = {.edges = numbersOrOne("edges", edges), .faces = numbersOrOne("faces", faces)},
       .order = orderOf("order", order)};
-  const double length = numberOf("length_mm", length_mm);
+  if (length_mm.is_none() == to.is_none())
+    throw py::value_error("length_mm or to: exactly one of them is needed");
+  const double length = length_mm.is_none() ? 0 : numberOf("length_mm", length_mm);
+  const bool is_length = to.is_none();
+  const int face = is_length ? 0 : wholeNumber("to", to);
   occ::BlendSurfaceOptions options;
   options.tolerance =
       toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg});
   return longCall(progress, [&](const occ::Progress& report) {
-    return withModel(occ::extendSurface(model.shape, side, length, options, report),
+    return withModel(is_length ? occ::extendSurface(model.shape, side, length, options, report)
+                               : occ::extendSurfaceTo(model.shape, side, face, options, report),
                      options.tolerance);
   });
 }
@@ -106,6 +112,7 @@ py::dict blendDict(const BlendedSurface& result) {
   dict["reached"] = result.report.reached;
   dict["spans"] = result.report.spans;
   dict["fold"] = plainObject(report::foldJson(result.report));
+  dict["to"] = plainObject(report::extensionJson(result.report));
   dict["sides"] = plainObject(report::sidesJson(result.report));
   py::list seams;
   for (const py::handle seam : seamsOf(result)) seams.append(seam.attr("to_dict")());
@@ -143,6 +150,13 @@ void bindResult(py::module_& module) {
           "Where the surface turns over, nearest to the start: distance_mm and point_mm; None if "
           "it "
           "does not.")
+      .def_property_readonly(
+          "to",
+          [](const BlendedSurface& result) {
+            return plainObject(report::extensionJson(result.report));
+          },
+          "Of an extension up to a face: face, least_mm and most_mm, the lengths of the lines "
+          "across, and distance_mm, the largest from the new edges to the face; otherwise None.")
       .def_readonly("model", &BlendedSurface::model, "The model with the new face, its last one.")
       .def("to_dict", &blendDict, "All but surface and model as a plain dict.")
       .def("__repr__", [](const BlendedSurface& result) {
@@ -164,9 +178,10 @@ is less twisted. Tolerances and progress as in analyze(). ValueError for bad arg
 with name and value. The model is not changed.)";
 
 constexpr const char* extend_surface_doc =
-    R"(Continues the surface of a side over a length: a BlendedSurface.
+    R"(Continues the surface of a side over a length, or up to a face: a BlendedSurface.
 
-edges: an edge, or the edges of a chain, numbers from 1. Edges are free, or faces names the faces to
+edges: an edge, or the edges of a chain, numbers from 1. to: a face that trims the extension, instead
+of a length. Edges are free, or faces names the faces to
 continue. order: 'G1' (ruled), 'G2' or 'G3'. Tolerances and progress as in analyze(). ValueError for
 bad arguments, with name and value. The model is not changed.)";
 
@@ -186,11 +201,11 @@ void bindBlendSurface(py::module_& module) {
            py::arg("flat_radius_mm") = py::none(), py::arg("crease_deg") = py::none(),
            py::arg("progress") = py::none())
       .def("extend_surface", &extendSurface, extend_surface_doc, py::arg("edges"),
-           py::arg("length_mm"), py::kw_only(), py::arg("faces") = none, py::arg("order") = "G2",
-           py::arg("profile") = "default", py::arg("gap_mm") = py::none(),
-           py::arg("angle_deg") = py::none(), py::arg("curvature_rel") = py::none(),
-           py::arg("flat_radius_mm") = py::none(), py::arg("crease_deg") = py::none(),
-           py::arg("progress") = py::none());
+           py::arg("length_mm") = py::none(), py::kw_only(), py::arg("to") = py::none(),
+           py::arg("faces") = none, py::arg("order") = "G2", py::arg("profile") = "default",
+           py::arg("gap_mm") = py::none(), py::arg("angle_deg") = py::none(),
+           py::arg("curvature_rel") = py::none(), py::arg("flat_radius_mm") = py::none(),
+           py::arg("crease_deg") = py::none(), py::arg("progress") = py::none());
 }
 
 }  // namespace seamwright::python

@@ -69,14 +69,26 @@ Row rowOf(const occ::BlendEndReport& end, std::size_t columns) {
   return row;
 }
 
+/// What else there is to say of the surface, a line each.
+std::string remarksOf(const occ::BlendSurfaceReport& blend) {
+  std::string text;
+  if (blend.to)
+    text +=
+        fmt::format("from {:.4g} to {:.4g} mm long, up to {:.3g} mm from Face{}\n",
+                    blend.to->least_mm, blend.to->most_mm, blend.to->distance_mm, blend.to->face);
+  if (blend.fold)
+    text += fmt::format("the surface folds {:.4g} mm from the {}, at ({:.6g})\n",
+                        blend.fold->distance_mm, blend.ends.front().name,
+                        fmt::join(blend.fold->point_mm, ", "));
+  return text;
+}
+
 std::string verdictText(const occ::BlendSurfaceReport& blend, bool reached) {
   if (reached) return "REACHED: every seam has the level of its end";
-  if (blend.fold)
-    return fmt::format("NOT REACHED: the surface folds {:.4g} mm from the {}, at ({:.6g})",
-                       blend.fold->distance_mm, blend.ends.front().name,
-                       fmt::join(blend.fold->point_mm, ", "));
-  return blend.seams.empty() ? "NOT REACHED: the surface meets no side"
-                             : "NOT REACHED: a seam, or a part of a side, falls short";
+  if (blend.seams.empty()) return "NOT REACHED: the surface meets no side";
+  return blend.fold && blend.ends.size() == 1
+             ? "NOT REACHED: the extension folds: make it shorter"
+             : "NOT REACHED: a seam, or a part of a side, falls short";
 }
 
 std::vector<Column> columnsOf(const occ::BlendSurfaceReport& blend,
@@ -120,6 +132,14 @@ ordered_json foldJson(const occ::BlendSurfaceReport& blend) {
           {"point_mm", {point.x(), point.y(), point.z()}}};
 }
 
+ordered_json extensionJson(const occ::BlendSurfaceReport& blend) {
+  if (!blend.to) return nullptr;
+  return {{"face", blend.to->face},
+          {"least_mm", blend.to->least_mm},
+          {"most_mm", blend.to->most_mm},
+          {"distance_mm", blend.to->distance_mm}};
+}
+
 ordered_json toJson(const occ::BlendSurfaceReport& blend, const ContinuityTolerance& tolerance,
                     const occ::ModelFacts& given, const std::optional<WrittenModel>& output) {
   ordered_json json = headJson("seamwright.blend_surface/1", given);
@@ -131,6 +151,7 @@ ordered_json toJson(const occ::BlendSurfaceReport& blend, const ContinuityTolera
                      {"poles", {blend.surface.countU(), blend.surface.countV()}},
                      {"spans", blend.spans}};
   json["fold"] = foldJson(blend);
+  json["to"] = extensionJson(blend);
   json["output"] = toJson(output);
   json["sides"] = sidesJson(blend);
   json["seams"] = ordered_json::array();
@@ -164,6 +185,7 @@ std::string toTable(const occ::BlendSurfaceReport& blend, const ContinuityTolera
   writeRows(out, rows, length);
   out << fmt::format("surface of degrees {} x {}, {} x {} poles\n", blend.surface.degree_u,
                      blend.surface.degree_v, blend.surface.countU(), blend.surface.countV());
+  out << remarksOf(blend);
   if (output) out << output->path.string() << ": " << name(output->format) << '\n';
   const std::string differences = output ? output->differences(memory) : "";
   if (!differences.empty()) out << output->path.string() << ' ' << differences << '\n';

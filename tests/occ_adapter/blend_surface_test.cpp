@@ -240,7 +240,6 @@ std::vector<int> edgesAbove(const TopoDS_Shape& shape, double y) {
 }
 
 TEST(ExtendSurface, WhereTheCurvatureOfTheSideJumps) {
-  // Arcs that meet at 90 degrees to the chord would be a corner; halves of 90 degrees are smooth.
   const TopoDS_Shape model = wavyFace(3);
   const std::vector<int> side = edgesAbove(model, -1);
   ASSERT_EQ(side.size(), 3U);
@@ -374,7 +373,7 @@ TEST(BlendSurface, CornersOfASideAreRefused) {
 TEST(BlendSurface, BadInputIsRefused) {
   const Pair pair = pairs()[0];
   const BlendEnd left{.side = {{pair.left}}}, right{.side = {{pair.right}}};
-  const auto refused = [](const char* text) {
+  const auto refused = [](const std::string& text) {
     return ThrowsMessage<std::invalid_argument>(HasSubstr(text));
   };
   BlendEnd none = left, unknown = left, order = left, tension = left;

@@ -1396,8 +1396,9 @@ class Model:
     def extend_surface(
         self,
         edges: Union[Whole, Sequence[Whole]],
-        length_mm: Number,
+        length_mm: Optional[Number] = None,
         *,
+        to: Optional[Whole] = None,
         faces: Union[Whole, Sequence[Whole]] = (),
         order: str = "G2",
         profile: str = "default",
@@ -1522,6 +1523,8 @@ class BlendedSurface:
     def sides(self) -> List[Dict[str, Any]]: ...
     @property
     def fold(self) -> Optional[Dict[str, Any]]: ...
+    @property
+    def to(self) -> Optional[Dict[str, Any]]: ...
     @property
     def model(self) -> Model: ...
     def to_dict(self) -> Dict[str, Any]: ...

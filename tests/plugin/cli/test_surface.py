@@ -89,7 +89,7 @@ def test_the_end_may_be_flipped(gap):
 
 
 def test_an_end_without_seams_has_a_row_with_the_reason(gap):
-    result, report, _ = blend(gap, "--gap", "1e-16")
+    result, report, _ = blend(gap, "--gap", "3e-13")
     assert result.returncode == 1
     bare = [side for side in report["sides"] if side["reason"]]
     assert bare
