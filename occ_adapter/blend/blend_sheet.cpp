@@ -142,12 +142,12 @@ struct PoorSpan {
 std::vector<PoorSpan> poorSpans(const BlendTask& task, const BSplineSurface& sheet,
                                 const SheetKnots& knots, double share_of_tolerance) {
   // Seams are worst beside breaks and at ends.
-  constexpr std::array<double, 6> samples = {0.01, 0.15, 0.38, 0.62, 0.85, 0.99};
+  constexpr std::array<double, 8> samples = {1e-4, 0.03, 0.15, 0.38, 0.62, 0.85, 0.97, 1 - 1e-4};
   // Where a derivative of the face jumps no spline is near enough. The figures of second order need
   // second differences, those of third order third ones: over shorter spans they have fewer than
   // half of the digits.
   const auto is_third = [](const BlendEnd& end) { return end.order == most_blend_order; };
-  const double shortest = std::ranges::any_of(task.ends, is_third) ? 1.0 / 512 : 1.0 / 4096;
+  const double shortest = std::ranges::any_of(task.ends, is_third) ? 1.0 / 512 : 1.0 / 65536;
   std::vector<PoorSpan> result;
   const std::map<double, int>& at = knots.multiplicities();
   for (auto from = at.begin(), to = std::next(from); to != at.end(); from = to++) {

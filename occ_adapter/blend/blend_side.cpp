@@ -72,7 +72,8 @@ std::string faultOf(const SeamGraph& graph, int edge, const std::vector<Coedge>&
                      edge, uses.size(), facesText(its_faces));
 }
 
-/// \throws std::invalid_argument where the path turns at once.
+/// \throws std::invalid_argument where the path turns at once, or the face has no tangent plane at
+/// a break.
 void requireSmooth(const SidePath& path, bool closed) {
   // A choice: directions across the side jump by that much, which nobody sees.
   constexpr double most_kink_rad = 1 * radians_per_degree;
@@ -93,7 +94,13 @@ void requireSmooth(const SidePath& path, bool closed) {
   };
   for (const double joint : path.joints()) require(joint, joint, "beside");
   if (closed) require(1, 0, "beside");
-  for (const double inside : path.breaks()) require(inside, inside, "inside of");
+  for (const double inside : path.breaks()) {
+    require(inside, inside, "inside of");
+    if (!path.hasTangentPlane(inside))
+      throw std::invalid_argument(
+          fmt::format("the face has no tangent plane inside of edge {}, at ({:.6g})",
+                      path.edgeAt(inside), fmt::join(path.atShare(inside, true).point, ", ")));
+  }
 }
 
 /// "Edge1, Edge2 and of Edge5": the edges of each chain.

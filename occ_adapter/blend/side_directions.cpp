@@ -74,7 +74,7 @@ Vector3d bernsteinMean(const Eigen::MatrixXd& values, double share) {
   return points.row(0);
 }
 
-/// The mean with the kernel cos^2n of de la Vallée-Poussin, n half of the number of values.
+/// The mean with the kernel cos^n of de la Vallée-Poussin, n the number of values, which is even.
 Vector3d periodicMean(const Eigen::MatrixXd& values, double share) {
   Vector3d sum = Vector3d::Zero();
   const auto count = static_cast<double>(values.rows());

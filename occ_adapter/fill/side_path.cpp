@@ -104,6 +104,12 @@ SideSample SidePath::atShare(double share, bool after) const {
   return result;
 }
 
+bool SidePath::hasTangentPlane(double share) const {
+  const Place place = placeOf(share, true);
+  const SidePoint there = strips_[place.edge]->at(place.parameter);
+  return degeneracy(there.jet, there.noise) == Degeneracy::None;
+}
+
 SideSample SidePath::besidePoleAtShare(double share, bool after) const {
   Place place = placeOf(share, after);
   const FaceStrip& strip = *strips_[place.edge];

@@ -62,6 +62,8 @@ class SidePath {
   /// The sample of a path of one edge at a share of the edge's own parameter.
   SideSample atParameter(double parameter) const;
   double parameterOf(double share) const;
+  /// Whether the face has a tangent plane at a share of the length.
+  bool hasTangentPlane(double share) const;
 
  private:
   /// An edge, and a parameter of its strip.

@@ -87,7 +87,7 @@ std::string verdictText(const occ::BlendSurfaceReport& blend, bool reached) {
   if (reached) return "REACHED: every seam has the level of its end";
   if (blend.seams.empty()) return "NOT REACHED: the surface meets no side";
   return blend.fold && blend.ends.size() == 1
-             ? "NOT REACHED: the extension folds: make it shorter"
+             ? "NOT REACHED: the extension folds"
              : "NOT REACHED: a seam, or a part of a side, falls short";
 }
 

@@ -9,13 +9,16 @@
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
+#include <BRepGProp.hxx>
 #include <BRep_Tool.hxx>
 #include <GC_MakeArcOfCircle.hxx>
+#include <GProp_GProps.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <cmath>
 #include <gp_Circ.hxx>
@@ -29,6 +32,7 @@
 #include "support/random.hpp"
 
 #include <seamwright/occ_adapter/blend/blend_surface.hpp>
+#include <seamwright/occ_adapter/geometry_error.hpp>
 
 namespace seamwright::test {
 namespace {
@@ -38,6 +42,7 @@ using occ::blendSurface;
 using occ::BlendSurfaceOptions;
 using occ::BlendSurfaceReport;
 using occ::extendSurface;
+using occ::extendSurfaceTo;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
@@ -296,6 +301,78 @@ TEST(ExtendSurface, FoldsAreFound) {
   EXPECT_FALSE(longer.reached);
   ASSERT_TRUE(longer.fold);
   EXPECT_NEAR(longer.fold->distance_mm, 10, 2);
+}
+
+/// The model with a big plane through a point, its last face.
+TopoDS_Shape withPlane(const TopoDS_Shape& model, const gp_Pnt& point, const gp_Dir& normal) {
+  return loose(model, BRepBuilderAPI_MakeFace(gp_Pln(point, normal), -200, 200, -200, 200).Face());
+}
+
+TEST(ExtendSurface, UpToAPlaneItHasTheLengthsOfTheLines) {
+  const TopoDS_Shape strip =
+      planeFace({gp_Pnt(0, 0, 0), gp_Pnt(30, 0, 0), gp_Pnt(30, 20, 0), gp_Pnt(0, 20, 0)});
+  // y = 35 + x / 4 + z / 2.
+  const TopoDS_Shape model = withPlane(strip, gp_Pnt(0, 35, 0), gp_Dir(-1, 4, -2));
+  const int edge = edgeNear(model, gp_Pnt(15, 20, 0));
+  for (int order = 1; order <= 3; ++order) {
+    const BlendSurfaceReport longer =
+        extendSurfaceTo(model, {.side = {{edge}}, .order = order}, 2, fine());
+    EXPECT_TRUE(longer.reached);
+    ASSERT_TRUE(longer.to);
+    EXPECT_NEAR(longer.to->least_mm, 15, 1e-6);
+    EXPECT_NEAR(longer.to->most_mm, 15 + 30 / 4.0, 1e-6);
+    EXPECT_LT(longer.to->distance_mm, 1e-6);
+    GProp_GProps area;
+    BRepGProp::SurfaceProperties(longer.face, area);
+    EXPECT_NEAR(area.Mass(), 30 * (15 + 30 / 8.0), 1e-6);
+  }
+}
+
+TEST(ExtendSurface, UpToACurvedFaceItEndsAtIt) {
+  for (const Pair& pair : pairs()) {
+    // Across the way from the left side to the right one, and further on than the sheet.
+    const TopTools_IndexedMapOfShape edges = partsOf(pair.shape, TopAbs_EDGE);
+    const BRepAdaptor_Curve left(TopoDS::Edge(edges(pair.left))),
+        right(TopoDS::Edge(edges(pair.right)));
+    const auto middle = [](const BRepAdaptor_Curve& curve) {
+      return curve.Value((curve.FirstParameter() + curve.LastParameter()) / 2);
+    };
+    const gp_Vec way(middle(left), middle(right));
+    const gp_Ax3 axes(middle(left).Translated(-40 * way.Normalized()), gp_Dir(way),
+                      gp_Vec(middle(left), left.Value(left.FirstParameter())).Crossed(way));
+    const TopoDS_Face dome =
+        BRepBuilderAPI_MakeFace(new Geom_SphericalSurface(axes, 55), 0, 2 * std::numbers::pi, 0,
+                                std::numbers::pi / 2, 1e-7);
+    const TopoDS_Shape model = loose(pair.shape, dome);
+    for (int order = 1; order <= 2; ++order) {
+      const BlendSurfaceReport longer =
+          extendSurfaceTo(model, {.side = {{pair.left}}, .order = order}, 3, fine());
+      EXPECT_TRUE(longer.reached) << pair.name;
+      ASSERT_TRUE(longer.to);
+      EXPECT_LT(longer.to->distance_mm, 1e-4) << pair.name;
+      EXPECT_GT(longer.to->least_mm, 1);
+      // The boundary of the trimmed face lies on the sphere, the side excepted.
+      const TopTools_IndexedMapOfShape made = partsOf(longer.face, TopAbs_VERTEX);
+      int on_sphere = 0;
+      for (int i = 1; i <= made.Extent(); ++i)
+        if (std::abs(BRep_Tool::Pnt(TopoDS::Vertex(made(i))).Distance(axes.Location()) - 55) < 1e-4)
+          ++on_sphere;
+      // A third one where the sphere closes.
+      EXPECT_GE(on_sphere, 2) << pair.name;
+    }
+  }
+}
+
+TEST(ExtendSurface, AFaceThatIsNotMetIsRefusedWithTheLine) {
+  const TopoDS_Shape strip =
+      planeFace({gp_Pnt(0, 0, 0), gp_Pnt(30, 0, 0), gp_Pnt(30, 20, 0), gp_Pnt(0, 20, 0)});
+  const TopoDS_Shape model = loose(
+      strip, BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(20, 40, 0), gp::DY()), -10, 10, -10, 10).Face());
+  const int edge = edgeNear(model, gp_Pnt(15, 20, 0));
+  EXPECT_THAT([&] { extendSurfaceTo(model, {.side = {{edge}}}, 2); },
+              ThrowsMessage<occ::GeometryError>(HasSubstr("does not meet face 2 within ")));
+  EXPECT_THAT([&] { extendSurfaceTo(model, {.side = {{edge}}}, 3); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("face 3")));
 }
 
 TEST(ExtendSurface, ASideMayEndAtAPole) {

@@ -38,7 +38,7 @@ def test_a_surface_joins_two_sides(sheets, start, end):
     assert levels[edges[0]] >= start and levels[edges[1]] >= end
     assert all(seam.faces[1] == 0 for seam in result.seams)
     assert result.model.face_count == sheets.face_count + 1
-    assert set(result.to_dict()) == {"reached", "spans", "fold", "sides", "seams"}
+    assert set(result.to_dict()) == {"reached", "spans", "fold", "to", "sides", "seams"}
     assert result.fold is None
     assert [(side["side"], side["edges"]) for side in result.sides] == [
         ("start", [edges[0]]),
@@ -87,6 +87,20 @@ def test_a_side_is_continued(sheets, order):
     assert result.reached and result.surface.degree_v == int(order[1])
     begin, end = (result.surface.point(0.5, v) for v in (0, 1))
     assert 4.5 < np.linalg.norm(end - begin) < 5.5
+
+
+def test_a_side_is_continued_up_to_a_face(sheets):
+    u, v = np.meshgrid([0.0, 1.0], [0.0, 1.0], indexing="ij")
+    wall = seamwright.BezierPatch(np.stack([40 + 2 * u, -100 + 300 * v, -100 + 200 * u], axis=-1))
+    model = seamwright.Model.from_patches([sheet(0, 0, 0.3), wall])
+    result = model.extend_surface(edge_at(model, 30), to=2)
+    assert result.reached and result.to["face"] == 2 and result.to["distance_mm"] < 1e-5
+    assert 8 < result.to["least_mm"] <= result.to["most_mm"] < 14
+    assert result.model.face_count == 3
+    assert sheets.extend_surface(edge_at(sheets, 30), 5).to is None
+    for arguments in ({}, {"length_mm": 5, "to": 2}):
+        with pytest.raises(ValueError, match="length_mm or to: exactly one of them is needed"):
+            model.extend_surface(edge_at(model, 30), **arguments)
 
 
 def test_a_face_is_named_where_an_edge_has_two(tmp_path):
