@@ -173,15 +173,15 @@ constexpr const char* blend_surface_doc =
 start, end: an edge, or the edges of a chain, numbers from 1. Edges are free, or start_faces and
 end_faces name the faces to continue. start_order, end_order: 'G0' to 'G3', how the surface joins
 each side. start_tension, end_tension: how far the surface keeps its direction, as multiples of the
-distance between the sides. flip: the end runs in the other direction than that in which the surface
-is less twisted. Tolerances and progress as in analyze(). ValueError for bad arguments,
+distance between the sides. flip: the end runs in the other direction than that in which the
+surface is less twisted. Tolerances and progress as in analyze(). ValueError for bad arguments,
 with name and value. The model is not changed.)";
 
 constexpr const char* extend_surface_doc =
     R"(Continues the surface of a side over a length, or up to a face: a BlendedSurface.
 
-edges: an edge, or the edges of a chain, numbers from 1. to: a face that trims the extension, instead
-of a length. Edges are free, or faces names the faces to
+edges: an edge, or the edges of a chain, numbers from 1. to: a face that trims the extension,
+instead of a length. Edges are free, or faces names the faces to
 continue. order: 'G1' (ruled), 'G2' or 'G3'. Tolerances and progress as in analyze(). ValueError for
 bad arguments, with name and value. The model is not changed.)";
 

@@ -11,6 +11,7 @@
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepGProp.hxx>
 #include <BRep_Tool.hxx>
+#include <Eigen/Geometry>
 #include <GC_MakeArcOfCircle.hxx>
 #include <GProp_GProps.hxx>
 #include <Geom_CylindricalSurface.hxx>
@@ -404,6 +405,20 @@ TEST(BlendSurface, TheEndRunsWhereTheSurfaceIsLessTwisted) {
   EXPECT_FALSE(isCrossed(blendSurface(model, right, left, options)));
   options.flip = true;
   EXPECT_TRUE(isCrossed(blendSurface(model, left, right, options)));
+}
+
+TEST(BlendSurface, ASideThatNoSeamCoversHasAReason) {
+  BlendSurfaceOptions coarse = fine();
+  coarse.tolerance.gap_mm = 1e-9;
+  coarse.max_spans = 1;
+  const Pair pair = pairs()[1];
+  const BlendSurfaceReport blend =
+      blendSurface(pair.shape, {.side = {{pair.left}}}, {.side = {{pair.right}}}, coarse);
+  EXPECT_FALSE(blend.reached);
+  ASSERT_EQ(blend.ends.size(), 2U);
+  EXPECT_EQ(blend.ends[0].edges, std::vector{pair.left});
+  EXPECT_LT(blend.ends[0].covered_mm, blend.ends[0].length_mm);
+  EXPECT_THAT(blend.ends[0].reason, HasSubstr("the new edge is up to "));
 }
 
 TEST(BlendSurface, SmallChangesOfTheModelChangeTheSurfaceLittle) {

@@ -88,16 +88,6 @@ def test_the_end_may_be_flipped(gap):
     assert "NOT REACHED: the surface folds" in result.stdout or report["reached"]
 
 
-def test_an_end_without_seams_has_a_row_with_the_reason(gap):
-    result, report, _ = blend(gap, "--gap", "3e-13")
-    assert result.returncode == 1
-    bare = [side for side in report["sides"] if side["reason"]]
-    assert bare
-    for side in bare:
-        (row,) = [line for line in result.stdout.splitlines() if side["reason"] in line]
-        assert row.split()[:2] == ["G2", "none"] and f"Edge{side['edges'][0]}" in row
-
-
 def test_every_key_of_the_report_matters(gap):
     expect_every_key_matters(blend(gap)[1], VALIDATOR)
 

@@ -65,13 +65,6 @@ def test_flip_lets_the_end_run_the_other_way(sheets):
         sheets.blend_surface(*edges, flip="yes")
 
 
-def test_a_side_that_no_seam_covers_has_a_reason(sheets):
-    edges = edge_at(sheets, 30), edge_at(sheets, 60)
-    result = sheets.blend_surface(*edges, gap_mm=1e-12)
-    assert not result.reached
-    assert any("the new edge is up to " in side["reason"] for side in result.sides)
-
-
 def test_tension_moves_the_surface(sheets):
     edges = edge_at(sheets, 30), edge_at(sheets, 60)
     middles = [
