@@ -32,51 +32,108 @@ std::vector<Coedge> coedgesOf(const SeamGraph& graph, int edge, const std::vecto
   return result;
 }
 
+std::string facesText(const std::vector<int>& faces) {
+  return fmt::format("face {}", fmt::join(faces, ", face "));
+}
+
+/// The faces that an edge bounds.
+std::vector<int> facesOf(const SeamGraph& graph, int edge) {
+  for (const Seam& seam : graph.seams)
+    if (std::ranges::count(seam.edges, edge) > 0) return {seam.sides[0].face, seam.sides[1].face};
+  for (const std::vector<NonSeamEdge>* list : {&graph.open, &graph.non_manifold})
+    for (const NonSeamEdge& other : *list)
+      if (other.edge == edge) return other.faces;
+  return {};
+}
+
+/// Of the options of a side: "start-".
+std::string prefix(const SideChoice& choice, char mark) {
+  return choice.name == "side" ? "" : choice.name + mark;
+}
+
 /// Why an edge with these coedges can't be continued.
-std::string faultOf(int edge, const std::vector<Coedge>& uses, const std::vector<int>& faces) {
-  if (faces.empty()) return fmt::format("edge {} is not free, name the face to continue", edge);
+std::string faultOf(const SeamGraph& graph, int edge, const std::vector<Coedge>& uses,
+                    const SideChoice& choice) {
+  const std::vector<int>& faces = choice.faces;
+  const std::vector<int> its_faces = facesOf(graph, edge);
+  if (its_faces.empty()) return fmt::format("edge {} bounds no face", edge);
+  if (faces.empty())
+    return fmt::format(
+        "edge {} is not free: it bounds {}; name the one to continue with --{}faces (in Python "
+        "{}faces)",
+        edge, facesText(its_faces), prefix(choice, '-'), prefix(choice, '_'));
   if (uses.empty())
-    return fmt::format("edge {} does not bound face {}", edge, fmt::join(faces, ", face "));
+    return fmt::format("edge {} does not bound {}, but {}", edge, facesText(faces),
+                       facesText(its_faces));
   if (std::ranges::all_of(uses, [&](const Coedge& use) { return use.face == uses[0].face; }))
     return fmt::format("face {} lies on both sides of edge {}, which can't be a side", uses[0].face,
                        edge);
-  return fmt::format("edge {} has {} faces that the side may continue: name exactly one of them",
-                     edge, uses.size());
+  return fmt::format("edge {} has {} faces that the side may continue: name exactly one of {}",
+                     edge, uses.size(), facesText(its_faces));
 }
 
-/// \throws std::invalid_argument where edges of the path meet at an angle.
+/// \throws std::invalid_argument where the path turns at once, or the face has no tangent plane at
+/// a break.
 void requireSmooth(const SidePath& path, bool closed) {
   // A choice: directions across the side jump by that much, which nobody sees.
   constexpr double most_kink_rad = 1 * radians_per_degree;
-  const auto require = [&](double arriving, double leaving) {
-    const Eigen::Vector3d before = path.atShare(arriving, false).derivative,
-                          after = path.atShare(leaving, true).derivative;
+  // Of the side: far above rounding, and so short that only a corner turns by a degree. Chords also
+  // have a direction where a path stands still.
+  constexpr double beside = 1e-7;
+  const auto require = [&](double arriving, double leaving, const char* where) {
+    const Eigen::Vector3d at = path.atShare(leaving, true).point,
+                          before = path.atShare(arriving, false).point -
+                                   path.atShare(arriving - beside, false).point,
+                          after = path.atShare(leaving + beside, true).point - at;
     const double kink_rad = std::atan2(before.cross(after).norm(), before.dot(after));
     if (!(kink_rad <= most_kink_rad))
-      throw std::invalid_argument(
-          fmt::format("the side has a corner of {:.3g} degrees beside edge {}: make a surface for "
-                      "each part without corners",
-                      kink_rad / radians_per_degree, path.edgeAt(leaving)));
+      throw std::invalid_argument(fmt::format(
+          "the side has a corner of {:.3g} degrees {} edge {}, at ({:.6g}): make a "
+          "surface for each part without corners",
+          kink_rad / radians_per_degree, where, path.edgeAt(leaving), fmt::join(at, ", ")));
   };
-  for (const double joint : path.joints()) require(joint, joint);
-  if (closed) require(1, 0);
+  for (const double joint : path.joints()) require(joint, joint, "beside");
+  if (closed) require(1, 0, "beside");
+  for (const double inside : path.breaks()) {
+    require(inside, inside, "inside of");
+    if (!path.hasTangentPlane(inside))
+      throw std::invalid_argument(
+          fmt::format("the face has no tangent plane inside of edge {}, at ({:.6g})",
+                      path.edgeAt(inside), fmt::join(path.atShare(inside, true).point, ", ")));
+  }
+}
+
+/// "Edge1, Edge2 and of Edge5": the edges of each chain.
+std::string chainsText(const std::vector<EdgeChain>& chains) {
+  std::string text;
+  for (const EdgeChain& chain : chains) text += (text.empty() ? "" : " and of ") + namesOf(chain);
+  return text;
+}
+
+/// \throws std::invalid_argument for a number that is given twice.
+void requireDifferent(const std::vector<int>& edges) {
+  for (const int edge : edges)
+    if (std::ranges::count(edges, edge) > 1)
+      throw std::invalid_argument(fmt::format("edge {} is given twice", edge));
 }
 
 }  // namespace
 
 HoleSide chosenSide(const TopoDS_Shape& model, const SideChoice& choice, bool& closed) {
   if (choice.edges.empty()) throw std::invalid_argument("a side needs an edge");
+  requireDifferent(choice.edges);
   const std::vector<EdgeChain> chains = edgeChains(model, {.edges = choice.edges});
   if (chains.size() != 1)
-    throw std::invalid_argument(fmt::format("the {} edges of a side are {} chains: one is needed",
-                                            choice.edges.size(), chains.size()));
+    throw std::invalid_argument(
+        fmt::format("the {} edges of a side are {} chains, of {}: one is needed",
+                    choice.edges.size(), chains.size(), chainsText(chains)));
   closed = chains[0].closed;
   const SeamGraph graph = findSeams(model);
   HoleSide side;
   for (const ChainedEdge& chained : chains[0].edges) {
     const int number = chained.edge.number;
     const std::vector<Coedge> uses = coedgesOf(graph, number, choice.faces);
-    if (uses.size() != 1) throw std::invalid_argument(faultOf(number, uses, choice.faces));
+    if (uses.size() != 1) throw std::invalid_argument(faultOf(graph, number, uses, choice));
     requireUsable(uses[0]);
     side.edges.push_back({.edge = number, .use = uses[0], .reversed = !chained.forward});
   }
@@ -110,14 +167,17 @@ std::vector<double> BlendSide::sharesOf(const std::vector<double>& of_path) cons
   return shares;
 }
 
-SideSample BlendSide::at(double share, bool after) const {
-  double of_path = reversed_ ? begin_ - share : begin_ + share;
+double BlendSide::ofPath(double share) const {
+  const double of_path = reversed_ ? begin_ - share : begin_ + share;
   // Only a closed side goes around; its end is the end of the path, not the beginning.
-  if (begin_ > 0)
-    of_path -= std::floor(of_path);
-  else if (reversed_)
-    of_path += 1;
-  SideSample sample = path_->atShare(of_path, after != reversed_);
+  if (begin_ > 0) return of_path - std::floor(of_path);
+  return reversed_ ? of_path + 1 : of_path;
+}
+
+SideSample BlendSide::at(double share, bool after) const {
+  const double of_path = ofPath(share);
+  SideSample sample = path_->besidePoleAtShare(of_path, after != reversed_);
+  sample.beyond = -directions_->at(of_path, sample);
   if (reversed_) sample.derivative *= -1;
   return sample;
 }

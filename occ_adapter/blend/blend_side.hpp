@@ -6,19 +6,23 @@
 #include <vector>
 
 #include <seamwright/occ_adapter/blend/blend_surface.hpp>
+#include <seamwright/occ_adapter/blend/side_directions.hpp>
 #include <seamwright/occ_adapter/fill/side_path.hpp>
 
 /// A side of a model that a new surface continues. Not a public header.
 namespace seamwright::occ {
 
-/// The edges in their order along one chain. \throws std::invalid_argument for no edges, a number
-/// that names no edge, edges that are no single chain, and an edge that is not free and has not
-/// exactly one face among the given ones, also if it has that face on both sides; GeometryError for
-/// an edge that can't be computed with.
+inline constexpr int most_blend_order = 3;
+
+/// The edges in their order along one chain. \throws std::invalid_argument for no edges, an edge
+/// given twice, a number that names no edge, edges that are no single chain, and an edge that is
+/// not free and has not exactly one face among the given ones, also if it has that face on both
+/// sides; GeometryError for an edge that can't be computed with.
 HoleSide chosenSide(const TopoDS_Shape& model, const SideChoice& choice, bool& closed);
 
 /// The path along a side.
-/// \throws std::invalid_argument where its edges meet at an angle; GeometryError as SidePath.
+/// \throws std::invalid_argument where it has a corner, between edges or inside of one;
+/// GeometryError as SidePath.
 std::shared_ptr<const SidePath> smoothPath(const HoleSide& side, bool closed, double gap_mm,
                                            JetOrder order);
 
@@ -26,29 +30,39 @@ std::shared_ptr<const SidePath> smoothPath(const HoleSide& side, bool closed, do
 class BlendSide {
  public:
   /// \param begin share of the path at which a closed side begins
-  BlendSide(std::shared_ptr<const SidePath> path, bool reversed, double begin = 0)
-      : path_(std::move(path)), reversed_(reversed), begin_(begin) {}
+  BlendSide(std::shared_ptr<const SidePath> path, std::shared_ptr<const SideDirections> directions,
+            bool reversed, double begin = 0)
+      : path_(std::move(path)),
+        directions_(std::move(directions)),
+        reversed_(reversed),
+        begin_(begin) {}
 
   /// Inner shares at which edges join.
   std::vector<double> joints() const;
   /// Shares inside of edges at which the side may not be smooth.
   std::vector<double> breaks() const;
+  /// The sample, with the direction against that of the surface as the one into the face. Beside a
+  /// pole, where there is no tangent plane.
   /// \param after at a joint, the edge that begins there.
   SideSample at(double share, bool after = true) const;
+  /// The number of the edge at a share.
+  int edgeAt(double share) const { return path_->edgeAt(ofPath(share)); }
 
  private:
   std::vector<double> sharesOf(const std::vector<double>& of_path) const;
+  double ofPath(double share) const;
 
   std::shared_ptr<const SidePath> path_;
+  std::shared_ptr<const SideDirections> directions_;
   bool reversed_;
   double begin_;
 };
 
-/// The derivatives 0 to \p order, by rows, of the geodesic that leaves the face across its edge, at
-/// a speed of 1: the point, d, the normal curvature along d times the normal N, and the change of
-/// curvature along d times N. At third order the part in the tangent plane is left out; it does not
-/// affect continuity.
-/// \param sense 1: d points out of the face; -1: into it.
+/// The derivatives 0 to \p order, by rows, of the geodesic that leaves the face against the
+/// sample's direction into it, at a speed of 1: the point, d, the normal curvature along d times
+/// the normal N, and the change of curvature along d times N. At third order the part in the
+/// tangent plane is left out; it does not affect continuity. \param sense 1: d points out of the
+/// face; -1: into it.
 CurveDerivatives continuation(const SideSample& sample, double sense, int order);
 
 }  // namespace seamwright::occ

@@ -3,6 +3,8 @@
 
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include <seamwright/core/bspline/surface.hpp>
@@ -16,6 +18,7 @@ struct SideChoice {
   std::vector<int> edges;  ///< from 1, order of TopExp::MapShapes; in any order
   /// The faces to continue, for edges that bound two faces; empty: the edges are free.
   std::vector<int> faces = {};
+  std::string name = "side";  ///< in messages
 };
 
 /// How a new surface joins a side of a model.
@@ -29,13 +32,38 @@ struct BlendEnd {
 
 struct BlendSurfaceOptions {
   ContinuityTolerance tolerance;  ///< the seams meet it: gap, angle, curvature
-  int max_spans = 200;            ///< work limit: the most spans along the sides
+  int max_spans = 300;            ///< work limit: the most spans along the sides
+  /// The end runs in the other direction than that in which a blend is less twisted.
+  bool flip = false;
 };
 
 /// A seam between the new face and a face of the model. Its second face is 0, the new one.
 struct BlendSeam {
   SeamResult result;
   Level level = Level::G0;  ///< of its end: what the seam must reach
+};
+
+/// A side of a new face.
+struct BlendEndReport {
+  std::string name;  ///< "start", "end", or "side" of an extension
+  std::vector<int> edges, faces;
+  double length_mm = 0;
+  double covered_mm = 0;  ///< length of the seams
+  Level level = Level::G0;
+  std::string reason;  ///< why the seams do not cover the side; empty: they do
+};
+
+/// Where a surface turns over: its normal jumps to the other side along a line across the sides.
+struct SheetFold {
+  double distance_mm = 0;  ///< from the start, along that line
+  Eigen::Vector3d point_mm;
+};
+
+/// How an extension ends at a face.
+struct ExtensionEnd {
+  int face = 0;
+  double least_mm = 0, most_mm = 0;  ///< length of the lines across
+  double distance_mm = 0;            ///< largest, from the new edges to the face
 };
 
 /// A new face, and how it meets the model.
@@ -45,24 +73,31 @@ struct BlendSurfaceReport {
   TopoDS_Shape shape;            ///< the model and the new face, which is its last, in one compound
   std::vector<BlendSeam> seams;  ///< with the faces of each end, in parts where edges join
   int spans = 0;                 ///< along the sides
-  bool reached = false;          ///< all seams certainly have the level of their end
+  std::vector<BlendEndReport> ends;  ///< start and end, or the one side
+  std::optional<SheetFold> fold;     ///< the one nearest to the start, if the surface has any
+  std::optional<ExtensionEnd> to;    ///< of an extension up to a face
+  /// All seams certainly have the level of their end and cover the sides, and an extension does not
+  /// fold.
+  bool reached = false;
 };
 
 /// A surface between two sides of a model, of edges or chains of edges of any surfaces, trimmed or
-/// not: it joins each side G0 to G3. Where it begins it goes on as the geodesics across the side
-/// do; these are fitted by quintic splines over knots that both sides have in common, which are
-/// halved until each seam is within half of the tolerance. Both sides are run through by shares of
-/// their lengths.
+/// not: it joins each side G0 to G3. Where it begins it goes on as geodesics of the face do; these
+/// are fitted by quintic splines over knots that both sides have in common, which are halved until
+/// each seam is within half of the tolerance. The geodesics leave a side nearly at right angles, in
+/// directions that change smoothly, and at its ends in the directions of the edges that end there.
+/// Both sides are run through by shares of their lengths, in the directions in which the surface is
+/// less twisted.
 ///
 ///     const BlendSurfaceReport blend = blendSurface(model, {.side = {{3}}}, {.side = {{8, 9}}});
 ///
 /// The surface has degree 5 along the sides and m + n + 1 across for the orders m and n.
-/// \throws std::invalid_argument, with the end, for sides without edges, with a number that names
-/// no edge, that are no single chain, with a corner between edges, and with an edge that is not
-/// free and has not exactly one of the given faces; for orders outside of 0..3, tensions that are
-/// not positive and finite, for one closed side and an open one, and invalid tolerances;
-/// GeometryError for edges that can't be evaluated, and for sides that touch; Cancelled. Source:
-/// docs/theory/surfaces.md S8.1 to S8.3.
+/// \throws std::invalid_argument, with the end, for sides without edges, with an edge given twice
+/// or in both sides, with a number that names no edge, that are no single chain, with a corner, and
+/// with an edge that is not free and has not exactly one of the given faces; for orders outside of
+/// 0..3, tensions that are not positive and finite, for one closed side and an open one, and
+/// invalid tolerances; GeometryError for edges that can't be evaluated, and for sides that touch;
+/// Cancelled. Source: docs/theory/surfaces.md S8.1 to S8.4.
 BlendSurfaceReport blendSurface(const TopoDS_Shape& model, const BlendEnd& start,
                                 const BlendEnd& end, const BlendSurfaceOptions& options = {},
                                 const Progress& progress = {});
@@ -75,9 +110,20 @@ BlendSurfaceReport blendSurface(const TopoDS_Shape& model, const BlendEnd& start
 ///     const BlendSurfaceReport longer = extendSurface(model, {.side = {{3}}}, 10);
 ///
 /// \throws as blendSurface(), and std::invalid_argument for order 0 and a length that is not
-/// positive and finite. Source: docs/theory/surfaces.md S8.2, S8.3.
+/// positive and finite. Source: docs/theory/surfaces.md S8.2 to S8.4.
 BlendSurfaceReport extendSurface(const TopoDS_Shape& model, const BlendEnd& side, double length_mm,
                                  const BlendSurfaceOptions& options = {},
                                  const Progress& progress = {});
+
+/// A surface that continues a side of a model up to a face, which trims it: OpenCASCADE divides an
+/// extension that is a little longer. The face is not changed.
+///
+///     const BlendSurfaceReport longer = extendSurfaceTo(model, {.side = {{3}}}, 7);
+///
+/// \throws as extendSurface(); std::invalid_argument for a number that names no face; GeometryError
+/// where a line across does not meet the face, with the line, and if OpenCASCADE can't divide.
+BlendSurfaceReport extendSurfaceTo(const TopoDS_Shape& model, const BlendEnd& side, int face,
+                                   const BlendSurfaceOptions& options = {},
+                                   const Progress& progress = {});
 
 }  // namespace seamwright::occ

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include <seamwright/core/differential/fundamental_forms.hpp>
 #include <seamwright/occ_adapter/fill/side_path.hpp>
 #include <seamwright/occ_adapter/geometry_error.hpp>
 
@@ -91,17 +92,42 @@ std::size_t SidePath::edgeIndex(double share, bool after) const {
   return k;
 }
 
-SideSample SidePath::atShare(double share, bool after) const {
+SidePath::Place SidePath::placeOf(double share, bool after) const {
   const std::size_t k = edgeIndex(share, after);
   const double rest = std::clamp(share * length_mm_ - begins_mm_[k], 0.0, lengths_[k].length_mm());
-  SideSample result =
-      sample(k, lengths_[k].parameterAt(reversed_[k] ? lengths_[k].length_mm() - rest : rest));
+  return {k, lengths_[k].parameterAt(reversed_[k] ? lengths_[k].length_mm() - rest : rest)};
+}
+
+SideSample SidePath::atShare(double share, bool after) const {
+  SideSample result = sample(placeOf(share, after));
+  result.derivative = length_mm_ * result.derivative.normalized();
+  return result;
+}
+
+bool SidePath::hasTangentPlane(double share) const {
+  const Place place = placeOf(share, true);
+  const SidePoint there = strips_[place.edge]->at(place.parameter);
+  return degeneracy(there.jet, there.noise) == Degeneracy::None;
+}
+
+SideSample SidePath::besidePoleAtShare(double share, bool after) const {
+  Place place = placeOf(share, after);
+  const FaceStrip& strip = *strips_[place.edge];
+  const SidePoint there = strip.at(place.parameter);
+  if (degeneracy(there.jet, there.noise) == Degeneracy::None) return atShare(share, after);
+  const int end = place.parameter < 0.5 ? 0 : 1;
+  // Rounding turns the normal by as much as the reach is of the distance; less than an angle that
+  // anyone measures. The bounds are far below a span, and far above rounding of parameters.
+  const double distance = std::clamp(1e4 * strip.poleReach(end), 1e-6, 1e-3);
+  place.parameter = end == 0 ? distance : 1 - distance;
+  SideSample result = sample(place);
+  result.point = there.jet.p;
   result.derivative = length_mm_ * result.derivative.normalized();
   return result;
 }
 
 SideSample SidePath::atParameter(double parameter) const {
-  return sample(0, reversed_[0] ? 1 - parameter : parameter);
+  return sample({0, reversed_[0] ? 1 - parameter : parameter});
 }
 
 double SidePath::parameterOf(double share) const {
@@ -110,8 +136,9 @@ double SidePath::parameterOf(double share) const {
                       : lengths_[0].parameterAt(share * length_mm_);
 }
 
-SideSample SidePath::sample(std::size_t k, double parameter) const {
-  const SidePoint side = strips_[k]->at(parameter);
+SideSample SidePath::sample(const Place& place) const {
+  const std::size_t k = place.edge;
+  const SidePoint side = strips_[k]->at(place.parameter);
   const Vector3d normal = side.jet.u.cross(side.jet.v).normalized();
   const Vector3d beyond = (side.face_on_left ? 1 : -1) * normal.cross(side.tangent).normalized();
   return {0, side.jet.p, (reversed_[k] ? -1 : 1) * side.tangent, normal, beyond, side.jet};

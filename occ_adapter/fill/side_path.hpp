@@ -56,13 +56,25 @@ class SidePath {
   /// The sample at a share of the length in [0, 1], with the derivative by that share.
   /// \param after at a joint, take the edge that begins there.
   SideSample atShare(double share, bool after) const;
+  /// The same; but at the end of an edge where a boundary of the face collapses, so that it has no
+  /// tangent plane, the jet and the frame are those of a point nearby.
+  SideSample besidePoleAtShare(double share, bool after) const;
   /// The sample of a path of one edge at a share of the edge's own parameter.
   SideSample atParameter(double parameter) const;
   double parameterOf(double share) const;
+  /// Whether the face has a tangent plane at a share of the length.
+  bool hasTangentPlane(double share) const;
 
  private:
+  /// An edge, and a parameter of its strip.
+  struct Place {
+    std::size_t edge = 0;
+    double parameter = 0;
+  };
+
   std::size_t edgeIndex(double share, bool after) const;
-  SideSample sample(std::size_t k, double parameter) const;
+  Place placeOf(double share, bool after) const;
+  SideSample sample(const Place& place) const;
 
   std::vector<std::shared_ptr<const FaceStrip>> strips_;
   std::vector<ArcLength> lengths_;

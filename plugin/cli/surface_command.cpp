@@ -99,6 +99,9 @@ void addBlendSurfaceOptions(CLI::App& command, BlendSurfaceArguments& arguments)
   };
   add_side("start", arguments.start);
   add_side("end", arguments.end);
+  command.add_flag("--flip", arguments.flip,
+                   "The end runs in the other direction than that in which the surface is less "
+                   "twisted");
   addCommonOptions(command, arguments.surface);
 }
 
@@ -107,10 +110,14 @@ void addExtendSurfaceOptions(CLI::App& command, ExtendSurfaceArguments& argument
   addEdges(command, "--edge", arguments.side);
   addFaces(command, "--faces", arguments.side);
   addOrder(command, "--order", arguments.side, {"G1", "G2", "G3"});
-  command.add_option("--length", arguments.length_mm, "Length of the extension, mm")
+  CLI::Option_group& end = *command.add_option_group("End");
+  end.add_option("--length", arguments.length_mm, "Length of the extension, mm")
       ->type_name("MM")
-      ->check(numberIn(Range::Positive))
-      ->required();
+      ->check(numberIn(Range::Positive));
+  end.add_option("--to", arguments.to_face, "Extend up to this face, which trims the extension")
+      ->type_name("N")
+      ->transform(numberOf("Face"));
+  end.require_option(1);
   addCommonOptions(command, arguments.surface);
 }
 
@@ -118,18 +125,22 @@ int runBlendSurface(const BlendSurfaceArguments& arguments) {
   return run(arguments.surface,
              [&](const occ::Model& model, const occ::BlendSurfaceOptions& options,
                  const occ::Progress& progress) {
+               occ::BlendSurfaceOptions flipped = options;
+               flipped.flip = arguments.flip;
                return occ::blendSurface(model.shape, endOf(arguments.start), endOf(arguments.end),
-                                        options, progress);
+                                        flipped, progress);
              });
 }
 
 int runExtendSurface(const ExtendSurfaceArguments& arguments) {
-  return run(arguments.surface,
-             [&](const occ::Model& model, const occ::BlendSurfaceOptions& options,
-                 const occ::Progress& progress) {
-               return occ::extendSurface(model.shape, endOf(arguments.side), arguments.length_mm,
-                                         options, progress);
-             });
+  return run(
+      arguments.surface, [&](const occ::Model& model, const occ::BlendSurfaceOptions& options,
+                             const occ::Progress& progress) {
+        const occ::BlendEnd side = endOf(arguments.side);
+        return arguments.to_face > 0
+                   ? occ::extendSurfaceTo(model.shape, side, arguments.to_face, options, progress)
+                   : occ::extendSurface(model.shape, side, arguments.length_mm, options, progress);
+      });
 }
 
 }  // namespace seamwright::cli

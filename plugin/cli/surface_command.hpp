@@ -28,6 +28,7 @@ struct SurfaceArguments {
 struct BlendSurfaceArguments {
   SurfaceArguments surface;
   SideArguments start, end;
+  bool flip = false;
 };
 
 /// Arguments of `seamwright extend`.
@@ -35,6 +36,7 @@ struct ExtendSurfaceArguments {
   SurfaceArguments surface;
   SideArguments side;
   double length_mm = 0;
+  int to_face = 0;  ///< if not 0: instead of the length
 };
 
 /// Adds the options to a command. Parsing stores them in \p arguments.

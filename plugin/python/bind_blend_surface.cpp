@@ -7,6 +7,7 @@
 #include <seamwright/plugin/python/bindings.hpp>
 #include <seamwright/plugin/python/model_calls.hpp>
 #include <seamwright/plugin/python/results.hpp>
+#include <seamwright/plugin/report/blend_surface_json.hpp>
 #include <seamwright/plugin/report/json.hpp>
 
 namespace seamwright::python {
@@ -56,15 +57,16 @@ BlendedSurface blendSurface(const occ::Model& model, const py::object& start, co
                             const py::object& start_faces, const py::object& end_faces,
                             const py::object& start_order, const py::object& end_order,
                             const py::object& start_tension, const py::object& end_tension,
-                            const py::object& profile, const py::object& gap_mm,
-                            const py::object& angle_deg, const py::object& curvature_rel,
-                            const py::object& flat_radius_mm, const py::object& crease_deg,
-                            const py::object& progress) {
+                            const py::object& flip, const py::object& profile,
+                            const py::object& gap_mm, const py::object& angle_deg,
+                            const py::object& curvature_rel, const py::object& flat_radius_mm,
+                            const py::object& crease_deg, const py::object& progress) {
   occ::BlendEnd first = endOf("start", {start, start_faces, start_order}),
                 second = endOf("end", {end, end_faces, end_order});
   first.tension = numberOf("start_tension", start_tension);
   second.tension = numberOf("end_tension", end_tension);
   occ::BlendSurfaceOptions options;
+  options.flip = flagOf("flip", flip);
   options.tolerance =
       toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg});
   return longCall(progress, [&](const occ::Progress& report) {
@@ -74,20 +76,26 @@ BlendedSurface blendSurface(const occ::Model& model, const py::object& start, co
 }
 
 BlendedSurface extendSurface(const occ::Model& model, const py::object& edges,
-                             const py::object& length_mm, const py::object& faces,
-                             const py::object& order, const py::object& profile,
-                             const py::object& gap_mm, const py::object& angle_deg,
-                             const py::object& curvature_rel, const py::object& flat_radius_mm,
-                             const py::object& crease_deg, const py::object& progress) {
+                             const py::object& length_mm, const py::object& to,
+                             const py::object& faces, const py::object& order,
+                             const py::object& profile, const py::object& gap_mm,
+                             const py::object& angle_deg, const py::object& curvature_rel,
+                             const py::object& flat_radius_mm, const py::object& crease_deg,
+                             const py::object& progress) {
   const occ::BlendEnd side{
       .side = {.edges = numbersOrOne("edges", edges), .faces = numbersOrOne("faces", faces)},
       .order = orderOf("order", order)};
-  const double length = numberOf("length_mm", length_mm);
+  if (length_mm.is_none() == to.is_none())
+    throw py::value_error("length_mm or to: exactly one of them is needed");
+  const double length = length_mm.is_none() ? 0 : numberOf("length_mm", length_mm);
+  const bool is_length = to.is_none();
+  const int face = is_length ? 0 : wholeNumber("to", to);
   occ::BlendSurfaceOptions options;
   options.tolerance =
       toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg});
   return longCall(progress, [&](const occ::Progress& report) {
-    return withModel(occ::extendSurface(model.shape, side, length, options, report),
+    return withModel(is_length ? occ::extendSurface(model.shape, side, length, options, report)
+                               : occ::extendSurfaceTo(model.shape, side, face, options, report),
                      options.tolerance);
   });
 }
@@ -103,6 +111,9 @@ py::dict blendDict(const BlendedSurface& result) {
   py::dict dict;
   dict["reached"] = result.report.reached;
   dict["spans"] = result.report.spans;
+  dict["fold"] = plainObject(report::foldJson(result.report));
+  dict["to"] = plainObject(report::extensionJson(result.report));
+  dict["sides"] = plainObject(report::sidesJson(result.report));
   py::list seams;
   for (const py::handle seam : seamsOf(result)) seams.append(seam.attr("to_dict")());
   dict["seams"] = seams;
@@ -126,6 +137,26 @@ void bindResult(py::module_& module) {
       .def_property_readonly(
           "spans", [](const BlendedSurface& result) { return result.report.spans; },
           "Spans of the surface along the sides.")
+      .def_property_readonly(
+          "sides",
+          [](const BlendedSurface& result) {
+            return plainObject(report::sidesJson(result.report));
+          },
+          "A dict for each side: side, edges, faces, length_mm, covered_mm by seams, target, and "
+          "the reason why seams do not cover it, empty if they do.")
+      .def_property_readonly(
+          "fold",
+          [](const BlendedSurface& result) { return plainObject(report::foldJson(result.report)); },
+          "Where the surface turns over, nearest to the start: distance_mm and point_mm; None if "
+          "it "
+          "does not.")
+      .def_property_readonly(
+          "to",
+          [](const BlendedSurface& result) {
+            return plainObject(report::extensionJson(result.report));
+          },
+          "Of an extension up to a face: face, least_mm and most_mm, the lengths of the lines "
+          "across, and distance_mm, the largest from the new edges to the face; otherwise None.")
       .def_readonly("model", &BlendedSurface::model, "The model with the new face, its last one.")
       .def("to_dict", &blendDict, "All but surface and model as a plain dict.")
       .def("__repr__", [](const BlendedSurface& result) {
@@ -142,13 +173,15 @@ constexpr const char* blend_surface_doc =
 start, end: an edge, or the edges of a chain, numbers from 1. Edges are free, or start_faces and
 end_faces name the faces to continue. start_order, end_order: 'G0' to 'G3', how the surface joins
 each side. start_tension, end_tension: how far the surface keeps its direction, as multiples of the
-distance between the sides. Tolerances and progress as in analyze(). ValueError for bad arguments,
+distance between the sides. flip: the end runs in the other direction than that in which the
+surface is less twisted. Tolerances and progress as in analyze(). ValueError for bad arguments,
 with name and value. The model is not changed.)";
 
 constexpr const char* extend_surface_doc =
-    R"(Continues the surface of a side over a length: a BlendedSurface.
+    R"(Continues the surface of a side over a length, or up to a face: a BlendedSurface.
 
-edges: an edge, or the edges of a chain, numbers from 1. Edges are free, or faces names the faces to
+edges: an edge, or the edges of a chain, numbers from 1. to: a face that trims the extension,
+instead of a length. Edges are free, or faces names the faces to
 continue. order: 'G1' (ruled), 'G2' or 'G3'. Tolerances and progress as in analyze(). ValueError for
 bad arguments, with name and value. The model is not changed.)";
 
@@ -162,17 +195,17 @@ void bindBlendSurface(py::module_& module) {
       .def("blend_surface", &blendSurface, blend_surface_doc, py::arg("start"), py::arg("end"),
            py::kw_only(), py::arg("start_faces") = none, py::arg("end_faces") = none,
            py::arg("start_order") = "G2", py::arg("end_order") = "G2",
-           py::arg("start_tension") = 1.0, py::arg("end_tension") = 1.0,
+           py::arg("start_tension") = 1.0, py::arg("end_tension") = 1.0, py::arg("flip") = false,
            py::arg("profile") = "default", py::arg("gap_mm") = py::none(),
            py::arg("angle_deg") = py::none(), py::arg("curvature_rel") = py::none(),
            py::arg("flat_radius_mm") = py::none(), py::arg("crease_deg") = py::none(),
            py::arg("progress") = py::none())
       .def("extend_surface", &extendSurface, extend_surface_doc, py::arg("edges"),
-           py::arg("length_mm"), py::kw_only(), py::arg("faces") = none, py::arg("order") = "G2",
-           py::arg("profile") = "default", py::arg("gap_mm") = py::none(),
-           py::arg("angle_deg") = py::none(), py::arg("curvature_rel") = py::none(),
-           py::arg("flat_radius_mm") = py::none(), py::arg("crease_deg") = py::none(),
-           py::arg("progress") = py::none());
+           py::arg("length_mm") = py::none(), py::kw_only(), py::arg("to") = py::none(),
+           py::arg("faces") = none, py::arg("order") = "G2", py::arg("profile") = "default",
+           py::arg("gap_mm") = py::none(), py::arg("angle_deg") = py::none(),
+           py::arg("curvature_rel") = py::none(), py::arg("flat_radius_mm") = py::none(),
+           py::arg("crease_deg") = py::none(), py::arg("progress") = py::none());
 }
 
 }  // namespace seamwright::python

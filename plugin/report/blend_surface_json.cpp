@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -44,6 +45,52 @@ void judgeByEnds(const std::map<int, Level>& levels, int made, occ::Report& repo
     seam.verdict = judge(seam.figures, report.tolerance, levels.at(other(seam)));
 }
 
+ordered_json sideJson(const occ::BlendEndReport& end) {
+  return {{"side", end.name},           {"edges", end.edges},           {"faces", end.faces},
+          {"length_mm", end.length_mm}, {"covered_mm", end.covered_mm}, {"target", name(end.level)},
+          {"reason", end.reason}};
+}
+
+/// "Edge3, Edge4": names with numbers.
+std::string numberedNames(const char* kind, const std::vector<int>& numbers) {
+  std::string text;
+  for (const int number : numbers)
+    text += fmt::format("{}{}{}", text.empty() ? "" : ", ", kind, number);
+  return text;
+}
+
+/// A row for a side that its seams do not cover.
+Row rowOf(const occ::BlendEndReport& end, std::size_t columns) {
+  Row row = {std::string(name(end.level)), "none", numberedNames("Edge", end.edges),
+             numberedNames("Face", end.faces),
+             fmt::format("{:.3f}", end.length_mm - end.covered_mm)};
+  row.resize(row.size() + columns, "-");
+  row.push_back(end.name + ": " + end.reason);
+  return row;
+}
+
+/// What else there is to say of the surface, a line each.
+std::string remarksOf(const occ::BlendSurfaceReport& blend) {
+  std::string text;
+  if (blend.to)
+    text +=
+        fmt::format("from {:.4g} to {:.4g} mm long, up to {:.3g} mm from Face{}\n",
+                    blend.to->least_mm, blend.to->most_mm, blend.to->distance_mm, blend.to->face);
+  if (blend.fold)
+    text += fmt::format("the surface folds {:.4g} mm from the {}, at ({:.6g})\n",
+                        blend.fold->distance_mm, blend.ends.front().name,
+                        fmt::join(blend.fold->point_mm, ", "));
+  return text;
+}
+
+std::string verdictText(const occ::BlendSurfaceReport& blend, bool reached) {
+  if (reached) return "REACHED: every seam has the level of its end";
+  if (blend.seams.empty()) return "NOT REACHED: the surface meets no side";
+  return blend.fold && blend.ends.size() == 1
+             ? "NOT REACHED: the extension folds"
+             : "NOT REACHED: a seam, or a part of a side, falls short";
+}
+
 std::vector<Column> columnsOf(const occ::BlendSurfaceReport& blend,
                               const ContinuityTolerance& tolerance) {
   std::vector<Column> columns = figureColumns(tolerance);
@@ -72,6 +119,27 @@ Judge judgeOf(const occ::BlendSurfaceReport& blend, const ContinuityTolerance& t
   };
 }
 
+ordered_json sidesJson(const occ::BlendSurfaceReport& blend) {
+  ordered_json sides = ordered_json::array();
+  for (const occ::BlendEndReport& end : blend.ends) sides.push_back(sideJson(end));
+  return sides;
+}
+
+ordered_json foldJson(const occ::BlendSurfaceReport& blend) {
+  if (!blend.fold) return nullptr;
+  const Eigen::Vector3d& point = blend.fold->point_mm;
+  return {{"distance_mm", blend.fold->distance_mm},
+          {"point_mm", {point.x(), point.y(), point.z()}}};
+}
+
+ordered_json extensionJson(const occ::BlendSurfaceReport& blend) {
+  if (!blend.to) return nullptr;
+  return {{"face", blend.to->face},
+          {"least_mm", blend.to->least_mm},
+          {"most_mm", blend.to->most_mm},
+          {"distance_mm", blend.to->distance_mm}};
+}
+
 ordered_json toJson(const occ::BlendSurfaceReport& blend, const ContinuityTolerance& tolerance,
                     const occ::ModelFacts& given, const std::optional<WrittenModel>& output) {
   ordered_json json = headJson("seamwright.blend_surface/1", given);
@@ -82,7 +150,10 @@ ordered_json toJson(const occ::BlendSurfaceReport& blend, const ContinuityTolera
   json["surface"] = {{"degrees", {blend.surface.degree_u, blend.surface.degree_v}},
                      {"poles", {blend.surface.countU(), blend.surface.countV()}},
                      {"spans", blend.spans}};
+  json["fold"] = foldJson(blend);
+  json["to"] = extensionJson(blend);
   json["output"] = toJson(output);
+  json["sides"] = sidesJson(blend);
   json["seams"] = ordered_json::array();
   for (const occ::BlendSeam& seam : blend.seams) {
     json["seams"].push_back(toJson(seam.result, tolerance));
@@ -107,19 +178,19 @@ std::string toTable(const occ::BlendSurfaceReport& blend, const ContinuityTolera
     row.push_back(noteOf(seam.result, tolerance));
     rows.push_back(row);
   }
+  for (const occ::BlendEndReport& end : blend.ends)
+    if (!end.reason.empty()) rows.push_back(rowOf(end, columns.size()));
   std::ostringstream out;
   constexpr std::size_t length = 4;  // index of the first column of numbers
   writeRows(out, rows, length);
   out << fmt::format("surface of degrees {} x {}, {} x {} poles\n", blend.surface.degree_u,
                      blend.surface.degree_v, blend.surface.countU(), blend.surface.countV());
+  out << remarksOf(blend);
+  if (output) out << output->path.string() << ": " << name(output->format) << '\n';
   const std::string differences = output ? output->differences(memory) : "";
   if (!differences.empty()) out << output->path.string() << ' ' << differences << '\n';
   const bool reached = blend.reached && (!output || output->isAsGoodAs(memory));
-  out << (reached ? "REACHED" : "NOT REACHED")
-      << (reached               ? ": every seam has the level of its end"
-          : blend.seams.empty() ? ": the surface meets no side"
-                                : ": a seam, or a part of a side, falls short")
-      << '\n';
+  out << verdictText(blend, reached) << '\n';
   return out.str();
 }
 

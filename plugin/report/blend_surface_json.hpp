@@ -21,7 +21,13 @@ nlohmann::ordered_json toJson(const occ::BlendSurfaceReport& blend,
                               const ContinuityTolerance& tolerance, const occ::ModelFacts& given,
                               const std::optional<WrittenModel>& output = {});
 
-/// The result as text: a row for each seam, then the surface and the verdict.
+/// The keys "sides", "fold" and "to" of that object.
+nlohmann::ordered_json sidesJson(const occ::BlendSurfaceReport& blend);
+nlohmann::ordered_json foldJson(const occ::BlendSurfaceReport& blend);
+nlohmann::ordered_json extensionJson(const occ::BlendSurfaceReport& blend);
+
+/// The result as text: a row for each seam and for each side that its seams do not
+/// cover, then the surface, the file and the verdict.
 /// \param memory the counts that \p output is compared with.
 std::string toTable(const occ::BlendSurfaceReport& blend, const ContinuityTolerance& tolerance,
                     const ModelCounts& memory, const std::optional<WrittenModel>& output);

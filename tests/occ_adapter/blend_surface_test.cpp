@@ -1,22 +1,39 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gmock/gmock.h>
 
+#include <fmt/format.h>
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
+#include <BRepGProp.hxx>
 #include <BRep_Tool.hxx>
+#include <Eigen/Geometry>
+#include <GC_MakeArcOfCircle.hxx>
+#include <GProp_GProps.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Plane.hxx>
+#include <Geom_SphericalSurface.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <algorithm>
 #include <cmath>
+#include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
 #include <numbers>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "match_pairs.hpp"
 #include "support/random.hpp"
 
 #include <seamwright/occ_adapter/blend/blend_surface.hpp>
+#include <seamwright/occ_adapter/geometry_error.hpp>
 
 namespace seamwright::test {
 namespace {
@@ -26,6 +43,7 @@ using occ::blendSurface;
 using occ::BlendSurfaceOptions;
 using occ::BlendSurfaceReport;
 using occ::extendSurface;
+using occ::extendSurfaceTo;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
@@ -195,6 +213,237 @@ TEST(ExtendSurface, OfACylinderHasTheLengthAndStaysNearTheCylinder) {
   }
 }
 
+/// A plane face between y = 0 and a line of arcs of radius 5 that turn to either side: its
+/// curvature jumps.
+TopoDS_Shape wavyFace(int arcs) {
+  BRepBuilderAPI_MakeWire wire;
+  const auto line = [&](double x0, double y0, double x1, double y1) {
+    wire.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(x0, y0, 0), gp_Pnt(x1, y1, 0)));
+  };
+  const double radius = 5, chord = radius * std::sqrt(2.0), height = radius * (1 - std::sqrt(0.5));
+  for (int i = 0; i < arcs; ++i) {
+    const double up = i % 2 == 0 ? 1 : -1;
+    wire.Add(BRepBuilderAPI_MakeEdge(GC_MakeArcOfCircle(gp_Pnt(i * chord, 0, 0),
+                                                        gp_Pnt((i + 0.5) * chord, up * height, 0),
+                                                        gp_Pnt((i + 1) * chord, 0, 0))
+                                         .Value()));
+  }
+  line(arcs * chord, 0, arcs * chord, -20);
+  line(arcs * chord, -20, 0, -20);
+  line(0, -20, 0, 0);
+  return BRepBuilderAPI_MakeFace(gp_Pln(gp::XOY()), wire.Wire()).Face();
+}
+
+std::vector<int> edgesAbove(const TopoDS_Shape& shape, double y) {
+  const TopTools_IndexedMapOfShape edges = partsOf(shape, TopAbs_EDGE);
+  std::vector<int> result;
+  for (int i = 1; i <= edges.Extent(); ++i) {
+    const BRepAdaptor_Curve curve(TopoDS::Edge(edges(i)));
+    if (curve.Value(curve.FirstParameter()).Y() > y && curve.Value(curve.LastParameter()).Y() > y)
+      result.push_back(i);
+  }
+  return result;
+}
+
+TEST(ExtendSurface, WhereTheCurvatureOfTheSideJumps) {
+  const TopoDS_Shape model = wavyFace(3);
+  const std::vector<int> side = edgesAbove(model, -1);
+  ASSERT_EQ(side.size(), 3U);
+  for (int order = 1; order <= 3; ++order) {
+    const BlendSurfaceReport longer =
+        extendSurface(model, {.side = {side}, .order = order}, 2, fine());
+    EXPECT_TRUE(longer.reached) << order;
+    // It is the plane.
+    for (int i = 0; i <= 50; ++i)
+      for (const double v : {0.3, 1.0})
+        EXPECT_NEAR(jet(longer.surface, i / 50.0, v).p.z(), 0, 1e-9);
+    EXPECT_FALSE(longer.fold);
+  }
+}
+
+TopoDS_Face planeFace(const std::vector<gp_Pnt>& corners) {
+  BRepBuilderAPI_MakePolygon polygon;
+  for (const gp_Pnt& corner : corners) polygon.Add(corner);
+  polygon.Close();
+  return BRepBuilderAPI_MakeFace(polygon.Wire(), true).Face();
+}
+
+TEST(ExtendSurface, GoesOnAlongTheLateralEdges) {
+  for (const double slope : {-0.6, 0.0, 0.3, 0.9}) {
+    const TopoDS_Shape model =
+        planeFace({gp_Pnt(0, 0, 0), gp_Pnt(30, 0, 0), gp_Pnt(30 + 20 * slope, 20, 0),
+                   gp_Pnt(20 * slope, 20, 0)});
+    const int edge = edgeNear(model, gp_Pnt(15 + 20 * slope, 20, 0));
+    const BlendSurfaceReport longer =
+        extendSurface(model, {.side = {{edge}}, .order = 2}, 7, fine());
+    EXPECT_TRUE(longer.reached);
+    for (const double u : {0.0, 1.0}) {
+      const Eigen::Vector3d along = jet(longer.surface, u, 1).p - jet(longer.surface, u, 0).p;
+      EXPECT_NEAR(along.x() / along.y(), slope, 1e-9);
+      EXPECT_NEAR(along.norm(), 7, 1e-9);
+    }
+  }
+}
+
+TEST(ExtendSurface, FoldsAreFound) {
+  // A plane around a hole of radius 10: lines across meet at its centre.
+  const gp_Ax2 axes;
+  const TopoDS_Edge arc = BRepBuilderAPI_MakeEdge(gp_Circ(axes, 10), 0, std::numbers::pi / 2);
+  BRepBuilderAPI_MakeWire wire(arc);
+  wire.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(0, 10, 0), gp_Pnt(0, 40, 0)));
+  wire.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(0, 40, 0), gp_Pnt(40, 0, 0)));
+  wire.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(40, 0, 0), gp_Pnt(10, 0, 0)));
+  const TopoDS_Shape model = BRepBuilderAPI_MakeFace(gp_Pln(axes), wire.Wire()).Face();
+  const double half = 10 * std::sqrt(0.5);
+  const int edge = edgeNear(model, gp_Pnt(half, half, 0));
+  const BlendSurfaceReport shorter = extendSurface(model, {.side = {{edge}}}, 5, fine());
+  EXPECT_TRUE(shorter.reached);
+  const BlendSurfaceReport longer = extendSurface(model, {.side = {{edge}}}, 15, fine());
+  EXPECT_FALSE(longer.reached);
+  ASSERT_TRUE(longer.fold);
+  EXPECT_NEAR(longer.fold->distance_mm, 10, 2);
+}
+
+/// The model with a big plane through a point, its last face.
+TopoDS_Shape withPlane(const TopoDS_Shape& model, const gp_Pnt& point, const gp_Dir& normal) {
+  return loose(model, BRepBuilderAPI_MakeFace(gp_Pln(point, normal), -200, 200, -200, 200).Face());
+}
+
+TEST(ExtendSurface, UpToAPlaneItHasTheLengthsOfTheLines) {
+  const TopoDS_Shape strip =
+      planeFace({gp_Pnt(0, 0, 0), gp_Pnt(30, 0, 0), gp_Pnt(30, 20, 0), gp_Pnt(0, 20, 0)});
+  // y = 35 + x / 4 + z / 2.
+  const TopoDS_Shape model = withPlane(strip, gp_Pnt(0, 35, 0), gp_Dir(-1, 4, -2));
+  const int edge = edgeNear(model, gp_Pnt(15, 20, 0));
+  for (int order = 1; order <= 3; ++order) {
+    const BlendSurfaceReport longer =
+        extendSurfaceTo(model, {.side = {{edge}}, .order = order}, 2, fine());
+    EXPECT_TRUE(longer.reached);
+    ASSERT_TRUE(longer.to);
+    EXPECT_NEAR(longer.to->least_mm, 15, 1e-6);
+    EXPECT_NEAR(longer.to->most_mm, 15 + 30 / 4.0, 1e-6);
+    EXPECT_LT(longer.to->distance_mm, 1e-6);
+    GProp_GProps area;
+    BRepGProp::SurfaceProperties(longer.face, area);
+    EXPECT_NEAR(area.Mass(), 30 * (15 + 30 / 8.0), 1e-6);
+  }
+}
+
+TEST(ExtendSurface, UpToACurvedFaceItEndsAtIt) {
+  for (const Pair& pair : pairs()) {
+    // Across the way from the left side to the right one, and further on than the sheet.
+    const TopTools_IndexedMapOfShape edges = partsOf(pair.shape, TopAbs_EDGE);
+    const BRepAdaptor_Curve left(TopoDS::Edge(edges(pair.left))),
+        right(TopoDS::Edge(edges(pair.right)));
+    const auto middle = [](const BRepAdaptor_Curve& curve) {
+      return curve.Value((curve.FirstParameter() + curve.LastParameter()) / 2);
+    };
+    const gp_Vec way(middle(left), middle(right));
+    const gp_Ax3 axes(middle(left).Translated(-40 * way.Normalized()), gp_Dir(way),
+                      gp_Vec(middle(left), left.Value(left.FirstParameter())).Crossed(way));
+    const TopoDS_Face dome =
+        BRepBuilderAPI_MakeFace(new Geom_SphericalSurface(axes, 55), 0, 2 * std::numbers::pi, 0,
+                                std::numbers::pi / 2, 1e-7);
+    const TopoDS_Shape model = loose(pair.shape, dome);
+    for (int order = 1; order <= 2; ++order) {
+      const BlendSurfaceReport longer =
+          extendSurfaceTo(model, {.side = {{pair.left}}, .order = order}, 3, fine());
+      EXPECT_TRUE(longer.reached) << pair.name;
+      ASSERT_TRUE(longer.to);
+      EXPECT_LT(longer.to->distance_mm, 1e-4) << pair.name;
+      EXPECT_GT(longer.to->least_mm, 1);
+      // The boundary of the trimmed face lies on the sphere, the side excepted.
+      const TopTools_IndexedMapOfShape made = partsOf(longer.face, TopAbs_VERTEX);
+      int on_sphere = 0;
+      for (int i = 1; i <= made.Extent(); ++i)
+        if (std::abs(BRep_Tool::Pnt(TopoDS::Vertex(made(i))).Distance(axes.Location()) - 55) < 1e-4)
+          ++on_sphere;
+      // A third one where the sphere closes.
+      EXPECT_GE(on_sphere, 2) << pair.name;
+    }
+  }
+}
+
+TEST(ExtendSurface, AFaceThatIsNotMetIsRefusedWithTheLine) {
+  const TopoDS_Shape strip =
+      planeFace({gp_Pnt(0, 0, 0), gp_Pnt(30, 0, 0), gp_Pnt(30, 20, 0), gp_Pnt(0, 20, 0)});
+  const TopoDS_Shape model = loose(
+      strip, BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(20, 40, 0), gp::DY()), -10, 10, -10, 10).Face());
+  const int edge = edgeNear(model, gp_Pnt(15, 20, 0));
+  EXPECT_THAT([&] { extendSurfaceTo(model, {.side = {{edge}}}, 2); },
+              ThrowsMessage<occ::GeometryError>(HasSubstr("does not meet face 2 within ")));
+  EXPECT_THAT([&] { extendSurfaceTo(model, {.side = {{edge}}}, 3); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("face 3")));
+}
+
+TEST(ExtendSurface, ASideMayEndAtAPole) {
+  const TopoDS_Shape model = BRepBuilderAPI_MakeFace(new Geom_SphericalSurface(gp::XOY(), 20), 0, 1,
+                                                     0, std::numbers::pi / 2, 1e-7);
+  const int edge = edgeNear(model, gp_Pnt(20 * std::sqrt(0.5), 0, 20 * std::sqrt(0.5)));
+  const BlendSurfaceReport longer = extendSurface(model, {.side = {{edge}}, .order = 2}, 3, fine());
+  EXPECT_EQ(longer.ends[0].reason, "");
+  for (int i = 0; i <= 20; ++i) {
+    const SurfaceJet there = jet(longer.surface, i / 20.0, 0);
+    EXPECT_NEAR(there.p.norm(), 20, 1e-4);
+    EXPECT_NEAR(std::abs(there.u.cross(there.v).normalized().dot(there.p)), 20, 1e-4);
+  }
+}
+
+TEST(BlendSurface, TheEndRunsWhereTheSurfaceIsLessTwisted) {
+  // The second plane has its edges in the other order, and is turned about the way across.
+  const TopoDS_Shape model = loose(
+      planeFace({gp_Pnt(0, 0, 0), gp_Pnt(20, 0, 0), gp_Pnt(20, 30, 0), gp_Pnt(0, 30, 0)}),
+      planeFace({gp_Pnt(60, 28, 9), gp_Pnt(60, 3, -9), gp_Pnt(90, 3, -9), gp_Pnt(90, 28, 9)}));
+  const BlendEnd left{.side = {{edgeNear(model, gp_Pnt(20, 15, 0))}}},
+      right{.side = {{edgeNear(model, gp_Pnt(60, 15.5, 0))}}};
+  BlendSurfaceOptions options = fine();
+  const auto isCrossed = [](const BlendSurfaceReport& blend) {
+    const auto y = [&](double u, double v) { return jet(blend.surface, u, v).p.y(); };
+    return (y(1, 0) - y(0, 0)) * (y(1, 1) - y(0, 1)) < 0;
+  };
+  EXPECT_FALSE(isCrossed(blendSurface(model, left, right, options)));
+  EXPECT_FALSE(isCrossed(blendSurface(model, right, left, options)));
+  options.flip = true;
+  EXPECT_TRUE(isCrossed(blendSurface(model, left, right, options)));
+}
+
+TEST(BlendSurface, ASideThatNoSeamCoversHasAReason) {
+  BlendSurfaceOptions coarse = fine();
+  coarse.tolerance.gap_mm = 1e-9;
+  coarse.max_spans = 1;
+  const Pair pair = pairs()[1];
+  const BlendSurfaceReport blend =
+      blendSurface(pair.shape, {.side = {{pair.left}}}, {.side = {{pair.right}}}, coarse);
+  EXPECT_FALSE(blend.reached);
+  ASSERT_EQ(blend.ends.size(), 2U);
+  EXPECT_EQ(blend.ends[0].edges, std::vector{pair.left});
+  EXPECT_LT(blend.ends[0].covered_mm, blend.ends[0].length_mm);
+  EXPECT_THAT(blend.ends[0].reason, HasSubstr("the new edge is up to "));
+}
+
+TEST(BlendSurface, SmallChangesOfTheModelChangeTheSurfaceLittle) {
+  std::mt19937 generator(testSeed());
+  for (const Pair& pair : pairs()) {
+    // A turn and a shift of the one face, of about 1e-6 mm.
+    gp_Trsf move;
+    move.SetRotation(gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(random(generator), random(generator), 1)),
+                     1e-8);
+    const TopTools_IndexedMapOfShape faces = partsOf(pair.shape, TopAbs_FACE);
+    const TopoDS_Shape moved =
+        loose(faces(1), BRepBuilderAPI_Transform(faces(2), move, true).Shape());
+    const BlendEnd left{.side = {{pair.left}}}, right{.side = {{pair.right}}};
+    const BlendSurfaceReport one = blendSurface(pair.shape, left, right, fine()),
+                             other = blendSurface(moved, left, right, fine());
+    for (int i = 0; i <= 20; ++i)
+      for (int j = 0; j <= 10; ++j)
+        EXPECT_LT(
+            (jet(one.surface, i / 20.0, j / 10.0).p - jet(other.surface, i / 20.0, j / 10.0).p)
+                .norm(),
+            1e-4)
+            << pair.name;
+  }
+}
+
 TEST(BlendSurface, CornersOfASideAreRefused) {
   const TopoDS_Shape model =
       loose(BRepBuilderAPI_MakeFace(gp_Pln(gp::XOY()), 0, 10, 0, 10).Face(),
@@ -216,7 +465,7 @@ TEST(BlendSurface, CornersOfASideAreRefused) {
 TEST(BlendSurface, BadInputIsRefused) {
   const Pair pair = pairs()[0];
   const BlendEnd left{.side = {{pair.left}}}, right{.side = {{pair.right}}};
-  const auto refused = [](const char* text) {
+  const auto refused = [](const std::string& text) {
     return ThrowsMessage<std::invalid_argument>(HasSubstr(text));
   };
   BlendEnd none = left, unknown = left, order = left, tension = left;
@@ -229,10 +478,26 @@ TEST(BlendSurface, BadInputIsRefused) {
   EXPECT_THAT([&] { blendSurface(pair.shape, left, unknown); }, refused("999"));
   EXPECT_THAT([&] { blendSurface(pair.shape, order, right); }, refused("order is 4"));
   EXPECT_THAT([&] { blendSurface(pair.shape, left, tension); }, refused("end: tension is -1"));
-  EXPECT_THAT(
-      [&] { blendSurface(pair.shape, left, left); },
-      testing::ThrowsMessage<std::exception>(HasSubstr("no more than the gap tolerance of")));
+  EXPECT_THAT([&] { blendSurface(pair.shape, left, left); },
+              refused("is in start and in end: a surface between two sides needs different edges"));
   EXPECT_THAT([&] { extendSurface(pair.shape, left, std::nan("")); }, refused("length_mm is nan"));
+  const BlendEnd twice{.side = {{pair.left, pair.left}}};
+  EXPECT_THAT([&] { extendSurface(pair.shape, twice, 5); },
+              refused("side: edge " + std::to_string(pair.left) + " is given twice"));
+}
+
+TEST(BlendSurface, AnOpenSideBesideAClosedOneIsRefusedWithTheEdgesThatGoOn) {
+  const TopoDS_Shape model =
+      loose(tube(20, 0, 20), planeFace({gp_Pnt(0, 0, 50), gp_Pnt(9, 0, 50), gp_Pnt(9, 9, 50)}));
+  const int ring = edgeNear(model, gp_Pnt(-20, 0, 20)), line = edgeNear(model, gp_Pnt(4.5, 0, 50));
+  const int second = edgeNear(model, gp_Pnt(9, 4.5, 50)),
+            third = edgeNear(model, gp_Pnt(4.5, 4.5, 50));
+  const std::string text = fmt::format(
+      "start is closed (edge {}), end is not (edge {}): both must be closed, or both "
+      "open; the end goes on with edge {} or {}",
+      ring, line, std::min(second, third), std::max(second, third));
+  EXPECT_THAT([&] { blendSurface(model, {.side = {{ring}}}, {.side = {{line}}}); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr(text)));
 }
 
 }  // namespace

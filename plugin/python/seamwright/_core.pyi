@@ -1384,6 +1384,7 @@ class Model:
         end_order: str = "G2",
         start_tension: Number = 1.0,
         end_tension: Number = 1.0,
+        flip: Flag = False,
         profile: str = "default",
         gap_mm: Optional[Number] = None,
         angle_deg: Optional[Number] = None,
@@ -1395,8 +1396,9 @@ class Model:
     def extend_surface(
         self,
         edges: Union[Whole, Sequence[Whole]],
-        length_mm: Number,
+        length_mm: Optional[Number] = None,
         *,
+        to: Optional[Whole] = None,
         faces: Union[Whole, Sequence[Whole]] = (),
         order: str = "G2",
         profile: str = "default",
@@ -1517,6 +1519,12 @@ class BlendedSurface:
     def seams(self) -> List[_r.Seam]: ...
     @property
     def spans(self) -> int: ...
+    @property
+    def sides(self) -> List[Dict[str, Any]]: ...
+    @property
+    def fold(self) -> Optional[Dict[str, Any]]: ...
+    @property
+    def to(self) -> Optional[Dict[str, Any]]: ...
     @property
     def model(self) -> Model: ...
     def to_dict(self) -> Dict[str, Any]: ...

@@ -41,6 +41,9 @@ def test_a_blend_joins_both_sides(gap, out):
     result, report, written = blend(gap, "--start-order", "G3", "--end-order", "G1", out=out)
     assert result.returncode == 0, result.stdout + result.stderr
     assert "REACHED: every seam has the level of its end" in result.stdout
+    assert f"{written}: {report['output']['format']}\n" in result.stdout
+    assert [side["side"] for side in report["sides"]] == ["start", "end"]
+    assert report["fold"] is None and not any(side["reason"] for side in report["sides"])
     assert not any(seam["note"] for seam in report["seams"])
     assert [(seam["target"], seam["level"]) for seam in report["seams"]] == [
         ("G3", "G3"),
@@ -78,6 +81,13 @@ def test_an_extension_has_its_length_and_order(gap):
         assert abs(sum(map(math.dist, line, line[1:])) - 5) < 1e-3
 
 
+def test_the_end_may_be_flipped(gap):
+    result, report, _ = blend(gap, "--flip", "--keep-anyway")
+    straight = blend(gap, "--keep-anyway")[1]
+    assert report["surface"]["degrees"] == straight["surface"]["degrees"]
+    assert "NOT REACHED: the surface folds" in result.stdout or report["reached"]
+
+
 def test_every_key_of_the_report_matters(gap):
     expect_every_key_matters(blend(gap)[1], VALIDATOR)
 
@@ -104,11 +114,15 @@ def test_what_falls_short_is_not_written(gap):
             ["--start", RIGHT, "--end", LEFT, "--start-faces", "7"],
             "edge 6 does not bound face 7",
         ),
-        ("blend", ["--start", RIGHT, "--end", RIGHT], "no more than the gap tolerance of 0.01 mm"),
+        ("blend", ["--start", RIGHT, "--end", RIGHT], "edge 6 is in start and in end"),
+        ("extend", ["--edge", "6,6", "--length", "1"], "side: edge 6 is given twice"),
         ("blend", ["--start", "5,6", "--end", LEFT], "start: the side has a corner of "),
         ("extend", ["--edge", "5,6,7,8", "--length", "1"], "side: the side has a corner of "),
         ("extend", ["--edge", RIGHT, "--length", "1e300"], "or the length is too large"),
         ("extend", ["--edge", RIGHT], "--length"),
+        ("extend", ["--edge", RIGHT, "--length", "1", "--to", "2"], "--to"),
+        ("extend", ["--edge", RIGHT, "--to", "2"], "does not meet face 2 within "),
+        ("extend", ["--edge", RIGHT, "--to", "9"], "face 9"),
         ("extend", ["--edge", RIGHT, "--length", "-1"], "--length: -1 must be larger than zero"),
         ("extend", ["--edge", RIGHT, "--length", "5", "--order", "G0"], "--order"),
     ],

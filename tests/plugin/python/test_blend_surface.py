@@ -38,13 +38,31 @@ def test_a_surface_joins_two_sides(sheets, start, end):
     assert levels[edges[0]] >= start and levels[edges[1]] >= end
     assert all(seam.faces[1] == 0 for seam in result.seams)
     assert result.model.face_count == sheets.face_count + 1
-    assert set(result.to_dict()) == {"reached", "spans", "seams"}
+    assert set(result.to_dict()) == {"reached", "spans", "fold", "to", "sides", "seams"}
+    assert result.fold is None
+    assert [(side["side"], side["edges"]) for side in result.sides] == [
+        ("start", [edges[0]]),
+        ("end", [edges[1]]),
+    ]
+    for side in result.sides:
+        assert side["reason"] == "" and side["covered_mm"] > 0.99 * side["length_mm"]
 
 
 def test_the_whole_model_is_as_smooth_as_the_result_says(sheets):
     result = sheets.blend_surface(edge_at(sheets, 30), edge_at(sheets, 60))
     report = result.model.analyze(level="G2", match_mm=0.02)
     assert len(report.seams) == 2 and report.passed
+
+
+def test_flip_lets_the_end_run_the_other_way(sheets):
+    edges = edge_at(sheets, 30), edge_at(sheets, 60)
+    corners = [
+        np.array([sheets.blend_surface(*edges, flip=flip).surface.point(u, 1.0) for u in (0, 1)])
+        for flip in (False, True)
+    ]
+    assert np.allclose(corners[0], corners[1][::-1], atol=1e-6)
+    with pytest.raises(ValueError, match="flip"):
+        sheets.blend_surface(*edges, flip="yes")
 
 
 def test_tension_moves_the_surface(sheets):
@@ -64,11 +82,25 @@ def test_a_side_is_continued(sheets, order):
     assert 4.5 < np.linalg.norm(end - begin) < 5.5
 
 
+def test_a_side_is_continued_up_to_a_face(sheets):
+    u, v = np.meshgrid([0.0, 1.0], [0.0, 1.0], indexing="ij")
+    wall = seamwright.BezierPatch(np.stack([40 + 2 * u, -100 + 300 * v, -100 + 200 * u], axis=-1))
+    model = seamwright.Model.from_patches([sheet(0, 0, 0.3), wall])
+    result = model.extend_surface(edge_at(model, 30), to=2)
+    assert result.reached and result.to["face"] == 2 and result.to["distance_mm"] < 1e-5
+    assert 8 < result.to["least_mm"] <= result.to["most_mm"] < 14
+    assert result.model.face_count == 3
+    assert sheets.extend_surface(edge_at(sheets, 30), 5).to is None
+    for arguments in ({}, {"length_mm": 5, "to": 2}):
+        with pytest.raises(ValueError, match="length_mm or to: exactly one of them is needed"):
+            model.extend_surface(edge_at(model, 30), **arguments)
+
+
 def test_a_face_is_named_where_an_edge_has_two(tmp_path):
     patches = [sheet(0, 0, 0.3), sheet(30, 9, 0.3)]
     joined = seamwright.Model.from_patches(patches, sew_mm=0.1)
     shared = next(iter(joined.analyze().seams)).edges[0]
-    with pytest.raises(ValueError, match="edge 2 is not free, name the face to continue"):
+    with pytest.raises(ValueError, match="edge 2 is not free: it bounds face 1, face 2"):
         joined.extend_surface(shared, 5)
     assert joined.extend_surface(shared, 5, faces=1).reached
 

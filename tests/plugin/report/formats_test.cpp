@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <seamwright/plugin/report/blend_surface_json.hpp>
 #include <seamwright/plugin/report/csv.hpp>
 #include <seamwright/plugin/report/json.hpp>
 #include <seamwright/plugin/report/numbers.hpp>
@@ -181,6 +182,20 @@ TEST(Table, HasNoMarkAndNoEmptyColumnWhereAllIsCertain) {
   EXPECT_THAT(table, Not(HasSubstr("?")));
   EXPECT_THAT(table, Not(HasSubstr("change")));
   EXPECT_THAT(table, EndsWith("PASSED: no defects at level G1; 1 of 1 verdict certain\n"));
+}
+
+TEST(Table, OfABlendHasARowForASideWithoutSeams) {
+  occ::BlendSurfaceReport blend;
+  blend.seams.push_back({.result = madeByHand().seams[0], .level = Level::G1});
+  blend.ends.resize(2);
+  blend.ends[0] = {"start", {7}, {1}, 12.5, 12.5, Level::G1, ""};
+  blend.ends[1] = {"end", {8, 9}, {3}, 20, 5, Level::G2, "seams cover 5 of 20 mm"};
+  const std::string table = toTable(blend, {}, {}, std::nullopt);
+  EXPECT_THAT(table, ContainsRegex("\nG1 +G2 +Edge7 +Face1 +12.500"));
+  EXPECT_THAT(table, ContainsRegex("\nG2 +none +Edge8, Edge9 +Face3 +15.000.* "
+                                   "end: seams cover 5 of 20 mm\n"));
+  EXPECT_THAT(table, EndsWith("NOT REACHED: a seam, or a part of a side, falls short\n"));
+  EXPECT_EQ(sidesJson(blend)[1]["reason"], "seams cover 5 of 20 mm");
 }
 
 TEST(Table, ColumnsStandBelowOneAnother) {

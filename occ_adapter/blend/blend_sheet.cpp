@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include <seamwright/core/blend/hermite_sheet.hpp>
+#include <seamwright/core/differential/fundamental_forms.hpp>
+#include <seamwright/core/linear/gauss_rule.hpp>
+#include <seamwright/core/seam/measure.hpp>
+#include <seamwright/occ_adapter/blend/blend_sheet.hpp>
+#include <seamwright/occ_adapter/geometry_error.hpp>
+
+namespace seamwright::occ {
+
+namespace {
+
+constexpr int degree_along = 5;
+
+/// The parameter up to which a curve, given by its derivatives at 0, has the length.
+double parameterAtLength(const CurveDerivatives& derivatives, double length_mm) {
+  static const GaussRule rule = gaussRule(12);
+  const auto lengthTo = [&](double t) {
+    double sum = 0;
+    for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+      Eigen::RowVector3d slope = Eigen::RowVector3d::Zero();
+      double power = 1;
+      for (Eigen::Index k = 1; k < derivatives.rows(); ++k) {
+        slope += power * derivatives.row(k);
+        power *= rule.nodes[i] * t / static_cast<double>(k);
+      }
+      sum += rule.weights[i] * slope.norm();
+    }
+    return t * sum;
+  };
+  // The speed is least at 0, where it is 1: the other derivatives are normal to the first one.
+  double low = 0, high = length_mm;
+  constexpr int halvings = 60;  // more than a double has digits
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (lengthTo(middle) < length_mm ? low : high) = middle;
+  }
+  return high;
+}
+
+/// The distance of the sides, which is the speed of the surface across for a tension of 1.
+double distanceAt(const BlendTask& task, const std::vector<SideSample>& at, double share) {
+  const double distance_mm = (at[1].point - at[0].point).norm();
+  if (!(distance_mm > task.tolerance.gap_mm))
+    throw GeometryError(fmt::format(
+        "at the share {:.3g} of their lengths, at ({:.6g}), the sides are {:.3g} mm apart: that is "
+        "no more than the gap tolerance of {:.3g} mm",
+        share, fmt::join(at[0].point, ", "), distance_mm, task.tolerance.gap_mm));
+  return distance_mm;
+}
+
+std::vector<SideSample> samplesAt(const BlendTask& task, double share) {
+  std::vector<SideSample> at;
+  for (int k = 0; k < task.count(); ++k) {
+    at.push_back(task.sides[k].at(share, share < 1));
+    const bool is_path = at[k].point.allFinite() && at[k].derivative.allFinite();
+    if (!is_path || !at[k].beyond.allFinite())
+      throw GeometryError(fmt::format(
+          "{}: at the share {:.3g}, on edge {}, {}", task.ends[k].side.name, share,
+          task.sides[k].edgeAt(share),
+          is_path ? "the face has no tangent plane" : "the edge stands still or jumps"));
+  }
+  return at;
+}
+
+/// The derivatives by the parameter across, of each end, at a share of the sides.
+std::vector<CurveDerivatives> derivativesAt(const BlendTask& task, double share) {
+  const std::vector<SideSample> at = samplesAt(task, share);
+  std::vector<CurveDerivatives> result;
+  for (int k = 0; k < task.count(); ++k) {
+    // Both ends run with the parameter: out of the face at the start, into it at the end.
+    result.push_back(continuation(at[k], k == 0 ? 1 : -1, task.ends[k].order));
+    const double speed_mm = task.count() < 2 ? parameterAtLength(result[k], task.length_mm)
+                                             : task.ends[k].tension * distanceAt(task, at, share);
+    for (int order = 1; order <= task.ends[k].order; ++order)
+      result[k].row(order) *= std::pow(speed_mm, order);
+    if (!result[k].allFinite())
+      throw GeometryError(
+          fmt::format("{}: at the share {:.3g} the face has no curvature, or the {} is too large",
+                      task.ends[k].side.name, share, task.count() < 2 ? "length" : "tension"));
+  }
+  return result;
+}
+
+BSplineSurface sheetOver(const BlendTask& task, const std::vector<double>& knots) {
+  const GrevilleInterpolation interpolation(degree_along, knots, task.closure);
+  const std::vector<double>& parameters = interpolation.parameters();
+  std::vector<Eigen::MatrixXd> values;
+  for (const BlendEnd& end : task.ends) values.emplace_back(parameters.size(), 3 * (end.order + 1));
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const std::vector<CurveDerivatives> derivatives = derivativesAt(task, parameters[i]);
+    for (int k = 0; k < task.count(); ++k)
+      values[k].row(static_cast<Eigen::Index>(i)) = derivatives[k].reshaped<Eigen::RowMajor>();
+  }
+  std::vector<SheetRibbon> ribbons;
+  for (int k = 0; k < task.count(); ++k) {
+    const Eigen::MatrixXd poles = interpolation.poles(values[k]);
+    ribbons.push_back({.degree = degree_along, .knots = knots, .derivatives = {}});
+    for (int order = 0; order <= task.ends[k].order; ++order)
+      ribbons[k].derivatives.emplace_back(poles.middleCols(3 * order, 3));
+  }
+  return task.count() < 2 ? taylorSheet(ribbons[0]) : hermiteSheet(ribbons[0], ribbons[1]);
+}
+
+/// The largest figure at a point of an end over its tolerance.
+double excessAt(const BlendTask& task, const BSplineSurface& sheet, int k, double share) {
+  const SideSample sample = task.sides[k].at(share, share < 1);
+  const bool third = task.ends[k].order == most_blend_order;
+  const SidePoint of_face{sample.jet, {}, sample.derivative, true, third},
+      of_sheet{jet(sheet, share, k), {}, sample.derivative, true, third};
+  const PairMeasure figures = measurePair(of_face, of_sheet);
+  const ContinuityTolerance& tolerance = task.tolerance;
+  double excess = figures.gap_mm.value_or(HUGE_VAL) / tolerance.gap_mm;
+  if (task.ends[k].order > 0)
+    excess = std::max(excess, figures.angle_rad.value_or(HUGE_VAL) / tolerance.angle_rad);
+  if (task.ends[k].order > 1 && figures.curvature)
+    excess = std::max(excess, relativeDifference(*figures.curvature, tolerance.flat_radius_mm) /
+                                  tolerance.curvature_rel);
+  if (task.ends[k].order > 2 && figures.curvature && figures.curvature_change)
+    excess = std::max(excess, relativeChange(*figures.curvature_change, *figures.curvature,
+                                             tolerance.flat_radius_mm) /
+                                  tolerance.curvature_rel);
+  return excess;
+}
+
+/// A span in which a seam is beyond its share of the tolerance.
+struct PoorSpan {
+  double from = 0, to = 0;
+  double excess = 0;
+};
+
+/// The spans that can be halved and are beyond that share, the worst first.
+std::vector<PoorSpan> poorSpans(const BlendTask& task, const BSplineSurface& sheet,
+                                const SheetKnots& knots, double share_of_tolerance) {
+  // Seams are worst beside breaks and at ends.
+  constexpr std::array<double, 8> samples = {1e-4, 0.03, 0.15, 0.38, 0.62, 0.85, 0.97, 1 - 1e-4};
+  // Where a derivative of the face jumps no spline is near enough. The figures of second order need
+  // second differences, those of third order third ones: over shorter spans they have fewer than
+  // half of the digits.
+  const auto is_third = [](const BlendEnd& end) { return end.order == most_blend_order; };
+  const double shortest = std::ranges::any_of(task.ends, is_third) ? 1.0 / 512 : 1.0 / 65536;
+  std::vector<PoorSpan> result;
+  const std::map<double, int>& at = knots.multiplicities();
+  for (auto from = at.begin(), to = std::next(from); to != at.end(); from = to++) {
+    PoorSpan span{from->first, to->first};
+    if (span.to - span.from < shortest) continue;
+    for (const double sample : samples)
+      for (int k = 0; k < task.count(); ++k)
+        span.excess = std::max(
+            span.excess, excessAt(task, sheet, k, span.from + sample * (span.to - span.from)));
+    if (span.excess > share_of_tolerance) result.push_back(span);
+  }
+  std::ranges::sort(result, std::greater(), &PoorSpan::excess);
+  return result;
+}
+
+/// Whether the curvature of the face is the same on both sides of a break.
+bool isCurvatureContinuous(const BlendSide& side, double at) {
+  // Of the side: far above rounding, and so near that smooth curvature changes by less than
+  // another sixth digit. A jump below the fourth digit is below every tolerance.
+  constexpr double beside = 1e-7, least_jump = 1e-4;
+  const SideSample before = side.at(at - beside), after = side.at(at + beside);
+  const Eigen::Matrix3d one = curvatureTensor(before.jet, before.normal),
+                        other = curvatureTensor(after.jet, after.normal);
+  return (one - other).norm() <= least_jump * std::max(one.norm(), other.norm());
+}
+
+/// Where normals turn over along a line across the sheet.
+std::optional<SheetFold> foldAlong(const BSplineSurface& sheet, double u) {
+  constexpr int steps = 24;
+  Eigen::Vector3d before = Eigen::Vector3d::Zero(), last = jet(sheet, u, 0).p;
+  double distance_mm = 0;
+  for (int i = 0; i <= steps; ++i) {
+    const SurfaceJet there = jet(sheet, u, static_cast<double>(i) / steps);
+    distance_mm += (there.p - last).norm();
+    last = there.p;
+    const Eigen::Vector3d normal = there.u.cross(there.v);
+    if (normal.dot(before) < 0) return SheetFold{distance_mm, there.p};
+    before = normal;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+SheetKnots::SheetKnots(const BlendTask& task)
+    : multiplicities_{{0, degree_along + 1}, {1, degree_along + 1}} {
+  // At joints of edges derivatives along the side may jump. At breaks within an edge the path and
+  // the directions are C^1, unless the curvature of the face jumps.
+  for (const BlendSide& side : task.sides) {
+    for (const double at : side.joints()) add(at, degree_along);
+    for (const double at : side.breaks())
+      add(at, isCurvatureContinuous(side, at) ? degree_along - 1 : degree_along);
+  }
+  // A side with fewer spans meets its tolerance by chance only.
+  constexpr double longest = 0.25;
+  const std::map<double, int> needed = multiplicities_;
+  for (auto from = needed.begin(), to = std::next(from); to != needed.end(); from = to++) {
+    const double length = to->first - from->first;
+    const int parts = static_cast<int>(std::ceil(length / longest));
+    for (int i = 1; i < parts; ++i) multiplicities_[from->first + length * i / parts] = 1;
+  }
+  grade();
+}
+
+void SheetKnots::grade() {
+  // Slopes at a knot between a long and a short span are as good as in the long one; divided by the
+  // length of the short one they are its error of curvature.
+  constexpr double most = 4;
+  for (auto from = multiplicities_.begin(); std::next(from) != multiplicities_.end();) {
+    const auto to = std::next(from);
+    const double length = to->first - from->first;
+    double beside = length;
+    if (from != multiplicities_.begin()) beside = from->first - std::prev(from)->first;
+    if (std::next(to) != multiplicities_.end())
+      beside = std::min(beside, std::next(to)->first - to->first);
+    if (length <= most * beside) {
+      ++from;
+      continue;
+    }
+    halve(from->first, to->first);
+    if (from != multiplicities_.begin()) --from;  // its span may be too long now
+  }
+}
+
+void SheetKnots::add(double at, int multiplicity) {
+  // Sums of lengths round by less, and splines over shorter spans have no digits left.
+  constexpr double same = 1e-6;
+  const auto after = multiplicities_.lower_bound(at);
+  for (const auto& near : {after, std::prev(after)})
+    if (near != multiplicities_.end() && std::abs(near->first - at) <= same) {
+      near->second = std::max(near->second, multiplicity);
+      return;
+    }
+  multiplicities_[at] = multiplicity;
+}
+
+std::vector<double> SheetKnots::flat() const {
+  std::vector<double> result;
+  for (const auto& [at, multiplicity] : multiplicities_)
+    result.insert(result.end(), multiplicity, at);
+  return result;
+}
+
+BSplineSurface firstSheet(const BlendTask& task) {
+  return sheetOver(task, SheetKnots(task).flat());
+}
+
+BSplineSurface refinedSheet(const BlendTask& task, double share_of_tolerance, int max_spans,
+                            SheetKnots& knots, const Progress& progress) {
+  for (int round = 0;; ++round) {
+    checkProgress(progress, shareAfter(round));
+    BSplineSurface sheet = sheetOver(task, knots.flat());
+    const std::vector<PoorSpan> poor = poorSpans(task, sheet, knots, share_of_tolerance);
+    const int more = std::min(static_cast<int>(poor.size()), max_spans - knots.spans());
+    if (more <= 0) return sheet;
+    for (int i = 0; i < more; ++i) knots.halve(poor[i].from, poor[i].to);
+    knots.grade();
+  }
+}
+
+std::optional<SheetFold> foldOf(const BSplineSurface& sheet) {
+  constexpr int parts = 8;  // of a span: a choice
+  std::optional<SheetFold> nearest;
+  for (std::size_t i = 0; i + 1 < sheet.knots_u.size(); ++i) {
+    const double from = sheet.knots_u[i], length = sheet.knots_u[i + 1] - from;
+    for (int part = 0; length > 0 && part < parts; ++part) {
+      const auto fold = foldAlong(sheet, from + length * (part + 0.5) / parts);
+      if (fold && (!nearest || fold->distance_mm < nearest->distance_mm)) nearest = fold;
+    }
+  }
+  return nearest;
+}
+
+}  // namespace seamwright::occ

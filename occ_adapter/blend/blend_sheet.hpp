@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <seamwright/core/bspline/collocation.hpp>
+#include <seamwright/core/bspline/surface.hpp>
+#include <seamwright/core/seam/judge.hpp>
+#include <seamwright/occ_adapter/blend/blend_side.hpp>
+
+/// The spline surface on one or two sides. Not a public header.
+namespace seamwright::occ {
+
+/// The sides, one or two, and what the surface does there.
+struct BlendTask {
+  std::vector<BlendSide> sides;
+  std::vector<BlendEnd> ends;
+  double length_mm = 0;  ///< of an extension, which has one side
+  SplineClosure closure = SplineClosure::Open;
+  ContinuityTolerance tolerance;
+
+  int count() const { return static_cast<int>(sides.size()); }
+};
+
+/// Inner knots along the sides, by their multiplicity.
+class SheetKnots {
+ public:
+  /// Those that the sides need, and halves between them: no span is longer than a quarter.
+  explicit SheetKnots(const BlendTask& task);
+
+  void halve(double from, double to) { multiplicities_[0.5 * (from + to)] = 1; }
+  /// Halves spans that are much longer than one beside them.
+  void grade();
+  const std::map<double, int>& multiplicities() const { return multiplicities_; }
+  int spans() const { return static_cast<int>(multiplicities_.size()) - 1; }
+  std::vector<double> flat() const;
+
+ private:
+  void add(double at, int multiplicity);
+
+  std::map<double, int> multiplicities_;
+};
+
+/// The sheet with the fewest knots.
+BSplineSurface firstSheet(const BlendTask& task);
+
+/// Halves spans until no sample is beyond that share of the tolerance, or no span can be halved.
+/// \throws GeometryError where a side can't be continued, and for sides that touch; Cancelled.
+BSplineSurface refinedSheet(const BlendTask& task, double share_of_tolerance, int max_spans,
+                            SheetKnots& knots, const Progress& progress);
+
+/// The place nearest to the start where the sheet turns over, if it does so anywhere.
+std::optional<SheetFold> foldOf(const BSplineSurface& sheet);
+
+}  // namespace seamwright::occ
