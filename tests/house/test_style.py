@@ -292,4 +292,5 @@ def test_every_file_of_tests_is_run():
         for folder in lists
     }
     assert all(files.values())
-    assert {folder: files[folder] - lists[folder] for folder in lists} == dict.fromkeys(lists, set())
+    missing = {folder: files[folder] - lists[folder] for folder in lists}
+    assert not any(missing.values()), missing
