@@ -184,6 +184,18 @@ TEST(FairClothoids, OfAnAirfoilHaveNoInflectionThatTheFairedPointsDoNotHave) {
   EXPECT_GT(of_points, 50);
 }
 
+// The curvature of the sides is a thousandth of that of the nose, beside which points may move by
+// more than their distances.
+TEST(FairClothoids, OfAnAirfoilHaveFewExtremaWithAnyTolerance) {
+  for (const double tolerance : {0.005, 0.02, 0.1, 0.5}) {
+    const FairedClothoids found =
+        fairAll(foilPoints({.camber = 0.03, .thickness = 0.08, .points = 25}), tolerance, true);
+    EXPECT_LE(found.after.extrema, 4) << tolerance;
+    EXPECT_GT(found.moved_mm, 0) << tolerance;
+    EXPECT_LE(found.moved_mm, tolerance);
+  }
+}
+
 // Identity (4).
 TEST(FairClothoids, KeepCorners) {
   for (const bool sharp : {true, false}) {
@@ -240,7 +252,9 @@ TEST(FairClothoids, WithFreeEndsHaveNoHooks) {
       EXPECT_NE(free.points.row(end), points.row(end));
     }
     EXPECT_LE((free.points - points).rowwise().norm().maxCoeff(), tolerance);
-    EXPECT_LE(free.after.variation_per_mm3, held.after.variation_per_mm3 * 1.01);
+    // Fewer extrema may cost variation.
+    if (free.after.extrema >= held.after.extrema)
+      EXPECT_LE(free.after.variation_per_mm3, held.after.variation_per_mm3 * 1.01);
     EXPECT_LE(free.after.inflections, held.after.inflections);
     of_held += hooks_deg(held.pieces, foil) / 12;
     of_free += hooks_deg(free.pieces, foil) / 12;
