@@ -13,6 +13,7 @@ namespace seamwright::match {
 struct Anchor {
   std::vector<Place> places;   ///< one for each frame
   std::vector<double> shares;  ///< likewise
+  bool is_corner = false;      ///< of the first frame
 };
 
 struct Correspondence {

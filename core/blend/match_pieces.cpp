@@ -4,6 +4,7 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <stdexcept>
 
@@ -56,13 +57,15 @@ void requireGiven(const Splines& frames, const MatchOptions& options) {
     if (given.size() != options.given[0].size())
       refuse(fmt::format("frame {} has {} given parameters, frame 0 {}", f, given.size(),
                          options.given[0].size()));
+    const bool closed = frames[f].closed;
     for (std::size_t i = 0; i < given.size(); ++i) {
+      // Once around a closed frame, from the first one on.
+      const double end = closed && i > 0 ? given[0] + knots.back() - knots.front() : knots.back();
       const bool inside =
-          given[i] < knots.back() &&
-          (given[i] > knots.front() || (frames[f].closed && given[i] == knots.front()));
+          given[i] < end && (given[i] > knots.front() || (closed && given[i] == knots.front()));
       if (!inside || (i > 0 && !(given[i] > given[i - 1])))
         refuse(fmt::format("frame {}: given parameter {} is {}: they must increase within {} to {}",
-                           f, i, given[i], knots.front(), knots.back()));
+                           f, i, given[i], knots.front(), end));
     }
   }
 }
@@ -136,6 +139,7 @@ std::vector<Anchor> featureAnchors(const std::vector<Measured>& frames, const Ma
   for (const std::vector<int>& partner : partners) {
     if (std::find(partner.begin(), partner.end(), -1) != partner.end()) continue;
     Anchor anchor;
+    anchor.is_corner = all[0][partner[0]].kind == FeatureKind::Corner;
     for (std::size_t f = 0; f < frames.size(); ++f) {
       const Feature feature = snapped(frames[f], all[f][partner[f]], near_share);
       anchor.places.push_back(feature.place);
@@ -311,6 +315,22 @@ double largestRatio(const Splines& frames) {
   return result;
 }
 
+/// The anchors, or those at corners, or none, if the tangents at corresponding places differ less.
+std::vector<Anchor> fittingAnchors(const std::vector<Measured>& frames,
+                                   const std::vector<Anchor>& anchors, MatchSummary& summary) {
+  std::vector<Anchor> corners;
+  std::ranges::copy_if(anchors, std::back_inserter(corners), &Anchor::is_corner);
+  const double with_all = turnOf(frames, anchors), with_corners = turnOf(frames, corners);
+  // Less by rounding is not less. Corners are given up only for much less: without them frames have
+  // corners of both curves.
+  constexpr double rounding = 1e-9, much_less = 0.5;
+  const bool fewer = with_corners < with_all - rounding;
+  const bool none = turnOf(frames, {}) < much_less * std::min(with_all, with_corners) - rounding;
+  summary.lengths_fit_better = fewer || none;
+  if (none) return {};
+  return fewer ? corners : anchors;
+}
+
 }  // namespace
 
 Measured measured(const BezierSpline& frame, std::size_t index) {
@@ -327,14 +347,13 @@ Correspondence corresponding(const std::vector<BezierSpline>& frames, const Matc
   for (std::size_t f = 0; f < start.size(); ++f) result.frames.push_back(measured(start[f], f));
   if (options.by == MatchBy::Features) {
     result.anchors = featureAnchors(result.frames, options, near_share, areFlat(frames), summary);
-    // Less by rounding is not less.
-    constexpr double rounding = 1e-9;
-    summary.lengths_fit_better =
-        turnOf(result.frames, {}) < turnOf(result.frames, result.anchors) - rounding;
-    if (summary.lengths_fit_better) result.anchors.clear();
+    result.anchors = fittingAnchors(result.frames, result.anchors, summary);
   }
   if (options.by == MatchBy::Given) result.anchors = givenAnchors(result.frames, frames, options);
-  summary.matched_features = static_cast<int>(result.anchors.size());
+  // The first of the given places of closed frames is their start.
+  const bool starts_given =
+      options.by == MatchBy::Given && frames[0].closed && !options.given[0].empty();
+  summary.matched_features = static_cast<int>(result.anchors.size()) + (starts_given ? 1 : 0);
   return result;
 }
 

@@ -46,8 +46,8 @@ struct MatchSummary {
   int merged = 0;             ///< joints that belong to several frames because they are close
   std::vector<int> features;  ///< found in each frame
   int matched_features = 0;   ///< matched in all frames; given pairs count, too
-  /// MatchBy::Features: features were found, but equal shares of the length correspond: with them
-  /// the tangents at corresponding places differ less.
+  /// MatchBy::Features: features were found, but equal shares of the length between corners
+  /// correspond: with them the tangents at corresponding places differ less.
   bool lengths_fit_better = false;
   int unknown_pieces = 0;      ///< whose curvature has no certain profile: no features from them
   std::vector<bool> reversed;  ///< of each frame

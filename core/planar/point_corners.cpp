@@ -65,14 +65,25 @@ std::vector<Index> sharpest(const TurningPolygon& polygon, const std::vector<dou
                             const std::vector<Index>& corners, double distance_mm) {
   // Both corners of a blunt end turn by much the same.
   constexpr double least = 0.75;
+  const auto count = std::ssize(corners);
+  const auto cornerAt = [&](std::ptrdiff_t k) {
+    return corners[static_cast<std::size_t>((k + count) % count)];
+  };
+  // Of the next corners in a direction that are so near, one is sharper.
+  const auto isBesideSharper = [&](std::ptrdiff_t k, std::ptrdiff_t direction) {
+    for (std::ptrdiff_t steps = 1; steps < count; ++steps) {
+      const std::ptrdiff_t next = k + steps * direction;
+      if (!polygon.closed && (next < 0 || next >= count)) return false;
+      if (polygon.vector(cornerAt(k), cornerAt(next)).norm() > distance_mm) return false;
+      if (turns[static_cast<std::size_t>(cornerAt(k))] <
+          least * turns[static_cast<std::size_t>(cornerAt(next))])
+        return true;
+    }
+    return false;
+  };
   std::vector<Index> result;
-  for (const Index i : corners) {
-    const auto isSharper = [&](Index other) {
-      return polygon.vector(i, other).norm() <= distance_mm &&
-             turns[static_cast<std::size_t>(i)] < least * turns[static_cast<std::size_t>(other)];
-    };
-    if (std::ranges::none_of(corners, isSharper)) result.push_back(i);
-  }
+  for (std::ptrdiff_t k = 0; k < count; ++k)
+    if (!isBesideSharper(k, -1) && !isBesideSharper(k, 1)) result.push_back(cornerAt(k));
   return result;
 }
 

@@ -20,8 +20,10 @@ namespace {
 using Eigen::Vector2d;
 
 /// Choices. Points of lines and arcs show corners that those of other curves do not: with a corner
-/// at a smaller turn there are fewer pieces, or it is none.
+/// at a smaller turn there are fewer pieces, or it is none. Pieces between such corners have more
+/// points than the chords of an arc.
 constexpr std::array corner_angles_deg = {60.0, 12.0};
+constexpr std::array<std::size_t, 2> least_points_between = {2, 4};
 
 /// An upper bound, which is the distance up to rounding for points near the arc.
 double distance_mm(const PlanarArc& arc, const Vector2d& point) {
@@ -59,6 +61,18 @@ bool runsFromPointToPoint(const SampledChain& chain, const std::vector<Vector2d>
   return length_mm <= longer * polygon_mm;
 }
 
+/// Whether each arc begins where the one before ends, up to rounding.
+bool joins(const SampledChain& chain) {
+  constexpr double roundings = 1024;
+  for (std::size_t i = chain.closed ? 0 : 1; i < chain.arcs.size(); ++i) {
+    const PlanarArc& before = chain.arcs[i > 0 ? i - 1 : chain.arcs.size() - 1];
+    const double size_mm = before.start.norm() + before.length_mm + chain.arcs[i].start.norm();
+    if ((before.end() - chain.arcs[i].start).norm() > roundings * machine_epsilon * size_mm)
+      return false;
+  }
+  return true;
+}
+
 /// Where two circles or lines cross beside a point; nothing if they do not cross there.
 std::optional<Vector2d> crossingNear(const TouchPoint& a, const TouchPoint& b, Vector2d point) {
   constexpr int newton_steps = 20;
@@ -76,12 +90,13 @@ std::optional<Vector2d> crossingNear(const TouchPoint& a, const TouchPoint& b, V
   return point;
 }
 
-/// Lets an arc end, and the next one begin, where both cross beside a corner. Returns whether they
-/// do.
-bool meetAtCorner(PlanarArc& before, PlanarArc& after, const Vector2d& corner) {
+/// Lets an arc end, and the next one begin, where both cross no further from a corner than the
+/// tolerance. Returns whether they do.
+bool meetAtCorner(PlanarArc& before, PlanarArc& after, const Vector2d& corner,
+                  double tolerance_mm) {
   const TouchPoint end = touchPointOf(before).after(before.length_mm), start = touchPointOf(after);
   const std::optional<Vector2d> crossing = crossingNear(end, start, corner);
-  if (!crossing) return false;
+  if (!crossing || (*crossing - corner).norm() > tolerance_mm) return false;
   before.length_mm += end.lengthTo_mm(*crossing);
   const double ahead_mm = start.lengthTo_mm(*crossing);
   const TouchPoint begin = start.after(ahead_mm);
@@ -93,6 +108,7 @@ bool meetAtCorner(PlanarArc& before, PlanarArc& after, const Vector2d& corner) {
 struct SampledPoints {
   const PlanarPoints& points;
   bool closed = false;
+  double tolerance_mm = 0;
 
   std::vector<Vector2d> at(const std::vector<Eigen::Index>& indices) const {
     std::vector<Vector2d> result;
@@ -138,7 +154,8 @@ std::optional<SampledChain> chainWithCorners(const SampledPoints& sampled,
   }
   for (std::size_t r = sampled.closed ? 0 : 1; r < runs.size(); ++r) {
     PlacedArcs& before = placed[r > 0 ? r - 1 : runs.size() - 1];
-    if (!meetAtCorner(before.arcs.back(), placed[r].arcs.front(), runs[r].front()))
+    if (!meetAtCorner(before.arcs.back(), placed[r].arcs.front(), runs[r].front(),
+                      sampled.tolerance_mm))
       return std::nullopt;
   }
   for (std::size_t r = 0; r < runs.size(); ++r) {
@@ -153,7 +170,8 @@ std::optional<SampledChain> chainWithCorners(const SampledPoints& sampled,
 
 std::optional<SampledChain> sampledChain(const PlanarPoints& points,
                                          const SampledChainOptions& options) {
-  const SampledPoints sampled{.points = points, .closed = options.closed};
+  const SampledPoints sampled{
+      .points = points, .closed = options.closed, .tolerance_mm = options.tolerance_mm};
   std::vector<Eigen::Index> indices(static_cast<std::size_t>(points.rows()));
   std::iota(indices.begin(), indices.end(), Eigen::Index{0});
   const std::vector<Vector2d> all = sampled.at(indices);
@@ -163,18 +181,21 @@ std::optional<SampledChain> sampledChain(const PlanarPoints& points,
   for (const double share : noise_shares) {
     const double noise_mm = share * options.tolerance_mm;
     std::vector<Eigen::Index> tried = {-1};
-    for (const double corner_deg : corner_angles_deg) {
+    for (std::size_t k = 0; k < corner_angles_deg.size(); ++k) {
       const std::vector<Eigen::Index> corners =
           pointCorners(points, {.closed = options.closed,
-                                .corner_rad = corner_deg * radians_per_degree,
+                                .corner_rad = corner_angles_deg[k] * radians_per_degree,
                                 .error_mm = noise_mm});
       if (corners == tried) continue;
       tried = corners;
+      const auto hasFew = [&](const auto& run) { return run.size() < least_points_between[k]; };
+      if (std::ranges::any_of(runsBetween(points.rows(), corners, options.closed), hasFew))
+        continue;
       const int fewer_than = static_cast<int>(best ? best->arcs.size() : all.size());
       auto chain = corners.empty() ? smoothChain(all, options.closed, noise_mm, fewer_than)
                                    : chainWithCorners(sampled, corners, noise_mm, fewer_than);
       if (!chain || !(chain->distance_mm <= options.tolerance_mm)) continue;
-      if (runsFromPointToPoint(*chain, all)) best = std::move(chain);
+      if (joins(*chain) && runsFromPointToPoint(*chain, all)) best = std::move(chain);
     }
   }
   return best;

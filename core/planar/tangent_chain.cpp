@@ -83,12 +83,15 @@ class ChainOfPieces {
   }
 
   /// The circle that touches its neighbour and ends beside the first or last vertex of its piece,
-  /// nearest to the vertices.
+  /// nearest to the vertices; a line if these are near one.
   TouchPoint atEnd(const TangentPiece& piece, const TouchPoint& neighbour, bool at_begin) const {
     const Vector2d& end = points_[at_begin ? piece.first : piece.last];
     const TouchPoint start = neighbour.beside(points_[at_begin ? piece.last : piece.first]);
+    const bool is_line = isLine(piece);
     return nearest(piece, [&](double u) {
       TouchPoint circle = start.after(u);
+      circle.curvature_per_mm = 0;
+      if (is_line) return circle;
       const Vector2d away = end - circle.point;
       circle.curvature_per_mm = 2 * away.dot(circle.normal()) / away.squaredNorm();
       return circle;
@@ -288,10 +291,17 @@ PlacedArcs fromFirstVertex(const SampledPolygon& polygon, const ChainOfPieces& c
   return result;
 }
 
-/// A piece of fewer vertices has no circle of its own.
-bool hasFewVertices(const TangentPiece& piece) {
-  constexpr int least_steps = 4;
-  return piece.last - piece.first < least_steps;
+/// Whether the pieces have the vertices they need: a circle of its own five, a line three, and a
+/// piece that touches its neighbours one between them.
+bool haveEnoughVertices(const ChainOfPieces& chain, int fixed) {
+  constexpr int of_circle = 4, of_others = 2;
+  const auto& pieces = chain.pieces();
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const int steps = pieces[i].last - pieces[i].first;
+    const bool has_circle = static_cast<int>(i % 2) == fixed && !chain.isLine(pieces[i]);
+    if (steps < (has_circle ? of_circle : of_others)) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -305,14 +315,15 @@ std::optional<PlacedArcs> tangentChain(const SampledPolygon& polygon, double noi
   const auto& pieces = chain.pieces();
   const int m = static_cast<int>(pieces.size());
   if (m >= fewer_than) return std::nullopt;
-  if (!polygon.closed && m == 1) {
-    if (hasFewVertices(pieces.front()) && !chain.isLine(pieces.front())) return std::nullopt;
-    return openArcs(chain, polygon.begin, 0);
-  }
-  if (m < 2 || std::ranges::any_of(pieces, hasFewVertices)) return std::nullopt;
-  if (!polygon.closed) return openArcs(chain, polygon.begin, fixedPieces(chain));
+  if (!polygon.closed && m == 1)
+    return chain.isLine(pieces.front()) || haveEnoughVertices(chain, 0)
+               ? openArcs(chain, polygon.begin, 0)
+               : std::nullopt;
+  const int fixed = fixedPieces(chain);
+  if (m < 2 || !haveEnoughVertices(chain, fixed)) return std::nullopt;
+  if (!polygon.closed) return openArcs(chain, polygon.begin, fixed);
   if (m % 2 != 0) return std::nullopt;
-  const auto arcs = closedArcs(chain, fixedPieces(chain));
+  const auto arcs = closedArcs(chain, fixed);
   if (!arcs) return std::nullopt;
   return fromFirstVertex(polygon, chain, *arcs, noise_mm);
 }

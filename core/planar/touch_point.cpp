@@ -48,14 +48,11 @@ TouchPoint touchPointOf(const PlanarArc& arc) {
 }
 
 double lengthBetween(const TouchPoint& from, const TouchPoint& to) {
-  const double k = from.curvature_per_mm;
-  if (k == 0) return (to.point - from.point).dot(from.tangent());
-  double turn_rad = wrapped(to.direction_rad - from.direction_rad);
+  const double k = from.curvature_per_mm, length_mm = from.lengthTo_mm(to.point);
   // Less than it is the rounding of an arc that vanishes.
   constexpr double nothing_rad = 1e-9;
-  if (turn_rad * k < 0 && std::abs(turn_rad) > nothing_rad)
-    turn_rad += std::copysign(2 * std::numbers::pi, k);
-  return turn_rad / k;
+  const bool is_behind = k != 0 && -length_mm * std::abs(k) > nothing_rad;
+  return is_behind ? length_mm + 2 * std::numbers::pi / std::abs(k) : length_mm;
 }
 
 TouchPoint touching(const TouchPoint& from, const TouchPoint& to) {

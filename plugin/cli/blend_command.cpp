@@ -75,9 +75,11 @@ std::string matchNote(const MatchSummary& summary, MatchBy by) {
         count == 1 ? "1 corner or extremum" : fmt::format("{} corners or extrema", count),
         count == 1 ? "s" : "");
   if (summary.lengths_fit_better)
-    note +=
-        ", by equal shares of the length: with corners and extrema of the curvature the tangents "
-        "at corresponding points would differ more";
+    note += fmt::format(
+        ", by equal shares of the length{}: with jumps and extrema of the curvature the tangents "
+        "at "
+        "corresponding points would differ more",
+        summary.matched_features > 0 ? " between corners" : "");
   if (const auto reversed = std::ranges::count(summary.reversed, true))
     note += fmt::format(", {} run{} in the other direction", reversed, reversed == 1 ? "s" : "");
   return note;

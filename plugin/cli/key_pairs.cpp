@@ -90,6 +90,18 @@ PairAt pairAt(const KeyCurves& input, const KeyPair& pair) {
   return result;
 }
 
+/// From the first pair on, once around a closed curve.
+void unwrap(const KeyCurves& input, std::vector<PairAt>& pairs) {
+  for (std::size_t i = 0; i < input.curves.size(); ++i) {
+    const BezierSpline& curve = input.curves[i].curve;
+    if (!curve.closed) continue;
+    const double start = pairs.front().parameters[i];
+    for (PairAt& pair : pairs)
+      if (pair.parameters[i] < start)
+        pair.parameters[i] += curve.knots.back() - curve.knots.front();
+  }
+}
+
 /// \throws std::runtime_error unless the pairs have one order on all curves.
 void requireOneOrder(const KeyCurves& input, const PairAt& a, const PairAt& b) {
   for (std::size_t i = 0; i < input.curves.size(); ++i)
@@ -114,6 +126,7 @@ std::vector<std::vector<double>> pairParameters(const KeyCurves& input,
   std::vector<PairAt> placed;
   for (const KeyPair& pair : pairs) placed.push_back(pairAt(input, pair));
   std::ranges::sort(placed, {}, [](const PairAt& pair) { return pair.parameters.front(); });
+  if (!placed.empty()) unwrap(input, placed);
   for (std::size_t k = 1; k < placed.size(); ++k) requireOneOrder(input, placed[k - 1], placed[k]);
   std::vector<std::vector<double>> result(input.curves.size());
   for (const PairAt& pair : placed)

@@ -323,8 +323,8 @@ bool endsMeet(const PointFile& file) {
 
 std::string endsNote(const PointFile& file) {
   if (endsMeet(file))
-    return "the last point is the first one again: --closed joins the curve smoothly there, "
-           "without it the end can be sharp";
+    return "the last point is the first one again: --closed joins the curve there, smoothly if the "
+           "points have no corner";
   // A choice: neighbours of one outline do not come that much nearer at once, and two readings of
   // one point are no further apart.
   constexpr double share = 0.25;

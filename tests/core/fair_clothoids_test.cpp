@@ -253,8 +253,9 @@ TEST(FairClothoids, WithFreeEndsHaveNoHooks) {
     }
     EXPECT_LE((free.points - points).rowwise().norm().maxCoeff(), tolerance);
     // Fewer extrema may cost variation.
-    if (free.after.extrema >= held.after.extrema)
+    if (free.after.extrema >= held.after.extrema) {
       EXPECT_LE(free.after.variation_per_mm3, held.after.variation_per_mm3 * 1.01);
+    }
     EXPECT_LE(free.after.inflections, held.after.inflections);
     of_held += hooks_deg(held.pieces, foil) / 12;
     of_free += hooks_deg(free.pieces, foil) / 12;

@@ -155,6 +155,34 @@ TEST(SampledChain, SmallCornersStayIfThePiecesAreFewer) {
   for (const PlanarArc& side : chain->arcs) EXPECT_LT(distanceTo(outline, side.start), 1e-3);
 }
 
+// Identity (1): chords of short arcs are no sides, and lines of few points do not spoil the others.
+TEST(SampledChain, OfShortArcsAndLinesIsThese) {
+  std::vector<OutlinePiece> plate;
+  for (int side = 0; side < 4; ++side) {
+    plate.push_back({0, 0, side % 2 == 0 ? 64.0 : 34.0});
+    plate.push_back({0, 0.125, 4 * pi});
+  }
+  for (const double unit_mm : {1e-3, 1e-6})
+    for (const auto& [of_line, of_arc] : {std::pair{12, 4}, {4, 5}, {6, 4}}) {
+      PlanarPoints points(4 * (of_line + of_arc), 2);
+      Eigen::Index count = 0;
+      for (const PlanarArc& arc : outlineOf(plate, 0.4)) {
+        const int steps = arc.curvature_per_mm == 0 ? of_line : of_arc;
+        for (int k = 0; k < steps; ++k)
+          points.row(count++) =
+              (arc.point(arc.length_mm * k / steps) / unit_mm).array().round().transpose() *
+              unit_mm;
+      }
+      const auto chain = sampledChain(points, {.closed = true, .tolerance_mm = 0.02});
+      SCOPED_TRACE(testing::Message() << unit_mm << ' ' << of_line << ' ' << of_arc);
+      ASSERT_TRUE(chain);
+      ASSERT_THAT(chain->arcs, SizeIs(8));
+      EXPECT_THAT(chain->corners, IsEmpty());
+      EXPECT_EQ(std::ranges::count(chain->arcs, 0, &PlanarArc::curvature_per_mm), 4);
+      EXPECT_LT(chain->distance_mm, 20 * unit_mm);
+    }
+}
+
 // Identity (1): a corner between an arc and a line, and one between two arcs.
 TEST(SampledChain, ArcsMeetAtCorners) {
   // A half circle on a line, and two quarters of circles on a common chord.
@@ -182,11 +210,12 @@ TEST(SampledChain, OfOpenCurves) {
       {{0, 0.1, 12}, {0, 0, 30}, {0, -0.05, 25}},
       {{0, 0, 30}, {0, -0.1, 12}},
       {{0, 0.2, 9}, {0, 0, 25}},
+      {{0, 0, 20}, {0, 0.25, 4}, {0, -0.1, 12}, {0, 0, 30}},
       {{0, 0, 30}},
       {{0, 0.05, 30}},
       {{0, 0, 30}, {pi / 2, 0, 20}, {0, 0.1, 15}, {-pi / 2, 0, 10}}};
   for (const auto& pieces : curves)
-    for (const double unit_mm : {1e-3, 1e-9}) {
+    for (const double unit_mm : {1e-3, 1e-9, 1e-13}) {
       const std::vector<PlanarArc> curve = outlineOf(pieces, uniform(random, -3, 3));
       const PlanarPoints points =
           samplesOf(curve, {.steps = 40, .unit_mm = unit_mm, .closed = false});
@@ -209,6 +238,24 @@ TEST(SampledChain, OfOpenCurves) {
       }
       EXPECT_EQ(chain->corners, corners);
     }
+}
+
+// Two lines at a small angle cross far from the end of their points.
+TEST(SampledChain, CornersAreNoFurtherFromThePointsThanTheTolerance) {
+  for (const double off_mm : {0.0, 0.001, 0.004, 0.009}) {
+    const double angle_rad = 0.005, length_mm = 100;
+    PlanarPoints points(101, 2);
+    for (int i = 0; i <= 50; ++i) {
+      const double along = length_mm * i / 50, across = along * angle_rad / 2;
+      points.row(50 - i) << along, across + (i > 0 ? off_mm : 0);
+      points.row(50 + i) << along, -across - (i > 0 ? off_mm : 0);
+    }
+    const auto chain = sampledChain(points, {.tolerance_mm = 0.01});
+    ASSERT_TRUE(chain || off_mm > 0);
+    if (!chain) continue;
+    EXPECT_LE(chain->distance_mm, 0.01);
+    for (const PlanarArc& arc : chain->arcs) EXPECT_GE(arc.start.x(), -0.01) << off_mm;
+  }
 }
 
 // Identity (2), for points with errors and curves that are no lines and arcs.

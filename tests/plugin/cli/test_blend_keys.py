@@ -186,6 +186,23 @@ def test_given_pairs_name_points_of_curves_with_corners(tmp_path):
         assert np.linalg.norm(frames[0.5] - halfway, axis=1).min() < 1e-5
 
 
+def test_given_pairs_go_once_around_closed_curves(tmp_path):
+    """The second curve is the first one, numbered from another corner on."""
+    corners = [(0, 0), (40, 0), (40, 20), (0, 20)]
+    points = [
+        tuple(a + (b - a) * k / 10 for a, b in zip(corner, corners[(i + 1) % 4]))
+        for i, corner in enumerate(corners)
+        for k in range(10)
+    ]
+    first = points_file(tmp_path, points, "first.csv")
+    second = points_file(tmp_path, points[15:] + points[:15], "second.csv")
+    pairs = [f"{1 + 10 * k},{1 + (10 * k - 15) % 40}" for k in range(4)]
+    options = ["--closed", *(text for pair in pairs for text in ("--pair", pair))]
+    result, _, frames = blend(tmp_path, first, second, options=options)
+    assert "4 given pairs correspond" in result.stdout
+    assert all(np.allclose(frame, frames[0], atol=1e-9) for frame in frames.values())
+
+
 def test_a_polygon_of_many_corners_is_named(tmp_path):
     def polygon(count, size, z):
         angles = [math.tau * i / count for i in range(count)]

@@ -174,7 +174,7 @@ def test_ends_that_meet_are_noted(tmp_path, method):
     ring = [(50 * math.cos(0.1 * i), 30 * math.sin(0.1 * i)) for i in range(62)]
     given = points_file(tmp_path, [*ring, (ring[0][0], ring[0][1] + 1e-14)])
     (open_curve,) = curve(method, given)[1]["curves"]
-    assert any("--closed joins the curve smoothly there" in note for note in open_curve["notes"])
+    assert any("--closed joins the curve there" in note for note in open_curve["notes"])
     (closed,) = curve(method, given, "--closed")[1]["curves"]
     assert closed["points"] == 62 and closed["notes"] == [
         note for note in closed["notes"] if "--closed" not in note
