@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,13 +14,34 @@ namespace {
 
 constexpr int model_size = ChebyshevModel::size;
 
+/// All terms of a series: one operation for each packet of them costs less than a loop over those
+/// up to the degree. Terms above the degree are zero.
+using Terms = Eigen::Array<double, model_size, 1>;
+using TermsView = Eigen::Map<Terms>;
+using ConstTermsView = Eigen::Map<const Terms>;
+
+TermsView view(ChebyshevModel::Coefficients& coefficients) {
+  return TermsView(coefficients.data());
+}
+
+ConstTermsView view(const ChebyshevModel::Coefficients& coefficients) {
+  return ConstTermsView(coefficients.data());
+}
+
 /// Makes a bound safe against rounding, where a few dozen operations computed it from non-negative
 /// numbers.
 double up(double bound) {
   return bound * (1 + 16 * machine_epsilon) + std::numeric_limits<double>::min();
 }
 
-using Matrix = std::array<std::array<double, model_size>, model_size>;
+/// The matrix times a column of terms is a sum of rows here: the first index is the column.
+using Matrix = std::array<ChebyshevModel::Coefficients, model_size>;
+
+Terms product(const Matrix& matrix, const Terms& terms, int count) {
+  Terms sum = terms[0] * view(matrix[0]);
+  for (int k = 1; k < count; ++k) sum += terms[k] * view(matrix[k]);
+  return sum;
+}
 
 double binomial(int n, int k) {
   double value = 1;
@@ -35,7 +57,7 @@ Matrix chebyshevToBernstein(int degree) {
     for (int i = 0; i <= degree; ++i)
       for (int j = std::max(0, i - (degree - k)); j <= std::min(i, k); ++j) {
         const double own = ((k - j) % 2 == 0 ? 1 : -1) * binomial(2 * k, 2 * j) / binomial(k, j);
-        matrix[i][k] += own * binomial(k, j) * binomial(degree - k, i - j) / binomial(degree, i);
+        matrix[k][i] += own * binomial(k, j) * binomial(degree - k, i - j) / binomial(degree, i);
       }
   return matrix;
 }
@@ -46,34 +68,41 @@ std::array<Matrix, model_size> bernsteinTables() {
   return tables;
 }
 
-/// Row i holds T_k at the i-th of model_size Chebyshev points.
-Matrix chebyshevAtPoints() {
+/// T_k at the i-th of model_size Chebyshev points.
+double chebyshevAtPoint(int k, int i) {
+  return std::cos(k * std::numbers::pi * (2 * i + 1) / (2 * model_size));
+}
+
+/// The matrix that takes a series to its values at the Chebyshev points.
+Matrix seriesToValues() {
+  Matrix matrix{};
+  for (int k = 0; k < model_size; ++k)
+    for (int i = 0; i < model_size; ++i) matrix[k][i] = chebyshevAtPoint(k, i);
+  return matrix;
+}
+
+/// Its inverse.
+Matrix valuesToSeries() {
   Matrix matrix{};
   for (int i = 0; i < model_size; ++i)
     for (int k = 0; k < model_size; ++k)
-      matrix[i][k] = std::cos(k * std::numbers::pi * (2 * i + 1) / (2 * model_size));
+      matrix[i][k] = (k == 0 ? 1.0 : 2.0) / model_size * chebyshevAtPoint(k, i);
   return matrix;
 }
 
 const std::array<Matrix, model_size> to_bernstein = bernsteinTables();
-const Matrix at_points = chebyshevAtPoints();
+const Matrix series_to_values = seriesToValues();
+const Matrix values_to_series = valuesToSeries();
 
 /// The series that takes the values function(f) at the Chebyshev points. It is only a guess for
 /// function(f): the caller bounds its error.
 template <class Function>
 ChebyshevModel interpolate(const ChebyshevModel& f, const Function& function) {
   if (f.degree() == 0) return ChebyshevModel(function(f.coefficient(0)));
-  ChebyshevModel::Coefficients values{};
-  for (int i = 0; i < model_size; ++i) {
-    double value = 0;
-    for (int k = 0; k <= f.degree(); ++k) value += f.coefficient(k) * at_points[i][k];
-    values[i] = function(value);
-  }
-  ChebyshevModel::Coefficients series{};
-  for (int k = 0; k < model_size; ++k) {
-    for (int i = 0; i < model_size; ++i) series[k] += values[i] * at_points[i][k];
-    series[k] *= (k == 0 ? 1.0 : 2.0) / model_size;
-  }
+  Terms values = product(series_to_values, view(f.coefficients()), f.degree() + 1);
+  for (double& value : values) value = function(value);
+  ChebyshevModel::Coefficients series;
+  view(series) = product(values_to_series, values, model_size);
   return ChebyshevModel::series(series, 0);
 }
 
@@ -109,11 +138,18 @@ bool ChebyshevModel::isKnown() const {
   return std::isfinite(magnitude());
 }
 
+double ChebyshevModel::absoluteSum() const {
+  return view(coefficients_).abs().sum();
+}
+
 void ChebyshevModel::trim() {
-  double variation = 0;
-  for (int k = 1; k <= degree_; ++k) variation += std::abs(coefficients_[k]);
+  if (degree_ == 0) return;
+  // The first of the terms by itself: packets that begin elsewhere than those stored before wait.
+  const double variation =
+      std::abs(coefficients_[1]) + view(coefficients_).tail<max_degree - 1>().abs().sum();
+  const double least = negligible * variation;
   double rest = 0;
-  while (degree_ > 0 && rest + std::abs(coefficients_[degree_]) <= negligible * variation) {
+  while (degree_ > 0 && rest + std::abs(coefficients_[degree_]) <= least) {
     rest += std::abs(coefficients_[degree_]);
     coefficients_[degree_--] = 0;
   }
@@ -131,9 +167,7 @@ double ChebyshevModel::seriesAt(double x) const {
 }
 
 double ChebyshevModel::magnitude() const {
-  double sum = radius_;
-  for (int k = 0; k <= degree_; ++k) sum += std::abs(coefficients_[k]);
-  return up(sum);
+  return up(radius_ + absoluteSum());
 }
 
 Interval ChebyshevModel::range() const {
@@ -148,32 +182,32 @@ Interval ChebyshevModel::range() const {
 }
 
 ChebyshevModel::Coefficients ChebyshevModel::bernstein(int degree) const {
-  const Matrix& table = to_bernstein[degree];
-  Coefficients control{};
-  for (int i = 0; i <= degree; ++i) {
-    control[i] = coefficients_[0];
-    for (int k = 1; k <= degree_; ++k) control[i] += table[i][k] * coefficients_[k];
-  }
+  Coefficients control;
+  view(control) = product(to_bernstein[degree], view(coefficients_), degree_ + 1);
   return control;
 }
 
 double ChebyshevModel::bernsteinRounding() const {
   // The Bernstein coefficients of T_k are at most C(2 k, k') / C(k, k') < 2^k in absolute value,
   // and each is rounded a few times.
-  double sum = 0;
-  double bound = 1;
-  for (int k = 0; k <= degree_; ++k, bound *= 2) sum += bound * std::abs(coefficients_[k]);
-  return 16 * machine_epsilon * sum;
+  constexpr Coefficients bounds = {1, 2, 4, 8, 16, 32, 64, 128};
+  return 16 * machine_epsilon * (view(bounds) * view(coefficients_).abs()).sum();
 }
 
 ChebyshevModel& ChebyshevModel::operator+=(const ChebyshevModel& other) {
+  view(coefficients_) += view(other.coefficients_);
+  return summed(other);
+}
+
+ChebyshevModel& ChebyshevModel::operator-=(const ChebyshevModel& other) {
+  view(coefficients_) -= view(other.coefficients_);
+  return summed(other);
+}
+
+/// The radius and the degree of the sum, or of the difference, whose coefficients are there.
+ChebyshevModel& ChebyshevModel::summed(const ChebyshevModel& other) {
   degree_ = std::max(degree_, other.degree_);
-  double absolute = 0;
-  for (int k = 0; k <= degree_; ++k) {
-    coefficients_[k] += other.coefficients_[k];
-    absolute += std::abs(coefficients_[k]);
-  }
-  radius_ = up(radius_ + other.radius_ + machine_epsilon * absolute);
+  radius_ = up(radius_ + other.radius_ + machine_epsilon * absoluteSum());
   trim();
   return *this;
 }
@@ -186,11 +220,9 @@ ChebyshevModel combination(const std::array<double, 3>& factors,
     const ChebyshevModel& model = *models[i];
     const double factor = factors[i];
     if (factor == 0 && model.isKnown()) continue;
-    for (int k = 0; k <= model.degree_; ++k) {
-      const double term = factor * model.coefficients_[k];
-      sum.coefficients_[k] += term;
-      absolute += std::abs(term);
-    }
+    const Terms terms = factor * view(model.coefficients_);
+    view(sum.coefficients_) += terms;
+    absolute += terms.abs().sum();
     sum.degree_ = std::max(sum.degree_, model.degree_);
     sum.radius_ += std::abs(factor) * model.radius_;
   }
@@ -199,24 +231,16 @@ ChebyshevModel combination(const std::array<double, 3>& factors,
   return sum;
 }
 
-ChebyshevModel& ChebyshevModel::operator-=(const ChebyshevModel& other) {
-  return *this += -other;
-}
-
 ChebyshevModel& ChebyshevModel::operator*=(double factor) {
-  double absolute = 0;
-  for (int k = 0; k <= degree_; ++k) {
-    coefficients_[k] *= factor;
-    absolute += std::abs(coefficients_[k]);
-  }
-  radius_ = up(std::abs(factor) * radius_ + machine_epsilon * absolute);
+  view(coefficients_) *= factor;
+  radius_ = up(std::abs(factor) * radius_ + machine_epsilon * absoluteSum());
   trim();
   return *this;
 }
 
 ChebyshevModel ChebyshevModel::operator-() const {
   ChebyshevModel negative = *this;
-  for (int k = 0; k <= degree_; ++k) negative.coefficients_[k] = -coefficients_[k];
+  view(negative.coefficients_) = -view(coefficients_);
   return negative;
 }
 
@@ -225,33 +249,53 @@ void ChebyshevModel::widen(double radius) {
 }
 
 ProductSum& ProductSum::add(const ChebyshevModel& a, const ChebyshevModel& b, double factor) {
-  double absolute_a = 0;
-  double absolute_b = 0;
-  for (int j = 0; j <= b.degree_; ++j) absolute_b += std::abs(b.coefficients_[j]);
-  for (int i = 0; i <= a.degree_; ++i) {
-    const double coefficient = factor * a.coefficients_[i];
-    absolute_a += std::abs(coefficient);
-    // T_i T_j = (T_(i + j) + T_|i - j|) / 2.
-    for (int j = 0; j <= b.degree_; ++j) twice_[i + j] += coefficient * b.coefficients_[j];
-    for (int j = 0; j <= b.degree_; ++j)
-      twice_[std::abs(i - j)] += coefficient * b.coefficients_[j];
-  }
-  degree_ = std::max(degree_, a.degree_ + b.degree_);
-  terms_ += 2 * std::min(a.degree_, b.degree_) + 3;
-  absolute_ += absolute_a * absolute_b;
+  const ChebyshevModel& outer = a.degree_ <= b.degree_ ? a : b;
+  const ChebyshevModel& inner = a.degree_ <= b.degree_ ? b : a;
+  const double absolute_outer = std::abs(factor) * outer.absoluteSum();
+  const double absolute_inner = inner.absoluteSum();
+  if (outer.degree_ == 0)
+    view(low_) += 2 * factor * outer.coefficients_[0] * view(inner.coefficients_);
+  else
+    addSeries(outer, inner, factor);
+  degree_ = std::max(degree_, outer.degree_ + inner.degree_);
+  // A term of the product has the roundings of the factor times a_i, of the sum of two b_k, of
+  // their product and of the sum over i; then all terms have one more.
+  const double absolute = absolute_outer * absolute_inner;
+  absolute_ += absolute;
+  roundings_ += (outer.degree_ + 3) * absolute + absolute_;
   if (a.radius_ != 0 || b.radius_ != 0)  // also true for NaN, which unknown times zero may give
-    radius_ += absolute_a * b.radius_ + (absolute_b + b.radius_) * (std::abs(factor) * a.radius_);
+    radius_ += absolute_outer * inner.radius_ +
+               (absolute_inner + inner.radius_) * (std::abs(factor) * outer.radius_);
   return *this;
+}
+
+/// T_i T_j = (T_(i + j) + T_|i - j|) / 2. With b_-k = b_k, and b_0 twice, twice the coefficient of
+/// T_k in the product is the sum of a_i (b_(k - i) + b_(k + i)) over i; half of that for k = 0.
+void ProductSum::addSeries(const ChebyshevModel& outer, const ChebyshevModel& inner,
+                           double factor) {
+  constexpr int zero = ChebyshevModel::max_degree;  // the place of b_0
+  std::array<double, 3 * model_size> mirrored{};
+  std::ranges::reverse_copy(inner.coefficients_, mirrored.begin());
+  std::ranges::copy(inner.coefficients_, mirrored.begin() + zero);
+  mirrored[zero] *= 2;
+  const auto from = [&](int k) { return ConstTermsView(&mirrored[zero + k]); };
+  Terms low = Terms::Zero(), high = Terms::Zero();
+  for (int i = 0; i <= outer.degree_; ++i)
+    low += (factor * outer.coefficients_[i]) * (from(-i) + from(i));
+  low[0] *= 0.5;
+  view(low_) += low;
+  if (outer.degree_ + inner.degree_ <= ChebyshevModel::max_degree) return;
+  for (int i = 1; i <= outer.degree_; ++i)
+    high += (factor * outer.coefficients_[i]) * from(model_size - i);
+  view(high_) += high;
 }
 
 ChebyshevModel ProductSum::model() const {
   ChebyshevModel result;
-  double rest = 0;
-  for (int k = 0; k <= std::min(degree_, ChebyshevModel::max_degree); ++k)
-    result.coefficients_[k] = 0.5 * twice_[k];
-  for (int k = model_size; k <= degree_; ++k) rest += std::abs(twice_[k]);
+  view(result.coefficients_) = 0.5 * view(low_);
   result.degree_ = std::min(degree_, ChebyshevModel::max_degree);
-  result.radius_ = up(radius_ + 0.5 * rest + 0.5 * machine_epsilon * (terms_ + 1) * absolute_);
+  const double rest = degree_ > ChebyshevModel::max_degree ? view(high_).abs().sum() : 0;
+  result.radius_ = up(radius_ + 0.5 * rest + 0.5 * machine_epsilon * roundings_);
   result.trim();
   return result;
 }

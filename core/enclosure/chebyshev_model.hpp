@@ -19,10 +19,11 @@ namespace seamwright {
 /// power of the length. An infinite radius means that nothing is known, for instance after division
 /// by a function that may vanish.
 ///
-/// Rounding: let u = 2^-53. A coefficient of a sum is off by u times its value. A sum of products
-/// of models has coefficients that are sums of at most 2 min(m, n) + 3 products of coefficients for
-/// each product of models of degrees m and n. Such a coefficient is off by that many u times the
-/// sum of the absolute values. As |T_k| <= 1, the radius grows by at most the sum of these errors.
+/// Rounding: let u = 2^-53. A coefficient of a sum is off by u times its value. A product of two
+/// models of degrees m and n is summed up by itself before it is added to a sum of products. Its
+/// coefficients are off by at most min(m, n) + 3 times u times the sum of the absolute values, and
+/// each of the products that are added from then on adds u times the sum up to there. As
+/// |T_k| <= 1, the radius grows by at most the sum of these errors.
 /// Radii are computed with a relative surplus of 2^-48 instead of directed rounding.
 ///
 /// Identities (each has a test of its number):
@@ -54,6 +55,8 @@ class ChebyshevModel {
 
   int degree() const { return degree_; }
   double coefficient(int k) const { return coefficients_[k]; }
+  /// All coefficients; those above the degree are zero.
+  const Coefficients& coefficients() const { return coefficients_; }
   double radius() const { return radius_; }
   bool isKnown() const;
   /// The value of the series at x in [-1, 1], with rounding.
@@ -77,6 +80,8 @@ class ChebyshevModel {
   friend class ProductSum;
   friend ChebyshevModel combination(const std::array<double, 3>& factors,
                                     const std::array<const ChebyshevModel*, 3>& models);
+  double absoluteSum() const;
+  ChebyshevModel& summed(const ChebyshevModel& other);
   void trim();
 
   Coefficients coefficients_{};
@@ -84,7 +89,7 @@ class ChebyshevModel {
   int degree_ = 0;
 };
 
-/// A sum of at most six products of models. The sum is cut to the degree of a model once, at its
+/// A sum of at most nine products of models. The sum is cut to the degree of a model once, at its
 /// end.
 class ProductSum {
  public:
@@ -92,11 +97,14 @@ class ProductSum {
   ChebyshevModel model() const;
 
  private:
-  std::array<double, 2 * ChebyshevModel::size> twice_{};  ///< twice the coefficients
+  void addSeries(const ChebyshevModel& outer, const ChebyshevModel& inner, double factor);
+
+  ChebyshevModel::Coefficients low_{};   ///< twice the coefficients
+  ChebyshevModel::Coefficients high_{};  ///< the same of the terms above the degree of a model
   double radius_ = 0;
   double absolute_ = 0;  ///< sum of the absolute values of all products
   int degree_ = 0;
-  int terms_ = 0;  ///< largest number of terms in a coefficient
+  double roundings_ = 0;  ///< the roundings of each term times its absolute value
 };
 
 inline ChebyshevModel operator+(ChebyshevModel a, const ChebyshevModel& b) {

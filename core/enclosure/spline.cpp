@@ -78,7 +78,10 @@ Eigen::VectorXd derivativeFactors(const std::vector<double>& knots, int degree, 
 /// T_0(x), ..., T_degree(x), by T_(i + j) = 2 T_i T_j - T_(j - i). With halved indices the radii
 /// grow with the square of the index k; with steps of one they would grow like 2.4^k.
 std::vector<ChebyshevModel> chebyshevPolynomials(const ChebyshevModel& x, int degree) {
-  std::vector<ChebyshevModel> t = {ChebyshevModel(1), x};
+  std::vector<ChebyshevModel> t;
+  t.reserve(std::max(degree + 1, 2));
+  t.push_back(ChebyshevModel(1));
+  t.push_back(x);
   for (int k = 2; k <= degree; ++k) t.push_back(2 * (t[k / 2] * t[k - k / 2]) - t[k % 2]);
   t.resize(degree + 1);
   return t;
@@ -205,10 +208,11 @@ std::vector<double> SplineEvaluator::knotsInside(int direction, const Interval& 
   const std::vector<Span>& spans = spans_[direction];
   const double period = directions_[direction].period;
   std::vector<double> inside;
-  const auto collect = [&](double shift, std::size_t first) {
-    for (std::size_t i = first; i < spans.size(); ++i)
-      if (const double knot = spans[i].lower + shift; range.lower < knot && knot < range.upper)
-        inside.push_back(knot);
+  const auto collect = [&](double shift, int first) {
+    auto span = std::partition_point(spans.begin() + first, spans.end(),
+                                     [&](const Span& s) { return s.lower + shift <= range.lower; });
+    for (; span != spans.end() && span->lower + shift < range.upper; ++span)
+      inside.push_back(span->lower + shift);
   };
   if (period == 0) {
     collect(0, 1);
@@ -237,9 +241,9 @@ SplineEvaluator::Local SplineEvaluator::localize(int direction, const ChebyshevM
   if (period != 0 && hint >= base + (k + 1) * period) ++k;
   const double shift = k * period;
   Local local;
-  while (local.span + 1 < static_cast<int>(spans.size()) &&
-         spans[local.span + 1].lower + shift <= hint)
-    ++local.span;
+  const auto next = std::partition_point(
+      spans.begin() + 1, spans.end(), [&](const Span& span) { return span.lower + shift <= hint; });
+  local.span = static_cast<int>(next - spans.begin()) - 1;
   const Span& span = spans[local.span];
   const double middle = span.lower + 0.5 * (span.upper - span.lower);
   const double half = 0.5 * (span.upper - span.lower);
@@ -391,42 +395,62 @@ JetModel SplineEvaluator::jet(const ChebyshevModel& u, const ChebyshevModel& v, 
   return jet;
 }
 
+/// The products of Chebyshev polynomials along a path, column by column, with the radius and the
+/// largest value of each. They are stored without allocation.
+struct SplineEvaluator::PathProducts {
+  static constexpr int most = (max_spline_degree + 1) * (max_spline_degree + 1);
+  using Terms = Eigen::Array<double, ChebyshevModel::size, 1>;
+
+  PathProducts(const std::vector<ChebyshevModel>& tx, const std::vector<ChebyshevModel>& ty)
+      : series(ChebyshevModel::size, tx.size() * ty.size()), off(2, tx.size() * ty.size()) {
+    int column = 0;
+    for (const ChebyshevModel& t : ty) {
+      const bool is_one = t.degree() == 0 && t.coefficient(0) == 1 && t.radius() == 0;
+      for (const ChebyshevModel& s : tx) {
+        const ChebyshevModel product = is_one ? s : s * t;
+        series.col(column) = Eigen::Map<const Terms>(product.coefficients().data());
+        off.col(column++) << product.radius(), product.magnitude();
+        degree = std::max(degree, product.degree());
+      }
+    }
+  }
+
+  /// The sum of the products times the coefficients, which are known up to \p error together.
+  ChebyshevModel sum(const Eigen::VectorXd& coefficients, double error) const {
+    Terms terms = Terms::Zero();
+    Eigen::Array2d products = Eigen::Array2d::Zero();  // radius and rounding
+    for (Eigen::Index i = 0; i < coefficients.size(); ++i) {
+      terms += coefficients[i] * series.col(i);
+      products += std::abs(coefficients[i]) * off.col(i);
+    }
+    // A term has one rounding of its product, and one for each sum.
+    const double rounding =
+        0.5 * machine_epsilon * static_cast<double>(coefficients.size() + 4) * products[1];
+    return ChebyshevModel::series({terms.data(), static_cast<std::size_t>(degree + 1)},
+                                  // The last factor covers the rounding of this bound itself.
+                                  (products[0] + rounding + error) * (1 + 1e-12));
+  }
+
+  Eigen::Array<double, ChebyshevModel::size, Eigen::Dynamic, Eigen::ColMajor, ChebyshevModel::size,
+               most>
+      series;
+  Eigen::Array<double, 2, Eigen::Dynamic, Eigen::ColMajor, 2, most> off;
+  int degree = 0;
+};
+
 /// The jet relative to the origin of the cell.
 JetModel SplineEvaluator::evaluated(const Cell& c, const ChebyshevModel& x, const ChebyshevModel& y,
                                     int order) const {
   const int nets = netCount(order);
-  const std::vector<ChebyshevModel> tx = chebyshevPolynomials(x, directions_[0].degree);
-  const std::vector<ChebyshevModel> ty = chebyshevPolynomials(y, directions_[1].degree);
   const int dimension = weights_.empty() ? 3 : 4;
-  // Column by column the products of Chebyshev polynomials along the path, with the radius and the
-  // largest value of each.
-  const Eigen::Index terms = static_cast<Eigen::Index>(tx.size() * ty.size());
-  Eigen::Matrix<double, ChebyshevModel::size, Eigen::Dynamic> series(ChebyshevModel::size, terms);
-  Eigen::Matrix<double, Eigen::Dynamic, 2> off(terms, 2);
-  int degree = 0;
-  Eigen::Index column = 0;
-  for (const ChebyshevModel& t : ty)
-    for (const ChebyshevModel& s : tx) {
-      const ChebyshevModel product =
-          t.degree() == 0 && t.coefficient(0) == 1 && t.radius() == 0 ? s : s * t;
-      for (int k = 0; k < ChebyshevModel::size; ++k) series(k, column) = product.coefficient(k);
-      off.row(column++) << product.radius(), product.magnitude();
-      degree = std::max(degree, product.degree());
-    }
-  const double outside = off.col(1).maxCoeff();  // largest factor of the error of a coefficient
+  const PathProducts products(chebyshevPolynomials(x, directions_[0].degree),
+                              chebyshevPolynomials(y, directions_[1].degree));
+  // Largest factor of the error of a coefficient.
+  const double outside = std::max(1.0, products.off.row(1).maxCoeff());
   std::array<HomogeneousModel, 10> h;
   for (int k = 0; k < nets; ++k)
-    for (int d = 0; d < dimension; ++d) {
-      const Eigen::VectorXd& net = c.nets[k].coefficients[d];
-      ChebyshevModel::Coefficients sum{};
-      Eigen::Map<Eigen::VectorXd>(sum.data(), degree + 1).noalias() =
-          series.topRows(degree + 1) * net;
-      const Eigen::RowVector2d error = net.cwiseAbs().transpose() * off;
-      const double rounding = static_cast<double>(terms + 4) * machine_epsilon * error[1];
-      h[k][d] = ChebyshevModel::series(
-          // The last factor covers the rounding of this bound itself.
-          sum, (error[0] + rounding + c.nets[k].error[d] * std::max(1.0, outside)) * (1 + 1e-12));
-    }
+    for (int d = 0; d < dimension; ++d)
+      h[k][d] = products.sum(c.nets[k].coefficients[d], c.nets[k].error[d] * outside);
   if (dimension == 4) return projected(h, order);
   return {space(h[0]), space(h[1]), space(h[2]), space(h[3]), space(h[4]),
           space(h[5]), space(h[6]), space(h[7]), space(h[8]), space(h[9])};

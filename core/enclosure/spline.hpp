@@ -117,6 +117,7 @@ class SplineEvaluator {
   const Cell& cell(int span_u, int span_v, int nets) const;
   Cell makeCell(int span_u, int span_v, int nets) const;
   struct RoundedNet;
+  struct PathProducts;
   void addNets(const RoundedNet& poles, const RoundedNet& local, const SpanMatrices& mu,
                const SpanMatrices& mv, int coordinate, Cell& cell) const;
   /// The poles of a span, relative to a point and multiplied by their weights; coordinate 3 is the

@@ -48,6 +48,10 @@ ChebyshevModel dot(const VectorModel& a, const VectorModel& b) {
   return ProductSum().add(a[0], b[0]).add(a[1], b[1]).add(a[2], b[2]).model();
 }
 
+ProductSum& addDot(ProductSum& sum, const VectorModel& a, const VectorModel& b, double factor) {
+  return sum.add(a[0], b[0], factor).add(a[1], b[1], factor).add(a[2], b[2], factor);
+}
+
 VectorModel cross(const VectorModel& a, const VectorModel& b) {
   return each<3>([&](std::size_t i) {
     const std::size_t j = (i + 1) % 3;
@@ -95,6 +99,7 @@ VectorModel operator*(const SymmetricModel& matrix, const VectorModel& vector) {
 SymmetricModel symmetricProduct(const VectorModel& a, const VectorModel& b) {
   return each<6>([&](std::size_t k) {
     const auto [i, j] = positions[k];
+    if (i == j) return a[i] * b[i];
     return ProductSum().add(a[i], b[j], 0.5).add(a[j], b[i], 0.5).model();
   });
 }

@@ -23,6 +23,8 @@ VectorModel operator-(const VectorModel& a);
 VectorModel operator*(const ChebyshevModel& factor, const VectorModel& vector);
 VectorModel operator*(double factor, const VectorModel& vector);
 ChebyshevModel dot(const VectorModel& a, const VectorModel& b);
+/// Adds the factor times a.b to the sum.
+ProductSum& addDot(ProductSum& sum, const VectorModel& a, const VectorModel& b, double factor = 1);
 VectorModel cross(const VectorModel& a, const VectorModel& b);
 /// A matrix times a vector; the entries of the matrix count as exact.
 VectorModel operator*(const Eigen::Matrix3d& matrix, const VectorModel& vector);
@@ -47,25 +49,33 @@ struct ControlPolygon {
   double radius = 0;
 };
 
-/// The control polygon of a model; its radius is Euclidean over the stored entries.
-/// \tparam Dimension 3 for a VectorModel, 6 for a SymmetricModel.
+/// The radius of the control polygon of a model: Euclidean over the stored entries.
 template <std::size_t Dimension>
-ControlPolygon<static_cast<int>(Dimension)> controlPolygon(
-    const std::array<ChebyshevModel, Dimension>& model) {
-  ControlPolygon<static_cast<int>(Dimension)> polygon;
+double polygonRadius(const std::array<ChebyshevModel, Dimension>& model) {
   double square = 0;
   for (const ChebyshevModel& entry : model) {
     const double radius = entry.radius() + entry.bernsteinRounding();
     square += radius * radius;
-    polygon.degree = std::max(polygon.degree, entry.degree());
   }
+  // The factor covers the rounding of the sum of some squares and of the root: below 45 units of
+  // 2^-52.
+  return std::sqrt(square) * (1 + 1e-14);
+}
+
+/// The control polygon of a model, of the degree of the model or a higher one.
+/// \tparam Dimension 3 for a VectorModel, 6 for a SymmetricModel.
+template <std::size_t Dimension>
+ControlPolygon<static_cast<int>(Dimension)> controlPolygon(
+    const std::array<ChebyshevModel, Dimension>& model, int least_degree = 0) {
+  ControlPolygon<static_cast<int>(Dimension)> polygon;
+  polygon.degree = least_degree;
+  for (const ChebyshevModel& entry : model)
+    polygon.degree = std::max(polygon.degree, entry.degree());
   for (std::size_t d = 0; d < Dimension; ++d) {
     const ChebyshevModel::Coefficients control = model[d].bernstein(polygon.degree);
     for (int i = 0; i <= polygon.degree; ++i) polygon.points[i][static_cast<int>(d)] = control[i];
   }
-  // The factor covers the rounding of the sum of some squares and of the root: below 45 units of
-  // 2^-52.
-  polygon.radius = std::sqrt(square) * (1 + 1e-14);
+  polygon.radius = polygonRadius(model);
   return polygon;
 }
 

@@ -51,9 +51,10 @@ TensorNorm normOf(const SymmetricModel& tensor) {
   const int which = std::abs(eigen.eigenvalues()[0]) > std::abs(eigen.eigenvalues()[2]) ? 0 : 2;
   const Eigen::Vector3d v = eigen.eigenvectors().col(which);
   const double sign = (eigen.eigenvalues()[which] < 0 ? -1 : 1) * (1 - short_rounding);
-  norm.below = (sign * v[0] * v[0]) * tensor[0] + (sign * v[1] * v[1]) * tensor[1] +
-               (sign * v[2] * v[2]) * tensor[2] + (2 * sign * v[0] * v[1]) * tensor[3] +
-               (2 * sign * v[1] * v[2]) * tensor[4] + (2 * sign * v[2] * v[0]) * tensor[5];
+  norm.below = combination({sign * v[0] * v[0], sign * v[1] * v[1], sign * v[2] * v[2]},
+                           {&tensor[0], &tensor[1], &tensor[2]}) +
+               combination({2 * sign * v[0] * v[1], 2 * sign * v[1] * v[2], 2 * sign * v[2] * v[0]},
+                           {&tensor[3], &tensor[4], &tensor[5]});
   norm.at_least = std::max(0.0, norm.below.range().lower);
   return norm;
 }

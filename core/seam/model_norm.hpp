@@ -57,29 +57,35 @@ class PolygonMaximum {
       const double value = function_(polygon.points[0]);
       return {value, value, 0};
     }
-    double largest = 0;
-    for (int i = 0; i <= last_; ++i) largest = std::max(largest, function_(polygon.points[i]));
-    add(polygon.points, -1, 1, 5);
+    const double largest = add(
+        polygon.points, {-1, 1, function_(polygon.points[0]), function_(polygon.points[last_])}, 5);
     bound_.lower -= short_rounding * largest;  // a halving rounds by < 2^-50 of the largest point
     bound_.upper += short_rounding * largest;
     return bound_;
   }
 
  private:
+  /// A part of the curve, with the values at its ends.
+  struct Part {
+    double from, to;
+    double at_from, at_to;
+  };
+
   void see(double value, double at) {
     if (value > bound_.lower) bound_.lower = value, bound_.at = at;
   }
 
-  void add(const Points& points, double from, double to, int halvings) {
-    see(function_(points[0]), from);
-    see(function_(points[last_]), to);
-    double upper = 0;
-    for (int i = 0; i <= last_; ++i) upper = std::max(upper, function_(points[i]));
+  /// \returns the largest value at the points.
+  double add(const Points& points, const Part& part, int halvings) {
+    see(part.at_from, part.from);
+    see(part.at_to, part.to);
+    double upper = std::max({0.0, part.at_from, part.at_to});
+    for (int i = 1; i < last_; ++i) upper = std::max(upper, function_(points[i]));
     const double enough =
         bound_.lower + std::max(slack_.relative * bound_.lower, slack_.absolute) / 4;
     if (upper <= enough || halvings == 0 || !std::isfinite(upper)) {
       bound_.upper = std::max(bound_.upper, upper);
-      return;
+      return upper;
     }
     Points left, right = points;
     for (int level = 0; level <= last_; ++level) {
@@ -88,8 +94,10 @@ class PolygonMaximum {
     }
     // right now holds the last point of every level: these are the points of the right half, from
     // the apex outward.
-    add(left, from, 0.5 * (from + to), halvings - 1);
-    add(right, 0.5 * (from + to), to, halvings - 1);
+    const double middle = 0.5 * (part.from + part.to), at_middle = function_(right[0]);
+    add(left, {part.from, middle, part.at_from, at_middle}, halvings - 1);
+    add(right, {middle, part.to, at_middle, part.at_to}, halvings - 1);
+    return upper;
   }
 
   const Function& function_;
@@ -112,10 +120,8 @@ inline PieceBound widened(PieceBound bound, double radius, double relative) {
   return bound;
 }
 
-template <std::size_t Dimension>
-PieceBound largestNorm(const std::array<ChebyshevModel, Dimension>& model, const Slack& slack) {
-  if (!isKnown(model)) return {0, infinite, 0};
-  const auto polygon = controlPolygon(model);
+template <int Dimension>
+PieceBound largestNorm(const ControlPolygon<Dimension>& polygon, const Slack& slack) {
   if constexpr (Dimension == 6)
     return widened(maximumAlong(polygon, spectralNorm, slack),
                    1.5 * polygon.radius,  // off-diagonal entries occur twice
@@ -124,6 +130,11 @@ PieceBound largestNorm(const std::array<ChebyshevModel, Dimension>& model, const
     return widened(maximumAlong(
                        polygon, [](const Eigen::Vector3d& p) { return p.norm(); }, slack),
                    polygon.radius, short_rounding);
+}
+
+template <std::size_t Dimension>
+PieceBound largestNorm(const std::array<ChebyshevModel, Dimension>& model, const Slack& slack) {
+  return isKnown(model) ? largestNorm(controlPolygon(model), slack) : PieceBound{0, infinite, 0};
 }
 
 /// A curvature tensor over a piece, with bounds of its norm.

@@ -2,6 +2,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include <seamwright/core/numeric.hpp>
 #include <seamwright/core/seam/model_norm.hpp>
@@ -13,21 +14,29 @@ namespace {
 
 using namespace enclosure;
 
+/// The difference of two curvature tensors, with its control polygon.
+struct Difference {
+  const SymmetricModel& tensor;
+  ControlPolygon<6> polygon;
+};
+
 /// Upper bound of |D| / |K| over the piece, where K stays away from zero. Along a polygon a
 /// quotient of a convex function by a positive linear one is at most its largest value at the
 /// control points.
-double largestQuotient(const SymmetricModel& difference, const ChebyshevModel& below,
+double largestQuotient(const Difference& difference, const ChebyshevModel& below,
                        const Slack& slack, double& at) {
-  const ControlPolygon<6> polygon = controlPolygon(difference);
+  const ControlPolygon<6>& polygon = difference.polygon;
   ControlPolygon<7> joint;
   joint.degree = std::max(polygon.degree, below.degree());
   const ChebyshevModel::Coefficients divisor = below.bernstein(joint.degree);
   const double radius = below.radius() + below.bernsteinRounding();
-  for (std::size_t d = 0; d < difference.size(); ++d) {
-    const ChebyshevModel::Coefficients control = difference[d].bernstein(joint.degree);
-    for (int i = 0; i <= joint.degree; ++i) joint.points[i][static_cast<int>(d)] = control[i];
-  }
-  for (int i = 0; i <= joint.degree; ++i) joint.points[i][6] = divisor[i];
+  const auto join = [&](const ControlPolygon<6>& elevated) {
+    for (int i = 0; i <= joint.degree; ++i) joint.points[i] << elevated.points[i], divisor[i];
+  };
+  if (joint.degree == polygon.degree)
+    join(polygon);
+  else
+    join(controlPolygon(difference.tensor, joint.degree));
   const auto quotient = [&](const Eigen::Matrix<double, 7, 1>& point) {
     const double lowest = point[6] - radius;
     return lowest > 0 ? (spectralNorm(point.head<6>()) + 1.5 * polygon.radius) / lowest : infinite;
@@ -37,50 +46,59 @@ double largestQuotient(const SymmetricModel& difference, const ChebyshevModel& b
   return bound.upper * (1 + norm_rounding);
 }
 
-/// A lower bound of the relative difference at a point of the piece.
-double relativeAt(const SymmetricModel& a, const SymmetricModel& b,
-                  const SymmetricModel& difference, double flat, double x) {
-  const auto radius = [](const SymmetricModel& model) {
-    return 1.5 * controlPolygon(model).radius + 1e-300;
-  };
-  const double norm_a = spectralNorm(seriesValue(a, x)),
-               radius_a = radius(a) + norm_rounding * norm_a;
-  const double norm_b = spectralNorm(seriesValue(b, x)),
-               radius_b = radius(b) + norm_rounding * norm_b;
-  if (std::max(norm_a - radius_a, norm_b - radius_b) < flat) return 0;
-  const double norm = spectralNorm(seriesValue(difference, x));
-  const double largest = std::max(norm_a + radius_a, norm_b + radius_b);
-  return std::max(0.0, (norm * (1 - norm_rounding) - radius(difference)) / largest);
-}
+/// The norm of a tensor at points of a piece.
+class NormAt {
+ public:
+  explicit NormAt(const SymmetricModel& tensor)
+      : tensor_(tensor), radius_(1.5 * polygonRadius(tensor) + 1e-300) {}
+  Interval operator()(double x) const {
+    const double norm = spectralNorm(seriesValue(tensor_, x));
+    const double off = radius_ + norm_rounding * norm;
+    return {norm - off, norm + off};
+  }
+
+ private:
+  const SymmetricModel& tensor_;
+  double radius_;
+};
 
 struct SideTensor {
   const SymmetricModel& tensor;
   const TensorNorm& norm;
 };
 
-PieceBound relativeBound(const SideTensor& a, const SideTensor& b, const SymmetricModel& difference,
+/// A lower bound of the relative difference, with a point of the piece that attains it.
+PieceBound largestRelativeAt(std::initializer_list<double> points, const SideTensor& a,
+                             const SideTensor& b, const Difference& difference, double flat) {
+  const NormAt of_a(a.tensor), of_b(b.tensor), of_difference(difference.tensor);
+  PieceBound bound{-1, infinite, 0};
+  for (const double x : points) {
+    const Interval norm_a = of_a(x), norm_b = of_b(x);
+    const bool is_flat = std::max(norm_a.lower, norm_b.lower) < flat;
+    const double value =
+        is_flat ? 0 : std::max(0.0, of_difference(x).lower / std::max(norm_a.upper, norm_b.upper));
+    if (value > bound.lower) bound.lower = value, bound.at = x;
+  }
+  return bound;
+}
+
+PieceBound relativeBound(const SideTensor& a, const SideTensor& b, const Difference& difference,
                          double largest_difference, double flat_radius_mm, const Slack& slack) {
   const double flat = 1 / flat_radius_mm;
-  const auto& [tensor_a, norm_a] = a;
-  const auto& [tensor_b, norm_b] = b;
-  if (norm_a.at_most < flat && norm_b.at_most < flat) return {0, 0, 0};
-  const TensorNorm& larger = norm_a.at_least > norm_b.at_least ? norm_a : norm_b;
-  PieceBound bound;
-  bound.upper = largest_difference / std::max(larger.at_least, flat);
-  const double enough = std::max(slack.absolute, slack.relative * bound.upper) / 4;
-  if (larger.at_least > 0 && bound.upper > enough)
-    bound.upper = std::min(bound.upper, largestQuotient(difference, larger.below, slack, bound.at));
-  const double best = bound.at;
-  bound.lower = -1;
-  for (const double x : {best, -1.0, 0.0, 1.0})
-    if (const double value = relativeAt(tensor_a, tensor_b, difference, flat, x);
-        value > bound.lower)
-      bound.lower = value, bound.at = x;
+  if (a.norm.at_most < flat && b.norm.at_most < flat) return {0, 0, 0};
+  const TensorNorm& larger = a.norm.at_least > b.norm.at_least ? a.norm : b.norm;
+  double upper = largest_difference / std::max(larger.at_least, flat);
+  double best = 0;
+  const double enough = std::max(slack.absolute, slack.relative * upper) / 4;
+  if (larger.at_least > 0 && upper > enough)
+    upper = std::min(upper, largestQuotient(difference, larger.below, slack, best));
+  PieceBound bound = largestRelativeAt({best, -1, 0, 1}, a, b, difference, flat);
+  bound.upper = upper;
   return bound;
 }
 
 /// The tensor of b, turned by the smallest rotation that takes n_b to n_a. On the plane of n_b that
-/// rotation is I - s n_a^T / (1 + mu) with s = n_a + n_b and mu = n_a.n_b.
+/// rotation is I - s n_a^T with s = (n_a + n_b) / (1 + mu) and mu = n_a.n_b.
 SymmetricModel turned(const SymmetricModel& tensor, const VectorModel& normal_a,
                       const VectorModel& normal_b, const ChebyshevModel& mu) {
   const ChebyshevModel factor = inverse(ChebyshevModel(1) + mu);
@@ -107,11 +125,12 @@ void measureCurvature(const SurfaceFields& a, const SurfaceFields& b, const Cheb
                : turned(sense * b.tensor, a.normal, sense * b.normal, sense * mu);
   const TensorNorm norm_a = normOf(a.tensor);
   const TensorNorm norm_b = normOf(tensor_b);
-  SymmetricModel difference = tensor_b - a.tensor;
+  SymmetricModel change = tensor_b - a.tensor;
   if (as_it_is)
-    for (ChebyshevModel& entry : difference) entry.widen(2 * angle * angle * norm_b.at_most);
-  if (!isKnown(difference) || !isKnown(a.tensor)) return;
-  figures.curvature_per_mm = largestNorm(difference, slack.curvature_per_mm);
+    for (ChebyshevModel& entry : change) entry.widen(2 * angle * angle * norm_b.at_most);
+  if (!isKnown(change) || !isKnown(a.tensor)) return;
+  const Difference difference{change, controlPolygon(change)};
+  figures.curvature_per_mm = largestNorm(difference.polygon, slack.curvature_per_mm);
   figures.curvature_norm_per_mm = std::max(norm_a.at_least, norm_b.at_least);
   figures.curvature_rel =
       relativeBound({a.tensor, norm_a}, {tensor_b, norm_b}, difference,

@@ -50,8 +50,7 @@ Interval boundsAt(const ChebyshevModel& model, double x) {
 double normAt(const SymmetricModel& a, const SymmetricModel& b, double x) {
   const auto above = [&](const SymmetricModel& tensor) {
     // The factor as in largestNorm().
-    return spectralNorm(seriesValue(tensor, x)) * (1 + norm_rounding) +
-           1.5 * controlPolygon(tensor).radius;
+    return spectralNorm(seriesValue(tensor, x)) * (1 + norm_rounding) + 1.5 * polygonRadius(tensor);
   };
   return std::max(above(a), above(b));
 }
