@@ -25,29 +25,47 @@ namespace {
 using Jet1 = std::array<double, 3>;
 using PointJet = std::array<Eigen::Vector3d, 3>;
 
-/// The increasing C^2 function through values over nodes; see C12.3.
+/// Parameters this near are the same: shares of the length are known to some 1e-9.
+constexpr double same_parameter = 1e-8;
+
+/// A value over a parameter. At a corner the function through them may have a kink.
+struct CourseNode {
+  double at = 0, value = 0;
+  bool is_corner = false;
+};
+
+/// The increasing function through values over nodes that is C^2 between corners; see C12.3.
 class MonotoneQuintic {
  public:
-  MonotoneQuintic(std::vector<double> nodes, std::vector<double> values, bool periodic)
-      : nodes_(std::move(nodes)), values_(std::move(values)) {
+  /// \param closed the ends are one node: a corner, or it is C^2 there too.
+  MonotoneQuintic(const std::vector<CourseNode>& nodes, bool closed) {
+    for (const CourseNode& node : nodes) {
+      nodes_.push_back(node.at);
+      values_.push_back(node.value);
+    }
     const std::size_t last = nodes_.size() - 1;
     for (std::size_t i = 0; i <= last; ++i) {
       const bool end = i == 0 || i == last;
-      const double before = i > 0      ? secant(i - 1)
-                            : periodic ? secant(last - 1)
-                                       : secant(0),
-                   after = i < last   ? secant(i)
-                           : periodic ? secant(0)
-                                      : secant(last - 1);
-      slopes_.push_back(end && !periodic ? before : 2 * before * after / (before + after));
+      const double before = secant(i > 0    ? i - 1
+                                   : closed ? last - 1
+                                            : 0),
+                   after = secant(i < last ? i
+                                  : closed ? 0
+                                           : last - 1);
+      const double mean = 2 * before * after / (before + after);
+      const bool kinks = nodes[i].is_corner || (end && !closed);
+      slopes_.push_back(kinks ? Slopes{before, after} : Slopes{mean, mean});
     }
   }
 
-  Jet1 at(double x) const {
-    const auto above = std::upper_bound(nodes_.begin() + 1, nodes_.end() - 1, x);
+  /// \param before a node counts to the interval before it.
+  Jet1 at(double x, bool before = false) const {
+    const double near = before ? -same_parameter : same_parameter;
+    const auto above = std::upper_bound(nodes_.begin() + 1, nodes_.end() - 1, x + near);
     const auto i = static_cast<std::size_t>(above - nodes_.begin()) - 1;
     const double h = nodes_[i + 1] - nodes_[i], t = (x - nodes_[i]) / h, s = 1 - t;
-    const double rise = values_[i + 1] - values_[i], a = h * slopes_[i], b = h * slopes_[i + 1];
+    const double rise = values_[i + 1] - values_[i];
+    const double a = h * slopes_[i].after, b = h * slopes_[i + 1].before;
     // The quintic with value 0, slope a and second derivative 0 at 0; rise, b and 0 at 1.
     const double t3 = t * t * t;
     return {values_[i] + rise * t3 * (10 - 15 * t + 6 * t * t) +
@@ -75,11 +93,13 @@ class MonotoneQuintic {
     return (values_[i + 1] - values_[i]) / (nodes_[i + 1] - nodes_[i]);
   }
 
-  std::vector<double> nodes_, values_, slopes_;
-};
+  struct Slopes {
+    double before, after;
+  };
 
-/// Parameters this near are the same: shares of the length are known to some 1e-9.
-constexpr double same_parameter = 1e-8;
+  std::vector<double> nodes_, values_;
+  std::vector<Slopes> slopes_;
+};
 
 /// A frame by the common parameter p.
 class Course {
@@ -104,7 +124,7 @@ class Course {
   }
   /// The jet at p, at a joint that of its side before or after it.
   PointJet jet(double p, bool before) const {
-    const Jet1 share = shares_.at(p);
+    const Jet1 share = shares_.at(p, before);
     Place at = place(p);
     if (before && at.t == 0 && at.piece > 0) at = {at.piece - 1, 1};
     const BezierCurve piece = segment(frame_.spline(), at.piece);
@@ -255,13 +275,29 @@ void requireMeasurable(const Correspondence& correspondence, double tolerance_mm
   }
 }
 
+/// Whether all closed frames have a corner where they begin.
+bool beginAtCorners(const std::vector<Measured>& frames) {
+  return std::ranges::all_of(frames, [](const Measured& frame) {
+    if (!frame.spline().closed) return false;
+    const std::optional<double> angle_rad = measureJoints(frame.spline(), 1).back().angle_rad;
+    return angle_rad && *angle_rad > MatchOptions().corner_rad;
+  });
+}
+
 std::vector<Course> coursesOf(const Correspondence& correspondence) {
   const Scale scale = scaleOf(correspondence.anchors, correspondence.frames.size());
+  const bool begins_at_corner = beginAtCorners(correspondence.frames);
+  const std::size_t last = scale.common.size() - 1;
   std::vector<Course> courses;
   for (std::size_t f = 0; f < correspondence.frames.size(); ++f) {
     const Measured& frame = correspondence.frames[f];
-    courses.emplace_back(
-        frame, MonotoneQuintic(scale.common, scale.of_frame[f], frame.spline().closed), f);
+    std::vector<CourseNode> nodes;
+    for (std::size_t i = 0; i <= last; ++i) {
+      const bool is_end = i == 0 || i == last;
+      nodes.push_back({scale.common[i], scale.of_frame[f][i],
+                       is_end ? begins_at_corner : correspondence.anchors[i - 1].is_corner});
+    }
+    courses.emplace_back(frame, MonotoneQuintic(nodes, frame.spline().closed), f);
   }
   return courses;
 }

@@ -190,7 +190,7 @@ Eigen::Vector3d tangentAt(const BezierSpline& spline, const Place& place) {
 double leastDifference(const Poles& a, const Poles& b) {
   const Eigen::Matrix3d products = a.transpose() * b;
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(products);
-  const Eigen::Vector3d values = svd.singularValues();
+  const Eigen::Vector3d& values = svd.singularValues();
   const double last = products.determinant() < 0 ? -values(2) : values(2);
   return a.squaredNorm() + b.squaredNorm() - 2 * (values(0) + values(1) + last);
 }
@@ -321,7 +321,7 @@ std::vector<Anchor> fittingAnchors(const std::vector<Measured>& frames,
   std::vector<Anchor> corners;
   std::ranges::copy_if(anchors, std::back_inserter(corners), &Anchor::is_corner);
   const double with_all = turnOf(frames, anchors), with_corners = turnOf(frames, corners);
-  // Less by rounding is not less. Corners are given up only for much less: without them frames have
+  // Less by rounding is not less. Corners are left out only for much less: without them frames have
   // corners of both curves.
   constexpr double rounding = 1e-9, much_less = 0.5;
   const bool fewer = with_corners < with_all - rounding;

@@ -76,9 +76,8 @@ std::string matchNote(const MatchSummary& summary, MatchBy by) {
         count == 1 ? "s" : "");
   if (summary.lengths_fit_better)
     note += fmt::format(
-        ", by equal shares of the length{}: with jumps and extrema of the curvature the tangents "
-        "at "
-        "corresponding points would differ more",
+        ", by equal shares of the length{}: with jumps and extrema of the curvature the "
+        "tangents at corresponding points would differ more",
         summary.matched_features > 0 ? " between corners" : "");
   if (const auto reversed = std::ranges::count(summary.reversed, true))
     note += fmt::format(", {} run{} in the other direction", reversed, reversed == 1 ? "s" : "");

@@ -177,7 +177,8 @@ class MatchSummary(Result):
     features          found in each curve
     matched_features  matched in all curves; given parameters count, too
     lengths_fit_better  by="features": features were found, but equal shares of the length
-                      between corners correspond: with them the tangents at corresponding places differ less
+                      between corners correspond: with them the tangents at corresponding
+                      places differ less
     unknown_pieces    whose curvature has no certain profile: no features from them
     reversed          which curves run in the other direction
     start             of each curve: where it starts now, a share of its length in its new direction

@@ -186,6 +186,37 @@ def test_given_pairs_name_points_of_curves_with_corners(tmp_path):
         assert np.linalg.norm(frames[0.5] - halfway, axis=1).min() < 1e-5
 
 
+def test_sides_of_turned_rectangles_stay_straight(tmp_path):
+    """The frame in the middle is the polygon of the means of the corners."""
+
+    def corners_of(width, height, turn_deg):
+        turn = math.radians(turn_deg)
+        corners = [(0, 0), (width, 0), (width, height), (0, height)]
+        return np.array(
+            [
+                (x * math.cos(turn) - y * math.sin(turn), x * math.sin(turn) + y * math.cos(turn))
+                for x, y in corners
+            ]
+        )
+
+    keys = [corners_of(80, 50, 0), corners_of(40, 60, 20)]
+    files = []
+    for k, (corners, steps) in enumerate(zip(keys, (30, 21))):
+        sides = zip(corners, np.roll(corners, -1, axis=0))
+        points = [tuple(a + (b - a) * i / steps) for a, b in sides for i in range(steps)]
+        files.append(points_file(tmp_path, points, f"key{k}.csv"))
+    _, _, frames = blend(tmp_path, *files, options=["--closed"])
+    means = np.column_stack([np.mean(keys, axis=0), np.zeros(4)])
+    sides = list(zip(means, np.roll(means, -1, axis=0)))
+
+    def distance(point, start, end):
+        share = np.clip((point - start) @ (end - start) / np.sum((end - start) ** 2), 0, 1)
+        return np.linalg.norm(start + share * (end - start) - point)
+
+    off = max(min(distance(point, *side) for side in sides) for point in frames[0.5])
+    assert off < 1e-3
+
+
 def test_given_pairs_go_once_around_closed_curves(tmp_path):
     """The second curve is the first one, numbered from another corner on."""
     corners = [(0, 0), (40, 0), (40, 20), (0, 20)]
