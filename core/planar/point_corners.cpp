@@ -60,14 +60,20 @@ std::optional<double> smoothTurn(const TurningPolygon& polygon, const std::vecto
   }
 }
 
+/// A corner, if the turns beside it show so.
+struct SharpTurn {
+  Index at = 0;
+  double turn_rad = 0, beside_rad = 0;
+};
+
 /// Without those that errors beside a corner make.
-std::vector<Index> sharpest(const TurningPolygon& polygon, const std::vector<double>& turns,
-                            const std::vector<Index>& corners, double distance_mm) {
+std::vector<SharpTurn> sharpest(const TurningPolygon& polygon, const std::vector<double>& turns,
+                                const std::vector<SharpTurn>& corners, double distance_mm) {
   // Both corners of a blunt end turn by much the same.
   constexpr double least = 0.75;
   const auto count = std::ssize(corners);
   const auto cornerAt = [&](std::ptrdiff_t k) {
-    return corners[static_cast<std::size_t>((k + count) % count)];
+    return corners[static_cast<std::size_t>((k + count) % count)].at;
   };
   // Of the next corners in a direction that are so near, one is sharper.
   const auto isBesideSharper = [&](std::ptrdiff_t k, std::ptrdiff_t direction) {
@@ -81,21 +87,16 @@ std::vector<Index> sharpest(const TurningPolygon& polygon, const std::vector<dou
     }
     return false;
   };
-  std::vector<Index> result;
+  std::vector<SharpTurn> result;
   for (std::ptrdiff_t k = 0; k < count; ++k)
-    if (!isBesideSharper(k, -1) && !isBesideSharper(k, 1)) result.push_back(cornerAt(k));
+    if (!isBesideSharper(k, -1) && !isBesideSharper(k, 1))
+      result.push_back(corners[static_cast<std::size_t>(k)]);
   return result;
 }
 
-/// A corner, if the turns beside it show so.
-struct SharpTurn {
-  Index at = 0;
-  double turn_rad = 0, beside_rad = 0;
-};
-
 /// Choices. A nose of which one point and its neighbours are known turns by up to four times as
-/// much as its neighbours; a bend of few points by up to ten times.
-constexpr double least_times = 5, least_times_of_few = 20;
+/// much as its neighbours; a bend of few points by up to seven times.
+constexpr double least_times = 5, least_times_of_few = 8;
 
 /// Without those that can be bends of a curve of few points.
 std::vector<Index> clearCorners(const std::vector<SharpTurn>& found, Index points, bool closed) {
@@ -144,7 +145,7 @@ std::vector<Index> pointCorners(const PlanarPoints& points, const PointCornerOpt
     if (before && after && wide_rad > least_times * std::max(*before, *after))
       found.push_back({i, wide_rad, std::max(*before, *after)});
   }
-  return sharpest(polygon, turns, clearCorners(found, n, options.closed), away_mm);
+  return clearCorners(sharpest(polygon, turns, found, away_mm), n, options.closed);
 }
 
 std::vector<std::vector<Index>> runsBetween(Index points, const std::vector<Index>& corners,

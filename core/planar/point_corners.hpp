@@ -19,7 +19,7 @@ struct PointCornerOptions {
 
 /// Points at which a sampled curve has a corner. There the polygon turns by more than the corner
 /// angle, and five times as much as at the nearest points before and after it that turn by less;
-/// twenty times if fewer than five points lie on each of its sides up to the next corner.
+/// eight times if fewer than five points lie on each of its sides up to the next corner.
 /// With errors the turns are those between points that are four errors away, so that errors make no
 /// corner. If all points turn by more, none is a corner: they are few points of a smooth curve.
 /// Ends of open curves do not count. Identities (each has a test of its number):

@@ -272,6 +272,6 @@ def test_lengths_are_taken_where_features_mislead(tmp_path):
                          closed=False)
     result, report, _ = blend(tmp_path, low, high, options=["--frames", 2])
     assert report["match"] == "length"
-    assert ", by equal shares of the length: with corners and extrema" in result.stdout
+    assert ", by equal shares of the length: with jumps and extrema" in result.stdout
     _, report, frames = blend(tmp_path, low, low, options=["--frames", 2])
     assert report["match"] == "features"

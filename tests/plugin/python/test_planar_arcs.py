@@ -303,7 +303,7 @@ def test_end_tangents():
         ({"points": np.zeros((4, 3))}, r"points have shape \(4, 3\): \(count, 2\) is needed"),
         ({"points": np.where(POINTS == 13, np.nan, POINTS)}, "3"),
         ({"points": POINTS[[0, 1, 1, 2]]}, "1 and 2"),
-        ({"points": [[0, 0], [2, 0], [1, 0]]}, "1"),
+        ({"points": [[0, 0], [2, 0], [1, 0]]}, r"\(2, 0\)"),
         ({"variation": -1}, r"variation \(lambda\) is -1"),
         ({"tangents": "best"}, "tangents is 'best': known are 'near circles'"),
         ({"start_direction_rad": math.nan}, "nan"),
