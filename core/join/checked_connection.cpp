@@ -42,9 +42,12 @@ ConnectionFunctions checked(const ConnectionFunctions& c) {
   requireFunction("beta", c.beta);
   requireFunction("p", c.p);
   requireFunction("q", c.q);
+  requireFunction("h", c.h);
+  requireFunction("k", c.k);
   requireFunction("e0", c.e0);
   requireFunction("e1", c.e1);
   requireFunction("e2", c.e2);
+  requireFunction("e3", c.e3);
   requirePositive("alpha", c.alpha);
   requirePositive("e0", c.e0);
   if (!isConstant(c.gamma, 1))
@@ -53,9 +56,12 @@ ConnectionFunctions checked(const ConnectionFunctions& c) {
           .beta = rows::trimmed(c.beta),
           .p = rows::trimmed(c.p),
           .q = rows::trimmed(c.q),
+          .h = rows::trimmed(c.h),
+          .k = rows::trimmed(c.k),
           .e0 = rows::trimmed(c.e0),
           .e1 = rows::trimmed(c.e1),
-          .e2 = rows::trimmed(c.e2)};
+          .e2 = rows::trimmed(c.e2),
+          .e3 = rows::trimmed(c.e3)};
 }
 
 }  // namespace seamwright

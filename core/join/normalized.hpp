@@ -23,13 +23,13 @@ inline void requireTolerance(const std::optional<double>& tolerance) {
 }
 
 inline void requireUsable(const Ribbon& ribbon, const char* name) {
-  for (const HomogeneousPoles* part : {&ribbon.position, &ribbon.first, &ribbon.second})
+  for (const HomogeneousPoles* part : ribbon.parts())
     if (part->rows() == 0 || !part->allFinite())
       throw std::invalid_argument(std::string("ribbon ") + name +
                                   " has a part that is empty or not finite");
   constexpr int most =
       30;  // the condition of curvature has up to 24 times the degree, and binomials end at 800
-  for (const HomogeneousPoles* part : {&ribbon.position, &ribbon.first, &ribbon.second})
+  for (const HomogeneousPoles* part : ribbon.parts())
     if (rows::degree(*part) > most)
       throw std::invalid_argument(std::string("ribbon ") + name + " has degree " +
                                   std::to_string(rows::degree(*part)) + ": it must be within " +
@@ -66,8 +66,7 @@ struct NormalizedPair {
   template <class Change>
   void forEachPart(const Change& change) {
     for (Ribbon* ribbon : {&a, &b})
-      for (HomogeneousPoles* part : {&ribbon->position, &ribbon->first, &ribbon->second})
-        change(*part);
+      for (HomogeneousPoles* part : ribbon->parts()) change(*part);
   }
   static double reach(const Ribbon& ribbon) {
     return ribbon.position.leftCols<3>().cwiseAbs().maxCoeff();

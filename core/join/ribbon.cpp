@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <seamwright/core/join/ribbon.hpp>
 #include <stdexcept>
+#include <vector>
 
 namespace seamwright {
 
 namespace {
+
+constexpr int highest_order = 3;  ///< of the derivatives of a ribbon
 
 /// Row i of the net, i counted along u.
 HomogeneousPoles row(const BezierPatch& patch, int i) {
@@ -15,8 +19,27 @@ HomogeneousPoles row(const BezierPatch& patch, int i) {
 }
 
 Ribbon turned(Ribbon ribbon, Across across) {
-  if (across == Across::OutOf) ribbon.first = -ribbon.first;
+  if (across == Across::Into) return ribbon;
+  ribbon.first = -ribbon.first;
+  ribbon.third = -ribbon.third;
   return ribbon;
+}
+
+/// The ribbon of rows of poles, counted from the edge. In a triangle each row is shorter than the
+/// one before it; its last poles have no difference.
+Ribbon ribbonOf(std::vector<HomogeneousPoles> rows, int degree_across, Across across) {
+  Ribbon result;
+  result.degree_across = degree_across;
+  double factor = 1;
+  int order = 0;
+  for (HomogeneousPoles* part : result.parts()) {
+    *part = factor * rows.front();
+    factor *= degree_across - order++;
+    for (std::size_t r = 0; r + 1 < rows.size(); ++r)
+      rows[r] = (rows[r + 1] - rows[r].topRows(rows[r + 1].rows())).eval();
+    if (rows.size() > 1) rows.pop_back();
+  }
+  return turned(std::move(result), across);
 }
 
 BezierPatch reversedV(const BezierPatch& patch) {
@@ -41,17 +64,10 @@ BezierPatch turnedFromU0(const BezierPatch& patch, PatchEdge edge, bool reversed
 
 Ribbon ribbon(const BezierPatch& patch, PatchEdge edge, bool reversed, Across across) {
   const BezierPatch turned_patch = turnedToU0(patch, edge, reversed);
-  const int m = turned_patch.degreeU();
-  Ribbon result;
-  result.degree_across = m;
-  result.position = row(turned_patch, 0);
-  result.first = result.second = HomogeneousPoles::Zero(result.position.rows(), 4);
-  if (m >= 1) result.first = m * (row(turned_patch, 1) - row(turned_patch, 0));
-  if (m >= 2)
-    result.second = m * (m - 1) *
-                    ((row(turned_patch, 2) - row(turned_patch, 1)) -
-                     (row(turned_patch, 1) - row(turned_patch, 0)));
-  return turned(std::move(result), across);
+  std::vector<HomogeneousPoles> rows;
+  for (int r = 0; r <= std::min(turned_patch.degreeU(), highest_order); ++r)
+    rows.push_back(row(turned_patch, r));
+  return ribbonOf(std::move(rows), turned_patch.degreeU(), across);
 }
 
 Eigen::Index poleRow(int degree, TriangleEdge edge, bool reversed, int r, int k) {
@@ -73,15 +89,9 @@ Ribbon ribbon(const BezierTriangle& triangle, TriangleEdge edge, bool reversed, 
       poles.row(k) = triangle.homogeneousPoles().row(poleRow(n, edge, reversed, r, k));
     return poles;
   };
-  Ribbon result;
-  result.degree_across = n;
-  result.position = behind(0);
-  const HomogeneousPoles next = behind(1) - result.position.topRows(n);
-  result.first = n * next;
-  result.second = HomogeneousPoles::Zero(1, 4);
-  if (n >= 2)
-    result.second = n * (n - 1) * ((behind(2) - behind(1).topRows(n - 1)) - next.topRows(n - 1));
-  return turned(std::move(result), across);
+  std::vector<HomogeneousPoles> rows;
+  for (int r = 0; r <= std::min(n, highest_order); ++r) rows.push_back(behind(r));
+  return ribbonOf(std::move(rows), n, across);
 }
 
 CanonicalPair orient(const BezierPatch& a, PatchEdge edge_a, const BezierPatch& b,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <array>
 #include <seamwright/core/bezier/patch.hpp>
 #include <seamwright/core/bezier/patch_edge.hpp>
 #include <seamwright/core/bezier/triangle.hpp>
@@ -24,19 +25,26 @@ enum class Across { Into, OutOf };
 /// in any pair.
 /// Identities (each has a test of its number):
 ///   (1) The polynomials are the position and the derivatives of the patch at (s, t) = (0, t).
-///   (2) The first derivative for OutOf is the negative of that for Into. Position and second
-///       derivative are the same.
+///   (2) The first and third derivatives for OutOf are the negatives of those for Into. Position
+///       and second derivative are the same.
 ///   (3) Reversal replaces t by 1 - t; for a triangle s then runs at constant weight of A.
 struct Ribbon {
   HomogeneousPoles position;  ///< degree n
   HomogeneousPoles first;     ///< d/ds; degree n, for a triangle n - 1
   /// D2/ds2; degree n, for a triangle max(n - 2, 0); zero if the degree across is 1.
   HomogeneousPoles second;
+  /// D3/ds3; degree n, for a triangle max(n - 3, 0); zero if the degree across is below 3.
+  HomogeneousPoles third;
   /// Degree of the patch across the edge, for a triangle its degree. It is the factor between
   /// differences of poles and derivatives.
   int degree_across = 1;
 
   int degree() const { return static_cast<int>(position.rows()) - 1; }
+  /// The position and the derivatives, by their order.
+  std::array<HomogeneousPoles*, 4> parts() { return {&position, &first, &second, &third}; }
+  std::array<const HomogeneousPoles*, 4> parts() const {
+    return {&position, &first, &second, &third};
+  }
 };
 
 /// \param reversed t runs against the sense of the edge.

@@ -26,8 +26,9 @@ using Function = Eigen::VectorXd ConnectionFunctions::*;
 constexpr std::pair<const char*, Function> connection_functions[] = {
     {"alpha", &ConnectionFunctions::alpha}, {"beta", &ConnectionFunctions::beta},
     {"p", &ConnectionFunctions::p},         {"q", &ConnectionFunctions::q},
+    {"h", &ConnectionFunctions::h},         {"k", &ConnectionFunctions::k},
     {"e0", &ConnectionFunctions::e0},       {"e1", &ConnectionFunctions::e1},
-    {"e2", &ConnectionFunctions::e2}};
+    {"e2", &ConnectionFunctions::e2},       {"e3", &ConnectionFunctions::e3}};
 
 /// Bernstein coefficients, from one number or a sequence.
 Eigen::VectorXd functionOf(const char* name, const py::object& value) {
@@ -140,62 +141,66 @@ py::tuple arraysOf(const std::vector<HomogeneousPoles>& rows) {
 
 py::tuple ribbonRowsOf(const py::object& surface, const py::object& edge, const py::object& alpha,
                        const py::object& beta, const py::object& p, const py::object& q,
-                       const py::object& e0, const py::object& e1, const py::object& e2,
+                       const py::object& h, const py::object& k, const py::object& e0,
+                       const py::object& e1, const py::object& e2, const py::object& e3,
                        const py::object& connection, const py::object& order,
                        const py::object& degree_across, const py::object& degree,
                        const py::object& reversed) {
   const Ribbon given = givenOf(surface, edge, reversed);
   const TensorDegrees d = degreesOf({order, degree_across, degree}, given);
   const ConnectionFunctions functions_of =
-      connectionFrom({{alpha, beta, p, q, e0, e1, e2}, connection});
+      connectionFrom({{alpha, beta, p, q, h, k, e0, e1, e2, e3}, connection});
   return arraysOf(tensorRows(given, functions_of, d.order, d.across, d.along).rows);
 }
 
 BezierPatch continuationOf(const py::object& surface, const py::object& edge,
                            const py::object& alpha, const py::object& beta, const py::object& p,
-                           const py::object& q, const py::object& e0, const py::object& e1,
-                           const py::object& e2, const py::object& connection,
+                           const py::object& q, const py::object& h, const py::object& k,
+                           const py::object& e0, const py::object& e1, const py::object& e2,
+                           const py::object& e3, const py::object& connection,
                            const py::object& order, const py::object& degree_across,
                            const py::object& degree, const py::object& reversed) {
   const Ribbon given = givenOf(surface, edge, reversed);
   const TensorDegrees d = degreesOf({order, degree_across, degree}, given);
   const ConnectionFunctions functions_of =
-      connectionFrom({{alpha, beta, p, q, e0, e1, e2}, connection});
+      connectionFrom({{alpha, beta, p, q, h, k, e0, e1, e2, e3}, connection});
   return continuation(given, functions_of, d.order, d.across, d.along);
 }
 
 BezierTriangle triangleContinuationOf(const py::object& surface, const py::object& edge,
                                       const py::object& alpha, const py::object& beta,
-                                      const py::object& p, const py::object& q,
-                                      const py::object& e0, const py::object& e1,
-                                      const py::object& e2, const py::object& connection,
-                                      const py::object& degree, const py::object& reversed) {
-  return triangleContinuation(givenOf(surface, edge, reversed),
-                              connectionFrom({{alpha, beta, p, q, e0, e1, e2}, connection}),
-                              optionalWhole("degree", degree));
+                                      const py::object& p, const py::object& q, const py::object& h,
+                                      const py::object& k, const py::object& e0,
+                                      const py::object& e1, const py::object& e2,
+                                      const py::object& e3, const py::object& connection,
+                                      const py::object& order, const py::object& degree,
+                                      const py::object& reversed) {
+  return triangleContinuation(
+      givenOf(surface, edge, reversed),
+      connectionFrom({{alpha, beta, p, q, h, k, e0, e1, e2, e3}, connection}),
+      optionalWhole("order", order).value_or(1), optionalWhole("degree", degree));
 }
 
 BezierTriangle joinedTriangle(const BezierTriangle& triangle, const py::object& edge, bool reversed,
                               const Ribbon& from, const ConnectionFunctions& connection,
                               int order) {
-  if (order != 1)
-    throw py::value_error("order " + std::to_string(order) + ": triangles are joined with order 1");
   const Ribbon old = ribbon(triangle, triangleEdgeOf("edge", edge), reversed, Across::Into);
-  JoinRows rows = triangleRows(from, connection);
+  JoinRows rows = triangleRows(from, connection, order);
   if (rows.degree_across < old.degree_across)
-    rows = triangleRows(from, connection, old.degree_across);
+    rows = triangleRows(from, connection, order, old.degree_across);
   return withRows(triangle, triangleEdgeOf("edge", edge), reversed, rows);
 }
 
 py::object joinedOf(const py::object& surface, const py::object& edge, const py::object& given,
                     const py::object& given_edge, const py::object& alpha, const py::object& beta,
-                    const py::object& p, const py::object& q, const py::object& e0,
-                    const py::object& e1, const py::object& e2, const py::object& connection,
+                    const py::object& p, const py::object& q, const py::object& h,
+                    const py::object& k, const py::object& e0, const py::object& e1,
+                    const py::object& e2, const py::object& e3, const py::object& connection,
                     const py::object& order, const py::object& reversed) {
   const bool backwards = flagOf("reversed", reversed);
   const Ribbon from = ribbonOf("given", given, "given_edge", given_edge, false, Across::OutOf);
   const ConnectionFunctions functions_of =
-      connectionFrom({{alpha, beta, p, q, e0, e1, e2}, connection});
+      connectionFrom({{alpha, beta, p, q, h, k, e0, e1, e2, e3}, connection});
   const int highest = optionalWhole("order", order).value_or(1);
   const Ribbon old = ribbonOf("surface", surface, "edge", edge, backwards, Across::Into);
   if (py::isinstance<BezierTriangle>(surface))
@@ -252,6 +257,7 @@ py::object joinConditionOf(const py::object& a, const py::object& edge_a, const 
   py::dict dict;
   dict["verdict"] = name(condition.verdict);
   dict["g2"] = condition.g2();
+  dict["g3"] = condition.g3();
   dict["parametric_order"] = condition.parametric_order;
   dict["gap_bound_mm"] = condition.gap_bound_mm;
   dict["angle_bound_rad"] = condition.angle_bound_rad;
@@ -262,6 +268,9 @@ py::object joinConditionOf(const py::object& a, const py::object& edge_a, const 
   dict["tangent_plane"] = planes ? py::object(residualDict(condition.tangent_plane)) : py::none();
   dict["curvature"] =
       condition.curvature ? py::object(residualDict(*condition.curvature)) : py::none();
+  dict["curvature_change"] = condition.curvature_change
+                                 ? py::object(residualDict(*condition.curvature_change))
+                                 : py::none();
   return resultOf("JoinCondition", dict);
 }
 
@@ -269,7 +278,8 @@ py::object fitConnectionOf(const py::object& a, const py::object& edge_a, const 
                            const py::object& edge_b, const py::object& reversed,
                            const py::object& order, const py::object& alpha_degree,
                            const py::object& beta_degree, const py::object& p_degree,
-                           const py::object& q_degree, const py::object& tolerance) {
+                           const py::object& q_degree, const py::object& h_degree,
+                           const py::object& k_degree, const py::object& tolerance) {
   const RibbonPair pair = pairOf(a, edge_a, b, edge_b, reversed);
   ConnectionFitOptions options;
   options.order = wholeNumber("order", order);
@@ -277,6 +287,8 @@ py::object fitConnectionOf(const py::object& a, const py::object& edge_a, const 
   options.beta_degree = optionalWhole("beta_degree", beta_degree);
   options.p_degree = optionalWhole("p_degree", p_degree);
   options.q_degree = optionalWhole("q_degree", q_degree);
+  options.h_degree = optionalWhole("h_degree", h_degree);
+  options.k_degree = optionalWhole("k_degree", k_degree);
   options.tolerance = optionalTolerance(tolerance);
   const ConnectionFit fit = fitConnection(pair.a, pair.b, options);
   py::dict dict;
@@ -302,13 +314,15 @@ constexpr const char* join_rows_doc =
 
 Returns poles (order+1, n+1, 3) in mm and weights (order+1, n+1), counted from the seam.
 
-alpha, beta, p, q: each a number or the Bernstein coefficients of a polynomial along the seam,
-None: 1, 0, 0, 0. Q_s = alpha P_s + beta P_t, and for order 2 Q_ss = alpha^2 P_ss + 2 alpha beta
-P_st + beta^2 P_tt + p P_s + q P_t. e0, e1, e2, None: 1, 0, 0, scale homogeneous poles.
+alpha, beta, p, q, h, k: each a number or the Bernstein coefficients of a polynomial along the seam,
+None: alpha 1, the others 0. Q_s = alpha P_s + beta P_t, for order 2 also Q_ss = alpha^2 P_ss + 2
+alpha beta P_st + beta^2 P_tt + p P_s + q P_t, and for order 3 Q_sss = alpha^3 P_sss + 3 alpha^2
+beta P_sst + 3 alpha beta^2 P_stt + beta^3 P_ttt + 3 (alpha p P_ss + (alpha q + beta p) P_st + beta
+q P_tt) + h P_s + k P_t. e0 to e3, None: 1, 0, 0, 0, scale homogeneous poles.
 connection: a dict of these functions, or a result that has them, as for nearest_join() or
 fit_connection(); single ones replace its own.
-order: 1 or 2. degree_across: of the new patch, None: that of the given one. degree: along the seam,
-None: the lowest that always does. reversed: the edge is run backwards.
+order: 1, 2 or 3. degree_across: of the new patch, None: that of the given one. degree: along the
+seam, None: the lowest that always does. reversed: the edge is run backwards.
 ValueError for bad arguments, and for functions that do not make a join, with their values.)";
 
 constexpr const char* continuation_doc =
@@ -320,7 +334,8 @@ Arguments as for join_rows.)";
 constexpr const char* triangle_continuation_doc =
     R"(The BezierTriangle beyond an edge of a BezierPatch or BezierTriangle.
 
-It joins G1 along its edge 'l0', P1 to P2. Arguments as for join_rows.)";
+It joins along its edge 'l0', P1 to P2, and has no derivatives across it above the order. Arguments
+as for join_rows.)";
 
 constexpr const char* joined_doc =
     R"(A BezierPatch or BezierTriangle with the rows behind its edge replaced by those that join
@@ -332,28 +347,32 @@ Further arguments as for join_rows; reversed: the surface's edge is run backward
 void bindRows(py::module_& module) {
   module.def("join_rows", &ribbonRowsOf, join_rows_doc, py::arg("surface"), py::arg("edge"),
              py::kw_only(), py::arg("alpha") = py::none(), py::arg("beta") = py::none(),
-             py::arg("p") = py::none(), py::arg("q") = py::none(), py::arg("e0") = py::none(),
-             py::arg("e1") = py::none(), py::arg("e2") = py::none(),
+             py::arg("p") = py::none(), py::arg("q") = py::none(), py::arg("h") = py::none(),
+             py::arg("k") = py::none(), py::arg("e0") = py::none(), py::arg("e1") = py::none(),
+             py::arg("e2") = py::none(), py::arg("e3") = py::none(),
              py::arg("connection") = py::none(), py::arg("order") = 1,
              py::arg("degree_across") = py::none(), py::arg("degree") = py::none(),
              py::arg("reversed") = false);
   module.def("continuation", &continuationOf, continuation_doc, py::arg("surface"), py::arg("edge"),
              py::kw_only(), py::arg("alpha") = py::none(), py::arg("beta") = py::none(),
-             py::arg("p") = py::none(), py::arg("q") = py::none(), py::arg("e0") = py::none(),
-             py::arg("e1") = py::none(), py::arg("e2") = py::none(),
+             py::arg("p") = py::none(), py::arg("q") = py::none(), py::arg("h") = py::none(),
+             py::arg("k") = py::none(), py::arg("e0") = py::none(), py::arg("e1") = py::none(),
+             py::arg("e2") = py::none(), py::arg("e3") = py::none(),
              py::arg("connection") = py::none(), py::arg("order") = 1,
              py::arg("degree_across") = py::none(), py::arg("degree") = py::none(),
              py::arg("reversed") = false);
   module.def("triangle_continuation", &triangleContinuationOf, triangle_continuation_doc,
              py::arg("surface"), py::arg("edge"), py::kw_only(), py::arg("alpha") = py::none(),
              py::arg("beta") = py::none(), py::arg("p") = py::none(), py::arg("q") = py::none(),
-             py::arg("e0") = py::none(), py::arg("e1") = py::none(), py::arg("e2") = py::none(),
-             py::arg("connection") = py::none(), py::arg("degree") = py::none(),
-             py::arg("reversed") = false);
+             py::arg("h") = py::none(), py::arg("k") = py::none(), py::arg("e0") = py::none(),
+             py::arg("e1") = py::none(), py::arg("e2") = py::none(), py::arg("e3") = py::none(),
+             py::arg("connection") = py::none(), py::arg("order") = 1,
+             py::arg("degree") = py::none(), py::arg("reversed") = false);
   module.def("joined", &joinedOf, joined_doc, py::arg("surface"), py::arg("edge"), py::arg("given"),
              py::arg("given_edge"), py::kw_only(), py::arg("alpha") = py::none(),
              py::arg("beta") = py::none(), py::arg("p") = py::none(), py::arg("q") = py::none(),
-             py::arg("e0") = py::none(), py::arg("e1") = py::none(), py::arg("e2") = py::none(),
+             py::arg("h") = py::none(), py::arg("k") = py::none(), py::arg("e0") = py::none(),
+             py::arg("e1") = py::none(), py::arg("e2") = py::none(), py::arg("e3") = py::none(),
              py::arg("connection") = py::none(), py::arg("order") = 1, py::arg("reversed") = false);
 }
 
@@ -387,6 +406,7 @@ connection: as in join_rows, None: curvature is judged without.)");
              py::arg("edge_b"), py::kw_only(), py::arg("reversed") = false, py::arg("order") = 1,
              py::arg("alpha_degree") = py::none(), py::arg("beta_degree") = py::none(),
              py::arg("p_degree") = py::none(), py::arg("q_degree") = py::none(),
+             py::arg("h_degree") = py::none(), py::arg("k_degree") = py::none(),
              py::arg("tolerance") = py::none(),
              R"(The functions alpha, beta, ... that connect two surfaces: a ConnectionFit.
 

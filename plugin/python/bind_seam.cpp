@@ -86,6 +86,8 @@ py::object enclosedSeam(const SeamFigures& figures, const ContinuityTolerance& t
   dict["angle_deg"] = figureDict(figures.angle_rad, degrees_per_radian);
   dict["curvature_per_mm"] = figureDict(figures.curvature_per_mm);
   dict["curvature_rel"] = figureDict(figures.curvature_rel);
+  dict["curvature_change_per_mm2"] = figureDict(figures.curvature_change_per_mm2);
+  dict["curvature_change_rel"] = figureDict(figures.curvature_change_rel);
   dict["left_out"] = leftOutDict(figures);
   dict["level"] = name(verdict.level);
   dict["class"] = name(verdict.seam_class);
@@ -106,13 +108,10 @@ py::object encloseSeamOf(const py::object& a, const py::object& edge_a, const py
   const ContinuityTolerance tolerance =
       toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg});
   const Level required = levelOf(level);
-  if (required == Level::G3)
-    throw py::value_error(
-        "level 'G3': the change of curvature is not measured here; known are G0, G1 and G2");
   SeamFigures figures;
   {
     const py::gil_scoped_release release;
-    figures = encloseSeam(side_a, side_b, tolerance);
+    figures = encloseSeam(side_a, side_b, tolerance, {.curvature_change = required == Level::G3});
   }
   return enclosedSeam(figures, tolerance, judge(figures, tolerance, required));
 }
@@ -136,12 +135,10 @@ py::list encloseKnotLinesOf(const py::object& given, const py::object& direction
   const ContinuityTolerance tolerance =
       toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg});
   const Level required = levelOf(level);
-  if (required == Level::G3)
-    throw py::value_error(
-        "level 'G3': the change of curvature is not measured here; known are G0, G1 and G2");
   const std::vector<KnotLine> lines = [&] {
     const py::gil_scoped_release release;
-    return encloseKnotLines(surface, along, tolerance, around);
+    return encloseKnotLines(surface, along, tolerance, around,
+                            {.curvature_change = required == Level::G3});
   }();
   py::list list;
   for (const KnotLine& line : lines) {
@@ -183,7 +180,8 @@ void bindSeam(py::module_& module) {
 
 Edges: 'u0', 'u1', 'v0' or 'v1' of a BezierPatch or a BSplineSurface, 'l0' (from P1 to P2), 'l1' (P2
 to P0) or 'l2' (P0 to P1) of a BezierTriangle. Points correspond by the parameter along the edge;
-reversed: by 1 minus it on b. level, at most 'G2', and the tolerances are those of Model.analyze().
+reversed: by 1 minus it on b. level and tolerances are those of Model.analyze(); the change of
+curvature is enclosed for level 'G3'.
 TypeError for another class of surface; ValueError for other bad arguments.)");
   module.def("enclose_knot_lines", &encloseKnotLinesOf, py::arg("surface"),
              py::arg("direction") = "u", py::kw_only(), py::arg("closed") = false,

@@ -164,10 +164,16 @@ TEST(JoinCondition, Identity1ConstructedJoinsHold) {
     EXPECT_LE(found.angle_bound_rad, run % 4 == 3 ? 5e-9 : 1e-10)
         << run;  // every fourth one is rational
     EXPECT_GE(found.parametric_order, 0);
-    if (join.order == 2) {
+    if (join.order >= 2) {
       EXPECT_TRUE(found.g2()) << run << " " << found.curvature->relative << " noise "
                               << found.curvature->noise;
-      EXPECT_TRUE(joinCondition(join.a, join.b, {.connection = join.connection}).g2()) << run;
+      const JoinCondition given = joinCondition(join.a, join.b, {.connection = join.connection});
+      EXPECT_TRUE(given.g2()) << run;
+      if (join.order < 3 || !found.curvature_change) continue;
+      EXPECT_TRUE(found.g3()) << run << " " << found.curvature_change->relative << " noise "
+                              << found.curvature_change->noise;
+      EXPECT_TRUE(given.g3()) << run << " " << given.curvature_change->relative << " noise "
+                              << given.curvature_change->noise;
     } else if (join.a.second.norm() + join.b.second.norm() > 1) {
       EXPECT_FALSE(found.g2()) << run;
     }
@@ -213,9 +219,31 @@ TEST(JoinCondition, Identity2OneMovedPoleEndsIt) {
   }
 }
 
+TEST(JoinCondition, Identity2OneMovedPoleOfRow3EndsG3) {
+  std::mt19937_64 random(testSeed());
+  int tried = 0;
+  for (int run = 0; run < 300; ++run) {
+    const BezierPatch a =
+        gentlePatch(whole(3, 6, random), whole(1, 4, random), run % 4 == 0, random);
+    const int l = whole(3, 6, random);
+    const ConnectionFunctions c = test::randomConnection(0, whole(0, 1, random), random);
+    const auto b = test::built([&] { return continuation(endingAtU1(a), c, 3, l); });
+    if (!b) continue;
+    ++tried;
+    EXPECT_TRUE(joinCondition(endingAtU1(a), beginningAtU0(*b)).g3()) << run;
+    Poles poles = b->poles();
+    poles(3L * (b->degreeV() + 1) + whole(0, b->degreeV(), random), 2) += 1e-5;  // of 10 mm
+    const JoinCondition found = joinCondition(
+        endingAtU1(a), beginningAtU0(BezierPatch(l, b->degreeV(), poles, b->weights())));
+    EXPECT_TRUE(found.g2()) << run;
+    EXPECT_FALSE(found.g3()) << run << " " << found.curvature_change->relative << " noise "
+                             << found.curvature_change->noise;
+  }
+  EXPECT_GT(tried, 150);
+}
+
 Ribbon backwards(Ribbon ribbon) {
-  for (HomogeneousPoles* part : {&ribbon.position, &ribbon.first, &ribbon.second})
-    *part = part->colwise().reverse().eval();
+  for (HomogeneousPoles* part : ribbon.parts()) *part = part->colwise().reverse().eval();
   return ribbon;
 }
 
@@ -228,6 +256,7 @@ TEST(JoinCondition, Identity3ReversingTheSeamChangesNoVerdict) {
                         turned = joinCondition(backwards(join.a), backwards(other));
     EXPECT_EQ(found.verdict, turned.verdict) << run;
     EXPECT_EQ(found.g2(), turned.g2()) << run;
+    EXPECT_EQ(found.g3(), turned.g3()) << run;
     EXPECT_NEAR(found.tangent_plane.relative, turned.tangent_plane.relative,
                 1e-2 * found.tangent_plane.relative + 1e-13);
   }
@@ -248,6 +277,7 @@ TEST(JoinCondition, Identity3MotionsAndScalesChangeNoVerdict) {
     EXPECT_EQ(found.verdict, moved.verdict) << run;
     EXPECT_EQ(found.parametric_order, moved.parametric_order) << run;
     EXPECT_EQ(found.g2(), moved.g2()) << run;
+    EXPECT_EQ(found.g3(), moved.g3()) << run;
     if (found.singular_at) continue;
     EXPECT_NEAR(found.angle_bound_rad, moved.angle_bound_rad, 1e-2 * found.angle_bound_rad + 1e-9)
         << run;
@@ -397,8 +427,7 @@ TEST(JoinCondition, SizesNearTheEndsOfDoublesChangeNothing) {
       const Join join = randomJoin(run, random);
       const auto weighed = [&](Ribbon ribbon) {
         ribbon = mapped(ribbon, size * Eigen::Matrix3d::Identity(), Eigen::RowVector3d::Zero());
-        for (HomogeneousPoles* part : {&ribbon.position, &ribbon.first, &ribbon.second})
-          *part *= 1 / size;
+        for (HomogeneousPoles* part : ribbon.parts()) *part *= 1 / size;
         return ribbon;
       };
       const JoinCondition found = joinCondition(weighed(join.a), weighed(join.b));

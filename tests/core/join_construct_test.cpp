@@ -116,7 +116,7 @@ TEST(JoinRowsData, RowsOfTrianglesBesideTriangles) {
     const json& input = entry["input"];
     const Ribbon given =
         ribbon(test::triangle(input["T1"]), TriangleEdge::L0, false, Across::OutOf);
-    const JoinRows found = triangleRows(given, ofTriangles(input));
+    const JoinRows found = triangleRows(given, ofTriangles(input), 1);
     EXPECT_EQ(found.degree_across, input["degree0"].get<int>()) << entry["id"];
     EXPECT_LE(relativeError(found.rows[0], test::row(entry["expected"]["row0"])), wanted)
         << entry["id"];
@@ -131,7 +131,7 @@ TEST(JoinRowsData, TriangleFromTriangleInTheSameDegree) {
     const Ribbon given =
         ribbon(test::triangle(input["T1"]), TriangleEdge::L0, false, Across::OutOf);
     const auto build = [&] {
-      return triangleRows(given, ofTriangles(input), input["degree0"].get<int>());
+      return triangleRows(given, ofTriangles(input), 1, input["degree0"].get<int>());
     };
     if (expected["representable"].get<bool>())
       EXPECT_LE(relativeError(build().rows[1], test::row(expected["row1"])), wanted) << entry["id"];
@@ -163,7 +163,7 @@ TEST(JoinRowsData, RowsOfTrianglesBesidePatches) {
     ConnectionFunctions c;
     c.alpha = -function(input["alpha_bar"]);
     c.beta = 1 - function(input["beta_bar"]).array();
-    const JoinRows found = triangleRows(endingAtU1(input["P"]), c);
+    const JoinRows found = triangleRows(endingAtU1(input["P"]), c, 1);
     EXPECT_EQ(found.degree_across, input["tri_degree"].get<int>()) << entry["id"];
     EXPECT_LE(relativeError(found.rows[0], test::row(entry["expected"]["T0"])), wanted)
         << entry["id"];
@@ -203,8 +203,64 @@ double equationDefect(const Ribbon& a, const Ribbon& b, const ConnectionFunction
   const Eigen::Vector4d Y2 = std::pow(f(c.alpha), 2) * P_ss + 2 * f(c.alpha) * f(c.beta) * P_st +
                              std::pow(f(c.beta), 2) * P_tt + f(c.p) * P_s + f(c.q) * P_t;
   const Eigen::Vector4d expected = f(c.e2) * P + 2 * f(c.e1) * Y1 + f(c.e0) * Y2;
-  return std::max(worst, (value(b.second, t) - expected).norm() /
-                             (scale + P_ss.norm() + P_st.norm() + P_tt.norm()));
+  const double scale_2 = scale + P_ss.norm() + P_st.norm() + P_tt.norm();
+  worst = std::max(worst, (value(b.second, t) - expected).norm() / scale_2);
+  if (order < 3) return worst;
+  const Eigen::Vector4d P_sss = value(a.third, t), P_sst = derivativeAt(a.second, t),
+                        P_stt = derivativeAt(differenced(a.first), t),
+                        P_ttt = derivativeAt(differenced(differenced(a.position)), t);
+  const double alpha = f(c.alpha), beta = f(c.beta), p = f(c.p), q = f(c.q);
+  const Eigen::Vector4d Y3 =
+      std::pow(alpha, 3) * P_sss + 3 * alpha * alpha * beta * P_sst +
+      3 * alpha * beta * beta * P_stt + std::pow(beta, 3) * P_ttt +
+      3 * (alpha * p * P_ss + (alpha * q + beta * p) * P_st + beta * q * P_tt) + f(c.h) * P_s +
+      f(c.k) * P_t;
+  const Eigen::Vector4d third = f(c.e3) * P + 3 * f(c.e2) * Y1 + 3 * f(c.e1) * Y2 + f(c.e0) * Y3;
+  return std::max(worst, (value(b.third, t) - third).norm() /
+                             (scale_2 + P_sss.norm() + P_sst.norm() + P_stt.norm() + P_ttt.norm()));
+}
+
+/// The third derivative by u at u = 0 of E(u, t) P(sigma(u, t), tau(u, t)), by differences: P is
+/// continued by its Taylor polynomial across the seam.
+Eigen::Vector4d thirdByDifferences(const Ribbon& a, const ConnectionFunctions& c, double t) {
+  const auto f = [t](const Eigen::VectorXd& g) { return value(g, t); };
+  const auto at = [&](double u) -> Eigen::Vector4d {
+    const double s = f(c.alpha) * u + f(c.p) * u * u / 2 + f(c.h) * u * u * u / 6,
+                 tau = t + f(c.beta) * u + f(c.q) * u * u / 2 + f(c.k) * u * u * u / 6,
+                 e = f(c.e0) + f(c.e1) * u + f(c.e2) * u * u / 2 + f(c.e3) * u * u * u / 6;
+    return e * (value(a.position, tau) + s * value(a.first, tau) +
+                s * s / 2 * value(a.second, tau) + s * s * s / 6 * value(a.third, tau));
+  };
+  const auto central = [&](double h) -> Eigen::Vector4d {
+    return (at(2 * h) - 2 * at(h) + 2 * at(-h) - at(-2 * h)) / (2 * h * h * h);
+  };
+  // The error of the difference has even powers of the step, two of which are removed.
+  constexpr double h = 4e-3;
+  const Eigen::Vector4d one = (4 * central(h) - central(2 * h)) / 3,
+                        two = (4 * central(2 * h) - central(4 * h)) / 3;
+  return (16 * one - two) / 15;
+}
+
+TEST(JoinConstruct, TheThirdDerivativeIsThatOfTheReparametrisedSide) {
+  std::mt19937_64 random(testSeed());
+  int count = 0;
+  for (int run = 0; run < 200; ++run) {
+    const BezierPatch patch =
+        gentlePatch(whole(1, 4, random), whole(1, 4, random), run % 3 == 0, random);
+    ConnectionFunctions c =
+        test::randomConnection(whole(0, 1, random), whole(0, 2, random), random);
+    if (run % 3 == 0) c = test::withScaling(c, random);
+    const Ribbon given = test::endingAtU1(patch);
+    const auto next = built([&] { return continuation(given, c, 3, 4); });
+    if (!next) continue;
+    ++count;
+    const Ribbon found = ribbon(*next, PatchEdge::U0, false, Across::Into);
+    for (const double t : {0.2, 0.5, 0.8}) {
+      const Eigen::Vector4d expected = thirdByDifferences(given, c, t);
+      EXPECT_LE((value(found.third, t) - expected).norm(), 1e-5 * (100 + expected.norm())) << run;
+    }
+  }
+  EXPECT_GE(count, 120);
 }
 
 TEST(JoinConstruct, Identity1EquationsHoldForTensorPatches) {
@@ -214,7 +270,7 @@ TEST(JoinConstruct, Identity1EquationsHoldForTensorPatches) {
     const bool rational = run % 3 == 0;
     const BezierPatch patch =
         gentlePatch(whole(1, 7, random), whole(1, 7, random), rational, random);
-    const int order = whole(1, 2, random), k = whole(0, 2, random);
+    const int order = whole(1, 3, random), k = whole(0, 2, random);
     ConnectionFunctions c = test::randomConnection(k, whole(0, k + 1, random), random);
     if (rational) c = test::withScaling(c, random);
     const Ribbon given = ribbon(patch, test::patch_edges[run % 4], run % 8 < 4, Across::OutOf);
@@ -239,11 +295,13 @@ TEST(JoinConstruct, Identity4EquationsHoldForTriangles) {
                                       test::patch_edges[run % 4], run % 2, Across::OutOf)
                              : ribbon(gentleTriangle(n, false, random),
                                       test::triangle_edges[run % 3], run % 2, Across::OutOf);
+    const int order = run % 9 / 3 + 1;
     const Ribbon found =
-        to_tensor ? ribbon(continuation(given, c, 2, 4), PatchEdge::U0, false, Across::Into)
-                  : ribbon(triangleContinuation(given, c), TriangleEdge::L0, false, Across::Into);
+        to_tensor
+            ? ribbon(continuation(given, c, order, 4), PatchEdge::U0, false, Across::Into)
+            : ribbon(triangleContinuation(given, c, order), TriangleEdge::L0, false, Across::Into);
     for (const double t : {0.0, 0.6, 1.0})
-      EXPECT_LE(equationDefect(given, found, c, to_tensor ? 2 : 1, t), 2e-13) << run;
+      EXPECT_LE(equationDefect(given, found, c, order, t), 2e-13) << run << " order " << order;
   }
 }
 
@@ -252,17 +310,19 @@ TEST(JoinConstruct, ContinuationsAreTheirTaylorPolynomials) {
   const ConnectionFunctions c = test::randomConnection(1, 2, random);
   const Ribbon given =
       ribbon(gentlePatch(3, 3, false, random), PatchEdge::V1, false, Across::OutOf);
-  const BezierPatch next = continuation(given, c, 2, 5);
+  const BezierPatch next = continuation(given, c, 3, 5);
   const Ribbon seam = ribbon(next, PatchEdge::U0, false, Across::Into);
-  const BezierTriangle triangle = triangleContinuation(given, c);
+  const BezierTriangle triangle = triangleContinuation(given, c, 2);
   const Ribbon edge = ribbon(triangle, TriangleEdge::L0, false, Across::Into);
   for (const double t : {0.1, 0.7}) {
     const double s = 0.25;
-    const Eigen::Vector4d taylor =
-        value(seam.position, t) + s * value(seam.first, t) + s * s / 2 * value(seam.second, t);
+    const Eigen::Vector4d taylor = value(seam.position, t) + s * value(seam.first, t) +
+                                   s * s / 2 * value(seam.second, t) +
+                                   s * s * s / 6 * value(seam.third, t);
     EXPECT_LE((next.point(s, t) - taylor.head<3>()).norm(), 1e-12);
-    const Eigen::Vector4d line = value(edge.position, t) + s * value(edge.first, t);
-    EXPECT_LE((triangle.point(s, 1 - s - t) - line.head<3>()).norm(), 1e-12);
+    const Eigen::Vector4d parabola =
+        value(edge.position, t) + s * value(edge.first, t) + s * s / 2 * value(edge.second, t);
+    EXPECT_LE((triangle.point(s, 1 - s - t) - parabola.head<3>()).norm(), 1e-12);
   }
 }
 
@@ -270,11 +330,12 @@ TEST(JoinConstruct, Identity3OnesAndZerosContinueParametrically) {
   std::mt19937_64 random(testSeed());
   const BezierPatch patch = gentlePatch(4, 3, false, random);
   const BezierPatch next =
-      continuation(ribbon(patch, PatchEdge::U1, false, Across::OutOf), {}, 2, 4);
+      continuation(ribbon(patch, PatchEdge::U1, false, Across::OutOf), {}, 3, 4);
   for (const double t : {0.0, 0.4, 1.0}) {
     const SurfaceJet a = patch.jet(1, t), b = next.jet(0, t);
-    for (const auto part : {&SurfaceJet::p, &SurfaceJet::u, &SurfaceJet::v, &SurfaceJet::uu,
-                            &SurfaceJet::uv, &SurfaceJet::vv})
+    for (const auto part :
+         {&SurfaceJet::p, &SurfaceJet::u, &SurfaceJet::v, &SurfaceJet::uu, &SurfaceJet::uv,
+          &SurfaceJet::vv, &SurfaceJet::uuu, &SurfaceJet::uuv, &SurfaceJet::uvv, &SurfaceJet::vvv})
       EXPECT_LE((a.*part - b.*part).norm(), 1e-11);
   }
   EXPECT_FALSE(next.isRational());
@@ -296,9 +357,19 @@ TEST(JoinConstruct, DegreesAreThoseOfTheTable) {
   EXPECT_EQ(along(tensorRows(tensor, functions(2, 3), 2, 3)), 8);
   EXPECT_EQ(along(tensorRows(triangle, functions(0, 1), 1, 3)), 4);
   EXPECT_EQ(along(tensorRows(triangle, functions(1, 1), 1, 3)), 4);  // no raise from a triangle
-  EXPECT_EQ(along(triangleRows(triangle, functions(0, 0))), 4);
-  EXPECT_EQ(along(triangleRows(triangle, functions(1, 1))), 5);
-  EXPECT_EQ(along(triangleRows(tensor, functions(0, 0))), 5);
+  EXPECT_EQ(along(tensorRows(tensor, functions(0, 1), 3, 3)), 4);
+  EXPECT_EQ(along(tensorRows(tensor, functions(1, 2), 3, 3)), 7);
+  EXPECT_EQ(along(triangleRows(triangle, functions(0, 0), 1)), 4);
+  EXPECT_EQ(along(triangleRows(triangle, functions(1, 1), 1)), 5);
+  EXPECT_EQ(along(triangleRows(triangle, functions(0, 0), 2)), 5);
+  EXPECT_EQ(along(triangleRows(triangle, functions(0, 0), 3)), 6);
+  EXPECT_EQ(along(triangleRows(tensor, functions(0, 0), 1)), 5);
+  EXPECT_EQ(along(triangleRows(tensor, functions(0, 1), 2)), 6);
+  EXPECT_EQ(along(triangleRows(tensor, functions(0, 1), 3)), 7);
+  ConnectionFunctions straight;
+  straight.alpha = Eigen::VectorXd::Constant(1, 0.8);
+  straight.beta = Eigen::VectorXd::Constant(1, 0.3);
+  for (const int order : {1, 2, 3}) EXPECT_EQ(along(triangleRows(triangle, straight, order)), 4);
   ConnectionFunctions same = functions(0, 1);
   same.alpha = Eigen::Vector2d(1.25, 1.25);
   EXPECT_EQ(along(tensorRows(tensor, same, 1, 3)), 4);
@@ -339,7 +410,7 @@ TEST(JoinConstruct, ReplacedRowsOfATriangleLeaveTheOthers) {
         ribbon(gentleTriangle(3, false, random), TriangleEdge::L1, false, Across::OutOf);
     const BezierTriangle before = gentleTriangle(4, false, random);
     const ConnectionFunctions c = test::randomConnection(1, 1, random);
-    const BezierTriangle after = withRows(before, edge, reversed, triangleRows(given, c));
+    const BezierTriangle after = withRows(before, edge, reversed, triangleRows(given, c, 1));
     EXPECT_LE(equationDefect(given, ribbon(after, edge, reversed, Across::Into), c, 1, 0.4), 1e-13);
     for (int r = 2; r <= 4; ++r)
       for (int k = 0; k <= 4 - r; ++k) {
@@ -356,8 +427,8 @@ TEST(JoinConstruct, RowsAreRaisedOrRaiseThePatch) {
   const JoinRows rows = tensorRows(given, {}, 1, 3);
   EXPECT_EQ(withRows(gentlePatch(3, 5, false, random), PatchEdge::U0, false, rows).degreeV(), 5);
   EXPECT_EQ(withRows(gentlePatch(3, 2, false, random), PatchEdge::U0, false, rows).degreeV(), 3);
-  const BezierTriangle raised =
-      withRows(gentleTriangle(2, false, random), TriangleEdge::L1, true, triangleRows(given, {}));
+  const BezierTriangle raised = withRows(gentleTriangle(2, false, random), TriangleEdge::L1, true,
+                                         triangleRows(given, {}, 1));
   EXPECT_EQ(raised.degree(), 4);
   EXPECT_LE(equationDefect(given, ribbon(raised, TriangleEdge::L1, true, Across::Into), {}, 1, 0.3),
             1e-13);
@@ -411,13 +482,13 @@ TEST(JoinConstruct, RefusesBadConnectionsAndDegrees) {
               HasSubstr("beta has degree 199"));
   EXPECT_THAT(refused(with(&ConnectionFunctions::gamma, Eigen::Vector2d(1, 2))),
               HasSubstr("gamma is not 1"));
-  EXPECT_THAT(refused({}, 3), HasSubstr("order 3"));
+  EXPECT_THAT(refused({}, 4), HasSubstr("order 4"));
   EXPECT_THAT(refused({}, 0), HasSubstr("order 0"));
   EXPECT_THAT(refused({}, 2, 1), HasSubstr("order 2 needs a degree across of at least as much: 1"));
   EXPECT_THAT(refused({}, 1, 3, 2), HasSubstr("cannot be written in degree 2"));
   EXPECT_THAT(refused({}, 1, 3, 100000), HasSubstr("degree 100000"));
   EXPECT_THAT(refused({}, 1, 3, -1), HasSubstr("degree -1"));
-  EXPECT_THAT(refusal([&] { triangleRows(given, {}, 3); }),
+  EXPECT_THAT(refusal([&] { triangleRows(given, {}, 1, 3); }),
               HasSubstr("Q_s has degree 3 and cannot be written in degree 2"));
   EXPECT_THAT(refusal([&] {
                 withRows(gentlePatch(2, 3, false, random), PatchEdge::U0, false,
@@ -426,7 +497,7 @@ TEST(JoinConstruct, RefusesBadConnectionsAndDegrees) {
               HasSubstr("the patch has degree 2"));
   EXPECT_THAT(refusal([&] {
                 withRows(gentleTriangle(5, false, random), TriangleEdge::L0, false,
-                         triangleRows(given, {}));
+                         triangleRows(given, {}, 1));
               }),
               HasSubstr("rows for a triangle of degree 4"));
   Ribbon broken = given;

@@ -64,7 +64,7 @@ inline Eigen::VectorXd randomFunction(int degree, double low, double high,
   return f;
 }
 
-/// alpha, p of one degree, beta, q of another.
+/// alpha, p, h of one degree, beta, q, k of another.
 inline ConnectionFunctions randomConnection(int alpha_degree, int beta_degree,
                                             std::mt19937_64& random) {
   ConnectionFunctions c;
@@ -72,6 +72,8 @@ inline ConnectionFunctions randomConnection(int alpha_degree, int beta_degree,
   c.beta = randomFunction(beta_degree, -0.4, 0.4, random);
   c.p = randomFunction(alpha_degree, -1, 1, random);
   c.q = randomFunction(beta_degree, -1, 1, random);
+  c.h = randomFunction(alpha_degree, -1, 1, random);
+  c.k = randomFunction(beta_degree, -1, 1, random);
   return c;
 }
 
@@ -157,6 +159,7 @@ inline ConnectionFunctions withScaling(ConnectionFunctions c, std::mt19937_64& r
   c.e0 = randomFunction(whole(0, 1, random), 0.8, 1.25, random);
   c.e1 = randomFunction(0, -0.1, 0.1, random);
   c.e2 = randomFunction(0, -0.1, 0.1, random);
+  c.e3 = randomFunction(0, -0.1, 0.1, random);
   return c;
 }
 
@@ -167,10 +170,11 @@ inline Join randomJoin(int run, std::mt19937_64& random) {
     const bool rational = run % 4 == 3, from_triangle = run % 3 == 0, to_triangle = run % 5 == 0;
     const int n = whole(1, 7, random), k = whole(0, 2, random);
     Join join;
-    join.order = to_triangle ? 1 : whole(1, 2, random);
+    join.order = whole(1, 3, random);
     join.connection = randomConnection(k, whole(0, k + 1, random), random);
     if (rational) join.connection = withScaling(join.connection, random);
-    if (rational && to_triangle) join.connection.e1 = Eigen::VectorXd::Zero(1);
+    if (rational && to_triangle)
+      join.connection.e1 = join.connection.e2 = join.connection.e3 = Eigen::VectorXd::Zero(1);
     const bool reversed = run % 2 == 0;
     join.a = from_triangle ? ribbon(gentleTriangle(n, rational, random), triangle_edges[run % 3],
                                     reversed, Across::OutOf)
@@ -178,8 +182,8 @@ inline Join randomJoin(int run, std::mt19937_64& random) {
                                     patch_edges[run % 4], reversed, Across::OutOf);
     try {
       if (to_triangle)
-        join.b = ribbon(triangleContinuation(join.a, join.connection), TriangleEdge::L0, false,
-                        Across::Into);
+        join.b = ribbon(triangleContinuation(join.a, join.connection, join.order), TriangleEdge::L0,
+                        false, Across::Into);
       else
         join.b = beginningAtU0(
             continuation(join.a, join.connection, join.order, whole(join.order, 6, random)));
@@ -192,7 +196,7 @@ inline Join randomJoin(int run, std::mt19937_64& random) {
 
 inline Ribbon mapped(Ribbon ribbon, const Eigen::Matrix3d& linear,
                      const Eigen::RowVector3d& translation) {
-  for (HomogeneousPoles* part : {&ribbon.position, &ribbon.first, &ribbon.second})
+  for (HomogeneousPoles* part : ribbon.parts())
     part->leftCols<3>() =
         (part->leftCols<3>() * linear.transpose() + part->col(3) * translation).eval();
   return ribbon;

@@ -13,17 +13,18 @@ using test::gentleTriangle;
 using test::value;
 
 struct Cross {
-  Eigen::Vector3d position, first, second;
+  Eigen::Vector3d position, first, second, third;
 };
 
 /// Position and derivatives of the surface that a ribbon stands for, by the quotient rule.
 Cross at(const Ribbon& ribbon, double t) {
   const Eigen::Vector4d h = value(ribbon.position, t), h1 = value(ribbon.first, t),
-                        h2 = value(ribbon.second, t);
+                        h2 = value(ribbon.second, t), h3 = value(ribbon.third, t);
   Cross x;
   x.position = h.head<3>() / h(3);
   x.first = (h1.head<3>() - h1(3) * x.position) / h(3);
   x.second = (h2.head<3>() - 2 * h1(3) * x.first - h2(3) * x.position) / h(3);
+  x.third = (h3.head<3>() - 3 * h1(3) * x.second - 3 * h2(3) * x.first - h3(3) * x.position) / h(3);
   return x;
 }
 
@@ -46,6 +47,7 @@ TEST(Ribbon, Identity1And3TakesTheDerivativesOfAPatch) {
         expectNear(x.position, jet.p);
         expectNear(x.first, (at_end ? -1 : 1) * (along_u ? jet.v : jet.u));
         expectNear(x.second, along_u ? jet.vv : jet.uu);
+        expectNear(x.third, (at_end ? -1 : 1) * (along_u ? jet.vvv : jet.uuu));
         EXPECT_EQ(into.degree_across, along_u ? patch.degreeV() : patch.degreeU());
       }
   }
@@ -84,6 +86,7 @@ TEST(Ribbon, Identity2OutOfRunsTheOtherWay) {
     EXPECT_EQ(into.position, out.position);
     EXPECT_EQ(into.first, -out.first);
     EXPECT_EQ(into.second, out.second);
+    EXPECT_EQ(into.third, -out.third);
   };
   expectOpposite(ribbon(patch, PatchEdge::V1, true, Across::Into),
                  ribbon(patch, PatchEdge::V1, true, Across::OutOf));
@@ -99,11 +102,17 @@ TEST(Ribbon, DegreesAreThoseOfTheContract) {
     EXPECT_EQ(r.position.rows(), n + 1);
     EXPECT_EQ(r.first.rows(), n);
     EXPECT_EQ(r.second.rows(), std::max(n - 2, 0) + 1);
+    EXPECT_EQ(r.third.rows(), std::max(n - 3, 0) + 1);
   }
   EXPECT_TRUE(ribbon(gentlePatch(1, 3, false, random), PatchEdge::U0, false, Across::Into)
                   .second.isZero(0));
   EXPECT_TRUE(ribbon(gentleTriangle(1, false, random), TriangleEdge::L0, false, Across::Into)
                   .second.isZero(0));
+  EXPECT_TRUE(
+      ribbon(gentlePatch(2, 3, false, random), PatchEdge::V1, false, Across::Into).degree_across ==
+      3);
+  EXPECT_TRUE(
+      ribbon(gentlePatch(2, 3, false, random), PatchEdge::U1, false, Across::Into).third.isZero(0));
   EXPECT_THROW(
       ribbon(BezierTriangle(Poles(Poles::Ones(1, 3))), TriangleEdge::L0, false, Across::Into),
       std::invalid_argument);

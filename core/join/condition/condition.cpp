@@ -3,6 +3,7 @@
 #include <numbers>
 #include <seamwright/core/join/checked_connection.hpp>
 #include <seamwright/core/join/condition/condition.hpp>
+#include <seamwright/core/join/condition/point_derivatives.hpp>
 #include <seamwright/core/join/normalized.hpp>
 #include <seamwright/core/numeric.hpp>
 
@@ -10,80 +11,9 @@ namespace seamwright {
 
 namespace {
 
-using rows::derivative;
 using rows::Field;
 using rows::Sum;
 using rows::times;
-
-/// Bound of all roundings in a product of fields: the noise is this times machine_epsilon for each
-/// factor.
-constexpr double factor_roundings = 64;
-
-/// A vector-valued polynomial, and a bound of the error of a coefficient.
-template <int Size>
-struct Rounded {
-  Field<Size> field;
-  double noise = 0;
-
-  double size() const { return rows::size(field); }
-};
-
-Field<3> space(const HomogeneousPoles& part) {
-  return part.leftCols<3>();
-}
-Eigen::VectorXd weight(const HomogeneousPoles& part) {
-  return rows::trimmed(part.col(3));
-}
-
-/// The derivatives of the points of a side, each multiplied by the power of the weight that makes
-/// it a polynomial.
-struct Derivatives {
-  Eigen::VectorXd w;
-  Rounded<3> p;           ///< times w
-  Rounded<3> s, t;        ///< times w^2
-  Rounded<3> ss, st, tt;  ///< times w^3
-};
-
-/// w A_i - w_i A, which is w^2 X_i.
-Field<3> firstOf(const HomogeneousPoles& h, const HomogeneousPoles& h_i) {
-  return Sum<3>().add(weight(h), space(h_i)).add(-weight(h_i), space(h)).total();
-}
-
-/// w^2 A_ij - w_i (w^2 X_j) - w_j (w^2 X_i) - w w_ij A, which is w^3 X_ij.
-Field<3> secondOf(const HomogeneousPoles& h, const HomogeneousPoles& h_i,
-                  const HomogeneousPoles& h_j, const HomogeneousPoles& h_ij) {
-  const Eigen::VectorXd w = weight(h);
-  return Sum<3>()
-      .add(times(w, w), space(h_ij))
-      .add(-weight(h_i), firstOf(h, h_j))
-      .add(-weight(h_j), firstOf(h, h_i))
-      .add(-times(w, weight(h_ij)), space(h))
-      .total();
-}
-
-Derivatives derivativesOf(const Ribbon& ribbon, double rounding) {
-  const HomogeneousPoles &h = ribbon.position, &s = ribbon.first, &ss = ribbon.second;
-  const HomogeneousPoles t = derivative<4>(h), st = derivative<4>(s), tt = derivative<4>(t);
-  const double weights = h.col(3).maxCoeff();
-  const double m = std::max(ribbon.degree_across, 1), n = std::max(ribbon.degree(), 1);
-  const double unit = 16 * rounding * std::max(1.0, std::pow(weights, 3));
-  Derivatives d;
-  d.w = weight(h);
-  d.p = {space(h), unit};
-  d.s = {firstOf(h, s), unit * m};
-  d.t = {firstOf(h, t), unit * n};
-  d.ss = {secondOf(h, s, s, ss), unit * 4 * m * m};
-  d.st = {secondOf(h, s, t, st), unit * 4 * m * n};
-  d.tt = {secondOf(h, t, t, tt), unit * 4 * n * n};
-  return d;
-}
-
-/// Noise relative to size; at least that of computing with it.
-template <int Size>
-double relativeNoise(const Rounded<Size>& x) {
-  const double size = x.size();
-  return factor_roundings * machine_epsilon + (size > 0 ? x.noise / size : 0);
-}
 
 /// A condition in the units of NormalizedPair.
 struct Polynomials {
@@ -118,14 +48,14 @@ JoinResidual residual(const Polynomials& condition, double unit, std::optional<d
 
 /// f A - g B = 0 of vector-valued polynomials A, B, relative to the size of its larger term.
 /// \param usual_size that of A and B where they do not happen to be small; 0: none is known.
-JoinResidual agreement(const Eigen::VectorXd& f, const Rounded<3>& a, const Eigen::VectorXd& g,
-                       const Rounded<3>& b, double usual_size, double length,
+JoinResidual agreement(const Eigen::VectorXd& f, const RoundedField<3>& a, const Eigen::VectorXd& g,
+                       const RoundedField<3>& b, double usual_size, double length,
                        std::optional<double> tolerance) {
   const Field<3> difference = Sum<3>().add(f, b.field).add(-g, a.field).total();
   const double size_f = f.cwiseAbs().maxCoeff(), size_g = g.cwiseAbs().maxCoeff();
   const double scale = std::max(size_f * b.size(), size_g * a.size());
   const double noise =
-      size_f * b.noise + size_g * a.noise + factor_roundings * machine_epsilon * scale;
+      size_f * b.noise + size_g * a.noise + field_roundings * machine_epsilon * scale;
   return residual({.coefficients = difference.rowwise().norm(),
                    .scale = scale,
                    .noise = noise,
@@ -160,13 +90,13 @@ double largestQuotient(const Field<3>& field, double noise, const Eigen::VectorX
 std::optional<double> notPositive(const Eigen::VectorXd& polynomial, double size,
                                   double noise = 0) {
   return rows::notPositiveAt(BernsteinPolynomial(
-      polynomial / size, std::clamp(noise, factor_roundings * machine_epsilon, 2.0)));
+      polynomial / size, std::clamp(noise, field_roundings * machine_epsilon, 2.0)));
 }
 
 /// The polynomials that judge a join of tangent planes.
 class TangentPlanes {
  public:
-  TangentPlanes(const NormalizedPair& pair, const Derivatives& a, const Derivatives& b)
+  TangentPlanes(const NormalizedPair& pair, const PointDerivatives& a, const PointDerivatives& b)
       : pair_(pair), a_(a), b_(b) {
     normal_a_ = rows::cross(a.s.field, a.t.field);
     normal_b_ = rows::cross(b.s.field, b.t.field);
@@ -221,11 +151,11 @@ class TangentPlanes {
 
   JoinResidual rationalCondition(std::optional<double> tolerance) const {
     const Eigen::Index n = pair_.a.position.rows() - 1;
-    const Rounded<4> first{pair_.a.position.topRows(n), 16 * pair_.rounding};
-    const Rounded<4> along{pair_.a.position.bottomRows(n) - pair_.a.position.topRows(n),
-                           16 * pair_.rounding};
-    const Rounded<4> out{pair_.a.first, 16 * pair_.rounding * pair_.a.degree_across};
-    const Rounded<4> into{pair_.b.first, 16 * pair_.rounding * pair_.b.degree_across};
+    const RoundedField<4> first{pair_.a.position.topRows(n), 16 * pair_.rounding};
+    const RoundedField<4> along{pair_.a.position.bottomRows(n) - pair_.a.position.topRows(n),
+                                16 * pair_.rounding};
+    const RoundedField<4> out{pair_.a.first, 16 * pair_.rounding * pair_.a.degree_across};
+    const RoundedField<4> into{pair_.b.first, 16 * pair_.rounding * pair_.b.degree_across};
     const double scale = first.size() * along.size() * out.size() * into.size();
     const double noise = scale * (relativeNoise(first) + relativeNoise(along) + relativeNoise(out) +
                                   relativeNoise(into));
@@ -235,28 +165,62 @@ class TangentPlanes {
   }
 
   const NormalizedPair& pair_;
-  const Derivatives &a_, &b_;
+  const PointDerivatives &a_, &b_;
   Field<3> normal_a_, normal_b_;
   Eigen::VectorXd product_;
 };
 
-/// A sum of terms factor (normal.field), with their sizes and bounds of their rounding.
+/// A scalar polynomial, and its error relative to its size.
+struct Factor {
+  Eigen::VectorXd value;
+  double relative = 0;
+
+  double size() const { return value.cwiseAbs().maxCoeff(); }
+};
+
+Factor operator*(const Factor& f, const Factor& g) {
+  return {times(f.value, g.value), f.relative + g.relative};
+}
+
+Factor power(const Factor& f, int exponent) {
+  Factor result = f;
+  for (int k = 1; k < exponent; ++k) result = result * f;
+  return result;
+}
+
+/// A sum of terms count times factor times vector, with its error.
+class RoundedSum {
+ public:
+  RoundedSum& add(double count, const Factor& factor, const RoundedField<3>& x) {
+    if (rows::isZero(factor.value)) return *this;
+    sum_.add(count * factor.value, x.field);
+    noise_ += std::abs(count) * factor.size() *
+              (x.noise + x.size() * (factor.relative + field_roundings * machine_epsilon));
+    return *this;
+  }
+  RoundedField<3> total() const { return {sum_.total(), noise_}; }
+
+ private:
+  Sum<3> sum_;
+  double noise_ = 0;
+};
+
+/// A sum of terms count times factor (normal.field), with their sizes and bounds of their rounding.
 class NormalSum {
  public:
-  explicit NormalSum(const Field<3>& normal, double normal_noise)
+  NormalSum(const Field<3>& normal, double normal_noise)
       : normal_(normal), normal_noise_(normal_noise) {}
 
   /// \param first the first derivative that x is one of.
-  NormalSum& add(const Eigen::VectorXd& factor, double factor_noise, const Rounded<3>& x,
-                 const Rounded<3>& first) {
-    if (rows::isZero(factor)) return *this;
-    const double weight = factor.cwiseAbs().maxCoeff() * rows::size(normal_);
+  NormalSum& add(double count, const Factor& factor, const RoundedField<3>& x,
+                 const RoundedField<3>& first) {
+    if (rows::isZero(factor.value)) return *this;
+    const double weight = std::abs(count) * factor.size() * rows::size(normal_);
     scale_ += weight * x.size();
     ordinary_ += weight * first.size();
-    noise_ +=
-        weight *
-        (x.noise + x.size() * (factor_noise + normal_noise_ + factor_roundings * machine_epsilon));
-    sum_.add(factor, rows::dot<3>(normal_, x.field));
+    noise_ += weight * (x.noise + x.size() * (factor.relative + normal_noise_ +
+                                              field_roundings * machine_epsilon));
+    sum_.add(count * factor.value, rows::dot<3>(normal_, x.field));
     return *this;
   }
 
@@ -272,53 +236,121 @@ class NormalSum {
   double scale_ = 0, noise_ = 0, ordinary_ = 0;
 };
 
-/// With the weights: alpha = A w_P^2 / (w_Q^2 mu), N.X_ij w^3 = h_ij, so that
-/// mu^2 w_Q h^Q_ss - w_P (A^2 h_ss + 2 A B h_st + B^2 h_tt) = 0.
-JoinResidual curvatureCondition(const Derivatives& a, const Derivatives& b, const Field<3>& normal,
-                                double length, std::optional<double> tolerance) {
-  const Eigen::VectorXd mu = rows::dot<3>(normal, normal);
-  const Eigen::VectorXd A = rows::dot<3>(rows::cross(b.s.field, a.t.field), normal);
-  const Eigen::VectorXd B = rows::dot<3>(rows::cross(a.s.field, b.s.field), normal);
+/// The reparametrisation of a that b is compared with, up to common factors: the conditions are
+///   N_P.(lead Q_ss - second (alpha^2 P_ss + 2 alpha beta P_st + beta^2 P_tt)) = 0
+///   N_P.(lead Q_sss - third (alpha^3 P_sss + 3 alpha^2 beta P_sst + 3 alpha beta^2 P_stt + beta^3
+///        P_ttt) - 3 second (alpha p P_ss + (alpha q + beta p) P_st + beta q P_tt)) = 0.
+struct Reparametrisation {
+  Factor alpha, beta, p, q;
+  struct {
+    Factor lead, second;
+  } curvature;
+  struct {
+    Factor lead, second, third;
+  } change;
+  double curvature_unit = 1, change_unit = 1;  ///< lengths of the coefficients
+};
+
+/// Of a given connection, which counts as exact.
+Reparametrisation reparametrisation(const PointDerivatives& a, const PointDerivatives& b,
+                                    const ConnectionFunctions& c, double length) {
+  const Factor of_a{a.w}, of_b{b.w};
+  return {
+      .alpha = {c.alpha},
+      .beta = {c.beta},
+      .p = {c.p},
+      .q = {c.q},
+      .curvature = {.lead = power(of_a, 3), .second = power(of_b, 3)},
+      .change = {.lead = power(of_a, 4), .second = power(of_b, 4) * of_a, .third = power(of_b, 4)},
+      .curvature_unit = std::pow(length, 3),
+      .change_unit = std::pow(length, 3)};
+}
+
+/// The relative error of a polynomial that may be small against the fields it is made of.
+/// \param noise relative to these, \p size.
+Factor cancelled(const Eigen::VectorXd& value, double noise, double size) {
+  const double largest = value.cwiseAbs().maxCoeff();
+  return {value, largest > 0 ? noise * size / largest : 0};
+}
+
+/// From the ribbons. With the weights: alpha = A w_P^2 / (w_Q^2 mu), N.X_ij w^3 = h_ij, so that
+/// mu^2 w_Q h^Q_ss - w_P (A^2 h_ss + 2 A B h_st + B^2 h_tt) = 0. Its vector R instead of h gives p
+/// = C w_P^2 / (w_Q^4 mu^3).
+Reparametrisation reparametrisation(const PointDerivatives& a, const PointDerivatives& b,
+                                    const Field<3>& normal, double length) {
   const double of_normal = relativeNoise(a.s) + relativeNoise(a.t);
   const double of_all = of_normal + relativeNoise(b.s);
-  // B may be small relative to the fields it is made of, so its relative error may be larger.
-  const double size_B = a.s.size() * b.s.size() * rows::size(normal),
-               largest_B = B.cwiseAbs().maxCoeff();
-  const double of_B = largest_B > 0 ? of_all * size_B / largest_B : 0;
-  NormalSum sum(normal, of_normal);
-  sum.add(times(times(mu, mu), b.w), 4 * of_normal, b.ss, b.s)
-      .add(-times(times(A, A), a.w), 2 * of_all, a.ss, a.s)
-      .add(-2 * times(times(A, B), a.w), of_all + of_B, a.st, a.s)
-      .add(-times(times(B, B), a.w), 2 * of_B, a.tt, a.t);
-  return sum.result(std::pow(length, 11), tolerance);
+  const Factor of_a{a.w}, of_b{b.w}, mu{rows::dot<3>(normal, normal), 2 * of_normal};
+  Reparametrisation r;
+  r.alpha = {rows::dot<3>(rows::cross(b.s.field, a.t.field), normal), of_all};
+  r.beta = cancelled(rows::dot<3>(rows::cross(a.s.field, b.s.field), normal), of_all,
+                     a.s.size() * b.s.size() * rows::size(normal));
+  r.curvature = {.lead = power(mu, 2) * of_b, .second = of_a};
+  r.change = {.lead = power(mu, 4) * power(of_b, 2), .second = of_a, .third = mu * power(of_a, 2)};
+  r.curvature_unit = std::pow(length, 11);
+  r.change_unit = std::pow(length, 19);
+  const RoundedField<3> rest = RoundedSum()
+                                   .add(1, r.curvature.lead, b.ss)
+                                   .add(-1, r.alpha * r.alpha * r.curvature.second, a.ss)
+                                   .add(-2, r.alpha * r.beta * r.curvature.second, a.st)
+                                   .add(-1, r.beta * r.beta * r.curvature.second, a.tt)
+                                   .total();
+  const double size = rest.size() * rows::size(normal),
+               noise = 2 * of_normal + (rest.size() > 0 ? rest.noise / rest.size() : 0);
+  r.p =
+      cancelled(rows::dot<3>(rows::cross(rest.field, a.t.field), normal), noise, size * a.t.size());
+  r.q =
+      cancelled(rows::dot<3>(rows::cross(a.s.field, rest.field), normal), noise, size * a.s.size());
+  return r;
 }
 
-Eigen::VectorXd cube(const Eigen::VectorXd& w) {
-  return times(w, times(w, w));
-}
-
-JoinResidual curvatureCondition(const Derivatives& a, const Derivatives& b, const Field<3>& normal,
-                                double length, const ConnectionFunctions& c,
+JoinResidual curvatureCondition(const PointDerivatives& a, const PointDerivatives& b,
+                                const Field<3>& normal, const Reparametrisation& r,
                                 std::optional<double> tolerance) {
-  const Eigen::VectorXd w = cube(b.w), &alpha = c.alpha, &beta = c.beta;
-  const double of_normal = relativeNoise(a.s) + relativeNoise(a.t);
-  NormalSum sum(normal, of_normal);
-  sum.add(cube(a.w), 0, b.ss, b.s)
-      .add(-times(w, times(alpha, alpha)), 0, a.ss, a.s)
-      .add(-2 * times(w, times(alpha, beta)), 0, a.st, a.s)
-      .add(-times(w, times(beta, beta)), 0, a.tt, a.t);
-  return sum.result(std::pow(length, 3), tolerance);
+  const Factor& second = r.curvature.second;
+  return NormalSum(normal, relativeNoise(a.s) + relativeNoise(a.t))
+      .add(1, r.curvature.lead, b.ss, b.s)
+      .add(-1, second * r.alpha * r.alpha, a.ss, a.s)
+      .add(-2, second * r.alpha * r.beta, a.st, a.s)
+      .add(-1, second * r.beta * r.beta, a.tt, a.t)
+      .result(r.curvature_unit, tolerance);
 }
 
-void judgeParametric(const Derivatives& a, const Derivatives& b, double length,
+JoinResidual curvatureChangeCondition(const PointDerivatives& a, const PointDerivatives& b,
+                                      const Field<3>& normal, const Reparametrisation& r,
+                                      std::optional<double> tolerance) {
+  const Factor &second = r.change.second, &third = r.change.third;
+  return NormalSum(normal, relativeNoise(a.s) + relativeNoise(a.t))
+      .add(1, r.change.lead, b.sss, b.s)
+      .add(-1, third * power(r.alpha, 3), a.sss, a.s)
+      .add(-3, third * power(r.alpha, 2) * r.beta, a.sst, a.s)
+      .add(-3, third * r.alpha * power(r.beta, 2), a.stt, a.s)
+      .add(-1, third * power(r.beta, 3), a.ttt, a.t)
+      .add(-3, second * r.alpha * r.p, a.ss, a.s)
+      .add(-3, second * r.alpha * r.q, a.st, a.s)
+      .add(-3, second * r.beta * r.p, a.st, a.s)
+      .add(-3, second * r.beta * r.q, a.tt, a.t)
+      .result(r.change_unit, tolerance);
+}
+
+/// Whether the degree of the condition of the change of curvature is one that can be multiplied.
+bool changeCanBeJudged(const NormalizedPair& pair, const PointDerivatives& a,
+                       const PointDerivatives& b) {
+  const int degree = std::max(pair.a.degree(), pair.b.degree());
+  const bool rational = a.w.size() > 1 || b.w.size() > 1;
+  return (rational ? 42 : 19) * degree <= bernstein::kMaxDegree;
+}
+
+void judgeParametric(const PointDerivatives& a, const PointDerivatives& b, double length,
                      std::optional<double> tolerance, JoinCondition& result) {
   const Eigen::VectorXd square_a = times(a.w, a.w), square_b = times(b.w, b.w);
   result.position = agreement(a.w, a.p, b.w, b.p, 1, length, tolerance);
   const double least = lowest(a.w) * lowest(b.w);
   result.gap_bound_mm = result.position.coefficients.maxCoeff() / least;
   result.first = agreement(square_a, a.s, square_b, b.s, 0, length, tolerance);
-  result.second = agreement(cube(a.w), a.ss, cube(b.w), b.ss, std::max(a.s.size(), b.s.size()),
-                            length, tolerance);
+  const Eigen::VectorXd cube_a = times(a.w, square_a), cube_b = times(b.w, square_b);
+  result.second =
+      agreement(cube_a, a.ss, cube_b, b.ss, std::max(a.s.size(), b.s.size()), length, tolerance);
   result.parametric_order = -1;
   for (const JoinResidual* order : {&result.position, &result.first, &result.second}) {
     if (!order->holds) break;
@@ -347,8 +379,8 @@ JoinCondition joinCondition(const Ribbon& a, const Ribbon& b, const JoinConditio
   std::optional<ConnectionFunctions> connection = options.connection;
   if (connection) connection = checked(*connection);
   const NormalizedPair pair(a, b);
-  const Derivatives of_a = derivativesOf(pair.a, pair.rounding),
-                    of_b = derivativesOf(pair.b, pair.rounding);
+  const PointDerivatives of_a = pointDerivativesOf(pair.a, pair.rounding),
+                         of_b = pointDerivativesOf(pair.b, pair.rounding);
   JoinCondition result;
   judgeParametric(of_a, of_b, pair.length, options.tolerance, result);
   const TangentPlanes planes(pair, of_a, of_b);
@@ -364,10 +396,13 @@ JoinCondition joinCondition(const Ribbon& a, const Ribbon& b, const JoinConditio
   if (!result.position.holds || !result.tangent_plane.holds || sense == 0) return result;
   result.verdict = sense > 0 ? JoinVerdict::G1 : JoinVerdict::Fold;
   if (result.verdict != JoinVerdict::G1) return result;
-  result.curvature =
-      connection ? curvatureCondition(of_a, of_b, planes.normal(), pair.length, *connection,
-                                      options.tolerance)
-                 : curvatureCondition(of_a, of_b, planes.normal(), pair.length, options.tolerance);
+  const Reparametrisation of_b_to_a =
+      connection ? reparametrisation(of_a, of_b, *connection, pair.length)
+                 : reparametrisation(of_a, of_b, planes.normal(), pair.length);
+  result.curvature = curvatureCondition(of_a, of_b, planes.normal(), of_b_to_a, options.tolerance);
+  if (result.g2() && changeCanBeJudged(pair, of_a, of_b))
+    result.curvature_change =
+        curvatureChangeCondition(of_a, of_b, planes.normal(), of_b_to_a, options.tolerance);
   return result;
 }
 

@@ -50,13 +50,16 @@ struct JoinCondition {
   /// Parameter at which a side has no tangent plane, or is too near to that to tell.
   std::optional<double> singular_at;
   std::optional<JoinResidual> curvature;  ///< only if the verdict is G1
+  /// The change of curvature across the seam; only if the join is G2 and the degrees allow it.
+  std::optional<JoinResidual> curvature_change;
   bool g2() const { return curvature && curvature->holds; }
+  bool g3() const { return curvature_change && curvature_change->holds; }
 };
 
 struct JoinConditionOptions {
   /// Of relative residuals; nothing: the noise of each one.
   std::optional<double> tolerance = std::nullopt;
-  /// Of b to a, for the curvature condition; nothing: from the ribbons.
+  /// Of b to a, for the conditions of curvature and its change; nothing: from the ribbons.
   std::optional<ConnectionFunctions> connection = std::nullopt;
 };
 
@@ -65,7 +68,7 @@ struct JoinConditionOptions {
 /// of patches and triangles is allowed, polynomial or rational.
 ///
 ///     const JoinCondition join = joinCondition(a, b);
-///     if (join.verdict == JoinVerdict::G1 && join.g2()) ...
+///     if (join.g2()) ...
 ///
 /// G1: det(P_s, P_t, Q_s) = 0 and N_P.N_Q > 0 with N_P = P_s x P_t, N_Q = Q_s x P_t; for rational
 /// sides det(P, P_s, P_t, Q_s) of the homogeneous vectors. The sign of N_P.N_Q is certified by
@@ -77,13 +80,20 @@ struct JoinConditionOptions {
 /// It is necessary and sufficient for rational functions alpha = A / mu and beta = B / mu too. A
 /// given connection is used in place of these, without a check that it is one.
 ///
+/// G3, of a G2 join, with R = mu^2 Q_ss - A^2 P_ss - 2 A B P_st - B^2 P_tt, C = (R x P_t).N_P and D
+/// = (P_s x R).N_P:
+///   N_P.(mu^4 Q_sss - mu (A^3 P_sss + 3 A^2 B P_sst + 3 A B^2 P_stt + B^3 P_ttt)
+///        - 3 (A C P_ss + (A D + B C) P_st + B D P_tt)) = 0.
+/// Its degree is 19 times that of the sides, 42 times if they are rational; it is not judged above
+/// a degree of 800.
+///
 /// The angle is that of P_s x P_t and Q_s x Q_t, each side with its own seam.
 ///
 /// Identities (each has a test of its number):
-///   (1) The verdict of a constructed join is G1, and for order 2 g2() holds too; with alpha < 0
-///       the verdict is Fold.
-///   (2) After a move of one pole of rows 0 or 1 (for g2(): of row 2) by 1e-6 of the patch's size
-///       the join no longer holds.
+///   (1) The verdict of a constructed join is G1, and for order 2 g2() holds too, for order 3 also
+///       g3(); with alpha < 0 the verdict is Fold.
+///   (2) After a move of one pole of rows 0 or 1 (for g2(): of row 2, for g3(): of row 3) by 1e-6
+///       of the patch's size the join no longer holds.
 ///   (3) Rigid motion, scaling and reversal of the seam change no verdict, and residuals only by
 ///       rounding.
 ///   (4) angle_bound_rad is at least the angle of the tangent planes at every t, even if the seams
@@ -92,7 +102,7 @@ struct JoinConditionOptions {
 /// \throws std::invalid_argument for a ribbon with a part that is empty or not finite, a degree
 /// above 30, or weights that are not positive; for a tolerance that is negative or not finite; and
 /// for functions of a given connection that tensorRows() refuses.
-/// Source: docs/theory/surfaces.md S1.2, S1.3, S2.2 to S2.4, S3.2; [DeRose1990]; [Liu1990].
+/// Source: docs/theory/surfaces.md S1.2, S1.3, S2.2 to S2.4, S3.2, S3.4; [DeRose1990]; [Liu1990].
 JoinCondition joinCondition(const Ribbon& a, const Ribbon& b,
                             const JoinConditionOptions& options = {});
 

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
 #include <cmath>
+#include <seamwright/core/join/condition/composition.hpp>
 #include <seamwright/core/join/condition/condition.hpp>
 #include <seamwright/core/join/condition/connection.hpp>
 #include <seamwright/core/join/normalized.hpp>
@@ -13,8 +16,6 @@ namespace {
 
 using bernstein::text;
 using rows::Field;
-using rows::Sum;
-using rows::times;
 
 /// Bound of the relative rounding of a fit: products and sums of some hundred coefficients, and an
 /// orthogonal solution, which adds a few units for each unknown. A choice above all of them: what
@@ -106,8 +107,8 @@ class Recognition {
   }
 
   ConnectionFit run() {
-    const bool found = scale() && tangents() && (options_.order == 1 || curvatures());
-    fit_.found = found;
+    fit_.found = scale() && tangents() && (options_.order < 2 || curvatures()) &&
+                 (options_.order < 3 || curvatureChanges());
     return fit_;
   }
 
@@ -200,48 +201,71 @@ class Recognition {
            std::to_string(last) + " and " + std::to_string(last + 1);
   }
 
+  /// The functions that the derivative of an order above 1 adds.
+  struct Added {
+    int order;
+    Eigen::VectorXd ConnectionFunctions::*out;    ///< factor of P_s
+    Eigen::VectorXd ConnectionFunctions::*along;  ///< factor of P_t
+    Eigen::VectorXd ConnectionFunctions::*scale;  ///< factor of P, of rational sides
+    std::optional<int> out_degree, along_degree;
+    const char* names;
+  };
+
   bool curvatures() {
+    return added({.order = 2,
+                  .out = &ConnectionFunctions::p,
+                  .along = &ConnectionFunctions::q,
+                  .scale = &ConnectionFunctions::e2,
+                  .out_degree = options_.p_degree,
+                  .along_degree = options_.q_degree,
+                  .names = "p and q"});
+  }
+
+  bool curvatureChanges() {
+    return added({.order = 3,
+                  .out = &ConnectionFunctions::h,
+                  .along = &ConnectionFunctions::k,
+                  .scale = &ConnectionFunctions::e3,
+                  .out_degree = options_.h_degree,
+                  .along_degree = options_.k_degree,
+                  .names = "h and k"});
+  }
+
+  bool added(const Added& functions) {
     ConnectionFunctions& c = fit_.connection;
-    const Field<4>&P_s = pair_.a.first, &P_ss = pair_.a.second;
-    const Field<4> first = Sum<4>().add(c.alpha, P_s).add(c.beta, P_t_).total();
-    const Field<4> second = Sum<4>()
-                                .add(times(c.alpha, c.alpha), P_ss)
-                                .add(2 * times(c.alpha, c.beta), rows::derivative<4>(P_s))
-                                .add(times(c.beta, c.beta), rows::derivative<4>(P_t_))
-                                .total();
-    const Field<4> rest = Sum<4>()
-                              .add(Eigen::VectorXd::Ones(1), pair_.b.second)
-                              .add(-2 * c.e1, first)
-                              .add(-c.e0, second)
-                              .total();
+    const auto order = static_cast<std::size_t>(functions.order);
+    const std::vector<Field<4>> composed = composedDerivatives(pair_.a, c, functions.order);
+    const Field<4>&given = *pair_.b.parts()[order], &P_s = pair_.a.first;
+    const Field<4> rest = rows::sum<4>(given, -scaledDerivative(composed, c, functions.order));
     const Field<4> out = rows::product<4>(c.e0, P_s), along = rows::product<4>(c.e0, P_t_);
     const int last = std::max(rows::degree(rest) - rows::degree(out), 0) + 2;
     const double m = std::max({pair_.a.degree_across, pair_.b.degree_across, pair_.a.degree()});
     const double terms =
-        rows::size(pair_.b.second) + rows::size(second) + rows::size(P_s) + rows::size(P_t_);
+        rows::size(given) + rows::size(composed[order]) + rows::size(P_s) + rows::size(P_t_);
     const double size = std::max(rows::size(rest), std::min(rows::size(P_s), rows::size(P_t_)));
-    const double allowed =
-        tolerance(noise_first_ + (64 * m * m * pair_.rounding +
-                                  (fit_roundings * machine_epsilon + noise_first_) * terms) /
-                                     size);
+    const double before = fit_.noise;  // of the functions found so far
+    const double allowed = tolerance(before + (64 * std::pow(m, functions.order) * pair_.rounding +
+                                               (fit_roundings * machine_epsilon + before) * terms) /
+                                                  size);
     const bool found =
-        ascend(options_.p_degree, options_.q_degree, last, allowed, "p and q",
+        ascend(functions.out_degree, functions.along_degree, last, allowed, functions.names,
                [&](int degree, int other, double best) {
                  std::vector<Unknown> unknowns = {{out, degree}, {along, other}};
                  if (!polynomial_)
                    unknowns.push_back({pair_.a.position, degree + rows::degree(c.e0)});
                  FieldFit solution = solve(unknowns, rest, size);
                  if (solution.residual < best) {
-                   c.p = solution.factors[0];
-                   c.q = solution.factors[1];
-                   if (!polynomial_) c.e2 = solution.factors[2];
+                   c.*functions.out = solution.factors[0];
+                   c.*functions.along = solution.factors[1];
+                   if (!polynomial_) c.*functions.scale = solution.factors[2];
                  }
                  return solution;
                });
     if (!found && fit_.note.empty())
-      fit_.note =
-          "the join is G1 with these alpha and beta, but not G2 with p and q of degrees up to " +
-          std::to_string(last) + " and " + std::to_string(last + 1);
+      fit_.note = fmt::format(
+          "the join is G{} with the functions found, but not G{} with {} of degrees up to {} and "
+          "{}",
+          order - 1, order, functions.names, last, last + 1);
     return found;
   }
 
@@ -256,13 +280,16 @@ class Recognition {
 }  // namespace
 
 ConnectionFit fitConnection(const Ribbon& a, const Ribbon& b, const ConnectionFitOptions& options) {
-  if (options.order != 1 && options.order != 2)
-    throw std::invalid_argument("order " + std::to_string(options.order) + ": known are 1 and 2");
+  if (options.order < 1 || options.order > 3)
+    throw std::invalid_argument("order " + std::to_string(options.order) +
+                                ": known are 1, 2 and 3");
   requireTolerance(options.tolerance);
   requireConnectionDegree("alpha", options.alpha_degree);
   requireConnectionDegree("beta", options.beta_degree);
   requireConnectionDegree("p", options.p_degree);
   requireConnectionDegree("q", options.q_degree);
+  requireConnectionDegree("h", options.h_degree);
+  requireConnectionDegree("k", options.k_degree);
   return Recognition(a, b, options).run();
 }
 

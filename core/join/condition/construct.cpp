@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <array>
 #include <seamwright/core/bernstein/polynomial.hpp>
 #include <seamwright/core/bezier/homogeneous.hpp>
 #include <seamwright/core/join/bernstein_rows.hpp>
 #include <seamwright/core/join/checked_connection.hpp>
+#include <seamwright/core/join/condition/composition.hpp>
 #include <seamwright/core/join/condition/construct.hpp>
 #include <stdexcept>
 #include <string>
@@ -14,32 +16,16 @@ namespace {
 using bernstein::text;
 using rows::Field;
 
-void requireRibbon(const Ribbon& given) {
-  for (const HomogeneousPoles* part : {&given.position, &given.first, &given.second})
+/// The derivatives of the other patch by u at the seam, of orders 0 to \p order.
+std::vector<Field<4>> beyond(const Ribbon& given, const ConnectionFunctions& connection,
+                             int order) {
+  for (const HomogeneousPoles* part : given.parts())
     if (part->rows() == 0 || !part->allFinite())
       throw std::invalid_argument("the given ribbon has a part that is empty or not finite");
-}
-
-/// The ribbon of the other patch at the seam, into that patch. Each part has the lowest degree in
-/// which its terms can be written.
-Ribbon beyond(const Ribbon& given, const ConnectionFunctions& c, int order) {
-  requireRibbon(given);
-  const Field<4>&P = given.position, &P_s = given.first, &P_ss = given.second;
-  const Field<4> P_t = rows::derivative<4>(P);
-  const Field<4> first = rows::Sum<4>().add(c.alpha, P_s).add(c.beta, P_t).total();
-  Ribbon result;
-  result.position = rows::product<4>(c.e0, P);
-  result.first = rows::Sum<4>().add(c.e1, P).add(c.e0, first).total();
-  result.second = Field<4>::Zero(1, 4);
-  if (order < 2) return result;
-  const Field<4> second = rows::Sum<4>()
-                              .add(rows::times(c.alpha, c.alpha), P_ss)
-                              .add(2 * rows::times(c.alpha, c.beta), rows::derivative<4>(P_s))
-                              .add(rows::times(c.beta, c.beta), rows::derivative<4>(P_t))
-                              .add(c.p, P_s)
-                              .add(c.q, P_t)
-                              .total();
-  result.second = rows::Sum<4>().add(c.e2, P).add(2 * c.e1, first).add(c.e0, second).total();
+  const ConnectionFunctions c = checked(connection);
+  const std::vector<Field<4>> composed = composedDerivatives(given, c, order);
+  std::vector<Field<4>> result;
+  for (int k = 0; k <= order; ++k) result.push_back(scaledDerivative(composed, c, k));
   return result;
 }
 
@@ -75,34 +61,73 @@ void requireUsable(const JoinRows& rows) {
         throw std::invalid_argument(
             "row " + std::to_string(r) + ", pole " + std::to_string(k) + " has weight " +
             text(weight) + ": it must be positive; " +
-            (r == 0 ? "e0 controls it" : "e1 and, behind row 1, e2 control it"));
+            (r == 0 ? "e0 controls it" : "e1 and, behind row 1, e2 and e3 control it"));
   }
 }
 
-/// Rows 0..count - 1 of the polynomial Q + u Q_u + u^2 Q_uu / 2 in degree l across.
-JoinRows tensorRowsOf(const Ribbon& q, int order, int l, int count, std::optional<int> degree) {
-  requireLowestDegree(l, 1);
-  int along = std::max(rows::degree(q.position), rows::degree(q.first));
-  if (order == 2) along = std::max(along, rows::degree(q.second));
-  requireLowestDegree(along = degree.value_or(along), 0);
-  const double magnitude = rows::size(q.position) + rows::size(q.first) + rows::size(q.second);
-  const Field<4> position = written(q.position, along, magnitude, "Q"),
-                 first = written(q.first, along, magnitude, "Q_s"),
-                 second = written(q.second, along, magnitude, "Q_ss");
-  JoinRows result{{}, l};
-  for (int i = 0; i < count; ++i) {
-    HomogeneousPoles row = position + static_cast<double>(i) / l * first;
-    if (order == 2 && i >= 2)
-      row += static_cast<double>(i * (i - 1)) / (2.0 * l * (l - 1)) * second;
-    result.rows.push_back(std::move(row));
+/// The derivatives, by their order, divided by l (l - 1) ... for the differences of rows that they
+/// are in degree l across. The k-th one is written in degree \p along - shrink k.
+std::vector<HomogeneousPoles> differences(const std::vector<Field<4>>& derivatives, int l,
+                                          int along, int shrink) {
+  static constexpr std::array names = {"Q", "Q_s", "Q_ss", "Q_sss"};
+  double magnitude = 0, factor = 1;
+  for (const Field<4>& derivative : derivatives) magnitude += rows::size(derivative);
+  std::vector<HomogeneousPoles> result;
+  for (std::size_t k = 0; k < derivatives.size(); ++k) {
+    const int order = static_cast<int>(k);
+    result.emplace_back(written(derivatives[k], along - shrink * order, magnitude, names[k]) /
+                        factor);
+    factor *= l - order;
   }
+  return result;
+}
+
+/// Row r with the given differences at the seam: those of an order above theirs are zero.
+HomogeneousPoles rowOf(const std::vector<HomogeneousPoles>& differences, int r,
+                       Eigen::Index poles) {
+  const Eigen::VectorXd& binomials = bernstein::binomials(r);
+  HomogeneousPoles row = differences[0].topRows(poles);
+  for (int k = 1; k <= std::min(r, static_cast<int>(differences.size()) - 1); ++k)
+    row += binomials(k) * differences[static_cast<std::size_t>(k)].topRows(poles);
+  return row;
+}
+
+/// Rows 0..count - 1 of the Taylor polynomial of these derivatives by u, in degree l across.
+JoinRows tensorRowsOf(const std::vector<Field<4>>& derivatives, int l, int count,
+                      std::optional<int> degree) {
+  requireLowestDegree(l, 1);
+  int along = 0;
+  for (const Field<4>& derivative : derivatives) along = std::max(along, rows::degree(derivative));
+  requireLowestDegree(along = degree.value_or(along), 0);
+  const std::vector<HomogeneousPoles> steps = differences(derivatives, l, along, 0);
+  JoinRows result{{}, l};
+  for (int r = 0; r < count; ++r) result.rows.push_back(rowOf(steps, r, along + 1));
   requireUsable(result);
   return result;
 }
 
+/// The same for a triangle of degree \p degree.
+JoinRows triangleRowsOf(const std::vector<Field<4>>& derivatives, std::optional<int> count,
+                        std::optional<int> degree) {
+  int lowest = 1;
+  for (std::size_t k = 0; k < derivatives.size(); ++k)
+    lowest = std::max(lowest, rows::degree(derivatives[k]) + static_cast<int>(k));
+  const int n = degree.value_or(lowest);
+  requireLowestDegree(n, static_cast<int>(derivatives.size()) - 1);
+  const std::vector<HomogeneousPoles> steps = differences(derivatives, n, n, 1);
+  JoinRows result{{}, n};
+  for (int r = 0; r < count.value_or(n + 1); ++r) result.rows.push_back(rowOf(steps, r, n + 1 - r));
+  requireUsable(result);
+  return result;
+}
+
+void requireOrder(int order) {
+  if (order < 1 || order > 3)
+    throw std::invalid_argument("order " + std::to_string(order) + ": known are 1, 2 and 3");
+}
+
 void requireOrder(int order, int degree_across) {
-  if (order != 1 && order != 2)
-    throw std::invalid_argument("order " + std::to_string(order) + ": known are 1 and 2");
+  requireOrder(order);
   if (order > degree_across)
     throw std::invalid_argument(
         "order " + std::to_string(order) +
@@ -143,40 +168,28 @@ std::vector<HomogeneousPoles> rowsOf(const BezierPatch& patch, int degree) {
 JoinRows tensorRows(const Ribbon& given, const ConnectionFunctions& connection, int order,
                     int degree_across, std::optional<int> degree) {
   requireOrder(order, degree_across);
-  return tensorRowsOf(beyond(given, checked(connection), order), order, degree_across, order + 1,
-                      degree);
+  return tensorRowsOf(beyond(given, connection, order), degree_across, order + 1, degree);
 }
 
 BezierPatch continuation(const Ribbon& given, const ConnectionFunctions& connection, int order,
                          int degree_across, std::optional<int> degree) {
   requireOrder(order, degree_across);
-  const Ribbon q = beyond(given, checked(connection), order);
-  return patchOf(tensorRowsOf(q, order, degree_across, degree_across + 1, degree).rows);
+  return patchOf(
+      tensorRowsOf(beyond(given, connection, order), degree_across, degree_across + 1, degree)
+          .rows);
 }
 
-JoinRows triangleRows(const Ribbon& given, const ConnectionFunctions& connection,
+JoinRows triangleRows(const Ribbon& given, const ConnectionFunctions& connection, int order,
                       std::optional<int> degree) {
-  const Ribbon q = beyond(given, checked(connection), 1);
-  const int n = degree.value_or(std::max(rows::degree(q.position), rows::degree(q.first) + 1));
-  requireLowestDegree(n, 1);
-  const double magnitude = rows::size(q.position) + rows::size(q.first);
-  const HomogeneousPoles seam = written(q.position, n, magnitude, "Q");
-  const HomogeneousPoles next = seam.topRows(n) + written(q.first, n - 1, magnitude, "Q_s") / n;
-  JoinRows result{{seam, next}, n};
-  requireUsable(result);
-  return result;
+  requireOrder(order);
+  return triangleRowsOf(beyond(given, connection, order), order + 1, degree);
 }
 
-/// The pole (r, k) of Q(t) + s Q_s(t) is Q_k + r (next_k - Q_k): as a polynomial of (s, t), Q has
-/// the poles Q_k in all rows.
 BezierTriangle triangleContinuation(const Ribbon& given, const ConnectionFunctions& connection,
-                                    std::optional<int> degree) {
-  JoinRows all = triangleRows(given, connection, degree);
+                                    int order, std::optional<int> degree) {
+  requireOrder(order);
+  const JoinRows all = triangleRowsOf(beyond(given, connection, order), std::nullopt, degree);
   const int n = all.degree_across;
-  const HomogeneousPoles seam = all.rows[0], step = all.rows[1] - seam.topRows(n);
-  for (int r = 2; r <= n; ++r)
-    all.rows.emplace_back(seam.topRows(n + 1 - r) + r * step.topRows(n + 1 - r));
-  requireUsable(all);
   const HomogeneousPoles net =
       triangleNet(HomogeneousPoles((n + 1) * (n + 2) / 2, 4), TriangleEdge::L0, false, all);
   return {affinePoles(net), net.col(3)};

@@ -32,27 +32,28 @@ struct JoinRows {
 ///
 /// \throws std::invalid_argument, with name, index and value, for a function without coefficients,
 /// of a degree above 100, or with a coefficient that is not finite; for an alpha or e0 that is not
-/// positive everywhere on [0, 1]; for a gamma other than 1; for an order other than 1 and 2 or
+/// positive everywhere on [0, 1]; for a gamma other than 1; for an order outside 1 to 3 or
 /// above the degree across; for a degree above 800; for rows that cannot be written in the given
 /// degree, with the defect as a distance of homogeneous poles; and for a resulting weight that is
 /// zero or negative, with its row and index. Source: docs/theory/surfaces.md S2.1, S3.1, S3.3,
-/// S4.2, S4.3; [Farin2002].
+/// S3.4, S4.2, S4.3; [Farin2002].
 
 /// The first order + 1 rows of a tensor-product patch of that degree across:
-///   Q[0] = Q(0), Q[1] = Q[0] + Q_u / l, Q[2] = 2 Q[1] - Q[0] + Q_uu / (l (l - 1)).
+///   Q[0] = Q(0), Q[1] = Q[0] + Q_u / l, Q[2] = 2 Q[1] - Q[0] + Q_uu / (l (l - 1)),
+///   Q[3] = 3 Q[2] - 3 Q[1] + Q[0] + Q_uuu / (l (l - 1) (l - 2)).
 /// Here l is the degree across. Further rows are free. From l = 2 order + 1 on the opposite edge
 /// can be joined independently.
 /// Identities (each has a test of its number):
 ///   (1) The ribbon of a patch with these rows satisfies the equations of ConnectionFunctions.
-///   (2) The join is G1 (order 2: G2) along the whole seam for any other rows, certified by
-///       encloseSeam().
-///   (3) alpha = 1, beta = p = q = 0 gives C^order.
+///   (2) The join is G^order along the whole seam for any other rows, certified by encloseSeam().
+///   (3) The default connection gives C^order.
 JoinRows tensorRows(const Ribbon& given, const ConnectionFunctions& connection, int order,
                     int degree_across, std::optional<int> degree = std::nullopt);
 
-/// The first two rows of a triangle; p, q and e2 have no influence. Identity (4): the ribbon of a
-/// triangle with these rows satisfies the equations of ConnectionFunctions.
-JoinRows triangleRows(const Ribbon& given, const ConnectionFunctions& connection,
+/// The first order + 1 rows of a triangle, by the same differences with its degree as l: Q_u has
+/// one degree less than the triangle, Q_uu two less, Q_uuu three less. Identity (4): the ribbon of
+/// a triangle with these rows satisfies the equations of ConnectionFunctions.
+JoinRows triangleRows(const Ribbon& given, const ConnectionFunctions& connection, int order,
                       std::optional<int> degree = std::nullopt);
 
 /// The patch on the other side of the given patch's edge (u = 0 is the seam, v = t) whose
@@ -60,10 +61,11 @@ JoinRows triangleRows(const Ribbon& given, const ConnectionFunctions& connection
 BezierPatch continuation(const Ribbon& given, const ConnectionFunctions& connection, int order,
                          int degree_across, std::optional<int> degree = std::nullopt);
 
-/// The triangle on the other side of the given patch's edge, of degree 1 in s: Q + s Q_s. Its edge
-/// L0 is the seam, and the barycentric coordinates of (P0, P1, P2) are (s, 1 - s - t, t).
+/// The triangle on the other side of the given patch's edge whose derivatives by s of an order
+/// above \p order vanish. Its edge L0 is the seam, and the barycentric coordinates of (P0, P1, P2)
+/// are (s, 1 - s - t, t).
 BezierTriangle triangleContinuation(const Ribbon& given, const ConnectionFunctions& connection,
-                                    std::optional<int> degree = std::nullopt);
+                                    int order, std::optional<int> degree = std::nullopt);
 
 /// The patch between two given patches, of degree 2 order + 1 in u. It joins the first patch at u =
 /// 0 and the second one at u = 1. Both ribbons run out of their patches, along the same v. The

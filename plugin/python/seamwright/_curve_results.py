@@ -60,6 +60,8 @@ class EnclosedSeam(Result):
         "angle_deg": Figure,
         "curvature_per_mm": Figure,
         "curvature_rel": Figure,
+        "curvature_change_per_mm2": Figure,
+        "curvature_change_rel": Figure,
         "left_out": LeftOut,
         "degenerate": DegeneratePoint,
     }
@@ -68,6 +70,8 @@ class EnclosedSeam(Result):
     angle_deg: Optional[Figure]
     curvature_per_mm: Optional[Figure]
     curvature_rel: Optional[Figure]
+    curvature_change_per_mm2: Optional[Figure]
+    curvature_change_rel: Optional[Figure]
     left_out: LeftOut
     level: str
     seam_class: str

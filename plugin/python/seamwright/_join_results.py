@@ -39,6 +39,14 @@ class Connection(G1Connection):
     e2: Array
 
 
+class G3Connection(Connection):
+    """Bernstein coefficients of the functions of a G3 join; see ``join_rows``."""
+
+    h: Array
+    k: Array
+    e3: Array
+
+
 class NearestJoin(Connection):
     """The smallest move of poles that joins two surfaces; an argument ``connection`` of others.
 
@@ -90,12 +98,12 @@ class JoinCondition(Result):
     """Whether two surfaces join.
 
     verdict           "G1", "fold", "not G1" or "singular"
-    g2                they join G2
+    g2, g3            they join G2, G3
     parametric_order  n of C^n
     gap_bound_mm      bound of the gap
     angle_bound_rad   bound of the angle
     singular_at       0..1, where a side has no tangent plane; or None
-    position, first, second, tangent_plane, curvature
+    position, first, second, tangent_plane, curvature, curvature_change
                       JoinResiduals; None: not judged
     """
 
@@ -105,10 +113,12 @@ class JoinCondition(Result):
         "second": JoinResidual,
         "tangent_plane": JoinResidual,
         "curvature": JoinResidual,
+        "curvature_change": JoinResidual,
     }
 
     verdict: str
     g2: bool
+    g3: bool
     parametric_order: int
     gap_bound_mm: float
     angle_bound_rad: Optional[float]
@@ -118,6 +128,7 @@ class JoinCondition(Result):
     second: JoinResidual
     tangent_plane: Optional[JoinResidual]
     curvature: Optional[JoinResidual]
+    curvature_change: Optional[JoinResidual]
 
 
 class ConnectionFit(Result):
@@ -131,10 +142,10 @@ class ConnectionFit(Result):
     note        why it is not found, or ""
     """
 
-    _kinds = {"connection": Connection}
+    _kinds = {"connection": G3Connection}
 
     found: bool
-    connection: Connection
+    connection: G3Connection
     residual: float
     noise: float
     condition: float

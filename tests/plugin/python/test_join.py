@@ -89,6 +89,40 @@ def test_triangles():
     assert seamwright.join_condition(given, "l2", across, "u0")["verdict"] == "G1"
 
 
+def test_order_3():
+    given = patch(3, 3)
+    made = {"alpha": 0.4, "beta": [0.25, -0.5], "p": 0.1, "q": [0.5, 0.25], "h": -0.1, "k": 0.25}
+    beyond = seamwright.continuation(given, "u1", order=3, **made)
+    found = seamwright.join_condition(given, "u1", beyond, "u0")
+    assert found["g2"] and found["g3"] and found["curvature_change"]["holds"]
+    seam = seamwright.enclose_seam(given, "u1", beyond, "u0", level="G3")
+    assert seam["level"] == "G3" and seam["certified"]
+    fit = seamwright.fit_connection(given, "u1", beyond, "u0", order=3)
+    assert fit["found"]
+    for name, value in made.items():
+        assert fit["connection"][name][[0, -1]] == pytest.approx(
+            np.atleast_1d(value)[[0, -1]], abs=1e-7
+        )
+    second = seamwright.continuation(given, "u1", order=2)
+    assert not seamwright.join_condition(given, "u1", second, "u0")["g3"]
+    further = BezierPatch(patch(3, 3).poles + np.array([30.0, 0, 0]))
+    between = seamwright.blend(given, "u1", further, "u0", 3)
+    assert between.degree_u == 7
+    assert seamwright.join_condition(given, "u1", between, "u0")["g3"]
+
+
+def test_triangles_of_higher_order():
+    given = triangle(4)
+    for order in (2, 3):
+        beyond = seamwright.triangle_continuation(given, "l1", alpha=0.75, beta=0.25, order=order)
+        assert beyond.degree == 4
+        found = seamwright.join_condition(given, "l1", beyond, "l0")
+        assert found["g2"] and found["g3"] == (order == 3)
+    assert seamwright.triangle_continuation(patch(2, 3), "u1", order=2).degree == 5
+    joined = seamwright.joined(triangle(5), "l2", given, "l0", order=2)
+    assert seamwright.join_condition(given, "l0", joined, "l2")["g2"]
+
+
 def test_joined_keeps_the_other_poles():
     given, other = patch(3, 3), patch(4, 3)
     joined = seamwright.joined(other, "u0", given, "u1", alpha=0.9, order=2)
@@ -99,8 +133,6 @@ def test_joined_keeps_the_other_poles():
     first, second = triangle(3), triangle(3)
     bent = seamwright.joined(second, "l2", first, "l0")
     assert seamwright.join_condition(first, "l0", bent, "l2")["verdict"] == "G1"
-    with pytest.raises(ValueError, match="order 2"):
-        seamwright.joined(second, "l2", first, "l0", order=2)
 
 
 def test_blend_joins_both():
@@ -191,7 +223,7 @@ def test_alpha_surfaces():
         ({"alpha": "wide"}, "wide"),
         ({"alpha": [1, float("nan")]}, "coefficient 1 = nan"),
         ({"alpha": []}, "alpha has no coefficient"),
-        ({"order": 3}, "order 3"),
+        ({"order": 4}, "order 4"),
         ({"order": 1.5}, "1.5"),
         ({"beta": True}, "beta is True"),
         ({"degree_across": 0}, "order 1"),

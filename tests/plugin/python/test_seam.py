@@ -125,7 +125,7 @@ def test_what_figures_leave_out_is_listed():
         (("u2", "u0", {}), "u2"),
         (("u1", 3, {}), "edge_b"),
         (("u1", "u0", {"angle_deg": -1}), "-1"),
-        (("u1", "u0", {"level": "G3"}), "G3"),
+        (("u1", "u0", {"level": "G4"}), "G4"),
         (("u1", "u0", {"gap_mm": "wide"}), "wide"),
     ],
 )
