@@ -169,9 +169,12 @@ py::object joinResult(const NearestJoin& join, py::dict result) {
   result["beta"] = c.beta;
   result["p"] = c.p;
   result["q"] = c.q;
+  result["h"] = c.h;
+  result["k"] = c.k;
   result["e0"] = c.e0;
   result["e1"] = c.e1;
   result["e2"] = c.e2;
+  result["e3"] = c.e3;
   result["largest_move_mm"] = join.largest_move_mm;
   result["cost"] = join.cost;
   result["residual"] = join.residual;
@@ -186,7 +189,8 @@ py::object nearestJoinOf(const py::object& a, const py::object& edge_a, const py
                          const py::object& weights_b, const py::object& fixed_a,
                          const py::object& fixed_b, const py::object& degree_alpha,
                          const py::object& degree_beta, const py::object& degree_p,
-                         const py::object& degree_q) {
+                         const py::object& degree_q, const py::object& degree_h,
+                         const py::object& degree_k) {
   JoinSide side_a = sideOf({"a", a, edge_a, weights_a, fixed_a});
   JoinSide side_b = sideOf({"b", b, edge_b, weights_b, fixed_b});
   const Surface given_a = joinSurfaceOf("a", a), given_b = joinSurfaceOf("b", b);
@@ -201,6 +205,8 @@ py::object nearestJoinOf(const py::object& a, const py::object& edge_a, const py
   options.degree_beta = wholeNumber("degree_beta", degree_beta);
   options.degree_p = wholeNumber("degree_p", degree_p);
   options.degree_q = wholeNumber("degree_q", degree_q);
+  options.degree_h = wholeNumber("degree_h", degree_h);
+  options.degree_k = wholeNumber("degree_k", degree_k);
   NearestJoin join;
   {
     const py::gil_scoped_release release;
@@ -293,9 +299,10 @@ void bindNearest(py::module_& module) {
              py::arg("weights_b") = py::none(), py::arg("fixed_a") = py::none(),
              py::arg("fixed_b") = py::none(), py::arg("degree_alpha") = 0,
              py::arg("degree_beta") = 1, py::arg("degree_p") = 0, py::arg("degree_q") = 1,
+             py::arg("degree_h") = 0, py::arg("degree_k") = 1,
              R"(Moves poles of two surfaces as little as possible so that they join: a NearestJoin.
 
-a, b: BezierPatch or BSplineSurface. They join with G1 (order 1) or G2 (order 2) exactly along the
+a, b: BezierPatch or BSplineSurface. They join with G1, G2 or G3 (order 1 to 3) exactly along the
 edges 'u0', 'u1', 'v0', 'v1'. moves: 'both', 'a' or 'b'. reversed: the edge of b runs the other way.
 weights_a, weights_b: the weight of the squared move of each pole. fixed_a, fixed_b: poles that
 stay, as boolean arrays of the shape of the poles. degree_alpha, ..: degrees of the functions that

@@ -344,7 +344,7 @@ TEST(NearestJoinErrors, NameTheOffendingNumber) {
                 ThrowsMessage<std::invalid_argument>(HasSubstr(text)));
   };
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  expectRefused(b, {.order = 3}, "order is 3");
+  expectRefused(b, {.order = 4}, "order is 4");
   expectRefused(b, {.degree_alpha = -1}, "alpha is -1");
   expectRefused(b, {.order = 2, .degree_q = 7}, "q is 7");
   expectRefused(b, {.smallest_alpha = 0}, "smallest_alpha is 0");

@@ -26,14 +26,17 @@ constexpr double largest_rounding = 1e-6;
 constexpr double least_alpha = 1e-9;
 
 void requireOptions(const NearestOptions& options) {
-  if (options.order != 1 && options.order != 2)
-    refuse("order is " + std::to_string(options.order) + ": 1 or 2 is needed");
+  if (options.order < 1 || options.order > 3)
+    refuse("order is " + std::to_string(options.order) + ": 1 to 3 is needed");
   requireDegree(options.degree_alpha, "alpha");
   requireDegree(options.degree_beta, "beta");
   requireDegree(options.degree_p, "p");
   requireDegree(options.degree_q, "q");
+  requireDegree(options.degree_h, "h");
+  requireDegree(options.degree_k, "k");
   requireDegree(options.degree_e1, "e1");
   requireDegree(options.degree_e2, "e2");
+  requireDegree(options.degree_e3, "e3");
   if (!(options.smallest_alpha > 0 && options.smallest_alpha <= 1))
     refuse(fmt::format("smallest_alpha is {}: 0 to 1 is needed", options.smallest_alpha));
   if (options.max_iterations < 0)

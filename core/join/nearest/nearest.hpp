@@ -21,15 +21,16 @@ struct JoinSide {
 };
 
 struct NearestOptions {
-  int order = 1;  ///< 1: G1, 2: G2
-  /// Degrees of the functions that are sought, 0 to 6; those of e1 and e2 for rational surfaces
+  int order = 1;  ///< of the join, G1 to G3
+  /// Degrees of the functions that are sought, 0 to 6; those of e1 to e3 for rational surfaces
   /// only.
-  int degree_alpha = 0, degree_beta = 1, degree_p = 0, degree_q = 1, degree_e1 = 0, degree_e2 = 0;
+  int degree_alpha = 0, degree_beta = 1, degree_p = 0, degree_q = 1, degree_h = 0, degree_k = 1;
+  int degree_e1 = 0, degree_e2 = 0, degree_e3 = 0;
   /// Lower bound of alpha, in (0, 1], as a share of the ratio of the cross-boundary derivatives.
   double smallest_alpha = 1e-3;
   int max_iterations = 50;
-  /// The connection functions to be used; nothing: they are sought. e0 and gamma must be 1. e1 and
-  /// e2 must be 0 unless a surface is rational.
+  /// The connection functions to be used; nothing: they are sought. e0 and gamma must be 1. e1 to
+  /// e3 must be 0 unless a surface is rational.
   std::optional<ConnectionFunctions> held = std::nullopt;
 };
 
@@ -47,7 +48,7 @@ struct NearestJoin {
   ConnectionFunctions connection;  ///< of b to a; all parameters are scaled to 0..1
   double largest_move_mm = 0;      ///< of a pole
   double cost = 0;                 ///< sum of weight times squared move, in mm^2
-  /// The largest defect of the equations, relative to the largest |Q_s| (and |Q_ss|).
+  /// The largest defect of the equations, relative to the largest |Q_s| (|Q_ss|, |Q_sss|).
   double residual = 0;
   /// Share of the move that lies along the joins nearby, 0 to 1.
   double stationarity = 0;
@@ -55,7 +56,7 @@ struct NearestJoin {
 };
 
 /// Moves poles of two surfaces that nearly meet along one edge each, so that the surfaces join
-/// exactly with G1 or G2, by the smallest move. See docs/nearest_joins.md.
+/// exactly with G1, G2 or G3, by the smallest move. See docs/nearest_joins.md.
 ///
 ///     const NearestJoin join = nearestJoin({.surface = a, .edge = PatchEdge::U1, .moves = false},
 ///                                          {.surface = b, .edge = PatchEdge::U0}, {.order = 2});
@@ -65,7 +66,7 @@ struct NearestJoin {
 /// The join holds at every parameter, up to rounding (a residual of at most 1e-6). Degrees and
 /// knots stay. Poles that do not move stay bitwise. The result is a local minimum.
 ///
-///   - Inner knots along the seam force beta (for G2 also q) to vanish there, or the seam to become
+///   - Inner knots along the seam force beta (and q and k) to vanish there, or the seam to become
 ///     smoother. withRaisedKnots() on both sides leaves beta free.
 ///   - A side that has a tangent plane keeps it; it turns by less than a right angle.
 ///   - Infeasible does not prove that no join exists.
@@ -74,13 +75,13 @@ struct NearestJoin {
 ///     size of the rows.
 ///
 /// Identities (each has a test of its number):
-///   (1) encloseSeam() of the result gives a gap of 0, and an angle and for order 2 a curvature
-///       difference that are rounding.
+///   (1) encloseSeam() of the result gives a gap of 0, and an angle, for order 2 a curvature
+///       difference and for order 3 a difference of its change that are rounding.
 ///   (2) The move is orthogonal to the joins nearby, and none of these joins has a smaller move.
 ///   (3) Rigid motion and scale of both surfaces act on the result in the same way.
-///   (4) Reversal of the seam's parameter only changes the signs of beta and q.
+///   (4) Reversal of the seam's parameter only changes the signs of beta, q and k.
 ///   (5) Swapping the sides leaves the poles the same if alpha is constant and beta linear: then
-///       alpha' = 1 / alpha, beta' = beta / alpha.
+///       alpha' = 1 / alpha, beta' = beta / alpha. The searches may end in different local minima.
 ///   (6) A second call changes nothing.
 ///
 /// The time of a step grows with the third power of the number of spans.
@@ -90,7 +91,7 @@ struct NearestJoin {
 /// length, invalid surfaces (see requireValid()), a side without extent across the seam, a held
 /// alpha with a coefficient that is not positive, and more than 1.5 million matrix entries (220
 /// cubic spans for G2).
-/// Source: docs/theory/surfaces.md S5.1 to S5.4, S2.5, S3.3; [GolubPereyra1973].
+/// Source: docs/theory/surfaces.md S5.1 to S5.4, S2.5, S3.3, S3.4; [GolubPereyra1973].
 NearestJoin nearestJoin(const JoinSide& a, const JoinSide& b, const NearestOptions& options = {});
 
 }  // namespace seamwright

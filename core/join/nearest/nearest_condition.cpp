@@ -12,20 +12,71 @@ namespace seamwright::nearest {
 
 namespace {
 
+constexpr std::array terms_of_order_1 = {Term{1, FieldQs}, Term{-1, FieldP, {E1, -1, -1}},
+                                         Term{-1, FieldPs, {Alpha, -1, -1}},
+                                         Term{-1, FieldPt, {Beta, -1, -1}}};
+
+constexpr std::array terms_of_order_2 = {
+    Term{1, FieldQss},
+    Term{-1, FieldP, {E2, -1, -1}},
+    Term{-2, FieldPs, {E1, Alpha, -1}},
+    Term{-2, FieldPt, {E1, Beta, -1}},
+    Term{-1, FieldPss, {Alpha, Alpha, -1}},
+    Term{-2, FieldPst, {Alpha, Beta, -1}},
+    Term{-1, FieldPtt, {Beta, Beta, -1}},
+    Term{-1, FieldPs, {P, -1, -1}},
+    Term{-1, FieldPt, {Q, -1, -1}},
+};
+
+constexpr std::array terms_of_order_3 = {
+    Term{1, FieldQsss},
+    Term{-1, FieldP, {E3, -1, -1}},
+    Term{-3, FieldPs, {E2, Alpha, -1}},
+    Term{-3, FieldPt, {E2, Beta, -1}},
+    Term{-3, FieldPss, {E1, Alpha, Alpha}},
+    Term{-6, FieldPst, {E1, Alpha, Beta}},
+    Term{-3, FieldPtt, {E1, Beta, Beta}},
+    Term{-3, FieldPs, {E1, P, -1}},
+    Term{-3, FieldPt, {E1, Q, -1}},
+    Term{-1, FieldPsss, {Alpha, Alpha, Alpha}},
+    Term{-3, FieldPsst, {Alpha, Alpha, Beta}},
+    Term{-3, FieldPstt, {Alpha, Beta, Beta}},
+    Term{-1, FieldPttt, {Beta, Beta, Beta}},
+    Term{-3, FieldPss, {Alpha, P, -1}},
+    Term{-3, FieldPst, {Alpha, Q, -1}},
+    Term{-3, FieldPst, {Beta, P, -1}},
+    Term{-3, FieldPtt, {Beta, Q, -1}},
+    Term{-1, FieldPs, {H, -1, -1}},
+    Term{-1, FieldPt, {K, -1, -1}},
+};
+
+/// Derivatives by t in each field.
+constexpr std::array<int, field_count> derivatives_along = {0, 1, 2, 3, 0, 1, 2, 0, 1, 0, 0, 0, 0};
+
 /// Degree of the left side of the condition; \p n that of the rows.
-int conditionDegree(int order, int n, const Degrees& d) {
-  const auto term = [](int degree, std::initializer_list<int> functions) {
-    for (const int function : functions) {
-      if (function < 0) return 0;
-      degree += function;
+int conditionDegree(int order, int n, const Degrees& degrees) {
+  int highest = n;
+  for (const Term& term : termsOf(order)) {
+    int degree = n - derivatives_along[term.field];
+    bool vanishes = false;
+    for (const int function : term.functions) {
+      if (function < 0) continue;
+      vanishes = vanishes || degrees[function] < 0;
+      degree += degrees[function];
     }
-    return degree;
-  };
-  if (order == 1)
-    return std::max({n, term(n, {d[E1]}), term(n, {d[Alpha]}), term(n - 1, {d[Beta]})});
-  return std::max({n, term(n, {d[E2]}), term(n, {d[E1], d[Alpha]}), term(n - 1, {d[E1], d[Beta]}),
-                   term(n, {d[Alpha], d[Alpha]}), term(n - 1, {d[Alpha], d[Beta]}),
-                   term(n - 2, {d[Beta], d[Beta]}), term(n, {d[P]}), term(n - 1, {d[Q]})});
+    if (!vanishes) highest = std::max(highest, degree);
+  }
+  return highest;
+}
+
+/// The product of the values of a term's functions, those at the given places left out.
+double productOf(const Term& term, const auto& values, std::size_t without = 3,
+                 std::size_t and_without = 3) {
+  double product = term.factor;
+  for (std::size_t k = 0; k < term.functions.size(); ++k)
+    if (term.functions[k] >= 0 && k != without && k != and_without)
+      product *= values(term.functions[k]);
+  return product;
 }
 
 /// Adds the parameters that determine a spline of that degree on a part of the seam inside which it
@@ -49,6 +100,12 @@ void addParameters(int degree, const std::vector<double>& knots, const std::vect
 }
 
 }  // namespace
+
+std::span<const Term> termsOf(int order) {
+  if (order == 1) return terms_of_order_1;
+  if (order == 2) return terms_of_order_2;
+  return terms_of_order_3;
+}
 
 std::array<int, function_count + 1> offsets(const Degrees& degrees) {
   std::array<int, function_count + 1> result{};
@@ -105,7 +162,7 @@ void Condition::addPoints(int order, const std::vector<double>& vanishing) {
 
 Condition::Point Condition::pointAt(int order, double t, int span) const {
   const Unknowns& u = unknowns_;
-  const Eigen::MatrixXd basis = bspline::basisDerivatives(u.a.degree, u.a.knots, span, t, 2);
+  const Eigen::MatrixXd basis = bspline::basisDerivatives(u.a.degree, u.a.knots, span, t, 3);
   Point point;
   point.order = order;
   point.first = span - u.a.degree;
@@ -118,15 +175,20 @@ Condition::Point Condition::pointAt(int order, double t, int span) const {
   set(FieldP, 0, 1, 0);
   set(FieldPt, 0, 1, 1);
   set(FieldPtt, 0, 1, 2);
+  set(FieldPttt, 0, 1, 3);
   for (int row = 0; row <= u.a.depth; ++row) {
     set(FieldPs, row, -u.a.across(1, row), 0);
     set(FieldPst, row, -u.a.across(1, row), 1);
+    set(FieldPstt, row, -u.a.across(1, row), 2);
     set(FieldPss, row, u.a.across(2, row), 0);
+    set(FieldPsst, row, u.a.across(2, row), 1);
+    set(FieldPsss, row, -u.a.across(3, row), 0);
   }
   for (int row = 0; row <= u.b.depth; ++row) {
     const int block = row == 0 ? 0 : u.a.depth + row;
     set(FieldQs, block, u.b.across(1, row), 0);
     set(FieldQss, block, u.b.across(2, row), 0);
+    set(FieldQsss, block, u.b.across(3, row), 0);
   }
   const double factor = std::max(std::abs(u.b.across(order, order)), u.b.across(1, 1));
   point.scale = 1 / factor;
@@ -142,57 +204,26 @@ Condition::Values Condition::values(const Point& point, const Eigen::VectorXd& c
 
 Condition::Combination Condition::combination(int order, const Values& f) {
   Combination w = Combination::Zero();
-  if (order == 1) {
-    w(FieldQs) = 1;
-    w(FieldP) = -f(E1);
-    w(FieldPs) = -f(Alpha);
-    w(FieldPt) = -f(Beta);
-    return w;
-  }
-  w(FieldQss) = 1;
-  w(FieldP) = -f(E2);
-  w(FieldPs) = -2 * f(E1) * f(Alpha) - f(P);
-  w(FieldPt) = -2 * f(E1) * f(Beta) - f(Q);
-  w(FieldPss) = -f(Alpha) * f(Alpha);
-  w(FieldPst) = -2 * f(Alpha) * f(Beta);
-  w(FieldPtt) = -f(Beta) * f(Beta);
+  for (const Term& term : termsOf(order)) w(term.field) += productOf(term, f);
   return w;
 }
 
 Condition::Combination Condition::derivative(int order, const Values& f, int function) {
   Combination w = Combination::Zero();
-  if (order == 1) {
-    if (function == Alpha) w(FieldPs) = -1;
-    if (function == Beta) w(FieldPt) = -1;
-    if (function == E1) w(FieldP) = -1;
-    return w;
-  }
-  if (function == Alpha) {
-    w(FieldPs) = -2 * f(E1);
-    w(FieldPss) = -2 * f(Alpha);
-    w(FieldPst) = -2 * f(Beta);
-  } else if (function == Beta) {
-    w(FieldPt) = -2 * f(E1);
-    w(FieldPst) = -2 * f(Alpha);
-    w(FieldPtt) = -2 * f(Beta);
-  } else if (function == E1) {
-    w(FieldPs) = -2 * f(Alpha);
-    w(FieldPt) = -2 * f(Beta);
-  } else {
-    w(function == P ? FieldPs : function == Q ? FieldPt : FieldP) = -1;
-  }
+  for (const Term& term : termsOf(order))
+    for (std::size_t k = 0; k < term.functions.size(); ++k)
+      if (term.functions[k] == function) w(term.field) += productOf(term, f, k);
   return w;
 }
 
-Condition::Combination Condition::secondDerivative(int order, int function, int other) {
+Condition::Combination Condition::secondDerivative(int order, const Values& f, int function,
+                                                   int other) {
   Combination w = Combination::Zero();
-  if (order == 1 || std::max(function, other) > E1 || (function == E1 && other == E1)) return w;
-  const auto both = [&](int f, int g) { return std::minmax(function, other) == std::minmax(f, g); };
-  if (both(Alpha, Alpha)) w(FieldPss) = -2;
-  if (both(Alpha, Beta)) w(FieldPst) = -2;
-  if (both(Beta, Beta)) w(FieldPtt) = -2;
-  if (both(Alpha, E1)) w(FieldPs) = -2;
-  if (both(Beta, E1)) w(FieldPt) = -2;
+  for (const Term& term : termsOf(order))
+    for (std::size_t k = 0; k < term.functions.size(); ++k)
+      for (std::size_t l = 0; l < term.functions.size(); ++l)
+        if (k != l && term.functions[k] == function && term.functions[l] == other)
+          w(term.field) += productOf(term, f, k, l);
   return w;
 }
 
@@ -257,17 +288,21 @@ std::vector<Eigen::MatrixXd> Condition::transposed(const Eigen::VectorXd& c,
   return result;
 }
 
-Eigen::MatrixXd Condition::curvature(const Eigen::MatrixXd& nu, const Eigen::MatrixXd& x) const {
+Eigen::MatrixXd Condition::curvature(const Eigen::VectorXd& c, const Eigen::MatrixXd& nu,
+                                     const Eigen::MatrixXd& x) const {
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(coefficients(), coefficients());
   for (Eigen::Index i = 0; i < rows(); ++i) {
     const Point& point = points_[i];
     if (point.order == 1) continue;
+    const Values values_there = values(point, c);
     const Combination weighted =
         point.scale * (point.fields * (local(point, x) * nu.row(i).transpose()));
-    for (int f = Alpha; f <= E1; ++f)
-      for (int g = Alpha; g <= E1; ++g)
+    // A function of the condition's own order is in no product.
+    const int last = functions_of_order * (point.order - 1);
+    for (int f = 0; f < last; ++f)
+      for (int g = 0; g < last; ++g)
         result.block(offset_[f], offset_[g], degrees_[f] + 1, degrees_[g] + 1) +=
-            secondDerivative(point.order, f, g).dot(weighted) * point.bernstein[f] *
+            secondDerivative(point.order, values_there, f, g).dot(weighted) * point.bernstein[f] *
             point.bernstein[g].transpose();
   }
   return result;
@@ -277,8 +312,8 @@ Eigen::VectorXd Condition::fittedPart(const Eigen::MatrixXd& x, const Eigen::Mat
                                       int order, const Eigen::VectorXd& c) const {
   // With the other coefficients fixed, the condition of that order is linear in its own
   // coefficients.
-  const int first = order == 1 ? offset_[Alpha] : offset_[P],
-            last = order == 1 ? offset_[P] : offset_.back();
+  const int first = offset_[functions_of_order * (order - 1)],
+            last = offset_[functions_of_order * order];
   const std::vector<Eigen::MatrixXd> by = derivatives(c, x);
   const Eigen::MatrixXd residual = matrix(c) * x;
   const Eigen::Index entries = residual.size();
@@ -306,6 +341,7 @@ Eigen::VectorXd Condition::fitted(const Eigen::MatrixXd& x, const Eigen::MatrixX
     c += fittedPart(x, others, 1, c);
   }
   c += fittedPart(x, basis, 2, c);
+  c += fittedPart(x, basis, 3, c);
   return c;
 }
 
@@ -347,8 +383,8 @@ double Condition::largestDerivative(const Eigen::MatrixXd& x) const {
   double largest = 0;
   for (const Point& point : points_) {
     const Eigen::MatrixXd fields = point.fields * local(point, x);
-    largest =
-        std::max(largest, point.scale * fields.row(point.order == 1 ? FieldQs : FieldQss).norm());
+    const Field derivative = termsOf(point.order).front().field;
+    largest = std::max(largest, point.scale * fields.row(derivative).norm());
   }
   return largest;
 }

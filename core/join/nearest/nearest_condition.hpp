@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <span>
 #include <vector>
 
 #include <seamwright/core/join/nearest/nearest_rows.hpp>
@@ -10,11 +11,52 @@
 /// The condition of a join as a linear system of the poles, A(c) x = 0; not a public header.
 namespace seamwright::nearest {
 
-/// The connection functions, in the order of their coefficients in c.
-enum Function { Alpha, Beta, E1, P, Q, E2, function_count };
+/// The connection functions, in the order of their coefficients in c: three for each order.
+enum Function { Alpha, Beta, E1, P, Q, E2, H, K, E3, function_count };
+inline constexpr int functions_of_order = 3;
+/// The order of the condition in which a function appears first.
+constexpr int orderOf(int function) {
+  return function / functions_of_order + 1;
+}
+/// Beta, q and k: the factors of P_t.
+constexpr bool isAlong(int function) {
+  return function % functions_of_order == Beta;
+}
+/// E1, e2 and e3, of rational surfaces only.
+constexpr bool isScaling(int function) {
+  return function % functions_of_order == E1;
+}
 
 /// Degree of each function; -1 means that the function is zero.
 using Degrees = std::array<int, function_count>;
+
+/// The derivatives of both sides that the conditions are made of. P_s points out of a, Q_s into b.
+enum Field {
+  FieldP,
+  FieldPt,
+  FieldPtt,
+  FieldPttt,
+  FieldPs,
+  FieldPst,
+  FieldPstt,
+  FieldPss,
+  FieldPsst,
+  FieldPsss,
+  FieldQs,
+  FieldQss,
+  FieldQsss,
+  field_count
+};
+
+/// A term of a condition: factor times the product of up to three functions times the field.
+struct Term {
+  double factor;
+  Field field;
+  std::array<int, 3> functions = {-1, -1, -1};  ///< -1: none
+};
+
+/// The terms of the condition of an order, 1 to 3. Q_s, Q_ss or Q_sss is the first one.
+std::span<const Term> termsOf(int order);
 
 /// Index in c at which the coefficients of each function begin; the last entry is the number of all
 /// coefficients.
@@ -35,21 +77,22 @@ struct SeamParameter {
 std::vector<SeamParameter> determiningParameters(int n, const std::vector<double>& knots, int order,
                                                  int degree, const std::vector<double>& vanishing);
 
-/// The condition of order 1, and below it that of order 2, at points of the seam. The left side is
-/// a spline, and the points are as many as determine it:
+/// The conditions of order 1, and below it those of order 2 and 3, at points of the seam. The left
+/// side is a spline, and the points are as many as determine it:
 ///   Q_s - e1 P - alpha P_s - beta P_t = 0
 ///   Q_ss - e2 P - (2 e1 alpha + p) P_s - (2 e1 beta + q) P_t
 ///        - alpha^2 P_ss - 2 alpha beta P_st - beta^2 P_tt = 0
-/// P_s points out of a, Q_s into b. Each row is divided by the coefficient of b's pole behind the
-/// seam. So a residual is a length that is comparable to a move of that pole.
+/// and that of order 3 of ConnectionFunctions, with e0 = 1. P_s points out of a, Q_s into b. Each
+/// row is divided by the coefficient of b's pole behind the seam. So a residual is a length that is
+/// comparable to a move of that pole.
 ///
 /// At a knot where the rows are of class C^r the condition of order k is of class C^(r-k), or C^r
-/// if beta and q vanish there. A spline of degree d and that class is zero iff it is zero at its
+/// if beta, q and k vanish there. A spline of degree d and that class is zero iff it is zero at its
 /// Greville points (Schoenberg and Whitney). A polynomial of degree d is zero iff it is zero at d +
 /// 1 points.
 class Condition {
  public:
-  /// \param vanishing the inner knots where beta and q are zero.
+  /// \param vanishing the inner knots where beta, q and k are zero.
   Condition(const Unknowns& unknowns, int order, const Degrees& degrees,
             const std::vector<double>& vanishing);
 
@@ -67,7 +110,8 @@ class Condition {
   std::vector<Eigen::MatrixXd> transposed(const Eigen::VectorXd& c,
                                           const Eigen::MatrixXd& nu) const;
   /// <nu, d2A/dc_i dc_j x>.
-  Eigen::MatrixXd curvature(const Eigen::MatrixXd& nu, const Eigen::MatrixXd& x) const;
+  Eigen::MatrixXd curvature(const Eigen::VectorXd& c, const Eigen::MatrixXd& nu,
+                            const Eigen::MatrixXd& x) const;
   /// The coefficients held + basis y that fit these poles best, condition by condition, with the
   /// coefficients of alpha at least \p smallest_alpha.
   /// Source: docs/theory/surfaces.md S2.5.
@@ -78,21 +122,10 @@ class Condition {
   /// Vectors along P_s x P_t (for b: Q_s x P_t) at evenly spaced parameters of each span, its ends
   /// included, one per row.
   Eigen::MatrixXd normals(const Eigen::MatrixXd& x, bool of_b) const;
-  /// Largest |Q_s|, and for order 2 also |Q_ss|, divided by the factors of their rows.
+  /// Largest derivative of Q across the seam of each order, divided by the factors of their rows.
   double largestDerivative(const Eigen::MatrixXd& x) const;
 
  private:
-  enum Field {
-    FieldP,
-    FieldPt,
-    FieldPtt,
-    FieldPs,
-    FieldPst,
-    FieldPss,
-    FieldQs,
-    FieldQss,
-    field_count
-  };
   using Combination = Eigen::Matrix<double, field_count, 1>;
   using Values = Eigen::Matrix<double, function_count, 1>;
   struct Point {
@@ -109,7 +142,7 @@ class Condition {
   Values values(const Point& point, const Eigen::VectorXd& c) const;
   static Combination combination(int order, const Values& f);
   static Combination derivative(int order, const Values& f, int function);
-  static Combination secondDerivative(int order, int function, int other);
+  static Combination secondDerivative(int order, const Values& f, int function, int other);
   Eigen::VectorXd fittedPart(const Eigen::MatrixXd& x, const Eigen::MatrixXd& basis, int order,
                              const Eigen::VectorXd& c) const;
 

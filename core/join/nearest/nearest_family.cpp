@@ -18,14 +18,17 @@ namespace {
 /// A limit of the interface, as a choice: higher degrees add unknowns to the search of the join.
 constexpr int max_connection_degree = 6;
 
-Degrees degreesOf(const NearestOptions& options, bool rational) {
-  const bool second = options.order == 2;
-  return {options.degree_alpha,
-          options.degree_beta,
-          rational ? options.degree_e1 : -1,
-          second ? options.degree_p : -1,
-          second ? options.degree_q : -1,
-          second && rational ? options.degree_e2 : -1};
+/// Functions of a higher order, and those of rational surfaces without need, are zero.
+Degrees limited(Degrees degrees, int order, bool rational) {
+  for (int f = 0; f < function_count; ++f)
+    if (orderOf(f) > order || (isScaling(f) && !rational)) degrees[f] = -1;
+  return degrees;
+}
+
+Degrees degreesOf(const NearestOptions& o, bool rational) {
+  return limited({o.degree_alpha, o.degree_beta, o.degree_e1, o.degree_p, o.degree_q, o.degree_e2,
+                  o.degree_h, o.degree_k, o.degree_e3},
+                 o.order, rational);
 }
 
 /// Columns that span the polynomials of that degree that vanish at the given parameters.
@@ -43,62 +46,109 @@ Eigen::MatrixXd vanishingAt(const std::vector<double>& parameters, int degree) {
 /// would turn the tangent into the direction of these derivatives.
 struct HeldEnd {
   double t = 0;
-  bool second = false;  ///< the same for the condition of order 2
+  int order = 0;  ///< up to which the conditions hold their functions
   std::array<double, function_count> value{};
 };
 
-std::optional<HeldEnd> heldEnd(const Unknowns& u, int order, double t) {
+/// The derivatives of both sides across the seam at one of its ends.
+class EndFields {
+ public:
+  EndFields(const Unknowns& unknowns, double t)
+      : u_(unknowns), pole_(t == 0 ? 0 : unknowns.count() - 1) {}
+
+  Eigen::VectorXd of(Field field) const {
+    switch (field) {
+      case FieldP:
+        return u_.target.row(pole_).transpose();
+      case FieldPs:
+        return -derivative(u_.a, 0, 1);
+      case FieldPss:
+        return derivative(u_.a, 0, 2);
+      case FieldPsss:
+        return -derivative(u_.a, 0, 3);
+      case FieldQs:
+        return derivative(u_.b, u_.a.depth, 1);
+      case FieldQss:
+        return derivative(u_.b, u_.a.depth, 2);
+      case FieldQsss:
+        return derivative(u_.b, u_.a.depth, 3);
+      default:  // has a factor beta, q or k, which are zero there
+        return Eigen::VectorXd::Zero(u_.target.cols());
+    }
+  }
+
+  /// Whether the pole of that row of each side stays.
+  bool stays(int row) const {
+    return (row > u_.a.depth || u_.move_weights(index(row)) == 0) &&
+           (row > u_.b.depth || u_.move_weights(index(u_.a.depth + row)) == 0);
+  }
+
+ private:
+  Eigen::Index index(int block) const {
+    return static_cast<Eigen::Index>(block) * u_.count() + pole_;
+  }
+  Eigen::VectorXd derivative(const SeamRows& rows, int first_block, int k) const {
+    Eigen::VectorXd sum = rows.across(k, 0) * u_.target.row(pole_).transpose();
+    for (int row = 1; row <= rows.depth; ++row)
+      sum += rows.across(k, row) * u_.target.row(index(first_block + row)).transpose();
+    return sum;
+  }
+
+  const Unknowns& u_;
+  int pole_;
+};
+
+/// Adds the values that the condition of the next order requires, if it can hold.
+bool holdNext(const EndFields& fields, bool rational, HeldEnd& end) {
   // Sine. Derivatives of fixed poles have rounding of about 1e-14, and more for poles far from the
   // origin.
   constexpr double parallel = 1e-10;
-  const int j = t == 0 ? 0 : u.count() - 1, neighbour = t == 0 ? 1 : u.count() - 2;
-  const auto index = [&](int block, int pole) {
-    return static_cast<Eigen::Index>(block) * u.count() + pole;
-  };
-  const auto stays = [&](int row) {
-    return (row > u.a.depth || u.move_weights(index(row, j)) == 0) &&
-           (row > u.b.depth || u.move_weights(index(u.a.depth + row, j)) == 0);
-  };
-  if (u.move_weights(j) > 0 || !stays(1) || u.move_weights(neighbour) == 0) return std::nullopt;
-  const auto derivative = [&](const SeamRows& rows, int first_block, int k) {
-    Eigen::VectorXd sum = rows.across(k, 0) * u.target.row(j).transpose();
-    for (int row = 1; row <= rows.depth; ++row)
-      sum += rows.across(k, row) * u.target.row(index(first_block + row, j)).transpose();
-    return sum;
-  };
-  const Eigen::VectorXd p_s = -derivative(u.a, 0, 1), q_s = derivative(u.b, u.a.depth, 1);
-  Eigen::MatrixXd span = p_s;
-  if (u.rational) {
+  const int order = end.order + 1, first = functions_of_order * end.order;
+  Eigen::MatrixXd span = fields.of(FieldPs);
+  if (rational) {
     span.conservativeResize(Eigen::NoChange, 2);
-    span.col(1) = u.target.row(j).transpose();
+    span.col(1) = fields.of(FieldP);
   }
-  const linear::LeastSquares solver(span);
-  HeldEnd end;
-  end.t = t;
-  const Eigen::VectorXd first = solver.solve(q_s);
-  if ((span * first - q_s).norm() > parallel * q_s.norm() || !(first(0) > 0)) return std::nullopt;
-  end.value[Alpha] = first(0);
-  if (u.rational) end.value[E1] = first(1);
-  if (order == 1 || !stays(2)) return end;
-  const Eigen::VectorXd p_ss = derivative(u.a, 0, 2), q_ss = derivative(u.b, u.a.depth, 2);
-  const Eigen::VectorXd rest =
-      q_ss - first(0) * first(0) * p_ss - 2 * end.value[E1] * first(0) * p_s;
-  const Eigen::VectorXd second = solver.solve(rest);
-  end.second = (span * second - rest).norm() <= parallel * (q_ss.norm() + p_ss.norm());
-  end.value[P] = second(0);
-  if (u.rational) end.value[E2] = second(1);
+  Eigen::VectorXd rest = Eigen::VectorXd::Zero(span.rows());
+  double size = 0;
+  for (const Term& term : termsOf(order)) {
+    double factor = term.factor;
+    for (const int function : term.functions)
+      if (function >= 0) factor *= end.value[static_cast<std::size_t>(function)];
+    const Eigen::VectorXd field = fields.of(term.field);
+    rest += factor * field;
+    if (factor != 0) size += field.norm();
+  }
+  const Eigen::VectorXd values = linear::LeastSquares(span).solve(rest);
+  if ((span * values - rest).norm() > parallel * size) return false;
+  end.value[static_cast<std::size_t>(first)] = values(0);
+  if (rational) end.value[static_cast<std::size_t>(first + E1)] = values(1);
+  end.order = order;
+  return true;
+}
+
+std::optional<HeldEnd> heldEnd(const Unknowns& u, int order, double t) {
+  const int pole = t == 0 ? 0 : u.count() - 1, neighbour = t == 0 ? 1 : u.count() - 2;
+  const EndFields fields(u, t);
+  if (u.move_weights(pole) > 0 || !fields.stays(1) || u.move_weights(neighbour) == 0)
+    return std::nullopt;
+  HeldEnd end{.t = t};
+  if (!holdNext(fields, u.rational, end) || !(end.value[Alpha] > 0)) return std::nullopt;
+  bool holds = true;
+  while (holds && end.order < order && fields.stays(end.order + 1))
+    holds = holdNext(fields, u.rational, end);
   return end;
 }
 
-/// The held ends; empty if a constant alpha (or p, e1, e2) cannot satisfy both ends.
+/// The held ends; empty if a constant alpha (or p, h, e1, e2, e3) cannot satisfy both ends.
 std::vector<HeldEnd> heldEnds(const Unknowns& u, const Degrees& degrees, int order) {
   std::vector<HeldEnd> ends;
   for (const double t : {0.0, 1.0})
     if (const auto end = heldEnd(u, order, t)) ends.push_back(*end);
   if (ends.size() < 2) return ends;
-  for (const Function f : {Alpha, E1, P, E2}) {
+  for (std::size_t f = 0; f < function_count; ++f) {
+    const bool counts = std::min(ends[0].order, ends[1].order) >= orderOf(static_cast<int>(f));
     const double difference = std::abs(ends[0].value[f] - ends[1].value[f]);
-    const bool counts = f <= E1 || (ends[0].second && ends[1].second);
     // The values are quotients of fixed derivatives, so they differ by their rounding.
     if (counts && degrees[f] == 0 && difference > 1e-10 * (1 + std::abs(ends[0].value[f])))
       return {};
@@ -120,12 +170,12 @@ Family familyOf(const Degrees& degrees, std::vector<double> vanishing,
   };
   for (int f = 0; f < function_count; ++f) {
     if (degrees[f] < 0) continue;
-    const bool vanishes = f == Beta || f == Q;
+    const bool vanishes = isAlong(f);
     std::vector<double> zeros = vanishes ? family.vanishing : std::vector<double>{};
     std::vector<int> open(degrees[f] + 1);  // coefficients that no end determines
     std::iota(open.begin(), open.end(), 0);
     for (const HeldEnd& end : ends) {
-      if (f >= P && !end.second) continue;
+      if (end.order < orderOf(f)) continue;
       if (vanishes) {
         zeros.push_back(end.t);
         continue;
@@ -155,8 +205,8 @@ Eigen::RowVectorXd jumpAt(const SeamRows& rows, double knot, int k) {
   return jump;
 }
 
-/// The inner knots at which the seam (for order 2 also the row behind it) is no smoother than its
-/// knots make it, so that beta is not free.
+/// The inner knots at which the seam (for higher orders also the rows behind it) is no smoother
+/// than its knots make it, so that beta is not free.
 std::vector<double> roughKnots(const Unknowns& u, int order) {
   // Share of the terms of a jump. It is 1e5 roundings of a term: far more than knots leave that
   // were inserted.
@@ -165,7 +215,7 @@ std::vector<double> roughKnots(const Unknowns& u, int order) {
   for (const double knot : innerKnots(u.a)) {
     const int r = u.a.degree - static_cast<int>(std::ranges::count(u.a.knots, knot));
     bool is_smooth = true;
-    for (int block = 0; block < (order == 2 ? 2 : 1); ++block)
+    for (int block = 0; block < std::min(order, 1 + u.a.depth); ++block)
       for (int k = r + 1; k <= r + order - block; ++k) {
         const auto row =
             u.target.middleRows(static_cast<Eigen::Index>(block) * u.count(), u.count());
@@ -216,8 +266,7 @@ std::vector<Family> familiesOf(const Unknowns& u, const NearestOptions& options)
   const Degrees asked = degreesOf(options, u.rational);
   Degrees constant = asked, natural = asked;
   constant[Alpha] = 0;
-  for (int f = 0; f < function_count; ++f)
-    natural[f] = std::min(asked[f], f == Beta || f == Q ? 1 : 0);
+  for (int f = 0; f < function_count; ++f) natural[f] = std::min(asked[f], isAlong(f) ? 1 : 0);
   const std::vector<double> rough = roughKnots(u, options.order);
   std::vector<Family> families;
   const auto add = [&](const Degrees& degrees) {
@@ -245,6 +294,8 @@ std::vector<Family> familiesThatMayHold(const NearestOptions& options, bool rati
     further.degree_beta = k + 1;
     further.degree_p = further.degree_e2 = 2 * k;
     further.degree_q = 2 * k + 1;
+    further.degree_h = further.degree_e3 = 3 * k;
+    further.degree_k = 3 * k + 1;
     families.push_back(familyOf(degreesOf(further, rational), {}));
   }
   return families;
@@ -253,18 +304,15 @@ std::vector<Family> familiesThatMayHold(const NearestOptions& options, bool rati
 Family heldFamily(const ConnectionFunctions& held, const NearestOptions& options, bool rational) {
   if (!isConstant(held.e0, 1)) refuse("e0 of a held connection must be 1");
   if (!isConstant(held.gamma, 1)) refuse("gamma of a held connection must be 1");
-  if (!rational && (!isConstant(held.e1, 0) || !isConstant(held.e2, 0)))
-    refuse("e1 and e2 of a held connection must be 0 unless a surface is rational");
+  if (!rational && !(isConstant(held.e1, 0) && isConstant(held.e2, 0) && isConstant(held.e3, 0)))
+    refuse("e1, e2 and e3 of a held connection must be 0 unless a surface is rational");
   const std::array<const Eigen::VectorXd*, function_count> functions = {
-      &held.alpha, &held.beta, &held.e1, &held.p, &held.q, &held.e2};
-  static constexpr std::array names = {"alpha", "beta", "e1", "p", "q", "e2"};
-  NearestOptions of_held = options;
-  const std::array<int*, function_count> degrees = {&of_held.degree_alpha, &of_held.degree_beta,
-                                                    &of_held.degree_e1,    &of_held.degree_p,
-                                                    &of_held.degree_q,     &of_held.degree_e2};
+      &held.alpha, &held.beta, &held.e1, &held.p, &held.q, &held.e2, &held.h, &held.k, &held.e3};
+  static constexpr std::array names = {"alpha", "beta", "e1", "p", "q", "e2", "h", "k", "e3"};
+  Degrees degrees{};
   for (int f = 0; f < function_count; ++f) {
-    *degrees[f] = static_cast<int>(functions[f]->size()) - 1;
-    requireDegree(*degrees[f], names[f]);
+    degrees[f] = static_cast<int>(functions[f]->size()) - 1;
+    requireDegree(degrees[f], names[f]);
     if (!functions[f]->allFinite())
       refuse(std::string(names[f]) + " of the held connection is not finite");
   }
@@ -272,7 +320,7 @@ Family heldFamily(const ConnectionFunctions& held, const NearestOptions& options
     if (!(held.alpha(i) > 0))
       refuse("coefficient " + std::to_string(i) + " of alpha is " + std::to_string(held.alpha(i)) +
              ": it must be positive");
-  Family family{degreesOf(of_held, rational), {}, {}, {}};
+  Family family{limited(degrees, options.order, rational), {}, {}, {}};
   const auto offset = offsets(family.degrees);
   family.held.resize(offset.back());
   family.basis.resize(offset.back(), 0);
@@ -294,9 +342,12 @@ ConnectionFunctions connectionOf(const Unknowns& u, const Degrees& degrees,
   connection.beta = part(Beta);
   connection.p = part(P);
   connection.q = part(Q);
+  connection.h = part(H);
+  connection.k = part(K);
   connection.e0 = Eigen::VectorXd::Constant(1, u.scale_b);
   connection.e1 = u.scale_b * part(E1);
   connection.e2 = u.scale_b * part(E2);
+  connection.e3 = u.scale_b * part(E3);
   return connection;
 }
 

@@ -207,9 +207,9 @@ SeamRows seamRows(const JoinSide& side, int order) {
   const int rows_count = along_v ? nu : nv, degree_across = along_v ? s.degree_u : s.degree_v;
   rows.depth = std::min(order, rows_count - 1);
   const std::vector<double> across = scaledKnots(along_v ? s.knots_u : s.knots_v, at_end);
-  const int used = std::min(3, degree_across + 1);
+  const int used = std::min(4, degree_across + 1);
   rows.across.leftCols(used) =
-      bspline::basisDerivatives(degree_across, across, degree_across, 0, 2).leftCols(used);
+      bspline::basisDerivatives(degree_across, across, degree_across, 0, 3).leftCols(used);
   const int row_stride = along_v ? nv : 1, stride = along_v ? 1 : nv;
   rows.row_step = at_end ? -row_stride : row_stride;
   rows.step = side.reversed ? -stride : stride;

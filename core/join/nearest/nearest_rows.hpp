@@ -17,9 +17,9 @@ struct SeamRows {
   int count = 0;              ///< poles of a row
   std::vector<double> knots;  ///< scaled to 0..1, in the sense of the seam
   int depth = 0;              ///< rows behind the edge that take part
-  /// Row k holds the coefficients of the k-th derivative by s for the rows of poles 0..2. s is 0 at
+  /// Row k holds the coefficients of the k-th derivative by s for the rows of poles 0..3. s is 0 at
   /// the edge and 1 at the opposite edge.
-  Eigen::Matrix3d across = Eigen::Matrix3d::Zero();
+  Eigen::Matrix4d across = Eigen::Matrix4d::Zero();
 
   /// Index of pole j of a row among the poles of the surface.
   int pole(int row, int j) const { return origin + row * row_step + j * step; }

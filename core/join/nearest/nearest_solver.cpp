@@ -155,7 +155,7 @@ Eigen::MatrixXd Search::hessian(const Iterate& at, const Matrices& tangent,
     crosswise.push_back(part - at.inverse.solve(at.matrix * part));
     h.push_back(std::move(part));
   }
-  Eigen::MatrixXd result = condition_.curvature(scaled, at.x);
+  Eigen::MatrixXd result = condition_.curvature(at.c, scaled, at.x);
   const auto count = static_cast<Eigen::Index>(h.size());
   for (Eigen::Index i = 0; i < count; ++i)
     for (Eigen::Index j = 0; j < count; ++j)

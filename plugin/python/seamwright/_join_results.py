@@ -30,20 +30,15 @@ class G1Connection(Result):
 
 
 class Connection(G1Connection):
-    """Bernstein coefficients of the functions of a G2 join; see ``join_rows``."""
+    """Bernstein coefficients of the functions of a join of order 1 to 3; see ``join_rows``."""
 
     p: Array
     q: Array
+    h: Array
+    k: Array
     e0: Array
     e1: Array
     e2: Array
-
-
-class G3Connection(Connection):
-    """Bernstein coefficients of the functions of a G3 join; see ``join_rows``."""
-
-    h: Array
-    k: Array
     e3: Array
 
 
@@ -52,7 +47,7 @@ class NearestJoin(Connection):
 
     a, b             the surfaces
     status           "joined", "unchanged", "infeasible" or "not converged"
-    alpha, ..., e2   the functions that connect them
+    alpha, ..., e3   the functions that connect them
     largest_move_mm  of a pole
     cost_mm2         sum of weight times squared move; item "cost"
     residual         of the equations, without unit
@@ -74,7 +69,8 @@ class NearestJoin(Connection):
     @property
     def connection(self) -> Connection:
         """The functions alone."""
-        return Connection({key: self[key] for key in ("alpha", "beta", "p", "q", "e0", "e1", "e2")})
+        keys = ("alpha", "beta", "p", "q", "h", "k", "e0", "e1", "e2", "e3")
+        return Connection({key: self[key] for key in keys})
 
 
 class JoinResidual(Result):
@@ -142,10 +138,10 @@ class ConnectionFit(Result):
     note        why it is not found, or ""
     """
 
-    _kinds = {"connection": G3Connection}
+    _kinds = {"connection": Connection}
 
     found: bool
-    connection: G3Connection
+    connection: Connection
     residual: float
     noise: float
     condition: float

@@ -35,15 +35,23 @@ def assert_joined(join, order, edge_a="u0", edge_b="u0"):
     assert join["residual"] < 1e-13
     assert join["stationarity"] < 1e-10
     seam = seamwright.enclose_seam(
-        join["a"], edge_a, join["b"], edge_b, angle_deg=1e-8, curvature_rel=1e-8
+        join["a"],
+        edge_a,
+        join["b"],
+        edge_b,
+        level="G3" if order == 3 else "G1",
+        angle_deg=1e-8,
+        curvature_rel=1e-8,
     )
     assert seam["gap_mm"]["upper"] < 1e-9
     assert seam["angle_deg"]["upper"] < 1e-8
-    if order == 2:
+    if order >= 2:
         assert seam["curvature_per_mm"]["upper"] < 1e-8
+    if order == 3:
+        assert seam["curvature_change_per_mm2"]["upper"] < 1e-7
 
 
-@pytest.mark.parametrize("order", [1, 2])
+@pytest.mark.parametrize("order", [1, 2, 3])
 @pytest.mark.parametrize("moves", ["both", "a", "b"])
 def test_patches_join(order, moves):
     a, b = pair()
@@ -140,7 +148,7 @@ def test_what_cannot_join_is_said():
     "change, text",
     [
         ({"edge_a": "w0"}, "edge_a 'w0': known of a patch are u0, u1, v0 and v1"),
-        ({"order": 3}, "order is 3"),
+        ({"order": 4}, "order is 4"),
         ({"moves": "c"}, "moves is 'c'"),
         ({"weights_a": np.ones((3, 4))}, r"weights_a have shape \(3, 4\)"),
         ({"fixed_b": np.ones(16, bool)}, r"fixed_b have shape \(16\)"),

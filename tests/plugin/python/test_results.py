@@ -311,7 +311,7 @@ def test_profiles_are_tolerances():
 
 def test_a_nearest_join_is_a_connection():
     near = seamwright.nearest_join(patch(), "u1", patch(3.0, 0.02), "u0", order=2)
-    functions = {k: near[k] for k in ("alpha", "beta", "p", "q", "e0", "e1", "e2")}
+    functions = {k: near[k] for k in ("alpha", "beta", "p", "q", "h", "k", "e0", "e1", "e2", "e3")}
     assert near.connection == functions
     for given in (near, near.connection, functions):
         condition = seamwright.join_condition(near.a, "u1", near.b, "u0", connection=given)
