@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 
 #include <optional>
+#include <seamwright/core/umbrella/twists.hpp>
 #include <seamwright/core/umbrella/umbrella.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
 #include <seamwright/plugin/python/curves.hpp>
@@ -148,6 +149,45 @@ py::object umbrellaInsideOf(const py::object& sides, const py::object& spoke_deg
   return umbrellaResult(built());
 }
 
+SpokeSeconds secondsOf(const UmbrellaVertex& vertex, const Eigen::Matrix3Xd& second,
+                       const py::object& slopes, const py::object& cross_slopes) {
+  SpokeSeconds seconds = defaultSeconds(vertex, second);
+  if (!slopes.is_none()) seconds.lambda = numbersOf("slopes", slopes);
+  if (!cross_slopes.is_none()) seconds.mu = numbersOf("cross_slopes", cross_slopes);
+  return seconds;
+}
+
+py::object umbrellaTwistsOf(const py::object& tangents, const py::object& second_derivatives,
+                            const py::object& closed_fan, const py::object& slopes,
+                            const py::object& cross_slopes, const py::object& form,
+                            const py::object& flat_rad) {
+  const UmbrellaVertex vertex =
+      umbrellaVertex(rowsOf("tangents", tangents, "(spokes, 3)").transpose(),
+                     flagOf("closed", closed_fan), {numberOf("flat_rad", flat_rad)});
+  Eigen::Matrix3Xd second =
+      rowsOf("second_derivatives", second_derivatives, "(spokes, 3)").transpose();
+  if (second.cols() != vertex.spokes())
+    throw py::value_error("second_derivatives have " + std::to_string(second.cols()) +
+                          " rows for " + std::to_string(vertex.spokes()) + " tangents");
+  if (const std::optional<Eigen::Matrix3d> shape = formOf(form))
+    second = shapedBy(vertex, *shape, second);
+  const SpokeSeconds given = secondsOf(vertex, second, slopes, cross_slopes);
+  const SpokeSeconds used = closed(vertex, given);
+  const TwistSolution solution = solveTwists(vertex);
+  py::dict dict;
+  dict["twists"] = Poles(leastTwists(vertex, used).transpose());
+  dict["direction"] =
+      solution.direction.size() > 0 ? py::cast(solution.direction) : py::object(py::none());
+  dict["closing_defect_mm"] = Eigen::Vector3d(closingDefect(vertex, given));
+  dict["second_derivatives"] = Poles(used.second.transpose());
+  dict["slopes"] = used.lambda;
+  dict["cross_slopes"] = used.mu;
+  dict["alpha"] = vertex.alpha;
+  dict["beta"] = vertex.beta;
+  dict["form"] = Eigen::Matrix3d(secondForm(vertex, used.second));
+  return resultOf("UmbrellaTwists", dict);
+}
+
 constexpr const char* umbrella_doc =
     R"(Patches and triangles around a point that join G1 across every spoke: an Umbrella.
 
@@ -171,6 +211,19 @@ constexpr const char* umbrella_inside_doc =
 One patch for each corner, spokes from the fairest centre to the middles of the sides. Member i has
 the corner between side i and side i + 1 at (u, v) = (1, 1).)";
 
+constexpr const char* umbrella_twists_doc =
+    R"(The twists of the members around a point, from its spokes to second order: UmbrellaTwists.
+
+tangents, second_derivatives: (spokes, 3), of the spokes at the point, in mm. Members join G1 across
+spoke i at the point with V = a C' + b U, a(0) = alpha, b(0) = beta, a'(0) = slopes, b'(0) =
+cross_slopes; then X_i - beta_i X_(i-1) = alpha_i C_i'' + slopes_i C_i' + cross_slopes_i C_(i-1)'
+for the twists X. A closed fan of an even number of members has twists only if an alternating sum
+of these is zero: second derivatives and slopes are changed as little as makes it so. form: (3, 3),
+a second fundamental form that the spokes get the curvature of. slopes, None: -alpha; cross_slopes,
+None: 0. closed and flat_rad are those of umbrella().
+
+ValueError says what is wrong with which spoke or sector.)";
+
 }  // namespace
 
 void bindUmbrella(py::module_& module) {
@@ -180,6 +233,10 @@ void bindUmbrella(py::module_& module) {
              py::arg("slopes") = py::none(), py::arg("cross_slopes") = py::none(),
              py::arg("form") = py::none(), py::arg("gap_mm") = UmbrellaOptions{}.gap_mm,
              py::arg("flat_rad") = VertexOptions{}.flat_rad);
+  module.def("umbrella_twists", &umbrellaTwistsOf, umbrella_twists_doc, py::arg("tangents"),
+             py::arg("second_derivatives"), py::kw_only(), py::arg("closed") = true,
+             py::arg("slopes") = py::none(), py::arg("cross_slopes") = py::none(),
+             py::arg("form") = py::none(), py::arg("flat_rad") = VertexOptions{}.flat_rad);
   module.def("umbrella_inside", &umbrellaInsideOf, umbrella_inside_doc, py::arg("sides"),
              py::kw_only(), py::arg("spoke_degree") = UmbrellaInsideOptions{}.spoke_degree,
              py::arg("degree") = py::none(), py::arg("gap_mm") = UmbrellaInsideOptions{}.gap_mm);

@@ -170,6 +170,7 @@ from ._core import (
     two_conics,
     umbrella,
     umbrella_inside,
+    umbrella_twists,
 )
 from ._core import __version__
 from .results import Tolerances
@@ -422,4 +423,5 @@ __all__ = [
     "two_conics",
     "umbrella",
     "umbrella_inside",
+    "umbrella_twists",
 ]

@@ -1300,6 +1300,16 @@ def umbrella(
     gap_mm: Number = ...,
     flat_rad: Number = ...,
 ) -> _r.Umbrella: ...
+def umbrella_twists(
+    tangents: Numbers,
+    second_derivatives: Numbers,
+    *,
+    closed: Flag = True,
+    slopes: Optional[Numbers] = None,
+    cross_slopes: Optional[Numbers] = None,
+    form: Optional[Numbers] = None,
+    flat_rad: Number = ...,
+) -> _r.UmbrellaTwists: ...
 def umbrella_inside(
     sides: Sequence[Union[Curve, Numbers]],
     *,

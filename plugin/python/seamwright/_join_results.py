@@ -349,3 +349,28 @@ class Umbrella(Result):
     slope_change: float
     member_move_mm: float
     free_vectors: int
+
+
+class UmbrellaTwists(Result):
+    """The mixed second derivatives of members around a point.
+
+    twists              (members, 3), those of the least sum of |X_i|^2 / S_i^2, S_i the area of
+                        the tangents of a sector
+    direction           (members,): twists + direction x are others for any vector x; None: unique
+    closing_defect_mm   (3,), the alternating sum of the given values
+    second_derivatives  (spokes, 3), of the spokes, with which the fan closes
+    slopes              a' of each spoke at the point, with which it closes
+    cross_slopes        b' of each spoke
+    alpha, beta         a and b of each spoke at the point; 0 on the boundary
+    form                (3, 3), the second fundamental form nearest to the spokes' curvatures
+    """
+
+    twists: Array
+    direction: Optional[Array]
+    closing_defect_mm: Array
+    second_derivatives: Array
+    slopes: Array
+    cross_slopes: Array
+    alpha: Array
+    beta: Array
+    form: Array

@@ -1,8 +1,23 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Fills of holes, and patches around a point."""
 
-from ._core import n_sided_fill, ring_fill, three_sided_fill, umbrella, umbrella_inside
-from .results import FillCorner, G1Connection, NSidedFill, RingFill, ThreeSidedFill, Umbrella
+from ._core import (
+    n_sided_fill,
+    ring_fill,
+    three_sided_fill,
+    umbrella,
+    umbrella_inside,
+    umbrella_twists,
+)
+from .results import (
+    FillCorner,
+    G1Connection,
+    NSidedFill,
+    RingFill,
+    ThreeSidedFill,
+    Umbrella,
+    UmbrellaTwists,
+)
 
 __all__ = [
     "FillCorner",
@@ -11,9 +26,11 @@ __all__ = [
     "RingFill",
     "ThreeSidedFill",
     "Umbrella",
+    "UmbrellaTwists",
     "n_sided_fill",
     "ring_fill",
     "three_sided_fill",
     "umbrella",
     "umbrella_inside",
+    "umbrella_twists",
 ]

@@ -60,6 +60,7 @@ from ._join_results import (
     RingFill,
     ThreeSidedFill,
     Umbrella,
+    UmbrellaTwists,
 )
 from ._model_results import (
     Bounds,
@@ -200,6 +201,7 @@ __all__ = [
     "ThreeSidedFill",
     "Tolerances",
     "Umbrella",
+    "UmbrellaTwists",
     "WorstPoint",
     "WriteResult",
     "WrittenFile",

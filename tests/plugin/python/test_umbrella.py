@@ -211,3 +211,62 @@ def test_bad_spokes():
         seamwright.umbrella([BezierCurve(spokes[0], [1, 2, 1, 1]), *spokes[1:]])
     with pytest.raises(ValueError, match="2 sides"):
         seamwright.umbrella_inside([spokes[0], spokes[0][::-1]])
+
+
+def spokes_to_second_order(umbrella):
+    """Tangents and second derivatives of the spokes, and a'(0), b'(0) of their connections."""
+    first, second, slopes, cross_slopes = [], [], [], []
+    for spoke, connection in zip(umbrella["spokes"], umbrella["connections"]):
+        poles, n = spoke.poles, spoke.degree
+        first.append(n * (poles[1] - poles[0]))
+        second.append(n * (n - 1) * (poles[2] - 2 * poles[1] + poles[0]))
+        a, b = ([0], [0]) if connection is None else (connection["beta"], -connection["alpha"])
+        slopes.append((len(a) - 1) * (a[min(1, len(a) - 1)] - a[0]))
+        cross_slopes.append((len(b) - 1) * (b[min(1, len(b) - 1)] - b[0]))
+    return np.array(first), np.array(second), np.array(slopes), np.array(cross_slopes)
+
+
+@pytest.mark.parametrize("count, closed", [(3, True), (5, True), (4, True), (6, True), (4, False)])
+def test_twists_are_the_mixed_derivatives_of_the_members(count, closed):
+    umbrella = seamwright.umbrella(spokes_of(count, closed), closed=closed)
+    first, second, slopes, cross_slopes = spokes_to_second_order(umbrella)
+    found = seamwright.umbrella_twists(
+        first, second, closed=closed, slopes=slopes, cross_slopes=cross_slopes
+    )
+    assert np.abs(found.closing_defect_mm).max() < 1e-10
+    assert found.second_derivatives == pytest.approx(second, abs=1e-9)
+    mixed = np.array([member.jet(0, 0).uv for member in umbrella["members"]])
+    difference = mixed - found.twists
+    if found.direction is None:
+        assert closed and count % 2 == 1
+    else:
+        along = found.direction / np.linalg.norm(found.direction)
+        difference = difference - np.outer(along, along @ difference)
+    assert np.abs(difference).max() < 1e-9 * np.abs(mixed).max()
+
+
+def test_twists_of_spokes_that_do_not_close():
+    angles = np.radians([0, 80, 170, 240])
+    tangents = np.stack([np.cos(angles), np.sin(angles), 0 * angles], axis=-1)
+    second = np.array([[0, 0, 0.1], [0, 0, 0.2], [0, 0, 0.1], [0, 0, 0.2]])
+    found = seamwright.umbrella_twists(tangents, second)
+    assert abs(found.closing_defect_mm[2]) > 1e-3
+    again = seamwright.umbrella_twists(
+        tangents, found.second_derivatives, slopes=found.slopes, cross_slopes=found.cross_slopes
+    )
+    assert np.abs(again.closing_defect_mm).max() < 1e-14
+    assert again.twists == pytest.approx(found.twists)
+    for i in range(4):
+        expected = (
+            found.alpha[i] * found.second_derivatives[i]
+            + found.slopes[i] * tangents[i]
+            + found.cross_slopes[i] * tangents[i - 1]
+        )
+        assert found.twists[i] - found.beta[i] * found.twists[i - 1] == pytest.approx(expected)
+    shaped = seamwright.umbrella_twists(tangents, second, form=np.diag([0.3, -0.1, 0]))
+    assert np.abs(shaped.closing_defect_mm[2]) < 1e-15
+    assert shaped.form == pytest.approx(np.diag([0.3, -0.1, 0]))
+    with pytest.raises(ValueError, match="3 rows for 4 tangents"):
+        seamwright.umbrella_twists(tangents, second[:3])
+    with pytest.raises(ValueError, match="values of lambda"):
+        seamwright.umbrella_twists(tangents, second, slopes=[1, 2])
