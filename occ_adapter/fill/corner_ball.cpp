@@ -96,7 +96,7 @@ class OutsideRounder {
     if (!rounded.More()) throw CornerRefused(corner_why::noSolid(ball_mm_));
     result_.solid = rounded.Current();
     follow(fillets);
-    readBall(fillets);
+    readBall();
     return std::move(result_);
   }
 
@@ -167,7 +167,7 @@ class OutsideRounder {
     if (result_.caps.empty()) throw CornerRefused(corner_why::ballIsGone(ball_mm_));
   }
 
-  void readBall(BRepFilletAPI_MakeFillet& fillets) {
+  BallBoundary ballBoundary() const {
     TopTools_IndexedDataMapOfShapeListOfShape around;
     TopExp::MapShapesAndUniqueAncestors(result_.solid, TopAbs_EDGE, TopAbs_FACE, around);
     BallBoundary boundary;
@@ -178,45 +178,80 @@ class OutsideRounder {
                                    [&](const TopoDS_Face& own) { return own.IsSame(face); }))
             boundary.emplace_back(TopoDS::Edge(edge.Current().Oriented(TopAbs_FORWARD)),
                                   TopoDS::Face(face));
-    const auto edgesBeside = [&boundary](const auto& belongs) {
-      std::vector<TopoDS_Edge> edges;
-      for (const auto& [edge, face] : boundary)
-        if (belongs(face)) edges.push_back(edge);
-      return edges;
-    };
-    std::size_t assigned = 0;
-    for (std::size_t i = 0; i < corner_.count(); ++i) {
-      const TopTools_ListOfShape& made = fillets.Generated(edges_[i]);
-      result_.band_ends.push_back(edgesBeside([&made](const TopoDS_Face& face) {
-        return std::any_of(made.begin(), made.end(),
-                           [&face](const TopoDS_Shape& of) { return of.IsSame(face); });
-      }));
-      const auto now = result_.became.find(numberOf(corner_.faces[i].face));
-      result_.arcs.push_back(edgesBeside([&](const TopoDS_Face& face) {
-        return now != result_.became.end() && face.IsSame(now->second);
-      }));
-      if (result_.band_ends[i].empty() || result_.arcs[i].empty())
-        throw CornerRefused(corner_why::filletMissesBall(outside(i)));
-      assigned += result_.band_ends[i].size() + result_.arcs[i].size();
-      result_.bands.push_back(faceBeyond(boundary, result_.band_ends[i]));
-    }
-    if (assigned != boundary.size())
-      throw CornerRefused(corner_why::ballNotSurrounded(ball_mm_, boundary.size(), assigned));
+    return boundary;
   }
 
-  /// The only face on the other side of these edges of the ball.
-  TopoDS_Face faceBeyond(const BallBoundary& boundary,
-                         const std::vector<TopoDS_Edge>& edges) const {
-    TopoDS_Face found;
-    for (const auto& [edge, face] : boundary) {
-      const TopoDS_Edge& here = edge;
-      if (std::ranges::none_of(edges, [&here](const TopoDS_Edge& own) { return own.IsSame(here); }))
-        continue;
-      if (!found.IsNull() && !found.IsSame(face))
-        throw CornerRefused(corner_why::filletInSeveralFaces(ball_mm_));
-      found = face;
+  /// Divides the edges of the ball among the faces of the corner and the fillets between them.
+  /// OpenCASCADE does not name the faces that it makes of every edge; so a fillet is what leads
+  /// along the ball from the face before its edge to the face after it.
+  void readBall() {
+    const BallBoundary boundary = ballBoundary();
+    BallBoundary beside_fillets = boundary;
+    for (std::size_t i = 0; i < corner_.count(); ++i) {
+      const auto now = result_.became.find(numberOf(corner_.faces[i].face));
+      const auto is_arc = [&](const auto& entry) {
+        return now != result_.became.end() && entry.second.IsSame(now->second);
+      };
+      std::vector<TopoDS_Edge> arcs;
+      for (const auto& entry : boundary)
+        if (is_arc(entry)) arcs.push_back(entry.first);
+      std::erase_if(beside_fillets, is_arc);
+      result_.arcs.push_back(std::move(arcs));
     }
-    return found;
+    std::size_t left = beside_fillets.size();
+    for (std::size_t i = 0; i < corner_.count(); ++i) {
+      const std::size_t before = (i + corner_.count() - 1) % corner_.count();
+      const BallBoundary path = pathBetween(beside_fillets, before, i);
+      if (path.empty()) throw CornerRefused(corner_why::filletMissesBall(outside(i)));
+      std::vector<TopoDS_Edge> ends;
+      for (const auto& [edge, face] : path) {
+        if (!face.IsSame(path.front().second))
+          throw CornerRefused(corner_why::filletInSeveralFaces(ball_mm_));
+        ends.push_back(edge);
+      }
+      left -= ends.size();
+      result_.band_ends.push_back(std::move(ends));
+      result_.bands.push_back(path.front().second);
+    }
+    if (left != 0)
+      throw CornerRefused(
+          corner_why::ballNotSurrounded(ball_mm_, boundary.size(), boundary.size() - left));
+  }
+
+  /// Whether an arc of that face of the corner ends at the vertex.
+  bool arcEndsAt(std::size_t face, const TopoDS_Vertex& vertex) const {
+    return std::ranges::any_of(result_.arcs[face], [&](const TopoDS_Edge& arc) {
+      return TopExp::FirstVertex(arc).IsSame(vertex) || TopExp::LastVertex(arc).IsSame(vertex);
+    });
+  }
+
+  /// The edges that lead from an arc of one face to an arc of another one without a third; empty if
+  /// there are none.
+  BallBoundary pathBetween(const BallBoundary& edges, std::size_t from, std::size_t to) const {
+    for (const auto& start : edges)
+      for (const TopoDS_Vertex& end :
+           {TopExp::FirstVertex(start.first), TopExp::LastVertex(start.first)}) {
+        if (!arcEndsAt(from, end)) continue;
+        BallBoundary path = {start};
+        TopoDS_Vertex at = otherEnd(start.first, end);
+        while (!arcEndsAt(to, at)) {
+          const auto next = std::ranges::find_if(edges, [&](const auto& entry) {
+            return !entry.first.IsSame(path.back().first) &&
+                   (TopExp::FirstVertex(entry.first).IsSame(at) ||
+                    TopExp::LastVertex(entry.first).IsSame(at));
+          });
+          if (next == edges.end() || path.size() == edges.size()) break;
+          path.push_back(*next);
+          at = otherEnd(next->first, at);
+        }
+        if (arcEndsAt(to, at)) return path;
+      }
+    return {};
+  }
+
+  static TopoDS_Vertex otherEnd(const TopoDS_Edge& edge, const TopoDS_Vertex& end) {
+    const TopoDS_Vertex first = TopExp::FirstVertex(edge);
+    return first.IsSame(end) ? TopExp::LastVertex(edge) : first;
   }
 
   int numberOf(const TopoDS_Face& face) const {
