@@ -7,6 +7,7 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Eigen/Geometry>
+#include <Geom_BSplineCurve.hxx>
 #include <Precision.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -142,6 +143,24 @@ bool isPlane(const TopoDS_Face& face) {
   return BRepAdaptor_Surface(face, false).GetType() == GeomAbs_Plane;
 }
 
+/// A line, or a spline whose poles are on one within the tolerance of the edge, as some programs
+/// write lines.
+bool isStraight(const TopoDS_Edge& edge) {
+  const BRepAdaptor_Curve curve(edge);
+  if (curve.GetType() == GeomAbs_Line) return true;
+  if (curve.GetType() != GeomAbs_BSplineCurve) return false;
+  const opencascade::handle<Geom_BSplineCurve> spline = curve.BSpline();
+  const Vector3d begin = vector(curve.Value(curve.FirstParameter()).XYZ()),
+                 chord = vector(curve.Value(curve.LastParameter()).XYZ()) - begin;
+  const double tolerance = BRep_Tool::Tolerance(edge);
+  if (!(chord.norm() > tolerance)) return false;
+  for (int k = 1; k <= spline->NbPoles(); ++k) {
+    const Vector3d pole = vector(spline->Pole(k).XYZ()) - begin;
+    if (pole.cross(chord).norm() > tolerance * chord.norm()) return false;
+  }
+  return true;
+}
+
 class CornerReader {
  public:
   CornerReader(const Surroundings& around, Corner& corner) : around_(around), corner_(corner) {}
@@ -225,9 +244,8 @@ class CornerReader {
   bool isOfPlanesAndLines() const {
     return std::ranges::all_of(corner_.faces,
                                [](const CornerFace& face) { return isPlane(face.face); }) &&
-           std::ranges::all_of(corner_.edges, [](const CornerEdge& edge) {
-             return BRepAdaptor_Curve(edge.edge).GetType() == GeomAbs_Line;
-           });
+           std::ranges::all_of(corner_.edges,
+                               [](const CornerEdge& edge) { return isStraight(edge.edge); });
   }
 
   /// Whether the far vertex has exactly one more face, a plane that meets both faces beside the

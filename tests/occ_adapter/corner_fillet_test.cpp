@@ -107,6 +107,7 @@ std::vector<Case> cases() {
   return {{"CubeEqual", box(10, 10, 10), origin, {1}},
           {"CubeOneTwoThree", box(10, 10, 10), origin, {1, 2, 3}},
           {"CubeThreeTwoOne", box(10, 10, 10), origin, {3, 2, 1}},
+          {"CubeOfSplines", linesAsSplines(box(10, 10, 10)), origin, {1, 2, 3}},
           {"CubeFortyfold", box(10, 10, 10), origin, {0.1, 2, 4}},
           {"PyramidOfThree", regularPyramid(3, 10), ten, {0.5, 1}},
           {"PyramidOfFour", regularPyramid(4, 10), ten, {0.5, 1}},

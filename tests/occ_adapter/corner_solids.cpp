@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeSolid.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepGProp.hxx>
 #include <BRepLib.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
+#include <GeomConvert.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_TrimmedCurve.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Shell.hxx>
@@ -71,6 +78,20 @@ TopoDS_Shape notchedCube() {
                              {7, 9, 10, 8},
                              {8, 10, 13, 11},
                              {9, 12, 13, 10}});
+}
+
+TopoDS_Shape linesAsSplines(const TopoDS_Shape& shape) {
+  const TopoDS_Shape copy = BRepBuilderAPI_Copy(shape).Shape();
+  for (TopExp_Explorer edges(copy, TopAbs_EDGE); edges.More(); edges.Next()) {
+    const TopoDS_Edge edge = TopoDS::Edge(edges.Current());
+    if (BRepAdaptor_Curve(edge).GetType() != GeomAbs_Line) continue;
+    double first = 0, last = 0;
+    const opencascade::handle<Geom_Curve> line = BRep_Tool::Curve(edge, first, last);
+    BRep_Builder().UpdateEdge(
+        edge, GeomConvert::CurveToBSplineCurve(new Geom_TrimmedCurve(line, first, last)),
+        BRep_Tool::Tolerance(edge));
+  }
+  return copy;
 }
 
 int vertexAt(const TopoDS_Shape& shape, const Eigen::Vector3d& point) {

@@ -20,6 +20,9 @@ TopoDS_Shape regularPyramid(int sides, double height);
 /// 5, 5), has three concave edges, three others two convex ones and a concave one.
 TopoDS_Shape notchedCube();
 
+/// The same solid with splines in place of the lines of its edges, as some programs write them.
+TopoDS_Shape linesAsSplines(const TopoDS_Shape& shape);
+
 /// The number of the vertex at the point, from 1, order of TopExp::MapShapes; 0 if there is none.
 int vertexAt(const TopoDS_Shape& shape, const Eigen::Vector3d& point);
 
