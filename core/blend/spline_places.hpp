@@ -36,8 +36,8 @@ class Measured {
   BezierSpline spline_;
   std::vector<BezierCurve> pieces_;
   std::vector<std::vector<LengthMark>> marks_;  ///< of each piece
-  std::vector<double> sums_;   ///< of lengths
-  std::vector<double> sizes_;  ///< lengths of the control polygons
+  std::vector<double> sums_;                    ///< of lengths
+  std::vector<double> sizes_;                   ///< lengths of the control polygons
 };
 
 /// The same curve with joints at these places, which increase; places at joints change nothing.
