@@ -154,6 +154,8 @@ class LengthSum {
 
   Interval bracket() const { return bracket_; }
   double value() const { return std::clamp(value_, bracket_.lower, bracket_.upper); }
+  /// The shares and the sums at the ends of the pieces.
+  const std::vector<LengthMark>& marks() const { return marks_; }
 
  private:
   /// A bound of the work, as a choice: the bracket stays wider if it is reached.
@@ -164,12 +166,14 @@ class LengthSum {
     bracket_.upper =
         rounding::sumUp(bracket_.upper, rounding::productUp(share, estimate.bracket.upper));
     value_ += share * estimate.value;
+    marks_.push_back({marks_.back().t + share, value_});
   }
 
   double tolerance_;
   int halvings_ = 0;
   Interval bracket_;
   double value_ = 0;
+  std::vector<LengthMark> marks_ = {{}};
 };
 
 void requirePositive(double tolerance_mm) {
@@ -219,18 +223,32 @@ ArcLength arcLength(const BezierCurve& curve, double tolerance_mm, double first,
   return length;
 }
 
-double parameterAtLength(const BezierCurve& curve, double length_mm, double tolerance_mm) {
+std::vector<LengthMark> lengthMarks(const BezierCurve& curve, double tolerance_mm) {
+  requirePositive(tolerance_mm);
+  requireDegree(curve);
+  const VelocityForm form = velocityForm(curve);
+  LengthSum sum(tolerance_mm / form.unit_mm);
+  sum.add(form, estimated(form), 1);
+  std::vector<LengthMark> marks = sum.marks();
+  for (LengthMark& mark : marks) mark.length_mm *= form.unit_mm;
+  return marks;
+}
+
+double parameterAtLength(const BezierCurve& curve, double length_mm, double tolerance_mm,
+                         double first, double last) {
   requirePositive(tolerance_mm);
   const double accuracy = 0.25 * tolerance_mm;
-  const ArcLength whole = arcLength(curve, accuracy);
+  const ArcLength whole = arcLength(curve, accuracy, first, last);
   if (!(length_mm >= 0 && length_mm <= whole.upper_mm))
     throw std::invalid_argument("length is " + bernstein::text(length_mm) +
                                 ": the curve has 0 .. " + bernstein::text(whole.value_mm) + " mm");
-  Interval range{0, 1};  // contains the result
-  double t = whole.value_mm > 0 ? std::min(1.0, length_mm / whole.value_mm) : 0;
+  Interval range{first, last};  // contains the result
+  const double share = whole.value_mm > 0 ? std::min(1.0, length_mm / whole.value_mm) : 0;
+  double t = share < 1 ? first + share * (last - first) : last;
   double nearest = t, least = std::numeric_limits<double>::infinity();
   for (int step = 1;; ++step) {
-    const double length = arcLength(curve, accuracy, 0, t).value_mm, missing = length_mm - length;
+    const double length = arcLength(curve, accuracy, first, t).value_mm,
+                 missing = length_mm - length;
     if (std::abs(missing) < least) {
       nearest = t;
       least = std::abs(missing);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <vector>
+
 #include <seamwright/core/bezier/curve.hpp>
 
 namespace seamwright {
@@ -39,15 +41,27 @@ double polygonLength(const BezierCurve& curve);
 ArcLength arcLength(const BezierCurve& curve, double tolerance_mm, double first = 0,
                     double last = 1);
 
-/// The parameter t at which the length from t = 0 is \p length_mm, by Newton's method between
-/// bounds.
-///   (5) arcLength(curve, tolerance_mm / 4, 0, t).value_mm is within tolerance_mm / 2 of length_mm.
+/// The length from t = 0 to t.
+struct LengthMark {
+  double t = 0, length_mm = 0;
+};
+
+/// The ends of the pieces into which arcLength() divides a curve, from t = 0 to 1. Within a piece
+/// arcLength() divides no further for this tolerance, so that many lengths of one curve are quick.
+///   (6) The last mark has the length arcLength(curve, tolerance_mm).value_mm, but for rounding.
+/// \throws as arcLength() does.
+std::vector<LengthMark> lengthMarks(const BezierCurve& curve, double tolerance_mm);
+
+/// The parameter t of [first, last] at which the length from \p first is \p length_mm, by Newton's
+/// method between bounds.
+///   (5) arcLength(curve, tolerance_mm / 4, first, t).value_mm is within tolerance_mm / 2 of it.
 ///       So if that arcLength() reached its tolerance, the true length at t is within tolerance_mm
 ///       of length_mm. Otherwise the error is limited by its bounds, which weights of very
 ///       different size widen. If no t has such a value, the result is, except for rounding, the t
 ///       that came nearest.
-/// \throws std::invalid_argument for a length outside 0 .. the whole length (with both numbers),
+/// \throws std::invalid_argument for a length outside 0 .. that of the range (with both numbers),
 /// and as arcLength() does.
-double parameterAtLength(const BezierCurve& curve, double length_mm, double tolerance_mm);
+double parameterAtLength(const BezierCurve& curve, double length_mm, double tolerance_mm,
+                         double first = 0, double last = 1);
 
 }  // namespace seamwright

@@ -183,6 +183,36 @@ void addJumps(const Measured& frame, const std::vector<Run>& runs, double least_
     result.closing = jumpBetween(end, start, least_per_mm);
 }
 
+/// Entry j: the least cost of the features of a from i on and those of b from j on.
+using CostRow = std::vector<double>;
+
+class CostRows {
+ public:
+  CostRows(const std::vector<Feature>& a, const std::vector<Feature>& b, double reach)
+      : a_(a), b_(b), reach_(reach) {}
+
+  /// Without features of a.
+  CostRow last() const {
+    CostRow row(b_.size() + 1, 0);
+    for (std::size_t j = b_.size(); j-- > 0;) row[j] = aloneCost(b_[j]) + row[j + 1];
+    return row;
+  }
+
+  /// Row i from the row after it.
+  CostRow before(const CostRow& next, int i) const {
+    CostRow row(next.size());
+    row.back() = aloneCost(a_[i]) + next.back();
+    for (std::size_t j = b_.size(); j-- > 0;)
+      row[j] = std::min({aloneCost(a_[i]) + next[j], aloneCost(b_[j]) + row[j + 1],
+                         pairCost(a_[i], b_[j], reach_) + next[j + 1]});
+    return row;
+  }
+
+ private:
+  const std::vector<Feature>&a_, &b_;
+  double reach_;
+};
+
 }  // namespace
 
 Features featuresOf(const Measured& frame, bool planar, const FeatureOptions& options) {
@@ -213,27 +243,35 @@ Features featuresOf(const Measured& frame, bool planar, const FeatureOptions& op
 
 std::vector<std::pair<int, int>> matchedFeatures(const std::vector<Feature>& a,
                                                  const std::vector<Feature>& b, double reach) {
+  const CostRows rows(a, b, reach);
   const auto m = static_cast<int>(a.size()), n = static_cast<int>(b.size());
-  // cost(i, j): least cost of the features from i and j on.
-  Eigen::MatrixXd cost = Eigen::MatrixXd::Zero(m + 1, n + 1);
-  for (int i = m; i >= 0; --i)
-    for (int j = n; j >= 0; --j) {
-      if (i == m && j == n) continue;
-      double best = infinite;
-      if (i < m) best = std::min(best, aloneCost(a[i]) + cost(i + 1, j));
-      if (j < n) best = std::min(best, aloneCost(b[j]) + cost(i, j + 1));
-      if (i < m && j < n) best = std::min(best, pairCost(a[i], b[j], reach) + cost(i + 1, j + 1));
-      cost(i, j) = best;
-    }
+  // All rows would take m n numbers: every stride-th is kept, and those between are computed again.
+  const int stride = static_cast<int>(std::sqrt(m)) + 1;
+  std::vector<CostRow> kept(m / stride + 1);
+  CostRow row = rows.last();
+  for (int i = m; i >= 0; --i) {
+    if (i < m) row = rows.before(row, i);
+    if (i % stride == 0) kept[i / stride] = row;
+  }
   std::vector<std::pair<int, int>> pairs;
+  std::vector<CostRow> block;
   for (int i = 0, j = 0; i < m && j < n;) {
-    if (cost(i, j) == pairCost(a[i], b[j], reach) + cost(i + 1, j + 1)) {
-      pairs.emplace_back(i++, j++);
-    } else if (cost(i, j) == aloneCost(a[i]) + cost(i + 1, j)) {
-      ++i;
-    } else {
-      ++j;
+    if (block.empty()) {
+      const int end = std::min(i + stride, m);
+      block.push_back(end < m ? kept[end / stride] : rows.last());
+      for (int k = end - 1; k >= i; --k) block.push_back(rows.before(block.back(), k));
     }
+    const double cost = block.back()[j];
+    const CostRow& next = block[block.size() - 2];
+    if (cost == pairCost(a[i], b[j], reach) + next[j + 1]) {
+      pairs.emplace_back(i, j++);
+    } else if (cost != aloneCost(a[i]) + next[j]) {
+      ++j;
+      continue;
+    }
+    ++i;
+    block.pop_back();
+    if (block.size() == 1) block.clear();
   }
   return pairs;
 }

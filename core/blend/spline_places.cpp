@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <seamwright/core/bezier/length.hpp>
 #include <seamwright/core/blend/spline_places.hpp>
 #include <seamwright/core/numeric.hpp>
 
@@ -35,7 +34,9 @@ Measured::Measured(BezierSpline spline) : spline_(std::move(spline)), sums_{0} {
   for (int i = 0; i < spline_.segments(); ++i) {
     pieces_.push_back(segment(spline_, i));
     const double size = polygonLength(pieces_.back());
-    const double length = size > 0 ? arcLength(pieces_.back(), length_share * size).value_mm : 0;
+    marks_.push_back(size > 0 ? lengthMarks(pieces_.back(), length_share * size)
+                              : std::vector<LengthMark>(1));
+    const double length = marks_.back().back().length_mm;
     if (!(length > 0) || !(sums_.back() + length > sums_.back()))
       refuse(fmt::format("piece {} has the length {} mm", i, length));
     sums_.push_back(sums_.back() + length);
@@ -45,8 +46,11 @@ Measured::Measured(BezierSpline spline) : spline_(std::move(spline)), sums_{0} {
 
 double Measured::shareAt(const Place& place) const {
   if (place.t == 0) return share(place.piece);
-  const BezierCurve& curve = pieces_[place.piece];
-  const double length = arcLength(curve, length_share * sizes_[place.piece], 0, place.t).value_mm;
+  const auto above = std::ranges::upper_bound(marks_[place.piece], place.t, {}, &LengthMark::t);
+  const LengthMark& mark = *(above - 1);
+  const double length =
+      mark.length_mm +
+      arcLength(pieces_[place.piece], length_share * sizes_[place.piece], mark.t, place.t).value_mm;
   return std::min((sums_[place.piece] + length) / sums_.back(), share(place.piece + 1));
 }
 
@@ -54,11 +58,17 @@ Place Measured::placeAt(double share, double precision) const {
   const double length = share * sums_.back();
   const auto above = std::upper_bound(sums_.begin() + 1, sums_.end() - 1, length);
   const auto piece = static_cast<int>(above - sums_.begin()) - 1;
+  const std::vector<LengthMark>& marks = marks_[piece];
+  const double inside = length - sums_[piece];
+  if (!(inside > 0)) return {piece, 0.0};
+  if (!(inside < marks.back().length_mm)) return {piece, 1.0};
+  const LengthMark& end = *std::ranges::upper_bound(marks, inside, {}, &LengthMark::length_mm);
+  const LengthMark& start = *(&end - 1);
   const double tolerance = precision * sizes_[piece];
-  const double whole = arcLength(pieces_[piece], tolerance).value_mm;
-  const double inside = std::clamp(length - sums_[piece], 0.0, whole);
-  if (inside == 0 || inside == whole) return {piece, inside == 0 ? 0.0 : 1.0};
-  return {piece, parameterAtLength(pieces_[piece], inside, tolerance)};
+  // What parameterAtLength() takes as the length of the part.
+  const double part = arcLength(pieces_[piece], 0.25 * tolerance, start.t, end.t).value_mm;
+  return {piece, parameterAtLength(pieces_[piece], std::min(inside - start.length_mm, part),
+                                   tolerance, start.t, end.t)};
 }
 
 Place Measured::placeOf(double parameter) const {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include <seamwright/core/bezier/length.hpp>
 #include <seamwright/core/spline/bezier_spline.hpp>
 
 /// Places on a spline by its length, and exact division there; not a public header.
@@ -34,8 +35,9 @@ class Measured {
  private:
   BezierSpline spline_;
   std::vector<BezierCurve> pieces_;
-  std::vector<double> sums_;   ///< of lengths
-  std::vector<double> sizes_;  ///< lengths of the control polygons
+  std::vector<std::vector<LengthMark>> marks_;  ///< of each piece
+  std::vector<double> sums_;                    ///< of lengths
+  std::vector<double> sizes_;                   ///< lengths of the control polygons
 };
 
 /// The same curve with joints at these places, which increase; places at joints change nothing.

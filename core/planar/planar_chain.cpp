@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include <seamwright/core/bezier/length.hpp>
 #include <seamwright/core/bezier/stopped_ends.hpp>
@@ -58,25 +59,40 @@ double bendingOf(const BezierCurve& curve) {
   return energy;
 }
 
-/// Collects figures of curves and the curvatures at which they begin, turn and end.
+/// From one end of a curve to the first pole that is not there: the tangent also where it stops.
+Vector2d startLeg(const Poles& poles) {
+  for (Eigen::Index i = 1; i < poles.rows(); ++i)
+    if (poles.row(i) != poles.row(0)) return (poles.row(i) - poles.row(0)).head<2>();
+  return Vector2d::Zero();
+}
+
+/// Collects figures of curves and the curvatures at which they begin, turn and end, from corner to
+/// corner.
 struct Course {
   ChainFigures figures;
-  std::vector<double> curvatures_per_mm;
+  std::vector<std::vector<double>> runs_per_mm = {{}};
+  std::optional<Vector2d> first_leg, last_leg;  ///< along the chain
 
+  /// At a corner a new run begins.
+  void join(const Vector2d& leg, const Vector2d& end_leg) {
+    if (last_leg && isCorner(*last_leg, leg)) runs_per_mm.emplace_back();
+    if (!first_leg) first_leg = leg;
+    last_leg = end_leg;
+  }
   void add(const PlanarArc& arc) {
+    join(unitAt(arc.direction_rad),
+         unitAt(arc.direction_rad + arc.curvature_per_mm * arc.length_mm));
     figures.length_mm += arc.length_mm;
     figures.energy_per_mm += arc.curvature_per_mm * arc.curvature_per_mm * arc.length_mm;
-    curvatures_per_mm.push_back(arc.curvature_per_mm);
+    take(arc.curvature_per_mm);
   }
   void add(const BezierCurve& curve) {
     const double polygon_mm = polygonLength(curve);
     if (polygon_mm == 0) return;
+    join(startLeg(curve.poles()), -startLeg(curve.poles().colwise().reverse()));
     constexpr double relative = 1e-9;
     figures.length_mm += arcLength(curve, relative * polygon_mm).value_mm;
-    if (curve.degree() == 1) {
-      curvatures_per_mm.push_back(0);
-      return;
-    }
+    if (curve.degree() == 1) return take(0);
     const StoppedEnds stops = stoppedEnds(curve);
     const EndCurvature start = stops.start > 0 ? startCurvature(curve) : curvatureAtEnd(curve, 0);
     const EndCurvature end = stops.end > 0 ? endCurvature(curve) : curvatureAtEnd(curve, 1);
@@ -84,11 +100,30 @@ struct Course {
       figures.energy_per_mm += bendingOf(curve);
     else
       figures.energy_per_mm = infinite;
-    curvatures_per_mm.push_back(start.curvature_per_mm);
+    take(start.curvature_per_mm);
     for (const CurvatureExtremum& extremum : planarCurvatureProfile(curve).extrema)
-      curvatures_per_mm.push_back(extremum.curvature_per_mm);
-    curvatures_per_mm.push_back(end.curvature_per_mm);
+      take(extremum.curvature_per_mm);
+    take(end.curvature_per_mm);
   }
+  /// Whether the ends of a closed chain meet without a corner. Then its last run goes on with the
+  /// first one.
+  bool isRing(bool closed) {
+    if (!closed || !first_leg || isCorner(*last_leg, *first_leg)) return false;
+    if (runs_per_mm.size() == 1) return true;
+    std::vector<double>& first = runs_per_mm.front();
+    first.insert(first.begin(), runs_per_mm.back().begin(), runs_per_mm.back().end());
+    runs_per_mm.pop_back();
+    return false;
+  }
+
+ private:
+  static Vector2d unitAt(double angle_rad) { return {std::cos(angle_rad), std::sin(angle_rad)}; }
+  static bool isCorner(const Vector2d& before, const Vector2d& after) {
+    // As ConicFitOptions and ClothoidFitOptions have it.
+    constexpr double corner_rad = 1e-3;
+    return std::abs(angleFromTo(before, after)) > corner_rad;
+  }
+  void take(double curvature_per_mm) { runs_per_mm.back().push_back(curvature_per_mm); }
 };
 
 /// The values without those that differ from the last one by no more than is negligible, except
@@ -167,17 +202,20 @@ ChainFigures figuresOf(const PlanarChain& chain, const Progress& progress) {
     }
     ++done;
   }
+  const bool ring = course.isRing(chain.closed);
   double largest_per_mm = course.figures.length_mm > 0 ? 1 / course.figures.length_mm : 0;
-  for (const double k : course.curvatures_per_mm)
-    if (std::isfinite(k)) largest_per_mm = std::max(largest_per_mm, std::abs(k));
-  // Of an infinite curvature only its sign and that it is the largest matter.
-  for (double& k : course.curvatures_per_mm)
-    if (std::isinf(k)) k = std::copysign(2 * largest_per_mm, k);
-  constexpr double negligible = 1e-9;
-  const SequenceTurns turns =
-      turnsOf(course.curvatures_per_mm, chain.closed, negligible * largest_per_mm);
-  course.figures.extrema = turns.extrema;
-  course.figures.inflections = turns.inflections;
+  for (const std::vector<double>& run : course.runs_per_mm)
+    for (const double k : run)
+      if (std::isfinite(k)) largest_per_mm = std::max(largest_per_mm, std::abs(k));
+  for (std::vector<double>& run : course.runs_per_mm) {
+    // Of an infinite curvature only its sign and that it is the largest matter.
+    for (double& k : run)
+      if (std::isinf(k)) k = std::copysign(2 * largest_per_mm, k);
+    constexpr double negligible = 1e-9;
+    const SequenceTurns turns = turnsOf(run, ring, negligible * largest_per_mm);
+    course.figures.extrema += turns.extrema;
+    course.figures.inflections += turns.inflections;
+  }
   return course.figures;
 }
 

@@ -46,15 +46,17 @@ struct ChainFigures {
   /// Integral of the squared curvature by arc length. It is infinite where poles at an end of a
   /// Bézier curve are equal and the curvature grows too fast there, as of a t^2 + b t^3.
   double energy_per_mm = 0;
-  /// Local extrema of the curvature and changes of its sign along the chain. Jumps of the curvature
-  /// between curves count; so does the joint that closes a chain. Differences below a billionth of
-  /// the largest curvature, or of one over the length, do not.
+  /// Local extrema of the curvature and changes of its sign along the chain, from corner to corner:
+  /// where the tangent turns by more than 1e-3 rad, the curvature begins anew. Jumps of the
+  /// curvature between curves count; so does the joint that closes a chain. Differences below a
+  /// billionth of the largest curvature, or of one over the length, do not.
   int extrema = 0, inflections = 0;
 };
 
 /// Length and energy of arcs are in closed form, those of other curves by Gauss' quadrature.
 ///   (3) A circle has the length 2 pi r, the energy 2 pi / r, no extremum and no inflection.
 ///   (4) An ellipse has 4 extrema.
+///   (5) Those of a chain with corners are the sums of those of its parts between them.
 /// \throws std::domain_error if a curve may stop inside of a span, as planarCurvatureProfile().
 /// Throws Cancelled, see Progress; it is called before each curve and each span of a spline.
 ChainFigures figuresOf(const PlanarChain& chain, const Progress& progress = {});

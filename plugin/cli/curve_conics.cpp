@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 #include <seamwright/core/planar/conic_fit.hpp>
 #include <seamwright/core/planar/conic_spline.hpp>
@@ -53,17 +54,8 @@ struct CorneredPoints {
       corners = pointCorners(given.points, {.closed = closed(), .error_mm = error_mm});
   }
   bool closed() const { return given.record.closed; }
-  std::vector<GivenCurve> runs() const {
-    std::vector<GivenCurve> result;
-    for (const auto& run : runsBetween(given.points.rows(), corners, closed()))
-      result.push_back(runOf(given, run, closed() && corners.empty()));
-    return result;
-  }
-  CurveFigures figures() const {
-    CurveFigures sum;
-    for (const GivenCurve& run : runs()) addFigures(sum, biarcsThrough(run).figures);
-    return sum;
-  }
+  std::vector<GivenCurve> runs() const { return runsOf(given, corners); }
+  CurveFigures figures() const { return biarcFigures(given, corners); }
 };
 
 /// \throws std::domain_error if a conic has a kink.
@@ -163,8 +155,14 @@ struct ToleranceUse {
   double part = 1, moves = 0.5;
 };
 
+/// Conics, and the extrema and inflections of the clothoids they are near.
+struct NearFair {
+  MadeCurve made;
+  int fair_turns = 0;
+};
+
 /// Conics near the clothoids through points made fair.
-MadeCurve conicsNearFair(const CorneredPoints& points, const CurveTask& task, double moves) {
+NearFair conicsNearFair(const CorneredPoints& points, const CurveTask& task, double moves) {
   constexpr double fairing_share = 0.5;
   const GivenCurve& given = points.given;
   const CurveTask fairing{.tolerance_mm = moves * task.tolerance_mm,
@@ -179,7 +177,7 @@ MadeCurve conicsNearFair(const CorneredPoints& points, const CurveTask& task, do
   made.record.before = points.figures();
   takeConics(made, faired.chain, gapOf(given, faired.chain), fitting);
   *made.record.distance_mm += off_mm;
-  return made;
+  return {.made = std::move(made), .fair_turns = turnsOf(faired.record.after)};
 }
 
 /// The simplest conics near the points; nothing if there are none.
@@ -188,14 +186,18 @@ std::optional<MadeCurve> conicsNearPoints(const CorneredPoints& points, const Cu
   std::vector<ToleranceUse> uses = {{.part = 1, .moves = 0.8}};
   for (const double share : tolerance_shares) uses.push_back({.part = share});
   std::optional<MadeCurve> best;
+  int fewest_turns = std::numeric_limits<int>::max();
   for (std::size_t i = 0; i < uses.size(); ++i) {
     const auto whole = static_cast<double>(uses.size()), done = static_cast<double>(i);
     const CurveTask part{.tolerance_mm = uses[i].part * task.tolerance_mm,
                          .progress = partOf(task.progress, done / whole, (done + 1) / whole)};
     try {
-      MadeCurve made = conicsNearFair(points, part, uses[i].moves);
+      auto [made, fair_turns] = conicsNearFair(points, part, uses[i].moves);
+      fewest_turns = std::min(fewest_turns, fair_turns);
       if (best && followsErrors(made.record, best->record)) break;
       if (!best || isSimpler(made.record, best->record)) best = std::move(made);
+      // Points that move less are no fairer.
+      if (i > 0 && turnsOf(best->record.after) <= fewest_turns) break;
     } catch (const std::domain_error&) {  // the points are too few for their turns
       continue;
     }

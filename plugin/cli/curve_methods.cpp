@@ -4,6 +4,7 @@
 #include <seamwright/core/planar/clothoid_fit.hpp>
 #include <seamwright/core/planar/fair_clothoids.hpp>
 #include <seamwright/core/planar/fair_points.hpp>
+#include <seamwright/core/planar/point_corners.hpp>
 #include <seamwright/plugin/cli/curve_arcs.hpp>
 #include <seamwright/plugin/cli/curve_conics.hpp>
 #include <seamwright/plugin/cli/curve_figures.hpp>
@@ -20,35 +21,70 @@ namespace seamwright::cli {
 
 namespace {
 
-/// Spline through clothoids for a model file, and the figures.
-void takeClothoids(MadeCurve& made, std::vector<Clothoid> pieces, double tolerance_mm) {
-  const bool closed = made.record.closed;
-  made.record.after = figuresFrom(figuresOf(pieces, closed));
+/// Splines through clothoids for a model file, and the figures.
+void takeClothoids(MadeCurve& made, std::vector<Clothoid> pieces,
+                   const std::vector<std::ptrdiff_t>& corners, double tolerance_mm) {
+  double length_mm = 0;
+  for (const Clothoid& piece : pieces) length_mm += piece.length_mm;
   // A tenth of the tolerance is left to the spline; without a tolerance a billionth of the length.
-  const double spline_mm =
-      tolerance_mm > 0 ? 0.1 * tolerance_mm : 1e-9 * made.record.after.length_mm;
-  SmoothCurve spline = splineOf(pieces, closed, spline_mm);
-  made.chain = std::move(spline.chain);
-  made.chain_distance_mm = spline.distance_mm;
+  const double spline_mm = tolerance_mm > 0 ? 0.1 * tolerance_mm : 1e-9 * length_mm;
+  SmoothCurve splines = splinesBetween(pieces, corners, made.record.closed, spline_mm);
+  made.chain = std::move(splines.chain);
+  made.chain_distance_mm = splines.distance_mm;
+  made.record.after = splines.figures;
   made.record.pieces = static_cast<int>(pieces.size());
+  made.record.corners = static_cast<int>(corners.size());
   made.clothoids = std::move(pieces);
 }
 
-MadeCurve madeClothoids(const GivenCurve& given, const CurveTask& task) {
+/// A path stops at a corner, so it is named.
+void noteCorners(report::CurveRecord& record, const GivenCurve& given,
+                 const std::vector<Eigen::Index>& corners) {
+  if (corners.empty()) return;
+  record.with_reservations = true;
+  std::vector<int> lines;
+  for (const Eigen::Index i : corners) lines.push_back(given.lines[static_cast<std::size_t>(i)]);
+  record.notes.push_back(fmt::format(
+      "{} in line{} {}: the tangent jumps there, and the curvature is continuous between them only",
+      lines.size() == 1 ? "a corner" : fmt::format("{} corners", lines.size()),
+      lines.size() == 1 ? "" : "s", fmt::join(lines, ", ")));
+}
+
+/// Clothoids from corner to corner of the points.
+MadeCurve clothoidsThrough(const GivenCurve& given, const CurveTask& task) {
+  constexpr Eigen::Index least_points = 3;
   MadeCurve made{.record = given.record};
-  if (given.points.rows() > 0) {
-    made.record.distance_mm = 0;
-    made.record.before = biarcsThrough(given).figures;
-    takeClothoids(made, clothoidsOf(given.points, given.record.closed, task.progress).pieces,
-                  task.tolerance_mm);
-    return made;
+  std::vector<Eigen::Index> corners;
+  if (given.points.rows() >= least_points)
+    corners = pointCorners(given.points,
+                           {.closed = given.record.closed, .error_mm = pointError_mm(given, task)});
+  const std::vector<GivenCurve> runs = runsOf(given, corners);
+  const auto whole = static_cast<double>(runs.size());
+  std::vector<Clothoid> pieces;
+  std::vector<std::ptrdiff_t> begins;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const auto done = static_cast<double>(i);
+    if (i > 0 || runs.size() == corners.size()) begins.push_back(std::ssize(pieces));
+    const ClothoidSpline spline =
+        clothoidsOf(runs[i].points, runs[i].record.closed,
+                    partOf(task.progress, done / whole, (done + 1) / whole));
+    pieces.insert(pieces.end(), spline.pieces.begin(), spline.pieces.end());
   }
+  made.record.distance_mm = 0;
+  made.record.before = biarcFigures(given, corners);
+  takeClothoids(made, std::move(pieces), begins, task.tolerance_mm);
+  noteCorners(made.record, given, corners);
+  return made;
+}
+
+MadeCurve madeClothoids(const GivenCurve& given, const CurveTask& task) {
+  if (given.points.rows() > 0) return clothoidsThrough(given, task);
+  MadeCurve made{.record = given.record};
   const ClothoidFit fit = fitClothoids(bezierSpline(given.chain, gapOf(given, given.chain)),
                                        {.tolerance_mm = task.tolerance_mm}, task.progress);
-  made.record.corners = static_cast<int>(fit.corners.size());
   made.record.distance_mm = fit.distance_mm;
   made.record.before = figuresFrom(figuresOf(given.chain, partOf(task.progress, 1, 1)));
-  takeClothoids(made, fit.pieces, task.tolerance_mm);
+  takeClothoids(made, fit.pieces, {fit.corners.begin(), fit.corners.end()}, task.tolerance_mm);
   return made;
 }
 

@@ -28,24 +28,10 @@ CurveFigures withVariation(const ClothoidFigures& figures) {
 void takeRuns(MadeCurve& made, const FairedClothoids& faired, double tolerance_mm) {
   // As for takeClothoids().
   const double spline_mm = tolerance_mm > 0 ? 0.1 * tolerance_mm : 1e-9 * faired.after.length_mm;
-  const bool closed = made.record.closed;
-  std::vector<Clothoid> pieces = faired.pieces;
-  std::vector<std::ptrdiff_t> cuts(faired.corners.begin(), faired.corners.end());
-  if (closed && !cuts.empty()) {  // a closed curve begins at a corner
-    const std::ptrdiff_t first = cuts.front();
-    std::rotate(pieces.begin(), pieces.begin() + first, pieces.end());
-    for (std::ptrdiff_t& cut : cuts) cut -= first;
-  } else {
-    cuts.insert(cuts.begin(), 0);
-  }
-  cuts.push_back(std::ssize(pieces));
-  made.chain.closed = closed;
-  for (std::size_t k = 1; k < cuts.size(); ++k) {
-    const std::vector<Clothoid> run(pieces.begin() + cuts[k - 1], pieces.begin() + cuts[k]);
-    SmoothCurve spline = splineOf(run, closed && faired.corners.empty(), spline_mm);
-    made.chain.curves.push_back(std::move(spline.chain.curves.front()));
-    made.chain_distance_mm = std::max(made.chain_distance_mm, spline.distance_mm);
-  }
+  SmoothCurve splines = splinesBetween(
+      faired.pieces, {faired.corners.begin(), faired.corners.end()}, made.record.closed, spline_mm);
+  made.chain = std::move(splines.chain);
+  made.chain_distance_mm = splines.distance_mm;
   made.clothoids = faired.pieces;
 }
 
@@ -192,7 +178,7 @@ MadeCurve madeFairPoints(const GivenCurve& given, const CurveTask& task, double 
   if (faired.before) {
     made.record.before = withVariation(*faired.before);
   } else {
-    made.record.before = biarcsThrough(part.curve).figures;
+    made.record.before = biarcFigures(part.curve, faired.corners);
     made.record.notes.push_back(
         "no clothoids pass through the points as read: the figures before are those of biarcs");
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cstddef>
 #include <seamwright/core/planar/arc.hpp>
 #include <seamwright/plugin/cli/curve_methods.hpp>
 #include <vector>
@@ -19,8 +20,20 @@ struct SmoothCurve {
 
 SmoothCurve biarcsThrough(const GivenCurve& given);
 
+/// The runs of points from corner to corner. \param corners as of pointCorners().
+std::vector<GivenCurve> runsOf(const GivenCurve& given, const std::vector<Eigen::Index>& corners);
+
+/// The figures of the biarcs through each run.
+report::CurveFigures biarcFigures(const GivenCurve& given,
+                                  const std::vector<Eigen::Index>& corners);
+
 /// A spline within a distance of clothoids.
 SmoothCurve splineOf(const std::vector<Clothoid>& pieces, bool closed, double tolerance_mm);
+
+/// A spline from corner to corner of clothoids; a closed curve begins at the first corner. \param
+/// corners ascending: the pieces that begin at them.
+SmoothCurve splinesBetween(std::vector<Clothoid> pieces, std::vector<std::ptrdiff_t> corners,
+                           bool closed, double tolerance_mm);
 
 /// Rounding of the ends of arcs and of coordinates in the plane.
 double gapOf(const GivenCurve& given, const PlanarChain& chain);

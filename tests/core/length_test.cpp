@@ -321,6 +321,29 @@ TEST(Length, ParameterAtLengthIsTheInverse) {
   EXPECT_EQ(parameterAtLength(BezierCurve(Poles::Ones(3, 3)), 0, 1e-9), 0);
 }
 
+TEST(Length, Identity6MarksAreTheLengthsUpToThem) {
+  std::mt19937_64 random(testSeed());
+  for (int i = 0; i < 60; ++i) {
+    const BezierCurve curve = randomCurve(2 + i % 5, i % 2 == 1, random);
+    constexpr double tolerance = 1e-10;
+    const std::vector<LengthMark> marks = lengthMarks(curve, tolerance);
+    ASSERT_GE(marks.size(), 2U);
+    EXPECT_EQ(marks.front().t, 0);
+    EXPECT_EQ(marks.front().length_mm, 0);
+    EXPECT_EQ(marks.back().t, 1);
+    const Speed speed(curve);
+    for (std::size_t k = 1; k < marks.size(); ++k) {
+      ASSERT_LT(marks[k - 1].t, marks[k].t);
+      const double part = marks[k].length_mm - marks[k - 1].length_mm;
+      EXPECT_NEAR(part, static_cast<double>(romberg(speed, marks[k - 1].t, marks[k].t)), tolerance);
+      const double middle =
+          parameterAtLength(curve, 0.5 * part, tolerance, marks[k - 1].t, marks[k].t);
+      EXPECT_NEAR(static_cast<double>(romberg(speed, marks[k - 1].t, middle)), 0.5 * part,
+                  tolerance);
+    }
+  }
+}
+
 // Weights so uneven that the bounds stay apart: the value goes on to meet what is asked, or comes
 // as near as it can.
 TEST(Length, Identity5TheValueMeetsTheLengthAsked) {

@@ -178,6 +178,43 @@ TEST(PlanarChain, Identity4AnEllipseHasFourExtrema) {
   EXPECT_NEAR(figuresOf(ellipse(2, 1)).length_mm, 9.688448220547675, 1e-7);
 }
 
+TEST(PlanarChain, Identity5CornersAreNoExtrema) {
+  const auto turning = [](const std::vector<double>& curvatures, std::size_t corner, bool closed) {
+    PlanarChain chain{.curves = {}, .closed = closed};
+    PlanarArc arc;
+    for (std::size_t i = 0; i < curvatures.size(); ++i) {
+      arc = {.start = arc.end(),
+             .direction_rad = arc.direction_rad + arc.curvature_per_mm * arc.length_mm,
+             .curvature_per_mm = curvatures[i],
+             .length_mm = 1};
+      if (i == corner) arc.direction_rad += 1.5;
+      chain.curves.emplace_back(arc);
+    }
+    return chain;
+  };
+  constexpr std::size_t none = 99;
+  const ChainFigures smooth = figuresOf(turning({1, 2, -1, -2, 0.5}, none, false));
+  EXPECT_EQ(smooth.extrema, 2);
+  EXPECT_EQ(smooth.inflections, 2);
+  // 1, 2 | -1, -2, 0.5
+  const ChainFigures cut = figuresOf(turning({1, 2, -1, -2, 0.5}, 2, false));
+  EXPECT_EQ(cut.extrema, 1);
+  EXPECT_EQ(cut.inflections, 1);
+  EXPECT_EQ(cut.energy_per_mm, smooth.energy_per_mm);
+  // Closed smoothly: 4 arcs with a whole turn; with a corner the run 3, 4 goes on with 1, 2.
+  const double part = pi / 5;
+  PlanarChain ring = turning({part, 2 * part, 3 * part, 4 * part}, none, true);
+  EXPECT_EQ(figuresOf(ring).extrema, 2);
+  std::get<PlanarArc>(ring.curves[0]).direction_rad += 1;
+  std::get<PlanarArc>(ring.curves[1]).direction_rad += 1;
+  // 3, 4 | 1, 2 up to the corners before 1 and 3.
+  EXPECT_EQ(figuresOf(ring).extrema, 0);
+  // With the one before 3 alone: 3, 4, 1, 2.
+  ring = turning({part, 2 * part, 3 * part, 4 * part}, 2, true);
+  for (const std::size_t i : {0U, 1U}) std::get<PlanarArc>(ring.curves[i]).direction_rad += 1.5;
+  EXPECT_EQ(figuresOf(ring).extrema, 2);
+}
+
 TEST(PlanarChain, CountsOfASequence) {
   EXPECT_EQ(turnsOf({1, 2, 3}, false, 0).extrema, 0);
   EXPECT_EQ(turnsOf({1, 2, 3}, true, 0).extrema, 2);

@@ -54,13 +54,13 @@ def test_conics_of_a_part_of_the_tolerance_are_kept(tmp_path):
     assert turns(found[0.1]["after"]) <= turns(found[0.02]["after"])
 
 
-def noisy_outline():
+def noisy_outline(error=0.02):
     errors = random.Random(1)
     upper = [(1 - math.cos(math.pi * i / 89)) / 2 for i in range(90)]
     upper = [(round(100 * x, 3), round(60 * thickness_at(x), 3)) for x in upper]
     outline = upper[::-1] + [(x, -y) for x, y in upper[1:-1]]
     return [
-        (x + errors.uniform(-0.02, 0.02), y + errors.uniform(-0.02, 0.02))
+        (x + errors.uniform(-error, error), y + errors.uniform(-error, error))
         for x, y in outline
     ]
 
@@ -91,7 +91,7 @@ def test_conics_name_points_that_are_left_out(tmp_path):
 
 @pytest.mark.parametrize("away", [0, 1e9])
 def test_messages_have_degrees_and_coordinates(tmp_path, away):
-    outline = noisy_outline()
+    outline = noisy_outline(0.4)
     given = points_file(tmp_path, [(x + away, y) for x, y in outline])
     out = tmp_path / "out.csv"
     result = run("curve", "clothoid", given, "--closed", "--tolerance", 0.03, "-o", out)
