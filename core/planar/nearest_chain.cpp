@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Dense>
 
-#include <seamwright/core/numeric.hpp>
 #include <seamwright/core/planar/nearest_chain.hpp>
 #include <seamwright/core/planar/touch_point.hpp>
 
@@ -12,198 +12,191 @@ namespace seamwright {
 
 namespace {
 
-using Eigen::Matrix4d;
+using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 using Eigen::Vector2d;
-using Eigen::Vector4d;
+using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// The signed distance of a point from the circle of an arc, and its slopes by the start of the
-/// arc, its direction there and its curvature.
-struct ArcResidual {
+/// The signed distance of a point from a circle, and its slopes by moves of the point of the circle
+/// along the normal, its direction and its curvature.
+struct CircleResidual {
   double distance = 0;
-  Vector4d slopes = Vector4d::Zero();
+  Vector3d slopes = Vector3d::Zero();
 };
 
-std::optional<ArcResidual> residualOf(const PlanarArc& arc, const Vector2d& point) {
-  const Vector2d tangent = unitVector(arc.direction_rad), normal(-tangent.y(), tangent.x());
-  const Vector2d away = point - arc.start;
-  const double k = arc.curvature_per_mm, twice = 2 * away.dot(normal) - k * away.squaredNorm();
+std::optional<CircleResidual> residualOf(const TouchPoint& circle, const Vector2d& point) {
+  const Vector2d normal = circle.normal(), away = point - circle.point;
+  const double k = circle.curvature_per_mm, square = away.squaredNorm();
+  const double twice = 2 * away.dot(normal) - k * square;
   const double from_centre = std::sqrt(std::max(0.0, 1 - k * twice));  // in radii
   if (!(from_centre > 0)) return std::nullopt;
-  ArcResidual result{.distance = twice / (1 + from_centre)};
-  result.slopes << (k * away - normal) / from_centre, -away.dot(tangent) / from_centre,
-      (result.distance * result.distance - away.squaredNorm()) / (2 * from_centre);
+  CircleResidual result{.distance = twice / (1 + from_centre)};
+  result.slopes << k * away.dot(normal) - 1, -away.dot(circle.tangent()),
+      (result.distance * result.distance - square) / 2;
+  result.slopes /= from_centre;
   return result;
 }
 
-/// How the end of an arc moves with its curvature.
-Vector2d endSlope(const PlanarArc& arc) {
-  const double half_rad = arc.sweep_rad() / 2;
-  const Vector2d middle = unitVector(arc.direction_rad + half_rad);
-  return arc.length_mm * arc.length_mm / 2 *
-         (sincSlope(half_rad) * middle + sinc(half_rad) * Vector2d(-middle.y(), middle.x()));
+/// An oriented circle or line as k/2 |x|² - b·x + c = 0, with the slopes of k, b and c by moves of
+/// its point along the normal, its direction and its curvature.
+struct CircleForm {
+  double k = 0, c = 0;
+  Vector2d b = Vector2d::Zero();
+  Eigen::RowVector3d k_slopes = {0, 0, 1}, c_slopes;
+  Eigen::Matrix<double, 2, 3> b_slopes;
+};
+
+CircleForm formOf(const TouchPoint& circle, const Vector2d& origin) {
+  const Vector2d tangent = circle.tangent(), normal = circle.normal(),
+                 point = circle.point - origin;
+  CircleForm form{.k = circle.curvature_per_mm, .c_slopes = {}, .b_slopes = {}};
+  form.b = normal + form.k * point;
+  form.c = form.k * point.squaredNorm() / 2 + normal.dot(point);
+  form.b_slopes << form.k * normal, -tangent, point;
+  form.c_slopes << form.k * point.dot(normal) + 1, -tangent.dot(point), point.squaredNorm() / 2;
+  return form;
 }
 
-/// The steps of Gauss and Newton. Lengths are in units of the size of an arc, so that all unknowns
-/// have much the same size.
-class ChainSteps {
+/// Circles that touch their neighbours, by the steps of Gauss and Newton. Lengths are in units of
+/// the size of an arc, so that all unknowns have much the same size.
+class TouchingCircles {
  public:
-  ChainSteps(const PointsOfArcs& sampled, std::vector<PlanarArc> chain)
-      : starts_(sampled.starts), closed_(sampled.closed), chain_(std::move(chain)) {
+  TouchingCircles(const PointsOfArcs& sampled, const std::vector<PlanarArc>& arcs)
+      : starts_(sampled.starts), joints_(static_cast<int>(arcs.size()) - (sampled.closed ? 0 : 1)) {
     double length_mm = 0;
-    for (const PlanarArc& arc : chain_) length_mm += arc.length_mm;
-    unit_mm_ = length_mm / static_cast<double>(chain_.size());
+    for (const PlanarArc& arc : arcs) length_mm += arc.length_mm;
+    unit_mm_ = length_mm / static_cast<double>(arcs.size());
     origin_ = sampled.points.front();
     for (const Vector2d& point : sampled.points) points_.push_back((point - origin_) / unit_mm_);
     starts_.push_back(static_cast<int>(points_.size()));
-    unknowns_ = closed_ ? 3 : 2;
-    for (std::size_t i = 0; i < chain_.size(); ++i) {
-      PlanarArc& arc = chain_[i];
-      arc.start = (arc.start - origin_) / unit_mm_;
-      arc.curvature_per_mm *= unit_mm_;
-      arc.length_mm /= unit_mm_;
-      // Nothing depends on where the last arc of an open chain ends.
-      lengths_.push_back(closed_ || i + 1 < chain_.size() ? unknowns_++ : -1);
-      curvatures_.push_back(arc.curvature_per_mm != 0 ? unknowns_++ : -1);
+    for (const PlanarArc& arc : arcs) {
+      TouchPoint circle = touchPointOf(arc).after(arc.length_mm / 2);
+      circle.point = (circle.point - origin_) / unit_mm_;
+      circle.curvature_per_mm *= unit_mm_;
+      circles_.push_back(circle);
+      firsts_.push_back(unknowns_);
+      unknowns_ += arc.curvature_per_mm == 0 ? 2 : 3;
     }
-    join();
+    firsts_.push_back(unknowns_);
   }
 
   /// \returns the size of the step; nothing if there is none.
   std::optional<double> step() {
-    normal_ = MatrixXd::Zero(unknowns_ + 3, unknowns_ + 3);
-    right_ = VectorXd::Zero(unknowns_ + 3);
-    MatrixXd slopes = MatrixXd::Zero(4, unknowns_);
-    const PlanarArc first = chain_.front();
-    if (closed_) {
-      slopes.topLeftCorner<3, 3>().setIdentity();
-    } else {
-      slopes.block<2, 1>(0, 0) = touchPointOf(first).normal();
-      slopes(2, 1) = 1;
-    }
-    const MatrixXd begin = slopes;
-    for (std::size_t i = 0; i < chain_.size(); ++i) {
-      slopes.row(3).setZero();
-      if (curvatures_[i] >= 0) slopes(3, curvatures_[i]) = 1;
-      if (!addPoints(i, slopes)) return std::nullopt;
-      advance(i, slopes);
-    }
-    if (closed_) addClosure(slopes - begin);
-    const Eigen::Index count = unknowns_ + (closed_ ? 3 : 0);
-    const VectorXd change = normal_.topLeftCorner(count, count)
-                                .completeOrthogonalDecomposition()
-                                .solve(right_.head(count));
+    const Eigen::Index size = unknowns_ + joints_;
+    matrix_ = MatrixXd::Zero(size, size);
+    right_ = VectorXd::Zero(size);
+    for (std::size_t i = 0; i < circles_.size(); ++i)
+      if (!addPoints(i)) return std::nullopt;
+    for (int joint = 0; joint < joints_; ++joint) addJoint(joint);
+    const VectorXd change = matrix_.partialPivLu().solve(right_).head(unknowns_);
     if (!change.allFinite()) return std::nullopt;
-    apply(change.head(unknowns_));
-    return change.head(unknowns_).norm();
+    for (std::size_t i = 0; i < circles_.size(); ++i) {
+      TouchPoint& circle = circles_[i];
+      circle.point += change(firsts_[i]) * circle.normal();
+      circle.direction_rad += change(firsts_[i] + 1);
+      if (isArc(i)) circle.curvature_per_mm += change(firsts_[i] + 2);
+    }
+    return change.norm();
   }
 
-  std::vector<PlanarArc> chain() const {
-    std::vector<PlanarArc> result = chain_;
-    for (PlanarArc& arc : result) {
-      arc.curvature_per_mm /= unit_mm_;
-      arc.length_mm *= unit_mm_;
+  std::vector<TouchPoint> circles() const {
+    std::vector<TouchPoint> result = circles_;
+    for (TouchPoint& circle : result) {
+      circle.point = origin_ + unit_mm_ * circle.point;
+      circle.curvature_per_mm /= unit_mm_;
     }
-    for (std::size_t i = 0; i < result.size(); ++i)
-      result[i].start =
-          i == 0 ? Vector2d(origin_ + unit_mm_ * chain_[0].start) : result[i - 1].end();
     return result;
   }
 
  private:
-  /// Each arc begins where and in the direction in which the one before ends.
-  void join() {
-    for (std::size_t i = 1; i < chain_.size(); ++i) {
-      chain_[i].start = chain_[i - 1].end();
-      chain_[i].direction_rad = chain_[i - 1].endDirection_rad();
-    }
-  }
-  bool addPoints(std::size_t i, const MatrixXd& slopes) {
-    Matrix4d squares = Matrix4d::Zero();
-    Vector4d right = Vector4d::Zero();
+  bool isArc(std::size_t i) const { return firsts_[i + 1] - firsts_[i] == 3; }
+
+  bool addPoints(std::size_t i) {
+    Matrix3d squares = Matrix3d::Zero();
+    Vector3d right = Vector3d::Zero();
     for (int v = starts_[i]; v < starts_[i + 1]; ++v) {
-      const auto residual = residualOf(chain_[i], points_[static_cast<std::size_t>(v)]);
+      const auto residual = residualOf(circles_[i], points_[static_cast<std::size_t>(v)]);
       if (!residual) return false;
       squares += residual->slopes * residual->slopes.transpose();
-      right += residual->slopes * residual->distance;
+      right -= residual->slopes * residual->distance;
     }
-    normal_.topLeftCorner(unknowns_, unknowns_) += slopes.transpose() * squares * slopes;
-    right_.head(unknowns_) -= slopes.transpose() * right;
+    const int count = isArc(i) ? 3 : 2;
+    matrix_.block(firsts_[i], firsts_[i], count, count) = squares.topLeftCorner(count, count);
+    right_.segment(firsts_[i], count) = right.head(count);
     return true;
   }
-  /// From the slopes of the start of an arc to those of its end.
-  void advance(std::size_t i, MatrixXd& slopes) const {
-    const PlanarArc& arc = chain_[i];
-    const Vector2d away = arc.end() - arc.start;
-    slopes.topRows<2>() += Vector2d(-away.y(), away.x()) * slopes.row(2);
-    if (lengths_[i] >= 0) {
-      slopes.block<2, 1>(0, lengths_[i]) += unitVector(arc.endDirection_rad());
-      slopes(2, lengths_[i]) += arc.curvature_per_mm;
+  /// Circles touch in one sense if b·b' - k c' - k' c = 1.
+  void addJoint(int joint) {
+    const auto i = static_cast<std::size_t>(joint), next = (i + 1) % circles_.size();
+    const Vector2d& between = points_[static_cast<std::size_t>(starts_[i + 1] - 1)];
+    const CircleForm one = formOf(circles_[i], between), other = formOf(circles_[next], between);
+    const auto slopes = [](const CircleForm& of, const CircleForm& to) -> Eigen::RowVector3d {
+      return to.b.transpose() * of.b_slopes - to.c * of.k_slopes - to.k * of.c_slopes;
+    };
+    const int row = unknowns_ + joint;
+    right_(row) = 1 - one.b.dot(other.b) + one.k * other.c + other.k * one.c;
+    for (const auto& [at, by] : {std::pair{i, slopes(one, other)}, {next, slopes(other, one)}}) {
+      const int count = isArc(at) ? 3 : 2;
+      matrix_.block(row, firsts_[at], 1, count) = by.head(count);
+      matrix_.block(firsts_[at], row, count, 1) = by.head(count).transpose();
     }
-    if (curvatures_[i] < 0) return;
-    slopes.block<2, 1>(0, curvatures_[i]) += endSlope(arc);
-    slopes(2, curvatures_[i]) += arc.length_mm;
-  }
-  void addClosure(const MatrixXd& slopes) {
-    const PlanarArc &first = chain_.front(), &last = chain_.back();
-    normal_.block(unknowns_, 0, 3, unknowns_) = slopes.topRows<3>();
-    normal_.block(0, unknowns_, unknowns_, 3) = slopes.topRows<3>().transpose();
-    right_.segment<2>(unknowns_) = first.start - last.end();
-    right_(unknowns_ + 2) = wrapped(first.direction_rad - last.endDirection_rad());
-  }
-  void apply(const VectorXd& change) {
-    PlanarArc& first = chain_.front();
-    first.start +=
-        closed_ ? Vector2d(change.head<2>()) : Vector2d(change(0) * touchPointOf(first).normal());
-    first.direction_rad += change(closed_ ? 2 : 1);
-    for (std::size_t i = 0; i < chain_.size(); ++i) {
-      if (lengths_[i] >= 0) chain_[i].length_mm += change(lengths_[i]);
-      if (curvatures_[i] >= 0) chain_[i].curvature_per_mm += change(curvatures_[i]);
-    }
-    join();
   }
 
   std::vector<int> starts_;
-  bool closed_;
-  std::vector<PlanarArc> chain_;
+  int joints_;
   double unit_mm_ = 1;
   Vector2d origin_ = Vector2d::Zero();
   std::vector<Vector2d> points_;
+  std::vector<TouchPoint> circles_;
   int unknowns_ = 0;
-  std::vector<int> lengths_, curvatures_;  ///< the unknowns of each arc; -1 if it has none
-  MatrixXd normal_;
+  std::vector<int> firsts_;  ///< the first unknown of each circle
+  MatrixXd matrix_;
   VectorXd right_;
 };
 
-/// An open chain begins and ends beside the first and the last point.
-void takeEnds(std::vector<PlanarArc>& chain, const std::vector<Vector2d>& points) {
-  TouchPoint begin = touchPointOf(chain.front());
-  const double ahead_mm = begin.lengthTo_mm(points.front());
-  chain.front() = begin.after(ahead_mm).arc(chain.front().length_mm - ahead_mm);
-  const TouchPoint last = touchPointOf(chain.back());
-  chain.back().length_mm = lengthBetween(last, last.beside(points.back()));
+/// From joint to joint of circles that touch.
+std::vector<PlanarArc> arcsAlong(const std::vector<TouchPoint>& circles,
+                                 const PointsOfArcs& sampled) {
+  const std::size_t m = circles.size();
+  std::vector<PlanarArc> arcs;
+  for (std::size_t i = 0; i < m; ++i) {
+    const bool is_first = !sampled.closed && i == 0, is_last = !sampled.closed && i + 1 == m;
+    const Vector2d begin =
+        is_first ? sampled.points.front() : touchPoint(circles[(i + m - 1) % m], circles[i]);
+    const Vector2d end =
+        is_last ? sampled.points.back() : touchPoint(circles[i], circles[(i + 1) % m]);
+    const TouchPoint start = circles[i].beside(begin);
+    arcs.push_back(start.arc(lengthBetween(start, start.beside(end))));
+  }
+  return arcs;
 }
 
 }  // namespace
 
 std::optional<std::vector<PlanarArc>> nearestChain(const PointsOfArcs& sampled,
-                                                   std::vector<PlanarArc> chain) {
-  ChainSteps steps(sampled, std::move(chain));
-  // Residuals are small, so that each step adds digits; the last ones bring those of rounding.
+                                                   const std::vector<PlanarArc>& near) {
+  const std::size_t m = near.size();
+  // Two lines do not touch, and two circles do so once.
+  if (sampled.closed && m < 3) return std::nullopt;
+  for (std::size_t i = sampled.closed ? 0 : 1; i < m; ++i)
+    if (near[i].curvature_per_mm == 0 && near[(i + m - 1) % m].curvature_per_mm == 0)
+      return std::nullopt;
+  TouchingCircles circles(sampled, near);
+  // The circles touch up to the square of the last step.
   constexpr int most_steps = 40;
-  constexpr double rounding = 1e-12;
+  constexpr double small = 1e-8;
   bool is_found = false;
   for (int i = 0; i < most_steps && !is_found; ++i) {
-    const auto size = steps.step();
+    const auto size = circles.step();
     if (!size) return std::nullopt;
-    is_found = *size <= rounding;
+    is_found = *size <= small;
   }
-  std::vector<PlanarArc> result = steps.chain();
-  if (!sampled.closed) takeEnds(result, sampled.points);
+  if (!is_found) return std::nullopt;
+  std::vector<PlanarArc> chain = arcsAlong(circles.circles(), sampled);
   const auto isNone = [](const PlanarArc& arc) { return !(arc.length_mm > 0); };
-  if (!is_found || std::ranges::any_of(result, isNone)) return std::nullopt;
-  return result;
+  if (std::ranges::any_of(chain, isNone)) return std::nullopt;
+  return chain;
 }
 
 }  // namespace seamwright

@@ -18,12 +18,12 @@ struct PointsOfArcs {
 
 /// The G1 chain of lines and arcs with the least sum of squared distances of the points from the
 /// circle or line of their arc. Arcs of curvature 0 stay lines. An open chain begins and ends
-/// beside the first and the last point. \param chain one near it, which need not join. Identities
+/// beside the first and the last point. \param near arcs near it, which need not join. Identities
 /// (each has a test of its number):
 ///   (1) Points of a G1 chain give this chain.
 ///   (2) Chains near it have no smaller sum.
 /// Nothing if an arc vanishes, or no such chain is found. Source: docs/theory/planar.md P9.6.
 std::optional<std::vector<PlanarArc>> nearestChain(const PointsOfArcs& sampled,
-                                                   std::vector<PlanarArc> chain);
+                                                   const std::vector<PlanarArc>& near);
 
 }  // namespace seamwright

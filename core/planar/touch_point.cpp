@@ -59,6 +59,13 @@ double lengthBetween(const TouchPoint& from, const TouchPoint& to) {
   return is_behind ? length_mm + 2 * std::numbers::pi / std::abs(k) : length_mm;
 }
 
+Vector2d touchPoint(const TouchPoint& a, const TouchPoint& b) {
+  // The centres and the point are on one line; from the larger circle or the line it is seen best.
+  const bool is_a_flatter = std::abs(a.curvature_per_mm) < std::abs(b.curvature_per_mm);
+  const TouchPoint &flatter = is_a_flatter ? a : b, &other = is_a_flatter ? b : a;
+  return flatter.beside(other.point + other.normal() / other.curvature_per_mm).point;
+}
+
 std::optional<Vector2d> crossingNear(const TouchPoint& a, const TouchPoint& b, Vector2d point) {
   constexpr int newton_steps = 20;
   Vector2d step = Vector2d::Zero();

@@ -32,6 +32,9 @@ TouchPoint touchPointOf(const PlanarArc& arc);
 /// How far an arc advances between points of its circle.
 double lengthBetween(const TouchPoint& from, const TouchPoint& to);
 
+/// Where two circles, or a circle and a line, touch. \pre they do.
+Eigen::Vector2d touchPoint(const TouchPoint& a, const TouchPoint& b);
+
 /// Where two circles or lines cross beside a point; nothing if they do not cross there.
 std::optional<Eigen::Vector2d> crossingNear(const TouchPoint& a, const TouchPoint& b,
                                             Eigen::Vector2d point);
