@@ -33,6 +33,9 @@ struct SampledChainOptions {
 ///   (1) Samples of lines and arcs give these, up to the rounding of their digits; corners among
 ///       the samples stay corners.
 ///   (2) No point is further from the chain than distance_mm <= tolerance_mm.
+///   (3) Points of lines and arcs with errors up to 3/5 of the tolerance along each axis have as
+///       many, with the same corners, and so they have from whichever point a closed chain begins.
+///       Each piece needs so many points that errors do not hide it.
 /// Nothing if a point is further from each chain found than the tolerance, or the chain does not
 /// run from point to point. \throws std::invalid_argument for equal neighbours.
 /// Source: docs/theory/planar.md P9.6.

@@ -201,6 +201,7 @@ def test_ends_that_nearly_meet_are_noted(tmp_path, method):
     [
         (["arcs", "points.csv", "-o", "out.svg", "--free-ends"], "is for the method fair"),
         (["fair", "points.csv", "-o", "out.svg", "--free-ends", "--closed"], "has no ends"),
+        (["conic", "points.csv", "-o", "out.svg", "--polygon"], "is for the method arcs, not for"),
         (["arcs", "points.csv", "-o", "out.pdf"], "'.pdf' is not a known extension"),
         (["arcs", "points.csv", "-o", "points.csv"], "is the input itself"),
         (["arcs", "points.csv", "-o", "old.dxf"], "already exists; use --overwrite"),
@@ -315,6 +316,11 @@ def test_curves_of_a_model_need_a_tolerance(box):
     expect_one_line(result, "--tolerance is 0 mm")
 
 
+def test_corners_are_those_of_points(box):
+    result = run("curve", "arcs", box, "--polygon", "-o", box.parent / "out.dxf")
+    expect_one_line(result, "is a model: --polygon is for points")
+
+
 def test_curves_of_several_planes_are_no_drawing(box):
     result = run("curve", "arcs", box, "--edge", "all", "-o", box.parent / "out.dxf")
     expect_one_line(result, "lie in several planes")
@@ -333,5 +339,6 @@ def test_help_of_a_method_is_about_this_method(method):
     assert f"Usage: seamwright curve {method} [OPTIONS] INPUT -o OUT\n" in text
     assert not any(other in text for other in METHODS if other not in (method, "fair"))
     assert ("--free-ends" in text) == (method == "fair")
+    assert ("--polygon" in text) == (method == "arcs")
     for word in ("--tolerance", "--closed", "--edge", "Exit status: 0 every curve"):
         assert word in text
