@@ -184,7 +184,7 @@ std::optional<std::vector<PlanarArc>> nearestChain(const PointsOfArcs& sampled,
       return std::nullopt;
   TouchingCircles circles(sampled, near);
   // The circles touch up to the square of the last step.
-  constexpr int most_steps = 40;
+  constexpr int most_steps = 20;
   constexpr double small = 1e-8;
   bool is_found = false;
   for (int i = 0; i < most_steps && !is_found; ++i) {

@@ -247,10 +247,12 @@ std::optional<SampledChain> sampledChain(const PlanarPoints& points,
   constexpr Eigen::Index least_points = 3;
   if (points.rows() < least_points) return best;
   for (const double share : noise_shares) {
-    ChainTask task{.closed = options.closed,
-                   .tolerance_mm = options.tolerance_mm,
-                   .noise_mm = share * options.tolerance_mm,
-                   .fewer_than = static_cast<int>(best ? best->arcs.size() : all.size())};
+    ChainTask task{
+        .closed = options.closed,
+        .tolerance_mm = options.tolerance_mm,
+        .noise_mm = share * options.tolerance_mm,
+        .fewer_than = best ? static_cast<int>(best->arcs.size())
+                           : std::min(options.most_arcs + 1, static_cast<int>(all.size()))};
     const std::vector<Eigen::Index> corners =
         pointCorners(points, {.closed = options.closed, .error_mm = task.noise_mm});
     // Lines rather than flat arcs, if there is a chain of them.

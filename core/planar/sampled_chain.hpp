@@ -20,6 +20,7 @@ struct SampledChain {
 struct SampledChainOptions {
   bool closed = false;
   double tolerance_mm = 0.01;
+  int most_arcs = 1000;  ///< chains of more are not looked for
 };
 
 /// The chain of fewest lines and arcs whose samples the points are, each off by less than the

@@ -131,7 +131,7 @@ bool haveEnoughVertices(const std::vector<PointPiece>& pieces, bool closed) {
 std::optional<PlacedArcs> tangentChain(const SampledPolygon& polygon,
                                        const TangentChainOptions& options) {
   // A choice: the work grows with the cube of their number.
-  constexpr int most_pieces = 100;
+  constexpr int most_pieces = 60;
   const int n = static_cast<int>(polygon.vertices.size());
   const std::vector<PointPiece> pieces =
       pointPieces(polygon.vertices, {.closed = polygon.closed,

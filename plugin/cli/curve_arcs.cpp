@@ -160,8 +160,11 @@ std::optional<CurveWithArcs> arcsSampledBy(const GivenCurve& given, double toler
                                            const ArcFit& other) {
   if (given.points.rows() == 0 || tolerance_mm == 0) return std::nullopt;
   const bool closed = given.record.closed;
-  const auto sampled = sampledChain(given.points, {.closed = closed, .tolerance_mm = tolerance_mm});
-  if (!sampled || sampled->arcs.size() > other.arcs.size()) return std::nullopt;
+  const auto sampled =
+      sampledChain(given.points, {.closed = closed,
+                                  .tolerance_mm = tolerance_mm,
+                                  .most_arcs = static_cast<int>(other.arcs.size())});
+  if (!sampled) return std::nullopt;
   if (sampled->arcs.size() == other.arcs.size() && linesIn(sampled->arcs) <= linesIn(other.arcs))
     return std::nullopt;
   CurveWithArcs result{.curve = {.chain = chainOf(sampled->arcs, closed)}, .fit = {}};
