@@ -194,7 +194,8 @@ CurveWithArcs linesOf(const GivenCurve& given) {
 std::string cornersNote(const GivenCurve& given, double tolerance_mm) {
   const Eigen::Index n = given.points.rows();
   const bool closed = given.record.closed;
-  if (n < 3) return "";
+  const Eigen::Index turning = closed ? n : n - 2;
+  if (turning < 2) return "";
   double turns_rad = 0;
   for (Eigen::Index i = closed ? 0 : 1; i < (closed ? n : n - 1); ++i) {
     const Eigen::Vector2d before = given.points.row(i) - given.points.row((i + n - 1) % n),
@@ -204,7 +205,7 @@ std::string cornersNote(const GivenCurve& given, double tolerance_mm) {
     if (std::min(before.norm(), after.norm()) > errors_away * tolerance_mm)
       turns_rad += std::abs(angleFromTo(before, after));
   }
-  const double mean_deg = turns_rad / static_cast<double>(closed ? n : n - 2) / radians_per_degree;
+  const double mean_deg = turns_rad / static_cast<double>(turning) / radians_per_degree;
   // A choice: ten points of a circle turn by 36 degrees.
   constexpr double least_deg = 35;
   if (mean_deg < least_deg) return "";
