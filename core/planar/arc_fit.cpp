@@ -337,7 +337,10 @@ std::optional<FittedPart> sampledPieces(const CurveLayout& layout, std::size_t f
   std::optional<FittedPart> best;
   for (const double share : noise_shares) {
     if (best) fewer_than = best->arcs.size();
-    const auto chain = tangentChain(polygon, share * tolerance_mm, static_cast<int>(fewer_than));
+    const double noise_mm = share * tolerance_mm;
+    const auto chain = tangentChain(
+        polygon,
+        {.noise_mm = noise_mm, .line_mm = noise_mm, .fewer_than = static_cast<int>(fewer_than)});
     if (!chain) continue;
     if (auto part = proven(layout.curve, polygon.begin, *chain, tolerance_mm)) best = part;
   }

@@ -3,7 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
+#include <utility>
+
+#include <Eigen/Geometry>
 
 #include <seamwright/core/numeric.hpp>
 #include <seamwright/core/planar/arc.hpp>
@@ -15,50 +19,100 @@ namespace {
 
 using Eigen::Index;
 
+/// Some points of a polygon in their order, to find those that are far away: a tree of boxes.
+class FarPoints {
+ public:
+  /// \param indices ascending
+  FarPoints(const PlanarPoints& points, std::vector<Index> indices, bool closed)
+      : points_(points), indices_(std::move(indices)), closed_(closed) {
+    while (leaves_ < indices_.size()) leaves_ *= 2;
+    boxes_.resize(2 * leaves_);
+    for (std::size_t k = 0; k < indices_.size(); ++k)
+      boxes_[leaves_ + k].extend(points_.row(indices_[k]).transpose());
+    for (std::size_t node = leaves_ - 1; node > 0; --node)
+      boxes_[node] = boxes_[2 * node].merged(boxes_[2 * node + 1]);
+  }
+
+  /// The first one after a point of the polygon, or before it, that is at least so far away.
+  std::optional<Index> next(Index i, bool forward, double distance_mm) const {
+    const auto place = [&](Index index) {
+      return static_cast<std::size_t>(std::ranges::lower_bound(indices_, index) - indices_.begin());
+    };
+    // Most are near in the order, where the tree only costs.
+    constexpr int steps = 8;
+    const auto count = std::ssize(indices_);
+    auto k = static_cast<std::ptrdiff_t>(forward ? place(i + 1) : place(i)) - (forward ? 0 : 1);
+    for (int step = 0; step < steps && 0 <= k && k < count; ++step, k += forward ? 1 : -1) {
+      const Index index = indices_[static_cast<std::size_t>(k)];
+      if ((points_.row(index) - points_.row(i)).norm() >= distance_mm) return index;
+    }
+    const Range before{.begin = 0, .end = place(i)},
+        after{.begin = place(i + 1), .end = indices_.size()};
+    const Search search{
+        .point = points_.row(i).transpose(), .distance_mm = distance_mm, .forward = forward};
+    const Range whole{.begin = 0, .end = leaves_};
+    auto found = first(search, forward ? after : before, 1, whole);
+    if (!found && closed_) found = first(search, forward ? before : after, 1, whole);
+    return found;
+  }
+
+ private:
+  struct Range {
+    std::size_t begin = 0, end = 0;
+  };
+  struct Search {
+    Eigen::Vector2d point;
+    double distance_mm = 0;
+    bool forward = true;
+  };
+  std::optional<Index> first(const Search& search, const Range& in, std::size_t node,
+                             const Range& of_node) const {
+    if (of_node.begin >= in.end || of_node.end <= in.begin || boxes_[node].isEmpty())
+      return std::nullopt;
+    const Eigen::Vector2d farthest = (search.point - boxes_[node].min())
+                                         .cwiseAbs()
+                                         .cwiseMax((search.point - boxes_[node].max()).cwiseAbs());
+    if (farthest.norm() < search.distance_mm) return std::nullopt;
+    if (node >= leaves_) return indices_[node - leaves_];
+    const std::size_t middle = (of_node.begin + of_node.end) / 2;
+    for (const bool is_left : {search.forward, !search.forward}) {
+      const Range half = is_left ? Range{of_node.begin, middle} : Range{middle, of_node.end};
+      if (const auto found = first(search, in, 2 * node + (is_left ? 0 : 1), half)) return found;
+    }
+    return std::nullopt;
+  }
+
+  const PlanarPoints& points_;
+  std::vector<Index> indices_;
+  bool closed_;
+  std::size_t leaves_ = 1;
+  std::vector<Eigen::AlignedBox2d> boxes_ = {};
+};
+
 /// A polygon whose turns are looked at.
 struct TurningPolygon {
   const PlanarPoints& points;
   bool closed = false;
 
   Index count() const { return points.rows(); }
-  /// The point so many steps away; nothing beyond an open end, or once around.
-  std::optional<Index> at(Index i, Index steps) const {
-    if (!closed && (i + steps < 0 || i + steps >= count())) return std::nullopt;
-    if (std::abs(steps) >= count()) return std::nullopt;
-    return (i + steps + count()) % count();
-  }
   Eigen::Vector2d vector(Index from, Index to) const {
     return (points.row(to) - points.row(from)).transpose();
   }
-  /// The first point in a direction that is at least so far away, or the last one there.
-  Index beyond(Index i, Index direction, double distance_mm) const {
-    Index found = i;
-    for (Index steps = direction;; steps += direction) {
-      const auto next = at(i, steps);
-      if (!next) return found;
-      found = *next;
-      if (vector(i, found).norm() >= distance_mm) return found;
+  /// The turns between points that are at least so far away, or the last ones there.
+  std::vector<double> turns_rad(double distance_mm) const {
+    const Index n = count();
+    std::vector<Index> all(static_cast<std::size_t>(n));
+    std::iota(all.begin(), all.end(), Index{0});
+    const FarPoints far(points, std::move(all), closed);
+    std::vector<double> turns(static_cast<std::size_t>(n), 0.0);
+    for (Index i = closed ? 0 : 1; i < (closed ? n : n - 1); ++i) {
+      const Index from = far.next(i, false, distance_mm).value_or(closed ? (i + 1) % n : 0),
+                  to = far.next(i, true, distance_mm).value_or(closed ? (i + n - 1) % n : n - 1);
+      turns[static_cast<std::size_t>(i)] = std::abs(angleFromTo(vector(from, i), vector(i, to)));
     }
-  }
-  /// The turn between points that are at least so far away.
-  double turn_rad(Index i, double distance_mm) const {
-    if (!at(i, -1) || !at(i, 1)) return 0;
-    return std::abs(
-        angleFromTo(vector(beyond(i, -1, distance_mm), i), vector(i, beyond(i, 1, distance_mm))));
+    return turns;
   }
 };
-
-/// The turn at the nearest point in a direction that is so far away and turns by no more than the
-/// angle.
-std::optional<double> smoothTurn(const TurningPolygon& polygon, const std::vector<double>& turns,
-                                 Index i, Index direction, double distance_mm, double most_rad) {
-  for (Index steps = direction;; steps += direction) {
-    const auto next = polygon.at(i, steps);
-    if (!next) return std::nullopt;
-    const double turn_rad = turns[static_cast<std::size_t>(*next)];
-    if (turn_rad <= most_rad && polygon.vector(i, *next).norm() >= distance_mm) return turn_rad;
-  }
-}
 
 /// A corner, if the turns beside it show so.
 struct SharpTurn {
@@ -128,22 +182,23 @@ std::vector<Index> pointCorners(const PlanarPoints& points, const PointCornerOpt
   // Secants of that length are turned by errors by no more than 30 degrees.
   constexpr double errors_away = 4;
   const double away_mm = errors_away * options.error_mm;
-  std::vector<double> turns, wide_turns;
-  for (Index i = 0; i < n; ++i) {
-    turns.push_back(polygon.turn_rad(i, 0));
-    wide_turns.push_back(away_mm > 0 ? polygon.turn_rad(i, away_mm) : turns.back());
-  }
+  const std::vector<double> turns = polygon.turns_rad(0);
+  const std::vector<double> wide_turns = away_mm > 0 ? polygon.turns_rad(away_mm) : turns;
+  std::vector<Index> smooth;
+  for (Index i = 0; i < n; ++i)
+    if (wide_turns[static_cast<std::size_t>(i)] <= options.corner_rad) smooth.push_back(i);
+  const FarPoints smooth_points(points, std::move(smooth), options.closed);
   std::vector<SharpTurn> found;
   for (Index i = 0; i < n; ++i) {
     const double wide_rad = wide_turns[static_cast<std::size_t>(i)];
     if (!(turns[static_cast<std::size_t>(i)] > options.corner_rad)) continue;
     if (!(wide_rad > options.corner_rad)) continue;
-    const auto beside = [&](Index direction) {
-      return smoothTurn(polygon, wide_turns, i, direction, 2 * away_mm, options.corner_rad);
-    };
-    const auto before = beside(-1), after = beside(1);
-    if (before && after && wide_rad > least_times * std::max(*before, *after))
-      found.push_back({i, wide_rad, std::max(*before, *after)});
+    const auto before = smooth_points.next(i, false, 2 * away_mm),
+               after = smooth_points.next(i, true, 2 * away_mm);
+    if (!before || !after) continue;
+    const double beside_rad = std::max(wide_turns[static_cast<std::size_t>(*before)],
+                                       wide_turns[static_cast<std::size_t>(*after)]);
+    if (wide_rad > least_times * beside_rad) found.push_back({i, wide_rad, beside_rad});
   }
   return clearCorners(sharpest(polygon, turns, found, away_mm), n, options.closed);
 }

@@ -3,12 +3,10 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <numeric>
-
-#include <Eigen/LU>
 
 #include <seamwright/core/numeric.hpp>
 #include <seamwright/core/planar/point_corners.hpp>
+#include <seamwright/core/planar/point_pieces.hpp>
 #include <seamwright/core/planar/sampled_chain.hpp>
 #include <seamwright/core/planar/tangent_chain.hpp>
 #include <seamwright/core/planar/touch_point.hpp>
@@ -22,8 +20,8 @@ using Eigen::Vector2d;
 /// Choices. Points of lines and arcs show corners that those of other curves do not: with a corner
 /// at a smaller turn there are fewer pieces, or it is none. Pieces between such corners have more
 /// points than the chords of an arc.
-constexpr std::array corner_angles_deg = {60.0, 12.0};
-constexpr std::array<std::size_t, 2> least_points_between = {2, 4};
+constexpr double least_corner_deg = 12, least_steps = 5;
+constexpr std::size_t least_points_between = 4;
 
 /// An upper bound, which is the distance up to rounding for points near the arc.
 double distance_mm(const PlanarArc& arc, const Vector2d& point) {
@@ -73,61 +71,49 @@ bool joins(const SampledChain& chain) {
   return true;
 }
 
-/// Where two circles or lines cross beside a point; nothing if they do not cross there.
-std::optional<Vector2d> crossingNear(const TouchPoint& a, const TouchPoint& b, Vector2d point) {
-  constexpr int newton_steps = 20;
-  Vector2d step = Vector2d::Zero();
-  for (int i = 0; i < newton_steps; ++i) {
-    Eigen::Matrix2d normals;
-    normals << a.beside(point).normal().transpose(), b.beside(point).normal().transpose();
-    step = normals.inverse() * Vector2d(a.distance_mm(point), b.distance_mm(point));
-    point -= step;
-    if (!point.allFinite()) return std::nullopt;
-  }
-  constexpr double roundings = 64;
-  const double size_mm = point.norm() + (a.point - point).norm() + (b.point - point).norm();
-  if (step.norm() > roundings * machine_epsilon * size_mm) return std::nullopt;
-  return point;
-}
+/// The last point of a run and the first one of the next; the same if the corner is a point.
+struct CornerPoints {
+  int last = 0, first = 0;
+};
 
-/// Lets an arc end, and the next one begin, where both cross no further from a corner than the
-/// tolerance. Returns whether they do.
-bool meetAtCorner(PlanarArc& before, PlanarArc& after, const Vector2d& corner,
-                  double tolerance_mm) {
+/// Lets an arc end, and the next one begin, where both cross near a corner. Returns whether they
+/// do.
+bool meetNear(PlanarArc& before, PlanarArc& after, const std::array<Vector2d, 2>& corner,
+              double within_mm) {
   const TouchPoint end = touchPointOf(before).after(before.length_mm), start = touchPointOf(after);
-  const std::optional<Vector2d> crossing = crossingNear(end, start, corner);
-  if (!crossing || (*crossing - corner).norm() > tolerance_mm) return false;
+  const auto crossing = crossingNear(end, start, (corner[0] + corner[1]) / 2);
+  if (!crossing) return false;
+  // Between two points it can be as far away from them as if they turned by 120 degrees.
+  const double around_mm = (*crossing - corner[0]).norm() + (*crossing - corner[1]).norm();
+  if (around_mm > 2 * (corner[1] - corner[0]).norm() + 2 * within_mm) return false;
   before.length_mm += end.lengthTo_mm(*crossing);
   const double ahead_mm = start.lengthTo_mm(*crossing);
-  const TouchPoint begin = start.after(ahead_mm);
-  after = begin.arc(after.length_mm - ahead_mm);
+  after = start.after(ahead_mm).arc(after.length_mm - ahead_mm);
   return before.length_mm > 0 && after.length_mm > 0;
 }
 
-/// The points of a curve, and what is asked for.
-struct SampledPoints {
-  const PlanarPoints& points;
+/// What is asked for, and with which noise.
+struct ChainTask {
   bool closed = false;
-  double tolerance_mm = 0;
+  double tolerance_mm = 0, noise_mm = 0, line_mm = 0;
+  int fewer_than = 0;
 
-  std::vector<Vector2d> at(const std::vector<Eigen::Index>& indices) const {
-    std::vector<Vector2d> result;
-    for (const Eigen::Index i : indices) result.emplace_back(points.row(i).transpose());
-    return result;
+  TangentChainOptions options(int count) const {
+    return {.noise_mm = noise_mm, .line_mm = line_mm, .fewer_than = fewer_than - count};
   }
 };
 
 /// Without corners.
-std::optional<SampledChain> smoothChain(const std::vector<Vector2d>& points, bool closed,
-                                        double noise_mm, int fewer_than) {
-  const auto placed = tangentChain({.vertices = points, .closed = closed}, noise_mm, fewer_than);
+std::optional<SampledChain> smoothChain(const std::vector<Vector2d>& points,
+                                        const ChainTask& task) {
+  const auto placed = tangentChain({.vertices = points, .closed = task.closed}, task.options(0));
   if (!placed) return std::nullopt;
   SampledChain chain{.arcs = placed->arcs,
                      .corners = {},
-                     .closed = closed,
+                     .closed = task.closed,
                      .distance_mm = largestDistance_mm(*placed, points)};
   const bool is_divided = chain.arcs.front().curvature_per_mm == chain.arcs.back().curvature_per_mm;
-  if (!closed || !is_divided) return chain;
+  if (!task.closed || !is_divided || chain.arcs.size() == 1) return chain;
   // The arc beside the first point is divided there.
   const double tail_mm = chain.arcs.front().length_mm;
   chain.arcs.front() = chain.arcs.back();
@@ -136,66 +122,149 @@ std::optional<SampledChain> smoothChain(const std::vector<Vector2d>& points, boo
   return chain;
 }
 
-/// From corner to corner.
-std::optional<SampledChain> chainWithCorners(const SampledPoints& sampled,
-                                             const std::vector<Eigen::Index>& corners,
-                                             double noise_mm, int fewer_than) {
-  SampledChain chain{.arcs = {}, .corners = {}, .closed = sampled.closed};
+std::vector<std::vector<Vector2d>> runsOf(const std::vector<Vector2d>& points,
+                                          const std::vector<CornerPoints>& corners, bool closed) {
+  const int n = static_cast<int>(points.size());
+  std::vector<CornerPoints> cuts = corners;
+  if (closed) {
+    cuts.push_back({.last = corners.front().last + n, .first = 0});
+  } else {
+    cuts.insert(cuts.begin(), CornerPoints{});
+    cuts.push_back({.last = n - 1, .first = 0});
+  }
   std::vector<std::vector<Vector2d>> runs;
-  for (const auto& run : runsBetween(sampled.points.rows(), corners, sampled.closed))
-    runs.push_back(sampled.at(run));
+  for (std::size_t k = 1; k < cuts.size(); ++k) {
+    runs.emplace_back();
+    for (int i = cuts[k - 1].first; i <= cuts[k].last; ++i)
+      runs.back().push_back(points[static_cast<std::size_t>(i % n)]);
+  }
+  return runs;
+}
+
+/// From corner to corner.
+std::optional<SampledChain> chainWithCorners(const std::vector<Vector2d>& points,
+                                             const std::vector<CornerPoints>& corners,
+                                             const ChainTask& task) {
+  SampledChain chain{.arcs = {}, .corners = {}, .closed = task.closed};
+  const std::vector<std::vector<Vector2d>> runs = runsOf(points, corners, task.closed);
   std::vector<PlacedArcs> placed;
   int count = 0;
   for (const std::vector<Vector2d>& run : runs) {
-    auto arcs = tangentChain({.vertices = run}, noise_mm, fewer_than - count);
+    auto arcs = tangentChain({.vertices = run}, task.options(count));
     if (!arcs) return std::nullopt;
     count += static_cast<int>(arcs->arcs.size());
     placed.push_back(*std::move(arcs));
   }
-  for (std::size_t r = sampled.closed ? 0 : 1; r < runs.size(); ++r) {
-    PlacedArcs& before = placed[r > 0 ? r - 1 : runs.size() - 1];
-    if (!meetAtCorner(before.arcs.back(), placed[r].arcs.front(), runs[r].front(),
-                      sampled.tolerance_mm))
+  for (std::size_t r = task.closed ? 0 : 1; r < runs.size(); ++r) {
+    const std::size_t before = r > 0 ? r - 1 : runs.size() - 1;
+    // The corner of the points is off by the noise itself.
+    if (!meetNear(placed[before].arcs.back(), placed[r].arcs.front(),
+                  {runs[before].back(), runs[r].front()}, task.tolerance_mm + task.noise_mm))
       return std::nullopt;
   }
   for (std::size_t r = 0; r < runs.size(); ++r) {
     chain.distance_mm = std::max(chain.distance_mm, largestDistance_mm(placed[r], runs[r]));
-    if (r > 0 || sampled.closed) chain.corners.push_back(static_cast<int>(chain.arcs.size()));
+    if (r > 0 || task.closed) chain.corners.push_back(static_cast<int>(chain.arcs.size()));
     chain.arcs.insert(chain.arcs.end(), placed[r].arcs.begin(), placed[r].arcs.end());
   }
   return chain;
+}
+
+/// Where the lines and circles of neighbouring pieces cross at an angle.
+std::vector<CornerPoints> cornersBetweenPieces(const std::vector<Vector2d>& points,
+                                               const ChainTask& task) {
+  const std::vector<PointPiece> pieces = pointPieces(points, {.closed = task.closed,
+                                                              .noise_mm = task.noise_mm,
+                                                              .line_mm = task.line_mm,
+                                                              .fewer_than = task.fewer_than});
+  const int n = static_cast<int>(points.size());
+  const auto at = [&](int i) { return points[static_cast<std::size_t>((i + n) % n)]; };
+  std::vector<CornerPoints> corners;
+  for (std::size_t i = task.closed ? 0 : 1; i < pieces.size(); ++i) {
+    const TouchPoint& before = pieces[i > 0 ? i - 1 : pieces.size() - 1].circle;
+    const TouchPoint& after = pieces[i].circle;
+    CornerPoints corner{.last = pieces[i].first - 1, .first = pieces[i].first};
+    const Vector2d last = at(corner.last), first = at(corner.first);
+    const auto crossing = crossingNear(before, after, (last + first) / 2);
+    if (!crossing) continue;
+    const double turn_rad = std::abs(
+        wrapped(after.beside(*crossing).direction_rad - before.beside(*crossing).direction_rad));
+    const double of_step_rad = (first - last).norm() * std::max(std::abs(before.curvature_per_mm),
+                                                                std::abs(after.curvature_per_mm));
+    if (turn_rad < std::max(least_corner_deg * radians_per_degree, least_steps * of_step_rad))
+      continue;
+    if ((*crossing - first).norm() <= task.tolerance_mm)
+      corner.last = corner.first;
+    else if ((*crossing - last).norm() <= task.tolerance_mm)
+      corner.first = corner.last;
+    const int turns = corner.last < 0 ? n : corner.last >= n ? -n : 0;
+    corners.push_back({.last = corner.last + turns, .first = corner.first + turns});
+  }
+  std::ranges::sort(corners, {}, &CornerPoints::last);
+  return corners;
+}
+
+/// The chain with the given corners, and the one with those between pieces as well.
+std::array<std::optional<SampledChain>, 2> chainsOf(const std::vector<Vector2d>& points,
+                                                    const std::vector<Eigen::Index>& given,
+                                                    const ChainTask& task) {
+  std::vector<CornerPoints> corners, all;
+  for (const Eigen::Index i : given)
+    corners.push_back({.last = static_cast<int>(i), .first = static_cast<int>(i)});
+  if (corners.empty()) {
+    all = cornersBetweenPieces(points, task);
+  } else {
+    ChainTask open = task;
+    open.closed = false;
+    int begin = task.closed ? corners.front().first : 0;
+    const int n = static_cast<int>(points.size());
+    const auto runs = runsOf(points, corners, task.closed);
+    for (const std::vector<Vector2d>& run : runs) {
+      for (const CornerPoints& corner : cornersBetweenPieces(run, open))
+        all.push_back({.last = begin + corner.last, .first = begin + corner.first});
+      begin += static_cast<int>(run.size()) - 1;
+    }
+    for (CornerPoints& corner : all)
+      if (corner.last >= n) corner = {.last = corner.last - n, .first = corner.first - n};
+    all.insert(all.end(), corners.begin(), corners.end());
+    std::ranges::sort(all, {}, &CornerPoints::last);
+  }
+  std::array<std::optional<SampledChain>, 2> result;
+  result[0] = corners.empty() ? smoothChain(points, task) : chainWithCorners(points, corners, task);
+  const auto hasFew = [&](const auto& run) { return run.size() < least_points_between; };
+  if (all.size() > corners.size() && std::ranges::none_of(runsOf(points, all, task.closed), hasFew))
+    result[1] = chainWithCorners(points, all, task);
+  return result;
 }
 
 }  // namespace
 
 std::optional<SampledChain> sampledChain(const PlanarPoints& points,
                                          const SampledChainOptions& options) {
-  const SampledPoints sampled{
-      .points = points, .closed = options.closed, .tolerance_mm = options.tolerance_mm};
-  std::vector<Eigen::Index> indices(static_cast<std::size_t>(points.rows()));
-  std::iota(indices.begin(), indices.end(), Eigen::Index{0});
-  const std::vector<Vector2d> all = sampled.at(indices);
+  std::vector<Vector2d> all;
+  for (const auto& point : points.rowwise()) all.emplace_back(point.transpose());
   std::optional<SampledChain> best;
   constexpr Eigen::Index least_points = 3;
   if (points.rows() < least_points) return best;
   for (const double share : noise_shares) {
-    const double noise_mm = share * options.tolerance_mm;
-    std::vector<Eigen::Index> tried = {-1};
-    for (std::size_t k = 0; k < corner_angles_deg.size(); ++k) {
-      const std::vector<Eigen::Index> corners =
-          pointCorners(points, {.closed = options.closed,
-                                .corner_rad = corner_angles_deg[k] * radians_per_degree,
-                                .error_mm = noise_mm});
-      if (corners == tried) continue;
-      tried = corners;
-      const auto hasFew = [&](const auto& run) { return run.size() < least_points_between[k]; };
-      if (std::ranges::any_of(runsBetween(points.rows(), corners, options.closed), hasFew))
-        continue;
-      const int fewer_than = static_cast<int>(best ? best->arcs.size() : all.size());
-      auto chain = corners.empty() ? smoothChain(all, options.closed, noise_mm, fewer_than)
-                                   : chainWithCorners(sampled, corners, noise_mm, fewer_than);
-      if (!chain || !(chain->distance_mm <= options.tolerance_mm)) continue;
-      if (joins(*chain) && runsFromPointToPoint(*chain, all)) best = std::move(chain);
+    ChainTask task{
+        .closed = options.closed,
+        .tolerance_mm = options.tolerance_mm,
+        .noise_mm = share * options.tolerance_mm,
+        .fewer_than = best ? static_cast<int>(best->arcs.size())
+                           : std::min(options.most_arcs + 1, static_cast<int>(all.size()))};
+    const std::vector<Eigen::Index> corners =
+        pointCorners(points, {.closed = options.closed, .error_mm = task.noise_mm});
+    // Lines rather than flat arcs, if there is a chain of them.
+    for (const double line_mm : {options.tolerance_mm, task.noise_mm}) {
+      task.line_mm = line_mm;
+      for (auto& chain : chainsOf(all, corners, task)) {
+        if (!chain || !(chain->distance_mm <= options.tolerance_mm)) continue;
+        if (static_cast<int>(chain->arcs.size()) >= task.fewer_than) continue;
+        if (!joins(*chain) || !runsFromPointToPoint(*chain, all)) continue;
+        task.fewer_than = static_cast<int>(chain->arcs.size());
+        best = std::move(chain);
+      }
     }
   }
   return best;

@@ -20,19 +20,23 @@ struct SampledChain {
 struct SampledChainOptions {
   bool closed = false;
   double tolerance_mm = 0.01;
+  int most_arcs = 1000;  ///< chains of more are not looked for
 };
 
 /// The chain of fewest lines and arcs whose samples the points are, each off by less than the
 /// tolerance; of those for several bounds of the errors the first. It is G1 except at the
 /// corners of pointCorners(), where the pieces on both sides meet, no further from the corner than
-/// the tolerance; corners that turn by 12 to 60 degrees count if there are fewer pieces with them.
-/// Every second piece needs five points, or three if it is a line, and the others three; a line
-/// between two corners of more than 60 degrees needs two. A closed chain begins at its first
-/// corner, else its first arc is the one beside the first point. Identities (each has a test of its
-/// number):
+/// the tolerance and the bound of the errors; other corners, which turn by 12 degrees or more,
+/// count if there are fewer pieces with them, and can be between two points. An arc needs three
+/// points, a line two, and two neighbours six; there are at most 60 pieces between corners. Pieces
+/// are lines if they can be. A closed chain begins at its first corner, else its first arc is the
+/// one beside the first point. Identities (each has a test of its number):
 ///   (1) Samples of lines and arcs give these, up to the rounding of their digits; corners among
 ///       the samples stay corners.
 ///   (2) No point is further from the chain than distance_mm <= tolerance_mm.
+///   (3) Points of lines and arcs with errors up to 3/5 of the tolerance along each axis have as
+///       many, with the same corners, and so they have from whichever point a closed chain begins.
+///       Each piece needs so many points that errors do not hide it.
 /// Nothing if a point is further from each chain found than the tolerance, or the chain does not
 /// run from point to point. \throws std::invalid_argument for equal neighbours.
 /// Source: docs/theory/planar.md P9.6.

@@ -12,7 +12,7 @@ namespace seamwright {
 
 /// Choices: the noise that is tried, as shares of a tolerance. With less noise the joints are known
 /// better.
-inline constexpr std::array noise_shares = {1e-3, 3e-3, 0.01, 0.03, 0.07, 0.15, 0.3, 0.6};
+inline constexpr std::array noise_shares = {1e-3, 3e-3, 0.01, 0.03, 0.07, 0.15, 0.3, 0.6, 0.8, 1.0};
 
 /// A polygon whose vertices are to be samples. Vertex i has the parameter begin + i.
 struct SampledPolygon {
@@ -21,13 +21,19 @@ struct SampledPolygon {
   bool closed = false;
 };
 
-/// The G1 chain of lines and arcs whose samples the vertices are up to a noise, as of points with
-/// few digits: each second piece is the circle or line near its vertices, and the pieces between
-/// touch both neighbours. A closed chain begins beside the first vertex, so that the arc there is
-/// divided if it does not begin or end there. An open one ends beside its first and last vertices.
-/// Nothing is said about the distance. Nothing if there are no such pieces, or not fewer than \p
-/// fewer_than. Source: docs/theory/planar.md P9.6.
-std::optional<PlacedArcs> tangentChain(const SampledPolygon& polygon, double noise_mm,
-                                       int fewer_than);
+struct TangentChainOptions {
+  double noise_mm = 0;
+  double line_mm = 0;  ///< vertices that are so near to a line, with the noise, are samples of one
+  int fewer_than = 0;
+};
+
+/// The G1 chain of lines and arcs whose samples the vertices are up to a noise: the vertices are
+/// divided into pieces, and of the chains with one line or arc for each piece this one has the
+/// least sum of squared distances. A closed chain begins beside the first vertex, so that the arc
+/// there is divided if it does not begin or end there. An open one ends beside its first and last
+/// vertices. Nothing is said about the distance. Nothing if there are no such pieces, or not fewer
+/// than asked for. Source: docs/theory/planar.md P9.6.
+std::optional<PlacedArcs> tangentChain(const SampledPolygon& polygon,
+                                       const TangentChainOptions& options);
 
 }  // namespace seamwright

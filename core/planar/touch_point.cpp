@@ -4,6 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include <Eigen/LU>
+
+#include <seamwright/core/numeric.hpp>
+
 namespace seamwright {
 
 using Eigen::Vector2d;
@@ -55,24 +59,27 @@ double lengthBetween(const TouchPoint& from, const TouchPoint& to) {
   return is_behind ? length_mm + 2 * std::numbers::pi / std::abs(k) : length_mm;
 }
 
-TouchPoint touching(const TouchPoint& from, const TouchPoint& to) {
-  const Vector2d away = from.point - to.point, normal = to.normal();
-  const double k = to.curvature_per_mm;
-  const double curvature = 2 * (1 - from.normal().dot(normal) + k * away.dot(from.normal())) /
-                           (2 * away.dot(normal) - k * away.squaredNorm());
-  return {.point = from.point,
-          .direction_rad = from.direction_rad,
-          .curvature_per_mm = std::isfinite(curvature) ? curvature : 0};
+Vector2d touchPoint(const TouchPoint& a, const TouchPoint& b) {
+  // The centres and the point are on one line; from the larger circle or the line it is seen best.
+  const bool is_a_flatter = std::abs(a.curvature_per_mm) < std::abs(b.curvature_per_mm);
+  const TouchPoint &flatter = is_a_flatter ? a : b, &other = is_a_flatter ? b : a;
+  return flatter.beside(other.point + other.normal() / other.curvature_per_mm).point;
 }
 
-TouchPoint touchPoint(const TouchPoint& circle, const TouchPoint& to) {
-  // The centres and the point are on one line; from the larger circle or the line it is seen best.
-  if (std::abs(to.curvature_per_mm) > std::abs(circle.curvature_per_mm)) {
-    const TouchPoint other = touchPoint(to, circle);
-    return to.beside(other.point);
+std::optional<Vector2d> crossingNear(const TouchPoint& a, const TouchPoint& b, Vector2d point) {
+  constexpr int newton_steps = 20;
+  Vector2d step = Vector2d::Zero();
+  for (int i = 0; i < newton_steps; ++i) {
+    Eigen::Matrix2d normals;
+    normals << a.beside(point).normal().transpose(), b.beside(point).normal().transpose();
+    step = normals.inverse() * Vector2d(a.distance_mm(point), b.distance_mm(point));
+    point -= step;
+    if (!point.allFinite()) return std::nullopt;
   }
-  const Vector2d centre = circle.point + circle.normal() / circle.curvature_per_mm;
-  return to.beside(centre);
+  constexpr double roundings = 64;
+  const double size_mm = point.norm() + (a.point - point).norm() + (b.point - point).norm();
+  if (step.norm() > roundings * machine_epsilon * size_mm) return std::nullopt;
+  return point;
 }
 
 }  // namespace seamwright

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 #include <seamwright/core/planar/arc.hpp>
 
@@ -31,11 +32,11 @@ TouchPoint touchPointOf(const PlanarArc& arc);
 /// How far an arc advances between points of its circle.
 double lengthBetween(const TouchPoint& from, const TouchPoint& to);
 
-/// The circle that leaves a point in its direction and touches a circle or line so that it
-/// continues in the same sense. Source: docs/theory/planar.md P9.6.
-TouchPoint touching(const TouchPoint& from, const TouchPoint& to);
+/// Where two circles, or a circle and a line, touch. \pre they do.
+Eigen::Vector2d touchPoint(const TouchPoint& a, const TouchPoint& b);
 
-/// Where a circle that touches another circle or line does so, as a point of the other.
-TouchPoint touchPoint(const TouchPoint& circle, const TouchPoint& to);
+/// Where two circles or lines cross beside a point; nothing if they do not cross there.
+std::optional<Eigen::Vector2d> crossingNear(const TouchPoint& a, const TouchPoint& b,
+                                            Eigen::Vector2d point);
 
 }  // namespace seamwright

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <seamwright/core/angle.hpp>
 #include <seamwright/core/planar/arc_fit.hpp>
 #include <seamwright/core/planar/point_corners.hpp>
 #include <seamwright/core/planar/sampled_chain.hpp>
@@ -10,6 +13,7 @@
 #include <seamwright/plugin/cli/point_curves.hpp>
 #include <seamwright/plugin/cli/smooth_curve.hpp>
 #include <stdexcept>
+#include <string>
 
 namespace seamwright::cli {
 
@@ -156,8 +160,11 @@ std::optional<CurveWithArcs> arcsSampledBy(const GivenCurve& given, double toler
                                            const ArcFit& other) {
   if (given.points.rows() == 0 || tolerance_mm == 0) return std::nullopt;
   const bool closed = given.record.closed;
-  const auto sampled = sampledChain(given.points, {.closed = closed, .tolerance_mm = tolerance_mm});
-  if (!sampled || sampled->arcs.size() > other.arcs.size()) return std::nullopt;
+  const auto sampled =
+      sampledChain(given.points, {.closed = closed,
+                                  .tolerance_mm = tolerance_mm,
+                                  .most_arcs = static_cast<int>(other.arcs.size())});
+  if (!sampled) return std::nullopt;
   if (sampled->arcs.size() == other.arcs.size() && linesIn(sampled->arcs) <= linesIn(other.arcs))
     return std::nullopt;
   CurveWithArcs result{.curve = {.chain = chainOf(sampled->arcs, closed)}, .fit = {}};
@@ -167,12 +174,54 @@ std::optional<CurveWithArcs> arcsSampledBy(const GivenCurve& given, double toler
   return result;
 }
 
+/// Lines from point to point.
+CurveWithArcs linesOf(const GivenCurve& given) {
+  CurveWithArcs result{.curve = polygonOf(given), .fit = {}};
+  ArcFit& fit = result.fit;
+  fit.closed = given.record.closed;
+  for (const ChainCurve& side : result.curve.chain.curves)
+    fit.arcs.push_back(std::get<PlanarArc>(side));
+  const double straight_rad = ArcFitOptions{}.corner_rad;
+  for (std::size_t i = fit.closed ? 0 : 1; i < fit.arcs.size(); ++i) {
+    const PlanarArc& before = fit.arcs[(i + fit.arcs.size() - 1) % fit.arcs.size()];
+    const double turn_rad = wrapped(fit.arcs[i].direction_rad - before.direction_rad);
+    if (std::abs(turn_rad) > straight_rad) fit.corners.push_back(static_cast<int>(i));
+  }
+  return result;
+}
+
+/// What to say if arcs pass through points that can be corners as well; empty otherwise.
+std::string cornersNote(const GivenCurve& given, double tolerance_mm) {
+  const Eigen::Index n = given.points.rows();
+  const bool closed = given.record.closed;
+  const Eigen::Index turning = closed ? n : n - 2;
+  if (turning < 2) return "";
+  double turns_rad = 0;
+  for (Eigen::Index i = closed ? 0 : 1; i < (closed ? n : n - 1); ++i) {
+    const Eigen::Vector2d before = given.points.row(i) - given.points.row((i + n - 1) % n),
+                          after = given.points.row((i + 1) % n) - given.points.row(i);
+    // Errors turn points that are nearer.
+    constexpr double errors_away = 4;
+    if (std::min(before.norm(), after.norm()) > errors_away * tolerance_mm)
+      turns_rad += std::abs(angleFromTo(before, after));
+  }
+  const double mean_deg = turns_rad / static_cast<double>(turning) / radians_per_degree;
+  // A choice: ten points of a circle turn by 36 degrees.
+  constexpr double least_deg = 35;
+  if (mean_deg < least_deg) return "";
+  return fmt::format(
+      "the points turn by {:.0f} degrees on average: they count as samples of a curve; if they are "
+      "corners, give --polygon",
+      mean_deg);
+}
+
 }  // namespace
 
 MadeCurve madeArcs(const GivenCurve& given, const CurveTask& task) {
   MadeCurve made{.record = given.record};
-  CurveWithArcs near = arcsOf(given, task);
-  if (auto sampled = arcsSampledBy(given, task.tolerance_mm, near.fit)) {
+  CurveWithArcs near = given.polygon ? linesOf(given) : arcsOf(given, task);
+  auto sampled = given.polygon ? std::nullopt : arcsSampledBy(given, task.tolerance_mm, near.fit);
+  if (sampled) {
     near = *std::move(sampled);
     made.record.notes.emplace_back(
         "the points are samples of these lines and arcs: the distance is that of the points");
@@ -181,6 +230,9 @@ MadeCurve madeArcs(const GivenCurve& given, const CurveTask& task) {
   made.chain = chainOf(fit.arcs, fit.closed);
   made.record.pieces = static_cast<int>(fit.arcs.size());
   made.record.lines = linesIn(fit.arcs);
+  if (made.record.lines < made.record.pieces)
+    if (const std::string note = cornersNote(given, task.tolerance_mm); !note.empty())
+      made.record.notes.push_back(note);
   made.record.corners = static_cast<int>(fit.corners.size());
   made.record.distance_mm = fit.distance_mm;
   made.record.before = curve.figures;

@@ -183,6 +183,8 @@ void addCurveOptions(CLI::App& command, CurveArguments& arguments) {
       ->check(numberIn(Range::NotNegative))
       ->capture_default_str();
   command.add_flag("--closed", arguments.closed, "Join the last point with the first one");
+  command.add_flag("--polygon", arguments.polygon,
+                   "arcs: the points are the corners of a polygon, with lines between them");
   command.add_flag("--free-ends", arguments.free_ends,
                    "fair: the first and the last point may move as well");
   command

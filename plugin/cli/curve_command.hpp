@@ -18,6 +18,7 @@ struct CurveArguments {
   double flatness_mm = 0.001;  ///< largest distance of the input from its plane
   bool closed = false;
   bool free_ends = false;  ///< of points made fair: the ends move as well
+  bool polygon = false;    ///< points are the corners of a polygon
   EdgeList edges;          ///< of a model; not given: the free ones
   double max_time_s = HUGE_VAL;
 };

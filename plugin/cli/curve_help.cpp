@@ -47,8 +47,11 @@ class CurveHelp : public CLI::Formatter {
   }
   std::string make_option(const CLI::Option* option, bool is_positional) const override {
     const MethodHelp* method = shown();
-    const bool other = method && (option == &method_ || (std::string(method->name) != "fair" &&
-                                                         option->check_name("--free-ends")));
+    const auto isOnlyOf = [&](const char* name, const char* option_name) {
+      return method && method->name != std::string(name) && option->check_name(option_name);
+    };
+    const bool other = (method && option == &method_) || isOnlyOf("fair", "--free-ends") ||
+                       isOnlyOf("arcs", "--polygon");
     return other ? "" : Formatter::make_option(option, is_positional);
   }
   std::string make_option_desc(const CLI::Option* option) const override {

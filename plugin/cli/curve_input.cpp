@@ -22,6 +22,11 @@ void requireEnds(const CurveArguments& arguments) {
     throw std::runtime_error("--free-ends: a curve with --closed has no ends; corners stay");
 }
 
+void requirePolygon(const CurveArguments& arguments) {
+  if (arguments.polygon && arguments.method != "arcs")
+    throw std::runtime_error("--polygon: is for the method arcs, not for " + arguments.method);
+}
+
 /// Tolerances of points; empty if they have none of their own.
 Eigen::VectorXd ownTolerances(const PointFile& file, double default_mm) {
   const auto& own = file.tolerances_mm;
@@ -39,6 +44,7 @@ std::string tolerancesNote(const Eigen::VectorXd& tolerances_mm) {
 
 CurveInput pointInput(const CurveArguments& arguments) {
   requireEnds(arguments);
+  requirePolygon(arguments);
   if (arguments.edges.isGiven())
     throw std::runtime_error(arguments.input +
                              ": is a file of points, which has no edges: --edge "
@@ -55,6 +61,7 @@ CurveInput pointInput(const CurveArguments& arguments) {
   curve.points = coordinatesIn(plane.frame, file.points);
   curve.rounding_mm = file.rounding_mm;
   curve.lines = file.lines;
+  curve.polygon = arguments.polygon;
   curve.free_ends = arguments.free_ends;
   if (const std::string note = arguments.closed ? "" : endsNote(file); !note.empty())
     curve.record.notes.push_back(note);
@@ -91,6 +98,8 @@ GivenCurve givenCurve(occ::PlanarWire wire) {
 CurveInput modelInput(const CurveArguments& arguments) {
   if (arguments.free_ends)
     throw std::runtime_error(arguments.input + ": is a model: --free-ends is for points");
+  if (arguments.polygon)
+    throw std::runtime_error(arguments.input + ": is a model: --polygon is for points");
   if (arguments.closed)
     throw std::runtime_error(
         arguments.input + ": is a model, whose curves are closed or not: --closed is for points");

@@ -22,6 +22,7 @@ struct GivenCurve {
   /// Fairing: of each point; empty if all have that of the task, which is the least of them above 0
   /// otherwise.
   Eigen::VectorXd tolerances_mm = {};
+  bool polygon = false;    ///< arcs: the points are corners, with lines between them
   bool free_ends = false;  ///< fairing: the ends move as well
 };
 

@@ -99,14 +99,19 @@ std::string textOf(const fs::path& path) {
   return text;
 }
 
-/// Whether an entry between separators is empty, except for the last one.
+/// Whether an entry between separators is empty and others follow it.
 bool hasGap(const std::string& line) {
   const std::string text = line.substr(0, line.find('#'));
   const char separator = text.find(';') != std::string::npos ? ';' : ',';
-  bool blank = true;
+  bool is_blank = true, is_gap = false;
   for (const char c : text) {
-    if (c == separator && blank) return true;
-    blank = c == separator || (blank && std::isspace(static_cast<unsigned char>(c)) != 0);
+    if (c == separator) {
+      is_gap = is_gap || is_blank;
+      is_blank = true;
+    } else if (c != '"' && std::isspace(static_cast<unsigned char>(c)) == 0) {
+      if (is_gap) return true;
+      is_blank = false;
+    }
   }
   return false;
 }
@@ -150,8 +155,6 @@ class PointRows {
   void add(const std::string& text, int line) {
     const std::vector<std::string> words = wordsOf(text);
     if (words.empty()) return;
-    // Without it a tolerance would be taken for a coordinate.
-    if (has_tolerances_ && hasGap(text)) fail(line, "has an empty entry");
     if (rows_.empty() && !beginsAsNumber(words.front())) {
       readHeader(namesIn(text), line);
       return;
@@ -160,6 +163,8 @@ class PointRows {
       notes_.push_back(fmt::format("line {} is taken for a name, because it has words", line));
       return;
     }
+    // What follows it would be taken for another coordinate.
+    if (hasGap(text)) fail(line, "has an empty entry between its numbers");
     for (const std::string& word : words)
       if (!numberFrom(word)) fail(line, fmt::format("has '{}' where a number is needed", word));
     requireColumns(words.size(), line);

@@ -33,7 +33,7 @@ bool isPointFile(const std::filesystem::path& path);
 /// four names that ends with tolerance or tolerance_mm says that a tolerance can follow the
 /// coordinates of a line. \throws std::runtime_error, in one line with the number of the line: no
 /// file, no point, UTF-16, a word, a number that is not finite, another count of columns, a
-/// negative tolerance, an empty entry beside tolerances.
+/// negative tolerance, an empty entry before another one.
 PointFile readPoints(const std::filesystem::path& path);
 
 /// Whether the last of four or more points is the first one again, up to a billionth of their size.

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <numeric>
+
 #include <seamwright/core/planar/clothoid_spline.hpp>
 #include <seamwright/core/planar/fair_clothoids.hpp>
 #include <seamwright/core/planar/fair_points.hpp>
@@ -368,6 +370,22 @@ TEST(PointCorners, FollowMotionAndReversal) {
   EXPECT_EQ(pointCorners(points * motion, {.closed = true}), (Corners{0, points.rows() - 1}));
   EXPECT_EQ(pointCorners(points.colwise().reverse(), {.closed = true}),
             (Corners{0, points.rows() - 1}));
+}
+
+// Walks from each point to a distant one would take minutes.
+TEST(PointCorners, OfManyPointsAreFound) {
+  constexpr Index count = 200000;
+  PlanarPoints stairs(count, 2), tiny(count, 2);
+  for (Index i = 0; i < count; ++i) {
+    stairs.row(i) << double((i + 1) / 2), double(i / 2);
+    const double turn_rad = 2 * pi * double(i) / double(count);
+    tiny.row(i) << 1e-3 * std::cos(turn_rad), 1e-3 * std::sin(turn_rad);
+  }
+  EXPECT_TRUE(pointCorners(tiny, {.closed = true, .error_mm = 0.01}).empty());
+  // The steps turn by 90 degrees.
+  Corners inside(static_cast<std::size_t>(count - 2));
+  std::iota(inside.begin(), inside.end(), Index{1});
+  EXPECT_EQ(pointCorners(stairs, {.error_mm = 0.01}), inside);
 }
 
 }  // namespace

@@ -132,6 +132,57 @@ def test_samples_of_a_rectangle_are_its_sides(tmp_path, first):
     assert all(distance(corner, ends) < 1e-9 for corner in corners)
 
 
+@pytest.mark.parametrize("first", [0, 1, 37, 80, 105])
+def test_samples_with_errors_have_no_start(tmp_path, first):
+    errors = random.Random(5)
+    points = []
+    for side in (1, -1):
+        points += [(side * (k - 20), -10 * side) for k in range(40)]
+        angles = [math.pi * (k / 30 - 0.5) for k in range(30)]
+        points += [(side * (20 + 10 * math.cos(a)), side * 10 * math.sin(a)) for a in angles]
+    points = [tuple(c + errors.uniform(-0.03, 0.03) for c in point) for point in points]
+    given = points_file(tmp_path, points[first:] + points[:first])
+    result, report, _ = curve("arcs", given, "--closed", "--tolerance", "0.05")
+    assert ": 2 arcs and 2 lines, " in result.stdout
+    (found,) = report["curves"]
+    assert found["corners"] == 0
+    assert found["after"]["length_mm"] == pytest.approx(80 + 20 * math.pi, abs=0.05)
+
+
+def polygon(count):
+    turns = [math.tau * (i + 0.5) / count for i in range(count)]
+    return [(3 + 20 * math.cos(turn), 4 + 20 * math.sin(turn)) for turn in turns]
+
+
+@pytest.mark.parametrize("count", [4, 8])
+def test_corners_can_be_all_points(tmp_path, count):
+    given = points_file(tmp_path, polygon(count))
+    note = f"turn by {360 / count:.0f} degrees on average"
+    result, report, _ = curve("arcs", given, "--closed")
+    assert result.stdout.count(note) == 1 and "give --polygon\n" in result.stdout
+    assert report["curves"][0]["lines"] == 0
+    _, report, out = curve("arcs", given, "--closed", "--polygon", out="out.csv")
+    (found,) = report["curves"]
+    assert found["lines"] == found["pieces"] == found["corners"] == count
+    assert found["notes"] == [] and found["distance_mm"] == 0
+    assert found["after"]["length_mm"] == pytest.approx(40 * count * math.sin(math.pi / count))
+    starts = [(float(row["x0"]), float(row["y0"])) for row in rows_of(out)]
+    assert starts == pytest.approx(polygon(count))
+
+
+def test_points_of_curves_have_no_note_about_corners(tmp_path):
+    for points in (CIRCLE, polygon(11)):
+        assert "--polygon" not in curve("arcs", points_file(tmp_path, points), "--closed")[0].stdout
+    assert "--polygon" not in curve("arcs", points_file(tmp_path, WAVE))[0].stdout
+
+
+def test_an_open_polygon_has_its_ends(tmp_path):
+    given = points_file(tmp_path, [(0, 0), (10, 0), (20, 0), (20, 10)])
+    (found,) = curve("arcs", given, "--polygon")[1]["curves"]
+    # At the second point the line goes straight on.
+    assert (found["pieces"], found["lines"], found["corners"]) == (3, 3, 1)
+
+
 @pytest.mark.parametrize("tolerance", ["0", "0.001", "0.05"])
 def test_arcs_of_an_airfoil_have_a_corner_at_its_sharp_end(tmp_path, tolerance):
     outline = naca(0.12, 60, chord=100)

@@ -77,6 +77,11 @@ def test_points_of_spreadsheets_and_airfoils(tmp_path, name, data):
         ("x,y,tolerance\n0,0\n1,2,inf\n", [], "line 3 has the tolerance inf mm: it must"),
         ("x,y,tolerance\n0,0\n1,,2\n", [], "line 3 has an empty entry"),
         ("x;y;tolerance\n0;0\n1; ;2\n", [], "line 3 has an empty entry"),
+        ("x,y\n0,0\n1,,2\n3,1\n", [], "line 3 has an empty entry between its numbers"),
+        ("0,0\n1, ,2\n3,1\n", [], "line 2 has an empty entry between its numbers"),
+        (",0,0\n1,2\n3,1\n", [], "line 1 has an empty entry between its numbers"),
+        ('0,0\n"1","","2"\n3,1\n', [], "line 2 has an empty entry between its numbers"),
+        ("0,5;0\n1;;2\n3;1\n", [], "line 2 has an empty entry between its numbers"),
         ("x,y,tolerance\n0,0\n1,2,3,4\n", [], "line 3 has 4 numbers: 2 and at most a tolerance"),
         ("x,y,z,tolerance\n0,0\n", [], "line 2 has 2 numbers: 3 and at most a tolerance"),
         ("x,y,tolerance\n0,0\n1,2,few\n", [], "line 3 has 'few' where a number is needed"),
@@ -196,6 +201,7 @@ def test_ends_that_nearly_meet_are_noted(tmp_path, method):
     [
         (["arcs", "points.csv", "-o", "out.svg", "--free-ends"], "is for the method fair"),
         (["fair", "points.csv", "-o", "out.svg", "--free-ends", "--closed"], "has no ends"),
+        (["conic", "points.csv", "-o", "out.svg", "--polygon"], "is for the method arcs, not for"),
         (["arcs", "points.csv", "-o", "out.pdf"], "'.pdf' is not a known extension"),
         (["arcs", "points.csv", "-o", "points.csv"], "is the input itself"),
         (["arcs", "points.csv", "-o", "old.dxf"], "already exists; use --overwrite"),
@@ -310,6 +316,11 @@ def test_curves_of_a_model_need_a_tolerance(box):
     expect_one_line(result, "--tolerance is 0 mm")
 
 
+def test_corners_are_those_of_points(box):
+    result = run("curve", "arcs", box, "--polygon", "-o", box.parent / "out.dxf")
+    expect_one_line(result, "is a model: --polygon is for points")
+
+
 def test_curves_of_several_planes_are_no_drawing(box):
     result = run("curve", "arcs", box, "--edge", "all", "-o", box.parent / "out.dxf")
     expect_one_line(result, "lie in several planes")
@@ -328,5 +339,6 @@ def test_help_of_a_method_is_about_this_method(method):
     assert f"Usage: seamwright curve {method} [OPTIONS] INPUT -o OUT\n" in text
     assert not any(other in text for other in METHODS if other not in (method, "fair"))
     assert ("--free-ends" in text) == (method == "fair")
+    assert ("--polygon" in text) == (method == "arcs")
     for word in ("--tolerance", "--closed", "--edge", "Exit status: 0 every curve"):
         assert word in text
