@@ -24,6 +24,7 @@
 #include <seamwright/plugin/cli/rounding.hpp>
 #include <seamwright/plugin/report/blend_json.hpp>
 #include <seamwright/plugin/report/json.hpp>
+#include <seamwright/plugin/report/text.hpp>
 #include <stdexcept>
 
 namespace seamwright::cli {
@@ -242,7 +243,17 @@ int polygonCorners(const BezierSpline& curve) {
   return corners;
 }
 
-/// Corners of the key curves, which all frames keep, and an option without effect.
+std::string sampledNote(const SampledCurve& curve) {
+  std::vector<std::string> kinds;
+  if (curve.lines > 0) kinds.push_back(report::counted(curve.lines, "line"));
+  if (curve.arcs > 0) kinds.push_back(report::counted(curve.arcs, "arc"));
+  return fmt::format(
+      "the points are samples of {}, which are the key curve: no point is further than {:.2g} mm "
+      "from them",
+      fmt::join(kinds, " and "), curve.distance_mm);
+}
+
+/// Lines and arcs, corners, which all frames keep, and an option without effect.
 void noteKeyCurves(const KeyCurves& input, const BlendArguments& arguments, BlendReport& report) {
   if (input.curves.size() == 2 && arguments.in_between != BlendArguments().in_between)
     report.notes.push_back(fmt::format(
@@ -251,6 +262,7 @@ void noteKeyCurves(const KeyCurves& input, const BlendArguments& arguments, Blen
   constexpr int many_corners = 24;
   for (const KeyCurve& key : input.curves) {
     const std::string name = keyName(key, arguments);
+    if (key.sampled) report.notes.push_back(name + ": " + sampledNote(*key.sampled));
     if (const std::size_t count = key.corners.size(); count > 0)
       report.notes.push_back(fmt::format(
           "{}: {} (number {}), and {} of G0 in all frames", name,

@@ -100,6 +100,26 @@ occ::ModelFacts pointFacts(const std::string& path) {
   return facts;
 }
 
+/// The lines and arcs of which the points are samples, or the spline through them.
+KeyCurve keyCurve(const PointFile& file, const BlendArguments& arguments) {
+  KeyCurve result;
+  result.points = file.points.rows();
+  result.sampled = sampledCurve(file, arguments.closed);
+  if (result.sampled) {
+    const PolynomialSpline polynomial =
+        polynomialSpline(result.sampled->spline, arguments.order, arguments.tolerance_mm);
+    result.corners = result.sampled->corners;
+    result.curve = polynomial.spline;
+    result.polynomial_mm = polynomial.distance_mm;
+    return result;
+  }
+  const std::vector<Eigen::Index> corners =
+      cornersOf(file, arguments.closed, arguments.tolerance_mm);
+  for (const Eigen::Index corner : corners) result.corners.push_back(corner + 1);
+  result.curve = splineThrough(file.points, corners, arguments.closed);
+  return result;
+}
+
 void addPoints(KeyCurves& result, const std::string& path, const EdgeList& edges,
                const BlendArguments& arguments) {
   const bool closed = arguments.closed;
@@ -108,12 +128,8 @@ void addPoints(KeyCurves& result, const std::string& path, const EdgeList& edges
                              ": is a file of points, which has no edges: --edge is for models");
   PointFile file = readPoints(path);
   requireCurve(file, path, closed);
-  KeyCurve curve;
+  KeyCurve curve = keyCurve(file, arguments);
   curve.input = result.facts.size();
-  curve.points = file.points.rows();
-  const std::vector<Eigen::Index> corners = cornersOf(file, closed, arguments.tolerance_mm);
-  for (const Eigen::Index corner : corners) curve.corners.push_back(corner + 1);
-  curve.curve = splineThrough(file.points, corners, closed);
   result.curves.push_back(std::move(curve));
   result.facts.push_back(pointFacts(path));
   if (const std::string note = closed ? "" : endsNote(file); !note.empty())

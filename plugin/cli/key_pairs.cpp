@@ -55,7 +55,7 @@ double parameterOf(const KeyCurve& key, const std::string& path, const KeyPair& 
   if (number > key.points)
     throw std::runtime_error(fmt::format("--pair {}: {} has {} points, and no point {}", pair.text,
                                          path, key.points, number));
-  return key.curve.knots[number - 1];
+  return key.sampled ? key.sampled->parameters[number - 1] : key.curve.knots[number - 1];
 }
 
 /// \throws std::runtime_error for an end, which corresponds to the ends of the other curves anyway.
