@@ -190,6 +190,23 @@ std::vector<EdgeList> edgesOfInputs(const BlendArguments& arguments) {
   return lists;
 }
 
+/// \throws std::runtime_error if some key curves are closed and others are not.
+void requireAllClosedOrOpen(const KeyCurves& input, const BlendArguments& arguments) {
+  const bool first_closed = input.curves.front().curve.closed;
+  for (std::size_t i = 1; i < input.curves.size(); ++i) {
+    if (input.curves[i].curve.closed == first_closed) continue;
+    const auto name = [&](std::size_t k) {
+      return fmt::format("key curve {} ({})", k + 1, arguments.inputs[input.curves[k].input]);
+    };
+    const bool has_points = std::ranges::any_of(
+        input.curves, [](const KeyCurve& key) { return key.points > 0 && !key.curve.closed; });
+    throw std::runtime_error(fmt::format(
+        "{}: {} is {}, and {} is {}: all are open or all are closed{}",
+        arguments.inputs[input.curves[i].input], name(i), first_closed ? "open" : "closed", name(0),
+        first_closed ? "closed" : "open", has_points ? "; --closed closes points" : ""));
+  }
+}
+
 }  // namespace
 
 KeyCurves keyCurves(const BlendArguments& arguments) {
@@ -217,6 +234,7 @@ KeyCurves keyCurves(const BlendArguments& arguments) {
   if (result.curves.size() < 2)
     throw std::runtime_error(
         fmt::format("{}: has one curve, and a blend needs two or more", arguments.inputs.front()));
+  requireAllClosedOrOpen(result, arguments);
   return result;
 }
 
