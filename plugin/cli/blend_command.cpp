@@ -13,6 +13,7 @@
 #include <seamwright/core/blend/match_pieces.hpp>
 #include <seamwright/core/blend/spline_blend.hpp>
 #include <seamwright/core/blend/spline_places.hpp>
+#include <seamwright/occ_adapter/convert/natural_face.hpp>
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
 #include <seamwright/occ_adapter/curves/space_spline.hpp>
 #include <seamwright/occ_adapter/model/write.hpp>
@@ -204,6 +205,21 @@ struct Loft {
   std::vector<double> creases;  ///< knots of the lines at which a key curve has a corner
 };
 
+/// Faces that share an edge have the same poles along it.
+constexpr double sew_mm = 1e-7;
+
+/// Whether all parts between creases have an area: key curves may have sides on one line.
+bool haveAreas(const BSplineSurface& surface, const std::vector<double>& creases) {
+  for (const BSplineSurface& part : partsBetween(surface, SurfaceDirection::U, creases)) {
+    try {
+      occ::requireArea(part.poles.leftCols<3>(), sew_mm);
+    } catch (const std::invalid_argument&) {
+      return false;
+    }
+  }
+  return true;
+}
+
 /// The surface through the frames, and what its lines of joints are proven to be.
 Loft loftOf(const SplineBlend& blend, const BlendArguments& arguments, BlendReport& report) {
   ProgressBar bar("lofting");
@@ -238,6 +254,11 @@ Loft loftOf(const SplineBlend& blend, const BlendArguments& arguments, BlendRepo
   if (!loft.ratios_positive)
     report.notes.emplace_back(
         "the loft may fold at a line of joints: the ratio of the speeds of its sides may vanish");
+  if (!creases.empty() && !haveAreas(loft.surface, creases)) {
+    creases.clear();
+    report.notes.emplace_back(
+        "the loft is one face with creases: between two corners all frames lie on one line");
+  }
   record.faces = static_cast<int>(creases.size()) + 1;
   report.loft = record;
   return {.surface = loft, .creases = creases};
@@ -253,7 +274,6 @@ occ::Model modelOf(const Loft& loft) {
   std::vector<occ::BuiltItem> items;
   for (BSplineSurface& part : partsBetween(loft.surface.surface, SurfaceDirection::U, loft.creases))
     items.push_back({.geometry = std::move(part)});
-  constexpr double sew_mm = 1e-7;  // neighbours have the same poles along their crease
   return occ::sewnModel(occ::builtModel(items), {.sew_mm = sew_mm});
 }
 

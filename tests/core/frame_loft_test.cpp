@@ -105,7 +105,7 @@ TEST(FrameLoft, Identity6PartsBetweenLinesAreTheSurface) {
     for (int k = 0; k < 40; ++k) {
       const double u = drawn(part.knots_u.front(), part.knots_u.back(), random);
       const double v = drawn(part.knots_v.front(), part.knots_v.back(), random);
-      EXPECT_LE((jet(part, u, v).point - jet(loft.surface, u, v).point).norm(), 1e-12);
+      EXPECT_LE((jet(part, u, v).p - jet(loft.surface, u, v).p).norm(), 1e-12);
     }
   }
   for (std::size_t i = 1; i < parts.size(); ++i)
