@@ -130,8 +130,9 @@ def rectangle(width, height, z, first=0, count=4):
     corners = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
     points = []
     for (x, y), (u, v) in zip(corners, corners[1:] + corners[:1]):
-        points += [((x + (u - x) * i / count) * width / 2, (y + (v - y) * i / count) * height / 2, z)
-                   for i in range(count)]
+        for i in range(count):
+            at_x, at_y = x + (u - x) * i / count, y + (v - y) * i / count
+            points.append((at_x * width / 2, at_y * height / 2, z))
     return points[first:] + points[:first]
 
 
