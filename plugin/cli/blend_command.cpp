@@ -80,11 +80,11 @@ std::string matchNote(const MatchSummary& summary, MatchBy by) {
         ", {} of the curvature correspond{}",
         count == 1 ? "1 corner or extremum" : fmt::format("{} corners or extrema", count),
         count == 1 ? "s" : "");
-  else if (by == MatchBy::Features && std::ranges::any_of(summary.features, hasSome))
-    note += fmt::format(
-        ", equal shares of the length correspond: {} corners or extrema of the curvature, and none "
-        "of them corresponds; --pair can name places that do",
-        fmt::join(summary.features, " and "));
+  else if (by == MatchBy::Features && !summary.lengths_fit_better &&
+           std::ranges::any_of(summary.features, hasSome))
+    note +=
+        ", equal shares of the length correspond: no corners, jumps or extrema of the curvature "
+        "do; --pair can name places that correspond";
   if (summary.lengths_fit_better)
     note += fmt::format(
         ", by equal shares of the length{}: with jumps and extrema of the curvature the "
