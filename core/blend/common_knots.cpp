@@ -28,16 +28,16 @@ using PointJet = std::array<Eigen::Vector3d, 3>;
 /// Parameters this near are the same: shares of the length are known to some 1e-9.
 constexpr double same_parameter = 1e-8;
 
-/// A value over a parameter. At a corner the function through them may have a kink.
+/// A value over a parameter.
 struct CourseNode {
   double at = 0, value = 0;
-  bool is_corner = false;
+  bool may_kink = false;  ///< so may the function through them
 };
 
-/// The increasing function through values over nodes that is C^2 between corners; see C12.3.
+/// The increasing function through values over nodes that is C^2 between kinks; see C12.3.
 class MonotoneQuintic {
  public:
-  /// \param closed the ends are one node: a corner, or it is C^2 there too.
+  /// \param closed the ends are one node: it may kink, or is C^2 there too.
   MonotoneQuintic(const std::vector<CourseNode>& nodes, bool closed) {
     for (const CourseNode& node : nodes) {
       nodes_.push_back(node.at);
@@ -53,7 +53,7 @@ class MonotoneQuintic {
                                   : closed ? 0
                                            : last - 1);
       const double mean = 2 * before * after / (before + after);
-      const bool kinks = nodes[i].is_corner || (end && !closed);
+      const bool kinks = nodes[i].may_kink || (end && !closed);
       slopes_.push_back(kinks ? Slopes{before, after} : Slopes{mean, mean});
     }
   }
@@ -286,7 +286,8 @@ bool beginAtCorners(const std::vector<Measured>& frames) {
 
 std::vector<Course> coursesOf(const Correspondence& correspondence) {
   const Scale scale = scaleOf(correspondence.anchors, correspondence.frames.size());
-  const bool begins_at_corner = beginAtCorners(correspondence.frames);
+  const bool start_may_kink = (correspondence.start && correspondence.start->may_kink) ||
+                              beginAtCorners(correspondence.frames);
   const std::size_t last = scale.common.size() - 1;
   std::vector<Course> courses;
   for (std::size_t f = 0; f < correspondence.frames.size(); ++f) {
@@ -295,7 +296,7 @@ std::vector<Course> coursesOf(const Correspondence& correspondence) {
     for (std::size_t i = 0; i <= last; ++i) {
       const bool is_end = i == 0 || i == last;
       nodes.push_back({scale.common[i], scale.of_frame[f][i],
-                       is_end ? begins_at_corner : correspondence.anchors[i - 1].is_corner});
+                       is_end ? start_may_kink : correspondence.anchors[i - 1].may_kink});
     }
     courses.emplace_back(frame, MonotoneQuintic(nodes, frame.spline().closed), f);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <seamwright/core/blend/match_pieces.hpp>
@@ -14,11 +15,16 @@ struct Anchor {
   std::vector<Place> places;   ///< one for each frame
   std::vector<double> shares;  ///< likewise
   bool is_corner = false;      ///< of the first frame
+  /// The speeds along the frames may jump here: at a corner, and where the curvature jumps in all
+  /// frames, with one tangent.
+  bool may_kink = false;
 };
 
 struct Correspondence {
   std::vector<Measured> frames;  ///< in their directions, from their starts
   std::vector<Anchor> anchors;   ///< increasing
+  /// Where closed frames begin, if that is a feature of the same kind in all of them.
+  std::optional<Anchor> start;
 };
 
 /// A share of the length by which starts and extrema are moved to joints in any case, so that no

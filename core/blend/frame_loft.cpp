@@ -65,6 +65,24 @@ BezierSpline isoCurve(const BSplineSurface& surface, double omega, bool closed) 
   return bezierSpline(curve, closed);
 }
 
+std::vector<BSplineSurface> partsBetween(const BSplineSurface& surface, SurfaceDirection direction,
+                                         const std::vector<double>& lines) {
+  requireValid(surface);
+  const std::vector<double>& knots = knotsAcross(surface, direction);
+  const int degree = direction == SurfaceDirection::U ? surface.degree_u : surface.degree_v;
+  std::vector<BSplineSurface> parts;
+  double from = knots.front();
+  for (const double line : lines) {
+    if (!(line > from && line < knots.back()) || std::ranges::count(knots, line) != degree)
+      refuse(
+          fmt::format("{} is no inner knot of the multiplicity {} behind {}", line, degree, from));
+    parts.push_back(surfacePart(surface, direction, from, line));
+    from = line;
+  }
+  parts.push_back(surfacePart(surface, direction, from, knots.back()));
+  return parts;
+}
+
 std::vector<KnotLine> encloseKnotLines(const BSplineSurface& surface, SurfaceDirection direction,
                                        const ContinuityTolerance& tolerance, bool closed,
                                        const EncloseOptions& options) {

@@ -108,6 +108,15 @@ FrameLoft frameLoft(const FrameFunction& frame, const Interval& omegas,
 /// requireValid() does, and for an omega outside of the range.
 BezierSpline isoCurve(const BSplineSurface& surface, double omega, bool closed = false);
 
+/// The parts of a surface between some lines of its knots, exactly: with the poles of the surface
+/// between them, and a common row of poles at each line.
+///   (6) Points of the parts are points of the surface at the same parameters, bitwise at the
+///   poles.
+/// \param lines increasing inner knots of that direction, of a multiplicity of the degree.
+/// \throws std::invalid_argument for other lines.
+std::vector<BSplineSurface> partsBetween(const BSplineSurface& surface, SurfaceDirection direction,
+                                         const std::vector<double>& lines);
+
 /// A line of a knot, and how the parts of the surface on its two sides meet there.
 struct KnotLine {
   double knot = 0;

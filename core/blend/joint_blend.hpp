@@ -29,6 +29,10 @@ struct JointBlendOptions {
   double frame_tolerance = 1e-6;
   /// A result is accepted if D_0..D_n <= most_defect, or if rounding of the poles explains more.
   double most_defect = 1e-11;
+  /// G1: tangents of all key frames that differ by at most this angle are parallel. The joint then
+  /// takes its beta from linear blending, and moves by about this share of a leg or less: curves
+  /// between with the lines of both remain lines. A choice, above what digits of files turn.
+  double parallel_rad = 1e-4;
   /// Curves are raised up to this degree if that makes Balanced possible with defects within
   /// most_defect; rounding of the poles of high degrees may exceed it. Up to 25.
   int max_degree = 20;

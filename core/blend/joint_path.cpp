@@ -150,6 +150,7 @@ JointPath::JointPath(JointKeys keys, JointDegrees degrees, const JointBlendOptio
                      BlendRemedy last)
     : keys_(std::move(keys)), degrees_(degrees), options_(options) {
   plain_ = isPlain();
+  parallel_ = !plain_ && isParallel();
   solvePoints();
   for (const BlendRemedy remedy : {BlendRemedy::Plain, BlendRemedy::Balanced,
                                    BlendRemedy::SmallestMove, BlendRemedy::IntermediateFrame}) {
@@ -194,6 +195,25 @@ bool JointPath::isPlain() const {
       if (!(defects[k] <= most[k + 1])) return false;
   }
   return true;
+}
+
+/// The case ParallelTangents of plainBlend(), for any number of keys; see C11.2.
+bool JointPath::isParallel() const {
+  if (orderOf(keys_) != 1 || !isPolynomial(keys_)) return false;
+  const auto tangent = [&](const JointKey& key) -> Vector3d {
+    return jointJet(key.poles, degrees_.a, degrees_.b).a.row(1).stableNormalized();
+  };
+  const Vector3d first = tangent(keys_.keys.front());
+  return std::ranges::all_of(keys_.keys, [&](const JointKey& key) {
+    return (tangent(key) - first).norm() <= options_.parallel_rad;
+  });
+}
+
+/// \param poles by linear blending.
+Eigen::VectorXd JointPath::betasAt(const JointKeys& keys, const HomogeneousPoles& poles,
+                                   double omega) const {
+  if (!parallel_) return blendedBetas(keys, omega);
+  return projectedBetas(jointJet(poles, degrees_.a, degrees_.b)).head(1);
 }
 
 void JointPath::solvePoints() {
@@ -249,10 +269,11 @@ JointState JointPath::key(int i) const {
 }
 
 std::optional<JointState> JointPath::plain(double omega, Faults& faults) const {
-  if (!plain_) return std::nullopt;
+  if (!plain_ && !parallel_) return std::nullopt;
   JointState state{.poles = plainPoles(keys_, omega),
                    .beta = keys_.keys.front().beta,
                    .order = static_cast<int>(orderOf(keys_))};
+  if (parallel_) state.beta = betasAt(keys_, state.poles, omega);
   state.tangents = {legShare(state.poles, keys_, omega, -1, 0),
                     legShare(state.poles, keys_, omega, 0, 1)};
   if (!hasTangents(state.tangents, faults)) return std::nullopt;
@@ -261,7 +282,9 @@ std::optional<JointState> JointPath::plain(double omega, Faults& faults) const {
 
 std::optional<JointState> JointPath::balanced(double omega, Faults& faults) const {
   faults.insert(faults.end(), key_faults_.begin(), key_faults_.end());
-  if (points_.empty()) return std::nullopt;
+  // Balanced joints move along parallel tangents, although a small move turns them all that is
+  // needed.
+  if (points_.empty() || parallel_) return std::nullopt;
   JointState state{.beta = blendedBetas(keys_, omega), .order = static_cast<int>(orderOf(keys_))};
   const BalanceRatios ratios = balanceRatios(state.beta, degrees_.a, degrees_.b, options_.guards);
   if (!ratios.canCut()) {
@@ -291,7 +314,7 @@ std::optional<JointState> JointPath::moved(const JointKeys& keys, double omega,
   std::vector<Vector3d> tangents = {legShare(poles, keys_, omega, -1, 0),
                                     legShare(poles, keys_, omega, 0, 1)};
   if (!hasTangents(tangents, faults)) return std::nullopt;
-  std::optional<Eigen::VectorXd> beta = blendedBetas(keys, omega);
+  std::optional<Eigen::VectorXd> beta = betasAt(keys, poles, omega);
   if (options_.free_betas) beta.reset();
   const std::optional<Snapped> snap = snapped(poles, degrees_, beta);
   if (!snap) return std::nullopt;

@@ -80,6 +80,8 @@ class JointPath {
   bool holds(BlendRemedy remedy, int i, std::vector<BalanceFault>& faults) const;
   bool holds(BlendRemedy remedy, std::vector<BalanceFault>& faults) const;
   bool isPlain() const;
+  bool isParallel() const;
+  Eigen::VectorXd betasAt(const JointKeys& keys, const HomogeneousPoles& poles, double omega) const;
   void solvePoints();
   void addIntermediateKeys();
 
@@ -91,6 +93,7 @@ class JointPath {
   std::optional<JointKeys> with_intermediate_;
   std::vector<BalanceFault> faults_;  ///< why means before the chosen one do not hold
   bool plain_ = false;
+  bool parallel_ = false;  ///< G1 with one tangent in all keys: linear blending fixes beta
   BlendRemedy remedy_ = BlendRemedy::Intrinsic;
 };
 

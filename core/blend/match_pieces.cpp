@@ -13,6 +13,7 @@
 #include <seamwright/core/blend/frame_features.hpp>
 #include <seamwright/core/blend/frame_form.hpp>
 #include <seamwright/core/blend/frame_starts.hpp>
+#include <seamwright/core/blend/joint_blend.hpp>
 #include <seamwright/core/blend/match_pieces.hpp>
 #include <seamwright/core/blend/spline_places.hpp>
 #include <seamwright/core/numeric.hpp>
@@ -116,15 +117,63 @@ void insert(const Anchor& anchor, double closeness, std::vector<Anchor>& all) {
     all.insert(after, anchor);
 }
 
-std::vector<Anchor> featureAnchors(const std::vector<Measured>& frames, const MatchOptions& options,
-                                   double near_share, bool planar, MatchSummary& summary) {
-  std::vector<std::vector<Feature>> all;
-  for (const Measured& frame : frames) {
-    Features features = featuresOf(frame, planar, {options.corner_rad, options.prominence});
-    summary.features.push_back(static_cast<int>(features.all.size()));
-    summary.unknown_pieces += features.unknown_pieces;
-    all.push_back(std::move(features.all));
+/// The unit tangent at a place; 0 where the curve stops.
+Eigen::Vector3d tangentAt(const BezierSpline& spline, const Place& place) {
+  const Eigen::Vector3d first = segment(spline, place.piece).derivatives(place.t, 1).row(1);
+  return first.stableNorm() > 0 ? first.stableNormalized() : Eigen::Vector3d::Zero();
+}
+
+/// Whether the frames have one tangent at a place.
+bool areParallel(const std::vector<Measured>& frames, const std::vector<Place>& places) {
+  const Eigen::Vector3d first = tangentAt(frames[0].spline(), places[0]);
+  for (std::size_t f = 1; f < frames.size(); ++f)
+    if (!((tangentAt(frames[f].spline(), places[f]) - first).norm() <=
+          JointBlendOptions().parallel_rad))
+      return false;
+  return true;
+}
+
+/// An anchor of features of one kind.
+Anchor anchorAt(const std::vector<Measured>& frames, const std::vector<Feature>& features) {
+  const FeatureKind kind = features[0].kind;
+  Anchor result{.places = {}, .shares = {}, .is_corner = kind == FeatureKind::Corner};
+  for (const Feature& feature : features) {
+    result.places.push_back(feature.place);
+    result.shares.push_back(feature.share);
   }
+  const bool jumps = kind == FeatureKind::Rise || kind == FeatureKind::Fall;
+  result.may_kink = result.is_corner || (jumps && areParallel(frames, result.places));
+  return result;
+}
+
+std::vector<Features> featuresOfAll(const std::vector<Measured>& frames,
+                                    const MatchOptions& options, bool planar,
+                                    MatchSummary& summary) {
+  std::vector<Features> result;
+  for (const Measured& frame : frames) {
+    result.push_back(featuresOf(frame, planar, {options.corner_rad, options.prominence}));
+    summary.features.push_back(static_cast<int>(result.back().all.size()));
+    summary.unknown_pieces += result.back().unknown_pieces;
+  }
+  return result;
+}
+
+/// Where closed frames begin, if it is a feature of one kind.
+std::optional<Anchor> startAnchor(const std::vector<Measured>& frames,
+                                  const std::vector<Features>& features) {
+  std::vector<Feature> starts;
+  for (const Features& of_frame : features) {
+    if (!of_frame.closing || of_frame.closing != features[0].closing) return std::nullopt;
+    starts.push_back({*of_frame.closing, {0, 0}, 0});
+  }
+  return anchorAt(frames, starts);
+}
+
+std::vector<Anchor> featureAnchors(const std::vector<Measured>& frames,
+                                   const std::vector<Features>& features,
+                                   const MatchOptions& options, double near_share) {
+  std::vector<std::vector<Feature>> all;
+  for (const Features& of_frame : features) all.push_back(of_frame.all);
   // For each feature of the first frame its partners in the others.
   std::vector<std::vector<int>> partners(all[0].size(), std::vector<int>(frames.size(), -1));
   for (std::size_t i = 0; i < partners.size(); ++i) partners[i][0] = static_cast<int>(i);
@@ -138,13 +187,10 @@ std::vector<Anchor> featureAnchors(const std::vector<Measured>& frames, const Ma
   std::vector<Anchor> result;
   for (const std::vector<int>& partner : partners) {
     if (std::find(partner.begin(), partner.end(), -1) != partner.end()) continue;
-    Anchor anchor;
-    anchor.is_corner = all[0][partner[0]].kind == FeatureKind::Corner;
-    for (std::size_t f = 0; f < frames.size(); ++f) {
-      const Feature feature = snapped(frames[f], all[f][partner[f]], near_share);
-      anchor.places.push_back(feature.place);
-      anchor.shares.push_back(feature.share);
-    }
+    std::vector<Feature> partners_of_it;
+    for (std::size_t f = 0; f < frames.size(); ++f)
+      partners_of_it.push_back(snapped(frames[f], all[f][partner[f]], near_share));
+    const Anchor anchor = anchorAt(frames, partners_of_it);
     // Joints that exist may be close together, as the corners of a blunt end.
     const bool exists = std::all_of(anchor.places.begin(), anchor.places.end(),
                                     [](const Place& place) { return place.t == 0; });
@@ -177,12 +223,6 @@ double mapped(double x, const std::vector<double>& from, const std::vector<doubl
   const auto above = std::upper_bound(from.begin() + 1, from.end() - 1, x);
   const auto i = static_cast<std::size_t>(above - from.begin());
   return to[i - 1] + (x - from[i - 1]) / (from[i] - from[i - 1]) * (to[i] - to[i - 1]);
-}
-
-/// The unit tangent at a place; 0 where the curve stops.
-Eigen::Vector3d tangentAt(const BezierSpline& spline, const Place& place) {
-  const Eigen::Vector3d first = segment(spline, place.piece).derivatives(place.t, 1).row(1);
-  return first.stableNorm() > 0 ? first.stableNormalized() : Eigen::Vector3d::Zero();
 }
 
 /// The least sum of squared differences of unit vectors and others that are turned alike, by the
@@ -346,14 +386,18 @@ Correspondence corresponding(const std::vector<BezierSpline>& frames, const Matc
   Correspondence result;
   for (std::size_t f = 0; f < start.size(); ++f) result.frames.push_back(measured(start[f], f));
   if (options.by == MatchBy::Features) {
-    result.anchors = featureAnchors(result.frames, options, near_share, areFlat(frames), summary);
+    const std::vector<Features> features =
+        featuresOfAll(result.frames, options, areFlat(frames), summary);
+    result.start = startAnchor(result.frames, features);
+    result.anchors = featureAnchors(result.frames, features, options, near_share);
     result.anchors = fittingAnchors(result.frames, result.anchors, summary);
   }
   if (options.by == MatchBy::Given) result.anchors = givenAnchors(result.frames, frames, options);
   // The first of the given places of closed frames is their start.
   const bool starts_given =
       options.by == MatchBy::Given && frames[0].closed && !options.given[0].empty();
-  summary.matched_features = static_cast<int>(result.anchors.size()) + (starts_given ? 1 : 0);
+  summary.matched_features =
+      static_cast<int>(result.anchors.size()) + (starts_given || result.start ? 1 : 0);
   return result;
 }
 
@@ -375,8 +419,10 @@ MatchedFrames matchPieces(const std::vector<BezierSpline>& frames, const MatchOp
   using namespace match;
   MatchedFrames result;
   MatchSummary& summary = result.summary;
-  const auto [all, anchors] =
+  const Correspondence correspondence =
       corresponding(frames, options, std::max(options.closeness, same_place), summary);
+  const std::vector<Measured>& all = correspondence.frames;
+  const std::vector<Anchor>& anchors = correspondence.anchors;
   int degree = 0;
   for (const BezierSpline& frame : frames) degree = std::max(degree, frame.degree);
   const Scale scale = scaleOf(anchors, all.size());

@@ -45,7 +45,9 @@ struct MatchSummary {
   int pieces_after = 0;
   int merged = 0;             ///< joints that belong to several frames because they are close
   std::vector<int> features;  ///< found in each frame
-  int matched_features = 0;   ///< matched in all frames; given pairs count, too
+  /// Matched in all frames; given pairs count, too, and so does the start of closed frames if it is
+  /// a feature of one kind.
+  int matched_features = 0;
   /// MatchBy::Features: features were found, but equal shares of the length between corners
   /// correspond: with them the tangents at corresponding places differ less.
   bool lengths_fit_better = false;

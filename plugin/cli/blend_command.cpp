@@ -12,9 +12,13 @@
 #include <seamwright/core/blend/frame_loft.hpp>
 #include <seamwright/core/blend/match_pieces.hpp>
 #include <seamwright/core/blend/spline_blend.hpp>
+#include <seamwright/core/blend/spline_places.hpp>
+#include <seamwright/occ_adapter/convert/natural_face.hpp>
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
 #include <seamwright/occ_adapter/curves/space_spline.hpp>
 #include <seamwright/occ_adapter/model/write.hpp>
+#include <seamwright/occ_adapter/repair/sewn_model.hpp>
+#include <seamwright/occ_adapter/topology/built_model.hpp>
 #include <seamwright/plugin/cli/blend_command.hpp>
 #include <seamwright/plugin/cli/blend_drawing.hpp>
 #include <seamwright/plugin/cli/curve_output.hpp>
@@ -24,6 +28,7 @@
 #include <seamwright/plugin/cli/rounding.hpp>
 #include <seamwright/plugin/report/blend_json.hpp>
 #include <seamwright/plugin/report/json.hpp>
+#include <seamwright/plugin/report/text.hpp>
 #include <stdexcept>
 
 namespace seamwright::cli {
@@ -66,6 +71,7 @@ std::string matchNote(const MatchSummary& summary, MatchBy by) {
   const auto [fewest, most] = std::ranges::minmax(summary.pieces_before);
   const std::string before = fewest == most ? fmt::format("{} piece{}", most, most == 1 ? "" : "s")
                                             : fmt::format("{} to {} pieces", fewest, most);
+  const auto hasSome = [](int features) { return features > 0; };
   std::string note = fmt::format("matched: {} each became {}", before, summary.pieces_after);
   if (const auto count = summary.matched_features; count > 0 && by == MatchBy::Given)
     note += fmt::format(", {} given pair{}", count, count == 1 ? " corresponds" : "s correspond");
@@ -74,6 +80,11 @@ std::string matchNote(const MatchSummary& summary, MatchBy by) {
         ", {} of the curvature correspond{}",
         count == 1 ? "1 corner or extremum" : fmt::format("{} corners or extrema", count),
         count == 1 ? "s" : "");
+  else if (by == MatchBy::Features && !summary.lengths_fit_better &&
+           std::ranges::any_of(summary.features, hasSome))
+    note +=
+        ", equal shares of the length correspond: no corners, jumps or extrema of the curvature "
+        "do; --pair can name places that correspond";
   if (summary.lengths_fit_better)
     note += fmt::format(
         ", by equal shares of the length{}: with jumps and extrema of the curvature the "
@@ -113,6 +124,28 @@ std::vector<BezierSpline> refittedCurves(const std::vector<BezierSpline>& curves
   return std::move(common.frames);
 }
 
+SplineBlend blendOf(const std::vector<BezierSpline>& curves, const BlendArguments& arguments) {
+  SplineBlendOptions options;
+  options.joint.order = arguments.order;
+  options.continuity = continuities().at(arguments.in_between);
+  options.keep_lower_orders = true;
+  return SplineBlend(curves, evenOmegas(curves.size()), options);
+}
+
+/// Closed curves from a corner on, so that a loft has an edge there; nothing if they begin at one,
+/// or have none.
+std::optional<std::vector<BezierSpline>> fromCorner(const std::vector<BezierSpline>& curves,
+                                                    const std::vector<int>& orders) {
+  if (!curves.front().closed || orders.back() == 0) return std::nullopt;
+  const auto corner = std::ranges::find(orders, 0);
+  if (corner == orders.end()) return std::nullopt;
+  const int piece = static_cast<int>(corner - orders.begin()) + 1;
+  std::vector<BezierSpline> result;
+  for (const BezierSpline& curve : curves)
+    result.push_back(match::startingAt(curve, {.piece = piece, .t = 0}));
+  return result;
+}
+
 SplineBlend blendOf(const KeyCurves& input, const BlendArguments& arguments, BlendReport& report) {
   std::vector<BezierSpline> curves;
   for (const KeyCurve& key : input.curves) curves.push_back(key.curve);
@@ -120,11 +153,10 @@ SplineBlend blendOf(const KeyCurves& input, const BlendArguments& arguments, Ble
   const std::vector<BezierSpline> matched =
       arguments.exact ? dividedCurves(curves, match, report)
                       : refittedCurves(curves, match, arguments.tolerance_mm, report);
-  SplineBlendOptions options;
-  options.joint.order = arguments.order;
-  options.continuity = continuities().at(arguments.in_between);
-  options.keep_lower_orders = true;
-  return SplineBlend(matched, evenOmegas(curves.size()), options);
+  SplineBlend blend = blendOf(matched, arguments);
+  if (!arguments.loft) return blend;
+  const auto turned = fromCorner(matched, blend.orders());
+  return turned ? blendOf(*turned, arguments) : blend;
 }
 
 /// The length of the curve to a millionth.
@@ -167,8 +199,29 @@ std::vector<BezierSpline> framesOf(const SplineBlend& blend, const BlendArgument
   return frames;
 }
 
+/// The surface through the frames.
+struct Loft {
+  FrameLoft surface;
+  std::vector<double> creases;  ///< knots of the lines at which a key curve has a corner
+};
+
+/// Faces that share an edge have the same poles along it.
+constexpr double sew_mm = 1e-7;
+
+/// Whether all parts between creases have an area: key curves may have sides on one line.
+bool haveAreas(const BSplineSurface& surface, const std::vector<double>& creases) {
+  for (const BSplineSurface& part : partsBetween(surface, SurfaceDirection::U, creases)) {
+    try {
+      occ::requireArea(part.poles.leftCols<3>(), sew_mm);
+    } catch (const std::invalid_argument&) {
+      return false;
+    }
+  }
+  return true;
+}
+
 /// The surface through the frames, and what its lines of joints are proven to be.
-FrameLoft loftOf(const SplineBlend& blend, const BlendArguments& arguments, BlendReport& report) {
+Loft loftOf(const SplineBlend& blend, const BlendArguments& arguments, BlendReport& report) {
   ProgressBar bar("lofting");
   FrameLoftOptions options;
   options.order = arguments.order;
@@ -180,7 +233,7 @@ FrameLoft loftOf(const SplineBlend& blend, const BlendArguments& arguments, Blen
   if (arguments.in_between == "C0")
     options.kinks.assign(options.stations.begin() + 1, options.stations.end() - 1);
   options.progress = bar.progress();
-  FrameLoft loft =
+  const FrameLoft loft =
       frameLoft([&](double omega) { return blend.frameAt(omega).spline; }, {0, 1}, options);
   report::BlendLoftRecord record{.degree_u = loft.surface.degree_u,
                                  .degree_v = loft.surface.degree_v,
@@ -189,17 +242,39 @@ FrameLoft loftOf(const SplineBlend& blend, const BlendArguments& arguments, Blen
                                  .distance_mm = loft.distance_mm,
                                  .reached = loft.reached && loft.ratios_positive};
   std::size_t joint = 0;
+  std::vector<double> creases;
   for (const KnotLine& line :
        encloseKnotLines(loft.surface, SurfaceDirection::U, {}, report.closed)) {
     const int order = options.joint_orders.at(joint);
     record.lines.push_back(
         {.joint = static_cast<int>(++joint), .order = order, .figures = line.figures});
+    const bool is_inner = line.knot < loft.surface.knots_u.back();
+    if (order == 0 && is_inner) creases.push_back(line.knot);
   }
   if (!loft.ratios_positive)
     report.notes.emplace_back(
         "the loft may fold at a line of joints: the ratio of the speeds of its sides may vanish");
+  if (!creases.empty() && !haveAreas(loft.surface, creases)) {
+    creases.clear();
+    report.notes.emplace_back(
+        "the loft is one face with creases: between two corners all frames lie on one line");
+  }
+  record.faces = static_cast<int>(creases.size()) + 1;
   report.loft = record;
-  return loft;
+  return {.surface = loft, .creases = creases};
+}
+
+/// A face for each part between creases. Neighbours share the edge along their crease.
+occ::Model modelOf(const Loft& loft) {
+  if (loft.creases.empty()) {
+    occ::Model model;
+    model.shape = occ::faceOf(loft.surface.surface);
+    return model;
+  }
+  std::vector<occ::BuiltItem> items;
+  for (BSplineSurface& part : partsBetween(loft.surface.surface, SurfaceDirection::U, loft.creases))
+    items.push_back({.geometry = std::move(part)});
+  return occ::sewnModel(occ::builtModel(items), {.sew_mm = sew_mm});
 }
 
 void addKeyCurves(const KeyCurves& input, BlendReport& report) {
@@ -242,7 +317,17 @@ int polygonCorners(const BezierSpline& curve) {
   return corners;
 }
 
-/// Corners of the key curves, which all frames keep, and an option without effect.
+std::string sampledNote(const SampledCurve& curve) {
+  std::vector<std::string> kinds;
+  if (curve.lines > 0) kinds.push_back(report::counted(curve.lines, "line"));
+  if (curve.arcs > 0) kinds.push_back(report::counted(curve.arcs, "arc"));
+  return fmt::format(
+      "the points are samples of {}, which are the key curve: no point is further than {:.2g} mm "
+      "from them",
+      fmt::join(kinds, " and "), curve.distance_mm);
+}
+
+/// Lines and arcs, corners, which all frames keep, and an option without effect.
 void noteKeyCurves(const KeyCurves& input, const BlendArguments& arguments, BlendReport& report) {
   if (input.curves.size() == 2 && arguments.in_between != BlendArguments().in_between)
     report.notes.push_back(fmt::format(
@@ -251,6 +336,7 @@ void noteKeyCurves(const KeyCurves& input, const BlendArguments& arguments, Blen
   constexpr int many_corners = 24;
   for (const KeyCurve& key : input.curves) {
     const std::string name = keyName(key, arguments);
+    if (key.sampled) report.notes.push_back(name + ": " + sampledNote(*key.sampled));
     if (const std::size_t count = key.corners.size(); count > 0)
       report.notes.push_back(fmt::format(
           "{}: {} (number {}), and {} of G0 in all frames", name,
@@ -322,13 +408,16 @@ void requireLoftFormat(const BlendArguments& arguments, CurveFormat format) {
 }
 
 std::vector<std::string> writeBlend(CurveFormat format, const std::vector<BezierSpline>& frames,
-                                    const std::optional<FrameLoft>& loft, BlendReport& report,
+                                    const std::optional<Loft>& loft, BlendReport& report,
                                     const BlendArguments& arguments) {
   report.output = {.path = arguments.output.model,
                    .format = formatName(format, arguments.output.model)};
   if (format == CurveFormat::Model) {
     occ::Model model;
-    model.shape = loft ? occ::faceOf(loft->surface) : occ::wiresOf(frames);
+    if (loft)
+      model = modelOf(*loft);
+    else
+      model.shape = occ::wiresOf(frames);
     return writeModel(std::move(model), lineOf(report), arguments.output);
   }
   const CurveText text =
@@ -414,8 +503,8 @@ void addBlendOptions(CLI::App& command, BlendArguments& arguments) {
                    "Write the surface through the frames instead of the frames");
   command
       .add_option("--tolerance", arguments.tolerance_mm,
-                  "Largest distance of the loft from the frames, and of polynomial curves from "
-                  "rational ones of a model, mm")
+                  "Largest distance of the loft from the frames, of curves over common knots from "
+                  "the key curves, and of polynomial curves from arcs and rational curves, mm")
       ->type_name("MM")
       ->check(numberIn(Range::Positive))
       ->capture_default_str();
@@ -448,7 +537,7 @@ int runBlend(const BlendArguments& arguments) {
                      .reached = true};
   addKeyCurves(input, report);
   noteKeyCurves(input, arguments, report);
-  std::optional<FrameLoft> loft;
+  std::optional<Loft> loft;
   std::vector<BezierSpline> frames;
   try {
     const SplineBlend blend = blendOf(input, arguments, report);

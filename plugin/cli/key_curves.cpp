@@ -100,6 +100,26 @@ occ::ModelFacts pointFacts(const std::string& path) {
   return facts;
 }
 
+/// The lines and arcs of which the points are samples, or the spline through them.
+KeyCurve keyCurve(const PointFile& file, const BlendArguments& arguments) {
+  KeyCurve result;
+  result.points = file.points.rows();
+  result.sampled = sampledCurve(file, arguments.closed);
+  if (result.sampled) {
+    const PolynomialSpline polynomial =
+        polynomialSpline(result.sampled->spline, arguments.order, arguments.tolerance_mm);
+    result.corners = result.sampled->corners;
+    result.curve = polynomial.spline;
+    result.polynomial_mm = polynomial.distance_mm;
+    return result;
+  }
+  const std::vector<Eigen::Index> corners =
+      cornersOf(file, arguments.closed, arguments.tolerance_mm);
+  for (const Eigen::Index corner : corners) result.corners.push_back(corner + 1);
+  result.curve = splineThrough(file.points, corners, arguments.closed);
+  return result;
+}
+
 void addPoints(KeyCurves& result, const std::string& path, const EdgeList& edges,
                const BlendArguments& arguments) {
   const bool closed = arguments.closed;
@@ -108,12 +128,8 @@ void addPoints(KeyCurves& result, const std::string& path, const EdgeList& edges
                              ": is a file of points, which has no edges: --edge is for models");
   PointFile file = readPoints(path);
   requireCurve(file, path, closed);
-  KeyCurve curve;
+  KeyCurve curve = keyCurve(file, arguments);
   curve.input = result.facts.size();
-  curve.points = file.points.rows();
-  const std::vector<Eigen::Index> corners = cornersOf(file, closed, arguments.tolerance_mm);
-  for (const Eigen::Index corner : corners) curve.corners.push_back(corner + 1);
-  curve.curve = splineThrough(file.points, corners, closed);
   result.curves.push_back(std::move(curve));
   result.facts.push_back(pointFacts(path));
   if (const std::string note = closed ? "" : endsNote(file); !note.empty())
@@ -174,6 +190,23 @@ std::vector<EdgeList> edgesOfInputs(const BlendArguments& arguments) {
   return lists;
 }
 
+/// \throws std::runtime_error if some key curves are closed and others are not.
+void requireAllClosedOrOpen(const KeyCurves& input, const BlendArguments& arguments) {
+  const bool first_closed = input.curves.front().curve.closed;
+  for (std::size_t i = 1; i < input.curves.size(); ++i) {
+    if (input.curves[i].curve.closed == first_closed) continue;
+    const auto name = [&](std::size_t k) {
+      return fmt::format("key curve {} ({})", k + 1, arguments.inputs[input.curves[k].input]);
+    };
+    const bool has_points = std::ranges::any_of(
+        input.curves, [](const KeyCurve& key) { return key.points > 0 && !key.curve.closed; });
+    throw std::runtime_error(fmt::format(
+        "{}: {} is {}, and {} is {}: all are open or all are closed{}",
+        arguments.inputs[input.curves[i].input], name(i), first_closed ? "open" : "closed", name(0),
+        first_closed ? "closed" : "open", has_points ? "; --closed closes points" : ""));
+  }
+}
+
 }  // namespace
 
 KeyCurves keyCurves(const BlendArguments& arguments) {
@@ -201,6 +234,7 @@ KeyCurves keyCurves(const BlendArguments& arguments) {
   if (result.curves.size() < 2)
     throw std::runtime_error(
         fmt::format("{}: has one curve, and a blend needs two or more", arguments.inputs.front()));
+  requireAllClosedOrOpen(result, arguments);
   return result;
 }
 

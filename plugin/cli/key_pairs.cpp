@@ -42,10 +42,19 @@ double parameterAtShare(const BezierSpline& spline, double share) {
   return begin + place.t * (end - begin);
 }
 
+/// The parameter, or that of a joint beside it, so that no piece is shorter than places are known.
+double joinedParameter(const BezierSpline& spline, double parameter) {
+  constexpr double beside = 1e-8;
+  const std::vector<double>& knots = spline.knots;
+  for (const double knot : knots)
+    if (std::abs(knot - parameter) <= beside * (knots.back() - knots.front())) return knot;
+  return parameter;
+}
+
 double parameterOf(const KeyCurve& key, const std::string& path, const KeyPair& pair,
                    const KeyPlace& place) {
   if (const auto* share = std::get_if<LengthShare>(&place))
-    return parameterAtShare(key.curve, share->value);
+    return joinedParameter(key.curve, parameterAtShare(key.curve, share->value));
   const int number = std::get<PointNumber>(place).value;
   if (key.points == 0)
     throw std::runtime_error(
@@ -55,7 +64,8 @@ double parameterOf(const KeyCurve& key, const std::string& path, const KeyPair& 
   if (number > key.points)
     throw std::runtime_error(fmt::format("--pair {}: {} has {} points, and no point {}", pair.text,
                                          path, key.points, number));
-  return key.curve.knots[number - 1];
+  return key.sampled ? joinedParameter(key.curve, key.sampled->parameters[number - 1])
+                     : key.curve.knots[number - 1];
 }
 
 /// \throws std::runtime_error for an end, which corresponds to the ends of the other curves anyway.

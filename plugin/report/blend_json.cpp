@@ -58,6 +58,7 @@ ordered_json loftJson(const std::optional<BlendLoftRecord>& loft) {
           {"poles_v", loft->poles_v},
           {"distance_mm", loft->distance_mm},
           {"reached", loft->reached},
+          {"faces", loft->faces},
           {"lines", lines}};
 }
 
@@ -143,6 +144,7 @@ std::string loftText(const BlendLoftRecord& loft, int order) {
   std::string text =
       fmt::format("loft: degree {} x {}, {} x {} poles, {:.3g} mm from the frames", loft.degree_u,
                   loft.degree_v, loft.poles_u, loft.poles_v, loft.distance_mm);
+  if (loft.faces > 1) text += fmt::format(", {} faces between corners", loft.faces);
   if (!loft.lines.empty()) text += linesText(loft.lines, order);
   return text + '\n';
 }

@@ -52,6 +52,7 @@ struct BlendLoftRecord {
   int poles_u = 0, poles_v = 0;
   double distance_mm = 0;  ///< of the iso-curves from the frames, measured between stations
   bool reached = false;    ///< the distance is within the tolerance
+  int faces = 1;           ///< one for each part between lines of corners
   std::vector<LoftLineRecord> lines = {};
 };
 

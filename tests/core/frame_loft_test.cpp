@@ -91,6 +91,32 @@ TEST(FrameLoft, EachJointHasItsOrder) {
   EXPECT_FALSE(frameLoft(cornered, {0, 1}, options).reached);
 }
 
+TEST(FrameLoft, Identity6PartsBetweenLinesAreTheSurface) {
+  std::mt19937_64 random(testSeed());
+  const ChainFrames frames = chainFrames(0, 4, 2, false, random);
+  const FrameLoft loft = frameLoft(frames, {0, 1}, {.order = 0, .tolerance_mm = 1e-2});
+  const std::vector<KnotLine> lines = encloseKnotLines(loft.surface, SurfaceDirection::U, {});
+  ASSERT_EQ(lines.size(), 3);
+  const std::vector<BSplineSurface> parts =
+      partsBetween(loft.surface, SurfaceDirection::U, {lines[0].knot, lines[2].knot});
+  ASSERT_EQ(parts.size(), 3);
+  for (const BSplineSurface& part : parts) {
+    requireValid(part);
+    for (int k = 0; k < 40; ++k) {
+      const double u = drawn(part.knots_u.front(), part.knots_u.back(), random);
+      const double v = drawn(part.knots_v.front(), part.knots_v.back(), random);
+      EXPECT_LE((jet(part, u, v).p - jet(loft.surface, u, v).p).norm(), 1e-12);
+    }
+  }
+  for (std::size_t i = 1; i < parts.size(); ++i)
+    EXPECT_EQ(parts[i - 1].poles.bottomRows(loft.surface.countV()),
+              parts[i].poles.topRows(loft.surface.countV()));
+  const double between = 0.5 * (lines[0].knot + lines[1].knot);
+  EXPECT_THROW(partsBetween(loft.surface, SurfaceDirection::U, {between}), std::invalid_argument);
+  EXPECT_THROW(partsBetween(loft.surface, SurfaceDirection::U, {lines[1].knot, lines[0].knot}),
+               std::invalid_argument);
+}
+
 TEST(FrameLoft, OrdersOfJointsAreChecked) {
   std::mt19937_64 random(testSeed());
   const ChainFrames frames = chainFrames(2, 3, 1, false, random);

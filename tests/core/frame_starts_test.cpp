@@ -91,7 +91,7 @@ TEST(FrameStarts, RectanglesStartAtCornersThatCorrespond) {
       EXPECT_EQ(beginOf(matched.frames[0]), first[0]);
       if (by == MatchBy::Length) continue;
       EXPECT_EQ(matched.summary.pieces_after, 4) << run;
-      EXPECT_EQ(matched.summary.matched_features, 3) << run;
+      EXPECT_EQ(matched.summary.matched_features, 4) << run;
     }
   }
 }

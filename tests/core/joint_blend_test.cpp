@@ -501,5 +501,41 @@ TEST(JointBlend, BadInputIsRefused) {
     EXPECT_THROW(JointBlend(good, good, options), std::invalid_argument);
 }
 
+/// A line and an arc of a parabola: both leave the joint along the x axis, turned by an angle.
+JointFrame lineAndArc(double line_mm, double arc_mm, double height_mm, double angle_rad) {
+  Poles line(3, 3), arc(3, 3);
+  line << -line_mm, 0, 0, -line_mm / 2, 0, 0, 0, 0, 0;
+  arc << 0, 0, 0, arc_mm, 0, 0, 2 * arc_mm, height_mm, 0;
+  const Eigen::Affine3d turn(Eigen::AngleAxisd(angle_rad, Vec::UnitZ()));
+  return mapped({BezierCurve(line), BezierCurve(arc)}, turn);
+}
+
+/// By C11.2 (b) linear blending keeps the joint G1, whatever the speeds.
+TEST(JointBlend, JointsWithParallelTangentsAreBlendedLinearly) {
+  const JointFrame first = lineAndArc(8, 1, 2, 0), second = lineAndArc(3, 4, -5, 0);
+  const JointBlend blend(first, second, ofOrder(1));
+  EXPECT_EQ(blend.remedy(), BlendRemedy::Plain);
+  for (const double omega : {0.1, 0.5, 0.8}) {
+    const BlendedJoint joint = blend.at(omega);
+    expectJoined(joint, 1);
+    EXPECT_EQ(joint.moved_mm, 0);
+    // Both legs are means, so their quotient is that of means: the degrees are equal.
+    const double before = (1 - omega) * 4 + omega * 1.5, after = (1 - omega) * 1 + omega * 4;
+    EXPECT_NEAR(joint.beta(0), after / before, 1e-12);
+  }
+}
+
+TEST(JointBlend, JointsWithNearlyParallelTangentsMoveByTheirAngle) {
+  const double angle_rad = 1e-6;
+  const JointFrame first = lineAndArc(8, 1, 2, 0), second = lineAndArc(3, 4, -5, angle_rad);
+  const JointBlend blend(first, second, ofOrder(1));
+  EXPECT_EQ(blend.remedy(), BlendRemedy::SmallestMove);
+  for (const double omega : {0.1, 0.5, 0.8}) {
+    const BlendedJoint joint = blend.at(omega);
+    expectJoined(joint, 1);
+    EXPECT_LE(joint.moved_mm, 8 * angle_rad);
+  }
+}
+
 }  // namespace
 }  // namespace seamwright

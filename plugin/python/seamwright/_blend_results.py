@@ -175,7 +175,8 @@ class MatchSummary(Result):
     pieces_after      of all curves
     merged            joints that belong to several curves because they are close
     features          found in each curve
-    matched_features  matched in all curves; given parameters count, too
+    matched_features  matched in all curves; given parameters count, too, and the start of closed
+                      curves if it is a feature of one kind
     lengths_fit_better  by="features": features were found, but equal shares of the length
                       between corners correspond: with them the tangents at corresponding
                       places differ less
