@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepCheck_Analyzer.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Tool.hxx>
 #include <Eigen/Geometry>
+#include <ShapeBuild_ReShape.hxx>
 #include <ShapeCustom.hxx>
+#include <ShapeFix_Shape.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -94,7 +97,7 @@ class OutsideRounder {
     if (!fillets.IsDone()) throw CornerRefused(corner_why::notRounded(ball_mm_));
     TopExp_Explorer rounded(fillets.Shape(), TopAbs_SOLID);
     if (!rounded.More()) throw CornerRefused(corner_why::noSolid(ball_mm_));
-    result_.solid = rounded.Current();
+    result_.solid = repaired(rounded.Current());
     follow(fillets);
     readBall();
     return std::move(result_);
@@ -132,6 +135,22 @@ class OutsideRounder {
     edges_.push_back(edge);
   }
 
+  /// OpenCASCADE's fillets may leave faces that fail its own checks, often beside pcurves that do
+  /// not follow their edges. ShapeFix gives these new pcurves.
+  TopoDS_Shape repaired(const TopoDS_Shape& solid) {
+    if (BRepCheck_Analyzer(solid).IsValid()) return solid;
+    ShapeFix_Shape fix(solid);
+    fix.Perform();
+    if (fix.Shape().ShapeType() != TopAbs_SOLID || !BRepCheck_Analyzer(fix.Shape()).IsValid())
+      return solid;
+    repairs_ = fix.Context();
+    return fix.Shape();
+  }
+
+  TopoDS_Shape afterRepairs(const TopoDS_Shape& face) const {
+    return repairs_.IsNull() ? face : repairs_->Apply(face);
+  }
+
   /// The face after both steps; a null face if it is gone or split.
   TopoDS_Face imageOf(const TopoDS_Shape& face, BRepFilletAPI_MakeFillet& fillets) {
     TopoDS_Shape now = face;
@@ -143,7 +162,7 @@ class OutsideRounder {
       if (parts.Extent() > 1) return {};
       now = parts.First();
     }
-    const int index = faces_.FindIndex(now);
+    const int index = faces_.FindIndex(afterRepairs(now));
     return index == 0 ? TopoDS_Face() : TopoDS::Face(faces_(index));
   }
 
@@ -160,8 +179,8 @@ class OutsideRounder {
         TopTools_ListOfShape now = fillets.Modified(part);
         if (now.IsEmpty()) now.Append(part);
         for (const TopoDS_Shape& cap : now)
-          if (faces_.Contains(cap))
-            result_.caps.push_back(TopoDS::Face(faces_(faces_.FindIndex(cap))));
+          if (const int index = faces_.FindIndex(afterRepairs(cap)); index > 0)
+            result_.caps.push_back(TopoDS::Face(faces_(index)));
       }
     }
     if (result_.caps.empty()) throw CornerRefused(corner_why::ballIsGone(ball_mm_));
@@ -265,6 +284,7 @@ class OutsideRounder {
   TopoDS_Shape ball_;
   BRepAlgoAPI_Cut cut_;
   std::vector<TopoDS_Edge> edges_;  ///< what is left of the corner's edges
+  opencascade::handle<ShapeBuild_ReShape> repairs_;
   TopTools_IndexedMapOfShape faces_;
   RoundedOutside result_;
 };

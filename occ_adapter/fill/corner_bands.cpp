@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -163,7 +165,7 @@ double leastBall_mm(const Corner& corner, const std::vector<CornerStrip>& strips
   return ball_mm;
 }
 
-constexpr const char* band_name = "band";
+constexpr const char* band_name = "band ";  ///< and the number of the edge in the corner
 
 /// The holed solid as a model; names of its faces are their numbers in the given solid.
 Model holedModel(const RoundedOutside& rounded, const BandTrimmer& trimmer,
@@ -176,7 +178,8 @@ Model holedModel(const RoundedOutside& rounded, const BandTrimmer& trimmer,
       model.attributes.push_back({TopAbs_FACE, index, name, {}, {}});
   };
   for (const auto& [number, face] : rounded.became) call(face, std::to_string(number));
-  for (const TopoDS_Face& band : rounded.bands) call(band, band_name);
+  for (std::size_t i = 0; i < rounded.bands.size(); ++i)
+    call(rounded.bands[i], band_name + std::to_string(i));
   return model;
 }
 
@@ -222,22 +225,30 @@ CornerShell shellOf(const FillHoleReport& report, const Corner& corner) {
   TopExp::MapShapes(corner.solid, TopAbs_FACE, given);
   TopExp::MapShapes(report.model.shape, TopAbs_FACE, faces);
   TopExp::MapShapes(report.model.shape, TopAbs_EDGE, edges);
-  std::set<int> bands, beside;
+  std::map<int, std::size_t> bands, beside;  // the edge or face of the corner, by the new face
   for (const ShapeAttribute& face : report.model.attributes) {
     if (face.kind != TopAbs_FACE) continue;
-    if (face.name == band_name) {
-      bands.insert(face.index);
+    if (face.name.starts_with(band_name)) {
+      bands.emplace(face.index, std::stoul(face.name.substr(std::strlen(band_name))));
       continue;
     }
     const TopoDS_Shape& old = given(std::stoi(face.name));
     shell.became.Bind(old, faces(face.index));
-    if (std::ranges::any_of(corner.faces,
-                            [&old](const CornerFace& of) { return of.face.IsSame(old); }))
-      beside.insert(face.index);
+    const auto of = std::ranges::find_if(
+        corner.faces, [&old](const CornerFace& at) { return at.face.IsSame(old); });
+    if (of != corner.faces.end())
+      beside.emplace(face.index, static_cast<std::size_t>(of - corner.faces.begin()));
   }
+  // The far end of a fillet may meet a face of the corner too, one that is not beside its edge.
+  const auto isContact = [&](int band, int face) {
+    const auto edge = bands.find(band);
+    const auto side = beside.find(face);
+    return edge != bands.end() && side != beside.end() &&
+           (side->second == edge->second || side->second == corner.before(edge->second));
+  };
   const std::set<int> patches(report.faces.begin(), report.faces.end());
   for (const Seam& seam : findSeams(report.model.shape).seams) {
-    const auto count = [&seam](const std::set<int>& kind) {
+    const auto count = [&seam](const auto& kind) {
       return kind.count(seam.sides[0].face) + kind.count(seam.sides[1].face);
     };
     const TopoDS_Edge edge = TopoDS::Edge(edges(seam.edges.front()));
@@ -246,7 +257,8 @@ CornerShell shellOf(const FillHoleReport& report, const Corner& corner) {
     else if (count(patches) == 1)
       shell.seams.emplace_back(
           edge, count(bands) == 1 ? CornerSeamKind::Section : CornerSeamKind::Spring);
-    else if (count(bands) == 1 && count(beside) == 1)
+    else if (isContact(seam.sides[0].face, seam.sides[1].face) ||
+             isContact(seam.sides[1].face, seam.sides[0].face))
       shell.seams.emplace_back(edge, CornerSeamKind::Contact);
   }
   return shell;
