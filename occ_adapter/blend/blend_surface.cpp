@@ -63,6 +63,22 @@ void requireTwoSides(const ChosenEnd& start, const ChosenEnd& end) {
           edge));
 }
 
+/// \throws std::invalid_argument where two open sides meet at their ends.
+void requireApart(const ChosenEnd& start, const ChosenEnd& end, double gap_mm) {
+  if (start.closed || end.closed) return;
+  for (const int i : {0, 1})
+    for (const int j : {0, 1}) {
+      const Eigen::Vector3d at = start.path->atShare(i, i == 0).point;
+      const double distance_mm = (end.path->atShare(j, j == 0).point - at).norm();
+      if (!(distance_mm > gap_mm))
+        throw std::invalid_argument(fmt::format(
+            "start and end meet at ({:.6g}): gap_mm = {:.3g}. A surface with a corner there has "
+            "three sides, and in general no bounded curvature there, so no blend is made; "
+            "where three chains of free edges bound it, fill makes it",
+            fmt::join(at, ", "), distance_mm));
+    }
+}
+
 /// The free edges that go on where the chain of an open side ends.
 std::vector<int> edgesBeside(const TopoDS_Shape& model, const ChosenEnd& end) {
   const auto touches = [](const Coedge& a, const Coedge& b) {
@@ -247,6 +263,7 @@ BlendSurfaceReport blendSurface(const TopoDS_Shape& model, const BlendEnd& start
   if (ends[0].closed != ends[1].closed)
     throw std::invalid_argument(closingFault(model, ends[0].closed ? ends[0] : ends[1],
                                              ends[0].closed ? ends[1] : ends[0]));
+  requireApart(ends[0], ends[1], options.tolerance.gap_mm);
   chosen.laterals = chosenLaterals(model, options, ends);
   for (const int k : {0, 1}) setDirections(ends[k], directionsOf(chosen.laterals, ends, k));
   const BlendSide first(ends[0].path, ends[0].directions, false);

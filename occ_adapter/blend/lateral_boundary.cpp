@@ -116,7 +116,7 @@ ChosenLateral chosenLateral(const TopoDS_Shape& model, const BlendSurfaceOptions
   lateral.uses = edgesWithFaces(model, options.lateral, lateral.edges);
   lateral.curve = std::make_shared<const LateralCurve>(chain, corners.backwards);
   if (!lateral.uses.edges.empty()) {
-    lateral.beside = smoothPath(lateral.uses, false, options.tolerance.gap_mm, JetOrder::Second);
+    lateral.beside = std::make_shared<const SidePath>(lateral.uses, options.tolerance.gap_mm);
     lateral.against = (lateral.beside->atShare(0, true).point - lateral.curve->at(0)).norm() >
                       (lateral.beside->atShare(1, false).point - lateral.curve->at(0)).norm();
   }

@@ -72,7 +72,6 @@ void LateralCurve::judgeKinks() {
   constexpr double most_kink_rad = 1 * radians_per_degree, no_kink_rad = 1e-5;
   constexpr double beside = 1e-7;  // of the length, as along a side
   for (CurveBreak& there : breaks_) {
-    if (there.smoothness > 0) continue;
     const Vector3d point = at(there.share), before = point - at(there.share - beside),
                    after = at(there.share + beside) - point;
     const double kink_rad = std::atan2(before.cross(after).norm(), before.dot(after));
@@ -80,7 +79,7 @@ void LateralCurve::judgeKinks() {
       throw std::invalid_argument(
           fmt::format("it has a corner of angle_rad = {:.3g} ({:.3g} degrees) at ({:.6g})",
                       kink_rad, kink_rad / radians_per_degree, fmt::join(point, ", ")));
-    if (kink_rad <= no_kink_rad) there.smoothness = 1;
+    if (kink_rad <= no_kink_rad) there.smoothness = std::max(there.smoothness, 1);
   }
 }
 

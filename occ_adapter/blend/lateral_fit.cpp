@@ -129,19 +129,17 @@ BSplineSurface fittedToLaterals(const BlendTask& task, const BSplineSurface& she
                                 double share_of_tolerance, int max_spans,
                                 const Progress& progress) {
   if (task.laterals.empty()) return sheet;
-  const auto isPoor = [&](const BSplineSurface& candidate, const SheetKnots& knots) {
-    return !poorSpansAcross(task, candidate, knots, share_of_tolerance).empty();
-  };
+  // A choice: splines of degree 5 get that digit for few spans more.
+  const double share = 0.2 * share_of_tolerance;
   // Quintics, or enough poles for the derivatives of both ends.
   constexpr int least_degree = 5;
   const int degree = std::max(sheet.degree_v, least_degree);
   SheetKnots knots(degree, knotsOfCurves(task, degree));
-  if (!isPoor(sheet, knots)) return sheet;
+  if (poorSpansAcross(task, sheet, knots, share).empty()) return sheet;
   for (int round = 0;; ++round) {
     checkProgress(progress, shareAfter(round));
     BSplineSurface moved = movedToLaterals(task, withKnotsAcross(sheet, degree, knots.flat()));
-    const std::vector<PoorSpanAcross> poor =
-        poorSpansAcross(task, moved, knots, share_of_tolerance);
+    const std::vector<PoorSpanAcross> poor = poorSpansAcross(task, moved, knots, share);
     const int more = std::min(static_cast<int>(poor.size()), max_spans - knots.spans());
     if (more <= 0) return moved;
     for (int i = 0; i < more; ++i) knots.halve(poor[i].from, poor[i].to);

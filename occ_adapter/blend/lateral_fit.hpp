@@ -7,9 +7,9 @@
 namespace seamwright::occ {
 
 /// The sheet moved to its lateral boundaries, by splines across; the derivatives that its ends have
-/// at v = 0 and v = 1 stay as they are. Spans across are halved until every sample is within that
-/// share of the tolerance, or no span can be halved. A sheet that is near enough stays as it is.
-/// \throws Cancelled. Source: docs/theory/surfaces.md S8.5, S8.6.
+/// at v = 0 and v = 1 stay as they are. Spans across are halved until every sample is within a
+/// fifth of that share of the tolerance, or no span can be halved. A sheet that is near enough
+/// stays as it is. \throws Cancelled. Source: docs/theory/surfaces.md S8.5, S8.6.
 BSplineSurface fittedToLaterals(const BlendTask& task, const BSplineSurface& sheet,
                                 double share_of_tolerance, int max_spans, const Progress& progress);
 
