@@ -25,6 +25,7 @@ class LateralTarget {
     for (const int end : {0, 1})
       beside_[end] = jet(sheet, parameterOf(lateral.side), end).p - lateral.curve->at(end);
   }
+  const BlendLateral& lateral() const { return *lateral_; }
   Vector3d at(double v) const {
     const double closing = lateral_->pace.closing(v);
     return lateral_->curve->at(lateral_->pace.shareAt(v)) + (1 - closing) * beside_[0] +
@@ -74,10 +75,10 @@ BSplineSurface movedToLaterals(const BlendTask& task, const BSplineSurface& shee
 }
 
 /// The largest figure at a point of a lateral boundary over its tolerance.
-double excessBeside(const BlendTask& task, const BSplineSurface& sheet, const BlendLateral& lateral,
+double excessBeside(const BlendTask& task, const BSplineSurface& sheet, const LateralTarget& target,
                     double v) {
+  const BlendLateral& lateral = target.lateral();
   const SurfaceJet there = jet(sheet, parameterOf(lateral.side), v);
-  const LateralTarget target(lateral, sheet);
   const double excess = (there.p - target.at(v)).norm() / task.tolerance.gap_mm;
   if (!lateral.normal) return excess;
   const Vector3d normal = there.u.cross(there.v), wanted = lateral.normal(lateral.pace.shareAt(v));
@@ -97,15 +98,17 @@ std::vector<PoorSpanAcross> poorSpansAcross(const BlendTask& task, const BSpline
   constexpr std::array<double, 8> samples = {0.01, 0.1, 0.25, 0.4, 0.6, 0.75, 0.9, 0.99};
   constexpr double shortest = 1.0 / 4096;  // a choice: beyond it only kinks are left
   std::vector<PoorSpanAcross> result;
+  std::vector<LateralTarget> targets;
+  for (const BlendLateral& lateral : task.laterals) targets.emplace_back(lateral, sheet);
   const std::map<double, int>& at = knots.multiplicities();
   for (auto from = at.begin(), to = std::next(from); to != at.end(); from = to++) {
     PoorSpanAcross span{from->first, to->first};
     if (span.to - span.from < shortest) continue;
     for (const double sample : samples)
-      for (const BlendLateral& lateral : task.laterals)
-        span.excess = std::max(
-            span.excess,
-            excessBeside(task, sheet, lateral, span.from + sample * (span.to - span.from)));
+      for (const LateralTarget& target : targets) {
+        const double v = span.from + sample * (span.to - span.from);
+        span.excess = std::max(span.excess, excessBeside(task, sheet, target, v));
+      }
     if (span.excess > share_of_tolerance) result.push_back(span);
   }
   std::ranges::sort(result, std::greater(), &PoorSpanAcross::excess);
