@@ -156,9 +156,8 @@ void bindResult(py::module_& module) {
             return plainObject(report::lateralsJson(result.report));
           },
           "A dict for each given lateral boundary: edges, faces beside, length_mm, distance_mm, "
-          "the "
-          "largest from the boundary to the edges, covered_mm by seams with these faces, target, "
-          "and the reason why it falls short, empty if it does not.")
+          "the largest from the boundary to the edges, covered_mm by seams with these faces, "
+          "target, and the reason why it falls short, empty if it does not.")
       .def_property_readonly(
           "fold",
           [](const BlendedSurface& result) { return plainObject(report::foldJson(result.report)); },
@@ -191,8 +190,8 @@ each side. start_tension, end_tension: how far the surface keeps its direction, 
 distance between the sides. flip: the end runs in the other direction than that in which the
 surface is less twisted. lateral: the edges of one or two chains, from an end of start to an end of
 end, along which the lateral boundaries run. lateral_order: 'G0', or 'G1' to the faces beside them,
-which lateral_faces names for edges that bound two faces. Tolerances and progress as in analyze(). ValueError for bad arguments,
-with name and value. The model is not changed.)";
+which lateral_faces names for edges that bound two faces. Tolerances and progress as in analyze().
+ValueError for bad arguments, with name and value. The model is not changed.)";
 
 constexpr const char* extend_surface_doc =
     R"(Continues the surface of a side over a length, or up to a face: a BlendedSurface.

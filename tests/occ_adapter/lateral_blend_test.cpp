@@ -315,7 +315,7 @@ TEST(LateralBlend, ACurveOfSeveralEdgesMayHaveTangentJoints) {
 }
 
 TEST(LateralBlend, TheSidesKeepTheirFiguresWhateverTheCurve) {
-  // A curve that leaves the natural surface far: a line that the tensions pull away from.
+  // With other speeds at the sides the surface would run far from the arcs.
   const Gap gap = rounding(15);
   BlendSurfaceOptions options = strictly();
   options.lateral.edges = gap.lateral;

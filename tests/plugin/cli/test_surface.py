@@ -116,9 +116,8 @@ def test_lateral_boundaries_run_along_edges(hole, order):
     assert sorted(seam["target"] for seam in report["seams"]) == sorted(["G2", "G2", order, order])
     # The surface is the patch that is missing, nearly.
     whole = surfaces_of(sheet_text(3, 3, noise_mm=0))[1, 1]
-    (made_one,) = [
-        surface for surface in surfaces_of(written.read_text()).values() if surface["degrees"][0] == 5
-    ]
+    surfaces = surfaces_of(written.read_text()).values()
+    (made_one,) = [surface for surface in surfaces if surface["degrees"][0] == 5]
     for k in range(11):
         for i in range(11):
             x, y, z = point_and_normal(made_one, k / 10, i / 10)[0]
