@@ -123,11 +123,11 @@ struct BlendSurfaceReport {
 /// \throws std::invalid_argument, with the end, for sides without edges, with an edge given twice
 /// or in both sides, with a number that names no edge, that are no single chain, with a corner, and
 /// with an edge that is not free and has not exactly one of the given faces; for orders outside of
-/// 0..3, tensions that are not positive and finite, one closed side and an open one, sides that meet
-/// at their ends, and invalid tolerances; for lateral boundaries of closed sides, of more than two
-/// chains, with a corner, that do not join ends of the sides, or that no such surface can have, with
-/// figures; GeometryError for edges that can't be evaluated, and for sides that touch; Cancelled.
-/// Source: docs/theory/surfaces.md S8.1 to S8.6.
+/// 0..3, tensions that are not positive and finite, one closed side and an open one, sides that
+/// meet at their ends, and invalid tolerances; for lateral boundaries of closed sides, of more than
+/// two chains, with a corner, that do not join ends of the sides, or that no such surface can have,
+/// with figures; GeometryError for edges that can't be evaluated, and for sides that touch;
+/// Cancelled. Source: docs/theory/surfaces.md S8.1 to S8.6.
 BlendSurfaceReport blendSurface(const TopoDS_Shape& model, const BlendEnd& start,
                                 const BlendEnd& end, const BlendSurfaceOptions& options = {},
                                 const Progress& progress = {});
