@@ -11,9 +11,11 @@
 #include <Eigen/Geometry>
 #include <GC_MakeArcOfCircle.hxx>
 #include <GC_MakeSegment.hxx>
+#include <Geom_BezierSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Ellipse.hxx>
 #include <Geom_SphericalSurface.hxx>
+#include <TColgp_Array2OfPnt.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
@@ -276,6 +278,44 @@ TEST(LateralBlend, AHoleOfASphereIsClosedSmoothlyOnAllSides) {
       for (const occ::SeamResult& seam : report.seams)
         EXPECT_GE(seam.verdict.level, Level::G1) << describe(seam);
     }
+}
+
+/// Two planes beside z = c x y (30 - y), x <= 0, whose tangent plane is theirs at the corners. But
+/// its twist there is 30 c, that of the planes 0.
+Gap twistedBeside(double c) {
+  TColgp_Array2OfPnt poles(1, 2, 1, 3);
+  for (int i = 1; i <= 2; ++i)
+    for (int k = 1; k <= 3; ++k) {
+      const double x = 10.0 * (i - 2);
+      poles(i, k) = gp_Pnt(x, 15.0 * (k - 1), k == 2 ? c * x * 450 : 0);
+    }
+  Gap gap = gapOf({rectangleOf(gp_Pnt(0, -20, 0), gp_Vec(40, 0, 0), gp_Vec(0, 20, 0)),
+                   rectangleOf(gp_Pnt(0, 30, 0), gp_Vec(40, 0, 0), gp_Vec(0, 25, 0)),
+                   BRepBuilderAPI_MakeFace(new Geom_BezierSurface(poles), 1e-7).Face()},
+                  {}, gp_Pnt(20, 0, 0), gp_Pnt(20, 30, 0));
+  gap.lateral = {edgeAt(gap.shape, gp_Pnt(0, 15, 0))};
+  return gap;
+}
+
+TEST(LateralBlend, TwistsThatDifferAreMetWithinTheAngle) {
+  for (const double c : {1e-4, 1e-3}) {
+    const Gap gap = twistedBeside(c);
+    for (int m = 1; m <= 2; ++m) {
+      BlendSurfaceOptions options = strictly();
+      options.tolerance.angle_rad = 0.05 * degree;
+      const BlendSurfaceReport blend = blended(gap, m, m, options, 1);
+      EXPECT_TRUE(blend.reached) << c << " G" << m << ": " << figuresOf(blend);
+      const double u = std::abs(jet(blend.surface, 0, 0).p.x()) < 1 ? 0 : 1;
+      for (int i = 0; i <= 2000; ++i) {
+        const SurfaceJet there = jet(blend.surface, u, i / 2000.0);
+        const double y = there.p.y();
+        const Eigen::Vector3d normal = there.u.cross(there.v), wanted(-c * y * (30 - y), 0, 1);
+        EXPECT_LT(std::atan2(normal.cross(wanted).norm(), std::abs(normal.dot(wanted))),
+                  options.tolerance.angle_rad)
+            << i;
+      }
+    }
+  }
 }
 
 TEST(LateralBlend, PositionAloneLeavesTheOtherFiguresFree) {
