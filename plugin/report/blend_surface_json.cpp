@@ -99,7 +99,7 @@ std::string verdictText(const occ::BlendSurfaceReport& blend, bool reached) {
   if (blend.seams.empty()) return "NOT REACHED: the surface meets no side";
   return blend.fold && blend.ends.size() == 1
              ? "NOT REACHED: the extension folds"
-             : "NOT REACHED: a seam, or a part of a boundary, falls short";
+             : "NOT REACHED: a seam, or a part of a side, falls short";
 }
 
 std::vector<Column> columnsOf(const occ::BlendSurfaceReport& blend,
