@@ -218,6 +218,17 @@ auto named(const std::vector<int>& edges, const Check& check) {
   }
 }
 
+/// \throws std::invalid_argument for a face that was chosen and is beside none of them.
+void requireFacesBeside(const std::vector<ChosenLateral>& laterals, const LateralChoice& choice) {
+  for (const int face : choice.faces)
+    if (std::ranges::none_of(laterals, [&](const ChosenLateral& lateral) {
+          return std::ranges::any_of(lateral.uses.edges,
+                                     [&](const HoleEdge& edge) { return edge.use.face == face; });
+        }))
+      throw std::invalid_argument(
+          fmt::format("lateral: face {} is beside none of the edges", face));
+}
+
 std::vector<int> numbersOf(const EdgeChain& chain) {
   std::vector<int> numbers;
   for (const ChainedEdge& edge : chain.edges) numbers.push_back(edge.edge.number);
@@ -251,6 +262,7 @@ std::vector<ChosenLateral> chosenLaterals(const TopoDS_Shape& model,
       }
       return lateral;
     }));
+  requireFacesBeside(laterals, choice);
   std::ranges::sort(laterals, {}, [](const ChosenLateral& of) { return of.corners[0]; });
   if (laterals.size() == 2)
     for (const int k : {0, 1})

@@ -436,6 +436,7 @@ TEST(LateralBlend, BadChoicesAreRefused) {
   EXPECT_THAT(with({one}, 1), refused("bounds no face"));
   EXPECT_THAT(with({}, 1), refused("need lateral edges"));
   EXPECT_THAT(with({}, 0, 1, false, {1}), refused("need lateral edges"));
+  EXPECT_THAT(with({one}, 0, 1, false, {2}), refused("face 2 is beside none of the edges"));
   EXPECT_THAT(with({one}, 0, 3.5), refused("tensions 3.5 and 3.5 are too large"));
   EXPECT_THAT(with({one}, 0, 1, true), refused("flip: the lateral boundaries say"));
 }
