@@ -58,6 +58,25 @@ double distanceAt(const BlendTask& task, const std::vector<SideSample>& at, doub
   return distance_mm;
 }
 
+/// The speed across of an end: at lateral boundaries it is that for the length of the curve.
+double speedAt(const BlendTask& task, const std::vector<SideSample>& at, double share,
+               const BlendEnd& end) {
+  double distance_mm = distanceAt(task, at, share);
+  for (const BlendLateral& lateral : task.laterals)
+    distance_mm += weightBeside(lateral.side, share) * lateral.longer_mm;
+  return end.tension * distance_mm;
+}
+
+LineBend bendAt(const BlendTask& task, int end, double share) {
+  LineBend sum;
+  for (const BlendLateral& lateral : task.laterals) {
+    const double weight = weightBeside(lateral.side, share);
+    sum.geodesic_per_mm += weight * lateral.bends[end].geodesic_per_mm;
+    sum.third_per_mm2 += weight * lateral.bends[end].third_per_mm2;
+  }
+  return sum;
+}
+
 std::vector<SideSample> samplesAt(const BlendTask& task, double share) {
   std::vector<SideSample> at;
   for (int k = 0; k < task.count(); ++k) {
@@ -78,9 +97,10 @@ std::vector<CurveDerivatives> derivativesAt(const BlendTask& task, double share)
   std::vector<CurveDerivatives> result;
   for (int k = 0; k < task.count(); ++k) {
     // Both ends run with the parameter: out of the face at the start, into it at the end.
-    result.push_back(continuation(at[k], k == 0 ? 1 : -1, task.ends[k].order));
+    result.push_back(
+        continuation(at[k], k == 0 ? 1 : -1, task.ends[k].order, bendAt(task, k, share)));
     const double speed_mm = task.count() < 2 ? parameterAtLength(result[k], task.length_mm)
-                                             : task.ends[k].tension * distanceAt(task, at, share);
+                                             : speedAt(task, at, share, task.ends[k]);
     for (int order = 1; order <= task.ends[k].order; ++order)
       result[k].row(order) *= std::pow(speed_mm, order);
     if (!result[k].allFinite())
@@ -192,6 +212,10 @@ std::optional<SheetFold> foldAlong(const BSplineSurface& sheet, double u) {
 
 }  // namespace
 
+double weightBeside(LateralSide side, double u) {
+  return std::pow(side == LateralSide::First ? 1 - u : u, 3);
+}
+
 SheetKnots::SheetKnots(const BlendTask& task)
     : multiplicities_{{0, degree_along + 1}, {1, degree_along + 1}} {
   // At joints of edges derivatives along the side may jump. At breaks within an edge the path and
@@ -201,7 +225,17 @@ SheetKnots::SheetKnots(const BlendTask& task)
     for (const double at : side.breaks())
       add(at, isCurvatureContinuous(side, at) ? degree_along - 1 : degree_along);
   }
-  // A side with fewer spans meets its tolerance by chance only.
+  fill();
+}
+
+SheetKnots::SheetKnots(int degree, const std::map<double, int>& inner)
+    : multiplicities_{{0, degree + 1}, {1, degree + 1}} {
+  for (const auto& [at, multiplicity] : inner) add(at, multiplicity);
+  fill();
+}
+
+void SheetKnots::fill() {
+  // A boundary with fewer spans meets its tolerance by chance only.
   constexpr double longest = 0.25;
   const std::map<double, int> needed = multiplicities_;
   for (auto from = needed.begin(), to = std::next(from); to != needed.end(); from = to++) {

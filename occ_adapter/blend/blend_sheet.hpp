@@ -1,23 +1,44 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <array>
+#include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include <seamwright/core/blend/lateral_sheet.hpp>
 #include <seamwright/core/bspline/collocation.hpp>
 #include <seamwright/core/bspline/surface.hpp>
 #include <seamwright/core/seam/judge.hpp>
 #include <seamwright/occ_adapter/blend/blend_side.hpp>
+#include <seamwright/occ_adapter/blend/lateral_curve.hpp>
+#include <seamwright/occ_adapter/blend/lateral_pace.hpp>
 
 /// The spline surface on one or two sides. Not a public header.
 namespace seamwright::occ {
+
+/// A given lateral boundary, and how the lines across run along it at the sides.
+struct BlendLateral {
+  LateralSide side = LateralSide::First;
+  std::shared_ptr<const LateralCurve> curve;  ///< from start to end
+  LateralPace pace;
+  double longer_mm = 0;                ///< than the straight line between its ends
+  std::array<LineBend, 2> bends = {};  ///< at start and end
+  /// The face beside, for an order of 1: its unit normal at a share of the length.
+  std::function<Eigen::Vector3d(double share)> normal = nullptr;
+};
+
+/// (1 - u)^3 beside the boundary u = 0, u^3 beside u = 1.
+double weightBeside(LateralSide side, double u);
 
 /// The sides, one or two, and what the surface does there.
 struct BlendTask {
   std::vector<BlendSide> sides;
   std::vector<BlendEnd> ends;
+  std::vector<BlendLateral> laterals = {};
   double length_mm = 0;  ///< of an extension, which has one side
   SplineClosure closure = SplineClosure::Open;
   ContinuityTolerance tolerance;
@@ -30,6 +51,8 @@ class SheetKnots {
  public:
   /// Those that the sides need, and halves between them: no span is longer than a quarter.
   explicit SheetKnots(const BlendTask& task);
+  /// Those given, and halves between them.
+  SheetKnots(int degree, const std::map<double, int>& inner);
 
   void halve(double from, double to) { multiplicities_[0.5 * (from + to)] = 1; }
   /// Halves spans that are much longer than one beside them.
@@ -40,6 +63,7 @@ class SheetKnots {
 
  private:
   void add(double at, int multiplicity);
+  void fill();
 
   std::map<double, int> multiplicities_;
 };

@@ -182,17 +182,30 @@ SideSample BlendSide::at(double share, bool after) const {
   return sample;
 }
 
-CurveDerivatives continuation(const SideSample& sample, double sense, int order) {
+LineFrame lineFrame(const SideSample& sample, double sense) {
+  const Eigen::Vector3d across = -sense * sample.beyond;
+  const Eigen::Vector3d rest = sample.derivative - sample.derivative.dot(across) * across;
+  return {across, rest.normalized()};
+}
+
+CurveDerivatives continuation(const SideSample& sample, double sense, int order,
+                              const LineBend& bend) {
   CurveDerivatives result(order + 1, 3);
   result.row(0) = sample.point.transpose();
+  if (order < 1) return result;
   const Eigen::Vector3d& normal = sample.normal;
-  const Eigen::Vector3d across = -sense * sample.beyond;
-  if (order > 0) result.row(1) = across.transpose();
-  if (order > 1) {
-    const double bend = across.dot(curvatureTensor(sample.jet, normal) * across);
-    result.row(2) = bend * normal.transpose();
-  }
-  if (order > 2) result.row(3) = curvatureChange(sample.jet, normal, across) * normal.transpose();
+  const LineFrame frame = lineFrame(sample, sense);
+  result.row(1) = frame.across.transpose();
+  if (order < 2) return result;
+  const Eigen::Vector3d curved = curvatureTensor(sample.jet, normal) * frame.across;
+  const double geodesic = bend.geodesic_per_mm;
+  result.row(2) = (frame.across.dot(curved) * normal + geodesic * frame.along).transpose();
+  if (order < 3) return result;
+  const double change =
+      curvatureChange(sample.jet, normal, frame.across) + 3 * geodesic * frame.along.dot(curved);
+  result.row(3) = (change * normal + bend.third_per_mm2.x() * frame.across +
+                   bend.third_per_mm2.y() * frame.along)
+                      .transpose();
   return result;
 }
 

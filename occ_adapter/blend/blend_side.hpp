@@ -58,11 +58,28 @@ class BlendSide {
   double begin_;
 };
 
-/// The derivatives 0 to \p order, by rows, of the geodesic that leaves the face against the
-/// sample's direction into it, at a speed of 1: the point, d, the normal curvature along d times
-/// the normal N, and the change of curvature along d times N. At third order the part in the
-/// tangent plane is left out; it does not affect continuity. \param sense 1: d points out of the
-/// face; -1: into it.
-CurveDerivatives continuation(const SideSample& sample, double sense, int order);
+/// What bends the lines across a side in its tangent plane, at a speed of 1.
+struct LineBend {
+  double geodesic_per_mm = 0;  ///< geodesic curvature, positive towards the derivative of the side
+  /// The part in the tangent plane of the third derivative: along the line, and at right angles to
+  /// it, towards the derivative of the side.
+  Eigen::Vector2d third_per_mm2 = Eigen::Vector2d::Zero();
+};
+
+/// The unit vectors at a sample in which lines across are expressed.
+struct LineFrame {
+  Eigen::Vector3d across;  ///< of the line
+  Eigen::Vector3d along;   ///< at right angles in the tangent plane, towards the derivative
+};
+/// \param sense 1: the line goes out of the face; -1: into it.
+LineFrame lineFrame(const SideSample& sample, double sense);
+
+/// The derivatives 0 to \p order, by rows, of the line that leaves the face against the sample's
+/// direction into it, at a speed of 1: the point, d, the normal curvature along d times the normal
+/// N, and the change of normal curvature along the line times N. Without a bend these are the
+/// derivatives of a geodesic, but for the part in the tangent plane at third order, which does not
+/// affect continuity.
+CurveDerivatives continuation(const SideSample& sample, double sense, int order,
+                              const LineBend& bend = {});
 
 }  // namespace seamwright::occ

@@ -15,6 +15,8 @@
 #include <seamwright/occ_adapter/blend/blend_sheet.hpp>
 #include <seamwright/occ_adapter/blend/blend_surface.hpp>
 #include <seamwright/occ_adapter/blend/extend_to.hpp>
+#include <seamwright/occ_adapter/blend/lateral_boundary.hpp>
+#include <seamwright/occ_adapter/blend/lateral_fit.hpp>
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
 #include <seamwright/occ_adapter/model/compound.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
@@ -44,9 +46,12 @@ ChosenEnd chosenEnd(const char* name, const TopoDS_Shape& model, const BlendEnd&
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(fmt::format("{}: {}", name, error.what()));
   }
-  result.directions = std::make_shared<const SideDirections>(
-      *result.path, result.closed, lateralDirections(result.edges, result.closed));
   return result;
+}
+
+void setDirections(ChosenEnd& end, const LateralDirections& given = {}) {
+  end.directions = std::make_shared<const SideDirections>(
+      *end.path, end.closed, lateralDirections(end.edges, end.closed), given);
 }
 
 /// \throws std::invalid_argument for an edge in both sides.
@@ -56,6 +61,22 @@ void requireTwoSides(const ChosenEnd& start, const ChosenEnd& end) {
       throw std::invalid_argument(fmt::format(
           "edge {} is in start and in end: a surface between two sides needs different edges",
           edge));
+}
+
+/// \throws std::invalid_argument where two open sides meet at their ends.
+void requireApart(const ChosenEnd& start, const ChosenEnd& end, double gap_mm) {
+  if (start.closed || end.closed) return;
+  for (const int i : {0, 1})
+    for (const int j : {0, 1}) {
+      const Eigen::Vector3d at = start.path->atShare(i, i == 0).point;
+      const double distance_mm = (end.path->atShare(j, j == 0).point - at).norm();
+      if (!(distance_mm > gap_mm))
+        throw std::invalid_argument(fmt::format(
+            "start and end meet at ({:.6g}): gap_mm = {:.3g}. A surface with a corner there has "
+            "three sides, and in general no bounded curvature there, so no blend is made; "
+            "where three chains of free edges bound it, fill makes it",
+            fmt::join(at, ", "), distance_mm));
+    }
 }
 
 /// The free edges that go on where the chain of an open side ends.
@@ -174,20 +195,30 @@ BlendSide facing(const BlendSide& start, const ChosenEnd& end, bool flip) {
   return reversed != flip ? against : same;
 }
 
+/// The end's side so that lateral boundaries join its ends with those of the start.
+BlendSide facingAlong(const ChosenLateral& lateral, const ChosenEnd& end, bool flip) {
+  if (flip)
+    throw std::invalid_argument("flip: the lateral boundaries say in which direction the end runs");
+  return Facing{.reversed = lateral.corners[0] != lateral.corners[1]}.side(end);
+}
+
 /// The sheet with as many spans as its seams need, and its seams.
-BlendSurfaceReport fitted(const TopoDS_Shape& model, const std::vector<ChosenEnd>& ends,
+BlendSurfaceReport fitted(const TopoDS_Shape& model, const ChosenBlend& chosen,
                           const BlendTask& task, const BlendSurfaceOptions& options,
                           const Progress& progress, const ExtensionTarget* target = nullptr) {
   SheetKnots knots(task);
   BlendSurfaceReport report;
+  Eigen::Index poles = 0;
   // Seams are worst between the samples: then less is allowed at these.
   for (const double share : {0.5, 0.25, 0.125}) {
-    const int before = report.spans;
-    report.surface = refinedSheet(task, share, options.max_spans, knots, progress);
+    report.surface =
+        fittedToLaterals(task, refinedSheet(task, share, options.max_spans, knots, progress), share,
+                         options.max_spans, progress);
     report.spans = knots.spans();
-    if (report.spans == before) break;
+    if (report.surface.poles.rows() == poles) break;
+    poles = report.surface.poles.rows();
     report.face = target ? trimmedBy(report.surface, *target) : faceOf(report.surface);
-    measureBlend(model, ends, task, report);
+    measureBlend(model, chosen, task, report);
     if (report.reached) break;
   }
   report.shape = compoundOf({model, report.face});
@@ -204,7 +235,9 @@ ChosenEnd chosenExtension(const TopoDS_Shape& model, const BlendEnd& side,
   options.tolerance.validate();
   requireEnd("side", side);
   if (side.order < 1) throw std::invalid_argument("order is 0: an extension is G1, G2 or G3");
-  return chosenEnd("side", model, side, options);
+  ChosenEnd end = chosenEnd("side", model, side, options);
+  setDirections(end);
+  return end;
 }
 
 BlendTask extensionOf(const ChosenEnd& end, double length_mm, const BlendSurfaceOptions& options) {
@@ -223,18 +256,25 @@ BlendSurfaceReport blendSurface(const TopoDS_Shape& model, const BlendEnd& start
   options.tolerance.validate();
   requireEnd("start", start);
   requireEnd("end", end);
-  const std::vector<ChosenEnd> ends = {chosenEnd("start", model, start, options),
-                                       chosenEnd("end", model, end, options)};
+  ChosenBlend chosen{
+      {chosenEnd("start", model, start, options), chosenEnd("end", model, end, options)}};
+  std::vector<ChosenEnd>& ends = chosen.ends;
   requireTwoSides(ends[0], ends[1]);
   if (ends[0].closed != ends[1].closed)
     throw std::invalid_argument(closingFault(model, ends[0].closed ? ends[0] : ends[1],
                                              ends[0].closed ? ends[1] : ends[0]));
+  requireApart(ends[0], ends[1], options.tolerance.gap_mm);
+  chosen.laterals = chosenLaterals(model, options, ends);
+  for (const int k : {0, 1}) setDirections(ends[k], directionsOf(chosen.laterals, ends, k));
   const BlendSide first(ends[0].path, ends[0].directions, false);
-  const BlendTask task{.sides = {first, facing(first, ends[1], options.flip)},
-                       .ends = {ends[0].end, ends[1].end},
-                       .closure = closureOf(ends[0]),
-                       .tolerance = options.tolerance};
-  return fitted(model, ends, task, options, progress);
+  BlendTask task{.sides = {first, chosen.laterals.empty()
+                                      ? facing(first, ends[1], options.flip)
+                                      : facingAlong(chosen.laterals[0], ends[1], options.flip)},
+                 .ends = {ends[0].end, ends[1].end},
+                 .closure = closureOf(ends[0]),
+                 .tolerance = options.tolerance};
+  task.laterals = lateralsOf(chosen.laterals, ends, task.sides, options.tolerance);
+  return fitted(model, chosen, task, options, progress);
 }
 
 BlendSurfaceReport extendSurface(const TopoDS_Shape& model, const BlendEnd& side, double length_mm,
@@ -243,7 +283,7 @@ BlendSurfaceReport extendSurface(const TopoDS_Shape& model, const BlendEnd& side
     throw std::invalid_argument(
         fmt::format("length_mm is {}: it must be positive and finite", length_mm));
   const ChosenEnd end = chosenExtension(model, side, options);
-  return fitted(model, {end}, extensionOf(end, length_mm, options), options, progress);
+  return fitted(model, {{end}}, extensionOf(end, length_mm, options), options, progress);
 }
 
 BlendSurfaceReport extendSurfaceTo(const TopoDS_Shape& model, const BlendEnd& side, int face,
@@ -260,7 +300,7 @@ BlendSurfaceReport extendSurfaceTo(const TopoDS_Shape& model, const BlendEnd& si
   // be longer.
   constexpr double beyond = 1.05;
   const BlendTask task = extensionOf(end, beyond * lengths.most_mm, options);
-  BlendSurfaceReport report = fitted(model, {end}, task, options, progress, &target);
+  BlendSurfaceReport report = fitted(model, {{end}}, task, options, progress, &target);
   report.to = ExtensionEnd{face, lengths.least_mm, lengths.most_mm, gapTo(report.face, target)};
   return report;
 }

@@ -30,11 +30,22 @@ struct BlendEnd {
   double tension = 1;
 };
 
+/// Curves along which the lateral boundaries of a blend run, from an end of the one side to an end
+/// of the other.
+struct LateralChoice {
+  std::vector<int> edges = {};  ///< of one chain or of two, from 1, in any order; empty: none
+  /// The faces beside them, for edges that bound two faces; empty: the edges are free, or bound
+  /// faces that do not matter.
+  std::vector<int> faces = {};
+  int order = 0;  ///< 1: the blend is G1 to the faces beside
+};
+
 struct BlendSurfaceOptions {
   ContinuityTolerance tolerance;  ///< the seams meet it: gap, angle, curvature
-  int max_spans = 300;            ///< work limit: the most spans along the sides
+  int max_spans = 300;            ///< work limit: the most spans along the sides, and across
   /// The end runs in the other direction than that in which a blend is less twisted.
   bool flip = false;
+  LateralChoice lateral;
 };
 
 /// A seam between the new face and a face of the model. Its second face is 0, the new one.
@@ -51,6 +62,17 @@ struct BlendEndReport {
   double covered_mm = 0;  ///< length of the seams
   Level level = Level::G0;
   std::string reason;  ///< why the seams do not cover the side; empty: they do
+};
+
+/// A given lateral boundary of a new face.
+struct BlendLateralReport {
+  std::vector<int> edges;   ///< from the start to the end
+  std::vector<int> faces;   ///< beside; empty: none was measured
+  double length_mm = 0;     ///< of the edges
+  double distance_mm = 0;   ///< the largest from the boundary to the edges that was seen
+  double covered_mm = 0;    ///< length of the seams with the faces beside
+  Level level = Level::G0;  ///< what these must reach
+  std::string reason;       ///< why the boundary falls short; empty: it does not
 };
 
 /// Where a surface turns over: its normal jumps to the other side along a line across the sides.
@@ -70,14 +92,16 @@ struct ExtensionEnd {
 struct BlendSurfaceReport {
   BSplineSurface surface;
   TopoDS_Face face;
-  TopoDS_Shape shape;            ///< the model and the new face, which is its last, in one compound
-  std::vector<BlendSeam> seams;  ///< with the faces of each end, in parts where edges join
-  int spans = 0;                 ///< along the sides
-  std::vector<BlendEndReport> ends;  ///< start and end, or the one side
-  std::optional<SheetFold> fold;     ///< the one nearest to the start, if the surface has any
-  std::optional<ExtensionEnd> to;    ///< of an extension up to a face
-  /// All seams certainly have the level of their end and cover the sides, and an extension does not
-  /// fold.
+  TopoDS_Shape shape;  ///< the model and the new face, which is its last, in one compound
+  /// With the faces of each end and beside lateral boundaries, in parts where edges join.
+  std::vector<BlendSeam> seams;
+  int spans = 0;                             ///< along the sides
+  std::vector<BlendEndReport> ends;          ///< start and end, or the one side
+  std::vector<BlendLateralReport> laterals;  ///< the given ones: those at u = 0 first
+  std::optional<SheetFold> fold;   ///< the one nearest to the start, if the surface has any
+  std::optional<ExtensionEnd> to;  ///< of an extension up to a face
+  /// All seams certainly have the level of their end and cover the sides, lateral boundaries are
+  /// within the gap tolerance of their edges, and an extension does not fold.
   bool reached = false;
 };
 
@@ -92,12 +116,18 @@ struct BlendSurfaceReport {
 ///     const BlendSurfaceReport blend = blendSurface(model, {.side = {{3}}}, {.side = {{8, 9}}});
 ///
 /// The surface has degree 5 along the sides and m + n + 1 across for the orders m and n.
+///
+/// With lateral boundaries the lines across leave the ends of the sides along these curves, and the
+/// surface is moved to them by splines across, which change nothing at the sides: S8.5. Each line
+/// across at such a boundary begins with a speed of the tension times the length of the curve.
 /// \throws std::invalid_argument, with the end, for sides without edges, with an edge given twice
 /// or in both sides, with a number that names no edge, that are no single chain, with a corner, and
 /// with an edge that is not free and has not exactly one of the given faces; for orders outside of
-/// 0..3, tensions that are not positive and finite, for one closed side and an open one, and
-/// invalid tolerances; GeometryError for edges that can't be evaluated, and for sides that touch;
-/// Cancelled. Source: docs/theory/surfaces.md S8.1 to S8.4.
+/// 0..3, tensions that are not positive and finite, one closed side and an open one, sides that
+/// meet at their ends, and invalid tolerances; for lateral boundaries of closed sides, of more than
+/// two chains, with a corner, that do not join ends of the sides, or that no such surface can have,
+/// with figures; GeometryError for edges that can't be evaluated, and for sides that touch;
+/// Cancelled. Source: docs/theory/surfaces.md S8.1 to S8.6.
 BlendSurfaceReport blendSurface(const TopoDS_Shape& model, const BlendEnd& start,
                                 const BlendEnd& end, const BlendSurfaceOptions& options = {},
                                 const Progress& progress = {});

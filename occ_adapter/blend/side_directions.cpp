@@ -51,17 +51,20 @@ std::optional<Vector3d> lateralAt(const Coedge& use, const TopoDS_Vertex& vertex
 }
 
 /// The angle from the right angle that a lateral direction at that angle gives.
-double givenTilt(double angle_rad) {
+double limitedTilt(double angle_rad) {
   constexpr double quarter = std::numbers::pi / 4;
   const double size = std::abs(angle_rad);
   return std::copysign(size <= quarter ? size : std::max(0.0, 2 * quarter - size), angle_rad);
 }
 
-/// The lateral direction, limited, minus the right angle.
-Vector3d turnAt(const SideSample& sample, const std::optional<Vector3d>& lateral) {
-  if (!lateral) return Vector3d::Zero();
+/// The lateral direction, limited, or the given one, minus the right angle.
+Vector3d turnAt(const SideSample& sample, const std::optional<Vector3d>& lateral,
+                const std::optional<Vector3d>& given) {
+  const std::optional<Vector3d>& direction = given ? given : lateral;
+  if (!direction) return Vector3d::Zero();
   const Vector3d across = -sample.beyond, along = sample.derivative.normalized();
-  const double tilt = givenTilt(std::atan2(lateral->dot(along), lateral->dot(across)));
+  const double angle = std::atan2(direction->dot(along), direction->dot(across));
+  const double tilt = given ? angle : limitedTilt(angle);
   return std::cos(tilt) * across + std::sin(tilt) * along - across;
 }
 
@@ -100,10 +103,11 @@ LateralDirections lateralDirections(const HoleSide& side, bool closed) {
   return result;
 }
 
-SideDirections::SideDirections(const SidePath& path, bool closed, const LateralDirections& lateral)
+SideDirections::SideDirections(const SidePath& path, bool closed, const LateralDirections& lateral,
+                               const LateralDirections& given)
     : closed_(closed) {
   for (const int end : {0, 1})
-    turn_[end] = turnAt(path.besidePoleAtShare(end, end == 0), lateral[end]);
+    turn_[end] = turnAt(path.besidePoleAtShare(end, end == 0), lateral[end], given[end]);
   // Wide means first: they are the smoothest. A choice.
   for (const int count : {16, 64, 256}) {
     right_angles_.resize(count + (closed ? 0 : 1), 3);

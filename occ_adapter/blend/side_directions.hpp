@@ -20,10 +20,12 @@ LateralDirections lateralDirections(const HoleSide& side, bool closed);
 /// A smooth field of directions along a side. Right angles to the side jump in their derivatives
 /// where the curvature of the side does; means of them don't. At the ends of an open side the field
 /// has the lateral directions, as far as these are within 45 degrees of the right angle; beyond
-/// that it returns to the right angle, which it has at 90 degrees.
+/// that it returns to the right angle, which it has at 90 degrees. It has given ones as they are.
 class SideDirections {
  public:
-  SideDirections(const SidePath& path, bool closed, const LateralDirections& lateral);
+  /// \param given take the place of the lateral ones.
+  SideDirections(const SidePath& path, bool closed, const LateralDirections& lateral,
+                 const LateralDirections& given = {});
 
   /// The unit vector at a share of the path, in the tangent plane of the sample, out of the face.
   Eigen::Vector3d at(double share, const SideSample& sample) const;

@@ -12,7 +12,7 @@ namespace seamwright::occ {
 
 using Eigen::Vector3d;
 
-ArcLength::ArcLength(std::shared_ptr<const FaceStrip> strip) : strip_(std::move(strip)) {
+ArcLength::ArcLength(std::function<double(double)> speed_mm) : speed_mm_(std::move(speed_mm)) {
   for (int k = 0; k < pieces; ++k) lengths_[k + 1] = lengths_[k] + between(at(k), at(k + 1));
 }
 
@@ -31,7 +31,7 @@ double ArcLength::parameterAt(double length_mm) const {
   for (int step = 0; step < 4; ++step) {
     const double beyond_mm = between(at(k), parameter) - rest;
     if (std::abs(beyond_mm) <= rounding * this->length_mm()) break;
-    parameter -= beyond_mm / strip_->trace(std::clamp(parameter, 0.0, 1.0)).d.norm();
+    parameter -= beyond_mm / speed_mm_(std::clamp(parameter, 0.0, 1.0));
   }
   return std::clamp(parameter, 0.0, 1.0);
 }
@@ -45,8 +45,8 @@ double ArcLength::between(double from, double to) const {
   double sum = 0;
   for (std::size_t i = 0; i < nodes.size(); ++i)
     for (const double node : {-nodes[i], nodes[i]})
-      sum += (i == 0 ? 0.5 : 1) * weights[i] *
-             strip_->trace(std::clamp(middle + half * node, 0.0, 1.0)).d.norm();
+      sum +=
+          (i == 0 ? 0.5 : 1) * weights[i] * speed_mm_(std::clamp(middle + half * node, 0.0, 1.0));
   return half * sum;
 }
 
@@ -54,7 +54,8 @@ SidePath::SidePath(const HoleSide& side, double gap_mm, JetOrder order) {
   for (const HoleEdge& edge : side.edges) {
     strips_.push_back(std::make_shared<const FaceStrip>(
         edge.use, pcurveOf(edge.use.edge, edge.use.shape, gap_mm), order));
-    lengths_.emplace_back(strips_.back());
+    lengths_.emplace_back(
+        [strip = strips_.back()](double parameter) { return strip->trace(parameter).d.norm(); });
     reversed_.push_back(edge.reversed);
     numbers_.push_back(edge.edge);
     begins_mm_.push_back(length_mm_);

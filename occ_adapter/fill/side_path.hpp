@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -23,7 +24,8 @@ struct SideSample {
 /// The arc length of a path as a function of its parameter, by Gauss quadrature on short pieces.
 class ArcLength {
  public:
-  explicit ArcLength(std::shared_ptr<const FaceStrip> strip);
+  /// \param speed_mm the length of the derivative at a parameter in [0, 1].
+  explicit ArcLength(std::function<double(double)> speed_mm);
   double length_mm() const { return lengths_[pieces]; }
   double lengthTo(double parameter) const;
   double parameterAt(double length_mm) const;
@@ -34,7 +36,7 @@ class ArcLength {
   static double at(int k) { return static_cast<double>(k) / pieces; }
   double between(double from, double to) const;
 
-  std::shared_ptr<const FaceStrip> strip_;
+  std::function<double(double)> speed_mm_;
   std::array<double, pieces + 1> lengths_{};
 };
 

@@ -12,9 +12,13 @@ namespace seamwright::cli {
 
 namespace {
 
+int orderOf(const SideArguments& side) {
+  return static_cast<int>(*levelFromName(side.order)) - static_cast<int>(Level::G0);
+}
+
 occ::BlendEnd endOf(const SideArguments& side) {
   return {.side = {.edges = side.edges, .faces = side.faces},
-          .order = static_cast<int>(*levelFromName(side.order)) - static_cast<int>(Level::G0),
+          .order = orderOf(side),
           .tension = side.tension};
 }
 
@@ -35,6 +39,23 @@ void addOrder(CLI::App& command, const std::string& option, SideArguments& side,
               const std::vector<std::string>& orders) {
   command.add_option(option, side.order, "How the surface joins the side")
       ->check(CLI::IsMember(orders))
+      ->capture_default_str();
+}
+
+void addLateral(CLI::App& command, SideArguments& lateral) {
+  addList(
+      command, "--lateral", lateral.edges,
+      "Edges that the lateral boundaries run along: one or two chains, from an end of the start "
+      "to an end of the end",
+      numberOf("Edge"))
+      ->type_name("N[,N...]");
+  addList(command, "--lateral-faces", lateral.faces,
+          "The faces beside lateral boundaries, for edges that bound two faces", numberOf("Face"))
+      ->type_name("N[,N...]");
+  command
+      .add_option("--lateral-order", lateral.order,
+                  "How the surface joins the faces beside lateral boundaries")
+      ->check(CLI::IsMember({"G0", "G1"}))
       ->capture_default_str();
 }
 
@@ -102,6 +123,7 @@ void addBlendSurfaceOptions(CLI::App& command, BlendSurfaceArguments& arguments)
   command.add_flag("--flip", arguments.flip,
                    "The end runs in the other direction than that in which the surface is less "
                    "twisted");
+  addLateral(command, arguments.lateral);
   addCommonOptions(command, arguments.surface);
 }
 
@@ -125,10 +147,13 @@ int runBlendSurface(const BlendSurfaceArguments& arguments) {
   return run(arguments.surface,
              [&](const occ::Model& model, const occ::BlendSurfaceOptions& options,
                  const occ::Progress& progress) {
-               occ::BlendSurfaceOptions flipped = options;
-               flipped.flip = arguments.flip;
+               occ::BlendSurfaceOptions chosen = options;
+               chosen.flip = arguments.flip;
+               chosen.lateral = {.edges = arguments.lateral.edges,
+                                 .faces = arguments.lateral.faces,
+                                 .order = orderOf(arguments.lateral)};
                return occ::blendSurface(model.shape, endOf(arguments.start), endOf(arguments.end),
-                                        flipped, progress);
+                                        chosen, progress);
              });
 }
 

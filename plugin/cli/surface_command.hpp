@@ -28,6 +28,7 @@ struct SurfaceArguments {
 struct BlendSurfaceArguments {
   SurfaceArguments surface;
   SideArguments start, end;
+  SideArguments lateral = {.edges = {}, .faces = {}, .order = "G0"};
   bool flip = false;
 };
 

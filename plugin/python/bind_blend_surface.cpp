@@ -57,16 +57,21 @@ BlendedSurface blendSurface(const occ::Model& model, const py::object& start, co
                             const py::object& start_faces, const py::object& end_faces,
                             const py::object& start_order, const py::object& end_order,
                             const py::object& start_tension, const py::object& end_tension,
-                            const py::object& flip, const py::object& profile,
-                            const py::object& gap_mm, const py::object& angle_deg,
-                            const py::object& curvature_rel, const py::object& flat_radius_mm,
-                            const py::object& crease_deg, const py::object& progress) {
+                            const py::object& flip, const py::object& lateral,
+                            const py::object& lateral_faces, const py::object& lateral_order,
+                            const py::object& profile, const py::object& gap_mm,
+                            const py::object& angle_deg, const py::object& curvature_rel,
+                            const py::object& flat_radius_mm, const py::object& crease_deg,
+                            const py::object& progress) {
   occ::BlendEnd first = endOf("start", {start, start_faces, start_order}),
                 second = endOf("end", {end, end_faces, end_order});
   first.tension = numberOf("start_tension", start_tension);
   second.tension = numberOf("end_tension", end_tension);
   occ::BlendSurfaceOptions options;
   options.flip = flagOf("flip", flip);
+  options.lateral = {.edges = numbersOrOne("lateral", lateral),
+                     .faces = numbersOrOne("lateral_faces", lateral_faces),
+                     .order = orderOf("lateral_order", lateral_order)};
   options.tolerance =
       toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg});
   return longCall(progress, [&](const occ::Progress& report) {
@@ -114,6 +119,7 @@ py::dict blendDict(const BlendedSurface& result) {
   dict["fold"] = plainObject(report::foldJson(result.report));
   dict["to"] = plainObject(report::extensionJson(result.report));
   dict["sides"] = plainObject(report::sidesJson(result.report));
+  dict["laterals"] = plainObject(report::lateralsJson(result.report));
   py::list seams;
   for (const py::handle seam : seamsOf(result)) seams.append(seam.attr("to_dict")());
   dict["seams"] = seams;
@@ -145,6 +151,14 @@ void bindResult(py::module_& module) {
           "A dict for each side: side, edges, faces, length_mm, covered_mm by seams, target, and "
           "the reason why seams do not cover it, empty if they do.")
       .def_property_readonly(
+          "laterals",
+          [](const BlendedSurface& result) {
+            return plainObject(report::lateralsJson(result.report));
+          },
+          "A dict for each given lateral boundary: edges, faces beside, length_mm, distance_mm, "
+          "the largest from the boundary to the edges, covered_mm by seams with these faces, "
+          "target, and the reason why it falls short, empty if it does not.")
+      .def_property_readonly(
           "fold",
           [](const BlendedSurface& result) { return plainObject(report::foldJson(result.report)); },
           "Where the surface turns over, nearest to the start: distance_mm and point_mm; None if "
@@ -174,8 +188,10 @@ start, end: an edge, or the edges of a chain, numbers from 1. Edges are free, or
 end_faces name the faces to continue. start_order, end_order: 'G0' to 'G3', how the surface joins
 each side. start_tension, end_tension: how far the surface keeps its direction, as multiples of the
 distance between the sides. flip: the end runs in the other direction than that in which the
-surface is less twisted. Tolerances and progress as in analyze(). ValueError for bad arguments,
-with name and value. The model is not changed.)";
+surface is less twisted. lateral: the edges of one or two chains, from an end of start to an end of
+end, along which the lateral boundaries run. lateral_order: 'G0', or 'G1' to the faces beside them,
+which lateral_faces names for edges that bound two faces. Tolerances and progress as in analyze().
+ValueError for bad arguments, with name and value. The model is not changed.)";
 
 constexpr const char* extend_surface_doc =
     R"(Continues the surface of a side over a length, or up to a face: a BlendedSurface.
@@ -196,10 +212,11 @@ void bindBlendSurface(py::module_& module) {
            py::kw_only(), py::arg("start_faces") = none, py::arg("end_faces") = none,
            py::arg("start_order") = "G2", py::arg("end_order") = "G2",
            py::arg("start_tension") = 1.0, py::arg("end_tension") = 1.0, py::arg("flip") = false,
-           py::arg("profile") = "default", py::arg("gap_mm") = py::none(),
-           py::arg("angle_deg") = py::none(), py::arg("curvature_rel") = py::none(),
-           py::arg("flat_radius_mm") = py::none(), py::arg("crease_deg") = py::none(),
-           py::arg("progress") = py::none())
+           py::arg("lateral") = none, py::arg("lateral_faces") = none,
+           py::arg("lateral_order") = "G0", py::arg("profile") = "default",
+           py::arg("gap_mm") = py::none(), py::arg("angle_deg") = py::none(),
+           py::arg("curvature_rel") = py::none(), py::arg("flat_radius_mm") = py::none(),
+           py::arg("crease_deg") = py::none(), py::arg("progress") = py::none())
       .def("extend_surface", &extendSurface, extend_surface_doc, py::arg("edges"),
            py::arg("length_mm") = py::none(), py::kw_only(), py::arg("to") = py::none(),
            py::arg("faces") = none, py::arg("order") = "G2", py::arg("profile") = "default",

@@ -59,6 +59,13 @@ std::string numberedNames(const char* kind, const std::vector<int>& numbers) {
   return text;
 }
 
+ordered_json lateralJson(const occ::BlendLateralReport& lateral) {
+  return {{"edges", lateral.edges},           {"faces", lateral.faces},
+          {"length_mm", lateral.length_mm},   {"distance_mm", lateral.distance_mm},
+          {"covered_mm", lateral.covered_mm}, {"target", name(lateral.level)},
+          {"reason", lateral.reason}};
+}
+
 /// A row for a side that its seams do not cover.
 Row rowOf(const occ::BlendEndReport& end, std::size_t columns) {
   Row row = {std::string(name(end.level)), "none", numberedNames("Edge", end.edges),
@@ -76,6 +83,10 @@ std::string remarksOf(const occ::BlendSurfaceReport& blend) {
     text +=
         fmt::format("from {:.4g} to {:.4g} mm long, up to {:.3g} mm from Face{}\n",
                     blend.to->least_mm, blend.to->most_mm, blend.to->distance_mm, blend.to->face);
+  for (const occ::BlendLateralReport& lateral : blend.laterals)
+    text += fmt::format("lateral boundary along {}: at most {:.3g} mm from it{}{}\n",
+                        numberedNames("Edge", lateral.edges), lateral.distance_mm,
+                        lateral.reason.empty() ? "" : "; ", lateral.reason);
   if (blend.fold)
     text += fmt::format("the surface folds {:.4g} mm from the {}, at ({:.6g})\n",
                         blend.fold->distance_mm, blend.ends.front().name,
@@ -125,6 +136,13 @@ ordered_json sidesJson(const occ::BlendSurfaceReport& blend) {
   return sides;
 }
 
+ordered_json lateralsJson(const occ::BlendSurfaceReport& blend) {
+  ordered_json laterals = ordered_json::array();
+  for (const occ::BlendLateralReport& lateral : blend.laterals)
+    laterals.push_back(lateralJson(lateral));
+  return laterals;
+}
+
 ordered_json foldJson(const occ::BlendSurfaceReport& blend) {
   if (!blend.fold) return nullptr;
   const Eigen::Vector3d& point = blend.fold->point_mm;
@@ -154,6 +172,7 @@ ordered_json toJson(const occ::BlendSurfaceReport& blend, const ContinuityTolera
   json["to"] = extensionJson(blend);
   json["output"] = toJson(output);
   json["sides"] = sidesJson(blend);
+  json["laterals"] = lateralsJson(blend);
   json["seams"] = ordered_json::array();
   for (const occ::BlendSeam& seam : blend.seams) {
     json["seams"].push_back(toJson(seam.result, tolerance));

@@ -21,8 +21,9 @@ nlohmann::ordered_json toJson(const occ::BlendSurfaceReport& blend,
                               const ContinuityTolerance& tolerance, const occ::ModelFacts& given,
                               const std::optional<WrittenModel>& output = {});
 
-/// The keys "sides", "fold" and "to" of that object.
+/// The keys "sides", "laterals", "fold" and "to" of that object.
 nlohmann::ordered_json sidesJson(const occ::BlendSurfaceReport& blend);
+nlohmann::ordered_json lateralsJson(const occ::BlendSurfaceReport& blend);
 nlohmann::ordered_json foldJson(const occ::BlendSurfaceReport& blend);
 nlohmann::ordered_json extensionJson(const occ::BlendSurfaceReport& blend);
 

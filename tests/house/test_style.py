@@ -52,6 +52,9 @@ EXPECTED = {
     ("occ_adapter/blend/blend_surface.cpp", "std::invalid_argument"): (
         "edges that are no side: throws it with the end"
     ),
+    ("occ_adapter/blend/lateral_boundary.cpp", "std::invalid_argument"): (
+        "throws it with the edges of the boundary"
+    ),
     ("core/planar/clothoid_fit.cpp", "std::domain_error"): (
         "no spline through points that are too far apart: more points are taken; no clothoids near"
         " arcs, or no spline through points: the other ones are taken"

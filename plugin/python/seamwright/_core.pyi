@@ -1412,6 +1412,9 @@ class Model:
         start_tension: Number = 1.0,
         end_tension: Number = 1.0,
         flip: Flag = False,
+        lateral: Union[Whole, Sequence[Whole]] = (),
+        lateral_faces: Union[Whole, Sequence[Whole]] = (),
+        lateral_order: str = "G0",
         profile: str = "default",
         gap_mm: Optional[Number] = None,
         angle_deg: Optional[Number] = None,
@@ -1548,6 +1551,8 @@ class BlendedSurface:
     def spans(self) -> int: ...
     @property
     def sides(self) -> List[Dict[str, Any]]: ...
+    @property
+    def laterals(self) -> List[Dict[str, Any]]: ...
     @property
     def fold(self) -> Optional[Dict[str, Any]]: ...
     @property

@@ -22,6 +22,14 @@ def gap(tmp_path):
     return path
 
 
+@pytest.fixture
+def hole(tmp_path):
+    """A smooth sheet of nine patches without the one in the middle."""
+    path = tmp_path / "hole.step"
+    path.write_text(sheet_text(3, 3, noise_mm=0, without={(1, 1)}))
+    return path
+
+
 def made(command, model, *options, out="out.step"):
     """The result, the report and the file written."""
     out, report = model.parent / out, model.parent / "surface.json"
@@ -88,8 +96,44 @@ def test_the_end_may_be_flipped(gap):
     assert "NOT REACHED: the surface folds" in result.stdout or report["reached"]
 
 
-def test_every_key_of_the_report_matters(gap):
+def across_the_hole(hole, *options):
+    """The edges on its sides x = 20 and x = 40, and lateral ones y = 20 and y = 40."""
+    return made(
+        "blend", hole, "--start", "Edge5", "--end", "Edge22", "--lateral", "Edge13,Edge14", *options
+    )
+
+
+@pytest.mark.parametrize("order", ["G0", "G1"])
+def test_lateral_boundaries_run_along_edges(hole, order):
+    result, report, written = across_the_hole(hole, "--lateral-order", order)
+    assert result.returncode == 0, result.stdout + result.stderr
+    assert [boundary["edges"] for boundary in report["laterals"]] == [[13], [14]]
+    for boundary in report["laterals"]:
+        assert boundary["target"] == order and boundary["reason"] == ""
+        assert 0 <= boundary["distance_mm"] < 0.01
+        assert boundary["covered_mm"] == pytest.approx(boundary["length_mm"], rel=1e-3)
+    assert "lateral boundary along Edge13: at most " in result.stdout
+    assert sorted(seam["target"] for seam in report["seams"]) == sorted(["G2", "G2", order, order])
+    # The surface is the patch that is missing, nearly.
+    whole = surfaces_of(sheet_text(3, 3, noise_mm=0))[1, 1]
+    surfaces = surfaces_of(written.read_text()).values()
+    (made_one,) = [surface for surface in surfaces if surface["degrees"][0] == 5]
+    for k in range(11):
+        for i in range(11):
+            x, y, z = point_and_normal(made_one, k / 10, i / 10)[0]
+            u, v = (min(max(at / SIZE - 1, 0), 1) for at in (x, y))
+            wanted = point_and_normal(whole, u, v)[0]
+            assert abs(z - wanted[2]) < 0.05
+    analysis = json.loads(
+        run("analyze", "--format", "json", "--match", "0.02", "--level", order, written).stdout
+    )
+    matched = [seam for seam in analysis["seams"] if 9 in seam["faces"]]
+    assert len(matched) == 4 and all(seam["level"] >= order for seam in matched)
+
+
+def test_every_key_of_the_report_matters(gap, hole):
     expect_every_key_matters(blend(gap)[1], VALIDATOR)
+    expect_every_key_matters(across_the_hole(hole)[1], VALIDATOR)
 
 
 def test_what_falls_short_is_not_written(gap):
@@ -115,6 +159,15 @@ def test_what_falls_short_is_not_written(gap):
             "edge 6 does not bound face 7",
         ),
         ("blend", ["--start", RIGHT, "--end", RIGHT], "edge 6 is in start and in end"),
+        ("blend", ["--start", RIGHT, "--end", LEFT, "--lateral", "7"], "gap_mm = 20"),
+        ("blend", ["--start", RIGHT, "--end", LEFT, "--lateral", "Face1"], "'Face1'"),
+        ("blend", ["--start", RIGHT, "--end", LEFT, "--lateral-order", "G2"], "--lateral-order"),
+        (
+            "blend",
+            ["--start", RIGHT, "--end", LEFT, "--lateral-faces", "1"],
+            "lateral faces or a lateral order need lateral edges",
+        ),
+        ("blend", ["--start", RIGHT, "--end", "7"], "start and end meet at "),
         ("extend", ["--edge", "6,6", "--length", "1"], "side: edge 6 is given twice"),
         ("blend", ["--start", "5,6", "--end", LEFT], "start: the side has a corner of "),
         ("extend", ["--edge", "5,6,7,8", "--length", "1"], "side: the side has a corner of "),

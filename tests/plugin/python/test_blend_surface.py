@@ -38,8 +38,9 @@ def test_a_surface_joins_two_sides(sheets, start, end):
     assert levels[edges[0]] >= start and levels[edges[1]] >= end
     assert all(seam.faces[1] == 0 for seam in result.seams)
     assert result.model.face_count == sheets.face_count + 1
-    assert set(result.to_dict()) == {"reached", "spans", "fold", "to", "sides", "seams"}
-    assert result.fold is None
+    keys = {"reached", "spans", "fold", "to", "sides", "laterals", "seams"}
+    assert set(result.to_dict()) == keys
+    assert result.fold is None and result.laterals == []
     assert [(side["side"], side["edges"]) for side in result.sides] == [
         ("start", [edges[0]]),
         ("end", [edges[1]]),
@@ -72,6 +73,71 @@ def test_tension_moves_the_surface(sheets):
     ]
     assert np.linalg.norm(middles[1] - middles[0]) > 0.01
     assert np.linalg.norm(middles[2] - middles[1]) > 0.01
+
+
+def height(x, y):
+    return 0.004 * x**2 + 0.003 * y**2 - 0.002 * x * y
+
+
+def patch_at(i, j, size=20):
+    """The part of a surface of degree two over a square of a grid."""
+    x, y = (size * np.array([[k, k], [k, k + 1], [k + 1, k + 1]]) for k in (i, j))
+    poles = [
+        [
+            (
+                a.mean(),
+                b.mean(),
+                0.004 * a.prod() + 0.003 * b.prod() - 0.002 * a.mean() * b.mean(),
+            )
+            for b in y
+        ]
+        for a in x
+    ]
+    return seamwright.BezierPatch(np.array(poles, float))
+
+
+@pytest.fixture(scope="module")
+def hole():
+    """A smooth sheet of nine patches without the middle one, and the edges around the hole."""
+    patches = [patch_at(i, j) for i in range(3) for j in range(3) if (i, j) != (1, 1)]
+    model = seamwright.Model.from_patches(patches, sew_mm=1e-3)
+
+    def edge_of(axis, value):
+        for edge in range(1, model.edge_count + 1):
+            points = np.asarray(model.curve(edge).poles)[[0, -1], :2]
+            if np.allclose(points[:, axis], value) and np.allclose(
+                np.sort(points[:, 1 - axis]), [20, 40]
+            ):
+                return edge
+        raise AssertionError((axis, value))
+
+    return model, [edge_of(0, 20), edge_of(0, 40), edge_of(1, 20), edge_of(1, 40)]
+
+
+@pytest.mark.parametrize("order", ["G0", "G1"])
+def test_lateral_boundaries_run_along_edges(hole, order):
+    model, (start, end, *lateral) = hole
+    result = model.blend_surface(start, end, lateral=lateral, lateral_order=order, angle_deg=1e-2)
+    assert result.reached
+    assert [boundary["target"] for boundary in result.laterals] == [order] * 2
+    assert sorted(edge for boundary in result.laterals for edge in boundary["edges"]) == lateral
+    levels = {seam.edges[0]: seam.level for seam in result.seams}
+    assert levels[start] >= "G2" and levels[end] >= "G2"
+    for boundary in result.laterals:
+        assert boundary["distance_mm"] < 1e-3 and boundary["reason"] == ""
+        assert levels[boundary["edges"][0]] >= order
+    for u in (0, 1):
+        for v in np.linspace(0, 1, 41):
+            x, y, z = result.surface.point(float(u), float(v))
+            assert min(abs(y - 20), abs(y - 40)) < 1e-3 and abs(z - height(x, y)) < 1e-3
+    free = model.blend_surface(start, end)
+    assert free.laterals == [] and len(free.seams) == 2
+
+
+def test_sides_with_a_common_vertex_are_refused(hole):
+    model, (start, _, lateral, _) = hole
+    with pytest.raises(ValueError, match="start and end meet at .*: gap_mm = .* fill makes it"):
+        model.blend_surface(start, lateral)
 
 
 @pytest.mark.parametrize("order", ["G1", "G2", "G3"])
@@ -115,6 +181,10 @@ def test_a_face_is_named_where_an_edge_has_two(tmp_path):
         ({"end_order": 2}, "end_order is 2"),
         ({"end_tension": 0}, "end: tension is 0"),
         ({"start_faces": [2]}, "edge 2 does not bound face 2"),
+        ({"lateral": 99}, "99"),
+        ({"lateral": "1"}, "lateral is '1'"),
+        ({"lateral_order": "G1"}, "need lateral edges"),
+        ({"lateral_order": "G2"}, "lateral order is 2|need lateral edges"),
         ({"gap_mm": -1}, "gap tolerance is -1 mm"),
     ],
 )
