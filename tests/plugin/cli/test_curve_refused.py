@@ -110,4 +110,4 @@ def test_a_blend_names_the_file_at_fault(tmp_path):
     assert made.returncode == 0
     options = ["-o", "out.step"]
     result = run("curve", "blend", "low.csv", "ring.step", *options, cwd=tmp_path)
-    expect_one_line(result, "ring.step: frame 1 is closed, frame 0 is open")
+    expect_one_line(result, "key curve 2 (ring.step) is closed, and key curve 1 (low.csv) is open")
