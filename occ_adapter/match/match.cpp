@@ -3,6 +3,7 @@
 
 #include <BRepCheck_Analyzer.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <ShapeAnalysis_ShapeTolerance.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
@@ -17,6 +18,7 @@
 #include <seamwright/occ_adapter/geometry_error.hpp>
 #include <seamwright/occ_adapter/match/candidate.hpp>
 #include <seamwright/occ_adapter/match/match_reasons.hpp>
+#include <seamwright/occ_adapter/match/side_join.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
 #include <seamwright/occ_adapter/model/usable.hpp>
 
@@ -78,6 +80,18 @@ double largestTolerance_mm(const TopoDS_Shape& shape) {
 bool isClosedLoop(const MatchSide& side, double gap_mm) {
   const FaceStrip strip(side.use, side.pcurve);
   return (strip.trace(0).p - strip.trace(1).p).norm() <= gap_mm;
+}
+
+bool hasPoles(const TopoDS_Face& face) {
+  TopLoc_Location location;
+  const auto surface = BRep_Tool::Surface(face, location);
+  return !clampedSpline(surface, location).IsNull();
+}
+
+/// A reason of the pair, with the numbers of the model.
+MatchReason inModel(MatchReason reason, const std::array<int, 2>& numbers) {
+  for (int& face : reason.faces) face = numbers.at(static_cast<std::size_t>(face - 1));
+  return reason;
 }
 
 /// What one call of matchFaces() has to do.
@@ -162,14 +176,14 @@ MatchReason whyNotBuilt(const MatchTask& task, const PairToMatch& pair,
 }
 
 /// The faces that a candidate makes, and what is wrong with them.
-struct Proof {
+struct PairProof {
   MatchReason failure;  ///< empty: the faces are as they should be
   TopoDS_Shell shell;
   SeamResult after;  ///< with numbers of the shell
 };
 
-Proof prove(const MatchTask& task, const PairToMatch& pair, const Candidate& candidate) {
-  Proof proof;
+PairProof prove(const MatchTask& task, const PairToMatch& pair, const Candidate& candidate) {
+  PairProof proof;
   proof.failure = whyNotBuilt(task, pair, candidate);
   if (!proof.failure.empty()) return proof;
   const RebuiltPair rebuilt = rebuild(candidate.plan);
@@ -192,7 +206,7 @@ Proof prove(const MatchTask& task, const PairToMatch& pair, const Candidate& can
 /// A candidate and what came of its proof.
 struct Attempt {
   Candidate candidate;
-  std::optional<Proof> proof;  ///< nothing if there was no candidate
+  std::optional<PairProof> proof;  ///< nothing if there was no candidate
 
   bool isProven() const { return proof && proof->failure.empty(); }
 };
@@ -209,7 +223,7 @@ Attempt proveFitted(const MatchTask& task, const PairToMatch& pair, Candidate ca
   double share = first_share;
   for (int attempt = 1;; ++attempt) {
     if (!candidate.failure.empty()) return {std::move(candidate), std::nullopt};
-    Proof proof = prove(task, pair, candidate);
+    PairProof proof = prove(task, pair, candidate);
     if (proof.failure.empty() || proof.failure.fault == MatchFault::MovesTooFar ||
         attempt == attempts)
       return {std::move(candidate), std::move(proof)};
@@ -300,19 +314,8 @@ void reportJoined(const MatchTask& task, const PairToMatch& pair, const Attempt&
   addAll(report.remarks, remarksOn(proven, task, pair));
 }
 
-/// Fills in the report as far as it gets, so that what is known before OpenCASCADE fails stays.
-void match(const TopoDS_Shape& model, const MatchTask& task, MatchReport& report) {
-  const CommonBoundary boundary =
-      commonBoundary(model, task.faces, task.options, partOf(task.progress, 0, 0.1));
-  match_why::add(report.remarks, boundary.remark);
-  match_why::add(report.failures, boundary.failure);
-  if (!boundary.seam) return;
-  Seam seam = *boundary.seam;
-  for (const int which : {0, 1}) seam.sides[which].face = task.numbers[which];
-  report.before = report.after = measureSeam(seam, analyzeOptions(task.options));
-  announce(task.progress, 0.2);
-  if (seam.kind == SeamKind::Shared && reaches(report.before.figures, task.options))
-    return reportLeft(task, seam, report);
+/// Joins whole sides of surfaces. Adds to the report why that can't be.
+void matchWholeSides(const MatchTask& task, const Seam& seam, MatchReport& report) {
   PairToMatch pair;
   pair.options = task.options;
   for (const int which : {0, 1})
@@ -331,6 +334,89 @@ void match(const TopoDS_Shape& model, const MatchTask& task, MatchReport& report
   const Join joined = join(task, pair);
   addAll(report.failures, joined.failures);
   if (joined.proven) reportJoined(task, pair, *joined.proven, report);
+}
+
+/// The face that moves, first, and the other one: the one that should move, unless it has no poles
+/// and the other one may move too.
+std::array<int, 2> moverAndOther(const MatchTask& task) {
+  if (task.options.moves == MatchMoves::First) return {0, 1};
+  if (task.options.moves == MatchMoves::Second) return {1, 0};
+  return hasPoles(task.faces[1]) ? std::array{1, 0} : std::array{0, 1};
+}
+
+/// The two faces, numbered 1 and 2, and their seam, with the moving face first.
+SideJoin pairJoin(const MatchTask& task, const Seam& seam) {
+  const auto [mover, other] = moverAndOther(task);
+  SideJoin join;
+  join.shape =
+      seam.kind == SeamKind::Shared ? TopoDS_Shape(shellOf(task.faces)) : pairOf(task.faces);
+  join.face = mover + 1;
+  Seam numbered = seam;
+  const TopTools_IndexedMapOfShape edges = partsOf(join.shape, TopAbs_EDGE);
+  for (const int which : {0, 1}) numbered.sides[which].face = which + 1;
+  for (std::size_t k = 0; k < numbered.edges.size(); ++k)
+    numbered.edges[k] = edges.FindIndex(seam.sides[k].edge);
+  join.pieces = {{withFirst(numbered, join.face), task.options.order}};
+  join.options.tolerance = task.options.tolerance;
+  join.options.depth_mm = task.options.depth_mm;
+  join.options.hold = task.options.hold_sides ? HeldEdges::Position : HeldEdges::None;
+  join.options.average = task.options.moves == MatchMoves::Both && hasPoles(task.faces[mover]) &&
+                         hasPoles(task.faces[other]);
+  join.options.max_move_mm = task.options.max_move_mm;
+  join.options.match_mm = task.options.match_mm;
+  join.options.fairness = task.options.fairness;
+  return join;
+}
+
+/// Joins the faces by a change near any boundary. It replaces the failures in the report.
+void matchInZone(const MatchTask& task, const Seam& seam, MatchReport& report) {
+  const SideJoinResult joined = joinSides(pairJoin(task, seam), partOf(task.progress, 0.7, 1));
+  report.moves = joined.moves;
+  for (FaceMove& move : report.moves)
+    move.face = task.numbers[static_cast<std::size_t>(move.face - 1)];
+  if (!joined.failure.empty()) {
+    report.failures = {inModel(joined.failure, task.numbers)};
+    return;
+  }
+  report.failures.clear();
+  addAll(report.remarks, joined.remarks);
+  report.matched = true;
+  report.shape = joined.shape;
+  report.after = joined.after.front();
+  report.depth_mm = joined.depth_mm;
+  for (const FaceMove& move : joined.moves)
+    report.largest_move_mm = std::max(report.largest_move_mm, move.largest_move_mm);
+  if (report.after.faces[0] == 1) return;
+  std::swap(report.after.faces[0], report.after.faces[1]);
+  std::ranges::reverse(report.after.edges);
+}
+
+/// Whether a change near the boundary may do what whole sides can't.
+bool mayJoinInZone(const MatchReport& report) {
+  constexpr std::array no_help = {MatchFault::FaceWithoutPoles, MatchFault::FacesFold,
+                                  MatchFault::MovesTooFar,      MatchFault::SideEndsAway,
+                                  MatchFault::SideEndsTilted,   MatchFault::SideEndsCurved};
+  return std::ranges::none_of(report.failures, [&](const MatchReason& failure) {
+    return std::ranges::count(no_help, failure.fault) > 0;
+  });
+}
+
+/// Fills in the report as far as it gets, so that what is known before OpenCASCADE fails stays.
+void match(const TopoDS_Shape& model, const MatchTask& task, MatchReport& report) {
+  const CommonBoundary boundary =
+      commonBoundary(model, task.faces, task.options, partOf(task.progress, 0, 0.1));
+  match_why::add(report.remarks, boundary.remark);
+  match_why::add(report.failures, boundary.failure);
+  if (!boundary.seam) return;
+  Seam seam = *boundary.seam;
+  for (const int which : {0, 1}) seam.sides[which].face = task.numbers[which];
+  report.before = report.after = measureSeam(seam, analyzeOptions(task.options));
+  announce(task.progress, 0.2);
+  if (seam.kind == SeamKind::Shared && reaches(report.before.figures, task.options))
+    return reportLeft(task, seam, report);
+  if (!task.options.depth_mm) matchWholeSides(task, seam, report);
+  if (report.matched || !mayJoinInZone(report)) return;
+  matchInZone(task, seam, report);
 }
 
 void requireNotNegative(const char* what, double mm, bool may_be_infinite) {
@@ -359,10 +445,7 @@ std::string MatchReport::code() const {
 }
 
 std::string MatchReport::text() const {
-  std::string all;
-  for (const std::vector<MatchReason>& reasons : {remarks, failures})
-    for (const MatchReason& reason : reasons) all += (all.empty() ? "" : "; ") + reason.text;
-  return all;
+  return match_why::textOf(remarks, failures);
 }
 
 MatchReport matchFaces(const TopoDS_Shape& model, int face_a, int face_b,
