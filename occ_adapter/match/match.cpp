@@ -19,8 +19,10 @@
 #include <seamwright/occ_adapter/match/candidate.hpp>
 #include <seamwright/occ_adapter/match/match_reasons.hpp>
 #include <seamwright/occ_adapter/match/side_join.hpp>
+#include <seamwright/occ_adapter/match/to_splines.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
 #include <seamwright/occ_adapter/model/usable.hpp>
+#include <seamwright/occ_adapter/repair/face_change.hpp>
 
 namespace seamwright::occ {
 
@@ -80,12 +82,6 @@ double largestTolerance_mm(const TopoDS_Shape& shape) {
 bool isClosedLoop(const MatchSide& side, double gap_mm) {
   const FaceStrip strip(side.use, side.pcurve);
   return (strip.trace(0).p - strip.trace(1).p).norm() <= gap_mm;
-}
-
-bool hasPoles(const TopoDS_Face& face) {
-  TopLoc_Location location;
-  const auto surface = BRep_Tool::Surface(face, location);
-  return !clampedSpline(surface, location).IsNull();
 }
 
 /// A reason of the pair, with the numbers of the model.
@@ -304,6 +300,28 @@ void reportLeft(const MatchTask& task, const Seam& seam, MatchReport& report) {
   match_why::add(report.remarks, match_why::hasLevel());
 }
 
+/// Judges the moved surfaces as a repair does. Worse ones are named, and stay.
+void judgeMoves(const MatchTask& task, const Candidate& candidate, MatchReport& report) {
+  RepairOptions options;
+  options.tolerance = task.options.tolerance;
+  options.fairness = task.options.fairness;
+  // The faces as a model of their own, numbered 1 and 2.
+  SeamResult seam = report.before;
+  seam.faces = {1, 2};
+  const TopoDS_Shape pair = pairOf(task.faces);
+  const NeededVariation needed = neededVariation(pair, {seam}, {true});
+  for (const int which : {0, 1}) {
+    const MovedSurface& moved = candidate.moved[which];
+    if (moved.after.IsNull()) continue;
+    FaceMove move = judgedMove(which + 1, task.faces[which], moved.after, moved.largest_move_mm,
+                               options, needed);
+    move.face = task.numbers[which];
+    if (!move.less_fair.empty())
+      match_why::add(report.remarks, match_why::isLessFair(move.face, move));
+    report.moves.push_back(std::move(move));
+  }
+}
+
 void reportJoined(const MatchTask& task, const PairToMatch& pair, const Attempt& proven,
                   MatchReport& report) {
   report.matched = true;
@@ -312,6 +330,7 @@ void reportJoined(const MatchTask& task, const PairToMatch& pair, const Attempt&
   report.after = proven.proof->after;
   report.largest_move_mm = proven.candidate.largest_move_mm;
   addAll(report.remarks, remarksOn(proven, task, pair));
+  judgeMoves(task, proven.candidate, report);
 }
 
 /// Joins whole sides of surfaces. Adds to the report why that can't be.
@@ -391,6 +410,15 @@ void matchInZone(const MatchTask& task, const Seam& seam, MatchReport& report) {
   std::ranges::reverse(report.after.edges);
 }
 
+/// The faces that should move, if they may become splines.
+std::vector<int> facesToConvert(const MatchTask& task) {
+  std::vector<int> faces;
+  if (!task.options.convert) return faces;
+  if (task.options.moves != MatchMoves::Second) faces.push_back(task.numbers[0]);
+  if (task.options.moves != MatchMoves::First) faces.push_back(task.numbers[1]);
+  return faces;
+}
+
 /// Whether a change near the boundary may do what whole sides can't.
 bool mayJoinInZone(const MatchReport& report) {
   constexpr std::array no_help = {MatchFault::FaceWithoutPoles, MatchFault::FacesFold,
@@ -428,6 +456,10 @@ void requireNotNegative(const char* what, double mm, bool may_be_infinite) {
 
 void FaceMatchOptions::validate() const {
   tolerance.validate();
+  SurfaceTolerance{fairness, 0}.validate();
+  if (depth_mm && !(*depth_mm > 0 && std::isfinite(*depth_mm)))
+    throw std::invalid_argument(
+        fmt::format("the depth is {:.6g} mm: it must be positive and finite", *depth_mm));
   if (order != 1 && order != 2)
     throw std::invalid_argument(fmt::format("order is {}: it must be 1 or 2", order));
   requireNotNegative("largest move", max_move_mm, true);
@@ -444,6 +476,12 @@ std::string MatchReport::code() const {
   return codeOf((found == failures.end() ? failures.begin() : found)->fault);
 }
 
+std::string MatchReport::remedy() const {
+  const auto found = std::ranges::find(
+      failures, code(), [](const MatchReason& failure) { return codeOf(failure.fault); });
+  return found == failures.end() ? std::string() : remedyOf(found->fault);
+}
+
 std::string MatchReport::text() const {
   return match_why::textOf(remarks, failures);
 }
@@ -451,7 +489,7 @@ std::string MatchReport::text() const {
 MatchReport matchFaces(const TopoDS_Shape& model, int face_a, int face_b,
                        const FaceMatchOptions& options, const Progress& progress) {
   options.validate();
-  const MatchTask task{facesOf(model, face_a, face_b), {face_a, face_b}, options, progress};
+  MatchTask task{facesOf(model, face_a, face_b), {face_a, face_b}, options, progress};
   MatchReport report;
   report.shape = pairOf(task.faces);
   const UnusableParts unusable(model);
@@ -461,7 +499,12 @@ MatchReport matchFaces(const TopoDS_Shape& model, int face_a, int face_b,
       return report;
     }
   try {
-    match(model, task, report);
+    const ConvertedModel splines =
+        withSplines(model, facesToConvert(task), options.tolerance.gap_mm);
+    task.faces = facesOf(splines.shape, face_a, face_b);
+    match(splines.shape, task, report);
+    if (!report.matched) report.shape = pairOf(facesOf(model, face_a, face_b));
+    if (report.matched) addAll(report.remarks, splines.remarks);
   } catch (const Cancelled&) {
     throw;
   } catch (const Standard_Failure& failure) {

@@ -26,6 +26,7 @@ struct FaceMatchOptions {
   int edge = 0;  ///< of several common ones, from 1, order of TopExp::MapShapes; 0: the longest
   /// How far from the boundary the face may change; nothing: as little as needed.
   std::optional<double> depth_mm;
+  bool convert = false;  ///< a face without poles that should move becomes a spline
   double fairness = 1.5;          ///< how much the variation of a face may grow, see judgeSurface()
   ContinuityTolerance tolerance;  ///< of the figures, and how near a trimmed boundary is met
 
@@ -50,6 +51,8 @@ struct MatchReport {
   /// Of the first failure; empty if there is none. That there is no exact join counts only if
   /// nothing else was tried.
   std::string code() const;
+  /// What the user can do about that failure.
+  std::string remedy() const;
   /// The remarks and failures in one line.
   std::string text() const;
 };

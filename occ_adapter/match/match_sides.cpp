@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <fmt/format.h>
 
-#include <BRep_Tool.hxx>
 #include <Standard_Failure.hxx>
-#include <TopoDS.hxx>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -11,22 +9,17 @@
 #include <stdexcept>
 
 #include <seamwright/occ_adapter/blend/blend_side.hpp>
-#include <seamwright/occ_adapter/convert/polynomial_surface.hpp>
-#include <seamwright/occ_adapter/convert/spline_surface.hpp>
-#include <seamwright/occ_adapter/convert/surface_kind.hpp>
 #include <seamwright/occ_adapter/geometry_error.hpp>
 #include <seamwright/occ_adapter/match/match_reasons.hpp>
 #include <seamwright/occ_adapter/match/side_join.hpp>
+#include <seamwright/occ_adapter/match/to_splines.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
 #include <seamwright/occ_adapter/model/usable.hpp>
-#include <seamwright/occ_adapter/repair/change.hpp>
 #include <seamwright/occ_adapter/seams/pair_free_edges.hpp>
 
 namespace seamwright::occ {
 
 namespace {
-
-using opencascade::handle;
 
 Level levelOfMatch(int order) {
   return static_cast<Level>(static_cast<int>(Level::G0) + order);
@@ -158,37 +151,12 @@ Found found(const TopoDS_Shape& model, int face, const std::vector<SideMatch>& s
   return all;
 }
 
-/// The faces that have to move and have no poles.
-std::vector<int> facesWithoutPoles(const TopoDS_Shape& model, int face,
-                                   const std::vector<SidePiece>& pieces,
-                                   const SideMatchOptions& options) {
+/// The faces that have to move.
+std::vector<int> moversOf(int face, const std::vector<SidePiece>& pieces, bool average) {
   std::set<int> movers = {face};
-  if (options.average)
+  if (average)
     for (const SidePiece& piece : pieces) movers.insert(piece.seam.sides[1].face);
-  const TopTools_IndexedMapOfShape faces = partsOf(model, TopAbs_FACE);
-  std::vector<int> without;
-  for (const int number : movers) {
-    TopLoc_Location location;
-    const auto surface = BRep_Tool::Surface(TopoDS::Face(faces(number)), location);
-    if (clampedSpline(surface, location).IsNull()) without.push_back(number);
-  }
-  return without;
-}
-
-/// The model with these faces as splines. withChanges() takes a move of less than a thousandth of
-/// the gap for none.
-TopoDS_Shape withSplines(const TopoDS_Shape& model, const std::vector<int>& numbers,
-                         const SideMatchOptions& options, std::vector<MatchReason>& remarks) {
-  const TopTools_IndexedMapOfShape faces = partsOf(model, TopAbs_FACE);
-  const double gap_mm = options.tolerance.gap_mm;
-  std::vector<FaceChange> changes;
-  for (const int number : numbers) {
-    const TopoDS_Face face = TopoDS::Face(faces(number));
-    const PolynomialSurface spline = polynomialSurface(face, gap_mm / 1000);
-    changes.push_back({number, handle<Geom_Surface>(spline.surface), spline.error_mm});
-    match_why::add(remarks, match_why::faceConverted(number, kindOf(face), spline.error_mm));
-  }
-  return withChanges(model, changes, gap_mm, {}, options.jobs);
+  return {movers.begin(), movers.end()};
 }
 
 void match(const TopoDS_Shape& model, int face, const std::vector<SideMatch>& sides,
@@ -200,12 +168,13 @@ void match(const TopoDS_Shape& model, int face, const std::vector<SideMatch>& si
   if (!report.failures.empty()) return;
   SideJoin join{model, face, all.pieces, options};
   std::vector<MatchReason> converted;
-  if (options.convert)
-    if (const std::vector<int> without = facesWithoutPoles(model, face, all.pieces, options);
-        !without.empty()) {
-      join.shape = withSplines(model, without, options, converted);
-      join.pieces = found(join.shape, face, sides, options, {}).pieces;
-    }
+  if (options.convert) {
+    ConvertedModel splines =
+        withSplines(model, moversOf(face, all.pieces, options.average), options.tolerance.gap_mm);
+    converted = std::move(splines.remarks);
+    join.shape = splines.shape;
+    if (!converted.empty()) join.pieces = found(join.shape, face, sides, options, {}).pieces;
+  }
   const SideJoinResult joined = joinSides(join, partOf(progress, 0.1, 1));
   for (std::size_t i = 0; i < joined.before.size() && i < report.seams.size(); ++i) {
     report.seams[i].before = joined.before[i];
