@@ -95,8 +95,8 @@ double shareOf(const SurfaceJet& jet, const MatchTarget& target, int order,
   if (order < 2) return share;
   const Eigen::Vector3d aligned = normal->dot(*target.normal) < 0 ? -*normal : *normal;
   const Eigen::Matrix3d own = curvatureTensor(jet, aligned);
-  const double largest =
-      std::max({own.norm(), target.curvature.norm(), 1 / tolerance.flat_radius_mm});
+  const double largest = std::max(own.norm(), target.curvature.norm());
+  if (largest < 1 / tolerance.flat_radius_mm) return share;
   return std::max(share, (own - target.curvature).norm() / largest / tolerance.curvature_rel);
 }
 
@@ -336,33 +336,38 @@ class FaceDeformation {
     }
   }
 
-  /// Where the face meets itself.
+  /// Where the surface meets itself.
   std::vector<ClosingPoints> closingPoints() const {
     std::vector<ClosingPoints> closing;
-    constexpr int points = 200;
-    for (TopExp_Explorer it(mover_.face, TopAbs_EDGE); it.More(); it.Next()) {
-      const TopoDS_Edge edge = TopoDS::Edge(it.Current());
-      if (edge.Orientation() != TopAbs_FORWARD || !BRep_Tool::IsClosed(edge, mover_.face)) continue;
-      double first = 0, last = 0;
-      const auto one = BRep_Tool::CurveOnSurface(edge, mover_.face, first, last),
-                 other = BRep_Tool::CurveOnSurface(TopoDS::Edge(edge.Reversed()), mover_.face,
-                                                   first, last);
-      for (int k = 0; k <= points; ++k) {
-        const gp_Pnt2d a = one->Value(first + (last - first) * k / points),
-                       b = other->Value(first + (last - first) * k / points);
-        ClosingPoints pair{{a.X(), a.Y()}, {b.X(), b.Y()}};
-        pair.direction = std::abs(a.X() - b.X()) > std::abs(a.Y() - b.Y()) ? 0 : 1;
-        if (isPeriodic(pair.direction)) break;
-        gp_Pnt p;
-        std::array<gp_Vec, 2> at_a, at_b;
-        mover_.spline->D1(a.X(), a.Y(), p, at_a[0], at_a[1]);
-        mover_.spline->D1(b.X(), b.Y(), p, at_b[0], at_b[1]);
-        const double length = at_a[pair.direction].Magnitude();
-        if (length > 0) pair.ratio = at_b[pair.direction].Magnitude() / length;
-        closing.push_back(pair);
-      }
+    std::array<double, 4> range{};
+    mover_.spline->Bounds(range[0], range[1], range[2], range[3]);
+    for (const int direction : {0, 1}) {
+      const bool is_closed =
+          direction == 0 ? mover_.spline->IsUClosed() : mover_.spline->IsVClosed();
+      if (is_closed && !isPeriodic(direction)) addClosing(direction, range, closing);
     }
     return closing;
+  }
+
+  void addClosing(int direction, const std::array<double, 4>& range,
+                  std::vector<ClosingPoints>& closing) const {
+    constexpr int points = 200;
+    const int along = 1 - direction;
+    for (int k = 0; k <= points; ++k) {
+      ClosingPoints pair;
+      pair.direction = direction;
+      pair.uv[along] = pair.other_uv[along] =
+          range[2 * along] + (range[2 * along + 1] - range[2 * along]) * k / points;
+      pair.uv[direction] = range[2 * direction];
+      pair.other_uv[direction] = range[2 * direction + 1];
+      gp_Pnt p;
+      std::array<gp_Vec, 2> one, other;
+      mover_.spline->D1(pair.uv[0], pair.uv[1], p, one[0], one[1]);
+      mover_.spline->D1(pair.other_uv[0], pair.other_uv[1], p, other[0], other[1]);
+      const double length = one[direction].Magnitude();
+      if (length > 0) pair.ratio = other[direction].Magnitude() / length;
+      closing.push_back(pair);
+    }
   }
 
   bool isPeriodic(int direction) const {
@@ -373,6 +378,19 @@ class FaceDeformation {
   const Mover& mover_;
   const SeamGraph& graph_;
 };
+
+/// The same part of a seam in a shape with the same numbers.
+Seam seamIn(const TopoDS_Shape& shape, Seam seam) {
+  const TopTools_IndexedMapOfShape faces = partsOf(shape, TopAbs_FACE),
+                                   edges = partsOf(shape, TopAbs_EDGE);
+  for (const int which : {0, 1}) {
+    Coedge& side = seam.sides[which];
+    const int edge = seam.edges.size() == 1 ? seam.edges[0] : seam.edges[which];
+    side.shape = TopoDS::Face(faces(side.face).Oriented(TopAbs_FORWARD));
+    side.edge = TopoDS::Edge(edges(edge).Oriented(side.edge.Orientation()));
+  }
+  return seam;
+}
 
 /// The largest tolerance of the edges of a face.
 double edgeTolerance_mm(const TopoDS_Shape& face) {
@@ -544,8 +562,7 @@ class SideJoiner {
     const TopoDS_Shape changed =
         withChanges(join_.shape, changes, join_.options.tolerance.gap_mm, {}, join_.options.jobs);
     std::vector<Seam> seams;
-    for (const SidePiece& piece : join_.pieces) seams.push_back(piece.seam);
-    seams = seamsAfter(changed, seams, result_.before, repairOptionsOf(join_.options, 2), {});
+    for (const SidePiece& piece : join_.pieces) seams.push_back(seamIn(changed, piece.seam));
     std::vector<SeamResult> after;
     for (std::size_t i = 0; i < seams.size(); ++i) {
       const int order = join_.pieces[i].order;

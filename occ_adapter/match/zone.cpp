@@ -6,6 +6,7 @@
 #include <Precision.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -249,20 +250,24 @@ void ZoneMaker::setEnds(Reach& reach, double fade_mm) {
   const int along = 1 - reach.across;
   KnotAxis axis(*surface_, along);
   Eigen::Vector2d part = reach.interval;
-  // What is left beyond the part is too short for knots, and belongs to it.
-  const double least = 1e-4 * (face_high_[along] - face_low_[along]);
   const auto [first, last] = std::ranges::minmax_element(
       reach.side.uv, {}, [&](const Eigen::Vector2d& uv) { return uv[along]; });
   const Eigen::Vector2d at_low = *first, at_high = *last;
   reach.interval = {-std::numeric_limits<double>::infinity(),
                     std::numeric_limits<double>::infinity()};
-  if (part[0] - face_low_[along] > least) {
-    reach.interval[0] = parameterAtLength(*surface_, at_low, along, face_low_[along], fade_mm);
-    axis.fill(reach.interval[0], part[0], options_.order + 2);
-  }
-  if (face_high_[along] - part[1] > least) {
-    reach.interval[1] = parameterAtLength(*surface_, at_high, along, face_high_[along], fade_mm);
-    axis.fill(part[1], reach.interval[1], options_.order + 2);
+  const std::array<double, 2> ends = {face_low_[along], face_high_[along]};
+  const std::array<Eigen::Vector2d, 2> from = {at_low, at_high};
+  for (const int which : {0, 1}) {
+    const double end = parameterAtLength(*surface_, from[which], along, ends[which], fade_mm);
+    Eigen::Vector2d last_uv = from[which];
+    last_uv[along] = ends[which];
+    // What is left beyond the part belongs to it if it is too short for knots.
+    constexpr double too_short = 0.125;
+    if ((pointAt(*surface_, last_uv) - pointAt(*surface_, from[which])).norm() <
+        too_short * fade_mm)
+      continue;
+    reach.interval[which] = end;
+    axis.fill(std::min(end, part[which]), std::max(end, part[which]), options_.order + 2);
   }
 }
 
