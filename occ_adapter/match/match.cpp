@@ -84,12 +84,6 @@ bool isClosedLoop(const MatchSide& side, double gap_mm) {
   return (strip.trace(0).p - strip.trace(1).p).norm() <= gap_mm;
 }
 
-/// A reason of the pair, with the numbers of the model.
-MatchReason inModel(MatchReason reason, const std::array<int, 2>& numbers) {
-  for (int& face : reason.faces) face = numbers.at(static_cast<std::size_t>(face - 1));
-  return reason;
-}
-
 /// What one call of matchFaces() has to do.
 struct MatchTask {
   std::array<TopoDS_Face, 2> faces;
@@ -370,6 +364,7 @@ SideJoin pairJoin(const MatchTask& task, const Seam& seam) {
   join.shape =
       seam.kind == SeamKind::Shared ? TopoDS_Shape(shellOf(task.faces)) : pairOf(task.faces);
   join.face = mover + 1;
+  join.names = {task.numbers[0], task.numbers[1]};
   Seam numbered = seam;
   const TopTools_IndexedMapOfShape edges = partsOf(join.shape, TopAbs_EDGE);
   for (const int which : {0, 1}) numbered.sides[which].face = which + 1;
@@ -394,7 +389,7 @@ void matchInZone(const MatchTask& task, const Seam& seam, MatchReport& report) {
   for (FaceMove& move : report.moves)
     move.face = task.numbers[static_cast<std::size_t>(move.face - 1)];
   if (!joined.failure.empty()) {
-    report.failures = {inModel(joined.failure, task.numbers)};
+    report.failures = {joined.failure};
     return;
   }
   report.failures.clear();

@@ -26,7 +26,7 @@ struct FaceMatchOptions {
   int edge = 0;  ///< of several common ones, from 1, order of TopExp::MapShapes; 0: the longest
   /// How far from the boundary the face may change; nothing: as little as needed.
   std::optional<double> depth_mm;
-  bool convert = false;  ///< a face without poles that should move becomes a spline
+  bool convert = false;           ///< a face without poles that should move becomes a spline
   double fairness = 1.5;          ///< how much the variation of a face may grow, see judgeSurface()
   ContinuityTolerance tolerance;  ///< of the figures, and how near a trimmed boundary is met
 

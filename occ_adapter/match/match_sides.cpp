@@ -166,7 +166,7 @@ void match(const TopoDS_Shape& model, int face, const std::vector<SideMatch>& si
   report.failures = all.failures;
   report.seams = all.seams;
   if (!report.failures.empty()) return;
-  SideJoin join{model, face, all.pieces, options};
+  SideJoin join{model, face, {}, all.pieces, options};
   std::vector<MatchReason> converted;
   if (options.convert) {
     ConvertedModel splines =

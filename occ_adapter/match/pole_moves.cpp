@@ -53,11 +53,10 @@ std::vector<double> placesOf(const SplineAxis& axis) {
 class PoleSolver {
  public:
   PoleSolver(const Zone& zone, const std::vector<Station>& stations,
-             const std::vector<ClosingPoints>& closing, int order)
+             const std::vector<ClosingPoints>& closing)
       : zone_(zone),
         stations_(stations),
         closing_(closing),
-        order_(order),
         basis_(*zone.surface),
         numbers_(numbersOf(zone, basis_)),
         poles_(polesOf(*zone.surface)) {
@@ -142,12 +141,11 @@ class PoleSolver {
 
   void addClosing(const ClosingPoints& points, LeastMoves& system) const {
     Eigen::Vector2d into = Eigen::Vector2d::Zero();
-    into[points.direction] =
-        points.uv[points.direction] < points.other_uv[points.direction] ? 1 : -1;
+    into[points.direction] = points.into;
     const PoleShares one = basis_.at(points.uv, into), other = basis_.at(points.other_uv, -into);
     const std::array<int, 3> rows = {0, 1 + points.direction, points.direction == 0 ? 3 : 5};
     double ratio = 1;
-    for (int k = 0; k <= order_; ++k, ratio *= points.ratio) {
+    for (int k = 0; k <= points.order; ++k, ratio *= points.ratio) {
       std::vector<int> poles = one.poles;
       poles.insert(poles.end(), other.poles.begin(), other.poles.end());
       Eigen::RowVectorXd factors(static_cast<Eigen::Index>(poles.size()));
@@ -192,7 +190,6 @@ class PoleSolver {
   const Zone& zone_;
   const std::vector<Station>& stations_;
   const std::vector<ClosingPoints>& closing_;
-  int order_;
   SurfaceBasis basis_;
   std::vector<int> numbers_;
   PointRows poles_;
@@ -200,11 +197,74 @@ class PoleSolver {
   std::vector<std::vector<int>> collapsed_;
 };
 
+/// How far the derivatives on both sides of a line are alike: the order, 0 to \p order. Sets the
+/// ratio of their lengths.
+int alikeTo(int order, const PoleShares& one, const PoleShares& other, const PointRows& poles,
+            ClosingPoints& points) {
+  // Files round poles and knots; a crease is far larger.
+  constexpr double rounding = 1e-5;
+  const SurfaceJet a = jetOf(one, poles), b = jetOf(other, poles);
+  const Eigen::Vector3d first = points.direction == 0 ? a.u : a.v,
+                        first_other = points.direction == 0 ? b.u : b.v;
+  if (!(first.norm() > 0)) return 0;
+  points.ratio = first_other.norm() / first.norm();
+  if ((points.ratio * first - first_other).norm() > rounding * first_other.norm()) return 0;
+  if (order < 2) return 1;
+  const Eigen::Vector3d second =
+                            points.ratio * points.ratio * (points.direction == 0 ? a.uu : a.vv),
+                        second_other = points.direction == 0 ? b.uu : b.vv;
+  const double longest = std::max(second.norm(), second_other.norm());
+  return (second - second_other).norm() <= rounding * longest ? 2 : 1;
+}
+
+/// Adds points of the line at two parameters across, which are equal at a knot.
+void addLine(const SurfaceBasis& basis, const PointRows& poles, int order, ClosingPoints line,
+             std::vector<ClosingPoints>& closing) {
+  const SplineAxis& along = line.direction == 0 ? basis.v() : basis.u();
+  Eigen::Vector2d into = Eigen::Vector2d::Zero();
+  into[line.direction] = line.into;
+  // As many in a span as a polynomial has coefficients.
+  for (const int span : along.spans())
+    for (int k = 0; k <= along.degree; ++k) {
+      const double t = along.knots[span] + along.length(span) * (k + 0.5) / (along.degree + 1);
+      line.uv[1 - line.direction] = line.other_uv[1 - line.direction] = t;
+      ClosingPoints points = line;
+      points.order =
+          alikeTo(order, basis.at(line.uv, into), basis.at(line.other_uv, -into), poles, points);
+      closing.push_back(points);
+    }
+}
+
 }  // namespace
 
+std::vector<ClosingPoints> closingPoints(const Geom_BSplineSurface& surface, int order) {
+  const SurfaceBasis basis(surface);
+  const PointRows poles = polesOf(surface);
+  std::vector<ClosingPoints> closing;
+  for (const int direction : {0, 1}) {
+    const SplineAxis& axis = direction == 0 ? basis.u() : basis.v();
+    const bool is_closed = direction == 0 ? surface.IsUClosed() : surface.IsVClosed();
+    const int count = direction == 0 ? surface.NbUKnots() : surface.NbVKnots();
+    ClosingPoints line;
+    line.direction = direction;
+    for (int k = axis.periodic ? 1 : 2; k < count; ++k) {
+      const int multiplicity = direction == 0 ? surface.UMultiplicity(k) : surface.VMultiplicity(k);
+      if (axis.degree - multiplicity >= order) continue;
+      line.uv[direction] = line.other_uv[direction] =
+          direction == 0 ? surface.UKnot(k) : surface.VKnot(k);
+      addLine(basis, poles, order, line, closing);
+    }
+    if (!is_closed || axis.periodic) continue;
+    line.uv[direction] = axis.first;
+    line.other_uv[direction] = axis.last;
+    addLine(basis, poles, order, line, closing);
+  }
+  return closing;
+}
+
 PoleMoves movedPoles(const Zone& zone, const std::vector<Station>& stations,
-                     const std::vector<ClosingPoints>& closing, int order) {
-  return PoleSolver(zone, stations, closing, order).solved();
+                     const std::vector<ClosingPoints>& closing) {
+  return PoleSolver(zone, stations, closing).solved();
 }
 
 }  // namespace seamwright::occ

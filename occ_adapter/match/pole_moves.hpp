@@ -15,13 +15,21 @@ struct Station {
   int order = 1;
 };
 
-/// Two points of a surface that closes, which have to move alike, with their derivatives up to the
-/// order. The other point's are \p ratio times as long.
+/// Two points of a surface that meets itself, or both sides of a knot line. They have to move
+/// alike, with their derivatives up to the order, and those of the other one are \p ratio times as
+/// long.
 struct ClosingPoints {
   Eigen::Vector2d uv, other_uv;
-  int direction = 0;  ///< across the line of closing: 0: u
+  int direction = 0;  ///< across the line: 0: u
+  double into = 1;    ///< the sense of the parameter across from the line at uv
   double ratio = 1;
+  int order = 1;
 };
+
+/// Both sides of the knot lines at which a surface is less smooth than the order though its
+/// derivatives are continuous there, and of the line along which it closes.
+/// \param order 1 or 2
+std::vector<ClosingPoints> closingPoints(const Geom_BSplineSurface& surface, int order);
 
 struct PoleMoves {
   opencascade::handle<Geom_BSplineSurface> after;
@@ -33,9 +41,8 @@ struct PoleMoves {
 /// its step s, n . X_ss = II(X_s, X_s). Conditions are met to rounding if they can be, otherwise in
 /// the sense of least squares; solutions are repeated, since the last one is not linear. Poles of a
 /// side that is one point stay one point. Weights stay.
-/// \param order of the derivatives that closing points keep.
 /// Source: docs/theory/surfaces.md S5.6.
 PoleMoves movedPoles(const Zone& zone, const std::vector<Station>& stations,
-                     const std::vector<ClosingPoints>& closing, int order);
+                     const std::vector<ClosingPoints>& closing);
 
 }  // namespace seamwright::occ

@@ -50,6 +50,11 @@ struct Mover {
   std::vector<MoverPiece> pieces;
 };
 
+/// The number of a face for the user.
+int nameOf(const SideJoin& join, int face) {
+  return join.names.empty() ? face : join.names.at(static_cast<std::size_t>(face - 1));
+}
+
 /// A copy of the surface, placed in space. Periodic surfaces stay periodic, so that loops around
 /// them have no end.
 handle<Geom_BSplineSurface> splineOf(const TopoDS_Face& face) {
@@ -233,7 +238,8 @@ class FaceDeformation {
     for (int refined = 0; refined <= most_refinements; ++refined) {
       const Zone zone = maker.zone();
       if (zone.poles.empty()) {
-        made.failure = match_why::depthTooSmall(mover_.number, zone.depth_mm);
+        made.failure = match_why::depthTooSmall(nameOf(join_, mover_.number),
+                                                depth_mm.value_or(zone.depth_mm));
         return made;
       }
       std::vector<Place> places;
@@ -242,8 +248,8 @@ class FaceDeformation {
           places.push_back(std::move(place));
       const std::size_t own = places.size();
       addHeld(*zone.surface, places);
-      const PoleMoves moved = movedPoles(zone, stationsOf(places, *zone.surface), closingPoints(),
-                                         std::max(1, largestOrder()));
+      const PoleMoves moved = movedPoles(zone, stationsOf(places, *zone.surface),
+                                         closingPoints(*zone.surface, std::max(1, largestOrder())));
       made.after = moved.after;
       made.move_mm = moved.largest_mm;
       made.depth_mm = zone.depth_mm;
@@ -334,44 +340,6 @@ class FaceDeformation {
                           order});
       }
     }
-  }
-
-  /// Where the surface meets itself.
-  std::vector<ClosingPoints> closingPoints() const {
-    std::vector<ClosingPoints> closing;
-    std::array<double, 4> range{};
-    mover_.spline->Bounds(range[0], range[1], range[2], range[3]);
-    for (const int direction : {0, 1}) {
-      const bool is_closed =
-          direction == 0 ? mover_.spline->IsUClosed() : mover_.spline->IsVClosed();
-      if (is_closed && !isPeriodic(direction)) addClosing(direction, range, closing);
-    }
-    return closing;
-  }
-
-  void addClosing(int direction, const std::array<double, 4>& range,
-                  std::vector<ClosingPoints>& closing) const {
-    constexpr int points = 200;
-    const int along = 1 - direction;
-    for (int k = 0; k <= points; ++k) {
-      ClosingPoints pair;
-      pair.direction = direction;
-      pair.uv[along] = pair.other_uv[along] =
-          range[2 * along] + (range[2 * along + 1] - range[2 * along]) * k / points;
-      pair.uv[direction] = range[2 * direction];
-      pair.other_uv[direction] = range[2 * direction + 1];
-      gp_Pnt p;
-      std::array<gp_Vec, 2> one, other;
-      mover_.spline->D1(pair.uv[0], pair.uv[1], p, one[0], one[1]);
-      mover_.spline->D1(pair.other_uv[0], pair.other_uv[1], p, other[0], other[1]);
-      const double length = one[direction].Magnitude();
-      if (length > 0) pair.ratio = other[direction].Magnitude() / length;
-      closing.push_back(pair);
-    }
-  }
-
-  bool isPeriodic(int direction) const {
-    return direction == 0 ? mover_.spline->IsUPeriodic() : mover_.spline->IsVPeriodic();
   }
 
   const SideJoin& join_;
@@ -489,7 +457,7 @@ class SideJoiner {
     if (found == movers_.end()) {
       Mover mover{number, faceOf(number), splineOf(faceOf(number)), {}};
       if (mover.spline.IsNull())
-        return match_why::onFace(number, match_why::hasNoPoles(kindOf(mover.face)));
+        return match_why::onFace(nameOf(join_, number), match_why::hasNoPoles(kindOf(mover.face)));
       movers_.push_back(std::move(mover));
       found = std::prev(movers_.end());
     }
@@ -520,7 +488,8 @@ class SideJoiner {
       if (made.move_mm > join_.options.max_move_mm)
         return match_why::movesTooFar(made.move_mm, join_.options.max_move_mm);
       if (isFolded(mover, made.after))
-        return match_why::foldsOver(match_why::joinedInZone(made.depth_mm), mover.number);
+        return match_why::foldsOver(match_why::joinedInZone(made.depth_mm),
+                                    nameOf(join_, mover.number));
       changes.push_back({mover.number, handle<Geom_Surface>(made.after), made.move_mm});
       depth = std::max(depth, made.depth_mm);
       announce(0.1);
@@ -551,7 +520,7 @@ class SideJoiner {
                                  handle<Geom_BSplineSurface>::DownCast(change.surface),
                                  change.largest_move_mm, repairOptionsOf(join_.options, 2), needed);
       if (!move.less_fair.empty() && unfair.empty())
-        unfair = match_why::lessFair(change.face, move);
+        unfair = match_why::lessFair(nameOf(join_, change.face), move);
       result_.moves.push_back(std::move(move));
     }
     return unfair;
@@ -568,12 +537,11 @@ class SideJoiner {
       const int order = join_.pieces[i].order;
       after.push_back(measureSeam(seams[i], analyzeOptionsOf(join_.options, order)));
       if (!reaches(after.back(), order))
-        return match_why::stillMisses(how, "edge " + std::to_string(seams[i].edges.front()) + ": " +
-                                               figuresText(after.back()));
+        return match_why::stillMisses(how, figuresText(after.back()));
     }
     if (MatchReason fault = whyDamaged(changes, changed, how); !fault.empty()) return fault;
     result_.remarks = {how};
-    addWorse(changes, changed);
+    if (join_.names.empty()) addWorse(changes, changed);
     result_.after = std::move(after);
     result_.shape = changed;
     result_.depth_mm = depth_mm;

@@ -14,6 +14,9 @@ namespace seamwright::occ {
 struct SideJoin {
   TopoDS_Shape shape;
   int face = 0;
+  /// The numbers of the faces for the user, if the shape is a part of the model; empty: those of
+  /// the shape. Other seams of a part are not judged.
+  std::vector<int> names = {};
   std::vector<SidePiece> pieces;
   SideMatchOptions options;
 };
