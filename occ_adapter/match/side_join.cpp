@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
-#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <cmath>
@@ -402,12 +400,11 @@ class SideJoiner {
       MatchReason failure = tried(depths[i]);
       announce(0.1 + 0.9 * (done + 1 / static_cast<double>(depths.size())));
       // Deeper changes are fairer, and bend less; what else is wrong stays so.
-      const bool is_first = i == 0;
       if (failure.empty()) {
         result_.failure = {};
         return result_;
       }
-      if (is_first || failure.fault == MatchFault::LessFair) result_.failure = failure;
+      if (i == 0 || failure.fault == MatchFault::LessFair) result_.failure = failure;
       if (!mayBeDeeper(failure.fault)) break;
     }
     return result_;
