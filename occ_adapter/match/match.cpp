@@ -3,6 +3,7 @@
 
 #include <BRepCheck_Analyzer.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <ShapeAnalysis_ShapeTolerance.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
@@ -17,8 +18,11 @@
 #include <seamwright/occ_adapter/geometry_error.hpp>
 #include <seamwright/occ_adapter/match/candidate.hpp>
 #include <seamwright/occ_adapter/match/match_reasons.hpp>
+#include <seamwright/occ_adapter/match/side_join.hpp>
+#include <seamwright/occ_adapter/match/to_splines.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
 #include <seamwright/occ_adapter/model/usable.hpp>
+#include <seamwright/occ_adapter/repair/face_change.hpp>
 
 namespace seamwright::occ {
 
@@ -162,14 +166,14 @@ MatchReason whyNotBuilt(const MatchTask& task, const PairToMatch& pair,
 }
 
 /// The faces that a candidate makes, and what is wrong with them.
-struct Proof {
+struct PairProof {
   MatchReason failure;  ///< empty: the faces are as they should be
   TopoDS_Shell shell;
   SeamResult after;  ///< with numbers of the shell
 };
 
-Proof prove(const MatchTask& task, const PairToMatch& pair, const Candidate& candidate) {
-  Proof proof;
+PairProof prove(const MatchTask& task, const PairToMatch& pair, const Candidate& candidate) {
+  PairProof proof;
   proof.failure = whyNotBuilt(task, pair, candidate);
   if (!proof.failure.empty()) return proof;
   const RebuiltPair rebuilt = rebuild(candidate.plan);
@@ -192,7 +196,7 @@ Proof prove(const MatchTask& task, const PairToMatch& pair, const Candidate& can
 /// A candidate and what came of its proof.
 struct Attempt {
   Candidate candidate;
-  std::optional<Proof> proof;  ///< nothing if there was no candidate
+  std::optional<PairProof> proof;  ///< nothing if there was no candidate
 
   bool isProven() const { return proof && proof->failure.empty(); }
 };
@@ -209,7 +213,7 @@ Attempt proveFitted(const MatchTask& task, const PairToMatch& pair, Candidate ca
   double share = first_share;
   for (int attempt = 1;; ++attempt) {
     if (!candidate.failure.empty()) return {std::move(candidate), std::nullopt};
-    Proof proof = prove(task, pair, candidate);
+    PairProof proof = prove(task, pair, candidate);
     if (proof.failure.empty() || proof.failure.fault == MatchFault::MovesTooFar ||
         attempt == attempts)
       return {std::move(candidate), std::move(proof)};
@@ -290,6 +294,28 @@ void reportLeft(const MatchTask& task, const Seam& seam, MatchReport& report) {
   match_why::add(report.remarks, match_why::hasLevel());
 }
 
+/// Judges the moved surfaces as a repair does. Worse ones are named, and stay.
+void judgeMoves(const MatchTask& task, const Candidate& candidate, MatchReport& report) {
+  RepairOptions options;
+  options.tolerance = task.options.tolerance;
+  options.fairness = task.options.fairness;
+  // The faces as a model of their own, numbered 1 and 2.
+  SeamResult seam = report.before;
+  seam.faces = {1, 2};
+  const TopoDS_Shape pair = pairOf(task.faces);
+  const NeededVariation needed = neededVariation(pair, {seam}, {true});
+  for (const int which : {0, 1}) {
+    const MovedSurface& moved = candidate.moved[which];
+    if (moved.after.IsNull()) continue;
+    FaceMove move = judgedMove(which + 1, task.faces[which], moved.after, moved.largest_move_mm,
+                               options, needed);
+    move.face = task.numbers[which];
+    if (!move.less_fair.empty())
+      match_why::add(report.remarks, match_why::isLessFair(move.face, move));
+    report.moves.push_back(std::move(move));
+  }
+}
+
 void reportJoined(const MatchTask& task, const PairToMatch& pair, const Attempt& proven,
                   MatchReport& report) {
   report.matched = true;
@@ -298,21 +324,11 @@ void reportJoined(const MatchTask& task, const PairToMatch& pair, const Attempt&
   report.after = proven.proof->after;
   report.largest_move_mm = proven.candidate.largest_move_mm;
   addAll(report.remarks, remarksOn(proven, task, pair));
+  judgeMoves(task, proven.candidate, report);
 }
 
-/// Fills in the report as far as it gets, so that what is known before OpenCASCADE fails stays.
-void match(const TopoDS_Shape& model, const MatchTask& task, MatchReport& report) {
-  const CommonBoundary boundary =
-      commonBoundary(model, task.faces, task.options, partOf(task.progress, 0, 0.1));
-  match_why::add(report.remarks, boundary.remark);
-  match_why::add(report.failures, boundary.failure);
-  if (!boundary.seam) return;
-  Seam seam = *boundary.seam;
-  for (const int which : {0, 1}) seam.sides[which].face = task.numbers[which];
-  report.before = report.after = measureSeam(seam, analyzeOptions(task.options));
-  announce(task.progress, 0.2);
-  if (seam.kind == SeamKind::Shared && reaches(report.before.figures, task.options))
-    return reportLeft(task, seam, report);
+/// Joins whole sides of surfaces. Adds to the report why that can't be.
+void matchWholeSides(const MatchTask& task, const Seam& seam, MatchReport& report) {
   PairToMatch pair;
   pair.options = task.options;
   for (const int which : {0, 1})
@@ -333,6 +349,99 @@ void match(const TopoDS_Shape& model, const MatchTask& task, MatchReport& report
   if (joined.proven) reportJoined(task, pair, *joined.proven, report);
 }
 
+/// The face that moves, first, and the other one: the one that should move, unless it has no poles
+/// and the other one may move too.
+std::array<int, 2> moverAndOther(const MatchTask& task) {
+  if (task.options.moves == MatchMoves::First) return {0, 1};
+  if (task.options.moves == MatchMoves::Second) return {1, 0};
+  return hasPoles(task.faces[1]) ? std::array{1, 0} : std::array{0, 1};
+}
+
+/// The two faces, numbered 1 and 2, and their seam, with the moving face first.
+SideJoin pairJoin(const MatchTask& task, const Seam& seam) {
+  const auto [mover, other] = moverAndOther(task);
+  SideJoin join;
+  join.shape =
+      seam.kind == SeamKind::Shared ? TopoDS_Shape(shellOf(task.faces)) : pairOf(task.faces);
+  join.face = mover + 1;
+  join.names = {task.numbers[0], task.numbers[1]};
+  Seam numbered = seam;
+  const TopTools_IndexedMapOfShape edges = partsOf(join.shape, TopAbs_EDGE);
+  for (const int which : {0, 1}) numbered.sides[which].face = which + 1;
+  for (std::size_t k = 0; k < numbered.edges.size(); ++k)
+    numbered.edges[k] = edges.FindIndex(seam.sides[k].edge);
+  join.pieces = {{withFirst(numbered, join.face), task.options.order}};
+  join.options.tolerance = task.options.tolerance;
+  join.options.depth_mm = task.options.depth_mm;
+  join.options.hold = task.options.hold_sides ? HeldEdges::Position : HeldEdges::None;
+  join.options.average = task.options.moves == MatchMoves::Both && hasPoles(task.faces[mover]) &&
+                         hasPoles(task.faces[other]);
+  join.options.max_move_mm = task.options.max_move_mm;
+  join.options.match_mm = task.options.match_mm;
+  join.options.fairness = task.options.fairness;
+  return join;
+}
+
+/// Joins the faces by a change near any boundary. It replaces the failures in the report.
+void matchInZone(const MatchTask& task, const Seam& seam, MatchReport& report) {
+  const SideJoinResult joined = joinSides(pairJoin(task, seam), partOf(task.progress, 0.7, 1));
+  report.moves = joined.moves;
+  for (FaceMove& move : report.moves)
+    move.face = task.numbers[static_cast<std::size_t>(move.face - 1)];
+  if (!joined.failure.empty()) {
+    report.failures = {joined.failure};
+    return;
+  }
+  report.failures.clear();
+  addAll(report.remarks, joined.remarks);
+  report.matched = true;
+  report.shape = joined.shape;
+  report.after = joined.after.front();
+  report.depth_mm = joined.depth_mm;
+  for (const FaceMove& move : joined.moves)
+    report.largest_move_mm = std::max(report.largest_move_mm, move.largest_move_mm);
+  if (report.after.faces[0] == 1) return;
+  std::swap(report.after.faces[0], report.after.faces[1]);
+  std::ranges::reverse(report.after.edges);
+}
+
+/// The faces that should move, if they may become splines.
+std::vector<int> facesToConvert(const MatchTask& task) {
+  std::vector<int> faces;
+  if (!task.options.convert) return faces;
+  if (task.options.moves != MatchMoves::Second) faces.push_back(task.numbers[0]);
+  if (task.options.moves != MatchMoves::First) faces.push_back(task.numbers[1]);
+  return faces;
+}
+
+/// Whether a change near the boundary may do what whole sides can't.
+bool mayJoinInZone(const MatchReport& report) {
+  constexpr std::array no_help = {MatchFault::FaceWithoutPoles, MatchFault::FacesFold,
+                                  MatchFault::MovesTooFar,      MatchFault::SideEndsAway,
+                                  MatchFault::SideEndsTilted,   MatchFault::SideEndsCurved};
+  return std::ranges::none_of(report.failures, [&](const MatchReason& failure) {
+    return std::ranges::count(no_help, failure.fault) > 0;
+  });
+}
+
+/// Fills in the report as far as it gets, so that what is known before OpenCASCADE fails stays.
+void match(const TopoDS_Shape& model, const MatchTask& task, MatchReport& report) {
+  const CommonBoundary boundary =
+      commonBoundary(model, task.faces, task.options, partOf(task.progress, 0, 0.1));
+  match_why::add(report.remarks, boundary.remark);
+  match_why::add(report.failures, boundary.failure);
+  if (!boundary.seam) return;
+  Seam seam = *boundary.seam;
+  for (const int which : {0, 1}) seam.sides[which].face = task.numbers[which];
+  report.before = report.after = measureSeam(seam, analyzeOptions(task.options));
+  announce(task.progress, 0.2);
+  if (seam.kind == SeamKind::Shared && reaches(report.before.figures, task.options))
+    return reportLeft(task, seam, report);
+  if (!task.options.depth_mm) matchWholeSides(task, seam, report);
+  if (report.matched || !mayJoinInZone(report)) return;
+  matchInZone(task, seam, report);
+}
+
 void requireNotNegative(const char* what, double mm, bool may_be_infinite) {
   if (mm >= 0 && (may_be_infinite || std::isfinite(mm))) return;
   throw std::invalid_argument(fmt::format("{} is {:.6g} mm: it must be zero or larger", what, mm));
@@ -342,6 +451,10 @@ void requireNotNegative(const char* what, double mm, bool may_be_infinite) {
 
 void FaceMatchOptions::validate() const {
   tolerance.validate();
+  SurfaceTolerance{fairness, 0}.validate();
+  if (depth_mm && !(*depth_mm > 0 && std::isfinite(*depth_mm)))
+    throw std::invalid_argument(
+        fmt::format("the depth is {:.6g} mm: it must be positive and finite", *depth_mm));
   if (order != 1 && order != 2)
     throw std::invalid_argument(fmt::format("order is {}: it must be 1 or 2", order));
   requireNotNegative("largest move", max_move_mm, true);
@@ -358,17 +471,20 @@ std::string MatchReport::code() const {
   return codeOf((found == failures.end() ? failures.begin() : found)->fault);
 }
 
+std::string MatchReport::remedy() const {
+  const auto found = std::ranges::find(
+      failures, code(), [](const MatchReason& failure) { return codeOf(failure.fault); });
+  return found == failures.end() ? std::string() : remedyOf(found->fault);
+}
+
 std::string MatchReport::text() const {
-  std::string all;
-  for (const std::vector<MatchReason>& reasons : {remarks, failures})
-    for (const MatchReason& reason : reasons) all += (all.empty() ? "" : "; ") + reason.text;
-  return all;
+  return match_why::textOf(remarks, failures);
 }
 
 MatchReport matchFaces(const TopoDS_Shape& model, int face_a, int face_b,
                        const FaceMatchOptions& options, const Progress& progress) {
   options.validate();
-  const MatchTask task{facesOf(model, face_a, face_b), {face_a, face_b}, options, progress};
+  MatchTask task{facesOf(model, face_a, face_b), {face_a, face_b}, options, progress};
   MatchReport report;
   report.shape = pairOf(task.faces);
   const UnusableParts unusable(model);
@@ -378,7 +494,12 @@ MatchReport matchFaces(const TopoDS_Shape& model, int face_a, int face_b,
       return report;
     }
   try {
-    match(model, task, report);
+    const ConvertedModel splines =
+        withSplines(model, facesToConvert(task), options.tolerance.gap_mm);
+    task.faces = facesOf(splines.shape, face_a, face_b);
+    match(splines.shape, task, report);
+    if (!report.matched) report.shape = pairOf(facesOf(model, face_a, face_b));
+    if (report.matched) addAll(report.remarks, splines.remarks);
   } catch (const Cancelled&) {
     throw;
   } catch (const Standard_Failure& failure) {

@@ -3,12 +3,14 @@
 
 #include <TopoDS_Shape.hxx>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <seamwright/occ_adapter/analyze/report.hpp>
 #include <seamwright/occ_adapter/match/match_reason.hpp>
 #include <seamwright/occ_adapter/progress.hpp>
+#include <seamwright/occ_adapter/repair/repair.hpp>
 
 namespace seamwright::occ {
 
@@ -22,6 +24,10 @@ struct FaceMatchOptions {
   bool hold_sides = false;  ///< the two boundaries that end at the seam stay, to 1/100 of the gap
   double match_mm = 0.1;    ///< free edges no further apart than this may be the common boundary
   int edge = 0;  ///< of several common ones, from 1, order of TopExp::MapShapes; 0: the longest
+  /// How far from the boundary the face may change; nothing: as little as needed.
+  std::optional<double> depth_mm;
+  bool convert = false;           ///< a face without poles that should move becomes a spline
+  double fairness = 1.5;          ///< how much the variation of a face may grow, see judgeSurface()
   ContinuityTolerance tolerance;  ///< of the figures, and how near a trimmed boundary is met
 
   /// \throws std::invalid_argument with the offending number.
@@ -38,11 +44,15 @@ struct MatchReport {
   SeamResult after;  ///< faces and edges by their numbers in the shape; as before where not matched
   double largest_move_mm =
       0;  ///< of a pole, which no point exceeds; if weights change, also of points on a grid
-  bool exact = false;  ///< joined in poles, to rounding; false: to the tolerance
+  std::vector<FaceMove> moves;  ///< with the judgement of the surfaces that moved
+  double depth_mm = 0;  ///< no point farther from the boundary moved; 0: rows of poles moved
+  bool exact = false;   ///< joined in poles, to rounding; false: to the tolerance
 
   /// Of the first failure; empty if there is none. That there is no exact join counts only if
   /// nothing else was tried.
   std::string code() const;
+  /// What the user can do about that failure.
+  std::string remedy() const;
   /// The remarks and failures in one line.
   std::string text() const;
 };

@@ -17,12 +17,18 @@ enum class MatchFault {
   HasLevel,           ///< the faces have the level already
   JoinedInPoles,
   JoinedToTolerance,
-  EndsInPoint,     ///< a moved face ends in a point at the seam
-  OtherEdgeApart,  ///< another common edge of the faces has a gap now
-  FaceCouldMove,   ///< the face that should stay could move
+  EndsInPoint,      ///< a moved face ends in a point at the seam
+  OtherEdgeApart,   ///< another common edge of the faces has a gap now
+  FaceCouldMove,    ///< the face that should stay could move
+  JoinedInZone,     ///< by a change that ends at a depth
+  FaceConverted,    ///< a face without poles became a spline
+  OtherSeamsWorse,  ///< other seams of the moved faces lost a level
+  SidePartlyMet,    ///< a part of the side has no neighbour
+  FaceLessFair,     ///< a moved face varies more than before
   // The common boundary.
   FaceUnusable,  ///< a face or an edge of it has numbers that are not finite
   NoCommonBoundary,
+  SideIsFree,       ///< no edge meets the side
   ClosedBoundary,   ///< a closed loop, or no longer than the gap tolerance
   EndsApart,        ///< the ends of both boundaries do not meet
   BoundariesApart,  ///< free edges are side by side over a part of their length only
@@ -43,7 +49,9 @@ enum class MatchFault {
   SideEndsAway,     ///< of a side that is held: position,
   SideEndsTilted,   ///< tangent plane,
   SideEndsCurved,   ///< curvature
+  DepthTooSmall,    ///< no pole acts within the depth alone
   // A join is not kept.
+  LessFair,  ///< a moved face would be less fair
   MovesTooFar,
   SideMoves,    ///< a side that is held would move
   FoldsOver,    ///< a moved face would fold
@@ -69,5 +77,8 @@ struct MatchReason {
 /// The name of a fault in reports: "moves_too_far".
 /// \throws std::out_of_range for a value that is not of the enum.
 std::string codeOf(MatchFault fault);
+
+/// What the user can do: "a larger match_mm"; empty for remarks.
+std::string remedyOf(MatchFault fault);
 
 }  // namespace seamwright::occ

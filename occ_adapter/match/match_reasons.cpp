@@ -22,8 +22,14 @@ constexpr std::array match_codes = {"",
                                     "ends_in_point",
                                     "other_edge_apart",
                                     "face_could_move",
+                                    "joined_in_zone",
+                                    "face_converted",
+                                    "other_seams_worse",
+                                    "side_partly_met",
+                                    "face_less_fair",
                                     "face_unusable",
                                     "no_common_boundary",
+                                    "side_is_free",
                                     "closed_boundary",
                                     "ends_apart",
                                     "boundaries_apart",
@@ -42,6 +48,8 @@ constexpr std::array match_codes = {"",
                                     "side_ends_away",
                                     "side_ends_tilted",
                                     "side_ends_curved",
+                                    "depth_too_small",
+                                    "less_fair",
                                     "moves_too_far",
                                     "side_moves",
                                     "folds_over",
@@ -58,7 +66,74 @@ std::string codeOf(MatchFault fault) {
   return match_codes.at(static_cast<std::size_t>(fault));
 }
 
+std::string remedyOf(MatchFault fault) {
+  switch (fault) {
+    using enum MatchFault;
+    case NoCommonBoundary:
+    case SideIsFree:
+      return "a larger matching distance, or edges that meet";
+    case EndsApart:
+    case BoundariesApart:
+      return "cut the longer boundary, or a larger matching distance";
+    case ClosedBoundary:
+      return "cut both faces in two across the boundary";
+    case FaceWithoutPoles:
+      return "convert the face to a spline, or let the other face move";
+    case FaceCouldMove:
+      return "let the other face move";
+    case FaceTrimmed:
+    case FaceGoesOn:
+    case FaceSideLonger:
+    case FaceBeyondSurface:
+    case FaceBoundaryTurnsBack:
+      return "let the other face move, or rebuild the face so that it ends at the boundary";
+    case FaceUnusable:
+      return "replace the face";
+    case BoundaryFolds:
+    case PathNotFitted:
+      return "repair the edges in the program that made them";
+    case FacesFold:
+      return "none: no small move makes the faces smooth";
+    case JoinRefused:
+    case NoExactJoin:
+      return "let one face move instead of both";
+    case MissesTolerance:
+    case StillMisses:
+      return "a larger tolerance, a lower level, a larger depth, or hold nothing";
+    case DepthTooSmall:
+      return "a larger depth";
+    case LessFair:
+      return "a larger depth, a lower level, or a larger fairness";
+    case SideEndsAway:
+    case SideEndsTilted:
+    case SideEndsCurved:
+    case SideMoves:
+      return "hold nothing, or match the faces beside the boundary first";
+    case MovesTooFar:
+      return "a larger limit of the move";
+    case FoldsOver:
+      return "a larger depth, or let the other face move";
+    case EdgesStray:
+      return "hold the other edges, or match their faces too";
+    case ChecksFail:
+      return "let the other face move, or a smaller limit of the move";
+    case OpenCascadeFailed:
+    case Failed:
+      return "report the model";
+    default:
+      return {};
+  }
+}
+
 namespace match_why {
+
+std::string textOf(const std::vector<MatchReason>& remarks,
+                   const std::vector<MatchReason>& failures) {
+  std::string all;
+  for (const std::vector<MatchReason>* reasons : {&remarks, &failures})
+    for (const MatchReason& reason : *reasons) all += (all.empty() ? "" : "; ") + reason.text;
+  return all;
+}
 
 void add(std::vector<MatchReason>& reasons, MatchReason reason) {
   if (reason.empty() || std::ranges::count(reasons, reason.text, &MatchReason::text) > 0) return;
@@ -123,6 +198,76 @@ MatchReason faceCouldMove(int face) {
   return {.fault = MatchFault::FaceCouldMove,
           .text = fmt::format("face {} could move", face),
           .faces = {face}};
+}
+
+MatchReason joinedInZone(double depth_mm) {
+  return {.fault = MatchFault::JoinedInZone,
+          .text = fmt::format("joined to the tolerance by a change up to {:.4g} mm from the side",
+                              depth_mm),
+          .numbers = {{"depth_mm", depth_mm}}};
+}
+
+MatchReason faceConverted(int face, const std::string& kind, double error_mm) {
+  return {.fault = MatchFault::FaceConverted,
+          .text = fmt::format("face {}, {}, became a spline, up to {:.3g} mm away", face, kind,
+                              error_mm),
+          .numbers = {{"error_mm", error_mm}},
+          .faces = {face}};
+}
+
+MatchReason otherSeamsWorse(const std::vector<int>& edges) {
+  return {.fault = MatchFault::OtherSeamsWorse,
+          .text = fmt::format("other seams of the moved faces lost a level: edge {}",
+                              fmt::join(edges, ", edge ")),
+          .edges = edges};
+}
+
+MatchReason sidePartlyMet(const std::vector<int>& edges, double met_mm, double length_mm) {
+  return {.fault = MatchFault::SidePartlyMet,
+          .text = fmt::format("of the side of edge {}, {:.6g} of {:.6g} mm meet a neighbour",
+                              fmt::join(edges, ", "), met_mm, length_mm),
+          .numbers = {{"met_mm", met_mm}, {"length_mm", length_mm}},
+          .edges = edges};
+}
+
+MatchReason sideIsFree(const std::vector<int>& edges, double match_mm) {
+  return {.fault = MatchFault::SideIsFree,
+          .text = fmt::format("no chosen edge meets the side of edge {} within {:.6g} mm",
+                              fmt::join(edges, ", "), match_mm),
+          .numbers = {{"match_mm", match_mm}},
+          .edges = edges};
+}
+
+MatchReason depthTooSmall(int face, double depth_mm) {
+  return {.fault = MatchFault::DepthTooSmall,
+          .text = fmt::format("face {} has no poles that act only within {:.4g} mm of the side",
+                              face, depth_mm),
+          .numbers = {{"depth_mm", depth_mm}},
+          .faces = {face}};
+}
+
+namespace {
+
+MatchReason ofFairness(MatchFault fault, const char* verb, int face, const FaceMove& move) {
+  MatchReason reason{
+      .fault = fault,
+      .text = fmt::format("face {} {} less fair: {}", face, verb, move.less_fair.text),
+      .faces = {face}};
+  if (move.surface) {
+    reason.numbers.emplace_back("before_per_mm", move.surface->before.variation_per_mm);
+    reason.numbers.emplace_back("after_per_mm", move.surface->after.variation_per_mm);
+  }
+  return reason;
+}
+
+}  // namespace
+
+MatchReason lessFair(int face, const FaceMove& move) {
+  return ofFairness(MatchFault::LessFair, "would be", face, move);
+}
+
+MatchReason isLessFair(int face, const FaceMove& move) {
+  return ofFairness(MatchFault::FaceLessFair, "is", face, move);
 }
 
 MatchReason faceUnusable(int face, const std::string& fault) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <seamwright/occ_adapter/match/match_reason.hpp>
+#include <seamwright/occ_adapter/repair/repair.hpp>
 
 /// All reasons and remarks of a match, and their words. Not a public header.
 namespace seamwright::occ::match_why {
@@ -13,8 +14,22 @@ namespace seamwright::occ::match_why {
 /// Adds a reason, unless it is empty or its words are there already.
 void add(std::vector<MatchReason>& reasons, MatchReason reason);
 
+/// Remarks and failures in one line.
+std::string textOf(const std::vector<MatchReason>& remarks,
+                   const std::vector<MatchReason>& failures);
+
 // Remarks.
 
+/// A side was joined by a change that ends within the depth.
+MatchReason joinedInZone(double depth_mm);
+/// \param kind of the surface before, such as "a plane". \param error_mm of the spline.
+MatchReason faceConverted(int face, const std::string& kind, double error_mm);
+/// \param edges of the seams that lost a level.
+MatchReason otherSeamsWorse(const std::vector<int>& edges);
+/// Of length_mm, only met_mm have a neighbour.
+MatchReason sidePartlyMet(const std::vector<int>& edges, double met_mm, double length_mm);
+/// The moved face is less fair, which is allowed.
+MatchReason isLessFair(int face, const FaceMove& move);
 /// The faces share several edges. The one that was taken is the first edge of the reason.
 /// \param is_longest whether that is why the edge was taken; else it was asked for.
 MatchReason oneOfSeveralEdges(const std::vector<int>& common, int taken, bool is_longest);
@@ -57,6 +72,9 @@ MatchReason boundaryFolds();
 /// pieces.
 MatchReason pathNotFitted(int face, int pieces, double stray_mm, double limit_mm);
 
+/// No edge meets the side.
+MatchReason sideIsFree(const std::vector<int>& edges, double match_mm);
+
 // Why a face can't move. The text follows "face 3 "; see onFace().
 
 /// \param kind of the surface, such as "a plane".
@@ -85,6 +103,8 @@ MatchReason facesFold();
 /// No fit with up to that many halvings is near enough.
 /// \param missed the worst figure as a multiple of its tolerance.
 MatchReason missesTolerance(int halvings, double missed);
+/// No pole acts within that distance of the side alone.
+MatchReason depthTooSmall(int face, double depth_mm);
 /// Held sides: one has its end that far from the other face.
 MatchReason sideEndsAway(double gap_mm);
 /// Held sides: one leaves the tangent plane of the other face by that angle.
@@ -94,6 +114,8 @@ MatchReason sideEndsCurved(double own_per_mm, double other_per_mm);
 
 // Why a join is not kept. \p how is joinedInPoles() or joinedToTolerance(); its numbers stay.
 
+/// The moved face would be less fair.
+MatchReason lessFair(int face, const FaceMove& move);
 /// The largest move of a pole is above the limit.
 MatchReason movesTooFar(double move_mm, double limit_mm);
 /// A boundary that has to stay would move.

@@ -15,6 +15,7 @@
 #include <seamwright/plugin/cli/curve_command.hpp>
 #include <seamwright/plugin/cli/fill_command.hpp>
 #include <seamwright/plugin/cli/interrupt.hpp>
+#include <seamwright/plugin/cli/match_command.hpp>
 #include <seamwright/plugin/cli/repair_command.hpp>
 #include <seamwright/plugin/cli/surface_command.hpp>
 #include <string>
@@ -80,6 +81,8 @@ std::vector<Command> addCommands(CLI::App& app) {
   addCommand(commands, app,
              {"repair", "Move poles of spline faces until the seams of a model are smooth"},
              &addRepairOptions, &runRepair);
+  addCommand(commands, app, {"match", "Change a face so that its sides join their neighbours"},
+             &addMatchOptions, &runMatch);
   addCommand(commands, app,
              {"fill", "Fill a hole in a model with faces that are tangent to their surroundings"},
              &addFillOptions, &runFill);

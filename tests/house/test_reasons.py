@@ -43,13 +43,14 @@ REASONS = {
         schema="docs/repair-1.schema.json",
         keys=("$defs", "repaired_seam", "properties", "not_sewn_code"),
     ),
-    # A match has no command, so no report with a schema: its codes are those of Python.
     "match": Domain(
         source="occ_adapter/match/match_reasons.cpp",
         header="occ_adapter/match/match_reason.hpp",
         enum="MatchFault",
         page="docs/match.md",
         tables=(0, 1),
+        schema="docs/match-1.schema.json",
+        keys=("properties", "reason_code"),
     ),
     "fill": Domain(
         source="occ_adapter/fill/fill_reason.cpp",

@@ -16,6 +16,16 @@ using Rows = std::vector<ReasonRow<MatchReason>>;
 
 namespace why = occ::match_why;
 
+occ::FaceMove lessFairMove() {
+  occ::FaceMove move{7, 0.1};
+  move.surface.emplace();
+  move.surface->before.variation_per_mm = 0.25;
+  move.surface->after.variation_per_mm = 0.5;
+  move.less_fair.text = "it varies by 0.5";
+  move.less_fair.fault = occ::RepairFault::LessFair;
+  return move;
+}
+
 Rows rowsOfRemarks() {
   return {
       {"one_of_several_edges",
@@ -55,6 +65,28 @@ Rows rowsOfRemarks() {
       {"other_edge_apart",
        why::otherEdgeApart(0.25),
        {.says = "they are 0.25 mm apart now", .numbers = {{"gap_mm", 0.25}}}},
+      {"joined_in_zone",
+       why::joinedInZone(12.5),
+       {.says = "by a change up to 12.5 mm from the side", .numbers = {{"depth_mm", 12.5}}}},
+      {"face_converted",
+       why::faceConverted(7, "a plane", 0.25),
+       {.says = "face 7, a plane, became a spline, up to 0.25 mm away",
+        .numbers = {{"error_mm", 0.25}},
+        .faces = {7}}},
+      {"other_seams_worse",
+       why::otherSeamsWorse({11, 13}),
+       {.says = "lost a level: edge 11, edge 13", .edges = {11, 13}}},
+      {"side_partly_met",
+       why::sidePartlyMet({11, 13}, 2.5, 12.5),
+       {.says = "of the side of edge 11, 13, 2.5 of 12.5 mm meet a neighbour",
+        .numbers = {{"met_mm", 2.5}, {"length_mm", 12.5}},
+        .edges = {11, 13}}},
+      {"face_less_fair",
+       why::isLessFair(7, lessFairMove()),
+       {.says = "face 7 is less fair: it varies by 0.5",
+        .numbers = {{"before_per_mm", 0.25}, {"after_per_mm", 0.5}},
+        .faces = {7},
+        .silent = {0.25}}},
       {"face_could_move", why::faceCouldMove(7), {.says = "face 7 could move", .faces = {7}}},
   };
 }
@@ -71,6 +103,22 @@ Rows rowsOfBoundaries() {
        why::noCommonBoundary(0.25, 0.5),
        {.says = "within 0.25 mm; the faces are 0.5 mm apart",
         .numbers = {{"match_mm", 0.25}, {"apart_mm", 0.5}}}},
+      {"side_is_free",
+       why::sideIsFree({11}, 0.25),
+       {.says = "no chosen edge meets the side of edge 11 within 0.25 mm",
+        .numbers = {{"match_mm", 0.25}},
+        .edges = {11}}},
+      {"depth_too_small",
+       why::depthTooSmall(7, 0.25),
+       {.says = "face 7 has no poles that act only within 0.25 mm",
+        .numbers = {{"depth_mm", 0.25}},
+        .faces = {7}}},
+      {"less_fair",
+       why::lessFair(7, lessFairMove()),
+       {.says = "face 7 would be less fair: it varies by 0.5",
+        .numbers = {{"before_per_mm", 0.25}, {"after_per_mm", 0.5}},
+        .faces = {7},
+        .silent = {0.25}}},
       {"closed_boundary", why::closedBoundary(), {.says = "a closed loop, or no longer"}},
       {"ends_apart",
        why::endsApart(0.25),

@@ -14,6 +14,7 @@ from ._core import (
     OCCT_VERSION,
     RepairReport,
     Report,
+    SideMatchResult,
     read,
 )
 from .results import (
@@ -64,6 +65,7 @@ __all__ = [
     "RepairReport",
     "RepairSummary",
     "Report",
+    "SideMatchResult",
     "Seam",
     "SeamRepair",
     "ShapeAttribute",
