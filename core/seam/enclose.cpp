@@ -359,6 +359,7 @@ std::optional<double> Enclosure::poleReach(double end) {
   const double from = end == 0 ? 0 : 1 - pole_piece, to = end == 0 ? pole_piece : 1;
   bool has_plane = true;
   const auto kind = [&](const SideEvaluator& evaluator) {
+    if (evaluator.isRegular()) return Degeneracy::None;
     const SideFields side = evaluator.fields(from, to, Detail::Curvature);
     has_plane = has_plane && side.hasPlane();
     return side.split || side.hasCurvature() ? Degeneracy::None : Degeneracy::VanishingNormal;
