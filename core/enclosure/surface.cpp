@@ -78,6 +78,7 @@ int sideOfAxis(const ChebyshevModel& rho, double size) {
 
 class Plane : public SurfaceEvaluator {
  public:
+  bool isRegular() const override { return true; }
   SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double, double,
                        Detail) const override {
     const ChebyshevModel zero(0), one(1);
@@ -136,6 +137,7 @@ SurfaceFields turnedFields(const ChebyshevModel& u, const Profile& profile, Deta
 class Cylinder : public SurfaceEvaluator {
  public:
   explicit Cylinder(double radius) : radius_(radius) {}
+  bool isRegular() const override { return std::isnormal(1 / radius_); }
   SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double, double,
                        Detail detail) const override {
     return turnedFields(u,
@@ -402,6 +404,7 @@ class Placed : public SurfaceEvaluator {
     return basis_->knotsInside(direction, range);
   }
   double parameterSize(int direction) const override { return basis_->parameterSize(direction); }
+  bool isRegular() const override { return basis_->isRegular(); }
   SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u,
                        double hint_v, Detail detail) const override {
     return placed(basis_->fields(u, v, hint_u, hint_v, detail), placement_, detail);

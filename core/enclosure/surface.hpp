@@ -54,6 +54,9 @@ class SurfaceEvaluator {
   /// Largest absolute knot of parameter 0 or 1, 0 if there are none. It sets the size of the
   /// rounding of that parameter.
   virtual double parameterSize(int /*direction*/) const { return 0; }
+  /// Whether tangent plane and curvature are known on every short piece of a path: the surface has
+  /// neither poles nor an apex. False says nothing.
+  virtual bool isRegular() const { return false; }
   /// The fields along (u, v).
   /// \param hint_u, hint_v a point inside the smooth piece to evaluate.
   virtual SurfaceFields fields(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u,

@@ -84,6 +84,7 @@ class Enclosure {
   std::optional<double> poleReach(double end);
   void findPoles();
   void leaveOutCurvatureNearDegenerate();
+  void leaveOutCurvatureBetweenKnots();
 
   // These functions only read.
   double tolerated(Quantity quantity) const;
@@ -230,6 +231,7 @@ bool Enclosure::measure(Piece& piece, Detail detail, std::optional<double>& spli
   const SideFields b = b_.fields(piece.from, piece.to, detail);
   split = b.split;
   if (split) return false;
+  piece.across_knots = a.alternatives.size() > 1 || b.alternatives.size() > 1;
   const PieceSlack slack = {
       {allowed_share, allowed(Gap)},       {allowed_share, allowed(Angle)},
       {allowed_share, allowed(Curvature)}, {allowed_share, allowed(RelativeCurvature)},
@@ -323,7 +325,7 @@ void Enclosure::cut(const Piece& piece) {
 /// round cuts each open piece once, so that lower bounds found in one part of the seam may settle
 /// pieces of another.
 void Enclosure::refine() {
-  const int limit = options_.max_pieces + static_cast<int>(pieces_.size());
+  const int limit = options_.max_pieces + looks_;
   for (bool changed = true; changed;) {
     changed = false;
     std::vector<Piece> open;
@@ -357,6 +359,7 @@ std::optional<double> Enclosure::poleReach(double end) {
   const double from = end == 0 ? 0 : 1 - pole_piece, to = end == 0 ? pole_piece : 1;
   bool has_plane = true;
   const auto kind = [&](const SideEvaluator& evaluator) {
+    if (evaluator.isRegular()) return Degeneracy::None;
     const SideFields side = evaluator.fields(from, to, Detail::Curvature);
     has_plane = has_plane && side.hasPlane();
     return side.split || side.hasCurvature() ? Degeneracy::None : Degeneracy::VanishingNormal;
@@ -406,12 +409,32 @@ void Enclosure::leaveOutCurvatureNearDegenerate() {
   for (const Piece& piece : pieces_) see(piece);
 }
 
+/// Where both sides cross a knot line at nearly the same point, a piece that was cut down to the
+/// shortest crossing has every combination of their polynomials, also that of one side before its
+/// knot with the other behind its own. If the verdict depends on these, the curvature of the piece
+/// is left out: whether the interval counts is then decided by the tolerance of the gap. Values of
+/// such a piece are never lower bounds, so those stay.
+void Enclosure::leaveOutCurvatureBetweenKnots() {
+  const auto is_undecided = [&](const std::optional<PieceBound>& bound, Quantity quantity) {
+    return bound && bound->upper > tolerated(quantity) && lower_[quantity] <= tolerated(quantity);
+  };
+  for (Piece& piece : pieces_) {
+    const PieceFigures& figures = piece.figures;
+    if (!piece.across_knots || piece.left_out || piece.curvature_left_out) continue;
+    if (!is_undecided(figures.curvature_rel, RelativeCurvature) &&
+        !is_undecided(figures.curvature_change_rel, RelativeChange))
+      continue;
+    piece.curvature_left_out = length_a_.isShort(piece.from, piece.to, degenerate_reach);
+  }
+}
+
 /// The order:
 ///   1. The middle, for a first lower bound of the angle.
 ///   2. Poles at the ends, which determine curvature_range_.
 ///   3. A first measurement between breaks: knots, and the ends of both ranges.
 ///   4. refine(), which needs the lower bounds of the whole seam.
-///   5. What lies near points without tangent plane is left out of the curvature.
+///   5. What lies near points without tangent plane, and between knots of both sides that nearly
+///      coincide, is left out of the curvature.
 SeamPieces Enclosure::run() {
   const Interval& range = options_.range;
   std::vector<double> breaks = {range.lower, range.upper, 1};
@@ -439,6 +462,7 @@ SeamPieces Enclosure::run() {
   }
   refine();
   leaveOutCurvatureNearDegenerate();
+  leaveOutCurvatureBetweenKnots();
   return {.pieces = std::move(pieces_),
           .lower = lower_,
           .at = at_,

@@ -39,6 +39,9 @@ struct EncloseOptions {
 ///     curvature may grow without limit there. The distance is 2^-16 where no bound of the angle is
 ///     known up to a point at an end. The same holds near a boundary of a spline whose poles all
 ///     coincide, although the tangent plane may be known there.
+///   - If the verdict would hang on it, the curvature also leaves out a piece shorter than 2^-30 of
+///     the parameter that lies across knot lines, such as that between nearly coincident knots of
+///     both sides at which their curvature jumps.
 /// What is left out is bounded separately, except for the change of curvature. Outside \p range
 /// only the gap is known.
 ///

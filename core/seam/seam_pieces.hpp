@@ -25,6 +25,7 @@ struct Piece {
   PieceFigures figures = {};
   bool left_out = false;            ///< only the gap counts
   bool curvature_left_out = false;  ///< only gap and angle count
+  bool across_knots = false;        ///< on a side, several polynomials meet it
   /// How wide its bounds are, in units of the allowed width; 0 if they are narrow enough.
   double excess = infinite;
   int stalled = 0;  ///< number of cuts in a row that improved no part

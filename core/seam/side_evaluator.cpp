@@ -57,6 +57,7 @@ bool SideFields::hasCurvature() const {
 }
 
 SideEvaluator::SideEvaluator(const SeamSide& side) : side_(side) {
+  if (side_.surface->parameterSize(0) == 0 && side_.surface->parameterSize(1) == 0) return;
   for (const double s : {0.0, 0.25, 0.5, 0.75, 1.0}) {
     const ChebyshevModel t = parameter(s, s);
     const VectorModel uv = side_.path.jet(t, t.coefficient(0), 0).p;
@@ -112,13 +113,14 @@ ChebyshevModel SideEvaluator::parameter(double from, double to) const {
 std::vector<double> SideEvaluator::hints(int d, const VectorModel& uv, double from, double to,
                                          std::optional<double>& split) const {
   const Interval range = uv[d].range();
+  const double size = side_.surface->parameterSize(d);
+  if (size == 0) return {range.middle()};
   const double touch = touchingDistance(d, uv[d]);
   const std::vector<double> met =
       side_.surface->knotsInside(d, {range.lower - touch, range.upper + touch});
   std::vector<double> knots;  // the path crosses these; it does not only touch them
   for (const double knot : met)
     if (knot > range.lower + touch && knot < range.upper - touch) knots.push_back(knot);
-  const double size = side_.surface->parameterSize(d);
   const double along = std::max(std::min(0x1p-36 * size, 1e-10 * uv[1 - d].range().width()), touch);
   if (!met.empty() && range.width() <= along) return besideKnots(met, d, uv);
   if (knots.empty()) return {range.middle()};

@@ -30,6 +30,7 @@ class SideEvaluator {
   explicit SideEvaluator(const SeamSide& side);
 
   bool faceOnLeft() const { return side_.face_on_left; }
+  bool isRegular() const { return side_.surface->isRegular(); }
 
   /// Adds the parameters in (0, 1) at which the path is not smooth.
   void addBreaks(std::vector<double>& breaks) const;
@@ -49,7 +50,8 @@ class SideEvaluator {
                                   const VectorModel& uv) const;
 
   const SeamSide& side_;
-  std::array<double, 2> reach_{};  ///< typical size of the parameters along the path
+  /// Typical size of the parameters along the path; 0 where the surface has no knots.
+  std::array<double, 2> reach_{};
 };
 
 }  // namespace seamwright

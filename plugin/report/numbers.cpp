@@ -54,18 +54,24 @@ std::string firstDoubt(const SeamFigures& figures, const ContinuityTolerance& to
   return text;
 }
 
-/// "the first 9.54e-07", "the last 0.00049", "0.25 to 0.250001".
+/// "the first 9.54e-07", "the last 0.00049", "0.25 to 0.250001", "9.31e-10 at 0.25".
 std::string intervalText(const Interval& interval) {
   if (interval.lower <= 0) return fmt::format("the first {:.3g}", interval.upper);
   if (interval.upper >= 1) return fmt::format("the last {:.3g}", 1 - interval.lower);
-  return fmt::format("{:.6g} to {:.6g}", interval.lower, interval.upper);
+  const std::string from = fmt::format("{:.6g}", interval.lower),
+                    to = fmt::format("{:.6g}", interval.upper);
+  return from == to ? fmt::format("{:.3g} at {}", interval.width(), from) : from + " to " + to;
 }
 
 /// "the curvature leaves out the first 9.54e-07 of the seam"; empty if it leaves out nothing.
 std::string leftOutText(const std::string& what, const LeftOut& left_out) {
+  constexpr std::size_t most = 4;  // a choice: more would hide the rest of the note
+  const std::size_t count = left_out.intervals.size();
+  const std::size_t shown = count > most ? most - 1 : count;
   std::string text;
-  for (const Interval& interval : left_out.intervals)
-    text += (text.empty() ? "" : ", ") + intervalText(interval);
+  for (std::size_t i = 0; i < shown; ++i)
+    text += (text.empty() ? "" : ", ") + intervalText(left_out.intervals[i]);
+  if (shown < count) text += fmt::format(" and {} more intervals", count - shown);
   return text.empty() ? text : "the " + what + " leaves out " + text + " of the seam";
 }
 

@@ -239,6 +239,10 @@ def test_the_tool_tip_names_what_figures_leave_out():
     )
     assert text.count("excluding") == 1
 
+    left_out["curvature_rel"] = [[k / 8, k / 8 + 1e-9] for k in range(1, 7)]
+    text = rows.detail_text({**seam(1), "left_out": left_out}, TOLERANCE)
+    assert "excluding 1e-09 at 0.125, 1e-09 at 0.25, 1e-09 at 0.375 and 3 more intervals" in text
+
 
 def test_the_change_of_curvature_decides_for_g3():
     g3 = {**seam(1, curvature=0.01), "curvature_change_rel": figure(0.1, 0.1)}

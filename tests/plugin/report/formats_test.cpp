@@ -146,6 +146,13 @@ TEST(LeftOut, IsInJsonAndNote) {
       "the angle leaves out the last 0.0005 of the seam; "
       "the curvature leaves out the first 1e-06, 0.25 to 0.250001, the last 0.0005 of the seam";
   EXPECT_EQ(noteOf(seam, report.tolerance), intervals_text);
+  occ::SeamResult many = seam;
+  many.figures.angle_left_out = {};
+  many.figures.curvature_left_out = {
+      {{0.25, 0.25 + 1e-9}, {0.5, 0.5001}, {0.6, 0.7}, {0.8, 0.9}, {0.95, 0.96}}, std::nullopt};
+  EXPECT_EQ(noteOf(many, report.tolerance),
+            "the curvature leaves out 1e-09 at 0.25, 0.5 to 0.5001, 0.6 to 0.7 and 2 more "
+            "intervals of the seam");
   seam.verdict.certain = false;
   EXPECT_EQ(
       noteOf(seam, report.tolerance),

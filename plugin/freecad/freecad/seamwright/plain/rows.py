@@ -260,8 +260,16 @@ def _placed_text(seam, name, tolerance):
     # Results of earlier versions have no left_out.
     intervals = seam.get("left_out", {}).get(name, [])
     if intervals:
-        excluded = ", ".join(_interval_text(*interval) for interval in intervals)
-        text += ", excluding %s of it" % excluded
+        text += ", excluding %s of it" % _intervals_text(intervals)
+    return text
+
+
+def _intervals_text(intervals):
+    most = 4  # a choice: the tool tip stays short
+    shown = intervals if len(intervals) <= most else intervals[: most - 1]
+    text = ", ".join(_interval_text(*interval) for interval in shown)
+    if len(shown) < len(intervals):
+        text += " and %d more intervals" % (len(intervals) - len(shown))
     return text
 
 
@@ -270,6 +278,8 @@ def _interval_text(first, last):
         return "the first %.3g" % last
     if last >= 1:
         return "the last %.3g" % (1 - first)
+    if "%.6g" % first == "%.6g" % last:
+        return "%.3g at %.6g" % (last - first, first)
     return "%.6g to %.6g" % (first, last)
 
 
