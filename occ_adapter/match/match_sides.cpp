@@ -36,7 +36,9 @@ struct FoundSide {
 class EdgeLengths {
  public:
   EdgeLengths(const Coedge& use, double gap_mm)
-      : arc_(std::make_shared<const FaceStrip>(use, pcurveOf(use.edge, use.shape, gap_mm))) {}
+      : arc_(
+            [strip = std::make_shared<const FaceStrip>(use, pcurveOf(use.edge, use.shape, gap_mm))](
+                double parameter) { return strip->trace(parameter).d.norm(); }) {}
 
   double length_mm() const { return arc_.length_mm(); }
   double parameterAt(double length_mm) const {
