@@ -416,9 +416,10 @@ std::vector<int> facesToConvert(const MatchTask& task) {
 
 /// Whether a change near the boundary may do what whole sides can't.
 bool mayJoinInZone(const MatchReport& report) {
-  constexpr std::array no_help = {MatchFault::FaceWithoutPoles, MatchFault::FacesFold,
-                                  MatchFault::MovesTooFar,      MatchFault::SideEndsAway,
-                                  MatchFault::SideEndsTilted,   MatchFault::SideEndsCurved};
+  constexpr std::array no_help = {MatchFault::BoundariesApart,   MatchFault::FaceWithoutPoles,
+                                  MatchFault::FaceBeyondSurface, MatchFault::FacesFold,
+                                  MatchFault::MovesTooFar,       MatchFault::SideEndsAway,
+                                  MatchFault::SideEndsTilted,    MatchFault::SideEndsCurved};
   return std::ranges::none_of(report.failures, [&](const MatchReason& failure) {
     return std::ranges::count(no_help, failure.fault) > 0;
   });
