@@ -6,6 +6,7 @@
 #include <seamwright/occ_adapter/fill/clearance.hpp>
 #include <seamwright/occ_adapter/fill/fill_form.hpp>
 #include <seamwright/occ_adapter/fill/fill_verdict.hpp>
+#include <seamwright/occ_adapter/fill/hole_contradiction.hpp>
 #include <seamwright/occ_adapter/repair/prove.hpp>
 #include <seamwright/occ_adapter/repair/sew.hpp>
 
@@ -69,6 +70,10 @@ FillReason missed(const FillTask& task, const FillFaces& made, const SewnFill& f
                     .faces = {nameOf(worst->faces[0]), nameOf(worst->faces[1])},
                     .detail = figuresText(*worst),
                     .causes = causesOfAngle(task, made.cut)};
+  if (task.options.target >= Level::G1)
+    for (FillReason& cause : causesOfContradiction(task.hole, task.options.tolerance.angle_rad,
+                                                   task.options.tolerance.gap_mm))
+      reason.causes.push_back(std::move(cause));
   for (FillReason& cause : causesOfDistance(task, made.cut))
     reason.causes.push_back(std::move(cause));
   return reason;
