@@ -5,8 +5,8 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <seamwright/core/bspline/basis.hpp>
 #include <seamwright/core/fill/graph_fill.hpp>
+#include <seamwright/core/fill/graph_knots.hpp>
 #include <seamwright/core/linear/gauss_rule.hpp>
 #include <seamwright/core/linear/symmetric_band.hpp>
 #include <stdexcept>
@@ -16,9 +16,7 @@ namespace seamwright {
 namespace {
 
 using Eigen::Index, Eigen::Vector2d, Eigen::Vector3d;
-
-/// Third derivatives of splines of this degree are quadratic on each span.
-constexpr int graph_degree = 5;
+using fill::graph_degree, fill::GraphKnots;
 
 /// A choice: with less, cells beside the hole could follow nothing; with more, they would stiffen
 /// the hole.
@@ -27,84 +25,6 @@ constexpr double weight_outside = 1e-4;
 /// Knots are added until the boundary is met to this share of what is accepted, so that the sum of
 /// all errors is within it.
 constexpr double enough_share = 0.5;
-
-/// The knots of one direction.
-class GraphKnots {
- public:
-  /// \param bends knots at which second derivatives may jump.
-  GraphKnots(double first, double last, int spans, std::vector<double> bends)
-      : bends_(std::move(bends)) {
-    for (int k = 0; k <= spans; ++k) knots_.push_back(first + k * (last - first) / spans);
-    // A span much shorter than its neighbours only makes more of them short.
-    const double near = 0.3 * (last - first) / spans;
-    for (const double bend : bends_)
-      std::erase_if(knots_, [&](double knot) {
-        return knot != first && knot != last && std::abs(knot - bend) < near;
-      });
-    knots_.insert(knots_.end(), bends_.begin(), bends_.end());
-    std::ranges::sort(knots_);
-    halve({});
-  }
-
-  int spans() const { return static_cast<int>(knots_.size()) - 1; }
-  int poles() const { return static_cast<int>(flat_.size()) - graph_degree - 1; }
-  const std::vector<double>& bends() const { return bends_; }
-  double begin(int span) const { return knots_[static_cast<std::size_t>(span)]; }
-  double width(int span) const { return begin(span + 1) - begin(span); }
-  const std::vector<double>& flat() const { return flat_; }
-
-  int spanAt(double t) const {
-    const auto after = std::upper_bound(knots_.begin() + 1, knots_.end() - 1, t);
-    return static_cast<int>(after - knots_.begin()) - 1;
-  }
-
-  /// The first of the functions that do not vanish on a span.
-  int firstPole(int span) const { return last_[static_cast<std::size_t>(span)] - graph_degree; }
-
-  /// Row k holds the k-th derivatives of the functions of the span.
-  Eigen::MatrixXd basis(int span, double t, int order) const {
-    return bspline::basisDerivatives(graph_degree, flat_, last_[static_cast<std::size_t>(span)], t,
-                                     order);
-  }
-
-  /// Halves the spans that are marked, and those more than \p most_ratio times as long as one
-  /// beside them.
-  void halve(std::vector<bool> marked) {
-    constexpr double most_ratio = 3;  // a choice
-    marked.resize(static_cast<std::size_t>(spans()), false);
-    bool any = true;
-    while (any) {
-      std::vector<double> finer = {knots_.front()};
-      for (int k = 0; k < spans(); ++k) {
-        if (marked[static_cast<std::size_t>(k)]) finer.push_back(begin(k) + 0.5 * width(k));
-        finer.push_back(begin(k + 1));
-      }
-      knots_ = std::move(finer);
-      marked.assign(static_cast<std::size_t>(spans()), false);
-      any = false;
-      for (int k = 0; k < spans(); ++k)
-        for (const int beside : {k - 1, k + 1})
-          if (beside >= 0 && beside < spans() && width(k) > most_ratio * width(beside))
-            marked[static_cast<std::size_t>(k)] = any = true;
-    }
-    flatten();
-  }
-
- private:
-  void flatten() {
-    flat_.assign(graph_degree, knots_.front());
-    last_.clear();
-    for (std::size_t k = 0; k < knots_.size(); ++k) {
-      const bool bends = std::ranges::find(bends_, knots_[k]) != bends_.end();
-      flat_.insert(flat_.end(), bends ? graph_degree - 1 : 1, knots_[k]);
-      last_.push_back(static_cast<int>(flat_.size()) - 1);
-    }
-    flat_.insert(flat_.end(), graph_degree, knots_.back());
-  }
-
-  std::vector<double> bends_, knots_, flat_;
-  std::vector<int> last_;  ///< by span: the index of the flat knot where it begins
-};
 
 /// The value and the derivatives of a graph at a point.
 struct GraphJet {
@@ -286,8 +206,10 @@ class Graph {
   }
   /// \pre factorise() returned true.
   bool solve() {
-    heights_ = factors_.solve(right_);
-    return heights_.allFinite();
+    const Eigen::VectorXd heights = factors_.solve(right_);
+    if (!heights.allFinite()) return false;
+    heights_ = heights;
+    return true;
   }
 
   GraphJet jet(const Vector2d& at) const {
@@ -478,14 +400,22 @@ class GraphFilling {
 
   /// The graph with the present knots. \returns false if the equations determine none.
   bool solve() {
-    // What is missed weighs as much as these shares of what is accepted. Small ones are met more
-    // closely, but may leave no digits for the fairness.
-    for (const double share : {1e-4, 2e-3, 0.02, 0.2})
-      if (solve(share)) return true;
-    return false;
+    // What is missed weighs as much as these shares of what is accepted. Smaller ones are met more
+    // closely, but leave fewer digits for the fairness.
+    bool solved = false;
+    for (const double share : {0.02, 2e-3, 1e-4}) {
+      const std::optional<double> missed = solve(share);
+      if (!missed) break;
+      solved = true;
+      constexpr double near = 0.1;  // so that what lies between the samples decides
+      if (*missed <= near) break;
+    }
+    return solved;
   }
 
-  bool solve(double met_share) {
+  /// \returns the largest miss of a condition, as a share of what is accepted; nothing if the
+  /// equations determine no graph. The graph is then as before.
+  std::optional<double> solve(double met_share) {
     using Term = Graph::Term;
     graph_->clear();
     graph_->addVariation(hole_);
@@ -499,28 +429,34 @@ class GraphFilling {
         const auto weight = [&](double accepted) {
           return length * std::pow(steepness / (met_share * accepted), 2);
         };
-        conditions.push_back(
-            {graph_->row(sample.at, std::array{Term{1, 0, 0}}), sample.height_mm, weight(gap())});
+        conditions.push_back({graph_->row(sample.at, std::array{Term{1, 0, 0}}), sample.height_mm,
+                              gap(), weight(gap())});
         if (!(options_.angle_rad > 0)) continue;
         const double a = sample.across.x(), b = sample.across.y();
         conditions.push_back({graph_->row(sample.at, std::array{Term{a, 1, 0}, Term{b, 0, 1}}),
-                              sample.across.dot(sample.slope), weight(options_.angle_rad)});
+                              sample.across.dot(sample.slope), options_.angle_rad,
+                              weight(options_.angle_rad)});
         graph_->add(graph_->row(sample.at, std::array{Term{a * a, 2, 0}, Term{2 * a * b, 1, 1},
                                                       Term{b * b, 0, 2}}),
                     sample.bend_per_mm, length * options_.bend_weight);
       }
     }
     for (const Condition& one : conditions) graph_->add(one.row, one.value, one.weight);
-    if (!graph_->factorise() || !graph_->solve()) return false;
+    if (!graph_->factorise() || !graph_->solve()) return std::nullopt;
     // Each step adds what is missed to the right side, which makes the penalty exact in the limit
     // (the method of multipliers).
     constexpr int steps = 12;
-    for (int step = 0; step < steps; ++step) {
-      for (const Condition& one : conditions)
-        graph_->addRight(one.row, one.value - graph_->valueOf(one.row), one.weight);
-      if (!graph_->solve()) return false;
+    double missed = 0;
+    for (int step = 0; step <= steps; ++step) {
+      missed = 0;
+      for (const Condition& one : conditions) {
+        const double rest = one.value - graph_->valueOf(one.row);
+        missed = std::max(missed, std::abs(rest) / one.accepted);
+        graph_->addRight(one.row, rest, one.weight);
+      }
+      if (step < steps && !graph_->solve()) return std::nullopt;
     }
-    return true;
+    return missed;
   }
 
   std::vector<Miss> missesOf() {
@@ -578,7 +514,7 @@ class GraphFilling {
   /// A condition along the boundary.
   struct Condition {
     Graph::Row row;
-    double value, weight;
+    double value, accepted, weight;
   };
 
   GraphFillOptions options_;

@@ -146,7 +146,7 @@ std::optional<FillHoleReport> filledByGraph(const FillTask& task, const Progress
         if (!is_graph) throw NotFilled({});
         FillFaces made;
         made.faces = {*face};
-        made.regular = true;
+        made.regular = made.is_graph = true;
         return made;
       });
   return is_graph ? std::optional(std::move(report)) : std::nullopt;
