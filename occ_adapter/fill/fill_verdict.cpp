@@ -70,10 +70,9 @@ FillReason missed(const FillTask& task, const FillFaces& made, const SewnFill& f
                     .faces = {nameOf(worst->faces[0]), nameOf(worst->faces[1])},
                     .detail = figuresText(*worst),
                     .causes = causesOfAngle(task, made.cut)};
-  if (task.options.target >= Level::G1)
-    for (FillReason& cause : causesOfContradiction(task.hole, task.options.tolerance.angle_rad,
-                                                   task.options.tolerance.gap_mm))
-      reason.causes.push_back(std::move(cause));
+  if (task.options.target >= Level::G1 && reason.causes.empty())
+    reason.causes = causesOfContradiction(task.hole, task.options.tolerance.angle_rad,
+                                          task.options.tolerance.gap_mm);
   for (FillReason& cause : causesOfDistance(task, made.cut))
     reason.causes.push_back(std::move(cause));
   return reason;

@@ -1469,7 +1469,7 @@ class Model:
         self,
         *,
         hole: Union[None, Whole, _r.Hole] = None,
-        face: Union[None, Whole, Iterable[Whole]] = None,
+        face: Union[None, Whole, Sequence[Whole]] = None,
         target: str = "G1",
         gap_mm: Number = ...,
         angle_deg: Number = 0.01,

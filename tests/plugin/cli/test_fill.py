@@ -53,6 +53,17 @@ def test_faces_are_named_as_analyze_names_them(box):
     assert by_name == by_number
 
 
+def test_faces_that_lie_side_by_side_are_replaced_together(box):
+    faces = analysis(box)["seams"][0]["faces"]
+    result, report, out = fill(box, "--face", ",".join(map(str, faces)), "--target", "G0")
+    assert result.returncode == 0, result.stdout
+    assert report["reached"] and report["method"] in ("patches", "graph")
+    assert report["removed_curvature_per_mm"] < 1e-9 and report["curvature_per_mm"] >= 0
+    found = analysis(out)
+    assert found["model"]["faces"] == 4 + len(report["faces"])
+    assert found["summary"]["open_edges"] == 0
+
+
 def test_every_key_of_the_report_matters(box):
     expect_every_key_matters(fill(box, "--face", "1", "--keep-anyway")[1], VALIDATOR)
 
