@@ -295,6 +295,38 @@ Vector3d normalOf(const Vector2d& slope) {
   return Vector3d(-slope.x(), -slope.y(), 1).normalized();
 }
 
+/// By direction.
+using Bends = std::array<std::vector<double>, 2>;
+
+/// By direction, where the slope along the boundary has a kink at a smooth joint of two parts, as
+/// between a line and an arc. No smooth spline follows it closely.
+Bends bendsOf(std::vector<BoundaryPart>& parts, const Vector2d& low, const Vector2d& high) {
+  constexpr double step = 1e-3, least_cosine = 0.9;  // of a part, and of the turn at a joint
+  constexpr double least_kink = 0.01;                // per unit
+  constexpr double least_slant = 0.05;               // of the boundary against the line of the kink
+  constexpr double near = 1e-6;
+  Bends bends;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    BoundaryPart &in = parts[(k + parts.size() - 1) % parts.size()], &out = parts[k];
+    const auto rate = [&](BoundaryPart& part, double from, double to) -> Vector2d {
+      return (part.at(to).slope - part.at(from).slope) / (part.at(to).at - part.at(from).at).norm();
+    };
+    const Vector2d before = rate(in, 1 - 2 * step, 1 - step), after = rate(out, step, 2 * step);
+    const Vector2d across = in.at(1 - step).across;
+    if (across.dot(out.at(step).across) < least_cosine) continue;
+    const Vector2d joint = 2 * out.at(least_t).at - out.at(2 * least_t).at,
+                   along(-across.y(), across.x());
+    for (int d = 0; d < 2; ++d) {
+      if (std::abs(after(d) - before(d)) < least_kink || std::abs(along(d)) < least_slant) continue;
+      if (joint(d) - low(d) < near || high(d) - joint(d) < near) continue;
+      if (std::ranges::none_of(bends[static_cast<std::size_t>(d)],
+                               [&](double other) { return std::abs(other - joint(d)) < near; }))
+        bends[static_cast<std::size_t>(d)].push_back(joint(d));
+    }
+  }
+  return bends;
+}
+
 /// Where the boundary is missed, by which share of what is accepted.
 struct Miss {
   Vector2d at, across;
@@ -323,7 +355,7 @@ class GraphFilling {
     const auto spansOf = [&](double range) {
       return std::clamp(static_cast<int>(std::lround(range / span)), least_spans, 4 * least_spans);
     };
-    const std::array<std::vector<double>, 2> bends = bendsOf(low, high);
+    const Bends bends = bendsOf(parts_, low, high);
     graph_.emplace(GraphKnots(low.x(), high.x(), spansOf(high.x() - low.x()), bends[0]),
                    GraphKnots(low.y(), high.y(), spansOf(high.y() - low.y()), bends[1]));
   }
@@ -362,37 +394,6 @@ class GraphFilling {
       }
     const Vector3d centre = 0.5 * (low + high);
     return {centre.head<2>(), centre.z(), 0.5 * (high - low).head<2>().norm()};
-  }
-
-  /// By direction, where the slope along the boundary has a kink at a smooth joint of two parts, as
-  /// between a line and an arc. No smooth spline follows it closely.
-  std::array<std::vector<double>, 2> bendsOf(const Vector2d& low, const Vector2d& high) {
-    constexpr double step = 1e-3, least_cosine = 0.9;  // of a part, and of the turn at a joint
-    constexpr double least_kink = 0.01;                // per unit
-    constexpr double least_slant = 0.05;  // of the boundary against the line of the kink
-    constexpr double near = 1e-6;
-    std::array<std::vector<double>, 2> bends;
-    for (std::size_t k = 0; k < parts_.size(); ++k) {
-      BoundaryPart &in = parts_[(k + parts_.size() - 1) % parts_.size()], &out = parts_[k];
-      const auto rate = [&](BoundaryPart& part, double from, double to) -> Vector2d {
-        return (part.at(to).slope - part.at(from).slope) /
-               (part.at(to).at - part.at(from).at).norm();
-      };
-      const Vector2d before = rate(in, 1 - 2 * step, 1 - step), after = rate(out, step, 2 * step);
-      const Vector2d across = in.at(1 - step).across;
-      if (across.dot(out.at(step).across) < least_cosine) continue;
-      const Vector2d joint = 2 * out.at(least_t).at - out.at(2 * least_t).at,
-                     along(-across.y(), across.x());
-      for (int d = 0; d < 2; ++d) {
-        if (std::abs(after(d) - before(d)) < least_kink || std::abs(along(d)) < least_slant)
-          continue;
-        if (joint(d) - low(d) < near || high(d) - joint(d) < near) continue;
-        if (std::ranges::none_of(bends[static_cast<std::size_t>(d)],
-                                 [&](double other) { return std::abs(other - joint(d)) < near; }))
-          bends[static_cast<std::size_t>(d)].push_back(joint(d));
-      }
-    }
-    return bends;
   }
 
   /// What is accepted, in units of the scale.

@@ -199,9 +199,10 @@ spline over a plane. See docs/fill.md.
 The faces are sewn in and every new seam is measured. The model is not changed.
 
 hole: a Hole of holes() or its id; None: the only one. face: number of a face, from 1, that is
-taken out and replaced, or a sequence of numbers of faces that are replaced together. target: 'G0', 'G1' or 'G2', and tolerances: what every new seam has to
-reach for the fill to be kept. corner_deg: as in holes(). keep_anyway: keep it if it misses that.
-jobs and progress as in analyze(). ValueError for bad arguments, with name and value.)";
+taken out and replaced, or a sequence of numbers of faces that are replaced together. target: 'G0',
+'G1' or 'G2', and tolerances: what every new seam has to reach for the fill to be kept. corner_deg:
+as in holes(). keep_anyway: keep it if it misses that. jobs and progress as in analyze().
+ValueError for bad arguments, with name and value.)";
 
 }  // namespace
 
