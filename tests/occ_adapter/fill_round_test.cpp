@@ -36,7 +36,6 @@ using occ::FillHoleReport;
 using occ::Hole;
 using occ::modelFromShape;
 using occ::replaceFace;
-using testing::HasSubstr;
 
 constexpr double radius = 20;
 
