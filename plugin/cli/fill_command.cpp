@@ -84,7 +84,7 @@ void addFillOptions(CLI::App& command, FillArguments& arguments) {
                   "Remove this face, or these, and fill the hole that is left")
       ->type_name("N,...")
       ->delimiter(',')
-      ->expected(1)
+      ->allow_extra_args(false)
       ->transform(numberOf("Face"))
       ->excludes(hole);
   command.add_option("--gap", arguments.gap_mm, "G0: largest gap along a new seam, mm")
