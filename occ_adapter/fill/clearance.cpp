@@ -14,6 +14,7 @@
 #include <TopoDS_Vertex.hxx>
 #include <cmath>
 #include <gp_Pnt.hxx>
+#include <map>
 #include <vector>
 
 #include <seamwright/occ_adapter/fill/clearance.hpp>
@@ -57,11 +58,8 @@ Bnd_Box tightBox(const TopoDS_Shape& face) {
 /// of these edges.
 class Clearance {
  public:
-  Clearance(const TopoDS_Shape& face, const TopoDS_Shape& common)
-      : face_(face),
-        common_(common),
-        box_(tightBox(face)),
-        near_mm_(std::sqrt(box_.SquareExtent()) / 100) {}
+  Clearance(const TopoDS_Shape& face, const Bnd_Box& box, const TopoDS_Shape& common)
+      : face_(face), common_(common), box_(box), near_mm_(std::sqrt(box_.SquareExtent()) / 100) {}
 
   bool isOn(const TopoDS_Shape& edges) const {
     // A choice: it finds edges of which an eighth, by the parameter, lies on the face.
@@ -106,17 +104,19 @@ bool meet(const TopoDS_Shape& one, const TopoDS_Shape& other) {
 }
 
 /// Whether two faces meet further from what they share than a hundredth of the first one's extent.
-/// \param with_section also test the interior of both faces, not only edges of the other one.
-bool meetElsewhere(const TopoDS_Shape& one, const TopoDS_Shape& other, const TopoDS_Shape& common,
-                   bool with_section) {
-  const Clearance contact(one, common);
+/// \param box of the first face. \param with_section also test the interior of both faces, not only
+/// edges of the other one.
+bool meetElsewhere(const TopoDS_Shape& one, const Bnd_Box& box, const TopoDS_Shape& other,
+                   const TopoDS_Shape& common, bool with_section) {
+  const Clearance contact(one, box, common);
   return contact.isOn(other) || (with_section && contact.isOn(sectionOf(one, other)));
 }
 
 }  // namespace
 
 std::optional<std::pair<int, int>> touchingFaces(const TopoDS_Shape& shape,
-                                                 const std::set<int>& fresh) {
+                                                 const std::set<int>& fresh, bool with_sections) {
+  with_sections = with_sections && fresh.size() == 1;
   const TopTools_IndexedMapOfShape faces = partsOf(shape, TopAbs_FACE);
   std::vector<Bnd_Box> boxes(static_cast<std::size_t>(faces.Extent()) + 1);
   const UnusableParts unusable(shape);
@@ -124,14 +124,20 @@ std::optional<std::pair<int, int>> touchingFaces(const TopoDS_Shape& shape,
   for (int f = 1; f <= faces.Extent(); ++f)
     if (unusable.whyLeftOut(f).empty() && allEdgesHaveCurves(faces(f)))
       BRepBndLib::Add(faces(f), boxes[f], false);
+  std::map<int, Bnd_Box> tight;
+  const auto tightOf = [&](int face) -> const Bnd_Box& {
+    const auto found = tight.find(face);
+    return found != tight.end() ? found->second
+                                : tight.emplace(face, tightBox(faces(face))).first->second;
+  };
   for (const int a : fresh)
     for (int b = 1; b <= faces.Extent(); ++b) {
       if (b == a || (b < a && fresh.count(b) > 0) || boxes[a].IsOut(boxes[b])) continue;
       const TopoDS_Shape common = commonOf(faces(a), faces(b));
       if (!common.IsNull() && fresh.count(b) > 0) continue;
-      if (tightBox(faces(a)).IsOut(tightBox(faces(b)))) continue;
+      if (tightOf(a).IsOut(tightOf(b))) continue;
       if (common.IsNull() ? meet(faces(a), faces(b))
-                          : meetElsewhere(faces(a), faces(b), common, fresh.size() == 1))
+                          : meetElsewhere(faces(a), tightOf(a), faces(b), common, with_sections))
         return std::pair{a, b};
     }
   return std::nullopt;

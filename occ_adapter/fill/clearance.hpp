@@ -15,12 +15,13 @@ namespace seamwright::occ {
 /// For faces that share edges or vertices, only points count that are further from these than a
 /// hundredth of the new face's extent. Such points are sought where edges of the given face lie on
 /// the new face, at nine points of each edge, and, if there is a single new face, where both faces
-/// intersect.
+/// intersect, unless \p with_sections is false.
 ///
 /// Not tested are new faces that share vertices (patches of one fill), faces that can't be computed
 /// with (UnusableParts), and faces that have an edge without a curve in space.
 /// \param fresh numbers of the new faces, from 1, in the order of TopExp::MapShapes.
 std::optional<std::pair<int, int>> touchingFaces(const TopoDS_Shape& shape,
-                                                 const std::set<int>& fresh);
+                                                 const std::set<int>& fresh,
+                                                 bool with_sections = true);
 
 }  // namespace seamwright::occ

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <BRepLib.hxx>
-#include <BRepTools.hxx>
-#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
@@ -21,10 +18,6 @@
 #include <Geom_ToroidalSurface.hxx>
 #include <Precision.hxx>
 #include <ShapeAnalysis_Surface.hxx>
-#include <TopExp.hxx>
-#include <TopoDS.hxx>
-#include <TopoDS_Vertex.hxx>
-#include <TopoDS_Wire.hxx>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -33,6 +26,7 @@
 #include <seamwright/core/fill/regular.hpp>
 #include <seamwright/occ_adapter/convert/bezier_surface.hpp>
 #include <seamwright/occ_adapter/convert/points.hpp>
+#include <seamwright/occ_adapter/fill/bounded_face.hpp>
 #include <seamwright/occ_adapter/fill/continued_face.hpp>
 #include <seamwright/occ_adapter/fill/side_path.hpp>
 
@@ -152,10 +146,8 @@ class FaceMaker {
   std::optional<TopoDS_Face> run(double gap_mm) {
     if (!makePaths() || !closePaths(gap_mm) || !boundsTheHole() || !isRegular(surface_, range()))
       return std::nullopt;
-    const TopoDS_Face face = assembled();
-    for (const TopoDS_Edge& edge : edges_)
-      if (BRep_Tool::Tolerance(edge) > gap_mm) return std::nullopt;
-    return face;
+    const BoundedFace made = boundedFace(surface_, paths_, is_left_);
+    return made.tolerance_mm > gap_mm ? std::nullopt : std::optional(made.face);
   }
 
  private:
@@ -169,9 +161,9 @@ class FaceMaker {
 
   bool makePaths() {
     for (const EdgeInterval& interval : intervals_) {
-      Path& path = paths_.emplace_back();
-      path.curve = BRep_Tool::Curve(interval.edge.use.edge, path.location, path.first, path.last);
-      if (path.curve.IsNull()) return false;
+      const std::optional<BoundaryEdge> edge = boundaryEdge(interval.edge);
+      if (!edge) return false;
+      BoundaryEdge& path = paths_.emplace_back(*edge);
       if (own_paths_) {
         path.on_surface = BRep_Tool::CurveOnSurface(interval.edge.use.edge, interval.edge.use.shape,
                                                     path.first, path.last);
@@ -190,7 +182,7 @@ class FaceMaker {
 
   /// The parameters at a share of edge k, in the direction of the hole.
   gp_Pnt2d at(std::size_t k, double share) const {
-    const Path& path = paths_[k];
+    const BoundaryEdge& path = paths_[k];
     const double parameter = intervals_[k].edge.reversed ? 1 - share : share;
     return path.on_surface->Value(path.first + parameter * (path.last - path.first));
   }
@@ -252,63 +244,12 @@ class FaceMaker {
     return area != 0;
   }
 
-  TopoDS_Vertex vertexBefore(std::size_t k) const {
-    const TopoDS_Edge edge = TopoDS::Edge(intervals_[k].edge.use.edge.Oriented(TopAbs_FORWARD));
-    const TopoDS_Vertex given =
-        intervals_[k].edge.reversed ? TopExp::LastVertex(edge) : TopExp::FirstVertex(edge);
-    TopoDS_Vertex vertex;
-    const BRep_Builder builder;
-    builder.MakeVertex(vertex, BRep_Tool::Pnt(given), BRep_Tool::Tolerance(given));
-    return vertex;
-  }
-
-  TopoDS_Face assembled() {
-    const BRep_Builder builder;
-    TopoDS_Face face;
-    builder.MakeFace(face, surface_, Precision::Confusion());
-    std::vector<TopoDS_Vertex> vertices;
-    for (std::size_t k = 0; k < paths_.size(); ++k) vertices.push_back(vertexBefore(k));
-    for (std::size_t k = 0; k < paths_.size(); ++k) {
-      const Path& path = paths_[k];
-      TopoDS_Vertex begin = vertices[k], end = vertices[(k + 1) % vertices.size()];
-      if (intervals_[k].edge.reversed) std::swap(begin, end);
-      TopoDS_Edge& edge = edges_.emplace_back();
-      builder.MakeEdge(edge, path.curve, path.location, Precision::Confusion());
-      builder.UpdateEdge(edge, path.on_surface, face, Precision::Confusion());
-      builder.Range(edge, path.first, path.last);
-      builder.Add(edge, begin.Oriented(TopAbs_FORWARD));
-      builder.Add(edge, end.Oriented(TopAbs_REVERSED));
-      BRepLib::SameParameter(edge, Precision::Confusion());
-    }
-    TopoDS_Wire wire;
-    builder.MakeWire(wire);
-    for (std::size_t k = 0; k < edges_.size(); ++k) {
-      const std::size_t i = is_left_ ? k : edges_.size() - 1 - k;
-      builder.Add(wire,
-                  edges_[i].Oriented(intervals_[i].edge.reversed == is_left_ ? TopAbs_REVERSED
-                                                                             : TopAbs_FORWARD));
-    }
-    wire.Closed(true);
-    builder.Add(face, wire);
-    BRepTools::Update(face);
-    return face;
-  }
-
-  /// An edge as its curve in space and as its pcurve on the surface.
-  struct Path {
-    handle<Geom_Curve> curve;
-    TopLoc_Location location;  ///< location of the curve
-    handle<Geom2d_Curve> on_surface;
-    double first = 0, last = 0;
-  };
-
   const std::vector<EdgeInterval>& intervals_;
   handle<Geom_Surface> surface_;
   bool own_paths_;
-  std::vector<Path> paths_;  ///< by edge
+  std::vector<BoundaryEdge> paths_;  ///< by edge
   std::vector<Vector2d> polygon_;
   bool is_left_ = true;  ///< on the surface the hole is to the left of the loop
-  std::vector<TopoDS_Edge> edges_;
 };
 
 bool haveOneSurface(const std::vector<EdgeInterval>& intervals) {

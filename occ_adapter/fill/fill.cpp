@@ -36,11 +36,21 @@ std::vector<FillAttempt> othersThan(const FillAttempt& first, const FillHoleRepo
   return others;
 }
 
-bool isBetter(const FillHoleReport& one, const FillHoleReport& other, Level target) {
+/// The largest figure over its tolerance; HUGE_VAL if one is not known.
+double excessOf(const FillHoleReport& report, const FillHoleOptions& options) {
+  const double gap = report.largestGap_mm().value_or(HUGE_VAL) / options.tolerance.gap_mm;
+  if (options.target < Level::G1) return gap;
+  return std::max(gap, report.largestAngle_rad().value_or(HUGE_VAL) / options.tolerance.angle_rad);
+}
+
+bool isBetter(const FillHoleReport& one, const FillHoleReport& other,
+              const FillHoleOptions& options) {
   if (one.reached != other.reached) return one.reached;
   if (one.filled != other.filled) return one.filled;
   if (isSound(one) != isSound(other)) return isSound(one);
-  if (target < Level::G2) return false;
+  if (!one.reached && options.target < Level::G2)
+    return excessOf(one, options) < excessOf(other, options);
+  if (options.target < Level::G2) return false;
   return one.largestCurvature_rel().value_or(HUGE_VAL) <
          other.largestCurvature_rel().value_or(HUGE_VAL);
 }
@@ -105,7 +115,7 @@ FillHoleReport bestByPatches(const FillTask& task, const Progress& progress) {
     FillHoleReport other = filledByPatches(task, others[k], partOf(progress, done, next));
     done = next;
     build_s += other.build_s;
-    if (isBetter(other, best, options.target)) best = std::move(other);
+    if (isBetter(other, best, options)) best = std::move(other);
   }
   best.build_s = build_s;
   return best;
@@ -131,6 +141,19 @@ void FillHoleOptions::validate() const {
                                 ": it must be within 3 to 11");
   if (jobs < 0)
     throw std::invalid_argument("jobs is " + std::to_string(jobs) + ": it must not be negative");
+}
+
+const char* name(FillMethod method) {
+  switch (method) {
+    case FillMethod::Surface:
+      return "surface";
+    case FillMethod::Patches:
+      return "patches";
+    case FillMethod::Graph:
+      return "graph";
+    default:
+      return "";
+  }
 }
 
 std::optional<double> FillHoleReport::largestGap_mm() const {
@@ -163,7 +186,7 @@ FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOpti
                         const FaceNames& names, const Progress& progress) {
   options.validate();
   requireEdges(model, hole);
-  constexpr double share_of_face = 0.1;  // of the progress bar
+  constexpr double share_of_face = 0.1, share_of_patches = 0.7;  // of the progress bar
   const FillTask task{.model = model, .hole = hole, .options = options, .names = names};
   std::optional<FillHoleReport> by_face;
   if (const std::optional<TopoDS_Face> face = faceThatGoesOn(hole, options))
@@ -173,8 +196,13 @@ FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOpti
     if (progress && !progress(1)) throw Cancelled();
     return std::move(*by_face);
   }
-  FillHoleReport best = bestByPatches(task, partOf(progress, share_of_face, 1));
-  if (by_face && !isBetter(best, *by_face, options.target)) best = std::move(*by_face);
+  FillHoleReport best = bestByPatches(task, partOf(progress, share_of_face, share_of_patches));
+  if (by_face && !isBetter(best, *by_face, options)) best = std::move(*by_face);
+  if (!best.reached) {
+    std::optional<FillHoleReport> graph =
+        filledByGraph(task, partOf(progress, share_of_patches, 1));
+    if (graph && isBetter(*graph, best, options)) best = std::move(*graph);
+  }
   if (progress && !progress(1)) throw Cancelled();
   return best;
 }

@@ -40,6 +40,17 @@ struct FilledSide {
   std::array<double, 2> corner_rad{};
 };
 
+/// What a fill consists of.
+enum class FillMethod {
+  None,     ///< nothing was built
+  Surface,  ///< one face on a surface beside the hole, or on its plane
+  Patches,  ///< patches that meet in the hole
+  Graph     ///< one face on a spline over a plane
+};
+
+/// "", "surface", "patches" or "graph".
+const char* name(FillMethod method);
+
 struct FillHoleReport {
   Model model;          ///< with the fill, or as given
   bool filled = false;  ///< the fill is in the model
@@ -47,6 +58,7 @@ struct FillHoleReport {
   bool reached = false;
   /// Why the target is not reached, with numbers of the given model; empty if it is.
   FillReason reason;
+  FillMethod method = FillMethod::None;
   std::vector<FilledSide> sides;
   std::vector<FillCorner> corners;
   bool regular = false;       ///< see NSidedFill::regular
@@ -55,6 +67,9 @@ struct FillHoleReport {
   double reach = 0;
   /// See NSidedFill, against neighbours as fitted; nothing if it was not minimised.
   std::optional<double> curvature_jump_per_mm;
+  /// The largest normal curvature of the new faces and of those that they replace, at points
+  /// inside; nothing if the fill was not kept, or if no face was taken out.
+  std::optional<double> curvature_per_mm, removed_curvature_per_mm;
   /// Between new faces and others, also measured if the fill was not kept.
   std::vector<SeamResult> outer;
   std::vector<SeamResult> inner;  ///< seams between the new faces
@@ -86,18 +101,19 @@ struct FillHoleReport {
 /// If one surface continues through the hole, within a twentieth of the tolerance of all edges and,
 /// above G0, of the tangent planes along them, the fill is one face on it. Otherwise a hole of 3 to
 /// 12 corners, none above pi, gets as many patches (nSidedFill()), and one of fewer corners, or of
-/// four with some above pi, five (ringFill()). Surfaces, names, colours and layers of the
-/// neighbours stay; their edges are cut at the middles of the sides. A closed shell becomes a
-/// solid, oriented outward.
+/// four with some above pi, five (ringFill()). If these do not reach the target, and the faces
+/// around the hole can all be seen from one direction, the fill is one trimmed face on a spline
+/// over a plane, for any number of corners of any angle (graphFill()). Surfaces, names, colours and
+/// layers of the neighbours stay; their edges are cut at the middles of the sides. A closed shell
+/// becomes a solid, oriented outward.
 ///
 /// The fill is kept if every new seam certainly reaches the target, by enclosures; if the new faces
 /// are proved regular, not too large, and clear of others; and if OpenCASCADE's checks pass as
 /// before. With keep_anyway it is kept if it could be sewn. Otherwise the model is returned as it
 /// is, and the report says how near the fill came.
 ///
-/// A defect of the hole never throws; it is the reason in the report. Not filled are holes with
-/// more than 12 corners, with more than 4 of which one is above pi, with one above 5.3 rad, and
-/// beside faces or edges with numbers that are not finite, or 1e100 and more.
+/// A defect of the hole never throws; it is the reason in the report. Not filled are holes beside
+/// faces or edges with numbers that are not finite, or 1e100 and more.
 ///
 /// The given model is not changed.
 /// \param hole one of findHoles() of this model.
@@ -106,11 +122,14 @@ struct FillHoleReport {
 FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOptions& options = {},
                         const Progress& progress = {});
 
-/// Removes a face and fills the hole that it leaves. A face with several loops, or with an edge
-/// without a neighbour, is not replaced, with a reason. A face with numbers that are not finite can
-/// be replaced if those of its edges and neighbours are.
-/// \param face from 1, in the order of TopExp::MapShapes.
-/// \throws std::invalid_argument for invalid options and an unknown face; Cancelled.
+/// Removes faces and fills the hole that they leave. Faces that leave several loops, or have an
+/// edge without a neighbour, are not replaced, with a reason. Faces with numbers that are not
+/// finite can be replaced if those of the edges around them and of their neighbours are. \param
+/// faces from 1, in the order of TopExp::MapShapes; at least one. \throws std::invalid_argument for
+/// invalid options, no face and unknown faces; Cancelled.
+FillHoleReport replaceFaces(const Model& model, const std::vector<int>& faces,
+                            const FillHoleOptions& options = {}, const Progress& progress = {});
+/// The same for one face.
 FillHoleReport replaceFace(const Model& model, int face, const FillHoleOptions& options = {},
                            const Progress& progress = {});
 

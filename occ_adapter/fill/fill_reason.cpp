@@ -39,7 +39,8 @@ constexpr std::array codes = {"",
                               "invalid_shape",
                               "sharp_turn",
                               "side_not_polynomial",
-                              "position_only"};
+                              "position_only",
+                              "neighbours_contradict"};
 
 /// "(1, 0, -2.5) mm"; coordinates that are zero up to rounding are 0.
 std::string pointText(const Eigen::Vector3d& point_mm) {
@@ -168,6 +169,13 @@ std::string causeText(const FillReason& reason) {
           "the next edges leaves theirs by {:.3g} degrees; the target G0 closes the "
           "hole",
           edgesText(reason.edges), reason.number("turn_deg"));
+    case FillFault::NeighboursContradict:
+      return fmt::format(
+          "where edges {} and {} meet, at {}, the faces beside them have tangent planes that "
+          "differ by {:.3g} degrees, so that every fill misses one of them by half of that: repair "
+          "these faces first",
+          reason.edges.at(0), reason.edges.at(1), pointText(reason.point_mm.value()),
+          reason.number("angle_deg"));
     default:
       return {};
   }
@@ -182,7 +190,7 @@ double FillReason::number(const std::string& name) const {
 }
 
 std::string codeOf(FillFault fault) {
-  static_assert(codes.size() == static_cast<std::size_t>(FillFault::PositionOnly) + 1);
+  static_assert(codes.size() == static_cast<std::size_t>(FillFault::NeighboursContradict) + 1);
   return codes.at(static_cast<std::size_t>(fault));
 }
 

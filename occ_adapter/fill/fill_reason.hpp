@@ -37,9 +37,10 @@ enum class FillFault {
   InvalidFace,  ///< for OpenCASCADE's checks
   InvalidShape,
   // Causes of another fault.
-  SharpTurn,          ///< edges of one side turn at a point
-  SideNotPolynomial,  ///< one polynomial does not meet a side within the gap
-  PositionOnly,       ///< tangent planes contradict each other at a corner
+  SharpTurn,             ///< edges of one side turn at a point
+  SideNotPolynomial,     ///< one polynomial does not meet a side within the gap
+  PositionOnly,          ///< tangent planes contradict each other at a corner
+  NeighboursContradict,  ///< tangent planes of the faces beside two edges differ where these meet
 };
 
 /// A fault with its numbers, its location in the given model and its causes.

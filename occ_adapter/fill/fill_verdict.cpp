@@ -6,6 +6,7 @@
 #include <seamwright/occ_adapter/fill/clearance.hpp>
 #include <seamwright/occ_adapter/fill/fill_form.hpp>
 #include <seamwright/occ_adapter/fill/fill_verdict.hpp>
+#include <seamwright/occ_adapter/fill/hole_contradiction.hpp>
 #include <seamwright/occ_adapter/repair/prove.hpp>
 #include <seamwright/occ_adapter/repair/sew.hpp>
 
@@ -69,6 +70,9 @@ FillReason missed(const FillTask& task, const FillFaces& made, const SewnFill& f
                     .faces = {nameOf(worst->faces[0]), nameOf(worst->faces[1])},
                     .detail = figuresText(*worst),
                     .causes = causesOfAngle(task, made.cut)};
+  if (task.options.target >= Level::G1 && reason.causes.empty())
+    reason.causes = causesOfContradiction(task.hole, task.options.tolerance.angle_rad,
+                                          task.options.tolerance.gap_mm);
   for (FillReason& cause : causesOfDistance(task, made.cut))
     reason.causes.push_back(std::move(cause));
   return reason;
@@ -81,7 +85,8 @@ FillReason misshapen(const FillFaces& made, const SewnFill& fill, const FillSeam
   if (made.reach > most_reach)
     return {.fault = FillFault::ReachesTooFar, .numbers = {{"reach", made.reach}}};
   if (seams.outer.empty()) return {.fault = FillFault::TooSmall};
-  if (const auto touching = touchingFaces(fill.sewn.shape, fill.faces)) {
+  // A graph is tangent to its neighbours: sections find the contact along their common edges.
+  if (const auto touching = touchingFaces(fill.sewn.shape, fill.faces, !made.is_graph)) {
     if (fill.isNew(touching->second)) return {.fault = FillFault::RunsIntoItself};
     return {.fault = FillFault::RunsIntoFace,
             .faces = {fill.face_names.at(static_cast<std::size_t>(touching->second) - 1)}};

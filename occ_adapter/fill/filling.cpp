@@ -3,8 +3,10 @@
 #include <functional>
 #include <stdexcept>
 
+#include <seamwright/occ_adapter/fill/face_curvature.hpp>
 #include <seamwright/occ_adapter/fill/fill_verdict.hpp>
 #include <seamwright/occ_adapter/fill/filling.hpp>
+#include <seamwright/occ_adapter/fill/graph_face.hpp>
 #include <seamwright/occ_adapter/geometry_error.hpp>
 #include <seamwright/occ_adapter/model/failure_text.hpp>
 #include <seamwright/occ_adapter/repair/sew.hpp>
@@ -39,6 +41,7 @@ void complete(const FillTask& task, const FillFaces& made, const Progress& progr
   if (!report.filled) return;
   report.model.attributes = attributesAfter(task.model.attributes, fill.whole, fill.sewn);
   report.model.shape = filledShape(fill, task.model.shape);
+  report.curvature_per_mm = largestCurvature_per_mm({made.faces.begin(), made.faces.end()});
 }
 
 /// Takes what the faces tell into the report.
@@ -74,9 +77,11 @@ FillFaces constructed(const Make& make, const Begin& begin) {
 /// Runs the stages. What geometry can cause becomes a reason: a hole that no fill has (NotFilled),
 /// an edge or a face that can't be evaluated (GeometryError), and a failure of OpenCASCADE. Other
 /// exceptions are faults of the program, and pass.
-FillHoleReport run(const FillTask& task, const Progress& progress, const Make& make) {
+FillHoleReport run(const FillTask& task, FillMethod method, const Progress& progress,
+                   const Make& make) {
   FillHoleReport report;
   report.model = task.model;
+  report.method = method;
   FillFaces made;
   const char* doing = "";
   const auto begin = [&doing](const char* stage) { doing = stage; };
@@ -112,7 +117,7 @@ bool isSound(const FillHoleReport& report) {
 
 FillHoleReport filledByPatches(const FillTask& task, const FillAttempt& attempt,
                                const Progress& progress) {
-  return run(task, progress, [&](const std::function<void(const char*)>& begin) {
+  return run(task, FillMethod::Patches, progress, [&](const Begin& begin) {
     begin("fitting the sides");
     const HoleCuts cuts = cutsOf(task, attempt);
     begin("building patches");
@@ -122,12 +127,29 @@ FillHoleReport filledByPatches(const FillTask& task, const FillAttempt& attempt,
 
 FillHoleReport filledByFace(const FillTask& task, const TopoDS_Face& face,
                             const Progress& progress) {
-  return run(task, progress, [&](const std::function<void(const char*)>&) {
+  return run(task, FillMethod::Surface, progress, [&](const Begin&) {
     FillFaces made;
     made.faces = {face};
     made.regular = true;
     return made;
   });
+}
+
+std::optional<FillHoleReport> filledByGraph(const FillTask& task, const Progress& progress) {
+  constexpr double share_of_fit = 0.5;  // of the progress bar
+  bool is_graph = true;
+  FillHoleReport report =
+      run(task, FillMethod::Graph, partOf(progress, share_of_fit, 1), [&](const Begin& begin) {
+        begin("fitting a graph");
+        const std::optional<TopoDS_Face> face = graphFace(task, partOf(progress, 0, share_of_fit));
+        is_graph = face.has_value();
+        if (!is_graph) throw NotFilled({});
+        FillFaces made;
+        made.faces = {*face};
+        made.regular = made.is_graph = true;
+        return made;
+      });
+  return is_graph ? std::optional(std::move(report)) : std::nullopt;
 }
 
 }  // namespace seamwright::occ

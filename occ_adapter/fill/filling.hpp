@@ -68,4 +68,7 @@ FillHoleReport filledByPatches(const FillTask& task, const FillAttempt& attempt,
 FillHoleReport filledByFace(const FillTask& task, const TopoDS_Face& face,
                             const Progress& progress);
 
+/// Fills the hole with one face on a spline graph, if graphFace() makes one.
+std::optional<FillHoleReport> filledByGraph(const FillTask& task, const Progress& progress);
+
 }  // namespace seamwright::occ

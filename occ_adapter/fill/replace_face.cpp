@@ -6,8 +6,11 @@
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <algorithm>
 #include <set>
+#include <stdexcept>
 
+#include <seamwright/occ_adapter/fill/face_curvature.hpp>
 #include <seamwright/occ_adapter/fill/fill.hpp>
 #include <seamwright/occ_adapter/fill/fill_names.hpp>
 #include <seamwright/occ_adapter/fill/filling.hpp>
@@ -18,10 +21,10 @@ namespace seamwright::occ {
 
 namespace {
 
-/// The model without one of its faces.
-Model without(const Model& model, const TopoDS_Shape& face) {
+/// The model without some of its faces.
+Model without(const Model& model, const std::vector<TopoDS_Shape>& faces) {
   const opencascade::handle<BRepTools_ReShape> change = new BRepTools_ReShape;
-  change->Remove(face);
+  for (const TopoDS_Shape& face : faces) change->Remove(face);
   Model rest = model;
   rest.shape = change->Apply(model.shape);
   if (rest.shape.IsNull() || !TopExp_Explorer(rest.shape, TopAbs_FACE).More())
@@ -37,35 +40,53 @@ Model without(const Model& model, const TopoDS_Shape& face) {
   return rest;
 }
 
-/// Requires that the edges of the face and the faces beside it are usable, because the new face
-/// must meet them.
-void requireUsableBorder(const TopoDS_Shape& whole, int face) {
+/// Requires that the edges around the faces and the faces beside them are usable, because the new
+/// faces must meet them.
+void requireUsableBorder(const TopoDS_Shape& whole, const std::vector<int>& removed) {
   const UnusableParts unusable(whole);
   if (unusable.empty()) return;
   const TopTools_IndexedMapOfShape faces = partsOf(whole, TopAbs_FACE),
                                    edges = partsOf(whole, TopAbs_EDGE);
   TopTools_IndexedDataMapOfShapeListOfShape faces_of_edge;
   TopExp::MapShapesAndUniqueAncestors(whole, TopAbs_EDGE, TopAbs_FACE, faces_of_edge);
-  for (TopExp_Explorer edge(faces(face), TopAbs_EDGE); edge.More(); edge.Next())
-    for (const TopoDS_Shape& beside : faces_of_edge.FindFromKey(edge.Current())) {
-      const int other = faces.FindIndex(beside);
-      if (other == face) continue;
-      FillReason why = whyNotMet(unusable, edges.FindIndex(edge.Current()), other);
-      if (!why.empty()) throw NotFilled(std::move(why));
-    }
+  for (const int face : removed)
+    for (TopExp_Explorer edge(faces(face), TopAbs_EDGE); edge.More(); edge.Next())
+      for (const TopoDS_Shape& beside : faces_of_edge.FindFromKey(edge.Current())) {
+        const int other = faces.FindIndex(beside);
+        if (std::ranges::find(removed, other) != removed.end()) continue;
+        FillReason why = whyNotMet(unusable, edges.FindIndex(edge.Current()), other);
+        if (!why.empty()) throw NotFilled(std::move(why));
+      }
 }
 
-/// The hole that a removed face left in the rest of a model.
-Hole holeOf(const Model& rest, const TopoDS_Shape& face, const FillHoleOptions& options) {
-  std::set<int> wanted;
-  const TopTools_IndexedMapOfShape edges = partsOf(rest.shape, TopAbs_EDGE);
-  for (TopExp_Explorer edge(face, TopAbs_EDGE); edge.More(); edge.Next()) {
-    const int number = edges.FindIndex(edge.Current());
-    if (number > 0)
-      wanted.insert(number);
-    else if (!BRep_Tool::Degenerated(TopoDS::Edge(edge.Current())))
-      throw NotFilled({.fault = FillFault::EdgeOfOneFace});
+/// The edges of the rest that removed faces had.
+std::set<int> edgesLeftBy(const std::vector<TopoDS_Shape>& removed, const TopoDS_Shape& rest) {
+  std::set<int> left;
+  TopTools_IndexedMapOfShape gone;
+  const TopTools_IndexedMapOfShape edges = partsOf(rest, TopAbs_EDGE);
+  for (const TopoDS_Shape& face : removed) {
+    TopTools_IndexedMapOfShape its;
+    TopExp::MapShapes(face, TopAbs_EDGE, its);
+    for (int k = 1; k <= its.Extent(); ++k) {
+      const TopoDS_Shape& edge = its(k);
+      const int number = edges.FindIndex(edge);
+      if (number > 0)
+        left.insert(number);
+      else if (!BRep_Tool::Degenerated(TopoDS::Edge(edge)) && !gone.Contains(edge))
+        gone.Add(edge);
+      else
+        gone.RemoveKey(edge);
+    }
   }
+  // What is gone and was met once only had no face on the other side.
+  if (!gone.IsEmpty()) throw NotFilled({.fault = FillFault::EdgeOfOneFace});
+  return left;
+}
+
+/// The hole that removed faces left in the rest of a model.
+Hole holeOf(const Model& rest, const std::vector<TopoDS_Shape>& removed,
+            const FillHoleOptions& options) {
+  const std::set<int> wanted = edgesLeftBy(removed, rest.shape);
   const Holes found = findHoles(rest.shape, {options.corner_rad, options.tolerance.gap_mm});
   for (const Hole& hole : found.holes) {
     std::set<int> its;
@@ -85,24 +106,28 @@ FillReason inGivenNumbers(FillReason reason, const Numbers& edges) {
 
 }  // namespace
 
-FillHoleReport replaceFace(const Model& model, int face, const FillHoleOptions& options,
-                           const Progress& progress) {
+FillHoleReport replaceFaces(const Model& model, const std::vector<int>& faces,
+                            const FillHoleOptions& options, const Progress& progress) {
   options.validate();
-  requireFace(face, model.faceCount());
+  if (faces.empty()) throw std::invalid_argument("no face is named: one at least is needed");
+  for (const int face : faces) requireFace(face, model.faceCount());
   FillHoleReport report;
   try {
     const Model whole = modelOfOwnParts(model);
-    requireUsableBorder(whole.shape, face);
-    const TopoDS_Shape old = partsOf(whole.shape, TopAbs_FACE)(face);
+    requireUsableBorder(whole.shape, faces);
+    std::vector<TopoDS_Shape> old;
+    for (const int face : std::set<int>(faces.begin(), faces.end()))
+      old.push_back(partsOf(whole.shape, TopAbs_FACE)(face));
     const Model rest = without(whole, old);
-    const Numbers faces(whole.shape, rest.shape, TopAbs_FACE),
+    const Numbers given_faces(whole.shape, rest.shape, TopAbs_FACE),
         edges(whole.shape, rest.shape, TopAbs_EDGE);
     report = fillHole(
         rest, holeOf(rest, old, options), options,
-        [&faces](int number) { return numberedFace(faces.given(number)); }, progress);
+        [&given_faces](int number) { return numberedFace(given_faces.given(number)); }, progress);
     for (FilledSide& side : report.sides)
       for (int& edge : side.edges) edge = edges.given(edge);
     report.reason = inGivenNumbers(std::move(report.reason), edges);
+    report.removed_curvature_per_mm = largestCurvature_per_mm(old);
   } catch (const NotFilled& why) {
     report.reason = why.reason();
   } catch (const Standard_Failure& failure) {
@@ -110,6 +135,11 @@ FillHoleReport replaceFace(const Model& model, int face, const FillHoleOptions& 
   }
   if (!report.filled) report.model = model;
   return report;
+}
+
+FillHoleReport replaceFace(const Model& model, int face, const FillHoleOptions& options,
+                           const Progress& progress) {
+  return replaceFaces(model, {face}, options, progress);
 }
 
 }  // namespace seamwright::occ

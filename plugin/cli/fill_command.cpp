@@ -58,7 +58,8 @@ occ::Hole holeOf(const occ::Model& model, const FillArguments& arguments,
 occ::FillHoleReport filled(const occ::Model& model, const FillArguments& arguments,
                            const occ::FillHoleOptions& options) {
   ProgressBar bar(doing("filling", arguments.model));
-  if (arguments.face > 0) return occ::replaceFace(model, arguments.face, options, bar.progress());
+  if (!arguments.faces.empty())
+    return occ::replaceFaces(model, arguments.faces, options, bar.progress());
   return occ::fillHole(model, holeOf(model, arguments, options), options, bar.progress());
 }
 
@@ -78,8 +79,12 @@ void addFillOptions(CLI::App& command, FillArguments& arguments) {
                                       "Number of the hole; may be left out if there is only one")
                           ->type_name("N")
                           ->transform(numberOf("Hole"));
-  command.add_option("--face", arguments.face, "Remove this face and fill the hole that it leaves")
-      ->type_name("N")
+  command
+      .add_option("--face", arguments.faces,
+                  "Remove this face, or these, and fill the hole that is left")
+      ->type_name("N,...")
+      ->delimiter(',')
+      ->allow_extra_args(false)
       ->transform(numberOf("Face"))
       ->excludes(hole);
   command.add_option("--gap", arguments.gap_mm, "G0: largest gap along a new seam, mm")

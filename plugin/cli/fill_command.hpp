@@ -4,6 +4,7 @@
 #include <seamwright/occ_adapter/fill/fill.hpp>
 #include <seamwright/plugin/cli/model_arguments.hpp>
 #include <string>
+#include <vector>
 
 namespace seamwright::cli {
 
@@ -12,8 +13,8 @@ struct FillArguments {
   std::string model;
   OutputArguments output;
   std::string target = "G1";
-  int hole = 0;  ///< 0: the only hole
-  int face = 0;  ///< the face to replace; 0: none
+  int hole = 0;                 ///< 0: the only hole
+  std::vector<int> faces = {};  ///< the faces to replace; empty: none
   double gap_mm = occ::FillHoleOptions{}.tolerance.gap_mm;
   double angle_deg = 0.01;
   double curvature_rel = occ::FillHoleOptions{}.tolerance.curvature_rel;

@@ -79,9 +79,10 @@ FillReport fillModel(const occ::Model& model, const py::object& hole, const py::
   if (!hole.is_none() && !face.is_none())
     throw py::value_error("hole and face are both given: name one of them");
   if (!face.is_none()) {
-    const int number = wholeNumber("face", face);
+    const std::vector<int> numbers =
+        isNumber(face) ? std::vector{wholeNumber("face", face)} : wholeNumbers("face", face);
     return longCall(progress, [&](const occ::Progress& report) {
-      return FillReport{occ::replaceFace(model, number, options, report), options,
+      return FillReport{occ::replaceFaces(model, numbers, options, report), options,
                         occ::factsOf(model)};
     });
   }
@@ -130,6 +131,9 @@ void bindFillOutcome(FillClass& type) {
       .def_property_readonly(
           "reason_code", [](const FillReport& fill) { return codeOf(fill.report.reason.fault); },
           "The code of the reason, see docs/fill.md; empty if the target is reached.")
+      .def_property_readonly(
+          "method", [](const FillReport& fill) { return name(fill.report.method); },
+          "What the fill consists of: 'surface', 'patches' or 'graph'; empty if nothing was built.")
       .def_property_readonly("causes", valueNamed("causes"),
                              "The causes that the reason names, as dicts with the keys of the "
                              "JSON: code, numbers, edges, point_mm.");
@@ -143,6 +147,13 @@ void bindFillFigures(FillClass& type) {
       .def_property_readonly("largest_curvature_rel", valueNamed("largest_curvature_rel"),
                              "Bound of the relative difference of curvature over all new seams; "
                              "None: not known.")
+      .def_property_readonly(
+          "curvature_per_mm", [](const FillReport& fill) { return fill.report.curvature_per_mm; },
+          "The largest normal curvature at points of the new faces; None if there are none.")
+      .def_property_readonly(
+          "removed_curvature_per_mm",
+          [](const FillReport& fill) { return fill.report.removed_curvature_per_mm; },
+          "The same of the faces that were taken out; None if none was.")
       .def_property_readonly(
           "curvature_jump_per_mm",
           [](const FillReport& fill) { return fill.report.curvature_jump_per_mm; },
@@ -182,14 +193,16 @@ one.)";
 constexpr const char* fill_doc =
     R"(Fills a hole with faces that are tangent to their surroundings: a FillReport.
 
-One face fills the hole if one surface continues across it; otherwise patches do. See docs/fill.md.
+One face fills the hole if one surface continues across it; otherwise patches do, or a trimmed
+spline over a plane. See docs/fill.md.
 
 The faces are sewn in and every new seam is measured. The model is not changed.
 
 hole: a Hole of holes() or its id; None: the only one. face: number of a face, from 1, that is
-taken out and replaced. target: 'G0', 'G1' or 'G2', and tolerances: what every new seam has to
-reach for the fill to be kept. corner_deg: as in holes(). keep_anyway: keep it if it misses that.
-jobs and progress as in analyze(). ValueError for bad arguments, with name and value.)";
+taken out and replaced, or a sequence of numbers of faces that are replaced together. target: 'G0',
+'G1' or 'G2', and tolerances: what every new seam has to reach for the fill to be kept. corner_deg:
+as in holes(). keep_anyway: keep it if it misses that. jobs and progress as in analyze().
+ValueError for bad arguments, with name and value.)";
 
 }  // namespace
 

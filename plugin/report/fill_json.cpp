@@ -167,6 +167,7 @@ ordered_json toJson(const occ::FillHoleReport& report, const occ::FillHoleOption
   json["reached"] = report.reached;
   json["reason"] = textOf(report.reason);
   json["reason_code"] = codeOf(report.reason.fault);
+  json["method"] = name(report.method);
   json["causes"] = ordered_json::array();
   for (const occ::FillReason& cause : report.reason.causes)
     json["causes"].push_back(causeJson(cause));
@@ -174,6 +175,8 @@ ordered_json toJson(const occ::FillHoleReport& report, const occ::FillHoleOption
   json["largest_angle_deg"] = maybe(report.largestAngle_rad(), degrees(1));
   json["largest_curvature_rel"] = maybe(report.largestCurvature_rel());
   json["curvature_jump_per_mm"] = maybe(report.curvature_jump_per_mm);
+  json["curvature_per_mm"] = maybe(report.curvature_per_mm);
+  json["removed_curvature_per_mm"] = maybe(report.removed_curvature_per_mm);
   json["output"] = toJson(output);
   json["faces"] = report.faces;
   json["regular"] = report.regular;

@@ -53,6 +53,17 @@ def test_faces_are_named_as_analyze_names_them(box):
     assert by_name == by_number
 
 
+def test_several_faces_leave_one_hole(box, tmp_path):
+    faces = analysis(box)["seams"][0]["faces"]
+    # Their hole has six corners, two of 270 degrees, and walls that no plane sees.
+    report = fill(box, "--face", ",".join(map(str, faces)), "--target", "G0")[1]
+    assert report["reason_code"] == "corner_above_180" and not report["filled"]
+    assert report["removed_curvature_per_mm"] < 1e-9 and report["curvature_per_mm"] is None
+    shell = tmp_path / "shell.brep"
+    shell.write_bytes(installed(OCCT_DATA / "occ/shell1.brep").read_bytes())
+    assert fill(shell, "--face", "64,Face64")[1]["reached"]
+
+
 def test_every_key_of_the_report_matters(box):
     expect_every_key_matters(fill(box, "--face", "1", "--keep-anyway")[1], VALIDATOR)
 

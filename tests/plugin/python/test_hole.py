@@ -42,6 +42,17 @@ def test_a_face_is_replaced(shell):
     assert "REACHED G1" in fill.to_table()
 
 
+def test_faces_are_replaced_together(shell):
+    one, list_of_one = shell.fill(face=64), shell.fill(face=[64])
+    assert one.method == list_of_one.method == one.to_dict()["method"] == "patches"
+    assert list_of_one.largest_angle_deg == one.largest_angle_deg
+    assert one.removed_curvature_per_mm == one.to_dict()["removed_curvature_per_mm"] > 0
+    assert 0 < one.curvature_per_mm < 10 * one.removed_curvature_per_mm
+    for wrong, message in (([], "no face"), ([64, 999], "999"), (["64"], "whole number")):
+        with pytest.raises(ValueError, match=message):
+            shell.fill(face=wrong)
+
+
 def test_jumps_of_curvature_are_told_where_they_were_looked_at(shell):
     fill = shell.fill(face=64, target="G2", keep_anyway=True)
     assert fill.curvature_jump_per_mm == fill.to_dict()["curvature_jump_per_mm"] > 0

@@ -1,0 +1,541 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <seamwright/core/fill/graph_fill.hpp>
+#include <seamwright/core/fill/graph_knots.hpp>
+#include <seamwright/core/linear/gauss_rule.hpp>
+#include <seamwright/core/linear/symmetric_band.hpp>
+#include <stdexcept>
+
+namespace seamwright {
+
+namespace {
+
+using Eigen::Index, Eigen::Vector2d, Eigen::Vector3d;
+using fill::graph_degree, fill::GraphKnots;
+
+/// A choice: with less, cells beside the hole could follow nothing; with more, they would stiffen
+/// the hole.
+constexpr double weight_outside = 1e-4;
+
+/// Knots are added until the boundary is met to this share of what is accepted, so that the sum of
+/// all errors is within it.
+constexpr double enough_share = 0.5;
+
+/// The value and the derivatives of a graph at a point.
+struct GraphJet {
+  double height = 0;
+  Vector2d slope = Vector2d::Zero();
+};
+
+/// The square of the smallest box, in units of half its diagonal, around the origin.
+struct Scale {
+  Vector2d centre = Vector2d::Zero();
+  double middle_mm = 0, unit_mm = 1;
+
+  GraphSample scaled(GraphSample sample) const {
+    sample.at = (sample.at - centre) / unit_mm;
+    sample.height_mm = (sample.height_mm - middle_mm) / unit_mm;
+    sample.bend_per_mm *= unit_mm;
+    sample.speed_mm /= unit_mm;
+    return sample;
+  }
+};
+
+bool isFinite(const GraphSample& sample) {
+  return sample.at.allFinite() && std::isfinite(sample.height_mm) && sample.slope.allFinite() &&
+         sample.across.allFinite() && std::isfinite(sample.bend_per_mm) &&
+         std::isfinite(sample.speed_mm);
+}
+
+/// As near to the ends of parts as samples are taken.
+constexpr double least_t = 1e-5;
+
+/// A part of the boundary, scaled, whose samples are computed once.
+class BoundaryPart {
+ public:
+  BoundaryPart(const GraphBoundary& boundary, const Scale& scale)
+      : boundary_(&boundary), scale_(scale) {}
+
+  const GraphSample& at(double t) {
+    const auto found = samples_.find(t);
+    if (found != samples_.end()) return found->second;
+    const GraphSample sample = scale_.scaled((*boundary_)(t));
+    if (!isFinite(sample))
+      throw std::invalid_argument("a sample of the boundary of a graph is not finite");
+    return samples_.emplace(t, sample).first->second;
+  }
+
+  /// Parameters so close that there are several in each span that the part crosses. Ends are left
+  /// out, because a surface may have no tangent plane there.
+  std::vector<double> parameters(const GraphKnots& u, const GraphKnots& v) {
+    std::vector<double> all = {least_t};
+    constexpr int pieces = 8;  // a choice: as a start, so that no arc looks like a chord
+    for (int k = 0; k < pieces; ++k)
+      divide(std::max(least_t, k / double{pieces}), std::min(1 - least_t, (k + 1) / double{pieces}),
+             u, v, all);
+    return all;
+  }
+
+ private:
+  void divide(double from, double to, const GraphKnots& u, const GraphKnots& v,
+              std::vector<double>& all) {
+    constexpr double most_share = 0.3;   // of a span: three samples in each
+    constexpr double least_step = 1e-5;  // of the part
+    const double middle = 0.5 * (from + to);
+    const Vector2d here = at(from).at, there = at(to).at, between = at(middle).at;
+    const double wide_u = most_share * u.width(u.spanAt(between.x())),
+                 wide_v = most_share * v.width(v.spanAt(between.y()));
+    if (to - from > least_step &&
+        (std::abs(there.x() - here.x()) > wide_u || std::abs(there.y() - here.y()) > wide_v)) {
+      divide(from, middle, u, v, all);
+      divide(middle, to, u, v, all);
+    } else {
+      all.push_back(to);
+    }
+  }
+
+  const GraphBoundary* boundary_;
+  Scale scale_;
+  std::map<double, GraphSample> samples_;
+};
+
+/// Whether a point is inside of a closed polygon.
+bool isInside(const std::vector<Vector2d>& polygon, const Vector2d& point) {
+  bool inside = false;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vector2d &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+    if ((a.y() > point.y()) == (b.y() > point.y())) continue;
+    if (point.x() < a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
+      inside = !inside;
+  }
+  return inside;
+}
+
+/// A spline graph over a box, and its equations.
+class Graph {
+ public:
+  Graph(GraphKnots u, GraphKnots v) : u_(std::move(u)), v_(std::move(v)) {}
+
+  const GraphKnots& u() const { return u_; }
+  const GraphKnots& v() const { return v_; }
+  int poles() const { return u_.poles() * v_.poles(); }
+
+  /// A derivative with a factor.
+  struct Term {
+    double factor;
+    int order_u, order_v;
+  };
+  /// A row of the equations: a functional of the poles.
+  struct Row {
+    std::vector<Index> poles;  ///< increasing
+    Eigen::VectorXd factors;
+  };
+  using Cell = std::array<int, 2>;
+  Cell cellAt(const Vector2d& at) const { return {u_.spanAt(at.x()), v_.spanAt(at.y())}; }
+
+  /// A sum of derivatives on a cell.
+  template <std::size_t count>
+  Row row(const Cell& cell, const Vector2d& at, const std::array<Term, count>& terms) const {
+    constexpr int local = graph_degree + 1;
+    Row result{{}, Eigen::VectorXd::Zero(local * local)};
+    const Eigen::MatrixXd in_u = u_.basis(cell[0], at.x(), 3), in_v = v_.basis(cell[1], at.y(), 3);
+    for (int i = 0; i < local; ++i) {
+      for (const Term& term : terms)
+        result.factors.segment<local>(local * i) +=
+            term.factor * in_u(term.order_u, i) * in_v.row(term.order_v).transpose();
+      for (int j = 0; j < local; ++j)
+        result.poles.push_back(Index{u_.firstPole(cell[0]) + i} * v_.poles() +
+                               v_.firstPole(cell[1]) + j);
+    }
+    return result;
+  }
+  template <std::size_t count>
+  Row row(const Vector2d& at, const std::array<Term, count>& terms) const {
+    return row(cellAt(at), at, terms);
+  }
+  /// The difference of two rows, without what cancels or vanishes.
+  static Row difference(const Row& one, const Row& other) {
+    std::map<Index, double> sum;
+    for (std::size_t k = 0; k < one.poles.size(); ++k)
+      sum[one.poles[k]] += one.factors(static_cast<Index>(k));
+    for (std::size_t k = 0; k < other.poles.size(); ++k)
+      sum[other.poles[k]] -= other.factors(static_cast<Index>(k));
+    const double rounding =
+        1e-12 * std::max(one.factors.cwiseAbs().maxCoeff(), other.factors.cwiseAbs().maxCoeff());
+    std::erase_if(sum, [&](const auto& entry) { return std::abs(entry.second) <= rounding; });
+    Row result{{}, Eigen::VectorXd(static_cast<Index>(sum.size()))};
+    for (const auto& [pole, factor] : sum) {
+      result.factors(static_cast<Index>(result.poles.size())) = factor;
+      result.poles.push_back(pole);
+    }
+    return result;
+  }
+
+  /// Adds the squared difference of a functional from a value.
+  void add(const Row& row, double value, double weight) {
+    for (std::size_t k = 0; k < row.poles.size(); ++k)
+      for (std::size_t m = 0; m <= k; ++m)
+        matrix_(row.poles[k], row.poles[m]) +=
+            weight * row.factors(static_cast<Index>(k)) * row.factors(static_cast<Index>(m));
+    addRight(row, value, weight);
+  }
+  void addRight(const Row& row, double value, double weight) {
+    for (std::size_t k = 0; k < row.poles.size(); ++k)
+      right_(row.poles[k]) += weight * row.factors(static_cast<Index>(k)) * value;
+  }
+  double valueOf(const Row& row) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < row.poles.size(); ++k)
+      sum += row.factors(static_cast<Index>(k)) * heights_(row.poles[k]);
+    return sum;
+  }
+
+  void clear() {
+    matrix_ = linear::SymmetricBand(poles(), Index{graph_degree} * (v_.poles() + 1));
+    right_ = Eigen::VectorXd::Zero(poles());
+  }
+
+  bool factorise() {
+    factors_ = linear::BandCholesky(std::move(matrix_));
+    return factors_.positive();
+  }
+  /// \pre factorise() returned true.
+  bool solve() {
+    const Eigen::VectorXd heights = factors_.solve(right_);
+    if (!heights.allFinite()) return false;
+    heights_ = heights;
+    return true;
+  }
+
+  GraphJet jet(const Vector2d& at) const {
+    return {valueOf(row(at, std::array{Term{1, 0, 0}})),
+            Vector2d(valueOf(row(at, std::array{Term{1, 1, 0}})),
+                     valueOf(row(at, std::array{Term{1, 0, 1}})))};
+  }
+
+  /// The integral of the squared third derivatives.
+  void addVariation(const std::vector<Vector2d>& hole) {
+    static const GaussRule rule = gaussRule(3);
+    for (int a = 0; a < u_.spans(); ++a)
+      for (int b = 0; b < v_.spans(); ++b)
+        for (std::size_t i = 0; i < rule.nodes.size(); ++i)
+          for (std::size_t j = 0; j < rule.nodes.size(); ++j) {
+            const Vector2d at(u_.begin(a) + rule.nodes[i] * u_.width(a),
+                              v_.begin(b) + rule.nodes[j] * v_.width(b));
+            const double weight = rule.weights[i] * rule.weights[j] * u_.width(a) * v_.width(b) *
+                                  (isInside(hole, at) ? 1 : weight_outside);
+            for (int order = 0; order <= 3; ++order)
+              add(row({a, b}, at, std::array{Term{1, order, 3 - order}}), 0,
+                  (order % 3 == 0 ? 1 : 3) * weight);
+          }
+    addJumps(hole, 0);
+    addJumps(hole, 1);
+  }
+
+  /// Squared jumps of the second derivative across the lines where it may jump, as if it changed
+  /// over a quarter of the hole.
+  void addJumps(const std::vector<Vector2d>& hole, int direction) {
+    static const GaussRule rule = gaussRule(3);
+    const GraphKnots &across = direction == 0 ? u_ : v_, &along = direction == 0 ? v_ : u_;
+    const Term term = direction == 0 ? Term{1, 2, 0} : Term{1, 0, 2};
+    for (const double bend : across.bends()) {
+      const int after = across.spanAt(bend);
+      constexpr double width = 0.5;  // a choice, as the hole is about 2 wide: it keeps jumps local
+      for (int k = 0; k < along.spans(); ++k)
+        for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+          const double t = along.begin(k) + rule.nodes[i] * along.width(k);
+          const Vector2d at = direction == 0 ? Vector2d(bend, t) : Vector2d(t, bend);
+          const auto rowOf = [&](int span) {
+            return row(direction == 0 ? Cell{span, k} : Cell{k, span}, at, std::array{term});
+          };
+          add(difference(rowOf(after), rowOf(after - 1)), 0,
+              rule.weights[i] * along.width(k) / width * (isInside(hole, at) ? 1 : weight_outside));
+        }
+    }
+  }
+
+  BSplineSurface surface(const Scale& scale) const {
+    const auto knots = [&](const GraphKnots& one, double centre) {
+      std::vector<double> result = one.flat();
+      for (double& knot : result) knot = centre + scale.unit_mm * knot;
+      return result;
+    };
+    BSplineSurface result{.degree_u = graph_degree,
+                          .degree_v = graph_degree,
+                          .knots_u = knots(u_, scale.centre.x()),
+                          .knots_v = knots(v_, scale.centre.y()),
+                          .poles = HomogeneousPoles(poles(), 4)};
+    const auto abscissa = [](const std::vector<double>& flat, int pole) {
+      double sum = 0;
+      for (int k = 1; k <= graph_degree; ++k) sum += flat[static_cast<std::size_t>(pole + k)];
+      return sum / graph_degree;
+    };
+    for (int i = 0; i < u_.poles(); ++i)
+      for (int j = 0; j < v_.poles(); ++j) {
+        const Index row = Index{i} * v_.poles() + j;
+        result.poles.row(row) << abscissa(result.knots_u, i), abscissa(result.knots_v, j),
+            scale.middle_mm + scale.unit_mm * heights_(row), 1;
+      }
+    return result;
+  }
+
+ private:
+  GraphKnots u_, v_;
+  linear::SymmetricBand matrix_;
+  linear::BandCholesky factors_{linear::SymmetricBand()};
+  Eigen::VectorXd right_, heights_;
+};
+
+Vector3d normalOf(const Vector2d& slope) {
+  return Vector3d(-slope.x(), -slope.y(), 1).normalized();
+}
+
+/// By direction.
+using Bends = std::array<std::vector<double>, 2>;
+
+/// By direction, where the slope along the boundary has a kink at a smooth joint of two parts, as
+/// between a line and an arc. No smooth spline follows it closely.
+Bends bendsOf(std::vector<BoundaryPart>& parts, const Vector2d& low, const Vector2d& high) {
+  constexpr double step = 1e-3, least_cosine = 0.9;  // of a part, and of the turn at a joint
+  constexpr double least_kink = 0.01;                // per unit
+  constexpr double least_slant = 0.05;               // of the boundary against the line of the kink
+  constexpr double near = 1e-6;
+  Bends bends;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    BoundaryPart &in = parts[(k + parts.size() - 1) % parts.size()], &out = parts[k];
+    const auto rate = [&](BoundaryPart& part, double from, double to) -> Vector2d {
+      return (part.at(to).slope - part.at(from).slope) / (part.at(to).at - part.at(from).at).norm();
+    };
+    const Vector2d before = rate(in, 1 - 2 * step, 1 - step), after = rate(out, step, 2 * step);
+    const Vector2d across = in.at(1 - step).across;
+    if (across.dot(out.at(step).across) < least_cosine) continue;
+    const Vector2d joint = 2 * out.at(least_t).at - out.at(2 * least_t).at,
+                   along(-across.y(), across.x());
+    for (int d = 0; d < 2; ++d) {
+      if (std::abs(after(d) - before(d)) < least_kink || std::abs(along(d)) < least_slant) continue;
+      if (joint(d) - low(d) < near || high(d) - joint(d) < near) continue;
+      if (std::ranges::none_of(bends[static_cast<std::size_t>(d)],
+                               [&](double other) { return std::abs(other - joint(d)) < near; }))
+        bends[static_cast<std::size_t>(d)].push_back(joint(d));
+    }
+  }
+  return bends;
+}
+
+/// Where the boundary is missed, by which share of what is accepted.
+struct Miss {
+  Vector2d at, across;
+  double height = 0, gap = 0, angle_rad = 0, share = 0;
+};
+
+class GraphFilling {
+ public:
+  GraphFilling(const std::vector<GraphBoundary>& boundary, const GraphFillOptions& options)
+      : options_(options) {
+    scale_ = scaleOf(boundary);
+    for (const GraphBoundary& part : boundary) parts_.emplace_back(part, scale_);
+    constexpr int count = 64;  // a choice: cells across the outline are counted by their middles
+    Vector2d low = Vector2d::Constant(HUGE_VAL), high = -low;
+    for (BoundaryPart& part : parts_)
+      for (int k = 0; k < count; ++k) {
+        hole_.push_back(part.at((k + 0.5) / count).at);
+        low = low.cwiseMin(hole_.back());
+        high = high.cwiseMax(hole_.back());
+      }
+    // The box is a little larger, because between samples and at ends the outline may be outside.
+    constexpr double margin = 0.02;
+    low.array() -= margin, high.array() += margin;
+    constexpr int least_spans = 4;
+    const double span = (high - low).minCoeff() / least_spans;
+    const auto spansOf = [&](double range) {
+      return std::clamp(static_cast<int>(std::lround(range / span)), least_spans, 4 * least_spans);
+    };
+    const Bends bends = bendsOf(parts_, low, high);
+    graph_.emplace(GraphKnots(low.x(), high.x(), spansOf(high.x() - low.x()), bends[0]),
+                   GraphKnots(low.y(), high.y(), spansOf(high.y() - low.y()), bends[1]));
+  }
+
+  GraphFill run(const Progress& progress) {
+    // A step counts as one that helps if the largest miss falls by a tenth.
+    constexpr double helps = 0.9;
+    constexpr int most_rounds = 18, patience = 4;
+    std::optional<GraphFill> best;
+    double least = HUGE_VAL;
+    int idle = 0;
+    for (int round = 0; round < most_rounds && idle < patience; ++round) {
+      checkProgress(progress, shareAfter(round));
+      if (!solve()) break;
+      const std::vector<Miss> misses = missesOf();
+      const double worst = std::ranges::max_element(misses, {}, &Miss::share)->share;
+      idle = worst < helps * least ? 0 : idle + 1;
+      if (worst < least || !best) best = result(misses), least = std::min(least, worst);
+      if (worst <= enough_share) break;
+      refine(misses, worst, idle > 0);
+      if (graph_->poles() > options_.most_poles) break;
+    }
+    if (!best) throw std::invalid_argument("the boundary of the graph does not determine it");
+    return *best;
+  }
+
+ private:
+  static Scale scaleOf(const std::vector<GraphBoundary>& boundary) {
+    constexpr int count = 32;
+    Vector3d low = Vector3d::Constant(HUGE_VAL), high = -low;
+    for (const GraphBoundary& part : boundary)
+      for (int k = 0; k < count; ++k) {
+        const GraphSample sample = part((k + 0.5) / count);
+        const Vector3d point(sample.at.x(), sample.at.y(), sample.height_mm);
+        low = low.cwiseMin(point), high = high.cwiseMax(point);
+      }
+    const Vector3d centre = 0.5 * (low + high);
+    return {centre.head<2>(), centre.z(), 0.5 * (high - low).head<2>().norm()};
+  }
+
+  /// What is accepted, in units of the scale.
+  double gap() const { return options_.gap_mm / scale_.unit_mm; }
+
+  /// The graph with the present knots. \returns false if the equations determine none.
+  bool solve() {
+    // What is missed weighs as much as these shares of what is accepted. Smaller ones are met more
+    // closely, but leave fewer digits for the fairness.
+    bool solved = false;
+    for (const double share : {0.02, 2e-3, 1e-4}) {
+      const std::optional<double> missed = solve(share);
+      if (!missed) break;
+      solved = true;
+      constexpr double near = 0.1;  // so that what lies between the samples decides
+      if (*missed <= near) break;
+    }
+    return solved;
+  }
+
+  /// \returns the largest miss of a condition, as a share of what is accepted; nothing if the
+  /// equations determine no graph. The graph is then as before.
+  std::optional<double> solve(double met_share) {
+    using Term = Graph::Term;
+    graph_->clear();
+    graph_->addVariation(hole_);
+    std::vector<Condition> conditions;
+    for (BoundaryPart& part : parts_) {
+      const std::vector<double> parameters = part.parameters(graph_->u(), graph_->v());
+      for (std::size_t k = 0; k + 1 < parameters.size(); ++k) {
+        const GraphSample sample = part.at(0.5 * (parameters[k] + parameters[k + 1]));
+        const double length = sample.speed_mm * (parameters[k + 1] - parameters[k]);
+        const double steepness = normalOf(sample.slope).z();
+        const auto weight = [&](double accepted) {
+          return length * std::pow(steepness / (met_share * accepted), 2);
+        };
+        conditions.push_back({graph_->row(sample.at, std::array{Term{1, 0, 0}}), sample.height_mm,
+                              gap(), weight(gap())});
+        if (!(options_.angle_rad > 0)) continue;
+        const double a = sample.across.x(), b = sample.across.y();
+        conditions.push_back({graph_->row(sample.at, std::array{Term{a, 1, 0}, Term{b, 0, 1}}),
+                              sample.across.dot(sample.slope), options_.angle_rad,
+                              weight(options_.angle_rad)});
+        graph_->add(graph_->row(sample.at, std::array{Term{a * a, 2, 0}, Term{2 * a * b, 1, 1},
+                                                      Term{b * b, 0, 2}}),
+                    sample.bend_per_mm, length * options_.bend_weight);
+      }
+    }
+    for (const Condition& one : conditions) graph_->add(one.row, one.value, one.weight);
+    if (!graph_->factorise() || !graph_->solve()) return std::nullopt;
+    // Each step adds what is missed to the right side, which makes the penalty exact in the limit
+    // (the method of multipliers).
+    constexpr int steps = 12;
+    double missed = 0;
+    for (int step = 0; step <= steps; ++step) {
+      missed = 0;
+      for (const Condition& one : conditions) {
+        const double rest = one.value - graph_->valueOf(one.row);
+        missed = std::max(missed, std::abs(rest) / one.accepted);
+        graph_->addRight(one.row, rest, one.weight);
+      }
+      if (step < steps && !graph_->solve()) return std::nullopt;
+    }
+    return missed;
+  }
+
+  std::vector<Miss> missesOf() {
+    std::vector<Miss> misses;
+    for (BoundaryPart& part : parts_)
+      for (const double t : part.parameters(graph_->u(), graph_->v())) {
+        const GraphSample& sample = part.at(t);
+        const GraphJet jet = graph_->jet(sample.at);
+        const Vector3d given = normalOf(sample.slope), made = normalOf(jet.slope);
+        Miss miss{.at = sample.at,
+                  .across = sample.across,
+                  .height = sample.height_mm,
+                  .gap = std::abs(jet.height - sample.height_mm) * given.z(),
+                  .angle_rad = std::atan2(given.cross(made).norm(), given.dot(made))};
+        miss.share = miss.gap / gap();
+        if (options_.angle_rad > 0)
+          miss.share = std::max(miss.share, miss.angle_rad / options_.angle_rad);
+        misses.push_back(miss);
+      }
+    return misses;
+  }
+
+  GraphFill result(const std::vector<Miss>& misses) const {
+    GraphFill fill{.surface = graph_->surface(scale_)};
+    for (const Miss& miss : misses) {
+      fill.gap_mm = std::max(fill.gap_mm, miss.gap * scale_.unit_mm);
+      if (!(miss.angle_rad > fill.angle_rad)) continue;
+      fill.angle_rad = miss.angle_rad;
+      fill.worst_mm << scale_.centre + scale_.unit_mm * miss.at,
+          scale_.middle_mm + scale_.unit_mm * miss.height;
+    }
+    return fill;
+  }
+
+  /// Halves the spans where the boundary is missed. Where it runs along a direction, spans of the
+  /// other one are halved only if that did not help.
+  void refine(const std::vector<Miss>& misses, double worst, bool both) {
+    constexpr double poor = 0.3;      // of the largest miss
+    constexpr double aligned = 0.99;  // cosine
+    std::vector<bool> in_u(static_cast<std::size_t>(graph_->u().spans())),
+        in_v(static_cast<std::size_t>(graph_->v().spans()));
+    for (const Miss& miss : misses) {
+      if (miss.share < std::max(poor * worst, enough_share)) continue;
+      if (both || std::abs(miss.across.x()) < aligned)
+        in_u[static_cast<std::size_t>(graph_->u().spanAt(miss.at.x()))] = true;
+      if (both || std::abs(miss.across.y()) < aligned)
+        in_v[static_cast<std::size_t>(graph_->v().spanAt(miss.at.y()))] = true;
+    }
+    GraphKnots u = graph_->u(), v = graph_->v();
+    u.halve(in_u);
+    v.halve(in_v);
+    graph_.emplace(std::move(u), std::move(v));
+  }
+
+  /// A condition along the boundary.
+  struct Condition {
+    Graph::Row row;
+    double value, accepted, weight;
+  };
+
+  GraphFillOptions options_;
+  Scale scale_;
+  std::vector<BoundaryPart> parts_;
+  std::vector<Vector2d> hole_;
+  std::optional<Graph> graph_;
+};
+
+}  // namespace
+
+GraphFill graphFill(const std::vector<GraphBoundary>& boundary, const GraphFillOptions& options,
+                    const Progress& progress) {
+  if (boundary.empty()) throw std::invalid_argument("a graph needs a boundary");
+  if (!(options.gap_mm > 0) || !(options.angle_rad >= 0) || options.most_poles < 1 ||
+      !(options.bend_weight >= 0))
+    throw std::invalid_argument(
+        "a graph needs a gap above 0, an angle, a weight and a number of "
+        "poles that are not negative");
+  return GraphFilling(boundary, options).run(progress);
+}
+
+}  // namespace seamwright
