@@ -510,7 +510,8 @@ class SideJoiner {
 
   MatchReason judged(const std::vector<FaceChange>& changes) {
     const std::vector<bool> treated(result_.before.size(), true);
-    const NeededVariation needed = neededVariation(join_.shape, result_.before, treated);
+    const NeededVariation needed =
+        neededVariation(join_.shape, result_.before, treated, join_.options.depth_mm);
     MatchReason unfair;
     for (const FaceChange& change : changes) {
       FaceMove move = judgedMove(change.face, faceOf(change.face),

@@ -271,14 +271,15 @@ double widthBeside_mm(const TopoDS_Face& face, double length_mm) {
 }  // namespace
 
 NeededVariation neededVariation(const TopoDS_Shape& shape, const std::vector<SeamResult>& seams,
-                                const std::vector<bool>& treated) {
+                                const std::vector<bool>& treated, std::optional<double> depth_mm) {
   const TopTools_IndexedMapOfShape faces = partsOf(shape, TopAbs_FACE);
   NeededVariation needed;
   for (std::size_t i = 0; i < seams.size(); ++i) {
     const auto& angle = seams[i].figures.angle_rad;
     if (!treated[i] || !angle || !(seams[i].length_mm > 0)) continue;
     for (const int number : seams[i].faces) {
-      const double width_mm = widthBeside_mm(TopoDS::Face(faces(number)), seams[i].length_mm);
+      const double beside_mm = widthBeside_mm(TopoDS::Face(faces(number)), seams[i].length_mm),
+                   width_mm = std::min(beside_mm, depth_mm.value_or(beside_mm));
       if (width_mm > 0)
         needed[number] = std::max(needed[number],
                                   visibleVariation(angle->upper.value_or(angle->lower), width_mm));

@@ -135,6 +135,9 @@ def test_before_and_after_have_the_keys_of_a_seam(bent):
         "largest_move_mm",
         "before",
         "after",
+        "depth_mm",
+        "moves",
+        "remedy",
     }
     assert repr(result).startswith("<MatchResult matched: ")
     with pytest.raises(AttributeError):

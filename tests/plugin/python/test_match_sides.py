@@ -67,6 +67,6 @@ def test_parts_and_several_sides(chain):
 
 def test_what_is_refused_leaves_the_model(chain):
     edge = side_of(chain, 1, match_mm=0.1)[0]
-    result = chain.match_sides(1, [edge], angle_deg=1e-13)
-    assert not result.matched and result.reason and result.remedy
+    result = chain.match_sides(1, [edge], target="G2", max_move_mm=1e-6)
+    assert not result.matched and result.reason and result.reason_code
     assert result.model.surface(1) == chain.surface(1)
