@@ -47,7 +47,7 @@ struct ChainFigures {
   /// Bézier curve are equal and the curvature grows too fast there, as of a t^2 + b t^3.
   double energy_per_mm = 0;
   /// Local extrema of the curvature and changes of its sign along the chain, from corner to corner:
-  /// where the tangent turns by more than 1e-3 rad, the curvature begins anew. Jumps of the
+  /// where the tangent turns by more than 1e-3 rad, the curvature begins again. Jumps of the
   /// curvature between curves count; so does the joint that closes a chain. Differences below a
   /// billionth of the largest curvature, or of one over the length, do not.
   int extrema = 0, inflections = 0;

@@ -71,6 +71,45 @@ gp_Ax2 ballAxes(const Corner& corner) {
           directionOf(best_middle)};
 }
 
+/// Edges of the ball, each with the face on its other side.
+using BallBoundary = std::vector<std::pair<TopoDS_Edge, TopoDS_Face>>;
+
+TopoDS_Vertex otherEnd(const TopoDS_Edge& edge, const TopoDS_Vertex& end) {
+  const TopoDS_Vertex first = TopExp::FirstVertex(edge);
+  return first.IsSame(end) ? TopExp::LastVertex(edge) : first;
+}
+
+/// Whether one of the edges ends at the vertex.
+bool endsAt(const std::vector<TopoDS_Edge>& arcs, const TopoDS_Vertex& vertex) {
+  return std::ranges::any_of(arcs, [&](const TopoDS_Edge& arc) {
+    return TopExp::FirstVertex(arc).IsSame(vertex) || TopExp::LastVertex(arc).IsSame(vertex);
+  });
+}
+
+/// The edges that lead from one of some arcs to one of others; empty if there are none.
+BallBoundary pathBetween(const BallBoundary& edges, const std::vector<TopoDS_Edge>& from,
+                         const std::vector<TopoDS_Edge>& to) {
+  for (const auto& start : edges)
+    for (const TopoDS_Vertex& end :
+         {TopExp::FirstVertex(start.first), TopExp::LastVertex(start.first)}) {
+      if (!endsAt(from, end)) continue;
+      BallBoundary path = {start};
+      TopoDS_Vertex at = otherEnd(start.first, end);
+      while (!endsAt(to, at)) {
+        const auto next = std::ranges::find_if(edges, [&](const auto& entry) {
+          return !entry.first.IsSame(path.back().first) &&
+                 (TopExp::FirstVertex(entry.first).IsSame(at) ||
+                  TopExp::LastVertex(entry.first).IsSame(at));
+        });
+        if (next == edges.end() || path.size() == edges.size()) break;
+        path.push_back(*next);
+        at = otherEnd(next->first, at);
+      }
+      if (endsAt(to, at)) return path;
+    }
+  return {};
+}
+
 class OutsideRounder {
  public:
   /// \param direct the corner's solid with the same numbers, possibly converted to have no faces on
@@ -104,9 +143,6 @@ class OutsideRounder {
   }
 
  private:
-  /// Edges of the ball, each with the face on its other side.
-  using BallBoundary = std::vector<std::pair<TopoDS_Edge, TopoDS_Face>>;
-
   /// The edge, and the one whose contact lines ask for so large a ball: the edge itself if none is
   /// wider but for rounding.
   corner_why::EdgeOutside outside(std::size_t i) const {
@@ -220,7 +256,7 @@ class OutsideRounder {
     std::size_t left = beside_fillets.size();
     for (std::size_t i = 0; i < corner_.count(); ++i) {
       const std::size_t before = (i + corner_.count() - 1) % corner_.count();
-      const BallBoundary path = pathBetween(beside_fillets, before, i);
+      const BallBoundary path = pathBetween(beside_fillets, result_.arcs[before], result_.arcs[i]);
       if (path.empty()) throw CornerRefused(corner_why::filletMissesBall(outside(i)));
       std::vector<TopoDS_Edge> ends;
       for (const auto& [edge, face] : path) {
@@ -235,42 +271,6 @@ class OutsideRounder {
     if (left != 0)
       throw CornerRefused(
           corner_why::ballNotSurrounded(ball_mm_, boundary.size(), boundary.size() - left));
-  }
-
-  /// Whether an arc of that face of the corner ends at the vertex.
-  bool arcEndsAt(std::size_t face, const TopoDS_Vertex& vertex) const {
-    return std::ranges::any_of(result_.arcs[face], [&](const TopoDS_Edge& arc) {
-      return TopExp::FirstVertex(arc).IsSame(vertex) || TopExp::LastVertex(arc).IsSame(vertex);
-    });
-  }
-
-  /// The edges that lead from an arc of one face to an arc of another one without a third; empty if
-  /// there are none.
-  BallBoundary pathBetween(const BallBoundary& edges, std::size_t from, std::size_t to) const {
-    for (const auto& start : edges)
-      for (const TopoDS_Vertex& end :
-           {TopExp::FirstVertex(start.first), TopExp::LastVertex(start.first)}) {
-        if (!arcEndsAt(from, end)) continue;
-        BallBoundary path = {start};
-        TopoDS_Vertex at = otherEnd(start.first, end);
-        while (!arcEndsAt(to, at)) {
-          const auto next = std::ranges::find_if(edges, [&](const auto& entry) {
-            return !entry.first.IsSame(path.back().first) &&
-                   (TopExp::FirstVertex(entry.first).IsSame(at) ||
-                    TopExp::LastVertex(entry.first).IsSame(at));
-          });
-          if (next == edges.end() || path.size() == edges.size()) break;
-          path.push_back(*next);
-          at = otherEnd(next->first, at);
-        }
-        if (arcEndsAt(to, at)) return path;
-      }
-    return {};
-  }
-
-  static TopoDS_Vertex otherEnd(const TopoDS_Edge& edge, const TopoDS_Vertex& end) {
-    const TopoDS_Vertex first = TopExp::FirstVertex(edge);
-    return first.IsSame(end) ? TopExp::LastVertex(edge) : first;
   }
 
   int numberOf(const TopoDS_Face& face) const {

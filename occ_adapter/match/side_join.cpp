@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
+#include <Eigen/Geometry>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
@@ -366,6 +367,25 @@ double edgeTolerance_mm(const TopoDS_Shape& face) {
   return largest;
 }
 
+bool mayBeDeeper(MatchFault fault) {
+  return fault == MatchFault::LessFair || fault == MatchFault::FoldsOver ||
+         fault == MatchFault::MissesTolerance || fault == MatchFault::StillMisses ||
+         fault == MatchFault::DepthTooSmall;
+}
+
+bool isFolded(const Mover& mover, const handle<Geom_BSplineSurface>& after) {
+  std::array<double, 4> range{}, whole{};
+  BRepTools::UVBounds(mover.face, range[0], range[1], range[2], range[3]);
+  after->Bounds(whole[0], whole[1], whole[2], whole[3]);
+  for (const int i : {0, 2}) {
+    const bool is_periodic = i == 0 ? after->IsUPeriodic() : after->IsVPeriodic();
+    if (is_periodic) continue;
+    range[i] = std::max(range[i], whole[i]);
+    range[i + 1] = std::min(range[i + 1], whole[i + 1]);
+  }
+  return differenceOf(mover.spline, after, range).folded_at.has_value();
+}
+
 class SideJoiner {
  public:
   SideJoiner(const SideJoin& join, const Progress& progress)
@@ -417,12 +437,6 @@ class SideJoiner {
 
   bool reaches(const SeamResult& seam, int order) const {
     return certainlyReaches(seam.figures, join_.options.tolerance, levelOfOrder(order));
-  }
-
-  static bool mayBeDeeper(MatchFault fault) {
-    return fault == MatchFault::LessFair || fault == MatchFault::FoldsOver ||
-           fault == MatchFault::MissesTolerance || fault == MatchFault::StillMisses ||
-           fault == MatchFault::DepthTooSmall;
   }
 
   std::vector<std::optional<double>> depthsToTry() const {
@@ -493,19 +507,6 @@ class SideJoiner {
     }
     if (MatchReason unfair = judged(changes); !unfair.empty()) return unfair;
     return proven(changes, depth);
-  }
-
-  static bool isFolded(const Mover& mover, const handle<Geom_BSplineSurface>& after) {
-    std::array<double, 4> range{}, whole{};
-    BRepTools::UVBounds(mover.face, range[0], range[1], range[2], range[3]);
-    after->Bounds(whole[0], whole[1], whole[2], whole[3]);
-    for (const int i : {0, 2}) {
-      const bool is_periodic = i == 0 ? after->IsUPeriodic() : after->IsVPeriodic();
-      if (is_periodic) continue;
-      range[i] = std::max(range[i], whole[i]);
-      range[i + 1] = std::min(range[i + 1], whole[i + 1]);
-    }
-    return differenceOf(mover.spline, after, range).folded_at.has_value();
   }
 
   MatchReason judged(const std::vector<FaceChange>& changes) {

@@ -208,6 +208,15 @@ struct Loft {
 /// Faces that share an edge have the same poles along it.
 constexpr double sew_mm = 1e-7;
 
+/// \throws std::invalid_argument if the frames are all the same.
+void requireMovement(const BSplineSurface& loft) {
+  for (Eigen::Index row = 0; row < loft.countU(); ++row) {
+    const auto line = loft.poles.leftCols<3>().middleRows(row * loft.countV(), loft.countV());
+    if ((line.rowwise() - line.row(0)).rowwise().norm().maxCoeff() > sew_mm) return;
+  }
+  throw std::invalid_argument("all frames are the same: a loft through them has no area");
+}
+
 /// Whether all parts between creases have an area: key curves may have sides on one line.
 bool haveAreas(const BSplineSurface& surface, const std::vector<double>& creases) {
   for (const BSplineSurface& part : partsBetween(surface, SurfaceDirection::U, creases)) {
@@ -235,6 +244,7 @@ Loft loftOf(const SplineBlend& blend, const BlendArguments& arguments, BlendRepo
   options.progress = bar.progress();
   const FrameLoft loft =
       frameLoft([&](double omega) { return blend.frameAt(omega).spline; }, {0, 1}, options);
+  requireMovement(loft.surface);
   report::BlendLoftRecord record{.degree_u = loft.surface.degree_u,
                                  .degree_v = loft.surface.degree_v,
                                  .poles_u = loft.surface.countU(),

@@ -257,7 +257,10 @@ py::object joinConditionOf(const py::object& a, const py::object& edge_a, const 
   py::dict dict;
   dict["verdict"] = name(condition.verdict);
   dict["g2"] = condition.g2();
-  dict["g3"] = condition.g3();
+  // Not judged of sides of a high degree: docs/joins.md.
+  dict["g3"] = condition.g2() && !condition.curvature_change
+                   ? py::object(py::none())
+                   : py::object(py::bool_(condition.g3()));
   dict["parametric_order"] = condition.parametric_order;
   dict["gap_bound_mm"] = condition.gap_bound_mm;
   dict["angle_bound_rad"] = condition.angle_bound_rad;

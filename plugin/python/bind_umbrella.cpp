@@ -79,7 +79,10 @@ std::optional<Eigen::Matrix3d> formOf(const py::object& value) {
   const Poles rows = rowsOf("form", value, "(3, 3), of the second fundamental form,");
   if (rows.rows() != 3)
     throw py::value_error("form has " + std::to_string(rows.rows()) + " rows: 3 are needed");
-  return Eigen::Matrix3d(rows);
+  const Eigen::Matrix3d form = rows;
+  if ((form - form.transpose()).norm() > 1e-9 * form.norm())
+    throw py::value_error("form is not symmetric");
+  return form;
 }
 
 /// A connection in the form that join_condition() takes; None at an outer spoke.

@@ -119,7 +119,7 @@ TEST_P(GraphInSphere, MeetsIt) {
 
 INSTANTIATE_TEST_SUITE_P(Outlines, GraphInSphere,
                          testing::Values(Outline{"ell", ell()}, Outline{"star", star(7)}),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& outline) { return outline.param.name; });
 
 /// A plane for x < 0 and a cylinder that is tangent to it for x > 0, sewn.
 TopoDS_Shape planeAndCylinder() {

@@ -94,7 +94,7 @@ class JoinCondition(Result):
     """Whether two surfaces join.
 
     verdict           "G1", "fold", "not G1" or "singular"
-    g2, g3            they join G2, G3
+    g2, g3            they join G2, G3; g3 is None where the degrees are too high to tell
     parametric_order  n of C^n
     gap_bound_mm      bound of the gap
     angle_bound_rad   bound of the angle
@@ -114,7 +114,7 @@ class JoinCondition(Result):
 
     verdict: str
     g2: bool
-    g3: bool
+    g3: Optional[bool]
     parametric_order: int
     gap_bound_mm: float
     angle_bound_rad: Optional[float]

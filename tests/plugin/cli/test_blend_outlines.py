@@ -186,3 +186,13 @@ def test_open_and_closed_curves_are_named(tmp_path, order):
     kinds = ["open", "closed"][::-1 if order else 1]
     expect_one_line(result, f"{files[1]}: key curve 2 ({files[1]}) is {kinds[1]}, and key curve 1 "
                             f"({files[0]}) is {kinds[0]}")
+
+
+def test_a_loft_without_area_is_refused(tmp_path):
+    square = "0 0\n5 0\n10 0\n10 5\n10 10\n5 10\n0 10\n0 5\n"
+    for name in ("a.csv", "b.csv"):
+        (tmp_path / name).write_text(square)
+    options = ["--closed", "--loft", "-o", "loft.step"]
+    result = run("curve", "blend", "a.csv", "b.csv", *options, cwd=tmp_path)
+    expect_one_line(result, "area")
+    assert not (tmp_path / "loft.step").exists()

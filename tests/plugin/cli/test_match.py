@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The command match: the seams that it makes, by plain evaluation of the file, and what it refuses."""
+"""The command match: the seams that it makes, by plain evaluation of the file, and refusals."""
 
 import json
 
@@ -73,8 +73,8 @@ def test_what_falls_short_is_not_written(sheet):
         ("x", "--side 'x'"),
         ("2@0.5", "--side '2@0.5'"),
         ("2:3:4", "--side '2:3:4'"),
-        ("99", "99"),
-        ("6", "6"),  # of the other face
+        ("99", "edge 99"),
+        ("6", "edge 6"),  # of the other face
         ("2@0.7-0.2", "0.7"),
     ],
 )
@@ -87,4 +87,4 @@ def test_sides_that_are_none(sheet, side, said):
 
 def test_faces_that_are_none(sheet):
     out = sheet.parent / "out.step"
-    expect_one_line(run("match", sheet, "-o", out, "--face", "3", "--side", "2"), "3")
+    expect_one_line(run("match", sheet, "-o", out, "--face", "3", "--side", "2"), "face 3")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Model.match_sides: chains, parts and several sides, against plain evaluation of the patches."""
+"""Model.match_sides: chains and parts of sides, against plain evaluation of the patches."""
 
 import numpy as np
 import pytest
@@ -23,7 +23,8 @@ def side_of(model, face, **options):
 @pytest.fixture
 def chain():
     """A plate that rises, beside two plane ones that stand in the way of one edge."""
-    return Model.from_patches([plate(0, 60, 0, 40, 0.02), plate(-30, 0, 0, 25), plate(-30, 0, 25, 40)])
+    plates = [plate(0, 60, 0, 40, 0.02), plate(-30, 0, 0, 25), plate(-30, 0, 25, 40)]
+    return Model.from_patches(plates)
 
 
 @pytest.mark.parametrize("target", ["G1", "G2"])
@@ -51,10 +52,15 @@ def corner_parameters(surface, share):
     return surface.knots_u[0], v
 
 
-def test_parts_and_several_sides(chain):
+def test_parts_of_sides_and_bad_arguments(chain):
     edge = side_of(chain, 1, match_mm=0.1)[0]
     part = chain.match_sides(1, [{"edges": [edge], "start": 0.0, "end": 0.5}], depth_mm=20)
-    assert part.matched or part.reason_code, part.reason
+    assert part.matched, part.reason
+    surface = part.model.surface(1)
+    v = surface.knots_v[0] + 0.25 * (surface.knots_v[-1] - surface.knots_v[0])
+    jet = surface.jet(surface.knots_u[0], v)
+    normal = np.cross(jet.u, jet.v)
+    assert abs(normal[2]) / np.linalg.norm(normal) > np.cos(np.radians(0.1))
     with pytest.raises((ValueError, TypeError)):
         chain.match_sides(1, [])
     with pytest.raises(ValueError):

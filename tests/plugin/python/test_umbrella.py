@@ -266,6 +266,8 @@ def test_twists_of_spokes_that_do_not_close():
     shaped = seamwright.umbrella_twists(tangents, second, form=np.diag([0.3, -0.1, 0]))
     assert np.abs(shaped.closing_defect_mm[2]) < 1e-15
     assert shaped.form == pytest.approx(np.diag([0.3, -0.1, 0]))
+    with pytest.raises(ValueError, match="form is not symmetric"):
+        seamwright.umbrella_twists(tangents, second, form=[[0, 1, 0], [0, 0, 0], [0, 0, 0]])
     with pytest.raises(ValueError, match="3 rows for 4 tangents"):
         seamwright.umbrella_twists(tangents, second[:3])
     with pytest.raises(ValueError, match="values of lambda"):
