@@ -119,6 +119,8 @@ NodeChain chainOf(const PlanarPoints& points, bool closed) {
   for (Index i = 0; i < chain.count(); ++i) {
     if (!chain.hasSpanBefore(i) || !chain.hasSpanAfter(i)) continue;
     chain.at(i).turn_sign = turnSide(chain.at(i - 1), chain.at(i), chain.at(i + 1));
+    // The sense of a turn that rounds to 0 has no meaning.
+    if (chain.at(i).turn_rad == 0) chain.at(i).turn_sign = 0;
     // As in tangentsAt(): the sense of a turn by pi is rounding.
     constexpr double reversal_rad = pi - 1e-9;
     if (std::abs(chain.at(i).turn_rad) > reversal_rad)

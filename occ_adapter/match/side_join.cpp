@@ -367,6 +367,20 @@ double edgeTolerance_mm(const TopoDS_Shape& face) {
   return largest;
 }
 
+/// Whether the face turns back at one of the pieces.
+bool folds(const std::vector<MoverPiece>& pieces) {
+  // Points of a seam: a fold is one all along it, or nearly.
+  constexpr int points = 16;
+  return std::ranges::any_of(pieces, [](const MoverPiece& piece) {
+    int folded = 0;
+    for (int k = 0; k < points; ++k) {
+      const PiecePoint both = piece.strips->at((k + 0.5) / points);
+      if (measurePair(both.own, both.other).fold) ++folded;
+    }
+    return piece.order > 0 && 2 * folded > points;
+  });
+}
+
 bool mayBeDeeper(MatchFault fault) {
   return fault == MatchFault::LessFair || fault == MatchFault::FoldsOver ||
          fault == MatchFault::MissesTolerance || fault == MatchFault::StillMisses ||
@@ -410,7 +424,7 @@ class SideJoiner {
     }
     result_.failure = addMovers();
     if (!result_.failure.empty()) return result_;
-    if (foldsBefore()) {
+    if (folds(movers_.front().pieces)) {
       result_.failure = match_why::facesFold();
       return result_;
     }
@@ -474,19 +488,6 @@ class SideJoiner {
     }
     found->pieces.push_back(std::move(piece));
     return {};
-  }
-
-  bool foldsBefore() const {
-    // Points of a seam: a fold is one all along it, or nearly.
-    constexpr int points = 16;
-    return std::ranges::any_of(movers_.front().pieces, [](const MoverPiece& piece) {
-      int folds = 0;
-      for (int k = 0; k < points; ++k) {
-        const PiecePoint both = piece.strips->at((k + 0.5) / points);
-        if (measurePair(both.own, both.other).fold) ++folds;
-      }
-      return piece.order > 0 && 2 * folds > points;
-    });
   }
 
   MatchReason tried(const std::optional<double>& depth_mm) {

@@ -158,8 +158,8 @@ may not be larger; None: any. hold_sides: the two other boundaries that end at t
 match_mm: free edges no further apart may be the boundary. edge: which of several common edges; 0:
 the longest. depth_mm: how far from the boundary the face may change; None: as little as needed.
 convert: a face without poles that should move becomes a spline. fairness: by what factor the
-variation of a face's curvature may grow. Tolerances and progress as in analyze(). ValueError for bad
-arguments, with name and value.)";
+variation of a face's curvature may grow. Tolerances and progress as in analyze(). ValueError for
+bad arguments, with name and value.)";
 
 /// The result of matching sides, with the tolerances that judged it.
 struct SideMatchResult {
