@@ -134,11 +134,6 @@ Turn turnAt(const Surroundings& around, const TopoDS_Face& face, const TopoDS_Ve
   return turn;
 }
 
-TopoDS_Vertex otherEnd(const TopoDS_Edge& edge, const TopoDS_Vertex& vertex) {
-  const TopoDS_Vertex first = TopExp::FirstVertex(edge);
-  return first.IsSame(vertex) ? TopExp::LastVertex(edge) : first;
-}
-
 bool isPlane(const TopoDS_Face& face) {
   return BRepAdaptor_Surface(face, false).GetType() == GeomAbs_Plane;
 }
@@ -318,6 +313,11 @@ Corner turnedInsideOut(Corner corner) {
 }
 
 }  // namespace
+
+TopoDS_Vertex otherEnd(const TopoDS_Edge& edge, const TopoDS_Vertex& vertex) {
+  const TopoDS_Vertex first = TopExp::FirstVertex(edge);
+  return first.IsSame(vertex) ? TopExp::LastVertex(edge) : first;
+}
 
 std::pair<Corner, bool> ofShellAlone(const Corner& corner) {
   TopExp_Explorer shells(corner.solid, TopAbs_SHELL);

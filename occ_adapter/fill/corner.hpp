@@ -74,4 +74,7 @@ std::pair<Corner, bool> ofShellAlone(const Corner& corner);
 /// corner that cornerFillet() does not support.
 Corner cornerOf(const TopoDS_Shape& shape, int vertex);
 
+/// The end of the edge that is not this one.
+TopoDS_Vertex otherEnd(const TopoDS_Edge& edge, const TopoDS_Vertex& end);
+
 }  // namespace seamwright::occ

@@ -74,11 +74,6 @@ gp_Ax2 ballAxes(const Corner& corner) {
 /// Edges of the ball, each with the face on its other side.
 using BallBoundary = std::vector<std::pair<TopoDS_Edge, TopoDS_Face>>;
 
-TopoDS_Vertex otherEnd(const TopoDS_Edge& edge, const TopoDS_Vertex& end) {
-  const TopoDS_Vertex first = TopExp::FirstVertex(edge);
-  return first.IsSame(end) ? TopExp::LastVertex(edge) : first;
-}
-
 /// Whether one of the edges ends at the vertex.
 bool endsAt(const std::vector<TopoDS_Edge>& arcs, const TopoDS_Vertex& vertex) {
   return std::ranges::any_of(arcs, [&](const TopoDS_Edge& arc) {
