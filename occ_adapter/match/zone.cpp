@@ -378,6 +378,7 @@ bool ZoneMaker::refine(const std::vector<Eigen::Vector2d>& missed) {
           distance = (point - uv).norm();
           nearest = &reach;
         }
+    if (nearest == nullptr) continue;
     for (const int direction : {0, 1}) {
       if (nearest->across == direction) continue;
       const std::vector<double> knots = KnotAxis(*surface_, direction).knots();
