@@ -226,7 +226,7 @@ std::optional<TopoDS_Face> graphFace(const FillTask& task, const Progress& progr
   std::size_t k = 0;
   for (const HoleSide& side : task.hole.sides)
     for (const HoleEdge& hole_edge : side.edges) {
-      const std::shared_ptr<const SidePath> path = paths[k++];
+      const std::shared_ptr<const SidePath>& path = paths[k++];
       boundary.emplace_back(
           [path, sight](double t) { return graphSample(path->atParameter(t), *sight); });
       std::optional<BoundaryEdge> edge = boundaryEdge(hole_edge);
