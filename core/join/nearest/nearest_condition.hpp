@@ -50,8 +50,8 @@ enum Field {
 
 /// A term of a condition: factor times the product of up to three functions times the field.
 struct Term {
-  double factor;
-  Field field;
+  double factor = 1;
+  Field field = FieldP;
   std::array<int, 3> functions = {-1, -1, -1};  ///< -1: none
 };
 
