@@ -94,7 +94,7 @@ def test_the_folder_is_not_a_step_away_from_being_written(tmp_path):
 
 def test_no_subcommand_and_unknown_subcommand():
     expect_one_line(run(), "subcommand")
-    commands = "'analyze', 'repair', 'fill', 'corner', 'blend', 'extend' and 'curve' (see "
+    commands = "'analyze', 'repair', 'match', 'fill', 'corner', 'blend', 'extend' and 'curve' (see "
     expect_one_line(run("analyse"), commands)
 
 
