@@ -401,6 +401,9 @@ ConicSpline conicSpline(const PlanarPoints& points, bool closed, const Progress&
     result.inserted += divided;
     findTangents(chain);
   }
+  for (Index i = 0; i < chain.count(); ++i)
+    if (!chain.at(i).point.allFinite() || !std::isfinite(chain.at(i).angle_rad))
+      throw std::domain_error(fmt::format("no conics are found near point {}", i));
   // A choice: most of the time goes into the pairs.
   constexpr double tangents_found = 0.1;
   for (Index s = 0; s < chain.spans(); ++s) {
