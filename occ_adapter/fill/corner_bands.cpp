@@ -344,6 +344,7 @@ Made tried(const Corner& corner, std::vector<CornerStrip> strips,
   // A choice: far below the shortest side, so that its ends stay apart.
   how.tolerance.gap_mm = std::min(how.tolerance.gap_mm, sections.shortestSide_mm() / 10);
   how.keep_anyway = true;
+  how.graph = false;
   how.most_degree = attempt.most_degree;
   how.jobs = options.jobs;
   const TopoDS_Face first_band = TopoDS::Face(trimmer.imageOf(rounded.bands.front()));

@@ -198,7 +198,7 @@ FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOpti
   }
   FillHoleReport best = bestByPatches(task, partOf(progress, share_of_face, share_of_patches));
   if (by_face && !isBetter(best, *by_face, options)) best = std::move(*by_face);
-  if (!best.reached) {
+  if (!best.reached && options.graph) {
     std::optional<FillHoleReport> graph =
         filledByGraph(task, partOf(progress, share_of_patches, 1));
     if (graph && isBetter(*graph, best, options)) best = std::move(*graph);

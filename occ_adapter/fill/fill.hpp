@@ -18,8 +18,10 @@ struct FillHoleOptions {
   ContinuityTolerance tolerance{.gap_mm = 0.001, .angle_rad = 0.01 * radians_per_degree};
   /// A fill that misses the target is kept too.
   bool keep_anyway = false;
-  /// A surface beside the hole may continue through it; false: always patches.
+  /// A surface beside the hole may continue through it; false: patches or a graph.
   bool continue_surface = true;
+  /// Where patches miss the target one face over a plane may fill the hole.
+  bool graph = true;
   double corner_rad = 0.26;  ///< see HoleOptions::corner_rad
   int most_degree = 9;       ///< largest degree of the polynomials fitted to a side, 3 to 11
   int jobs = 0;              ///< threads; 0: one for each processor

@@ -279,7 +279,7 @@ NeededVariation neededVariation(const TopoDS_Shape& shape, const std::vector<Sea
     if (!treated[i] || !angle || !(seams[i].length_mm > 0)) continue;
     for (const int number : seams[i].faces) {
       const double beside_mm = widthBeside_mm(TopoDS::Face(faces(number)), seams[i].length_mm),
-                   width_mm = std::min(beside_mm, depth_mm.value_or(beside_mm));
+                   width_mm = std::clamp(depth_mm.value_or(beside_mm), beside_mm / 2, beside_mm);
       if (width_mm > 0)
         needed[number] = std::max(needed[number],
                                   visibleVariation(angle->upper.value_or(angle->lower), width_mm));

@@ -46,8 +46,8 @@ double variationOf_per_mm(const TopoDS_Face& face,
 
 /// By face: the variation of the mean curvature that it needs to turn its tangent plane along its
 /// treated seams by their angles, with least bending. The turn fades over the mean width of the
-/// face beside the seam: its area divided by the seam's length; or over a given depth, if that is
-/// less.
+/// face beside the seam: its area divided by the seam's length; or over a given depth between half
+/// of that width and all of it.
 /// Source: docs/theory/repair.md R1.
 using NeededVariation = std::map<int, double>;
 NeededVariation neededVariation(const TopoDS_Shape& shape, const std::vector<SeamResult>& seams,
