@@ -119,8 +119,6 @@ NodeChain chainOf(const PlanarPoints& points, bool closed) {
   for (Index i = 0; i < chain.count(); ++i) {
     if (!chain.hasSpanBefore(i) || !chain.hasSpanAfter(i)) continue;
     chain.at(i).turn_sign = turnSide(chain.at(i - 1), chain.at(i), chain.at(i + 1));
-    // The sense of a turn that rounds to 0 has no meaning.
-    if (chain.at(i).turn_rad == 0) chain.at(i).turn_sign = 0;
     // As in tangentsAt(): the sense of a turn by pi is rounding.
     constexpr double reversal_rad = pi - 1e-9;
     if (std::abs(chain.at(i).turn_rad) > reversal_rad)
@@ -401,9 +399,6 @@ ConicSpline conicSpline(const PlanarPoints& points, bool closed, const Progress&
     result.inserted += divided;
     findTangents(chain);
   }
-  for (Index i = 0; i < chain.count(); ++i)
-    if (!chain.at(i).point.allFinite() || !std::isfinite(chain.at(i).angle_rad))
-      throw std::domain_error(fmt::format("no conics are found near point {}", i));
   // A choice: most of the time goes into the pairs.
   constexpr double tangents_found = 0.1;
   for (Index s = 0; s < chain.spans(); ++s) {

@@ -64,15 +64,3 @@ def test_figures_do_not_count_corners(tmp_path, method):
     for figures in (found["before"], found["after"]):
         assert figures["energy_per_mm"] == pytest.approx(math.pi / 10, rel=1e-3)
         assert figures["extrema"] == figures["inflections"] == 0
-
-
-@pytest.mark.parametrize("count", [59, 60, 61, 64])
-@pytest.mark.parametrize("tolerance", [0.001, 0.01])
-def test_conics_of_a_figure_eight_from_its_crossing(tmp_path, count, tolerance):
-    """The curvature is 0 at the crossing, where points are on a line but for rounding."""
-    turns = [2 * math.pi * k / count for k in range(count)]
-    points = [(40 * math.sin(t), 20 * math.sin(2 * t)) for t in turns]
-    file = points_file(tmp_path, points)
-    _, report, _ = curve("conic", file, "--closed", "--tolerance", tolerance)
-    (found,) = report["curves"]
-    assert found["distance_mm"] <= tolerance and found["corners"] == 0
