@@ -47,24 +47,6 @@ using occ::extendSurfaceTo;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-/// The number of the edge whose middle is nearest to a point.
-int edgeNear(const TopoDS_Shape& shape, const gp_Pnt& point) {
-  const TopTools_IndexedMapOfShape edges = partsOf(shape, TopAbs_EDGE);
-  int nearest = 0;
-  double least = HUGE_VAL;
-  for (int i = 1; i <= edges.Extent(); ++i) {
-    double first = 0, last = 0;
-    const handle<Geom_Curve> curve = BRep_Tool::Curve(TopoDS::Edge(edges(i)), first, last);
-    if (curve.IsNull()) continue;
-    const double distance = curve->Value((first + last) / 2).Distance(point);
-    if (distance < least) {
-      least = distance;
-      nearest = i;
-    }
-  }
-  return nearest;
-}
-
 BlendSurfaceOptions fine() {
   BlendSurfaceOptions options;
   options.tolerance.gap_mm = 1e-4;

@@ -26,22 +26,18 @@ FillHoleReport filled(const TopoDS_Shape& shape) {
                        *std::ranges::min_element(holes, {}, &Hole::length_mm));
 }
 
-void expectSmoothlyFilled(const TopoDS_Shape& sheet, const TopoDS_Wire& outline) {
+void expectSmoothlyFilled(const TopoDS_Shape& sheet, const TopoDS_Wire& outline,
+                          std::size_t faces = 5, double angle_deg = 0.002) {
   const FillHoleReport report = filled(cutThrough(sheet, outline));
   ASSERT_TRUE(report.reached) << textOf(report.reason);
   EXPECT_TRUE(report.regular);
-  EXPECT_EQ(report.faces.size(), 5U);
+  EXPECT_EQ(report.faces.size(), faces);
   EXPECT_TRUE(BRepCheck_Analyzer(report.model.shape).IsValid());
-  EXPECT_LT(largestAngle_rad(report.model.shape, report.faces), 0.002 * degree);
+  EXPECT_LT(largestAngle_rad(report.model.shape, report.faces), angle_deg * degree);
 }
 
 void expectFilledByOneFace(const TopoDS_Shape& sheet, const TopoDS_Wire& outline) {
-  const FillHoleReport report = filled(cutThrough(sheet, outline));
-  ASSERT_TRUE(report.reached) << textOf(report.reason);
-  EXPECT_TRUE(report.regular);
-  EXPECT_EQ(report.faces.size(), 1U);
-  EXPECT_TRUE(BRepCheck_Analyzer(report.model.shape).IsValid());
-  EXPECT_LT(largestAngle_rad(report.model.shape, report.faces), 0.01 * degree);
+  expectSmoothlyFilled(sheet, outline, 1, 0.01);
 }
 
 class EllipsesAcross : public testing::TestWithParam<int> {};

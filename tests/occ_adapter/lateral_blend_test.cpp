@@ -42,23 +42,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-/// The number of the edge whose middle is nearest to a point.
-int edgeAt(const TopoDS_Shape& shape, const gp_Pnt& point) {
-  const TopTools_IndexedMapOfShape edges = partsOf(shape, TopAbs_EDGE);
-  int nearest = 0;
-  double least = HUGE_VAL;
-  for (int i = 1; i <= edges.Extent(); ++i) {
-    double first = 0, last = 0;
-    const handle<Geom_Curve> curve = BRep_Tool::Curve(TopoDS::Edge(edges(i)), first, last);
-    if (curve.IsNull()) continue;
-    const double distance = curve->Value((first + last) / 2).Distance(point);
-    if (distance >= least) continue;
-    least = distance;
-    nearest = i;
-  }
-  return nearest;
-}
-
 BlendSurfaceOptions strictly() {
   BlendSurfaceOptions options;
   options.tolerance.gap_mm = 1e-4;
@@ -80,8 +63,8 @@ Gap gapOf(const std::vector<TopoDS_Shape>& faces, const std::vector<TopoDS_Edge>
   std::vector<TopoDS_Shape> parts = faces;
   parts.insert(parts.end(), curves.begin(), curves.end());
   Gap gap{compoundOf(parts)};
-  gap.start = edgeAt(gap.shape, start);
-  gap.end = edgeAt(gap.shape, end);
+  gap.start = edgeNear(gap.shape, start);
+  gap.end = edgeNear(gap.shape, end);
   const TopTools_IndexedMapOfShape edges = partsOf(gap.shape, TopAbs_EDGE);
   for (const TopoDS_Edge& curve : curves) gap.lateral.push_back(edges.FindIndex(curve));
   gap.curves = curves;
@@ -240,7 +223,7 @@ Gap sphereHole() {
   const TopoDS_Face hole = BRepBuilderAPI_MakeFace(sphere, 0, 0.8, 0.2, 0.7, 1e-7).Face();
   with_hole.Add(TopoDS::Wire(partsOf(hole, TopAbs_WIRE)(1).Reversed()));
   Gap gap{with_hole.Face()};
-  const auto at = [&](double u, double v) { return edgeAt(gap.shape, sphere->Value(u, v)); };
+  const auto at = [&](double u, double v) { return edgeNear(gap.shape, sphere->Value(u, v)); };
   gap.start = at(0, 0.45);
   gap.end = at(0.8, 0.45);
   gap.lateral = {at(0.4, 0.2), at(0.4, 0.7)};
@@ -293,7 +276,7 @@ Gap twistedBeside(double c) {
                    rectangleOf(gp_Pnt(0, 30, 0), gp_Vec(40, 0, 0), gp_Vec(0, 25, 0)),
                    BRepBuilderAPI_MakeFace(new Geom_BezierSurface(poles), 1e-7).Face()},
                   {}, gp_Pnt(20, 0, 0), gp_Pnt(20, 30, 0));
-  gap.lateral = {edgeAt(gap.shape, gp_Pnt(0, 15, 0))};
+  gap.lateral = {edgeNear(gap.shape, gp_Pnt(0, 15, 0))};
   return gap;
 }
 

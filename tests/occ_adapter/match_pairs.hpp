@@ -47,6 +47,9 @@ std::array<Spline, 2> disturbedSheets(std::mt19937& generator, double noise_mm);
 
 TopoDS_Face face(const TopoDS_Shape& shape, int number);
 
+/// The number of the edge whose middle is nearest to a point.
+int edgeNear(const TopoDS_Shape& shape, const gp_Pnt& point);
+
 /// Every path lies within the tolerance of its edge from the curve in space, and the ends of the
 /// curve within that of their vertices.
 void expectTolerancesHold(const TopoDS_Shape& shape);
