@@ -19,9 +19,9 @@ using Eigen::Vector2d;
 
 /// Choices. Points of lines and arcs show corners that those of other curves do not: with a corner
 /// at a smaller turn there are fewer pieces, or it is none. Pieces between such corners have more
-/// points than the chords of an arc.
+/// points than the chords of an arc, or are lines of three.
 constexpr double least_corner_deg = 12, least_steps = 5;
-constexpr std::size_t least_points_between = 4;
+constexpr std::size_t least_of_arc = 4, least_of_line = 3;
 
 /// An upper bound, which is the distance up to rounding for points near the arc.
 double distance_mm(const PlanarArc& arc, const Vector2d& point) {
@@ -76,16 +76,36 @@ struct CornerPoints {
   int last = 0, first = 0;
 };
 
+/// Corners, ascending.
+struct Corners {
+  std::vector<CornerPoints> at = {};
+  bool is_of_pieces = false;  ///< not of the points alone
+};
+
+/// The points on both sides of a corner, two of each.
+struct CornerSteps {
+  std::array<Vector2d, 2> before, after;
+  bool is_closing = false;  ///< between the last and the first point, where a step can be shorter
+
+  /// Whether a crossing can be the corner. Between two points it is one only if the steps of the
+  /// points go on around it: where they do not, both points are corners, as those of a chamfer.
+  bool allows(const Vector2d& crossing, double within_mm) const {
+    constexpr double share = 0.1;
+    const double around_mm = (crossing - before[1]).norm() + (crossing - after[0]).norm();
+    const auto goesOn = [&](const std::array<Vector2d, 2>& side) {
+      const double step_mm = (side[1] - side[0]).norm(), off_mm = share * step_mm + 2 * within_mm;
+      return around_mm <= step_mm + off_mm && (is_closing || around_mm >= step_mm - off_mm);
+    };
+    return around_mm <= 2 * within_mm || (goesOn(before) && goesOn(after));
+  }
+};
+
 /// Lets an arc end, and the next one begin, where both cross near a corner. Returns whether they
 /// do.
-bool meetNear(PlanarArc& before, PlanarArc& after, const std::array<Vector2d, 2>& corner,
-              double within_mm) {
+bool meetNear(PlanarArc& before, PlanarArc& after, const CornerSteps& steps, double within_mm) {
   const TouchPoint end = touchPointOf(before).after(before.length_mm), start = touchPointOf(after);
-  const auto crossing = crossingNear(end, start, (corner[0] + corner[1]) / 2);
-  if (!crossing) return false;
-  // Between two points it can be as far away from them as if they turned by 120 degrees.
-  const double around_mm = (*crossing - corner[0]).norm() + (*crossing - corner[1]).norm();
-  if (around_mm > 2 * (corner[1] - corner[0]).norm() + 2 * within_mm) return false;
+  const auto crossing = crossingNear(end, start, (steps.before[1] + steps.after[0]) / 2);
+  if (!crossing || !steps.allows(*crossing, within_mm)) return false;
   before.length_mm += end.lengthTo_mm(*crossing);
   const double ahead_mm = start.lengthTo_mm(*crossing);
   after = start.after(ahead_mm).arc(after.length_mm - ahead_mm);
@@ -143,23 +163,31 @@ std::vector<std::vector<Vector2d>> runsOf(const std::vector<Vector2d>& points,
 
 /// From corner to corner.
 std::optional<SampledChain> chainWithCorners(const std::vector<Vector2d>& points,
-                                             const std::vector<CornerPoints>& corners,
-                                             const ChainTask& task) {
+                                             const Corners& corners, const ChainTask& task) {
   SampledChain chain{.arcs = {}, .corners = {}, .closed = task.closed};
-  const std::vector<std::vector<Vector2d>> runs = runsOf(points, corners, task.closed);
+  const auto n = static_cast<int>(points.size());
+  const std::vector<std::vector<Vector2d>> runs = runsOf(points, corners.at, task.closed);
   std::vector<PlacedArcs> placed;
   int count = 0;
   for (const std::vector<Vector2d>& run : runs) {
+    if (corners.is_of_pieces && run.size() < least_of_line) return std::nullopt;
     auto arcs = tangentChain({.vertices = run}, task.options(count));
     if (!arcs) return std::nullopt;
+    if (corners.is_of_pieces && run.size() < least_of_arc &&
+        arcs->arcs.front().curvature_per_mm != 0)
+      return std::nullopt;
     count += static_cast<int>(arcs->arcs.size());
     placed.push_back(*std::move(arcs));
   }
   for (std::size_t r = task.closed ? 0 : 1; r < runs.size(); ++r) {
     const std::size_t before = r > 0 ? r - 1 : runs.size() - 1;
+    const std::vector<Vector2d>&ended = runs[before], &begun = runs[r];
     // The corner of the points is off by the noise itself.
     if (!meetNear(placed[before].arcs.back(), placed[r].arcs.front(),
-                  {runs[before].back(), runs[r].front()}, task.tolerance_mm + task.noise_mm))
+                  {{ended[ended.size() - 2], ended.back()},
+                   {begun[0], begun[1]},
+                   corners.at[task.closed ? r : r - 1].first % n == 0},
+                  task.tolerance_mm + task.noise_mm))
       return std::nullopt;
   }
   for (std::size_t r = 0; r < runs.size(); ++r) {
@@ -193,9 +221,10 @@ std::vector<CornerPoints> cornersBetweenPieces(const std::vector<Vector2d>& poin
                                                                 std::abs(after.curvature_per_mm));
     if (turn_rad < std::max(least_corner_deg * radians_per_degree, least_steps * of_step_rad))
       continue;
-    if ((*crossing - first).norm() <= task.tolerance_mm)
+    // Points on both sides.
+    if ((*crossing - first).norm() <= task.noise_mm)
       corner.last = corner.first;
-    else if ((*crossing - last).norm() <= task.tolerance_mm)
+    else if ((*crossing - last).norm() <= task.noise_mm)
       corner.first = corner.last;
     const int turns = corner.last < 0 ? n : corner.last >= n ? -n : 0;
     corners.push_back({.last = corner.last + turns, .first = corner.first + turns});
@@ -204,36 +233,57 @@ std::vector<CornerPoints> cornersBetweenPieces(const std::vector<Vector2d>& poin
   return corners;
 }
 
-/// The chain with the given corners, and the one with those between pieces as well.
-std::array<std::optional<SampledChain>, 2> chainsOf(const std::vector<Vector2d>& points,
-                                                    const std::vector<Eigen::Index>& given,
-                                                    const ChainTask& task) {
-  std::vector<CornerPoints> corners, all;
-  for (const Eigen::Index i : given)
-    corners.push_back({.last = static_cast<int>(i), .first = static_cast<int>(i)});
-  if (corners.empty()) {
-    all = cornersBetweenPieces(points, task);
-  } else {
-    ChainTask open = task;
-    open.closed = false;
-    int begin = task.closed ? corners.front().first : 0;
-    const int n = static_cast<int>(points.size());
-    const auto runs = runsOf(points, corners, task.closed);
-    for (const std::vector<Vector2d>& run : runs) {
-      for (const CornerPoints& corner : cornersBetweenPieces(run, open))
-        all.push_back({.last = begin + corner.last, .first = begin + corner.first});
-      begin += static_cast<int>(run.size()) - 1;
+/// The given corners, which are points, and those between pieces from one to the next.
+Corners withThoseBetween(const std::vector<Vector2d>& points, const Corners& given,
+                         const ChainTask& task) {
+  Corners all{.at = given.at, .is_of_pieces = true};
+  ChainTask open = task;
+  open.closed = false;
+  const int n = static_cast<int>(points.size());
+  int begin = task.closed ? given.at.front().first : 0;
+  for (const std::vector<Vector2d>& run : runsOf(points, given.at, task.closed)) {
+    for (const CornerPoints& corner : cornersBetweenPieces(run, open)) {
+      const int turns = begin + corner.last < n ? 0 : n;
+      all.at.push_back(
+          {.last = begin + corner.last - turns, .first = begin + corner.first - turns});
     }
-    for (CornerPoints& corner : all)
-      if (corner.last >= n) corner = {.last = corner.last - n, .first = corner.first - n};
-    all.insert(all.end(), corners.begin(), corners.end());
-    std::ranges::sort(all, {}, &CornerPoints::last);
+    begin += static_cast<int>(run.size()) - 1;
   }
-  std::array<std::optional<SampledChain>, 2> result;
-  result[0] = corners.empty() ? smoothChain(points, task) : chainWithCorners(points, corners, task);
-  const auto hasFew = [&](const auto& run) { return run.size() < least_points_between; };
-  if (all.size() > corners.size() && std::ranges::none_of(runsOf(points, all, task.closed), hasFew))
-    result[1] = chainWithCorners(points, all, task);
+  std::ranges::sort(all.at, {}, &CornerPoints::last);
+  return all;
+}
+
+/// The chains with the corners of the points, with those between pieces as well, and with these
+/// alone: where no point is near a corner, the one next to it can turn as a corner does.
+std::vector<SampledChain> chainsOf(const std::vector<Vector2d>& points,
+                                   const std::array<Corners, 2>& of_points, const ChainTask& task) {
+  std::vector<SampledChain> result;
+  const auto add = [&](std::optional<SampledChain> chain) {
+    if (chain) result.push_back(*std::move(chain));
+  };
+  const auto& [sharp, all] = of_points;
+  if (sharp.at.empty()) {
+    add(smoothChain(points, task));
+  } else {
+    add(chainWithCorners(points, sharp, task));
+    const Corners with_others = withThoseBetween(points, sharp, task);
+    if (with_others.at.size() > sharp.at.size()) add(chainWithCorners(points, with_others, task));
+  }
+  if (all.at.size() > sharp.at.size()) add(chainWithCorners(points, all, task));
+  const Corners between{.at = cornersBetweenPieces(points, task), .is_of_pieces = true};
+  if (!between.at.empty()) add(chainWithCorners(points, between, task));
+  return result;
+}
+
+/// Those that turn by 60 degrees or more, and those of any corner.
+std::array<Corners, 2> cornersOf(const PlanarPoints& points, const ChainTask& task) {
+  std::array<Corners, 2> result;
+  PointCornerOptions options{.closed = task.closed, .error_mm = task.noise_mm};
+  for (Corners& corners : result) {
+    for (const Eigen::Index at : pointCorners(points, options))
+      corners.at.push_back({.last = static_cast<int>(at), .first = static_cast<int>(at)});
+    options.corner_rad = least_corner_deg * radians_per_degree;
+  }
   return result;
 }
 
@@ -253,16 +303,15 @@ std::optional<SampledChain> sampledChain(const PlanarPoints& points,
         .noise_mm = share * options.tolerance_mm,
         .fewer_than = best ? static_cast<int>(best->arcs.size())
                            : std::min(options.most_arcs + 1, static_cast<int>(all.size()))};
-    const std::vector<Eigen::Index> corners =
-        pointCorners(points, {.closed = options.closed, .error_mm = task.noise_mm});
+    const std::array<Corners, 2> corners = cornersOf(points, task);
     // Lines rather than flat arcs, if there is a chain of them.
     for (const double line_mm : {options.tolerance_mm, task.noise_mm}) {
       task.line_mm = line_mm;
-      for (auto& chain : chainsOf(all, corners, task)) {
-        if (!chain || !(chain->distance_mm <= options.tolerance_mm)) continue;
-        if (static_cast<int>(chain->arcs.size()) >= task.fewer_than) continue;
-        if (!joins(*chain) || !runsFromPointToPoint(*chain, all)) continue;
-        task.fewer_than = static_cast<int>(chain->arcs.size());
+      for (SampledChain& chain : chainsOf(all, corners, task)) {
+        if (!(chain.distance_mm <= options.tolerance_mm)) continue;
+        if (static_cast<int>(chain.arcs.size()) >= task.fewer_than) continue;
+        if (!joins(chain) || !runsFromPointToPoint(chain, all)) continue;
+        task.fewer_than = static_cast<int>(chain.arcs.size());
         best = std::move(chain);
       }
     }

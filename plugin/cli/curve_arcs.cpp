@@ -155,7 +155,7 @@ CurveWithArcs arcsOf(const GivenCurve& given, const CurveTask& task) {
 }
 
 /// The lines and arcs of which the points are samples; nothing if the other ones are fewer, or as
-/// many with as many lines.
+/// many with more lines, or with as many and nearer to the points.
 std::optional<CurveWithArcs> arcsSampledBy(const GivenCurve& given, double tolerance_mm,
                                            const ArcFit& other) {
   if (given.points.rows() == 0 || tolerance_mm == 0) return std::nullopt;
@@ -165,7 +165,9 @@ std::optional<CurveWithArcs> arcsSampledBy(const GivenCurve& given, double toler
                                   .tolerance_mm = tolerance_mm,
                                   .most_arcs = static_cast<int>(other.arcs.size())});
   if (!sampled) return std::nullopt;
-  if (sampled->arcs.size() == other.arcs.size() && linesIn(sampled->arcs) <= linesIn(other.arcs))
+  const int more_lines = linesIn(sampled->arcs) - linesIn(other.arcs);
+  if (sampled->arcs.size() == other.arcs.size() &&
+      (more_lines < 0 || (more_lines == 0 && sampled->distance_mm >= other.distance_mm)))
     return std::nullopt;
   CurveWithArcs result{.curve = {.chain = chainOf(sampled->arcs, closed)}, .fit = {}};
   result.curve.figures = figuresFrom(figuresOf(result.curve.chain));

@@ -56,23 +56,24 @@ PlanarPoints samplesOf(const std::vector<PlanarArc>& outline, const Sampling& sa
   return result;
 }
 
-/// Distance of a point from a chain: by samples, then by thirds beside the nearest one.
+/// Distance of a point from a chain, by the centres and angles of its arcs.
 double distanceTo(const std::vector<PlanarArc>& arcs, const Vector2d& point) {
   double nearest = infinite;
-  constexpr int samples = 400, narrowings = 60;
   for (const PlanarArc& arc : arcs) {
-    const double step_mm = arc.length_mm / samples;
-    const auto away = [&](double s) { return (arc.point(s) - point).norm(); };
-    int best = 0;
-    for (int k = 1; k <= samples; ++k)
-      if (away(k * step_mm) < away(best * step_mm)) best = k;
-    double low = std::max(0, best - 1) * step_mm, high = std::min(samples, best + 1) * step_mm;
-    for (int i = 0; i < narrowings; ++i) {
-      const double third = (high - low) / 3;
-      (away(low + third) < away(high - third) ? high : low) =
-          away(low + third) < away(high - third) ? high - third : low + third;
+    nearest = std::min({nearest, (arc.start - point).norm(), (arc.end() - point).norm()});
+    const Vector2d along = unitVector(arc.direction_rad), left(-along.y(), along.x());
+    if (arc.curvature_per_mm == 0) {
+      const Vector2d away = point - arc.start;
+      if (away.dot(along) >= 0 && away.dot(along) <= arc.length_mm)
+        nearest = std::min(nearest, std::abs(away.dot(left)));
+      continue;
     }
-    nearest = std::min(nearest, away((low + high) / 2));
+    const double radius_mm = 1 / arc.curvature_per_mm;  // below 0: to the right
+    const Vector2d centre = arc.start + radius_mm * left;
+    double turn_rad = angleFromTo(arc.start - centre, point - centre) * (radius_mm > 0 ? 1 : -1);
+    if (turn_rad < 0) turn_rad += 2 * pi;
+    if (turn_rad <= arc.length_mm / std::abs(radius_mm))
+      nearest = std::min(nearest, std::abs((point - centre).norm() - std::abs(radius_mm)));
   }
   return nearest;
 }
@@ -290,8 +291,8 @@ double largestDistance(const std::vector<PlanarArc>& from, const std::vector<Pla
   return largest;
 }
 
-// Identity (3), with errors of 3/5 of the tolerance along each axis. The errors of many points
-// cancel, so that the chain is nearer to the outline than they are.
+// Identity (3), with larger errors. Those of many points cancel, so that the chain is nearer to the
+// outline than they are.
 TEST(SampledChain, OfPointsWithErrorsHasNoStart) {
   std::mt19937_64 random(testSeed());
   std::vector<OutlinePiece> plate, rounded;
@@ -327,22 +328,135 @@ TEST(SampledChain, OfPointsWithErrorsHasNoStart) {
   }
 }
 
-// Identity (1): no point is at a corner.
-TEST(SampledChain, CornersCanLieBetweenPoints) {
-  const std::vector<PlanarArc> outline =
-      outlineOf({{pi / 2, 0, 40}, {pi / 2, 0, 20}, {pi / 2, 0, 40}, {pi / 2, 0, 20}}, 0.7);
+/// Points of a closed outline at much the same steps along it, the first so many steps after its
+/// start.
+PlanarPoints stepsAlong(const std::vector<PlanarArc>& outline, double step_mm, double first) {
+  double length_mm = 0;
+  for (const PlanarArc& arc : outline) length_mm += arc.length_mm;
+  const auto n = static_cast<Eigen::Index>(std::round(length_mm / step_mm));
+  PlanarPoints points(n, 2);
+  auto arc = outline.begin();
+  double before_mm = 0;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double along_mm = length_mm / static_cast<double>(n) * (static_cast<double>(i) + first);
+    while (along_mm - before_mm > arc->length_mm) before_mm += (arc++)->length_mm;
+    points.row(i) = arc->point(along_mm - before_mm).transpose();
+  }
+  return points;
+}
+
+/// Points of a closed outline, each piece of which is divided into the fewest equal steps that are
+/// no longer than this.
+PlanarPoints stepsOfPieces(const std::vector<PlanarArc>& outline, double step_mm) {
   std::vector<Vector2d> points;
-  for (const PlanarArc& side : outline)
-    for (double s = 0.4; s < side.length_mm; s += 1) points.push_back(side.point(s));
+  for (const PlanarArc& arc : outline) {
+    const double steps = std::ceil(arc.length_mm / step_mm);
+    for (double k = 0; k < steps; ++k) points.push_back(arc.point(arc.length_mm * k / steps));
+  }
   PlanarPoints rows(std::ssize(points), 2);
   for (Eigen::Index i = 0; i < rows.rows(); ++i)
     rows.row(i) = points[static_cast<std::size_t>(i)].transpose();
-  const auto chain = sampledChain(rows, {.closed = true, .tolerance_mm = 0.01});
-  ASSERT_TRUE(chain);
-  ASSERT_THAT(chain->arcs, SizeIs(4));
-  EXPECT_THAT(chain->corners, SizeIs(4));
-  for (const PlanarArc& side : chain->arcs) EXPECT_LT(distanceTo(outline, side.start), 1e-9);
-  for (const PlanarArc& side : outline) EXPECT_LT(distanceTo(chain->arcs, side.start), 1e-9);
+  return rows;
+}
+
+std::vector<OutlinePiece> polygonOf(const std::vector<Vector2d>& vertices) {
+  std::vector<OutlinePiece> sides;
+  const std::size_t n = vertices.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vector2d before = vertices[i] - vertices[(i + n - 1) % n],
+                   side = vertices[(i + 1) % n] - vertices[i];
+    sides.push_back({angleFromTo(before, side), 0, side.norm()});
+  }
+  return sides;
+}
+
+std::vector<OutlinePiece> starOf(double inner_mm, double outer_mm, int tips) {
+  std::vector<Vector2d> vertices;
+  for (int i = 0; i < 2 * tips; ++i)
+    vertices.emplace_back((i % 2 == 0 ? outer_mm : inner_mm) * unitVector(i * pi / tips));
+  return polygonOf(vertices);
+}
+
+/// A gear with straight teeth: three or four points are on each of its tips.
+std::vector<OutlinePiece> gearOf(int teeth) {
+  std::vector<Vector2d> vertices;
+  for (int i = 0; i < teeth; ++i) {
+    const double at_rad = 2 * pi * i / teeth;
+    for (const auto& [share, radius_mm] :
+         {std::pair{0.0, 27.0}, {0.15, 32.0}, {0.35, 32.0}, {0.5, 27.0}})
+      vertices.emplace_back(radius_mm * unitVector(at_rad + share * 2 * pi / teeth));
+  }
+  return polygonOf(vertices);
+}
+
+// Identity (1): equal steps leave corners out, blunt and sharp ones, in either direction.
+TEST(SampledChain, CornersCanLieBetweenPoints) {
+  const std::vector<std::vector<OutlinePiece>> outlines = {
+      {{pi / 2, 0, 60}, {pi / 2, 0, 40}, {pi / 2, 0, 60}, {pi / 2, 0, 40}},
+      {{2 * pi / 3, 0, 50}, {2 * pi / 3, 0, 50}, {2 * pi / 3, 0, 50}},
+      {{pi / 2, 0, 40}, {pi / 2, 0, 20}, {0, 0.05, 20 * pi}, {0, 0, 20}},
+      {{pi / 2, 0.1, 5 * pi}, {pi / 2, 0.1, 5 * pi}},
+      starOf(12, 30, 5),
+      gearOf(12)};
+  constexpr int offsets = 5;
+  for (std::size_t k = 0; k < outlines.size(); ++k)
+    for (int offset = 0; offset < offsets; ++offset)
+      for (const bool is_reversed : {false, true})
+        for (const double unit_mm : {1e-12, 1e-3}) {
+          SCOPED_TRACE(testing::Message() << k << ' ' << offset << ' ' << is_reversed << unit_mm);
+          const std::vector<PlanarArc> outline = outlineOf(outlines[k], 0.3 * offset);
+          PlanarPoints points = stepsAlong(outline, 1, offset / static_cast<double>(offsets));
+          if (is_reversed) points = points.colwise().reverse().eval();
+          points = (points / unit_mm).array().round() * unit_mm;
+          const auto chain = sampledChain(points, {.closed = true, .tolerance_mm = 0.01});
+          ASSERT_TRUE(chain);
+          ASSERT_THAT(chain->arcs, SizeIs(outline.size()));
+          EXPECT_LE(chain->distance_mm, unit_mm + 1e-9);
+          for (const auto& [from, to] : {std::pair{chain->arcs, outline}, {outline, chain->arcs}})
+            for (const PlanarArc& arc : from)
+              EXPECT_LT(distanceTo(to, arc.start), 10 * unit_mm + 1e-9);
+        }
+}
+
+// Identity (1): a chamfer that only its two ends show is no corner that equal steps leave out.
+TEST(SampledChain, ShortChamfersStay) {
+  for (const double chamfer_mm : {0.3, 0.5, 1.7, 2.5}) {
+    std::vector<OutlinePiece> plate;
+    for (int side = 0; side < 4; ++side) {
+      plate.push_back({pi / 4, 0, side % 2 == 0 ? 40.0 : 20.0});
+      plate.push_back({pi / 4, 0, chamfer_mm});
+    }
+    const std::vector<PlanarArc> outline = outlineOf(plate, 0.2);
+    const auto chain =
+        sampledChain(stepsOfPieces(outline, 1), {.closed = true, .tolerance_mm = 0.01});
+    SCOPED_TRACE(chamfer_mm);
+    ASSERT_TRUE(chain);
+    ASSERT_THAT(chain->arcs, SizeIs(8));
+    EXPECT_THAT(chain->corners, SizeIs(8));
+    for (const PlanarArc& side : chain->arcs) EXPECT_LT(distanceTo(outline, side.start), 1e-9);
+  }
+}
+
+// Identity (3): the corners of regular polygons, from any start.
+TEST(SampledChain, OfPolygonsWithErrorsHasNoStart) {
+  std::mt19937_64 random(testSeed());
+  for (const int sides : {4, 6, 12})
+    for (const double step_mm : {1.25, 0.5}) {
+      const std::vector<PlanarArc> outline =
+          outlineOf(std::vector<OutlinePiece>(static_cast<std::size_t>(sides),
+                                              {.turn_rad = 2 * pi / sides, .length_mm = 10}),
+                    uniform(random, -3, 3));
+      const PlanarPoints points = withErrors(stepsOfPieces(outline, step_mm), 0.025, random);
+      for (const Eigen::Index first : {0, 3, 11}) {
+        SCOPED_TRACE(testing::Message() << sides << ' ' << step_mm << ' ' << first);
+        const auto chain =
+            sampledChain(rotated(points, first), {.closed = true, .tolerance_mm = 0.05});
+        ASSERT_TRUE(chain);
+        EXPECT_THAT(chain->arcs, SizeIs(sides));
+        EXPECT_THAT(chain->corners, SizeIs(sides));
+        EXPECT_EQ(std::ranges::count(chain->arcs, 0, &PlanarArc::curvature_per_mm), sides);
+      }
+    }
 }
 
 // Identity (1): the pieces before and after an arc or two are lines, whatever their number.
@@ -385,7 +499,7 @@ TEST(SampledChain, IsWithinTheToleranceOrNothing) {
     turnsOf(*chain);
     EXPECT_LE(largestDistance(chain->arcs, points), chain->distance_mm + 1e-7);
   }
-  EXPECT_GT(found, 5);
+  EXPECT_GT(found, 20);
 }
 
 TEST(SampledChain, OfAnEllipseIsNothingOrNear) {
