@@ -71,6 +71,18 @@ bool joins(const SampledChain& chain) {
   return true;
 }
 
+std::ptrdiff_t linesIn(const SampledChain& chain) {
+  return std::ranges::count(chain.arcs, 0, &PlanarArc::curvature_per_mm);
+}
+
+/// Whether arcs are as flat as points near a line can be.
+bool hasFlatArcs(const SampledChain& chain, double tolerance_mm) {
+  return std::ranges::any_of(chain.arcs, [&](const PlanarArc& arc) {
+    const double height_mm = std::abs(arc.curvature_per_mm) * arc.length_mm * arc.length_mm / 8;
+    return arc.curvature_per_mm != 0 && height_mm <= 2 * tolerance_mm;
+  });
+}
+
 /// The last point of a run and the first one of the next; the same if the corner is a point.
 struct CornerPoints {
   int last = 0, first = 0;
@@ -296,23 +308,25 @@ std::optional<SampledChain> sampledChain(const PlanarPoints& points,
   std::optional<SampledChain> best;
   constexpr Eigen::Index least_points = 3;
   if (points.rows() < least_points) return best;
+  int fewer_than = std::min(options.most_arcs + 1, static_cast<int>(all.size()));
   for (const double share : noise_shares) {
-    ChainTask task{
-        .closed = options.closed,
-        .tolerance_mm = options.tolerance_mm,
-        .noise_mm = share * options.tolerance_mm,
-        .fewer_than = best ? static_cast<int>(best->arcs.size())
-                           : std::min(options.most_arcs + 1, static_cast<int>(all.size()))};
+    ChainTask task{.closed = options.closed,
+                   .tolerance_mm = options.tolerance_mm,
+                   .noise_mm = share * options.tolerance_mm};
     const std::array<Corners, 2> corners = cornersOf(points, task);
     // Lines rather than flat arcs, if there is a chain of them.
     for (const double line_mm : {options.tolerance_mm, task.noise_mm}) {
       task.line_mm = line_mm;
+      task.fewer_than = fewer_than;
       for (SampledChain& chain : chainsOf(all, corners, task)) {
-        if (!(chain.distance_mm <= options.tolerance_mm)) continue;
-        if (static_cast<int>(chain.arcs.size()) >= task.fewer_than) continue;
+        const auto count = static_cast<int>(chain.arcs.size());
+        if (!(chain.distance_mm <= options.tolerance_mm) || count >= fewer_than) continue;
+        if (best && best->arcs.size() == chain.arcs.size() && linesIn(*best) >= linesIn(chain))
+          continue;
         if (!joins(chain) || !runsFromPointToPoint(chain, all)) continue;
-        task.fewer_than = static_cast<int>(chain.arcs.size());
         best = std::move(chain);
+        // With more noise flat arcs can be lines.
+        fewer_than = hasFlatArcs(*best, options.tolerance_mm) ? count + 1 : count;
       }
     }
   }

@@ -37,7 +37,7 @@ struct SampledChainOptions {
 ///   (1) Samples of lines and arcs give these, up to the rounding of their digits; corners among
 ///       the samples stay corners, and those that equal steps of the samples leave out are found.
 ///   (2) No point is further from the chain than distance_mm <= tolerance_mm.
-///   (3) Points of lines and arcs with errors up to half the tolerance along each axis have as
+///   (3) Points of lines and arcs with errors up to 2/5 of the tolerance along each axis have as
 ///       many, with the same corners, and so they have from whichever point a closed chain begins.
 ///       Each piece needs so many points that errors do not hide it, and a corner of two lines
 ///       turns by 30 degrees or more.
