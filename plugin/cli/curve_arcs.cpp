@@ -155,7 +155,7 @@ CurveWithArcs arcsOf(const GivenCurve& given, const CurveTask& task) {
 }
 
 /// The lines and arcs of which the points are samples; nothing if the other ones are fewer, or as
-/// many with more lines, or with as many and nearer to the points.
+/// many with more lines, or with as many and not much further from the points.
 std::optional<CurveWithArcs> arcsSampledBy(const GivenCurve& given, double tolerance_mm,
                                            const ArcFit& other) {
   if (given.points.rows() == 0 || tolerance_mm == 0) return std::nullopt;
@@ -165,9 +165,11 @@ std::optional<CurveWithArcs> arcsSampledBy(const GivenCurve& given, double toler
                                   .tolerance_mm = tolerance_mm,
                                   .most_arcs = static_cast<int>(other.arcs.size())});
   if (!sampled) return std::nullopt;
+  constexpr double much = 0.1;  // of the tolerance
   const int more_lines = linesIn(sampled->arcs) - linesIn(other.arcs);
+  const bool is_nearer = sampled->distance_mm + much * tolerance_mm < other.distance_mm;
   if (sampled->arcs.size() == other.arcs.size() &&
-      (more_lines < 0 || (more_lines == 0 && sampled->distance_mm >= other.distance_mm)))
+      (more_lines < 0 || (more_lines == 0 && !is_nearer)))
     return std::nullopt;
   CurveWithArcs result{.curve = {.chain = chainOf(sampled->arcs, closed)}, .fit = {}};
   result.curve.figures = figuresFrom(figuresOf(result.curve.chain));
