@@ -93,7 +93,7 @@ std::vector<double> startsBeside(double inflection) {
   return starts;
 }
 
-TEST(ConicEights, StartAnywhere) {
+TEST(ConicEights, Identity6StartAnywhere) {
   for (const auto& [curve, inflection] :
        {std::pair<Curve, double>(&lemniscate, pi / 2), {&figureEight, 0}, {&lissajous, pi / 2}})
     for (const Index count : {24, 41})
@@ -106,7 +106,7 @@ TEST(ConicEights, StartAnywhere) {
       }
 }
 
-TEST(ConicEights, AreNearTheCurveAndChangeTheirSideAtItsInflections) {
+TEST(ConicEights, Identity6AreNearTheCurveAndChangeTheirSideAtItsInflections) {
   std::mt19937_64 random(testSeed());
   for (const double start : {pi / 2, pi / 2 + 1e-9, pi / 2 - 1e-12, uniform(random, 0, 2 * pi)}) {
     SCOPED_TRACE(start);
@@ -124,7 +124,7 @@ TEST(ConicEights, AreNearTheCurveAndChangeTheirSideAtItsInflections) {
   }
 }
 
-TEST(ConicEights, MoveAlong) {
+TEST(ConicEights, Identity4MoveAlong) {
   std::mt19937_64 random(testSeed());
   for (int i = 0; i < 8; ++i) {
     const double size = std::pow(10, uniform(random, -6, 6)), angle = uniform(random, 0, 2 * pi);

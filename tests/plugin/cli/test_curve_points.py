@@ -69,4 +69,6 @@ def test_two_points(tmp_path):
         assert report["curves"][0]["after"]["length_mm"] == pytest.approx(5)
     result = run("curve", "fair", given, "-o", tmp_path / "fair.csv")
     assert result.returncode == 2
-    expect_one_line(result, "2 points: nothing can be made fair between them; at least 3 are needed")
+    expect_one_line(
+        result, "2 points: nothing can be made fair between them; at least 3 are needed"
+    )
