@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The command curve with points of curves that cross themselves, points of lines and arcs, and few
-points."""
+"""The command curve with points of curves that cross themselves, points of lines and arcs, few
+points, and models of one edge."""
 
 import math
 
 import pytest
 
 from command import expect_one_line, run
-from curves import curve, points_file
+from curves import METHODS, curve, points_file
 
 
 def lemniscate(count, start):
@@ -72,3 +72,28 @@ def test_two_points(tmp_path):
     expect_one_line(
         result, "2 points: nothing can be made fair between them; at least 3 are needed"
     )
+
+
+@pytest.mark.parametrize("name", ["edge.step", "edge.igs", "edge.brep"])
+def test_models_of_one_edge(tmp_path, name):
+    low = points_file(tmp_path, [(3 * i, 0.09 * i * i) for i in range(20)])
+    length_mm = curve("clothoid", low, out=name)[1]["curves"][0]["after"]["length_mm"]
+    for method in METHODS:
+        result, report, _ = curve(method, tmp_path / name, out="again.svg")
+        (found,) = report["curves"]
+        assert result.returncode == 0 and found["edges"] == [1]
+        assert found["after"]["length_mm"] == pytest.approx(length_mm, abs=0.1)
+    high = points_file(tmp_path, [(3 * i, 10 + 0.1 * i * i) for i in range(20)], "high.csv")
+    result = run("curve", "blend", tmp_path / name, high, "-o", tmp_path / f"blend_{name}")
+    assert result.returncode == 0, result.stderr
+
+
+def test_faults_of_a_key_curve_have_no_number_of_a_frame(tmp_path):
+    names = ["low.csv", "high.csv"]
+    low, high = (
+        points_file(tmp_path, [(3 * i, height + 0.09 * i * i) for i in range(20)], name)
+        for height, name in zip((0, 10), names)
+    )
+    result = run("curve", "blend", low, high, "-o", tmp_path / "o.csv", "--tolerance", 1e-12)
+    assert result.returncode == 2
+    expect_one_line(result, "low.csv: the tolerance is 1e-12 mm, and places on the curve are known")
