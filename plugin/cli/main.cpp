@@ -122,7 +122,7 @@ int run(int argc, char** argv) {
   // Commands inherit a footer that is set before them.
   app.footer(
       "Exit status: 0 the result meets its target, 1 it falls short, 2 bad usage or "
-      "input, 130 stopped by Ctrl-C; see 'seamwright COMMAND --help'.");
+      "input, 130 stopped by Ctrl-C, 143 by SIGTERM; see 'seamwright COMMAND --help'.");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
