@@ -135,8 +135,8 @@ class Course {
     const CurveDerivatives x = piece.derivatives(at.t, 2);
     const double speed = x.row(1).norm();
     if (!(speed > 0))
-      throw FrameFault(index_,
-                       fmt::format("frame {} stops in piece {} at {}", index_, at.piece, at.t));
+      throw FrameFault(index_, fmt::format("frame {} ", index_),
+                       fmt::format("stops in piece {} at {}", at.piece, at.t));
     const Eigen::Vector3d tangent = x.row(1).transpose() / speed, second = x.row(2).transpose();
     const Eigen::Vector3d bend = (second - second.dot(tangent) * tangent) / (speed * speed);
     const double rate = frame_.length_mm() * share[1];
@@ -270,8 +270,9 @@ void requireMeasurable(const Correspondence& correspondence, double tolerance_mm
       longest_mm = std::max(longest_mm, (frame.share(i + 1) - frame.share(i)) * frame.length_mm());
     if (const double known_mm = share * longest_mm; tolerance_mm < known_mm)
       throw FrameFault(
-          f, fmt::format("the tolerance is {:.3g} mm: places on frame {} are known to {:.3g} mm",
-                         tolerance_mm, f, known_mm));
+          f, fmt::format("frame {}: ", f),
+          fmt::format("the tolerance is {:.3g} mm, and places on the curve are known to {:.3g} mm",
+                      tolerance_mm, known_mm));
   }
 }
 

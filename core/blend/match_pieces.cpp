@@ -32,7 +32,7 @@ auto naming(std::size_t frame, const Work& work) {
   try {
     return work();
   } catch (const std::invalid_argument& fault) {
-    throw FrameFault(frame, fmt::format("frame {}: {}", frame, fault.what()));
+    throw FrameFault(frame, fmt::format("frame {}: ", frame), fault.what());
   }
 }
 
@@ -41,9 +41,9 @@ void requireFrames(const Splines& frames) {
   for (std::size_t f = 0; f < frames.size(); ++f) {
     naming(f, [&] { requireValid(frames[f]); });
     if (frames[f].closed != frames[0].closed)
-      throw FrameFault(
-          f, fmt::format("frame {} is {}, frame 0 is {}", f, frames[f].closed ? "closed" : "open",
-                         frames[0].closed ? "closed" : "open"));
+      throw FrameFault(f, fmt::format("frame {} ", f),
+                       fmt::format("is {}, frame 0 is {}", frames[f].closed ? "closed" : "open",
+                                   frames[0].closed ? "closed" : "open"));
   }
 }
 
@@ -333,9 +333,10 @@ BezierSpline divided(const Measured& frame, std::size_t f, const std::vector<Anc
   BezierSpline result = dividedAt(frame.spline(), places);
   if (result.segments() != count)
     throw FrameFault(
-        f, fmt::format("frame {}: {} pieces are needed and {} possible: joints are too close "
-                       "together; a larger closeness merges them",
-                       f, count, result.segments()));
+        f, fmt::format("frame {}: ", f),
+        fmt::format("{} pieces are needed and {} possible: joints are too close together; a larger "
+                    "closeness merges them",
+                    count, result.segments()));
   return result;
 }
 

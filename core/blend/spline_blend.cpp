@@ -34,18 +34,21 @@ void requireAlike(const Splines& keys) {
     const BezierSpline &key = keys[i], &first = keys.front();
     requireValid(key);
     const auto differs = [&](const char* what, int own, int other) {
-      throw FrameFault(i, frameName(i) + " has " + what + " " + std::to_string(own) +
-                              ", the first " + std::to_string(other) + ": they must be equal");
+      throw FrameFault(i, frameName(i) + " ",
+                       std::string("has ") + what + " " + std::to_string(own) + ", the first " +
+                           std::to_string(other) + ": they must be equal");
     };
     if (key.segments() != first.segments()) differs("segments", key.segments(), first.segments());
     if (key.degree != first.degree) differs("degree", key.degree, first.degree);
     if (key.closed != first.closed)
-      throw FrameFault(i, frameName(i) + " is " + (key.closed ? "closed" : "open") +
-                              ", the first is not: key frames must be alike");
+      throw FrameFault(i, frameName(i) + " ",
+                       std::string("is ") + (key.closed ? "closed" : "open") +
+                           ", the first is not: key frames must be alike");
     const double begin = key.poles(0, 3), end = key.poles(key.poles.rows() - 1, 3);
     if (key.closed && begin != end)
-      throw FrameFault(i, frameName(i) + " is closed, and its first and last weights are " +
-                              text(begin) + " and " + text(end) + ": they must be equal");
+      throw FrameFault(i, frameName(i) + " ",
+                       "is closed, and its first and last weights are " + text(begin) + " and " +
+                           text(end) + ": they must be equal");
   }
 }
 
@@ -82,10 +85,11 @@ int orderOf(const BetaFit& fit, const JointBlendOptions& options) {
 
 [[noreturn]] void refuseJoint(std::size_t key, int joint, const BetaFit& fit, int order) {
   const std::size_t next = static_cast<std::size_t>(order) + 1;
-  throw FrameFault(key, frameName(key) + ", knot " + std::to_string(joint + 1) +
-                            ": the joint is not G" + std::to_string(next) +
-                            (next < fit.defects.size() ? ", defect " + text(fit.defects[next])
-                                                       : std::string(", there is no tangent")));
+  throw FrameFault(key, frameName(key) + ", ",
+                   "knot " + std::to_string(joint + 1) + ": the joint is not G" +
+                       std::to_string(next) +
+                       (next < fit.defects.size() ? ", defect " + text(fit.defects[next])
+                                                  : std::string(", there is no tangent")));
 }
 
 /// Betas of a joint in all key frames, as many as the order that all of them have.

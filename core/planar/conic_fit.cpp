@@ -205,8 +205,8 @@ std::optional<std::vector<ConicSpan>> spansThrough(const std::vector<ConicPoint>
   PlanarPoints rows(count, 2);
   for (Eigen::Index i = 0; i < count; ++i)
     rows.row(i) = points[static_cast<std::size_t>(i)].point.transpose();
-  for (Eigen::Index i = 1; i < count; ++i)
-    if (rows.row(i) == rows.row(i - 1)) return std::nullopt;
+  for (Eigen::Index i = closed ? 0 : 1; i < count; ++i)
+    if (rows.row(i) == rows.row(i > 0 ? i - 1 : count - 1)) return std::nullopt;
   ConicSpline spline;
   try {
     spline = conicSpline(rows, closed, progress, effort);
@@ -404,6 +404,23 @@ ConicRound measured(const ConicFitCurve& of, const std::vector<ConicPoint>& poin
   return round;
 }
 
+/// Far more points than a tolerance above rounding needs: the error falls with the fourth power of
+/// their number.
+/// \throws std::domain_error otherwise.
+void requireFewRounds(int round, const std::vector<ConicPoint>& points, const ConicRun& run,
+                      double tolerance_mm) {
+  constexpr int most_rounds = 64;
+  constexpr std::size_t most_points = 4096, most_points_per_segment = 16;
+  const std::size_t most =
+      most_points + most_points_per_segment * static_cast<std::size_t>(run.end - run.begin);
+  if (round < most_rounds && points.size() <= most) return;
+  const Vector2d &start = points.front().point, &end = points.back().point;
+  throw std::domain_error(fmt::format(
+      "no conics keep the tolerance {:.6g} mm from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}): {} points "
+      "after {} rounds do not suffice",
+      tolerance_mm, start.x(), start.y(), end.x(), end.y(), points.size(), round));
+}
+
 /// Takes more points where conics are too far away, until none is. Returns where the curve turns
 /// back, if it does; then nothing is appended.
 std::optional<double> fitConicRun(const ConicFitCurve& of, const ConicRun& run, double tolerance_mm,
@@ -415,6 +432,7 @@ std::optional<double> fitConicRun(const ConicFitCurve& of, const ConicRun& run, 
   // The lengths are found with drafts.
   PairEffort effort = PairEffort::Draft;
   for (int round = 0;; ++round) {
+    requireFewRounds(round, points, run, tolerance_mm);
     const Progress of_round = partOf(progress, shareAfter(round), shareAfter(round));
     const auto spans = spansThrough(points, run.closed, effort, of_round);
     if (!spans && appendSmall(of.curve, run, tolerance_mm, result)) return std::nullopt;

@@ -89,14 +89,17 @@ void measureChords(NodeChain& chain) {
                                          chain.at(i + 1).point - chain.at(i).point);
 }
 
+/// Each coordinate of a chord has one rounding of this size, and so has each given point.
+double roundingOf_mm(const SplineNode& before, const SplineNode& node, const SplineNode& after) {
+  return machine_epsilon *
+         std::max({before.point.cwiseAbs().maxCoeff(), node.point.cwiseAbs().maxCoeff(),
+                   after.point.cwiseAbs().maxCoeff()});
+}
+
 /// The side to which the polygon turns; 0 if rounding hides it.
 int turnSide(const SplineNode& before, const SplineNode& node, const SplineNode& after) {
-  // Each coordinate of a chord has one rounding of this size, and so has each given point.
-  const double size_mm =
-      std::max({before.point.cwiseAbs().maxCoeff(), node.point.cwiseAbs().maxCoeff(),
-                after.point.cwiseAbs().maxCoeff()});
   const double noise_rad =
-      4 * machine_epsilon * size_mm * (1 / before.chord_mm + 1 / node.chord_mm);
+      4 * roundingOf_mm(before, node, after) * (1 / before.chord_mm + 1 / node.chord_mm);
   if (std::abs(node.turn_rad) <= noise_rad) return 0;
   return node.turn_rad > 0 ? 1 : -1;
 }
@@ -168,16 +171,45 @@ double circleCurvature(const NodeChain& chain, Index i) {
   return 2 * std::abs(std::sin(chain.at(i).turn_rad)) / across_mm;
 }
 
+/// Whether the ends of a span turn to different sides.
+bool turnsBothWays(const NodeChain& chain, Index s) {
+  return chain.at(s).turn_sign * chain.at(s + 1).turn_sign < 0;
+}
+
+/// The share of a span at which a curvature is 0 that is linear along the chord.
+double inflectionShare(const NodeChain& chain, Index s) {
+  const double before = circleCurvature(chain, s), after = circleCurvature(chain, s + 1);
+  return before / (before + after);
+}
+
+/// A node has no turn if a node inserted at the inflection beside it would be so near that rounding
+/// of its place gives the chord between them another direction.
+void hideTurnsAtInflections(NodeChain& chain) {
+  // A choice: the direction is to have an error of less than about a hundredth of the turn.
+  constexpr double clear = 512;
+  std::vector<Index> hidden;
+  const auto consider = [&](Index i, double to_inflection_mm) {
+    const double rounding_mm = roundingOf_mm(chain.at(i - 1), chain.at(i), chain.at(i + 1));
+    if (to_inflection_mm * std::abs(chain.at(i).turn_rad) <= clear * rounding_mm)
+      hidden.push_back(i);
+  };
+  for (Index s = 0; s < chain.spans(); ++s) {
+    if (!turnsBothWays(chain, s)) continue;
+    const double share = inflectionShare(chain, s), chord_mm = chain.at(s).chord_mm;
+    consider(s, share * chord_mm);
+    consider(s + 1, (1 - share) * chord_mm);
+  }
+  for (const Index i : hidden) chain.at(i).turn_sign = 0;
+}
+
 /// A node on the chord of each span whose ends turn to different sides.
 void insertInflections(NodeChain& chain) {
   std::vector<std::pair<Index, Vector2d>> inserted;
   for (Index s = 0; s < chain.spans(); ++s) {
     const SplineNode &start = chain.at(s), &end = chain.at(s + 1);
-    if (start.is_line || start.turn_sign * end.turn_sign >= 0) continue;
-    // Where a curvature is 0 that is linear along the chord.
-    const double before = circleCurvature(chain, s), after = circleCurvature(chain, s + 1);
+    if (start.is_line || !turnsBothWays(chain, s)) continue;
     inserted.emplace_back(s + 1,
-                          start.point + before / (before + after) * (end.point - start.point));
+                          start.point + inflectionShare(chain, s) * (end.point - start.point));
   }
   for (auto node = inserted.rbegin(); node != inserted.rend(); ++node)
     chain.insert(node->first,
@@ -380,6 +412,7 @@ double NodeChain::endAngle(Index span) const {
 ConicSpline conicSpline(const PlanarPoints& points, bool closed, const Progress& progress,
                         PairEffort effort) {
   NodeChain chain = chainOf(points, closed);
+  hideTurnsAtInflections(chain);
   findLines(chain);
   insertInflections(chain);
   ConicSpline result;

@@ -13,6 +13,7 @@
 
 #include <seamwright/occ_adapter/model/model.hpp>
 #include <seamwright/occ_adapter/model/target_file.hpp>
+#include <seamwright/occ_adapter/model/unfinished_files.hpp>
 
 namespace seamwright::occ {
 
@@ -76,7 +77,11 @@ class Beside {
   }
   ~Beside() {
     if (file_ >= 0) ::close(file_);
-    if (!path_.empty()) ::unlink(path_.c_str());
+    if (!path_.empty()) {
+      const UnfinishedFiles files = unfinishedFiles();
+      ::unlink(path_.c_str());
+      files.paths.erase(path_);
+    }
     if (lock_ >= 0) ::close(lock_);
   }
   Beside(const Beside&) = delete;
@@ -100,8 +105,13 @@ class Beside {
     const int closed = ::close(file_);
     file_ = -1;
     if (closed != 0) fail(target_, errno);
-    rename(replace);
-    path_.clear();
+    {
+      const UnfinishedFiles files = unfinishedFiles();
+      rename(replace);
+      files.some_finished = true;
+      files.paths.erase(path_);
+      path_.clear();
+    }
     flushFolder();
   }
 
@@ -111,12 +121,15 @@ class Beside {
   bool create() {
     path_ = folderOf(target_) /
             (stemBeside(target_) + std::to_string(std::random_device()()) + ".part");
+    const UnfinishedFiles files = unfinishedFiles();
     file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (file_ < 0 && errno == EEXIST) return false;
     if (file_ < 0) fail(target_, errno);
     struct stat now {};
-    if ((locked(file_) || errno != EWOULDBLOCK) && ::fstat(file_, &now) == 0 && now.st_nlink > 0)
+    if ((locked(file_) || errno != EWOULDBLOCK) && ::fstat(file_, &now) == 0 && now.st_nlink > 0) {
+      files.paths.insert(path_);
       return true;
+    }
     ::close(file_);
     return false;
   }

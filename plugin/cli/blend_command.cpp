@@ -558,7 +558,7 @@ int runBlend(const BlendArguments& arguments) {
     if (arguments.loft) loft = loftOf(blend, arguments, report);
   } catch (const FrameFault& fault) {  // a curve that core can't match or blend
     throw std::runtime_error(keyName(input.curves.at(fault.frame()), arguments) + ": " +
-                             fault.what());
+                             fault.reason());
   } catch (const std::invalid_argument& error) {  // all curves together
     throw std::runtime_error(
         fmt::format("{}: {}", fmt::join(arguments.inputs, ", "), error.what()));

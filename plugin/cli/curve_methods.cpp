@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <seamwright/core/planar/clothoid_fit.hpp>
 #include <seamwright/core/planar/fair_clothoids.hpp>
 #include <seamwright/core/planar/fair_points.hpp>
 #include <seamwright/core/planar/point_corners.hpp>
+#include <seamwright/core/planar/sampled_chain.hpp>
 #include <seamwright/plugin/cli/curve_arcs.hpp>
 #include <seamwright/plugin/cli/curve_conics.hpp>
 #include <seamwright/plugin/cli/curve_figures.hpp>
@@ -122,6 +124,26 @@ void noteRounding(report::CurveRecord& record, const GivenCurve& given, double t
                     tolerance_mm < given.rounding_mm ? "; give a larger --tolerance" : ""));
 }
 
+/// Samples of lines and arcs, such as a slot: their extrema are no errors. Returns whether they
+/// are.
+bool noteSampled(report::CurveRecord& record, const GivenCurve& given) {
+  constexpr int least_extrema = 4;
+  constexpr Eigen::Index points_of_a_piece = 8;
+  const auto most_arcs = static_cast<int>(given.points.rows() / points_of_a_piece);
+  if (record.after.extrema < least_extrema || most_arcs < 2) return false;
+  const double size_mm =
+      (given.points.colwise().maxCoeff() - given.points.colwise().minCoeff()).norm();
+  const double error_mm = std::max(given.rounding_mm, 1e-9 * size_mm);
+  const auto chain = sampledChain(
+      given.points, {.closed = record.closed, .tolerance_mm = error_mm, .most_arcs = most_arcs});
+  if (!chain || chain->arcs.size() < 2) return false;
+  record.notes.push_back(fmt::format(
+      "the points are samples of {} lines and arcs: the curvature jumps where these meet, and a "
+      "curve with continuous curvature has extrema there; the method arcs gives them",
+      chain->arcs.size()));
+  return true;
+}
+
 MadeCurve madeBy(const std::string& method, const GivenCurve& given, const CurveTask& task) {
   if (method == "arcs") return madeArcs(given, task);
   if (method == "clothoid") return madeClothoids(given, task);
@@ -171,6 +193,7 @@ MadeCurve madeCurve(const std::string& method, const GivenCurve& given, const Cu
   // Arcs have jumps of the curvature, which nobody takes for a fair curve.
   made.record.with_reservations |= method != "arcs" && added;
   noteRounding(made.record, local.given, task.tolerance_mm);
+  if (method != "arcs") made.record.with_reservations |= noteSampled(made.record, local.given);
   return made;
 }
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <seamwright/core/planar/fair_clothoids.hpp>
 #include <seamwright/core/planar/point_corners.hpp>
-#include <seamwright/core/planar/sampled_chain.hpp>
 #include <seamwright/plugin/cli/curve_figures.hpp>
 #include <seamwright/plugin/cli/faired_points.hpp>
 #include <seamwright/plugin/cli/point_curves.hpp>
@@ -121,26 +120,6 @@ std::vector<std::string> twinNotes(const GivenCurve& given, const PointsToFair& 
   return notes;
 }
 
-/// Samples of lines and arcs, such as a slot: their extrema are no errors.
-void noteSampled(report::CurveRecord& record, const GivenCurve& given) {
-  constexpr int least_extrema = 4;
-  constexpr std::size_t points_of_a_piece = 8;
-  if (record.after.extrema < least_extrema) return;
-  const double size_mm =
-      (given.points.colwise().maxCoeff() - given.points.colwise().minCoeff()).norm();
-  const double error_mm = std::max(given.rounding_mm, 1e-9 * size_mm);
-  const auto chain =
-      sampledChain(given.points, {.closed = record.closed, .tolerance_mm = error_mm});
-  if (!chain || chain->arcs.size() < 2 ||
-      points_of_a_piece * chain->arcs.size() > static_cast<std::size_t>(given.points.rows()))
-    return;
-  record.notes.push_back(
-      fmt::format("the points are samples of {} lines and arcs: the curvature jumps where these "
-                  "meet, and a curve "
-                  "with continuous curvature has extrema there; the method arcs gives them",
-                  chain->arcs.size()));
-}
-
 }  // namespace
 
 double pointError_mm(const GivenCurve& given, const CurveTask& task) {
@@ -161,6 +140,10 @@ MadeCurve madeFairPoints(const GivenCurve& given, const CurveTask& task, double 
         fmt::format("{} of the {} points repeat their neighbours: at least {} "
                     "others are needed",
                     part.twins.size(), given.points.rows(), least_points));
+  if (points.rows() < least_points)
+    throw std::invalid_argument(
+        fmt::format("{} points: nothing can be made fair between them; at least {} are needed",
+                    points.rows(), least_points));
   const FairedClothoids faired =
       fairClothoids(points, part.tolerances_mm,
                     {.closed = closed,
@@ -184,7 +167,6 @@ MadeCurve madeFairPoints(const GivenCurve& given, const CurveTask& task, double 
   }
   for (std::string& note : twinNotes(given, part)) made.record.notes.push_back(std::move(note));
   noteTurns(made.record, faired);
-  noteSampled(made.record, given);
   return made;
 }
 

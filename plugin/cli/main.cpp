@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <signal.h>
 #include <Standard_Failure.hxx>
 #include <Standard_Version.hxx>
 
@@ -26,12 +25,8 @@ namespace seamwright::cli {
 
 namespace {
 
-volatile sig_atomic_t interrupt_noted = 0;
-
-/// Exit statuses: 2 by convention of Unix commands, 130 is 128 plus the number of SIGINT, as shells
-/// give it.
+/// An exit status by convention of Unix commands.
 constexpr int bad_input = 2;
-constexpr int stopped = 130;
 
 /// Prints the text on one line, because a text that quotes a file or an argument may contain line
 /// breaks.
@@ -127,7 +122,7 @@ int run(int argc, char** argv) {
   // Commands inherit a footer that is set before them.
   app.footer(
       "Exit status: 0 the result meets its target, 1 it falls short, 2 bad usage or "
-      "input, 130 stopped by Ctrl-C; see 'seamwright COMMAND --help'.");
+      "input, 130 stopped by Ctrl-C, 143 by SIGTERM; see 'seamwright COMMAND --help'.");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -144,17 +139,6 @@ int run(int argc, char** argv) {
 
 }  // namespace
 
-void noteInterrupts() {
-  struct sigaction action {};
-  action.sa_handler = [](int) { interrupt_noted = 1; };
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-}
-
-bool interrupted() {
-  return interrupt_noted != 0;
-}
-
 }  // namespace seamwright::cli
 
 int main(int argc, char** argv) {
@@ -163,12 +147,12 @@ int main(int argc, char** argv) {
   try {
     return cli::run(argc, argv);
   } catch (const occ::Cancelled&) {
-    std::cerr << "seamwright: stopped, nothing was written" << std::endl;
-    return cli::stopped;
+    return cli::endStopped();
   } catch (const Standard_Failure& failure) {
     return cli::complain(std::string("OpenCASCADE: ") + failure.DynamicType()->Name() + " " +
                          failure.GetMessageString());
   } catch (const std::exception& error) {
-    return cli::complain(error.what());
+    // A signal lets calls fail that wait.
+    return cli::interrupted() ? cli::endStopped() : cli::complain(error.what());
   }
 }

@@ -191,7 +191,7 @@ void addOutputOptions(CLI::App& command, const std::string& done, OutputArgument
 
 void exitStatus(CLI::App& command, const std::string& of_0, const std::string& of_1) {
   command.footer(command.get_footer() + "Exit status: 0 " + of_0 + ", 1 " + of_1 +
-                 ", 2 bad usage or input, 130 stopped by Ctrl-C.");
+                 ", 2 bad usage or input, 130 stopped by Ctrl-C, 143 by SIGTERM.");
 }
 
 CLI::Validator numberIn(Range range) {

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <fstream>
 #include <seamwright/occ_adapter/model/target_file.hpp>
+#include <seamwright/occ_adapter/model/unfinished_files.hpp>
 #include <seamwright/plugin/cli/output.hpp>
 #include <stdexcept>
 #include <utility>
@@ -56,16 +57,26 @@ PendingFile::PendingFile(const fs::path& file, std::string text)
   file_ = occ::withoutLinks(file);
   beside_ = file_;
   beside_ += ".part" + std::to_string(getpid());
-  std::ofstream out(beside_, std::ios::binary);
+  std::ofstream out;
+  {
+    const occ::UnfinishedFiles files = occ::unfinishedFiles();
+    out.open(beside_, std::ios::binary);
+    files.paths.insert(beside_);
+  }
   if (out << text_ << std::flush) return;
-  std::error_code error;
-  fs::remove(beside_, error);
+  removeBeside();
   throw std::runtime_error(file_.string() + ": can't be written (is the disk full?)");
 }
 
 PendingFile::~PendingFile() {
+  if (!beside_.empty()) removeBeside();
+}
+
+void PendingFile::removeBeside() {
+  const occ::UnfinishedFiles files = occ::unfinishedFiles();
   std::error_code error;
-  if (!beside_.empty()) fs::remove(beside_, error);
+  fs::remove(beside_, error);
+  files.paths.erase(beside_);
 }
 
 void PendingFile::writeStraight() {
@@ -81,9 +92,12 @@ void PendingFile::takePlace() {
       throw std::runtime_error(file_.string() + ": can't be written");
     return;
   }
+  const occ::UnfinishedFiles files = occ::unfinishedFiles();
   std::error_code error;
   fs::rename(beside_, file_, error);
   if (error) throw std::runtime_error(file_.string() + ": can't be written: " + error.message());
+  files.some_finished = true;
+  files.paths.erase(beside_);
   beside_.clear();
 }
 

@@ -29,6 +29,8 @@ class PendingFile {
   void writeStraight();
 
  private:
+  void removeBeside();
+
   std::filesystem::path file_;
   std::filesystem::path beside_;  ///< the temporary file; empty: none
   std::string text_;

@@ -236,7 +236,7 @@ TEST(CommonKnots, BadInputIsRefused) {
       [&] {
         commonKnots({open, open}, {.tolerance_mm = 1e-13});
       },
-      refused("the tolerance is 1e-13 mm: places on frame 0 are known to"));
+      refused("frame 0: the tolerance is 1e-13 mm, and places on the curve are known to"));
   BezierSpline broken = open;
   broken.poles(2, 1) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT([&] { commonKnots({open, broken}); }, refused("frame 1"));

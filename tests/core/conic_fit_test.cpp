@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seamwright/core/planar/conic_fit.hpp>
+#include <seamwright/core/planar/conic_spline.hpp>
 #include <seamwright/core/planar/planar_chain.hpp>
 
 #include "planar.hpp"
@@ -272,6 +273,41 @@ TEST(ConicFit, ASpeckIsALine) {
   EXPECT_THAT(fit.conics, SizeIs(2));
   EXPECT_LE(fit.distance_mm, 2e-6);
   EXPECT_EQ(fit.conics[0].start, fit.conics[1].end);
+}
+
+/// The quarters of a figure eight meet at its crossing, in one point up to rounding.
+TEST(ConicFit, AFigureEightMayBeginAtItsCrossing) {
+  constexpr int points = 48;
+  for (const double start : {0.0, pi / 3}) {
+    PlanarPoints eight(points, 2);
+    for (int i = 0; i < points; ++i) {
+      const double t = start + 2 * pi * i / points;
+      eight.row(i) << 50 * std::sin(t), 25 * std::sin(2 * t);
+    }
+    for (const bool closed : {false, true}) {
+      if (!closed) {
+        eight.conservativeResize(points + 1, 2);
+        eight.row(points) = eight.row(0);
+      }
+      const std::vector<PlanarConic> conics =
+          conicSpline(eight.topRows(points + !closed), closed).conics;
+      const BezierSpline curve = bezierSpline(
+          PlanarChain{.curves = {conics.begin(), conics.end()}, .closed = closed}, 1e-9);
+      for (const double tolerance_mm : {0.1, 1e-3}) {
+        const ConicFit fit = fitConics(curve, {.tolerance_mm = tolerance_mm});
+        EXPECT_LE(fit.distance_mm, tolerance_mm);
+        EXPECT_LE(distanceFrom(samplesOf(fit.conics), samplesOf(curve)), tolerance_mm + 1e-4);
+        EXPECT_THAT(fit.corners, IsEmpty());
+        EXPECT_THAT(fit.g1_joints, SizeIs(closed ? 2 : start > 0 ? 2 : 1));
+      }
+    }
+  }
+}
+
+TEST(ConicFit, EndsWhereNoConicsKeepTheTolerance) {
+  std::mt19937_64 random(testSeed());
+  EXPECT_THROW(fitConics(randomCurve(random, 6, false), {.tolerance_mm = 1e-18}),
+               std::domain_error);
 }
 
 TEST(ConicFit, RefusesBadInputAndPoints) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seamwright/core/planar/nearest_chain.hpp>
-#include <seamwright/core/planar/touch_point.hpp>
 
 #include "planar.hpp"
 

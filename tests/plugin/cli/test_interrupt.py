@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Ctrl-C: a clean end with status 130, soon, with nothing written and no process left."""
+"""Ctrl-C and SIGTERM: a clean end with status 130 or 143, soon, with nothing written and no process
+left."""
 
+import fcntl
 import os
 import pathlib
 import signal
@@ -64,7 +66,7 @@ def test_while_reading(tmp_path, how):
     process = start([model, "-o", output], reader)
     wait_for(lambda: pid.exists() and pid.read_text().strip())
     out, error = stop(process, how)
-    assert process.returncode == 130
+    assert process.returncode == 128 + how
     assert out == "" and error.count("\n") == 1
     assert not output.exists()
     assert not is_running(int(pid.read_text())), "the reading process is gone as well"
@@ -119,3 +121,74 @@ def test_the_terminal_sends_it_to_the_whole_group(tmp_path):
     out, error = process.communicate(timeout=20)
     assert process.returncode == 130, error
     assert out == "" and "crash" not in error
+
+
+def write_points(path):
+    path.write_text("".join(f"{x},{x * x / 100}\n" for x in range(40)))
+
+
+def curve(*arguments):
+    return subprocess.Popen(
+        [PROGRAM, "curve", "arcs", *map(str, arguments)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+
+
+def has_waited_long(process):
+    """Whether it did nothing for a while: it waits for a pipe."""
+    state = [pathlib.Path(f"/proc/{process.pid}/stat").read_text() for _ in range(2)]
+    time.sleep(0.3)
+    state.append(pathlib.Path(f"/proc/{process.pid}/stat").read_text())
+    return all(text.split(")")[1].split()[0] == "S" for text in state) and state[0] == state[-1]
+
+
+@pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("signals", [1, 2])
+def test_a_step_that_does_not_end(tmp_path, how, signals):
+    """The points come from a pipe, and no more of them come."""
+    pipe, output = tmp_path / "points.csv", tmp_path / "out.csv"
+    os.mkfifo(pipe)
+    process = curve(pipe, "-o", output)
+    with pipe.open("w", encoding="ascii") as points:
+        points.write("0,0\n1,1\n")
+        points.flush()
+        wait_for(lambda: has_waited_long(process))
+        asked = time.monotonic()
+        for _ in range(signals - 1):
+            process.send_signal(how)
+            time.sleep(0.2)
+        out, error = stop(process, how)
+        seconds = time.monotonic() - asked
+    assert process.returncode == 128 + how
+    assert out == "" and error == "seamwright: stopped, nothing was written\n"
+    assert signals == 1 or seconds < 0.9
+    assert os.listdir(tmp_path) == ["points.csv"]
+
+
+def full_pipe(path):
+    """A pipe that takes no more bytes, and is read by nobody."""
+    os.mkfifo(path)
+    end = os.open(path, os.O_RDWR | os.O_NONBLOCK)
+    fcntl.fcntl(end, fcntl.F_SETPIPE_SZ, 4096)
+    os.write(end, bytes(4096))
+    return end
+
+
+@pytest.mark.parametrize("name", ["out.csv", "out.step"])
+def test_an_unfinished_file_is_removed(tmp_path, name):
+    points, report, output = tmp_path / "points.csv", tmp_path / "report", tmp_path / name
+    write_points(points)
+    end = full_pipe(report)
+    try:
+        process = curve(points, "-o", output, "--json", report)
+        wait_for(lambda: len(os.listdir(tmp_path)) == 3 and has_waited_long(process))
+        unfinished = set(os.listdir(tmp_path)) - {"points.csv", "report"}
+        assert unfinished != {name}, "it is beside its target"
+        out, error = stop(process, signal.SIGTERM)
+    finally:
+        os.close(end)
+    assert process.returncode == 143
+    assert out == "" and error == "seamwright: stopped, nothing was written\n"
+    assert sorted(os.listdir(tmp_path)) == ["points.csv", "report"]
