@@ -17,7 +17,7 @@ constexpr std::array<MethodHelp, 4> method_helps = {
     {{.name = "arcs",
       .result = "arcs and lines",
       .tolerance = "Largest distance from the curve, mm; errors of points on lines and arcs may be "
-                   "up to 3/5 of it along each axis; 0: arcs through all points"},
+                   "up to 2/5 of it along each axis; 0: arcs through all points"},
      {.name = "clothoid",
       .result = "clothoids with continuous curvature",
       .tolerance = "Largest distance from the curve of a model, mm; clothoids always pass through "
