@@ -265,6 +265,16 @@ Corners withThoseBetween(const std::vector<Vector2d>& points, const Corners& giv
   return all;
 }
 
+/// Whether of two runs one has the points that an arc needs. Few points of a smooth curve turn at
+/// each of them.
+bool areShown(const Corners& corners, const std::vector<Vector2d>& points, bool closed) {
+  const auto runs = runsOf(points, corners.at, closed);
+  for (std::size_t k = closed ? 0 : 1; k < runs.size(); ++k)
+    if (std::max(runs[k].size(), runs[k > 0 ? k - 1 : runs.size() - 1].size()) < least_of_arc)
+      return false;
+  return true;
+}
+
 /// The chains with the corners of the points, with those between pieces as well, and with these
 /// alone: where no point is near a corner, the one next to it can turn as a corner does.
 std::vector<SampledChain> chainsOf(const std::vector<Vector2d>& points,
@@ -281,7 +291,8 @@ std::vector<SampledChain> chainsOf(const std::vector<Vector2d>& points,
     const Corners with_others = withThoseBetween(points, sharp, task);
     if (with_others.at.size() > sharp.at.size()) add(chainWithCorners(points, with_others, task));
   }
-  if (all.at.size() > sharp.at.size()) add(chainWithCorners(points, all, task));
+  if (all.at.size() > sharp.at.size() && areShown(all, points, task.closed))
+    add(chainWithCorners(points, all, task));
   const Corners between{.at = cornersBetweenPieces(points, task), .is_of_pieces = true};
   if (!between.at.empty()) add(chainWithCorners(points, between, task));
   return result;

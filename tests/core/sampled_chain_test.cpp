@@ -511,6 +511,13 @@ TEST(SampledChain, OfAnEllipseIsNothingOrNear) {
   EXPECT_TRUE(!chain || largestDistance(chain->arcs, ellipse) <= 1e-4 + 1e-7);
 }
 
+// Lines through two points each show nothing.
+TEST(SampledChain, OfFewPointsOfACurveIsNothing) {
+  PlanarPoints points(5, 2);
+  points << 0, 0, 10, 8, 25, 12, 40, 6, 60, 10;
+  EXPECT_FALSE(sampledChain(points, {.tolerance_mm = 0.01}));
+}
+
 TEST(SampledChain, OfFewPointsIsNothing) {
   PlanarPoints points(3, 2);
   points << 0, 0, 1, 0, 1, 1;
