@@ -133,16 +133,29 @@ bool areParallel(const std::vector<Measured>& frames, const std::vector<Place>& 
   return true;
 }
 
+MatchedKind matchedKind(FeatureKind kind) {
+  switch (kind) {
+    case FeatureKind::Corner:
+      return MatchedKind::Corner;
+    case FeatureKind::Rise:
+    case FeatureKind::Fall:
+      return MatchedKind::Jump;
+    case FeatureKind::Maximum:
+    case FeatureKind::Minimum:
+      break;
+  }
+  return MatchedKind::Extremum;
+}
+
 /// An anchor of features of one kind.
 Anchor anchorAt(const std::vector<Measured>& frames, const std::vector<Feature>& features) {
-  const FeatureKind kind = features[0].kind;
-  Anchor result{.places = {}, .shares = {}, .is_corner = kind == FeatureKind::Corner};
+  Anchor result{.places = {}, .shares = {}, .kind = matchedKind(features[0].kind)};
   for (const Feature& feature : features) {
     result.places.push_back(feature.place);
     result.shares.push_back(feature.share);
   }
-  const bool jumps = kind == FeatureKind::Rise || kind == FeatureKind::Fall;
-  result.may_kink = result.is_corner || (jumps && areParallel(frames, result.places));
+  result.may_kink = result.kind == MatchedKind::Corner ||
+                    (result.kind == MatchedKind::Jump && areParallel(frames, result.places));
   return result;
 }
 
@@ -163,8 +176,9 @@ std::optional<Anchor> startAnchor(const std::vector<Measured>& frames,
                                   const std::vector<Features>& features) {
   std::vector<Feature> starts;
   for (const Features& of_frame : features) {
-    if (!of_frame.closing || of_frame.closing != features[0].closing) return std::nullopt;
-    starts.push_back({*of_frame.closing, {0, 0}, 0});
+    if (!of_frame.closing || of_frame.closing->kind != features[0].closing->kind)
+      return std::nullopt;
+    starts.push_back(*of_frame.closing);
   }
   return anchorAt(frames, starts);
 }
@@ -199,6 +213,18 @@ std::vector<Anchor> featureAnchors(const std::vector<Measured>& frames,
   return result;
 }
 
+/// Whether all frames have a corner at their place.
+bool areCorners(const std::vector<Measured>& frames, const std::vector<Place>& places,
+                double corner_rad) {
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    const auto [piece, t] = places[f];
+    if (t != 0 || piece == 0) return false;
+    const CurveJoint joint = measureJoints(frames[f].spline(), 1).at(piece - 1);
+    if (!joint.angle_rad || !(*joint.angle_rad > corner_rad)) return false;
+  }
+  return true;
+}
+
 std::vector<Anchor> givenAnchors(const std::vector<Measured>& frames, const Splines& original,
                                  const MatchOptions& options) {
   std::vector<Anchor> result;
@@ -213,6 +239,7 @@ std::vector<Anchor> givenAnchors(const std::vector<Measured>& frames, const Spli
     }
     if (!isBetween(anchor, result.empty() ? nullptr : &result.back(), nullptr, 0))
       refuse(fmt::format("given parameter {} is at the same place as another", i));
+    anchor.may_kink = areCorners(frames, anchor.places, options.corner_rad);
     result.push_back(std::move(anchor));
   }
   return result;
@@ -359,7 +386,9 @@ double largestRatio(const Splines& frames) {
 std::vector<Anchor> fittingAnchors(const std::vector<Measured>& frames,
                                    const std::vector<Anchor>& anchors, MatchSummary& summary) {
   std::vector<Anchor> corners;
-  std::ranges::copy_if(anchors, std::back_inserter(corners), &Anchor::is_corner);
+  std::ranges::copy_if(anchors, std::back_inserter(corners), [](const Anchor& anchor) {
+    return anchor.kind == MatchedKind::Corner;
+  });
   const double with_all = turnOf(frames, anchors), with_corners = turnOf(frames, corners);
   // Less by rounding is not less. Corners are left out only for much less: without them frames have
   // corners of both curves.
@@ -369,6 +398,32 @@ std::vector<Anchor> fittingAnchors(const std::vector<Measured>& frames,
   summary.lengths_fit_better = fewer || none;
   if (none) return {};
   return fewer ? corners : anchors;
+}
+
+/// A share of a frame as it is given.
+double givenShare(double share, std::size_t f, const MatchSummary& summary) {
+  const double here = share + summary.start[f], around = here >= 1 ? here - 1 : here;
+  return summary.reversed[f] && around > 0 ? 1 - around : around;
+}
+
+/// The anchors, and where closed frames start.
+std::vector<MatchedPlaces> matchedPlaces(const Correspondence& all, MatchedKind start,
+                                         const MatchSummary& summary) {
+  const std::size_t count = all.frames.size();
+  std::vector<MatchedPlaces> result;
+  const auto add = [&](MatchedKind kind, const std::vector<Place>& places,
+                       const std::vector<double>& shares) {
+    MatchedPlaces one{.kind = kind, .points = {}, .shares = {}};
+    for (std::size_t f = 0; f < count; ++f) {
+      one.points.push_back(all.frames[f].point(places[f]));
+      one.shares.push_back(givenShare(shares[f], f, summary));
+    }
+    result.push_back(std::move(one));
+  };
+  if (all.frames[0].spline().closed)
+    add(start, std::vector<Place>(count), std::vector<double>(count, 0));
+  for (const Anchor& anchor : all.anchors) add(anchor.kind, anchor.places, anchor.shares);
+  return result;
 }
 
 }  // namespace
@@ -398,6 +453,10 @@ Correspondence corresponding(const std::vector<BezierSpline>& frames, const Matc
       options.by == MatchBy::Given && frames[0].closed && !options.given[0].empty();
   summary.matched_features =
       static_cast<int>(result.anchors.size()) + (starts_given || result.start ? 1 : 0);
+  const MatchedKind start_kind = starts_given   ? MatchedKind::Given
+                                 : result.start ? result.start->kind
+                                                : MatchedKind::Start;
+  summary.pairs = matchedPlaces(result, start_kind, summary);
   return result;
 }
 

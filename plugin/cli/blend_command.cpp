@@ -95,17 +95,24 @@ std::string matchNote(const MatchSummary& summary, MatchBy by) {
   return note;
 }
 
-void addMatch(const MatchSummary& summary, MatchBy by, const std::string& more,
-              BlendReport& report) {
+void addMatch(const KeyCurves& input, const MatchSummary& summary, MatchBy by,
+              const std::string& more, BlendReport& report) {
   report.notes.push_back(matchNote(summary, by) + more);
+  report.pairs = pairRecords(input, summary.pairs);
   if (summary.lengths_fit_better) report.match = by_length;
 }
 
+std::vector<BezierSpline> splinesOf(const KeyCurves& input) {
+  std::vector<BezierSpline> result;
+  for (const KeyCurve& key : input.curves) result.push_back(key.curve);
+  return result;
+}
+
 /// The key curves, divided into corresponding pieces.
-std::vector<BezierSpline> dividedCurves(const std::vector<BezierSpline>& curves,
-                                        const MatchOptions& options, BlendReport& report) {
-  MatchedFrames matched = matchPieces(curves, options);
-  addMatch(matched.summary, options.by,
+std::vector<BezierSpline> dividedCurves(const KeyCurves& input, const MatchOptions& options,
+                                        BlendReport& report) {
+  MatchedFrames matched = matchPieces(splinesOf(input), options);
+  addMatch(input, matched.summary, options.by,
            fmt::format("; shares of the length differ up to {:.3g} times",
                        matched.summary.largest_ratio),
            report);
@@ -113,12 +120,12 @@ std::vector<BezierSpline> dividedCurves(const std::vector<BezierSpline>& curves,
 }
 
 /// The key curves over common knots, within the tolerance.
-std::vector<BezierSpline> refittedCurves(const std::vector<BezierSpline>& curves,
-                                         const MatchOptions& options, double tolerance_mm,
-                                         BlendReport& report) {
-  CommonKnots common = commonKnots(curves, {.match = options, .tolerance_mm = tolerance_mm});
-  addMatch(common.summary, options.by, "", report);
-  for (std::size_t i = 0; i < curves.size(); ++i)
+std::vector<BezierSpline> refittedCurves(const KeyCurves& input, const MatchOptions& options,
+                                         double tolerance_mm, BlendReport& report) {
+  CommonKnots common =
+      commonKnots(splinesOf(input), {.match = options, .tolerance_mm = tolerance_mm});
+  addMatch(input, common.summary, options.by, "", report);
+  for (std::size_t i = 0; i < input.curves.size(); ++i)
     report.key_curves[i].refitted_mm = common.distance_mm[i];
   report.reached = common.reached;
   return std::move(common.frames);
@@ -132,31 +139,43 @@ SplineBlend blendOf(const std::vector<BezierSpline>& curves, const BlendArgument
   return SplineBlend(curves, evenOmegas(curves.size()), options);
 }
 
-/// Closed curves from a corner on, so that a loft has an edge there; nothing if they begin at one,
-/// or have none.
-std::optional<std::vector<BezierSpline>> fromCorner(const std::vector<BezierSpline>& curves,
-                                                    const std::vector<int>& orders) {
-  if (!curves.front().closed || orders.back() == 0) return std::nullopt;
-  const auto corner = std::ranges::find(orders, 0);
-  if (corner == orders.end()) return std::nullopt;
-  const int piece = static_cast<int>(corner - orders.begin()) + 1;
-  std::vector<BezierSpline> result;
-  for (const BezierSpline& curve : curves)
-    result.push_back(match::startingAt(curve, {.piece = piece, .t = 0}));
-  return result;
+/// The middle of the piece that is longest on the first curve.
+match::Place middleOfLongest(const BezierSpline& curve) {
+  int longest = 0;
+  double most_mm = 0;
+  for (int i = 0; i < curve.segments(); ++i)
+    if (const double length_mm = polygonLength(segment(curve, i)); length_mm > most_mm) {
+      most_mm = length_mm;
+      longest = i;
+    }
+  return {.piece = longest, .t = 0.5};
+}
+
+/// Where closed curves should begin, whose loft has an edge there: at a corner, or else where all
+/// are smooth; nothing if they begin there.
+std::optional<match::Place> loftStart(const std::vector<BezierSpline>& curves,
+                                      const std::vector<int>& orders, int order) {
+  if (!curves.front().closed) return std::nullopt;
+  const bool has_corners = std::ranges::find(orders, 0) != orders.end();
+  const auto isStart = [&](int n) { return has_corners ? n == 0 : n >= order; };
+  if (isStart(orders.back())) return std::nullopt;
+  const auto joint = std::ranges::find_if(orders, isStart);
+  if (joint == orders.end()) return middleOfLongest(curves.front());
+  return match::Place{.piece = static_cast<int>(joint - orders.begin()) + 1, .t = 0};
 }
 
 SplineBlend blendOf(const KeyCurves& input, const BlendArguments& arguments, BlendReport& report) {
-  std::vector<BezierSpline> curves;
-  for (const KeyCurve& key : input.curves) curves.push_back(key.curve);
   const MatchOptions match = matchOptions(input, arguments, report.closed);
   const std::vector<BezierSpline> matched =
-      arguments.exact ? dividedCurves(curves, match, report)
-                      : refittedCurves(curves, match, arguments.tolerance_mm, report);
+      arguments.exact ? dividedCurves(input, match, report)
+                      : refittedCurves(input, match, arguments.tolerance_mm, report);
   SplineBlend blend = blendOf(matched, arguments);
   if (!arguments.loft) return blend;
-  const auto turned = fromCorner(matched, blend.orders());
-  return turned ? blendOf(*turned, arguments) : blend;
+  const std::optional<match::Place> start = loftStart(matched, blend.orders(), arguments.order);
+  if (!start) return blend;
+  std::vector<BezierSpline> turned;
+  for (const BezierSpline& curve : matched) turned.push_back(match::startingAt(curve, *start));
+  return blendOf(turned, arguments);
 }
 
 /// The length of the curve to a millionth.
