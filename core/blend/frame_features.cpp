@@ -54,8 +54,7 @@ void addCorners(const Measured& frame, double corner_rad, Features& result) {
   for (int i = 1; i < frame.spline().segments(); ++i)
     if (isCorner(joints[static_cast<std::size_t>(i) - 1]))
       result.all.push_back(cornerAt(frame, extent, i));
-  if (frame.spline().closed && isCorner(joints.back()))
-    result.closing = cornerAt(frame, extent, 0);
+  if (frame.spline().closed && isCorner(joints.back())) result.closing = cornerAt(frame, extent, 0);
 }
 
 /// The curvature at a place of a run between corners.
@@ -231,8 +230,10 @@ double pairCost(const Feature& a, const Feature& b, double reach) {
   const double moved = std::abs(a.share - b.share);
   if (a.kind != b.kind || !(moved <= reach)) return infinite;
   if (a.kind != FeatureKind::Corner) return moved == 0 ? 0 : moved / reach;
-  // Two corners as far apart as the radius cost as much as to leave one alone.
-  const double apart = (a.from_middle - b.from_middle).norm();
+  // Two corners that turn alike cost less than to leave both alone, however far a frame is turned;
+  // two that do not, only if they are nearer than the radius.
+  constexpr double farthest = 1.5;
+  const double apart = std::min((a.from_middle - b.from_middle).norm(), farthest);
   return aloneCost(a) * (moved + apart + (a.side * b.side < 0 ? 1 : 0));
 }
 

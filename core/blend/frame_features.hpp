@@ -21,8 +21,8 @@ struct Feature {
   double share = 0;  ///< of the length
   /// Of a corner: from the middle of the frame, in units of its radius (extentOf()).
   Eigen::Vector3d from_middle = Eigen::Vector3d::Zero();
-  /// Of a corner of a closed frame: 1 if it turns the way round of the frame, -1 if the other way; 0
-  /// unless that is known.
+  /// Of a corner of a closed frame: 1 if it turns the way round of the frame, -1 if the other way;
+  /// 0 unless that is known.
   int side = 0;
 };
 

@@ -386,9 +386,8 @@ double largestRatio(const Splines& frames) {
 std::vector<Anchor> fittingAnchors(const std::vector<Measured>& frames,
                                    const std::vector<Anchor>& anchors, MatchSummary& summary) {
   std::vector<Anchor> corners;
-  std::ranges::copy_if(anchors, std::back_inserter(corners), [](const Anchor& anchor) {
-    return anchor.kind == MatchedKind::Corner;
-  });
+  std::ranges::copy_if(anchors, std::back_inserter(corners),
+                       [](const Anchor& anchor) { return anchor.kind == MatchedKind::Corner; });
   const double with_all = turnOf(frames, anchors), with_corners = turnOf(frames, corners);
   // Less by rounding is not less. Corners are left out only for much less: without them frames have
   // corners of both curves.

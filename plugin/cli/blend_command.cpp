@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <seamwright/core/angle.hpp>
 #include <seamwright/core/bezier/length.hpp>
 #include <seamwright/core/blend/common_knots.hpp>
 #include <seamwright/core/blend/frame_fault.hpp>
@@ -23,6 +24,7 @@
 #include <seamwright/plugin/cli/blend_drawing.hpp>
 #include <seamwright/plugin/cli/curve_output.hpp>
 #include <seamwright/plugin/cli/key_curves.hpp>
+#include <seamwright/plugin/cli/loft_start.hpp>
 #include <seamwright/plugin/cli/output.hpp>
 #include <seamwright/plugin/cli/progress_bar.hpp>
 #include <seamwright/plugin/cli/rounding.hpp>
@@ -137,31 +139,6 @@ SplineBlend blendOf(const std::vector<BezierSpline>& curves, const BlendArgument
   options.continuity = continuities().at(arguments.in_between);
   options.keep_lower_orders = true;
   return SplineBlend(curves, evenOmegas(curves.size()), options);
-}
-
-/// The middle of the piece that is longest on the first curve.
-match::Place middleOfLongest(const BezierSpline& curve) {
-  int longest = 0;
-  double most_mm = 0;
-  for (int i = 0; i < curve.segments(); ++i)
-    if (const double length_mm = polygonLength(segment(curve, i)); length_mm > most_mm) {
-      most_mm = length_mm;
-      longest = i;
-    }
-  return {.piece = longest, .t = 0.5};
-}
-
-/// Where closed curves should begin, whose loft has an edge there: at a corner, or else where all
-/// are smooth; nothing if they begin there.
-std::optional<match::Place> loftStart(const std::vector<BezierSpline>& curves,
-                                      const std::vector<int>& orders, int order) {
-  if (!curves.front().closed) return std::nullopt;
-  const bool has_corners = std::ranges::find(orders, 0) != orders.end();
-  const auto isStart = [&](int n) { return has_corners ? n == 0 : n >= order; };
-  if (isStart(orders.back())) return std::nullopt;
-  const auto joint = std::ranges::find_if(orders, isStart);
-  if (joint == orders.end()) return middleOfLongest(curves.front());
-  return match::Place{.piece = static_cast<int>(joint - orders.begin()) + 1, .t = 0};
 }
 
 SplineBlend blendOf(const KeyCurves& input, const BlendArguments& arguments, BlendReport& report) {
@@ -363,6 +340,8 @@ void noteKeyCurves(const KeyCurves& input, const BlendArguments& arguments, Blen
         "--between {} has no effect: there is no key curve between two", arguments.in_between));
   // Polygons that are drawn have few corners, sections of a mesh hundreds.
   constexpr int many_corners = 24;
+  // Of a circle by eight points. Who draws a smooth curve takes more.
+  constexpr double sharp_rad = 44 * radians_per_degree;
   for (const KeyCurve& key : input.curves) {
     const std::string name = keyName(key, arguments);
     if (key.sampled) report.notes.push_back(name + ": " + sampledNote(*key.sampled));
@@ -371,6 +350,11 @@ void noteKeyCurves(const KeyCurves& input, const BlendArguments& arguments, Blen
           "{}: {} (number {}), and {} of G0 in all frames", name,
           count == 1 ? "1 point is a corner" : fmt::format("{} points are corners", count),
           fmt::join(key.corners, ", "), count == 1 ? "a joint" : "joints"));
+    if (key.turn_rad > sharp_rad)
+      report.notes.push_back(fmt::format(
+          "{}: a smooth curve is laid through its {} points, which turn by {:.0f} degrees "
+          "on average: if they are corners, put points on the sides between them",
+          name, key.points, key.turn_rad * degrees_per_radian));
     if (const int corners = polygonCorners(key.curve); corners >= many_corners)
       report.notes.push_back(fmt::format(
           "{0}: a polygon with {1} corners, all of which stay in all frames. If it samples a "

@@ -170,7 +170,8 @@ std::string placeText(const MatchedPlaceRecord& place) {
 }
 
 std::string pairsText(const std::vector<MatchedPairRecord>& pairs) {
-  constexpr std::size_t most_lines = 12;  // of outlines that are drawn; sections of a mesh have more
+  constexpr std::size_t most_lines =
+      12;  // of outlines that are drawn; sections of a mesh have more
   std::string text;
   for (std::size_t i = 0; i < std::min(pairs.size(), most_lines); ++i) {
     std::vector<std::string> places;
