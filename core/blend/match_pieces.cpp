@@ -183,6 +183,25 @@ std::optional<Anchor> startAnchor(const std::vector<Measured>& frames,
   return anchorAt(frames, starts);
 }
 
+/// Whether closed frames have as many corners, which turn to the same sides in their order.
+bool turnAlike(const std::vector<Feature>& a, const std::vector<Feature>& b) {
+  std::vector<int> sides_a, sides_b;
+  for (const auto& [features, sides] : {std::pair{&a, &sides_a}, {&b, &sides_b}})
+    for (const Feature& feature : *features)
+      if (feature.kind == FeatureKind::Corner) sides->push_back(feature.side);
+  return sides_a == sides_b && std::ranges::find(sides_a, 0) == sides_a.end();
+}
+
+/// The pairs of least cost. Corners that turn alike correspond in their order, however far one of
+/// the frames is turned.
+std::vector<std::pair<int, int>> pairsOf(std::vector<Feature> a, std::vector<Feature> b,
+                                         double reach) {
+  if (turnAlike(a, b))
+    for (std::vector<Feature>* features : {&a, &b})
+      for (Feature& feature : *features) feature.from_middle.setZero();
+  return matchedFeatures(a, b, reach);
+}
+
 std::vector<Anchor> featureAnchors(const std::vector<Measured>& frames,
                                    const std::vector<Features>& features,
                                    const MatchOptions& options, double near_share) {
@@ -192,7 +211,7 @@ std::vector<Anchor> featureAnchors(const std::vector<Measured>& frames,
   std::vector<std::vector<int>> partners(all[0].size(), std::vector<int>(frames.size(), -1));
   for (std::size_t i = 0; i < partners.size(); ++i) partners[i][0] = static_cast<int>(i);
   for (std::size_t f = 1; f < frames.size(); ++f)
-    for (const auto& [i, j] : matchedFeatures(all[0], all[f], options.reach)) partners[i][f] = j;
+    for (const auto& [i, j] : pairsOf(all[0], all[f], options.reach)) partners[i][f] = j;
   // Corners first: an extremum beside one leaves it no room.
   std::stable_sort(partners.begin(), partners.end(),
                    [&](const std::vector<int>& a, const std::vector<int>& b) {
