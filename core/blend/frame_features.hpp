@@ -47,10 +47,12 @@ Features featuresOf(const Measured& frame, bool planar, const FeatureOptions& op
 /// docs/theory/curves.md C12.2.
 double pairCost(const Feature& a, const Feature& b, double reach);
 
-/// The least cost of features in order. Source: likewise.
+/// The least cost of features in order. Source:
+/// docs/theory/curves.md C12.2.
 double matchingCost(const std::vector<Feature>& a, const std::vector<Feature>& b, double reach);
 
-/// Pairs of indices in order that cost least. Source: likewise.
+/// Pairs of indices in order that cost least. Source:
+/// docs/theory/curves.md C12.2.
 std::vector<std::pair<int, int>> matchedFeatures(const std::vector<Feature>& a,
                                                  const std::vector<Feature>& b, double reach);
 

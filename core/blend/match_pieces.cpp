@@ -252,9 +252,14 @@ std::vector<Anchor> givenAnchors(const std::vector<Measured>& frames, const Spli
     Anchor anchor;
     for (std::size_t f = 0; f < frames.size(); ++f) {
       const double start = closed ? options.given[f][0] : original[f].knots.front();
-      anchor.places.push_back(
-          frames[f].placeOf(frames[f].spline().knots.front() + (options.given[f][i] - start)));
-      anchor.shares.push_back(frames[f].shareAt(anchor.places.back()));
+      const Place place =
+          frames[f].placeOf(frames[f].spline().knots.front() + (options.given[f][i] - start));
+      // The difference from the start rounds.
+      constexpr double rounding = 1e-9;
+      const Feature at_joint =
+          snapped(frames[f], {.place = place, .share = frames[f].shareAt(place)}, rounding);
+      anchor.places.push_back(at_joint.place);
+      anchor.shares.push_back(at_joint.share);
     }
     if (!isBetween(anchor, result.empty() ? nullptr : &result.back(), nullptr, 0))
       refuse(fmt::format("given parameter {} is at the same place as another", i));
