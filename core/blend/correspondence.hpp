@@ -14,7 +14,7 @@ namespace seamwright::match {
 struct Anchor {
   std::vector<Place> places;   ///< one for each frame
   std::vector<double> shares;  ///< likewise
-  bool is_corner = false;      ///< of the first frame
+  MatchedKind kind = MatchedKind::Given;
   /// The speeds along the frames may jump here: at a corner, and where the curvature jumps in all
   /// frames, with one tangent.
   bool may_kink = false;

@@ -6,6 +6,7 @@
 
 #include <seamwright/core/bezier/stopped_ends.hpp>
 #include <seamwright/core/blend/frame_features.hpp>
+#include <seamwright/core/blend/frame_samples.hpp>
 #include <seamwright/core/fair/curvature_profile.hpp>
 #include <seamwright/core/numeric.hpp>
 
@@ -30,10 +31,17 @@ double aloneCost(const Feature& feature) {
   return 0.5;
 }
 
-double pairCost(const Feature& a, const Feature& b, double reach) {
-  const double moved = std::abs(a.share - b.share);
-  if (a.kind != b.kind || !(moved <= reach)) return infinite;
-  return moved == 0 ? 0 : moved / reach;
+/// The corner where piece i begins.
+Feature cornerAt(const Measured& frame, const FrameExtent& extent, int i) {
+  Feature result{FeatureKind::Corner, {i, 0}, frame.share(i)};
+  result.from_middle = (frame.point(result.place) - extent.middle) / extent.radius_mm;
+  if (!extent.round) return result;
+  const int before = i > 0 ? i - 1 : frame.spline().segments() - 1;
+  const Eigen::Vector3d arriving = segment(frame.spline(), before).derivatives(1, 1).row(1),
+                        leaving = segment(frame.spline(), i).derivatives(0, 1).row(1);
+  const double turn = arriving.cross(leaving).dot(*extent.round);
+  result.side = turn > 0 ? 1 : turn < 0 ? -1 : 0;
+  return result;
 }
 
 void addCorners(const Measured& frame, double corner_rad, Features& result) {
@@ -41,10 +49,12 @@ void addCorners(const Measured& frame, double corner_rad, Features& result) {
   const auto isCorner = [&](const CurveJoint& joint) {
     return joint.angle_rad && *joint.angle_rad > corner_rad;
   };
+  if (std::none_of(joints.begin(), joints.end(), isCorner)) return;
+  const FrameExtent extent = extentOf(frame);
   for (int i = 1; i < frame.spline().segments(); ++i)
     if (isCorner(joints[static_cast<std::size_t>(i) - 1]))
-      result.all.push_back({FeatureKind::Corner, {i, 0}, frame.share(i)});
-  if (frame.spline().closed && isCorner(joints.back())) result.closing = FeatureKind::Corner;
+      result.all.push_back(cornerAt(frame, extent, i));
+  if (frame.spline().closed && isCorner(joints.back())) result.closing = cornerAt(frame, extent, 0);
 }
 
 /// The curvature at a place of a run between corners.
@@ -180,7 +190,8 @@ void addJumps(const Measured& frame, const std::vector<Run>& runs, double least_
     return;
   const CurvaturePoint &end = runs.back().back(), &start = runs.front().front();
   if (end.place.piece == frame.spline().segments() && start.place.piece == 0)
-    result.closing = jumpBetween(end, start, least_per_mm);
+    if (const auto jump = jumpBetween(end, start, least_per_mm))
+      result.closing = Feature{*jump, {0, 0}, 0};
 }
 
 /// Entry j: the least cost of the features of a from i on and those of b from j on.
@@ -214,6 +225,24 @@ class CostRows {
 };
 
 }  // namespace
+
+double pairCost(const Feature& a, const Feature& b, double reach) {
+  const double moved = std::abs(a.share - b.share);
+  if (a.kind != b.kind || !(moved <= reach)) return infinite;
+  if (a.kind != FeatureKind::Corner) return moved == 0 ? 0 : moved / reach;
+  // Two corners that turn alike cost less than to leave both alone, however far a frame is turned;
+  // two that do not, only if they are nearer than the radius.
+  constexpr double farthest = 1.5;
+  const double apart = std::min((a.from_middle - b.from_middle).norm(), farthest);
+  return aloneCost(a) * (moved + apart + (a.side * b.side < 0 ? 1 : 0));
+}
+
+double matchingCost(const std::vector<Feature>& a, const std::vector<Feature>& b, double reach) {
+  const CostRows rows(a, b, reach);
+  CostRow row = rows.last();
+  for (auto i = static_cast<int>(a.size()) - 1; i >= 0; --i) row = rows.before(row, i);
+  return row.front();
+}
 
 Features featuresOf(const Measured& frame, bool planar, const FeatureOptions& options) {
   Features result;

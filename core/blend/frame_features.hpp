@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -18,11 +19,16 @@ struct Feature {
   FeatureKind kind = FeatureKind::Corner;
   Place place;
   double share = 0;  ///< of the length
+  /// Of a corner: from the middle of the frame, in units of its radius (extentOf()).
+  Eigen::Vector3d from_middle = Eigen::Vector3d::Zero();
+  /// Of a corner of a closed frame: 1 if it turns the way round of the frame, -1 if the other way;
+  /// 0 unless that is known.
+  int side = 0;
 };
 
 struct Features {
-  std::vector<Feature> all;            ///< by their place
-  std::optional<FeatureKind> closing;  ///< what the joint that closes a frame is
+  std::vector<Feature> all;        ///< by their place
+  std::optional<Feature> closing;  ///< the joint that closes a frame
   int unknown_pieces = 0;
 };
 
@@ -37,7 +43,16 @@ struct FeatureOptions {
 /// take the signed curvature. \pre then the frame lies in z = 0.
 Features featuresOf(const Measured& frame, bool planar, const FeatureOptions& options);
 
-/// Pairs of indices in order that cost least. Source: docs/theory/curves.md C12.2.
+/// What it costs that two features correspond; infinite if they cannot. Source:
+/// docs/theory/curves.md C12.2.
+double pairCost(const Feature& a, const Feature& b, double reach);
+
+/// The least cost of features in order. Source:
+/// docs/theory/curves.md C12.2.
+double matchingCost(const std::vector<Feature>& a, const std::vector<Feature>& b, double reach);
+
+/// Pairs of indices in order that cost least. Source:
+/// docs/theory/curves.md C12.2.
 std::vector<std::pair<int, int>> matchedFeatures(const std::vector<Feature>& a,
                                                  const std::vector<Feature>& b, double reach);
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include <seamwright/core/blend/correspondence.hpp>
 #include <seamwright/core/blend/frame_features.hpp>
+#include <seamwright/core/blend/frame_samples.hpp>
 #include <seamwright/core/blend/frame_starts.hpp>
 #include <seamwright/core/numeric.hpp>
 
@@ -13,14 +13,9 @@ namespace seamwright::match {
 
 namespace {
 
-/// Points at equal shares of the length, about their mean. They are only compared, so that a
-/// thousandth of a piece is precise enough.
+/// About their mean.
 Poles samples(const Measured& frame, int count) {
-  const bool closed = frame.spline().closed;
-  Poles result(count, 3);
-  for (int i = 0; i < count; ++i)
-    result.row(i) =
-        frame.point(frame.placeAt(static_cast<double>(i) / (closed ? count : count - 1), 1e-3));
+  const Poles result = samplesOf(frame, count);
   return result.rowwise() - result.colwise().mean();
 }
 
@@ -66,16 +61,18 @@ double apart(double share, double other) {
 /// The joints of a closed frame that are as sharp as the one where it starts.
 struct SharpJoints {
   std::optional<FeatureKind> kind;
-  std::vector<Feature> all;
-  Poles points;  ///< about their mean
+  std::vector<Feature> all;  ///< by their place
+  Poles points;              ///< about their mean
 };
 
 /// \param kind nothing: that of the joint where the frame starts.
 SharpJoints sharpJoints(const Measured& frame, const Features& features,
                         std::optional<FeatureKind> kind) {
-  SharpJoints result{kind ? kind : features.closing, {}, {}};
+  SharpJoints result{kind, {}, {}};
+  if (!kind && features.closing) result.kind = features.closing->kind;
   if (!result.kind) return result;
-  if (features.closing == result.kind) result.all.push_back({*result.kind, {0, 0}, 0});
+  if (features.closing && features.closing->kind == *result.kind)
+    result.all.push_back(*features.closing);
   for (const Feature& feature : features.all)
     if (feature.kind == result.kind) result.all.push_back(feature);
   if (result.all.empty()) return result;
@@ -86,29 +83,72 @@ SharpJoints sharpJoints(const Measured& frame, const Features& features,
   return result;
 }
 
-/// The sharp joint to start from: the best one by the distances of sharp joints if there are
-/// equally many, otherwise by those of samples. \param share the best place of all.
-std::optional<Place> sharpStart(const SharpJoints& first, const SharpJoints& joints,
-                                const Eigen::VectorXd& costs, double share, double reach,
-                                double equal) {
-  const bool paired = first.all.size() == joints.all.size();
-  Eigen::VectorXd of_joints;
-  if (paired) {
-    of_joints = shiftCosts(first.points, joints.points);
-    equal = equal_cost * (first.points.squaredNorm() + joints.points.squaredNorm());
-  }
+/// The sharp joint to start from if there are equally many: the best one by their distances.
+std::optional<Place> pairedStart(const SharpJoints& first, const SharpJoints& joints) {
+  const Eigen::VectorXd costs = shiftCosts(first.points, joints.points);
+  const double equal = equal_cost * (first.points.squaredNorm() + joints.points.squaredNorm());
   std::optional<Place> best;
   double best_cost = infinite;
   for (std::size_t i = 0; i < joints.all.size(); ++i) {
-    const Feature& candidate = joints.all[i];
-    if (!paired && apart(candidate.share, share) > reach) continue;
-    const double cost =
-        paired ? of_joints(static_cast<Eigen::Index>(i)) : costAt(costs, candidate.share);
+    const double cost = costs(static_cast<Eigen::Index>(i));
     if (!(cost < best_cost - equal)) continue;
-    best = candidate.place;
+    best = joints.all[i].place;
     best_cost = cost;
   }
   return best;
+}
+
+/// What it costs to match the corners of closed frames if the second one starts at its corner i.
+double costFrom(const std::vector<Feature>& first, const std::vector<Feature>& corners,
+                std::size_t i, double reach) {
+  std::vector<Feature> from_start;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    Feature corner = corners[(i + k) % corners.size()];
+    corner.share -= corners[i].share;
+    if (corner.share < 0) corner.share += 1;
+    from_start.push_back(corner);
+  }
+  const std::vector<Feature> others(first.begin() + 1, first.end()),
+      others_from_start(from_start.begin() + 1, from_start.end());
+  return pairCost(first.front(), from_start.front(), reach) +
+         matchingCost(others, others_from_start, reach);
+}
+
+/// A joint as a start.
+struct SharpCandidate {
+  const Feature* joint;
+  std::size_t index;
+  double cost;  ///< by the distances of samples
+};
+
+/// The sharp joint to start from within reach of the best place of all: the best one by the
+/// distances of samples, for corners that from which they match best.
+std::optional<Place> nearStart(const SharpJoints& first, const SharpJoints& joints,
+                               const Eigen::VectorXd& costs, double share, double reach,
+                               double equal) {
+  std::vector<SharpCandidate> candidates;
+  for (std::size_t i = 0; i < joints.all.size(); ++i)
+    if (const Feature& joint = joints.all[i]; apart(joint.share, share) <= reach)
+      candidates.push_back({&joint, i, costAt(costs, joint.share)});
+  if (candidates.empty()) return std::nullopt;
+  const auto less = [&](const SharpCandidate& a, const SharpCandidate& b) {
+    return a.cost < b.cost - equal;
+  };
+  if (*first.kind != FeatureKind::Corner)
+    return std::ranges::min_element(candidates, less)->joint->place;
+  // Each costs the time of one matching.
+  constexpr std::size_t most_candidates = 32;
+  std::ranges::stable_sort(candidates, {}, &SharpCandidate::cost);
+  if (candidates.size() > most_candidates) candidates.resize(most_candidates);
+  const SharpCandidate* best = nullptr;
+  double best_cost = infinite;
+  for (const SharpCandidate& candidate : candidates) {
+    const double cost = costFrom(first.all, joints.all, candidate.index, reach);
+    if (!(cost < best_cost - equal_cost * (1 + cost))) continue;
+    best = &candidate;
+    best_cost = cost;
+  }
+  return best->joint->place;
 }
 
 /// The place to start from: a joint, where one is near.
@@ -119,24 +159,14 @@ Place startPlace(const Measured& frame, double share, double near_share) {
   return apart(frame.share(best), share) <= near_share ? Place{best, 0} : frame.placeAt(share);
 }
 
-/// Which way a closed frame goes round: twice its vector area.
-Eigen::Vector3d roundOf(const Poles& points) {
-  Eigen::Vector3d result = Eigen::Vector3d::Zero();
-  for (Eigen::Index i = 0; i < points.rows(); ++i)
-    result += points.row(i).transpose().cross(points.row((i + 1) % points.rows()).transpose());
-  return result;
-}
-
 /// Whether closed frames go round the same way; nothing if they have no areas to compare.
 std::optional<bool> goAlike(const Poles& first, const Poles& frame) {
-  const Eigen::Vector3d a = roundOf(first), b = roundOf(frame);
-  // A choice: figures of eight, and planes that are turned by more than 84 degrees, say nothing.
-  constexpr double least_area = 1e-4, least_cosine = 0.1;
-  if (!(a.norm() > least_area * first.squaredNorm()) ||
-      !(b.norm() > least_area * frame.squaredNorm()) ||
-      !(std::abs(a.dot(b)) > least_cosine * a.norm() * b.norm()))
+  const std::optional<Eigen::Vector3d> a = roundOf(first), b = roundOf(frame);
+  // A choice: planes that are turned by more than 84 degrees say nothing.
+  constexpr double least_cosine = 0.1;
+  if (!a || !b || !(std::abs(a->dot(*b)) > least_cosine * a->norm() * b->norm()))
     return std::nullopt;
-  return a.dot(b) > 0;
+  return a->dot(*b) > 0;
 }
 
 /// What the other frames are compared with.
@@ -200,9 +230,11 @@ class Turner {
     const double share = steps / sample_count - std::floor(steps / sample_count);
     if (first_.sharp.kind) {
       const SharpJoints sharp = sharpJoints(frame, features(frame), first_.sharp.kind);
-      if (const std::optional<Place> place =
-              sharpStart(first_.sharp, sharp, costs, share, options_.reach, equal))
-        return *place;
+      const std::optional<Place> place =
+          first_.sharp.all.size() == sharp.all.size()
+              ? pairedStart(first_.sharp, sharp)
+              : nearStart(first_.sharp, sharp, costs, share, options_.reach, equal);
+      if (place) return *place;
     }
     return startPlace(frame, share, near_share_);
   }
@@ -212,6 +244,46 @@ class Turner {
   bool finds_start_;
   FirstFrame first_;
 };
+
+/// The joints that are corners, as measureJoints() has them.
+std::vector<std::size_t> cornersOf(const BezierSpline& frame, double corner_rad) {
+  std::vector<std::size_t> result;
+  const std::vector<CurveJoint> joints = measureJoints(frame, 1);
+  for (std::size_t i = 0; i < joints.size(); ++i)
+    if (joints[i].angle_rad && *joints[i].angle_rad > corner_rad) result.push_back(i);
+  return result;
+}
+
+/// A closed frame from a corner on. \param corners some
+Turned fromCorner(const BezierSpline& frame, std::size_t index,
+                  const std::vector<std::size_t>& corners) {
+  const std::size_t closing = static_cast<std::size_t>(frame.segments()) - 1;
+  if (corners.back() == closing) return {frame};
+  const Place place{static_cast<int>(corners.front()) + 1, 0};
+  return {startingAt(frame, place), false, measured(frame, index).shareAt(place)};
+}
+
+/// The first frame from a corner on, if all frames have corners: a start that corresponds to no
+/// corner would come between those that do. If it has more than another frame, from one that
+/// corresponds to a corner of the frame with the fewest.
+void startAtCorner(const MatchOptions& options, double near_share,
+                   std::vector<BezierSpline>& frames, MatchSummary& summary) {
+  std::vector<std::vector<std::size_t>> corners;
+  for (const BezierSpline& frame : frames) corners.push_back(cornersOf(frame, options.corner_rad));
+  const auto fewest = std::ranges::min_element(corners, {}, &std::vector<std::size_t>::size);
+  if (fewest->empty()) return;
+  Turned first = fromCorner(frames[0], 0, corners[0]);
+  if (fewest->size() < corners[0].size()) {
+    const auto f = static_cast<std::size_t>(fewest - corners.begin());
+    const BezierSpline alike = Turner(frames, options, near_share)(frames[f], f).frame;
+    MatchOptions direct = options;
+    direct.find_direction = false;
+    const Turned other = fromCorner(alike, f, cornersOf(alike, options.corner_rad));
+    first = Turner({other.frame, frames[0]}, direct, near_share)(frames[0], 0);
+  }
+  frames[0] = std::move(first.frame);
+  summary.start[0] = first.start;
+}
 
 /// Closed frames from their first given parameters.
 void startAtGiven(const std::vector<BezierSpline>& frames, const MatchOptions& options,
@@ -241,7 +313,8 @@ std::vector<BezierSpline> turned(const std::vector<BezierSpline>& frames,
   if (options.by == MatchBy::Given && frames[0].closed && !options.given[0].empty())
     startAtGiven(frames, options, result, summary);
   if (!options.find_direction && !(options.find_start && frames[0].closed)) return result;
-  const Turner turn(frames, options, near_share);
+  if (options.find_start && frames[0].closed) startAtCorner(options, near_share, result, summary);
+  const Turner turn(result, options, near_share);
   for (std::size_t f = 1; f < frames.size(); ++f) {
     Turned best = turn(frames[f], f);
     result[f] = std::move(best.frame);

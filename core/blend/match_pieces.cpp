@@ -133,16 +133,29 @@ bool areParallel(const std::vector<Measured>& frames, const std::vector<Place>& 
   return true;
 }
 
+MatchedKind matchedKind(FeatureKind kind) {
+  switch (kind) {
+    case FeatureKind::Corner:
+      return MatchedKind::Corner;
+    case FeatureKind::Rise:
+    case FeatureKind::Fall:
+      return MatchedKind::Jump;
+    case FeatureKind::Maximum:
+    case FeatureKind::Minimum:
+      break;
+  }
+  return MatchedKind::Extremum;
+}
+
 /// An anchor of features of one kind.
 Anchor anchorAt(const std::vector<Measured>& frames, const std::vector<Feature>& features) {
-  const FeatureKind kind = features[0].kind;
-  Anchor result{.places = {}, .shares = {}, .is_corner = kind == FeatureKind::Corner};
+  Anchor result{.places = {}, .shares = {}, .kind = matchedKind(features[0].kind)};
   for (const Feature& feature : features) {
     result.places.push_back(feature.place);
     result.shares.push_back(feature.share);
   }
-  const bool jumps = kind == FeatureKind::Rise || kind == FeatureKind::Fall;
-  result.may_kink = result.is_corner || (jumps && areParallel(frames, result.places));
+  result.may_kink = result.kind == MatchedKind::Corner ||
+                    (result.kind == MatchedKind::Jump && areParallel(frames, result.places));
   return result;
 }
 
@@ -163,10 +176,30 @@ std::optional<Anchor> startAnchor(const std::vector<Measured>& frames,
                                   const std::vector<Features>& features) {
   std::vector<Feature> starts;
   for (const Features& of_frame : features) {
-    if (!of_frame.closing || of_frame.closing != features[0].closing) return std::nullopt;
-    starts.push_back({*of_frame.closing, {0, 0}, 0});
+    if (!of_frame.closing || of_frame.closing->kind != features[0].closing->kind)
+      return std::nullopt;
+    starts.push_back(*of_frame.closing);
   }
   return anchorAt(frames, starts);
+}
+
+/// Whether closed frames have as many corners, which turn to the same sides in their order.
+bool turnAlike(const std::vector<Feature>& a, const std::vector<Feature>& b) {
+  std::vector<int> sides_a, sides_b;
+  for (const auto& [features, sides] : {std::pair{&a, &sides_a}, {&b, &sides_b}})
+    for (const Feature& feature : *features)
+      if (feature.kind == FeatureKind::Corner) sides->push_back(feature.side);
+  return sides_a == sides_b && std::ranges::find(sides_a, 0) == sides_a.end();
+}
+
+/// The pairs of least cost. Corners that turn alike correspond in their order, however far one of
+/// the frames is turned.
+std::vector<std::pair<int, int>> pairsOf(std::vector<Feature> a, std::vector<Feature> b,
+                                         double reach) {
+  if (turnAlike(a, b))
+    for (std::vector<Feature>* features : {&a, &b})
+      for (Feature& feature : *features) feature.from_middle.setZero();
+  return matchedFeatures(a, b, reach);
 }
 
 std::vector<Anchor> featureAnchors(const std::vector<Measured>& frames,
@@ -178,7 +211,7 @@ std::vector<Anchor> featureAnchors(const std::vector<Measured>& frames,
   std::vector<std::vector<int>> partners(all[0].size(), std::vector<int>(frames.size(), -1));
   for (std::size_t i = 0; i < partners.size(); ++i) partners[i][0] = static_cast<int>(i);
   for (std::size_t f = 1; f < frames.size(); ++f)
-    for (const auto& [i, j] : matchedFeatures(all[0], all[f], options.reach)) partners[i][f] = j;
+    for (const auto& [i, j] : pairsOf(all[0], all[f], options.reach)) partners[i][f] = j;
   // Corners first: an extremum beside one leaves it no room.
   std::stable_sort(partners.begin(), partners.end(),
                    [&](const std::vector<int>& a, const std::vector<int>& b) {
@@ -199,6 +232,18 @@ std::vector<Anchor> featureAnchors(const std::vector<Measured>& frames,
   return result;
 }
 
+/// Whether all frames have a corner at their place.
+bool areCorners(const std::vector<Measured>& frames, const std::vector<Place>& places,
+                double corner_rad) {
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    const auto [piece, t] = places[f];
+    if (t != 0 || piece == 0) return false;
+    const CurveJoint joint = measureJoints(frames[f].spline(), 1).at(piece - 1);
+    if (!joint.angle_rad || !(*joint.angle_rad > corner_rad)) return false;
+  }
+  return true;
+}
+
 std::vector<Anchor> givenAnchors(const std::vector<Measured>& frames, const Splines& original,
                                  const MatchOptions& options) {
   std::vector<Anchor> result;
@@ -207,12 +252,18 @@ std::vector<Anchor> givenAnchors(const std::vector<Measured>& frames, const Spli
     Anchor anchor;
     for (std::size_t f = 0; f < frames.size(); ++f) {
       const double start = closed ? options.given[f][0] : original[f].knots.front();
-      anchor.places.push_back(
-          frames[f].placeOf(frames[f].spline().knots.front() + (options.given[f][i] - start)));
-      anchor.shares.push_back(frames[f].shareAt(anchor.places.back()));
+      const Place place =
+          frames[f].placeOf(frames[f].spline().knots.front() + (options.given[f][i] - start));
+      // The difference from the start rounds.
+      constexpr double rounding = 1e-9;
+      const Feature at_joint =
+          snapped(frames[f], {.place = place, .share = frames[f].shareAt(place)}, rounding);
+      anchor.places.push_back(at_joint.place);
+      anchor.shares.push_back(at_joint.share);
     }
     if (!isBetween(anchor, result.empty() ? nullptr : &result.back(), nullptr, 0))
       refuse(fmt::format("given parameter {} is at the same place as another", i));
+    anchor.may_kink = areCorners(frames, anchor.places, options.corner_rad);
     result.push_back(std::move(anchor));
   }
   return result;
@@ -360,7 +411,8 @@ double largestRatio(const Splines& frames) {
 std::vector<Anchor> fittingAnchors(const std::vector<Measured>& frames,
                                    const std::vector<Anchor>& anchors, MatchSummary& summary) {
   std::vector<Anchor> corners;
-  std::ranges::copy_if(anchors, std::back_inserter(corners), &Anchor::is_corner);
+  std::ranges::copy_if(anchors, std::back_inserter(corners),
+                       [](const Anchor& anchor) { return anchor.kind == MatchedKind::Corner; });
   const double with_all = turnOf(frames, anchors), with_corners = turnOf(frames, corners);
   // Less by rounding is not less. Corners are left out only for much less: without them frames have
   // corners of both curves.
@@ -370,6 +422,32 @@ std::vector<Anchor> fittingAnchors(const std::vector<Measured>& frames,
   summary.lengths_fit_better = fewer || none;
   if (none) return {};
   return fewer ? corners : anchors;
+}
+
+/// A share of a frame as it is given.
+double givenShare(double share, std::size_t f, const MatchSummary& summary) {
+  const double here = share + summary.start[f], around = here >= 1 ? here - 1 : here;
+  return summary.reversed[f] && around > 0 ? 1 - around : around;
+}
+
+/// The anchors, and where closed frames start.
+std::vector<MatchedPlaces> matchedPlaces(const Correspondence& all, MatchedKind start,
+                                         const MatchSummary& summary) {
+  const std::size_t count = all.frames.size();
+  std::vector<MatchedPlaces> result;
+  const auto add = [&](MatchedKind kind, const std::vector<Place>& places,
+                       const std::vector<double>& shares) {
+    MatchedPlaces one{.kind = kind, .points = {}, .shares = {}};
+    for (std::size_t f = 0; f < count; ++f) {
+      one.points.push_back(all.frames[f].point(places[f]));
+      one.shares.push_back(givenShare(shares[f], f, summary));
+    }
+    result.push_back(std::move(one));
+  };
+  if (all.frames[0].spline().closed)
+    add(start, std::vector<Place>(count), std::vector<double>(count, 0));
+  for (const Anchor& anchor : all.anchors) add(anchor.kind, anchor.places, anchor.shares);
+  return result;
 }
 
 }  // namespace
@@ -399,6 +477,10 @@ Correspondence corresponding(const std::vector<BezierSpline>& frames, const Matc
       options.by == MatchBy::Given && frames[0].closed && !options.given[0].empty();
   summary.matched_features =
       static_cast<int>(result.anchors.size()) + (starts_given || result.start ? 1 : 0);
+  const MatchedKind start_kind = starts_given   ? MatchedKind::Given
+                                 : result.start ? result.start->kind
+                                                : MatchedKind::Start;
+  summary.pairs = matchedPlaces(result, start_kind, summary);
   return result;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <Eigen/Core>
 #include <vector>
 
 #include <seamwright/core/angle.hpp>
@@ -25,7 +26,10 @@ struct MatchOptions {
   std::vector<std::vector<double>> given = {};
   /// Closed frames start where they are nearest to the first frame, about their centroids (not for
   /// MatchBy::Given). If that one starts at a corner, or at a jump of the curvature, they do: if
-  /// there are equally many, where the sum of their squared distances is least.
+  /// there are equally many, where the sum of their squared distances is least; corners of
+  /// different numbers, where they match at the least cost. If all frames have corners, the first
+  /// one starts at a corner too, and if it has more than another one, at one that corresponds to
+  /// one of those.
   bool find_start = false;
   /// Frames run in the direction in which they are nearer to the first frame; closed ones in that
   /// in which they go round as it does, unless they lie in planes across or are figures of eight.
@@ -40,6 +44,16 @@ struct MatchOptions {
   double reach = 0.2;
 };
 
+/// What corresponds: where closed frames start, features, or given parameters.
+enum class MatchedKind { Start, Corner, Jump, Extremum, Given };
+
+/// A place that is the same in all frames.
+struct MatchedPlaces {
+  MatchedKind kind = MatchedKind::Start;
+  std::vector<Eigen::Vector3d> points;  ///< of each frame
+  std::vector<double> shares;           ///< likewise, of the length of the frame as it is given
+};
+
 struct MatchSummary {
   std::vector<int> pieces_before;  ///< of each frame
   int pieces_after = 0;
@@ -48,6 +62,9 @@ struct MatchSummary {
   /// Matched in all frames; given pairs count, too, and so does the start of closed frames if it is
   /// a feature of one kind.
   int matched_features = 0;
+  /// In the order of the first frame. The start of closed frames is always among them, the ends of
+  /// open ones never.
+  std::vector<MatchedPlaces> pairs;
   /// MatchBy::Features: features were found, but equal shares of the length between corners
   /// correspond: with them the tangents at corresponding places differ less.
   bool lengths_fit_better = false;
@@ -94,12 +111,14 @@ struct MatchedFrames {
 /// that lie in z = 0, otherwise of the curvature in space. An extremum that is a plateau, as on an
 /// arc, is in its middle. They are matched in order, and only of one kind, such that the sum of
 /// costs is least: displacement by reach for a pair, 1/2 for each extremum that is left alone, 1
-/// for a jump, 2 for a corner. Equal shares of the length correspond instead if the tangents of
-/// neighbouring frames, turned to fit, then differ less in the mean square. \throws
-/// std::invalid_argument for fewer than two frames, a frame that requireValid() refuses (with its
-/// index), open and closed frames together, a piece without length (with frame and piece), and
-/// options out of range: closeness, reach and prominence 0 to 1/2, counts, order and range of given
-/// parameters. Source: docs/theory/curves.md C12.1, C12.2.
+/// for a jump, 2 for a corner. A pair of corners costs twice the sum of displacement, distance (3/2
+/// at most, about the centroids of frames of radius 1), and 1 if they turn to different sides.
+/// Equal shares of the length correspond instead if the tangents of neighbouring frames, turned to
+/// fit, then differ less in the mean square. \throws std::invalid_argument for fewer than two
+/// frames, a frame that requireValid() refuses (with its index), open and closed frames together, a
+/// piece without length (with frame and piece), and options out of range: closeness, reach and
+/// prominence 0 to 1/2, counts, order and range of given parameters. Source: docs/theory/curves.md
+/// C12.1, C12.2.
 MatchedFrames matchPieces(const std::vector<BezierSpline>& frames,
                           const MatchOptions& options = {});
 

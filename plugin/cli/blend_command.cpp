@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <seamwright/core/angle.hpp>
 #include <seamwright/core/bezier/length.hpp>
 #include <seamwright/core/blend/common_knots.hpp>
 #include <seamwright/core/blend/frame_fault.hpp>
@@ -24,6 +25,7 @@
 #include <seamwright/plugin/cli/blend_drawing.hpp>
 #include <seamwright/plugin/cli/curve_output.hpp>
 #include <seamwright/plugin/cli/key_curves.hpp>
+#include <seamwright/plugin/cli/loft_start.hpp>
 #include <seamwright/plugin/cli/output.hpp>
 #include <seamwright/plugin/cli/progress_bar.hpp>
 #include <seamwright/plugin/cli/rounding.hpp>
@@ -96,17 +98,24 @@ std::string matchNote(const MatchSummary& summary, MatchBy by) {
   return note;
 }
 
-void addMatch(const MatchSummary& summary, MatchBy by, const std::string& more,
-              BlendReport& report) {
+void addMatch(const KeyCurves& input, const MatchSummary& summary, MatchBy by,
+              const std::string& more, BlendReport& report) {
   report.notes.push_back(matchNote(summary, by) + more);
+  report.pairs = pairRecords(input, summary.pairs);
   if (summary.lengths_fit_better) report.match = by_length;
 }
 
+std::vector<BezierSpline> splinesOf(const KeyCurves& input) {
+  std::vector<BezierSpline> result;
+  for (const KeyCurve& key : input.curves) result.push_back(key.curve);
+  return result;
+}
+
 /// The key curves, divided into corresponding pieces.
-std::vector<BezierSpline> dividedCurves(const std::vector<BezierSpline>& curves,
-                                        const MatchOptions& options, BlendReport& report) {
-  MatchedFrames matched = matchPieces(curves, options);
-  addMatch(matched.summary, options.by,
+std::vector<BezierSpline> dividedCurves(const KeyCurves& input, const MatchOptions& options,
+                                        BlendReport& report) {
+  MatchedFrames matched = matchPieces(splinesOf(input), options);
+  addMatch(input, matched.summary, options.by,
            fmt::format("; shares of the length differ up to {:.3g} times",
                        matched.summary.largest_ratio),
            report);
@@ -114,12 +123,12 @@ std::vector<BezierSpline> dividedCurves(const std::vector<BezierSpline>& curves,
 }
 
 /// The key curves over common knots, within the tolerance.
-std::vector<BezierSpline> refittedCurves(const std::vector<BezierSpline>& curves,
-                                         const MatchOptions& options, double tolerance_mm,
-                                         BlendReport& report) {
-  CommonKnots common = commonKnots(curves, {.match = options, .tolerance_mm = tolerance_mm});
-  addMatch(common.summary, options.by, "", report);
-  for (std::size_t i = 0; i < curves.size(); ++i)
+std::vector<BezierSpline> refittedCurves(const KeyCurves& input, const MatchOptions& options,
+                                         double tolerance_mm, BlendReport& report) {
+  CommonKnots common =
+      commonKnots(splinesOf(input), {.match = options, .tolerance_mm = tolerance_mm});
+  addMatch(input, common.summary, options.by, "", report);
+  for (std::size_t i = 0; i < input.curves.size(); ++i)
     report.key_curves[i].refitted_mm = common.distance_mm[i];
   report.reached = common.reached;
   return std::move(common.frames);
@@ -133,31 +142,18 @@ SplineBlend blendOf(const std::vector<BezierSpline>& curves, const BlendArgument
   return SplineBlend(curves, evenOmegas(curves.size()), options);
 }
 
-/// Closed curves from a corner on, so that a loft has an edge there; nothing if they begin at one,
-/// or have none.
-std::optional<std::vector<BezierSpline>> fromCorner(const std::vector<BezierSpline>& curves,
-                                                    const std::vector<int>& orders) {
-  if (!curves.front().closed || orders.back() == 0) return std::nullopt;
-  const auto corner = std::ranges::find(orders, 0);
-  if (corner == orders.end()) return std::nullopt;
-  const int piece = static_cast<int>(corner - orders.begin()) + 1;
-  std::vector<BezierSpline> result;
-  for (const BezierSpline& curve : curves)
-    result.push_back(match::startingAt(curve, {.piece = piece, .t = 0}));
-  return result;
-}
-
 SplineBlend blendOf(const KeyCurves& input, const BlendArguments& arguments, BlendReport& report) {
-  std::vector<BezierSpline> curves;
-  for (const KeyCurve& key : input.curves) curves.push_back(key.curve);
   const MatchOptions match = matchOptions(input, arguments, report.closed);
   const std::vector<BezierSpline> matched =
-      arguments.exact ? dividedCurves(curves, match, report)
-                      : refittedCurves(curves, match, arguments.tolerance_mm, report);
+      arguments.exact ? dividedCurves(input, match, report)
+                      : refittedCurves(input, match, arguments.tolerance_mm, report);
   SplineBlend blend = blendOf(matched, arguments);
   if (!arguments.loft) return blend;
-  const auto turned = fromCorner(matched, blend.orders());
-  return turned ? blendOf(*turned, arguments) : blend;
+  const std::optional<match::Place> start = loftStart(matched, blend.orders(), arguments.order);
+  if (!start) return blend;
+  std::vector<BezierSpline> turned;
+  for (const BezierSpline& curve : matched) turned.push_back(match::startingAt(curve, *start));
+  return blendOf(turned, arguments);
 }
 
 /// The length of the curve to a millionth.
@@ -345,6 +341,8 @@ void noteKeyCurves(const KeyCurves& input, const BlendArguments& arguments, Blen
         "--between {} has no effect: there is no key curve between two", arguments.in_between));
   // Polygons that are drawn have few corners, sections of a mesh hundreds.
   constexpr int many_corners = 24;
+  // Of a circle by eight points. Who draws a smooth curve takes more.
+  constexpr double sharp_rad = 44 * radians_per_degree;
   for (const KeyCurve& key : input.curves) {
     const std::string name = keyName(key, arguments);
     if (key.sampled) report.notes.push_back(name + ": " + sampledNote(*key.sampled));
@@ -353,6 +351,11 @@ void noteKeyCurves(const KeyCurves& input, const BlendArguments& arguments, Blen
           "{}: {} (number {}), and {} of G0 in all frames", name,
           count == 1 ? "1 point is a corner" : fmt::format("{} points are corners", count),
           fmt::join(key.corners, ", "), count == 1 ? "a joint" : "joints"));
+    if (key.turn_rad > sharp_rad)
+      report.notes.push_back(fmt::format(
+          "{}: a smooth curve is laid through its {} points, which turn by {:.0f} degrees "
+          "on average: if they are corners, put points on the sides between them",
+          name, key.points, key.turn_rad * degrees_per_radian));
     if (const int corners = polygonCorners(key.curve); corners >= many_corners)
       report.notes.push_back(fmt::format(
           "{0}: a polygon with {1} corners, all of which stay in all frames. If it samples a "

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <seamwright/core/planar/plane_frame.hpp>
 #include <seamwright/core/planar/point_corners.hpp>
 #include <seamwright/core/spline/nu_spline.hpp>
@@ -92,6 +94,18 @@ BezierSpline splineThrough(const Poles& points, const std::vector<Eigen::Index>&
   return bezierSpline(in_order, knots, closed);
 }
 
+/// The mean angle by which the polygon of the points turns.
+double meanTurn(const Poles& points, bool closed) {
+  const Eigen::Index count = points.rows(), first = closed ? 0 : 1, last = count - first;
+  double sum_rad = 0;
+  for (Eigen::Index i = first; i < last; ++i) {
+    const Eigen::RowVector3d arriving = points.row(i) - points.row((i + count - 1) % count),
+                             leaving = points.row((i + 1) % count) - points.row(i);
+    sum_rad += std::atan2(arriving.cross(leaving).norm(), arriving.dot(leaving));
+  }
+  return last > first ? sum_rad / static_cast<double>(last - first) : 0;
+}
+
 occ::ModelFacts pointFacts(const std::string& path) {
   occ::ModelFacts facts;
   facts.path = path;
@@ -116,6 +130,7 @@ KeyCurve keyCurve(const PointFile& file, const BlendArguments& arguments) {
   const std::vector<Eigen::Index> corners =
       cornersOf(file, arguments.closed, arguments.tolerance_mm);
   for (const Eigen::Index corner : corners) result.corners.push_back(corner + 1);
+  if (corners.empty()) result.turn_rad = meanTurn(file.points, arguments.closed);
   result.curve = splineThrough(file.points, corners, arguments.closed);
   return result;
 }

@@ -21,6 +21,8 @@ struct KeyCurve {
   std::vector<std::ptrdiff_t> corners = {};
   /// The curve is the lines and arcs of which the points are samples.
   std::optional<SampledCurve> sampled = {};
+  /// The mean angle of the polygon of the points, if the curve is a spline without corners.
+  double turn_rad = 0;
   BezierSpline curve;        ///< polynomial
   double gap_mm = 0;         ///< the largest gap between edges that was closed
   double polynomial_mm = 0;  ///< bound of the distance from the rational curve

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
+#include <optional>
 #include <seamwright/core/blend/spline_places.hpp>
 #include <seamwright/plugin/cli/key_curves.hpp>
 #include <seamwright/plugin/cli/key_pairs.hpp>
@@ -51,6 +53,11 @@ double joinedParameter(const BezierSpline& spline, double parameter) {
   return parameter;
 }
 
+double pointParameter(const KeyCurve& key, int number) {
+  return key.sampled ? joinedParameter(key.curve, key.sampled->parameters[number - 1])
+                     : key.curve.knots[number - 1];
+}
+
 double parameterOf(const KeyCurve& key, const std::string& path, const KeyPair& pair,
                    const KeyPlace& place) {
   if (const auto* share = std::get_if<LengthShare>(&place))
@@ -64,8 +71,7 @@ double parameterOf(const KeyCurve& key, const std::string& path, const KeyPair& 
   if (number > key.points)
     throw std::runtime_error(fmt::format("--pair {}: {} has {} points, and no point {}", pair.text,
                                          path, key.points, number));
-  return key.sampled ? joinedParameter(key.curve, key.sampled->parameters[number - 1])
-                     : key.curve.knots[number - 1];
+  return pointParameter(key, number);
 }
 
 /// \throws std::runtime_error for an end, which corresponds to the ends of the other curves anyway.
@@ -122,6 +128,39 @@ void requireOneOrder(const KeyCurves& input, const PairAt& a, const PairAt& b) {
                       a.pair->text, b.pair->text, input.facts[input.curves[i].input].path));
 }
 
+std::string nameOf(MatchedKind kind) {
+  switch (kind) {
+    case MatchedKind::Start:
+      return "start";
+    case MatchedKind::Corner:
+      return "corner";
+    case MatchedKind::Jump:
+      return "jump";
+    case MatchedKind::Extremum:
+      return "extremum";
+    case MatchedKind::Given:
+      break;
+  }
+  return "given";
+}
+
+/// The points of a file by their share of the length of its curve.
+std::map<double, int> numbersByShare(const KeyCurve& key) {
+  std::map<double, int> result;
+  const match::Measured measured(key.curve);
+  for (int number = 1; number <= key.points; ++number)
+    result.emplace(measured.shareAt(measured.placeOf(pointParameter(key, number))), number);
+  return result;
+}
+
+/// The number of the point at a share of the length.
+std::optional<int> numberAt(const std::map<double, int>& numbers, double share) {
+  constexpr double same = 1e-7;  // above the precision of places, below the distance of points
+  const auto found = numbers.lower_bound(share - same);
+  if (found == numbers.end() || found->first > share + same) return std::nullopt;
+  return found->second;
+}
+
 }  // namespace
 
 KeyPair keyPair(const std::string& text) {
@@ -141,6 +180,20 @@ std::vector<std::vector<double>> pairParameters(const KeyCurves& input,
   std::vector<std::vector<double>> result(input.curves.size());
   for (const PairAt& pair : placed)
     for (std::size_t i = 0; i < result.size(); ++i) result[i].push_back(pair.parameters[i]);
+  return result;
+}
+
+std::vector<report::MatchedPairRecord> pairRecords(const KeyCurves& input,
+                                                   const std::vector<MatchedPlaces>& pairs) {
+  std::vector<report::MatchedPairRecord> result;
+  for (const MatchedPlaces& pair : pairs) result.push_back({.kind = nameOf(pair.kind)});
+  for (std::size_t i = 0; i < input.curves.size() && !pairs.empty(); ++i) {
+    const std::map<double, int> numbers = numbersByShare(input.curves[i]);
+    for (std::size_t k = 0; k < pairs.size(); ++k)
+      result[k].places.push_back({.point = numberAt(numbers, pairs[k].shares[i]),
+                                  .length_share = pairs[k].shares[i],
+                                  .point_mm = pairs[k].points[i]});
+  }
   return result;
 }
 

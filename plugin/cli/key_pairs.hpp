@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <seamwright/core/blend/match_pieces.hpp>
+#include <seamwright/plugin/report/blend_json.hpp>
 #include <string>
 #include <variant>
 #include <vector>
@@ -36,5 +38,9 @@ KeyPair keyPair(const std::string& text);
 /// open curves, and for pairs whose order differs from curve to curve.
 std::vector<std::vector<double>> pairParameters(const KeyCurves& input,
                                                 const std::vector<KeyPair>& pairs);
+
+/// Which places of the key curves correspond, with the numbers of points that are there.
+std::vector<report::MatchedPairRecord> pairRecords(const KeyCurves& input,
+                                                   const std::vector<MatchedPlaces>& pairs);
 
 }  // namespace seamwright::cli

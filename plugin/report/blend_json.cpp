@@ -27,6 +27,17 @@ ordered_json keyCurveJson(const KeyCurveRecord& record) {
           {"refitted_mm", record.refitted_mm}};
 }
 
+ordered_json pairJson(const MatchedPairRecord& record) {
+  ordered_json places = ordered_json::array();
+  for (const MatchedPlaceRecord& place : record.places) {
+    ordered_json json = {{"point", nullptr}, {"length_share", place.length_share}};
+    if (place.point) json["point"] = *place.point;
+    json["point_mm"] = {place.point_mm.x(), place.point_mm.y(), place.point_mm.z()};
+    places.push_back(json);
+  }
+  return {{"kind", record.kind}, {"places", places}};
+}
+
 ordered_json jointJson(const BlendJointRecord& record) {
   return {{"joint", record.joint},     {"order", record.order},   {"beta", record.beta},
           {"defects", record.defects}, {"remedy", record.remedy}, {"moved_mm", record.moved_mm}};
@@ -149,6 +160,29 @@ std::string loftText(const BlendLoftRecord& loft, int order) {
   return text + '\n';
 }
 
+/// A place as --pair takes it, and where it is.
+std::string placeText(const MatchedPlaceRecord& place) {
+  const std::string name = place.point ? fmt::format("point {}", *place.point)
+                                       : fmt::format("{:.4g}%", 100 * place.length_share);
+  // A billionth of a mm is rounding, and +0 leaves no sign.
+  const Eigen::Array3d at = (1e9 * place.point_mm.array()).round() / 1e9 + 0.0;
+  return fmt::format("{} ({:.5g}, {:.5g}, {:.5g})", name, at.x(), at.y(), at.z());
+}
+
+std::string pairsText(const std::vector<MatchedPairRecord>& pairs) {
+  constexpr std::size_t most_lines =
+      12;  // of outlines that are drawn; sections of a mesh have more
+  std::string text;
+  for (std::size_t i = 0; i < std::min(pairs.size(), most_lines); ++i) {
+    std::vector<std::string> places;
+    for (const MatchedPlaceRecord& place : pairs[i].places) places.push_back(placeText(place));
+    text += fmt::format("  {}: {}\n", pairs[i].kind, fmt::join(places, " = "));
+  }
+  if (pairs.size() > most_lines)
+    text += fmt::format("  and {} more pairs, which --json names\n", pairs.size() - most_lines);
+  return text;
+}
+
 }  // namespace
 
 ordered_json toJson(const BlendReport& report) {
@@ -166,6 +200,8 @@ ordered_json toJson(const BlendReport& report) {
   json["key_curves"] = ordered_json::array();
   for (const KeyCurveRecord& record : report.key_curves)
     json["key_curves"].push_back(keyCurveJson(record));
+  json["pairs"] = ordered_json::array();
+  for (const MatchedPairRecord& record : report.pairs) json["pairs"].push_back(pairJson(record));
   json["frames"] = ordered_json::array();
   for (const BlendFrameRecord& record : report.frames) json["frames"].push_back(frameJson(record));
   json["loft"] = loftJson(report.loft);
@@ -181,6 +217,7 @@ std::string toText(const BlendReport& report) {
   text += jointsText(report);
   if (report.loft) text += loftText(*report.loft, report.order);
   for (const std::string& note : report.notes) text += "  " + note + '\n';
+  text += pairsText(report.pairs);
   if (report.output) text += report.output->path + ": " + report.output->format + '\n';
   return text + (report.reached ? "REACHED\n" : "NOT REACHED\n");
 }

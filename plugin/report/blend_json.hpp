@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -22,6 +23,18 @@ struct KeyCurveRecord {
   double gap_mm = 0;         ///< the largest gap that was closed
   double refitted_mm = 0;    ///< bound of the distance of the curve over common knots
   double polynomial_mm = 0;  ///< bound of the distance from the rational curve of the model
+};
+
+/// A place of a key curve that corresponds to one of each other.
+struct MatchedPlaceRecord {
+  std::optional<int> point = {};  ///< number in its file, from 1
+  double length_share = 0;        ///< of the key curve as it is given
+  Eigen::Vector3d point_mm = Eigen::Vector3d::Zero();
+};
+
+struct MatchedPairRecord {
+  std::string kind;                             ///< start, corner, jump, extremum or given
+  std::vector<MatchedPlaceRecord> places = {};  ///< one for each key curve
 };
 
 /// A joint of a frame.
@@ -65,6 +78,7 @@ struct BlendReport {
   std::string in_between = {};
   bool closed = false;
   std::vector<KeyCurveRecord> key_curves = {};
+  std::vector<MatchedPairRecord> pairs = {};
   std::vector<BlendFrameRecord> frames = {};
   std::optional<BlendLoftRecord> loft = {};
   std::vector<std::string> notes = {};

@@ -17,14 +17,21 @@ double alone(const Feature& feature) {
   return feature.kind == FeatureKind::Rise || feature.kind == FeatureKind::Fall ? 1 : 0.5;
 }
 
+/// What C12.2 says that a pair costs.
+double together(const Feature& a, const Feature& b, double reach) {
+  const double moved = std::abs(a.share - b.share);
+  if (a.kind != FeatureKind::Corner) return moved / reach;
+  const double distance = std::min(1.5, (a.from_middle - b.from_middle).norm());
+  return 2 * (moved + distance + (a.side == -b.side && a.side != 0 ? 1 : 0));
+}
+
 /// What C12.2 says that pairs cost.
 double costOf(const std::vector<Feature>& a, const std::vector<Feature>& b, const Pairs& pairs,
               double reach) {
   double cost = 0;
   for (const Feature& feature : a) cost += alone(feature);
   for (const Feature& feature : b) cost += alone(feature);
-  for (const auto& [i, j] : pairs)
-    cost += std::abs(a[i].share - b[j].share) / reach - alone(a[i]) - alone(b[j]);
+  for (const auto& [i, j] : pairs) cost += together(a[i], b[j], reach) - alone(a[i]) - alone(b[j]);
   return cost;
 }
 
@@ -47,7 +54,9 @@ std::vector<Feature> randomFeatures(int count, std::mt19937_64& random) {
   for (int i = 0; i < count; ++i)
     result.push_back({static_cast<FeatureKind>(static_cast<int>(test::drawn(0, 5, random))),
                       {},
-                      test::drawn(0, 1, random)});
+                      test::drawn(0, 1, random),
+                      {test::drawn(-1, 1, random), test::drawn(-1, 1, random), 0},
+                      static_cast<int>(test::drawn(0, 3, random)) - 1});
   std::ranges::sort(result, {}, &Feature::share);
   return result;
 }
@@ -63,6 +72,7 @@ TEST(MatchedFeatures, CostTheLeastOfAllPairs) {
     visitAll(a, b, reach, 0, 0, pairs,
              [&](const Pairs& one) { least = std::min(least, costOf(a, b, one, reach)); });
     EXPECT_NEAR(costOf(a, b, matchedFeatures(a, b, reach), reach), least, 1e-12) << i;
+    EXPECT_NEAR(matchingCost(a, b, reach), least, 1e-12) << i;
   }
 }
 

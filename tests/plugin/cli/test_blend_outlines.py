@@ -69,6 +69,13 @@ def curvatures(points):
     return 2 * across / (lengths[0] * lengths[1] * lengths[2])
 
 
+def on_ends_of_arcs(points, width, height, radius):
+    """Whether points are where the arcs of a rounded rectangle begin or end."""
+    x, y = np.abs(points[:, :2]).T
+    ends = [(width / 2, height / 2 - radius), (width / 2 - radius, height / 2)]
+    return np.any([np.hypot(x - u, y - v) < 1e-4 for u, v in ends], axis=0)
+
+
 @pytest.mark.parametrize("exact", [False, True])
 @pytest.mark.parametrize("second", [(80, 50, 5), (60, 40, 10)])
 def test_a_rounded_rectangle_between_two_is_one(tmp_path, second, exact):
@@ -87,10 +94,11 @@ def test_a_rounded_rectangle_between_two_is_one(tmp_path, second, exact):
     assert np.abs(from_rounded(points, width, height, radius))[on_sides].max() < 1e-6
     bends = curvatures(points)
     assert bends.min() > -1e-9
-    # Neighbours of a joint have a circle between a line and an arc.
-    inside = ~on_sides & ~np.roll(on_sides, 1) & ~np.roll(on_sides, -1)
-    within = np.sort(bends[inside])[8:]
-    assert np.abs(within * radius - 1).max() < 5e-3
+    # The circle through a joint of line and arc and its neighbours is of both.
+    is_end = on_ends_of_arcs(points, width, height, radius)
+    inside_arcs = ~on_sides & ~is_end
+    assert is_end.sum() == 8 and inside_arcs.sum() > 40
+    assert np.abs(bends[inside_arcs] * radius - 1).max() < 5e-3
 
 
 def test_points_of_a_smooth_curve_are_no_arcs(tmp_path):
@@ -157,11 +165,88 @@ def test_a_loft_has_edges_at_corners(tmp_path, first):
         assert abs(seam["length_mm"] - length_mm) < 1e-6
 
 
-def test_a_loft_without_corners_is_one_face(tmp_path):
+@pytest.mark.parametrize("exact", [False, True])
+def test_a_loft_without_corners_is_one_face_that_closes_smoothly(tmp_path, exact):
+    """Its edge is not at a joint of a line and an arc, where the key curves begin."""
     files = [points_file(tmp_path, rounded(40, 30, 5, 0.0), "a.csv"),
              points_file(tmp_path, rounded(80, 50, 5, 60.0), "b.csv")]
-    report, _ = blend(tmp_path, *files, out="out.step", options=["--loft"])
+    report, _ = blend(tmp_path, *files, out="out.step", options=["--loft"] + ["--exact"] * exact)
     assert report["loft"]["faces"] == 1
+    assert [line["order"] for line in report["loft"]["lines"]].count(1) == 8
+    judged = json.loads(run("analyze", tmp_path / "out.step", "--level", "G2", "--format",
+                            "json").stdout)
+    assert [seam["level"] for seam in judged["seams"]] == ["G2"]
+
+
+SQUARE = [(-20.0, -20.0), (20.0, -20.0), (20.0, 20.0), (-20.0, 20.0)]
+
+
+def star(first=0):
+    """Five tips, of which the third is at the top."""
+    points = []
+    for i in range(10):
+        angle, radius = math.radians(-126 + 36 * i), 10 if i % 2 else 25
+        points.append((radius * math.cos(angle), radius * math.sin(angle)))
+    return points[first:] + points[:first]
+
+
+def sides(corners, count=5):
+    """Points on the sides of a polygon."""
+    points = []
+    for a, b in zip(corners, corners[1:] + corners[:1]):
+        points += [tuple(a[k] + (b[k] - a[k]) * i / count for k in range(2)) for i in range(count)]
+    return points
+
+
+def corner_pairs(report):
+    return {tuple(tuple(np.round(place["point_mm"][:2], 3)) for place in pair["places"])
+            for pair in report["pairs"] if pair["kind"] == "corner"}
+
+
+# The square's corners with feet and arms of the star, for that is nearest, and symmetric.
+PAIRS = {((-20, -20), star()[0]), ((20, -20), star()[2]), ((20, 20), star()[4]),
+         ((-20, 20), star()[8])}
+PAIRS = {tuple(tuple(np.round(place, 3)) for place in pair) for pair in PAIRS}
+
+
+@pytest.mark.parametrize("first, backwards", [(0, False), (1, False), (6, True), (7, True)])
+@pytest.mark.parametrize("star_first", [False, True])
+def test_corners_of_a_square_and_a_star_correspond_symmetrically(tmp_path, first, backwards,
+                                                                 star_first):
+    outline = star(first)[::-1] if backwards else star(first)
+    files = [points_file(tmp_path, sides(SQUARE), "square.csv"),
+             points_file(tmp_path, sides(outline), "star.csv")]
+    pairs = PAIRS
+    if star_first:
+        files.reverse()
+        pairs = {pair[::-1] for pair in PAIRS}
+    report, text = blend(tmp_path, *files)
+    assert corner_pairs(report) == pairs
+    for pair in report["pairs"]:
+        for place, path in zip(pair["places"], files):
+            points = np.loadtxt(path, delimiter=",")
+            assert np.abs(points[place["point"] - 1][:2] - place["point_mm"][:2]).max() < 1e-4
+            assert f"point {place['point']} (" in text
+
+
+def numbers(report):
+    return [[place["point"] for place in pair["places"]] for pair in report["pairs"]]
+
+
+def test_pairs_of_the_report_are_pairs_of_the_command(tmp_path):
+    """The numbers of the points that correspond give the same frames again."""
+    files = [points_file(tmp_path, sides(SQUARE), "square.csv"),
+             points_file(tmp_path, sides(star(3)), "star.csv")]
+    report, _ = blend(tmp_path, *files, options=["--frames", 3])
+    frame = frame_at(tmp_path / "out.csv", 0.5)
+    options = []
+    for pair in report["pairs"]:
+        options += ["--pair", ",".join(str(place["point"]) for place in pair["places"])]
+    assert len(options) == 8
+    again, _ = blend(tmp_path, *files, options=["--frames", 3] + options)
+    assert {pair["kind"] for pair in again["pairs"]} == {"given"}
+    assert numbers(again) == numbers(report)
+    assert np.abs(frame_at(tmp_path / "out.csv", 0.5) - frame).max() < 1e-6
 
 
 def test_curves_that_match_nothing_are_named(tmp_path):
