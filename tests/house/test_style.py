@@ -286,6 +286,16 @@ def test_files_that_use_eigens_geometry_include_it():
     assert not without, "\n".join(without)
 
 
+def test_files_that_join_with_fmt_include_it():
+    """From fmt 11 on, format.h does not contain join()."""
+    wrong = [
+        path
+        for path, text in texts(LANGUAGES, (".cpp", ".hpp"))
+        if "fmt::join" in text and "#include <fmt/ranges.h>" not in text
+    ]
+    assert wrong == []
+
+
 def test_every_file_of_tests_is_run():
     lists = {
         folder: set(re.findall(r"\w+", (ROOT / folder / "CMakeLists.txt").read_text()))
