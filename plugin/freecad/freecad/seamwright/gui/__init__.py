@@ -6,7 +6,8 @@ A folder imports only from those before it in this list:
 * ``widgets``   fields, forms, messages, progress, threads, steps that can be undone;
 * ``scene``     what is drawn in the 3D view;
 * ``base``      base classes of panels and view providers;
-* ``analysis``, ``repair``, ``match``, ``fill``, ``corner``   panel and view of one document object.
+* ``analysis``, ``repair``, ``match``, ``fill``, ``corner``   panel and view of one document object;
+* ``curves``    panel, view and commands of all curves.
 
 The commands in ``commands.py`` use all of them.
 """

@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Fair Curve: edges with a fairer curvature within a tolerance, or a curve through faired points.
+
+The class path is written into documents: neither rename nor move it.
+"""
+
+from typing import Any, NamedTuple
+
+from freecad.seamwright.document.curves import inputs, results
+from freecad.seamwright.document.curves.arcs import FLATNESS, SPLINE_SHARE, gather_planar
+from freecad.seamwright.document.curves.curve import Curve
+from freecad.seamwright.document.curves.plane import Plane
+from freecad.seamwright.plain import curve_text
+from freecad.seamwright.plain.options import CHOICE, LENGTH, Option
+
+ENERGY, VARIATION = "Least energy", "Least variation of curvature"
+NOTHING, POSITION, TANGENT, CURVATURE = "Nothing", "Position", "Tangent", "Curvature"
+
+
+class FairPoints(NamedTuple):
+    """Faired points of a plane: FairedPoints, and the SplineWithin through them."""
+
+    plane: Plane
+    faired: Any
+    within: Any
+
+
+class FairCurve(Curve):
+    """Proxy of a Part::FeaturePython that holds a fairer curve."""
+
+    Type = "FairCurve"
+    LABEL = "Fair Curve"
+    ICON = "seamwright-fair"
+    TIP = (
+        "Make the selected edges fair: splines whose curvature has few extrema and that move by "
+        "no more than a tolerance. Points of a plane are moved, and a smooth curve goes through "
+        "them."
+    )
+    NEEDS = "select edges, a wire or a sketch with splines, or points that lie in a plane"
+    OPTIONS = (
+        Option("Tolerance", "tolerance_mm", LENGTH, 0.1, "Tolerance",
+               "No point moves further than this, in mm", least=0.0),
+        Option("Method", "method", CHOICE, ENERGY, "Aim",
+               "What is made least: the energy by the parameter, or the variation of the "
+               "curvature by the length, which takes longer; of edges only",
+               choices=(ENERGY, VARIATION)),
+        Option("Ends", "ends", CHOICE, POSITION, "At the ends keep",
+               "What stays at both ends of a curve; where edges meet, the tangent stays",
+               choices=(NOTHING, POSITION, TANGENT, CURVATURE)),
+        FLATNESS,
+    )  # fmt: skip
+    RESULTS = (
+        ("ExtremaBefore", "App::PropertyInteger", "Extrema of the curvature before", "extrema_before"),
+        ("ExtremaAfter", "App::PropertyInteger", "Extrema of the curvature now", "extrema_after"),
+        ("Moved", "App::PropertyLength", "No point moved further, in mm", "moved_mm"),
+    )  # fmt: skip
+    INPUTS = ("Sources", *(option.name for option in OPTIONS))
+
+    @classmethod
+    def gather(cls, module, shapes, values):
+        """Return the Chains of edges with the curve of each, or the Gathered of points."""
+        chains = inputs.chains_of(shapes)
+        if not chains:
+            gathered = gather_planar(module, shapes, values["flatness_mm"])
+            if len(gathered.points) < 4:
+                raise ValueError(
+                    "there are %d points: four or more can be made fair" % len(gathered.points)
+                )
+            return gathered
+        curves = [
+            [(edge, inputs.curve_of(module, edge)) for edge, _ in chain.edges] for chain in chains
+        ]
+        if not any(_can_be_faired(curve) for chain in curves for _, curve in chain):
+            raise ValueError(
+                "no edge is a polynomial spline of degree 2 or more: lines, arcs and rational "
+                "splines stay as they are"
+            )
+        return [(chain.closed, edges) for chain, edges in zip(chains, curves)]
+
+    @classmethod
+    def compute(cls, module, gathered, values, progress):
+        """Return FairPoints, or for each chain [(edge, faired or None), ...]."""
+        if not isinstance(gathered, list):
+            return _fair_points(module, gathered, values)
+        method = module.fair_curve if values["method"] == ENERGY else module.polish_curve
+        return [
+            [
+                (
+                    edge,
+                    method(curve, values["tolerance_mm"], ends=_ends(values, closed, len(edges)))
+                    if _can_be_faired(curve)
+                    else None,
+                )
+                for edge, curve in edges
+            ]
+            for closed, edges in gathered
+        ]
+
+    @classmethod
+    def build(cls, module, found, values):
+        """Return (report, wires)."""
+        if isinstance(found, FairPoints):
+            return _of_points(module, found)
+        wires = [
+            results.wire_of(
+                [
+                    edge.copy() if fair is None else module.curve_to_freecad(fair.curve).toShape()
+                    for edge, fair in chain
+                ]
+            )
+            for chain in found
+        ]
+        faired = [fair for chain in found for _, fair in chain if fair is not None]
+        before, after = (
+            {
+                "extrema": sum(each.extrema + each.extrema_at_knots for each in every),
+                "inflections": sum(each.inflections for each in every),
+            }
+            for every in ([each.before for each in faired], [each.after for each in faired])
+        )
+        kept = sum(fair is None for chain in found for _, fair in chain)
+        moved = max(each.moved_mm for each in faired)
+        return _report(before, after, moved, kept), results.together(wires)
+
+    @classmethod
+    def text(cls, report):
+        """Return the summary of a report."""
+        return curve_text.fair_text(report)
+
+
+def _report(before, after, moved_mm, kept):
+    return {
+        "before": before,
+        "after": after,
+        "extrema_before": before["extrema"],
+        "extrema_after": after["extrema"],
+        "moved_mm": moved_mm,
+        "kept": kept,
+    }
+
+
+def _can_be_faired(curve):
+    return not curve.is_rational and curve.degree >= 2
+
+
+def _ends(values, closed, count):
+    """Return what stays at the ends of an edge: a closed curve stays smooth where it begins."""
+    if count > 1:
+        return "curvature" if values["ends"] == CURVATURE else "tangent"
+    return "curvature" if closed else values["ends"].lower()
+
+
+def _fair_points(module, gathered, values):
+    tolerance = values["tolerance_mm"]
+    faired = module.fair_points(
+        gathered.points,
+        tolerance,
+        closed=gathered.closed,
+        ends_fixed=values["ends"] != NOTHING,
+    )
+    chain = module.clothoid_spline(faired.points_mm, closed=gathered.closed).chain
+    within = chain.bezier_spline(SPLINE_SHARE * tolerance or 1e-6)
+    return FairPoints(gathered.plane, faired, within)
+
+
+def _of_points(module, found):
+    before, after = (
+        {"extrema": len(each.extrema), "inflections": len(each.inflections)}
+        for each in (found.faired.before, found.faired.after)
+    )
+    spline = results.raised(module, found.within.curve, found.plane)
+    wire = results.wire_of(results.spline_edges(module, spline))
+    return _report(before, after, found.faired.moved_mm, 0), wire

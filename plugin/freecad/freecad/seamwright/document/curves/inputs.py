@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From shapes to points and curves of the kernel. The shapes are only read."""
+
+from typing import Any, List, NamedTuple, Tuple
+
+import numpy
+import Part
+
+from freecad.seamwright.document import sources
+from freecad.seamwright.document.elements import KINDS
+
+#: Ends of edges no further apart than this are one point: the tolerance of FreeCAD's wires.
+GAP_MM = 1e-7
+
+
+class Chain(NamedTuple):
+    """Edges end to end; ``edges``: [(edge, whether it runs backwards), ...]."""
+
+    edges: List[Tuple[Any, bool]]
+    closed: bool
+
+
+def shapes_of(links):
+    """Return the shapes that links name, [(object, "Edge3" or ""), ...], as they lie in the model.
+
+    Raises SourceError for objects and elements that do not exist, or that are no curves.
+    """
+    return [_shape_of(obj, name) for obj, name in links]
+
+
+def _shape_of(obj, name):
+    if not sources.has_shape(obj):
+        what = "a mesh" if obj.isDerivedFrom("Mesh::Feature") else "of another kind"
+        raise sources.SourceError(
+            "%s is %s: choose points, edges, wires or sketches." % (obj.Label, what)
+        )
+    shape = sources.placed_shape(obj)
+    if not name:
+        if len(shape.Faces) > 1:
+            raise sources.SourceError(
+                "%s has %d faces: choose some of its edges, or one face."
+                % (obj.Label, len(shape.Faces))
+            )
+        return shape
+    kind = name.rstrip("0123456789")
+    found, digits = getattr(shape, KINDS[kind]) if kind in KINDS else [], name[len(kind) :]
+    if not digits or not 0 < int(digits) <= len(found):
+        raise sources.SourceError("%s has no %s: choose another one." % (obj.Label, name))
+    return found[int(digits) - 1]
+
+
+def edges_of(shapes):
+    """Return the edges of the shapes without repeats; an edge without length does not count."""
+    found = []
+    for shape in shapes:
+        for edge in shape.Edges:
+            if not edge.Degenerated and not any(edge.isSame(other) for other in found):
+                found.append(edge)
+    return found
+
+
+def chains_of(shapes):
+    """Return the Chains of the edges of shapes: edges are joined where their ends meet."""
+    return [_chain(edges) for edges in Part.sortEdges(edges_of(shapes))]
+
+
+def _chain(edges):
+    ends = [(edge.valueAt(edge.FirstParameter), edge.valueAt(edge.LastParameter)) for edge in edges]
+    at = ends[0][1]
+    if len(edges) > 1 and not any(_meet(at, point) for point in ends[1]):
+        at = ends[0][0]
+    runs = [(edges[0], not _meet(at, ends[0][1]))]
+    start = ends[0][1] if runs[0][1] else ends[0][0]
+    for edge, (first, last) in zip(edges[1:], ends[1:]):
+        backwards = not _meet(at, first)
+        runs.append((edge, backwards))
+        at = first if backwards else last
+    return Chain(runs, _meet(at, start))
+
+
+def _meet(one, other):
+    return one.distanceToPoint(other) <= GAP_MM
+
+
+def is_straight(edge):
+    """Return whether an edge is a line."""
+    return edge.Curve.TypeId in ("Part::GeomLine", "Part::GeomLineSegment")
+
+
+def curve_of(module, edge):
+    """Return the BSplineCurve of an edge, exactly, from its first to its last parameter."""
+    nurbs = edge.toNurbs().Edges[0]
+    curve = nurbs.Curve
+    if nurbs.ParameterRange != (curve.FirstParameter, curve.LastParameter):
+        curve.segment(*nurbs.ParameterRange)
+    return module.curve_from_freecad(curve)
+
+
+def spline_of(module, chain):
+    """Return the BezierSpline of a Chain; each edge has its length in the parameter.
+
+    A single edge keeps its own parameter.
+    """
+    segments, knots = [], []
+    for edge, backwards in chain.edges:
+        spline = curve_of(module, edge).bezier_spline()
+        own = numpy.asarray(spline.knots) - spline.knots[0]
+        pieces = [spline.segment(place) for place in range(spline.segments)]
+        if backwards:
+            own = own[-1] - own[::-1]
+            pieces = [piece.reversed() for piece in reversed(pieces)]
+        if len(chain.edges) > 1:
+            own = own * (edge.Length / own[-1])
+        start = knots.pop() if knots else 0.0
+        knots += [start + float(each) for each in own]
+        segments += pieces
+    return module.BezierSpline.from_segments(segments, knots, chain.closed, 2 * GAP_MM)
+
+
+def points_of(shapes, samples):
+    """Return (points (count, 3), whether they are closed) of vertices, or of edges end to end.
+
+    Straight edges give their ends; others also ``samples`` points between. Raises ValueError for
+    anything else, for one point, and for neighbours that are the same point.
+    """
+    chains = chains_of(shapes)
+    alone = [shape for shape in shapes if not shape.Edges]
+    if not chains:
+        points = [tuple(vertex.Point) for shape in alone for vertex in shape.Vertexes]
+        return _checked_points(points, closed=False)
+    if alone:
+        raise ValueError("points and edges are chosen: choose either")
+    if len(chains) > 1:
+        raise ValueError("the edges are %d separate curves: choose one" % len(chains))
+    points = []
+    for edge, backwards in chains[0].edges:
+        points += _points_on(edge, backwards, samples)
+    first, last = chains[0].edges[-1][0].ParameterRange
+    at = first if chains[0].edges[-1][1] else last
+    if not chains[0].closed:
+        points.append(tuple(chains[0].edges[-1][0].valueAt(at)))
+    return _checked_points(points, chains[0].closed)
+
+
+def _points_on(edge, backwards, samples):
+    """Return the points of an edge without its end."""
+    count = 1 if is_straight(edge) else samples + 1
+    first, last = edge.ParameterRange
+    if backwards:
+        first, last = last, first
+    return [tuple(edge.valueAt(first + (last - first) * k / count)) for k in range(count)]
+
+
+def _checked_points(points, closed):
+    if len(points) > 2 and numpy.abs(numpy.subtract(points[0], points[-1])).max() <= GAP_MM:
+        points, closed = points[:-1], True
+    if len(points) < 2:
+        raise ValueError(
+            "there is only one point: choose two or more" if points else "there are no points"
+        )
+    for place, (one, other) in enumerate(zip(points, points[1:]), 1):
+        if numpy.abs(numpy.subtract(one, other)).max() <= GAP_MM:
+            raise ValueError(
+                "points %d and %d are the same, (%g, %g, %g): leave one of them out"
+                % (place, place + 1, *one)
+            )
+    return numpy.array(points, float), closed
