@@ -239,7 +239,8 @@ class Clothoids(DocumentCase):
         edge = made.shape.Edges[0]
         for at, angle in zip(edge.ParameterRange, (30, -20)):
             tangent = edge.tangentAt(at)
-            self.assertAlmostEqual(math.degrees(math.atan2(tangent.y, tangent.x)), angle, delta=1e-2)
+            found = math.degrees(math.atan2(tangent.y, tangent.x))
+            self.assertAlmostEqual(found, angle, delta=1e-2)
 
     def test_a_slot_keeps_its_lines(self):
         made = curves.make("Clothoid", slot(TURNED), tolerance_mm=0.05)
@@ -317,9 +318,8 @@ class Bridges(DocumentCase):
         )
 
     def test_other_ends(self):
-        one, other = Part.makeLine(App.Vector(), App.Vector(10, 0, 0)), Part.makeLine(
-            App.Vector(20, 5, 0), App.Vector(30, 5, 0)
-        )
+        one = Part.makeLine(App.Vector(), App.Vector(10, 0, 0))
+        other = Part.makeLine(App.Vector(20, 5, 0), App.Vector(30, 5, 0))
         made = curves.make("BridgeCurve", [one, other], flip_first=True)
         self.assertLess(made.shape.Vertexes[0].Point.Length, 1e-12)
         with self.assertRaisesRegex(ValueError, "1 edges are chosen"):

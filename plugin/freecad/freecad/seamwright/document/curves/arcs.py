@@ -24,7 +24,7 @@ SMOOTH, POLYGON = "Smooth curve", "Polygon"
 SPLINE_SHARE = 0.1
 
 FLATNESS = Option(
-    "Flatness", "flatness_mm", LENGTH, 0.001, "Off the plane by",
+    "Flatness", "flatness_mm", LENGTH, 0.001, "Flat within",
     "Points and edges may be off their common plane by no more, in mm", least=0.0,
 )  # fmt: skip
 
@@ -127,7 +127,8 @@ def gather_planar(module, shapes, flatness_mm):
         raise ValueError("points and edges are chosen: choose either")
     splines = [inputs.spline_of(module, chain) for chain in chains]
     plane = plane_of(numpy.vstack([spline.poles for spline in splines]), flatness_mm)
-    return Gathered(plane, [results.flattened(module, each, plane) for each in splines], None, False)
+    flat = [results.flattened(module, spline, plane) for spline in splines]
+    return Gathered(plane, flat, None, False)
 
 
 def _polygon(module, gathered):

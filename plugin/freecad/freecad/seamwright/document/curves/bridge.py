@@ -63,9 +63,8 @@ class BridgeCurve(Curve):
         if distance <= inputs.GAP_MM:
             raise ValueError("the edges meet where the curve would be: choose other ends")
         one, other = (inputs.curve_of(module, edge).bezier_spline() for edge in edges)
-        arriving = one.segment(one.segments - 1) if at_first else one.segment(0).reversed()
-        leaving = other.segment(0) if not at_second else other.segment(other.segments - 1).reversed()
-        return arriving, leaving, distance
+        arriving, to_second = _out_of(one, at_first), _out_of(other, at_second)
+        return arriving, to_second.reversed(), distance
 
     @classmethod
     def compute(cls, module, gathered, values, progress):
@@ -103,6 +102,11 @@ class BridgeCurve(Curve):
 
 def _ends(edge):
     return edge.valueAt(edge.FirstParameter), edge.valueAt(edge.LastParameter)
+
+
+def _out_of(spline, at_end):
+    """Return the segment that runs out of one end of a spline."""
+    return spline.segment(spline.segments - 1) if at_end else spline.segment(0).reversed()
 
 
 def _from_derivatives(module, derivatives):

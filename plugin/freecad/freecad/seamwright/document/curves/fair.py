@@ -50,7 +50,8 @@ class FairCurve(Curve):
         FLATNESS,
     )  # fmt: skip
     RESULTS = (
-        ("ExtremaBefore", "App::PropertyInteger", "Extrema of the curvature before", "extrema_before"),
+        ("ExtremaBefore", "App::PropertyInteger", "Extrema of the curvature before",
+         "extrema_before"),
         ("ExtremaAfter", "App::PropertyInteger", "Extrema of the curvature now", "extrema_after"),
         ("Moved", "App::PropertyLength", "No point moved further, in mm", "moved_mm"),
     )  # fmt: skip

@@ -75,10 +75,10 @@ def spline_edges(module, spline):
         else:
             runs.append([segment])
             knots.append(spline.knots[place : place + 2])
-    return [
-        module.curve_to_freecad(module.BezierSpline.from_segments(run, own, False, GAP_MM)).toShape()
-        for run, own in zip(runs, knots)
+    splines = [
+        module.BezierSpline.from_segments(run, own, False, GAP_MM) for run, own in zip(runs, knots)
     ]
+    return [module.curve_to_freecad(each).toShape() for each in splines]
 
 
 def _is_smooth(spline, before, after, place):

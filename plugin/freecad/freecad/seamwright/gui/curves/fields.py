@@ -13,6 +13,9 @@ DECIMALS = 6
 
 LARGEST = 1e9
 
+#: Letters of a choice that a narrow panel still shows.
+LEAST_LETTERS = 12
+
 BAD_TEXT = "color: #b03020"
 
 
@@ -108,6 +111,8 @@ class ChoiceField(Field):
     def _make(self, obj):
         widget = QtWidgets.QComboBox()
         widget.addItems(self.option.choices)
+        widget.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLength)
+        widget.setMinimumContentsLength(LEAST_LETTERS)
         widget.currentIndexChanged.connect(self._emit)
         return widget
 
@@ -164,14 +169,16 @@ class OptionForm(QtWidgets.QWidget):
 
     def __init__(self, obj, table):
         super().__init__()
-        layout = QtWidgets.QFormLayout(self)
+        layout = QtWidgets.QGridLayout(self)  # in a QFormLayout hidden rows leave gaps
         layout.setContentsMargins(0, 0, 0, 0)
+        layout.setColumnStretch(1, 1)
         self.fields = {}
         for option in table:
             field = FIELDS[option.kind](obj, option)
             field.changed.connect(self._changed)
             self.fields[option.argument] = field
-            layout.addRow(field.label, field.widget)
+            layout.addWidget(field.label, layout.rowCount(), 0)
+            layout.addWidget(field.widget, layout.rowCount() - 1, 1)
 
     def show_values(self, values):
         """Show these {argument: value}."""

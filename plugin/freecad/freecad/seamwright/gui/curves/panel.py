@@ -28,7 +28,7 @@ LISTED = 6
 class CurvePanel(ResultPanel):
     """Shows and changes one curve; ``created``: Cancel removes it."""
 
-    DOCK_WIDTH = 380
+    DOCK_WIDTH = 430
 
     def __init__(self, obj, created):
         kind = obj.Proxy

@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Selecting for curves, and their combs, in FreeCAD's window; run by run_freecad.py --window."""
+
+import os
+import sys
+import tempfile
+from unittest import mock
+
+import FreeCAD as App
+import Mesh
+import models
+import Part
+from curve_window_cases import CurveWindow
+from window import count, messages, picture, settle
+
+from freecad.seamwright.document.curves import curve
+from freecad.seamwright.gui.scene.comb import COLOUR, LONGEST, quills
+
+FEW, MANY = 20, 300
+
+
+class Selecting(CurveWindow):
+    def test_points_are_taken_in_the_order_of_picking(self):
+        other = models.add(self.doc, Part.Vertex(-9, 0, 0), "Other")
+        self.doc.recompute()
+        obj, _ = self.start(
+            "Spline", (self.points, "Vertex3"), (other, "Vertex1"), (self.points, "Vertex1")
+        )
+        self.assertEqual(
+            curve.links_of(obj),
+            [(self.points, "Vertex3"), (other, "Vertex1"), (self.points, "Vertex1")],
+        )
+        self.cancel()
+
+    def test_a_bad_selection_is_one_sentence_and_changes_nothing(self):
+        mesh = self.doc.addObject("Mesh::Feature", "Scan")
+        mesh.Mesh = Mesh.createBox(1, 1, 1)
+        self.doc.recompute()
+        self.doc.clearUndos()
+        for kind, chosen, text in (
+            ("Spline", [], "Nothing is selected: select points, edges, a wire or a sketch."),
+            ("Arcs", [mesh], "Scan is a mesh: choose points, edges, wires or sketches."),
+            ("Spline", [(self.points, "Vertex1")], "There is only one point: choose two or more."),
+            ("BridgeCurve", [self.points], "0 edges are chosen: choose two."),
+        ):
+            with self.subTest(text):
+                self.start(kind, *chosen)
+                self.assertEqual(messages(), [text])
+                self.assertEqual((self.made(), self.doc.UndoCount), ([], 0))
+                self.assertFalse(self.doc.HasPendingTransaction)
+        with mock.patch.dict(sys.modules, seamwright=None):
+            self.start("Spline", self.points)
+        (text,) = messages()
+        self.assertIn("It was built for Python", text)
+
+    def test_more_points_than_three_are_a_spline_of_conics(self):
+        obj, _ = self.start("Conic", self.points)
+        self.assertEqual(obj.Conics, 8)
+        self.cancel()
+
+
+class Combs(CurveWindow):
+    def test_the_comb_is_drawn_saved_and_removed(self):
+        _, panel = self.start("Spline", self.points)
+        rgb = [round(255 * each) for each in COLOUR]
+        self.assertLess(count(picture("comb-off"), rgb), FEW)
+        panel.comb.setChecked(True)
+        self.assertGreater(count(picture("comb-on"), rgb), MANY)
+        self.ok()
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "saved.FCStd")
+            self.doc.saveAs(path)
+            App.closeDocument(self.doc.Name)
+            self.doc = App.openDocument(path)
+            settle()
+            self.fit()
+            again = self.made()[0]
+            self.assertGreater(count(picture("comb-again"), rgb), MANY)
+            again.ViewObject.Visibility = False
+            settle()
+            self.assertLess(count(picture("comb-hidden"), rgb), FEW)
+            again.ViewObject.Proxy.doubleClicked(again.ViewObject)
+            settle()
+            self.assertTrue(again.ViewObject.Proxy.panel.comb.isChecked())
+            self.cancel()
+
+    def test_the_lines_point_outwards_and_grow_with_the_curvature(self):
+        for comb in quills(Part.makeCircle(10).Edges):
+            for foot, tip in comb:
+                self.assertAlmostEqual(App.Vector(*foot).Length, 10, delta=1e-9)
+                longest = 10 + LONGEST * Part.makeCircle(10).BoundBox.DiagonalLength
+                self.assertAlmostEqual(App.Vector(*tip).Length, longest, delta=1e-6)
+        self.assertEqual(quills(Part.makeLine(App.Vector(), App.Vector(9, 1, 0)).Edges), [])
