@@ -120,15 +120,20 @@ def gather_planar(module, shapes, flatness_mm):
     """Return the Gathered of edges, or of points, in one plane."""
     chains = inputs.chains_of(shapes)
     if not chains:
-        points, closed = inputs.points_of(shapes, samples=0)
-        plane = plane_of(points, flatness_mm)
-        return Gathered(plane, [], plane.coordinates(points)[0], closed)
+        return gather_points(shapes, flatness_mm)
     if any(not shape.Edges for shape in shapes):
         raise ValueError("points and edges are chosen: choose either")
     splines = [inputs.spline_of(module, chain) for chain in chains]
     plane = plane_of(numpy.vstack([spline.poles for spline in splines]), flatness_mm)
     flat = [results.flattened(module, spline, plane) for spline in splines]
     return Gathered(plane, flat, None, False)
+
+
+def gather_points(shapes, flatness_mm):
+    """Return the Gathered of points, or of the ends of straight edges, in one plane."""
+    points, closed = inputs.points_of(shapes, samples=0)
+    plane = plane_of(points, flatness_mm)
+    return Gathered(plane, [], plane.coordinates(points)[0], closed)
 
 
 def _polygon(module, gathered):

@@ -7,7 +7,7 @@ The class path is written into documents: neither rename nor move it.
 from typing import Any, NamedTuple
 
 from freecad.seamwright.document.curves import inputs, results
-from freecad.seamwright.document.curves.arcs import FLATNESS, SPLINE_SHARE, gather_planar
+from freecad.seamwright.document.curves.arcs import FLATNESS, SPLINE_SHARE, gather_points
 from freecad.seamwright.document.curves.curve import Curve
 from freecad.seamwright.document.curves.plane import Plane
 from freecad.seamwright.plain import curve_text
@@ -59,10 +59,13 @@ class FairCurve(Curve):
 
     @classmethod
     def gather(cls, module, shapes, values):
-        """Return the Chains of edges with the curve of each, or the Gathered of points."""
+        """Return (closed, [(edge, curve), ...]) of each chain, or the Gathered of points.
+
+        Edges that are all straight, as of a polyline, count as the points at their ends.
+        """
         chains = inputs.chains_of(shapes)
-        if not chains:
-            gathered = gather_planar(module, shapes, values["flatness_mm"])
+        if all(inputs.is_straight(edge) for chain in chains for edge, _ in chain.edges):
+            gathered = gather_points(shapes, values["flatness_mm"])
             if len(gathered.points) < 4:
                 raise ValueError(
                     "there are %d points: four or more can be made fair" % len(gathered.points)
@@ -83,15 +86,9 @@ class FairCurve(Curve):
         """Return FairPoints, or for each chain [(edge, faired or None), ...]."""
         if not isinstance(gathered, list):
             return _fair_points(module, gathered, values)
-        method = module.fair_curve if values["method"] == ENERGY else module.polish_curve
         return [
             [
-                (
-                    edge,
-                    method(curve, values["tolerance_mm"], ends=_ends(values, closed, len(edges)))
-                    if _can_be_faired(curve)
-                    else None,
-                )
+                (edge, _fair_edge(module, curve, values, _ends(values, closed, len(edges))))
                 for edge, curve in edges
             ]
             for closed, edges in gathered
@@ -105,22 +102,17 @@ class FairCurve(Curve):
         wires = [
             results.wire_of(
                 [
-                    edge.copy() if fair is None else module.curve_to_freecad(fair.curve).toShape()
+                    edge.copy() if _stays(fair) else module.curve_to_freecad(fair.curve).toShape()
                     for edge, fair in chain
                 ]
             )
             for chain in found
         ]
         faired = [fair for chain in found for _, fair in chain if fair is not None]
-        before, after = (
-            {
-                "extrema": sum(each.extrema + each.extrema_at_knots for each in every),
-                "inflections": sum(each.inflections for each in every),
-            }
-            for every in ([each.before for each in faired], [each.after for each in faired])
-        )
-        kept = sum(fair is None for chain in found for _, fair in chain)
-        moved = max(each.moved_mm for each in faired)
+        before = _counts([each.before for each in faired])
+        after = _counts([each.before if _stays(each) else each.after for each in faired])
+        kept = sum(_stays(fair) for chain in found for _, fair in chain)
+        moved = max([0.0, *(each.moved_mm for each in faired if not _stays(each))])
         return _report(before, after, moved, kept), results.together(wires)
 
     @classmethod
@@ -137,6 +129,33 @@ def _report(before, after, moved_mm, kept):
         "extrema_after": after["extrema"],
         "moved_mm": moved_mm,
         "kept": kept,
+    }
+
+
+def _fair_edge(module, curve, values, ends):
+    """Return the FairedCurve or PolishedCurve of a curve; None where it cannot be made fair."""
+    if not _can_be_faired(curve):
+        return None
+    method = module.fair_curve if values["method"] == ENERGY else module.polish_curve
+    return method(curve, values["tolerance_mm"], ends=ends)
+
+
+def _stays(fair):
+    """Return whether an edge stays as given: it cannot be made fair, or would not be fairer.
+
+    It would get more inflections, or more extrema and inflections together.
+    """
+    if fair is None:
+        return True
+    before, after = _counts([fair.before]), _counts([fair.after])
+    more = sum(after.values()) > sum(before.values())
+    return more or after["inflections"] > before["inflections"]
+
+
+def _counts(fairness):
+    return {
+        "extrema": sum(each.extrema + each.extrema_at_knots for each in fairness),
+        "inflections": sum(each.inflections for each in fairness),
     }
 
 

@@ -3,6 +3,7 @@
 
 from typing import Any, List, NamedTuple, Tuple
 
+import FreeCAD as App
 import numpy
 import Part
 
@@ -30,11 +31,11 @@ def shapes_of(links):
 
 def _shape_of(obj, name):
     if not sources.has_shape(obj):
-        what = "a mesh" if obj.isDerivedFrom("Mesh::Feature") else "of another kind"
+        what = "is a mesh" if obj.isDerivedFrom("Mesh::Feature") else "has no points or edges"
         raise sources.SourceError(
-            "%s is %s: choose points, edges, wires or sketches." % (obj.Label, what)
+            "%s %s: choose points, edges, wires or sketches." % (obj.Label, what)
         )
-    shape = sources.placed_shape(obj)
+    shape = _points_of_sketch(obj) or sources.placed_shape(obj)
     if not name:
         if len(shape.Faces) > 1:
             raise sources.SourceError(
@@ -49,12 +50,27 @@ def _shape_of(obj, name):
     return found[int(digits) - 1]
 
 
+def _points_of_sketch(obj):
+    """Return the points of a sketch that has nothing else; None for other objects.
+
+    Before FreeCAD 1.0 its shape is null, and all points are construction geometry.
+    """
+    if not obj.isDerivedFrom("Sketcher::SketchObject") or obj.Shape.Edges:
+        return None
+    points = [part for part in obj.Geometry if isinstance(part, Part.Point)]
+    placement = sources.parent_placement(obj) * obj.Placement
+    places = [placement.multVec(App.Vector(point.X, point.Y, point.Z)) for point in points]
+    return Part.Compound([Part.Vertex(place) for place in places]) if points else None
+
+
 def edges_of(shapes):
     """Return the edges of the shapes without repeats; an edge without length does not count."""
-    found = []
+    found, known = [], {}
     for shape in shapes:
         for edge in shape.Edges:
-            if not edge.Degenerated and not any(edge.isSame(other) for other in found):
+            alike = known.setdefault(edge.hashCode(), [])
+            if not edge.Degenerated and not any(edge.isSame(other) for other in alike):
+                alike.append(edge)
                 found.append(edge)
     return found
 
@@ -93,7 +109,8 @@ def curve_of(module, edge):
     curve = nurbs.Curve
     if nurbs.ParameterRange != (curve.FirstParameter, curve.LastParameter):
         curve.segment(*nurbs.ParameterRange)
-    return module.curve_from_freecad(curve)
+    found = module.curve_from_freecad(curve)
+    return module.BSplineCurve.from_bezier(found) if isinstance(found, module.BezierCurve) else found
 
 
 def spline_of(module, chain):
