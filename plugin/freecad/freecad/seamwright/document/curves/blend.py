@@ -13,6 +13,7 @@ from freecad.seamwright.plain.options import CHOICE, COUNT, FLAG, LENGTH, Option
 
 FEATURES, BY_LENGTH = "Corners and extrema", "Equal lengths"
 CURVES, SURFACE = "Curves", "Surface"
+BETWEEN = ("C1", "C2")
 ORDERS = ("G1", "G2", "G3", "G4")
 
 
@@ -55,6 +56,9 @@ class BlendCurves(Curve):
         Option("Exact", "exact", FLAG, False, "Divide the selected curves only",
                "Divide the selected curves into corresponding pieces; otherwise, splines near them "
                "take their place, so that the curves between are fairer"),
+        Option("Between", "between", CHOICE, "C2", "Through inner curves",
+               "How smoothly the curves between change at a selected curve that is neither the "
+               "first nor the last", choices=BETWEEN),
         Option("Tolerance", "tolerance_mm", LENGTH, 1e-3, "Tolerance",
                "Largest distance of these splines and of the surface, in mm", least=0.0),
     )  # fmt: skip
@@ -91,6 +95,11 @@ class BlendCurves(Curve):
         tolerance = values["tolerance_mm"]
         if values["exact"]:
             matched, keys_mm = module.match_pieces(gathered, **how), 0.0
+            if values["result"] == SURFACE and any(each.is_rational for each in matched.curves):
+                raise ValueError(
+                    "arcs and rational splines can only be divided for single curves: for a "
+                    "surface, let splines take their place"
+                )
         else:
             matched = module.common_knots(gathered, tolerance_mm=tolerance, **how)
             keys_mm = max(matched.distance_mm)
@@ -100,7 +109,9 @@ class BlendCurves(Curve):
                     % tolerance
                 )
         order = 1 + ORDERS.index(values["order"])
-        blend = module.SplineBlend(matched.curves, order=order, keep_lower_orders=True)
+        blend = module.SplineBlend(
+            matched.curves, order=order, continuity=values["between"], keep_lower_orders=True
+        )
         frames, lofts = [], []
         if values["result"] == SURFACE:
             lofts = _lofts(module, blend, order, tolerance, progress)
@@ -149,7 +160,7 @@ def _lofts(module, blend, order, tolerance_mm, progress):
         frames, given = (blend, {})
         if lower:
             frames = _part(module, blend, first, last)
-            given = {"omegas": span, "stations": inner, "kinks": inner}
+            given = {"omegas": span, "stations": inner}
         share = _share(progress, place, len(ends) - 1)
         lofts.append(
             module.frame_loft(
