@@ -340,6 +340,38 @@ class Bridges(DocumentCase):
             curves.make("BridgeCurve", one)
 
 
+class Joins(DocumentCase):
+    def test_edges_of_any_direction_join_and_their_other_ends_stay(self):
+        one = Part.makeLine(App.Vector(20, 0, 0), App.Vector(0, 0, 0))
+        arc = Part.Arc(App.Vector(40, 12, 3), App.Vector(33, 4, 0), App.Vector(20.1, 0.3, 0))
+        for moves in ("Both", "First", "Second"):
+            for order, name in enumerate(("G1", "G2", "G3"), 1):
+                with self.subTest(name, moves=moves):
+                    made = curves.make("JoinCurves", [one, arc.toShape()], order=name, moves=moves)
+                    self.assertEqual(len(made.shape.Edges), 2)
+                    ends = [vertex.Point for vertex in made.shape.OrderedVertexes]
+                    self.assertLess((ends[0] - App.Vector()).Length, 1e-12)
+                    self.assertLess((ends[-1] - App.Vector(40, 12, 3)).Length, 1e-12)
+                    self.assertLess(max(kinks(made.shape)), 1e-6)
+                    if order > 1:
+                        first, second = made.shape.OrderedEdges
+                        self.assertAlmostEqual(
+                            first.curvatureAt(first.LastParameter),
+                            second.curvatureAt(second.FirstParameter),
+                            delta=1e-9,
+                        )
+                    self.assertAlmostEqual(made.report["gap_mm"], math.hypot(0.1, 0.3), delta=1e-9)
+        with self.assertRaisesRegex(ValueError, "a pole would move by .* mm, further than"):
+            curves.make("JoinCurves", [one, arc.toShape()], most_mm=0.01)
+
+    def test_an_edge_that_stays_is_the_same(self):
+        one = wavy()
+        end = one.valueAt(one.LastParameter)
+        other = Part.makeLine(end + App.Vector(0, 0, 0.2), end + App.Vector(-30, -5, 0.2))
+        made = curves.make("JoinCurves", [one, other], moves="Second")
+        self.assertLess(farthest(made.shape.Edges[0], one), 1e-12)
+
+
 class Inputs(DocumentCase):
     def refused(self, kind, chosen, text):
         before = [obj.Name for obj in self.doc.Objects]
@@ -417,6 +449,7 @@ class Objects(DocumentCase):
         chosen = {
             "BlendCurves": [line, other],
             "BridgeCurve": [line, other],
+            "JoinCurves": [line, other],
             "FairCurve": [edge],
             "Conic": [(self.source(), ["Vertex1", "Vertex2", "Vertex3"])],
         }
@@ -428,16 +461,18 @@ class Objects(DocumentCase):
                 obj = self.doc.Objects[-1]
                 self.assertEqual((curves.error_text(obj), obj.Outcome), ("", "done"))
                 self.assertTrue(obj.Shape.isValid() and obj.Summary)
-                source = obj.Sources[0][0]
                 height = obj.Shape.BoundBox.ZMax
-                shape = source.Shape.copy()
-                shape.translate(App.Vector(0, 0, 4))
-                source.Shape = shape
+                self.lift(obj, 4)
                 self.doc.recompute()
                 self.assertNotIn("Invalid", obj.State)
                 self.assertAlmostEqual(obj.Shape.BoundBox.ZMax, height + 4, delta=1e-6)
-                shape.translate(App.Vector(0, 0, -4))
-                source.Shape = shape
+                self.lift(obj, -4)
+
+    def lift(self, obj, height):
+        for source in obj.Proxy.source_objects(obj):
+            shape = source.Shape.copy()
+            shape.translate(App.Vector(0, 0, height))
+            source.Shape = shape
 
     def test_a_change_of_an_option_and_an_expression(self):
         obj = curves.create("Arcs", [self.source()], tolerance_mm=0.01)

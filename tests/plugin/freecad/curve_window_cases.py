@@ -50,7 +50,8 @@ class Panel(CurveWindow):
         )
         edge = models.add(self.doc, wavy(), "Wavy")
         self.doc.recompute()
-        chosen = {"BlendCurves": [line, other], "BridgeCurve": [line, other], "FairCurve": [edge]}
+        chosen = dict.fromkeys(("BlendCurves", "BridgeCurve", "JoinCurves"), [line, other])
+        chosen["FairCurve"] = [edge]
         for kind in KINDS:
             with self.subTest(kind):
                 steps, before = self.doc.UndoCount, self.doc.Objects

@@ -34,6 +34,7 @@ PATHS = {
     "FairCurve": "freecad.seamwright.document.curves.fair",
     "Spline": "freecad.seamwright.document.curves.spline",
     "UmbrellaFill": "freecad.seamwright.document.fill",
+    "JoinCurves": "freecad.seamwright.document.curves.join",
     "MatchSurfaces": "freecad.seamwright.document.match",
     "SeamRepair": "freecad.seamwright.document.repair",
 }

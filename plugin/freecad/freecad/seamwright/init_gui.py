@@ -47,6 +47,7 @@ VIEWS = {
     "Conic": "curves",
     "CornerFillet": "corner",
     "FairCurve": "curves",
+    "JoinCurves": "curves",
     "MatchSurfaces": "match",
     "SeamAnalysis": "analysis",
     "SeamRepair": "repair",

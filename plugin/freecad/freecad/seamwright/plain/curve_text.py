@@ -106,6 +106,15 @@ def blend_text(report):
     )
 
 
+def join_text(report):
+    """Return one line about two curves that were joined."""
+    return "Joined G%d; the ends were %s mm apart, no pole moved further than %s mm." % (
+        report["order"],
+        number(report["gap_mm"]),
+        bound(report["moved_mm"]),
+    )
+
+
 def bridge_text(report):
     """Return one line about a curve that joins two others."""
     return "Joined G%d to both edges, %s." % (report["order"], figures_text(report))

@@ -50,15 +50,9 @@ class BridgeCurve(Curve):
     def gather(cls, module, shapes, values):
         """Return (curve that arrives, curve that leaves, distance of these ends in mm)."""
         edges = inputs.edges_of(shapes)
-        if len(edges) != 2:
-            raise ValueError("%d edges are chosen: choose two" % len(edges))
-        first, second = (_ends(edge) for edge in edges)
-        ends = min(
-            ((one, other) for one in (0, 1) for other in (0, 1)),
-            key=lambda pair: first[pair[0]].distanceToPoint(second[pair[1]]),
-        )
-        at_first = ends[0] ^ values["flip_first"]
-        at_second = ends[1] ^ values["flip_second"]
+        flips = values["flip_first"], values["flip_second"]
+        at_first, at_second = inputs.nearest_ends(edges, flips)
+        first, second = (inputs.ends_of(edge) for edge in edges)
         distance = first[at_first].distanceToPoint(second[at_second])
         if distance <= inputs.GAP_MM:
             raise ValueError("the edges meet where the curve would be: choose other ends")
@@ -98,10 +92,6 @@ class BridgeCurve(Curve):
     def text(cls, report):
         """Return the summary of a report."""
         return curve_text.bridge_text(report)
-
-
-def _ends(edge):
-    return edge.valueAt(edge.FirstParameter), edge.valueAt(edge.LastParameter)
 
 
 def _out_of(spline, at_end):

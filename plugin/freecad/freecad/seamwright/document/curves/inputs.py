@@ -81,7 +81,7 @@ def chains_of(shapes):
 
 
 def _chain(edges):
-    ends = [(edge.valueAt(edge.FirstParameter), edge.valueAt(edge.LastParameter)) for edge in edges]
+    ends = [ends_of(edge) for edge in edges]
     at = ends[0][1]
     if len(edges) > 1 and not any(_meet(at, point) for point in ends[1]):
         at = ends[0][0]
@@ -105,12 +105,43 @@ def is_straight(edge):
 
 def curve_of(module, edge):
     """Return the BSplineCurve of an edge, exactly, from its first to its last parameter."""
+    return kernel_curve(module, nurbs_of(edge))
+
+
+def nurbs_of(edge):
+    """Return the curve of an edge as one of FreeCAD, from its first to its last parameter."""
     nurbs = edge.toNurbs().Edges[0]
     curve = nurbs.Curve
     if nurbs.ParameterRange != (curve.FirstParameter, curve.LastParameter):
         curve.segment(*nurbs.ParameterRange)
+    return curve
+
+
+def kernel_curve(module, curve):
+    """Return the BSplineCurve of a Bezier or B-spline curve of FreeCAD."""
     found = module.curve_from_freecad(curve)
     return module.BSplineCurve.from_bezier(found) if isinstance(found, module.BezierCurve) else found
+
+
+def nearest_ends(edges, flips=(False, False)):
+    """Return for two edges whether their last points are the ends nearest to each other.
+
+    ``flips``: which edge takes its other end instead. Raises ValueError for another number of
+    edges.
+    """
+    if len(edges) != 2:
+        raise ValueError("%d edges are chosen: choose two" % len(edges))
+    first, second = (ends_of(edge) for edge in edges)
+    nearest = min(
+        ((one, other) for one in (0, 1) for other in (0, 1)),
+        key=lambda pair: first[pair[0]].distanceToPoint(second[pair[1]]),
+    )
+    return tuple(bool(end) != flip for end, flip in zip(nearest, flips))
+
+
+def ends_of(edge):
+    """Return the first and the last point of an edge."""
+    return edge.valueAt(edge.FirstParameter), edge.valueAt(edge.LastParameter)
 
 
 def spline_of(module, chain):

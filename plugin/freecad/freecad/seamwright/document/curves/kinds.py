@@ -8,6 +8,7 @@ from freecad.seamwright.document.curves.bridge import BridgeCurve
 from freecad.seamwright.document.curves.clothoid import Clothoid
 from freecad.seamwright.document.curves.conic import Conic
 from freecad.seamwright.document.curves.fair import FairCurve
+from freecad.seamwright.document.curves.join import JoinCurves
 from freecad.seamwright.document.curves.spline import Spline
 from freecad.seamwright.document.properties import error_text
 
@@ -15,7 +16,16 @@ __all__ = ["KINDS", "create", "error_text", "make"]
 
 KINDS = {
     kind.Type: kind
-    for kind in (Spline, Arcs, FairCurve, Clothoid, Conic, BlendCurves, BridgeCurve)
+    for kind in (
+        Spline,
+        Arcs,
+        FairCurve,
+        Clothoid,
+        Conic,
+        BlendCurves,
+        BridgeCurve,
+        JoinCurves,
+    )
 }
 
 
