@@ -120,7 +120,9 @@ def nurbs_of(edge):
 def kernel_curve(module, curve):
     """Return the BSplineCurve of a Bezier or B-spline curve of FreeCAD."""
     found = module.curve_from_freecad(curve)
-    return module.BSplineCurve.from_bezier(found) if isinstance(found, module.BezierCurve) else found
+    if isinstance(found, module.BezierCurve):
+        return module.BSplineCurve.from_bezier(found)
+    return found
 
 
 def nearest_ends(edges, flips=(False, False)):

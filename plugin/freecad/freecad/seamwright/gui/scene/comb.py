@@ -10,7 +10,7 @@ from freecad.seamwright.gui.scene.overlay import outside_bounding_box, unlit_unp
 COLOUR, HULL_COLOUR = (0.84, 0.37, 0.0), (0.55, 0.2, 0.0)
 
 #: Lines of the comb, for all edges together and at least for each edge.
-QUILLS, LEAST_QUILLS = 240, 6
+QUILLS, LEAST_QUILLS = 480, 8
 
 #: The length of the longest line of the comb, as a part of the size of the edges.
 LONGEST = 0.15
