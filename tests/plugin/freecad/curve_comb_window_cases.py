@@ -7,16 +7,23 @@ import tempfile
 from unittest import mock
 
 import FreeCAD as App
+import FreeCADGui as Gui
 import Mesh
 import models
 import Part
+from curve_cases import wavy
 from curve_window_cases import CurveWindow
-from window import count, messages, picture, settle
+from window import count, messages, picture, settle, whole_window
 
 from freecad.seamwright.document.curves import curve
-from freecad.seamwright.gui.scene.comb import COLOUR, LONGEST, quills
+from freecad.seamwright.gui.scene.comb import COLOURS, INPUT_COLOURS, LONGEST, quills
 
 FEW, MANY = 20, 300
+
+
+def pixels(colours):
+    """The colour of the lines of a comb, 0..255."""
+    return [round(255 * each) for each in colours[0]]
 
 
 class Selecting(CurveWindow):
@@ -62,7 +69,7 @@ class Selecting(CurveWindow):
 class Combs(CurveWindow):
     def test_the_comb_is_drawn_saved_and_removed(self):
         _, panel = self.start("Spline", self.points)
-        rgb = [round(255 * each) for each in COLOUR]
+        rgb = pixels(COLOURS)
         self.assertLess(count(picture("comb-off"), rgb), FEW)
         panel.comb.setChecked(True)
         self.assertGreater(count(picture("comb-on"), rgb), MANY)
@@ -84,10 +91,29 @@ class Combs(CurveWindow):
             self.assertTrue(again.ViewObject.Proxy.panel.comb.isChecked())
             self.cancel()
 
+    def test_the_comb_of_the_input_is_drawn_while_the_panel_is_open(self):
+        edge = models.add(self.doc, wavy(), "Wavy")
+        self.doc.recompute()
+        obj, panel = self.start("FairCurve", edge)
+        panel.compare.setChecked(True)
+        panel.comb.setChecked(True)
+        Gui.activeDocument().activeView().viewTop()
+        settle()
+        self.assertGreater(count(picture("comb-compare"), pixels(INPUT_COLOURS)), MANY)
+        whole_window("comb-compare")
+        self.ok()
+        self.assertTrue(obj.ViewObject.ShowComb)
+        after = picture("comb-compared")
+        self.assertLess(count(after, pixels(INPUT_COLOURS)), FEW)
+        self.assertGreater(count(after, pixels(COLOURS)), MANY)
+
     def test_the_lines_point_outwards_and_grow_with_the_curvature(self):
         for comb in quills(Part.makeCircle(10).Edges):
             for foot, tip in comb:
                 self.assertAlmostEqual(App.Vector(*foot).Length, 10, delta=1e-9)
                 longest = 10 + LONGEST * Part.makeCircle(10).BoundBox.DiagonalLength
                 self.assertAlmostEqual(App.Vector(*tip).Length, longest, delta=1e-6)
+        (measured,) = quills(Part.makeCircle(5).Edges, measure=Part.makeCircle(10).Edges)
+        foot, tip = measured[0]
+        self.assertAlmostEqual((App.Vector(*tip) - App.Vector(*foot)).Length, 2 * (longest - 10))
         self.assertEqual(quills(Part.makeLine(App.Vector(), App.Vector(9, 1, 0)).Edges), [])

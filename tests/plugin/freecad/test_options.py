@@ -63,8 +63,9 @@ def test_what_is_no_list_of_numbers_is_refused(text):
 
 
 def test_numbers_are_written_as_they_are_read():
-    numbers = [0.25, -3.0, 1e-7]
+    numbers = [0.25, -3.0, 1e-7, 1 / 3, 1e300]
     assert options.parse_numbers(options.numbers_text(numbers)) == numbers
+    assert options.numbers_text([0, 50.0, 0.1]) == "0; 50; 0.1"
 
 
 def test_one_number_holds_for_all():

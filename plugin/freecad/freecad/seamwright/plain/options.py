@@ -86,7 +86,7 @@ def parse_numbers(text):
 
 def numbers_text(numbers):
     """Return the text of numbers that ``parse_numbers`` reads."""
-    return "; ".join("%.9g" % number for number in numbers)
+    return "; ".join(repr(float(number)).removesuffix(".0") for number in numbers)
 
 
 def one_for_each(label, numbers, count, what):

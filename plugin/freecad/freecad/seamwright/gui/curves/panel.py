@@ -64,8 +64,9 @@ class CurvePanel(ResultPanel):
         return self._timer.isActive() or super().is_due()
 
     def release(self):
-        """Stop computing."""
+        """Stop computing, and remove the comb of the input."""
         self._timer.stop()
+        self.compare.setChecked(False)
 
     # The window.
 
@@ -92,12 +93,15 @@ class CurvePanel(ResultPanel):
         layout.addWidget(self.summary)
         self.comb = QtWidgets.QCheckBox("Curvature comb")
         self.comb.setToolTip("Draw lines across the curve, as long as its curvature is large")
+        self.compare = QtWidgets.QCheckBox("of the input too")
+        self.compare.setToolTip("Also draw the comb of the edges from which the curve is made")
         self.comb_scale = QtWidgets.QDoubleSpinBox()
         self.comb_scale.setRange(0.01, 100.0)
         self.comb_scale.setStepType(QtWidgets.QAbstractSpinBox.AdaptiveDecimalStepType)
         self.comb_scale.setToolTip("Length of the lines of the comb")
         line = QtWidgets.QHBoxLayout()
-        line.addWidget(self.comb, 1)
+        line.addWidget(self.comb)
+        line.addWidget(self.compare, 1)
         line.addWidget(self.comb_scale)
         layout.addLayout(line)
         self.sketch = QtWidgets.QCheckBox("Also make a sketch")
@@ -113,6 +117,7 @@ class CurvePanel(ResultPanel):
         self.options.changed.connect(self.changed)
         self.use.clicked.connect(lambda *_: self._use_selection())
         self.comb.toggled.connect(self._show_comb)
+        self.compare.toggled.connect(self.obj.ViewObject.Proxy.compare)
         self.comb_scale.valueChanged.connect(self._show_comb)
 
     def read_fields(self):

@@ -4,11 +4,13 @@
 The class path is written into documents: neither rename nor move it.
 """
 
+from freecad.seamwright.document import sources
+from freecad.seamwright.document.curves import curve, inputs
 from freecad.seamwright.document.properties import Adder
 from freecad.seamwright.gui.base.panel_view import PanelView
 from freecad.seamwright.gui.base.result_view import attach_as
 from freecad.seamwright.gui.curves.panel import CurvePanel
-from freecad.seamwright.gui.scene.comb import Comb
+from freecad.seamwright.gui.scene.comb import INPUT_COLOURS, Comb
 
 COLOUR, WIDTH = (0.0, 0.32, 0.62), 2.0
 
@@ -17,6 +19,9 @@ class CurveView(PanelView):
     """Proxy of the view provider of a curve."""
 
     comb = None
+
+    #: Whether the comb of the sources is drawn too; the panel says it.
+    compares = False
 
     def attach(self, vobj):
         """FreeCAD calls this for a new view and for a restored one."""
@@ -27,8 +32,9 @@ class CurveView(PanelView):
         )
         tip = "Length of the lines of the comb; 1: the longest is 15 % of the size of the curve"
         adder.add_with("App::PropertyFloat", "CombScale", "Curvature comb", tip, 1.0)
-        self.comb = Comb()
-        vobj.RootNode.insertChild(self.comb.node, 0)
+        self.comb, self.input_comb = Comb(), Comb(INPUT_COLOURS)
+        for each in (self.comb, self.input_comb):
+            vobj.RootNode.insertChild(each.node, 0)
         self._draw_comb(vobj)
 
     def updateData(self, obj, prop):
@@ -42,11 +48,19 @@ class CurveView(PanelView):
         if prop in ("ShowComb", "CombScale", "Visibility"):
             self._draw_comb(vobj)
 
+    def compare(self, compares):
+        """Draw the comb of the sources too, to the same scale, or remove it."""
+        self.compares = compares
+        self._draw_comb(self.object.ViewObject)
+
     def _draw_comb(self, vobj):
         if self.comb is None or "CombScale" not in vobj.PropertiesList:
             return
         shown = vobj.ShowComb and vobj.Visibility and not vobj.Object.Shape.isNull()
-        self.comb.show(vobj.Object.Shape.Edges if shown else [], vobj.CombScale)
+        edges = vobj.Object.Shape.Edges if shown else []
+        self.comb.show(edges, vobj.CombScale)
+        given = _given_edges(vobj.Object) if shown and self.compares else []
+        self.input_comb.show(given, vobj.CombScale, measure=edges)
 
     def getIcon(self):
         """Return the icon in the tree."""
@@ -56,6 +70,13 @@ class CurveView(PanelView):
     def make_panel(self, obj, created):
         """Return the task panel."""
         return CurvePanel(obj, created)
+
+
+def _given_edges(obj):
+    try:
+        return inputs.edges_of(inputs.shapes_of(curve.links_of(obj)))
+    except sources.SourceError:
+        return []
 
 
 def attach_view(obj):

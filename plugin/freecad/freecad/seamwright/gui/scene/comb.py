@@ -7,10 +7,12 @@ from pivy import coin
 from freecad.seamwright.gui.scene.halo import nearer
 from freecad.seamwright.gui.scene.overlay import outside_bounding_box, unlit_unpickable
 
-COLOUR, HULL_COLOUR = (0.84, 0.37, 0.0), (0.55, 0.2, 0.0)
+#: Colours of the lines and of the curve through their ends.
+COLOURS = (0.84, 0.37, 0.0), (0.55, 0.2, 0.0)
+INPUT_COLOURS = (0.62, 0.66, 0.7), (0.35, 0.4, 0.45)
 
-#: Lines of the comb, for all edges together and at least for each edge.
-QUILLS, LEAST_QUILLS = 480, 8
+#: Places of the comb, for all edges together and at least for each edge; every fourth has a line.
+QUILLS, LEAST_QUILLS, EVERY = 480, 12, 4
 
 #: The length of the longest line of the comb, as a part of the size of the edges.
 LONGEST = 0.15
@@ -22,12 +24,12 @@ LIFT = 0.002
 class Comb:
     """Scene nodes of a comb; add ``node`` to the root of a view provider."""
 
-    def __init__(self):
+    def __init__(self, colours=COLOURS):
         lines = coin.SoSeparator()
         self._points, self._quills = coin.SoCoordinate3(), coin.SoLineSet()
         self._hull_points, self._hull = coin.SoCoordinate3(), coin.SoLineSet()
         colour, hull_colour = coin.SoBaseColor(), coin.SoBaseColor()
-        colour.rgb, hull_colour.rgb = COLOUR, HULL_COLOUR
+        colour.rgb, hull_colour.rgb = colours
         style = coin.SoDrawStyle()
         style.lineWidth = 1.0
         for node in (
@@ -45,10 +47,10 @@ class Comb:
         self.node = outside_bounding_box(lines)
         self.show([])
 
-    def show(self, edges, scale=1.0):
-        """Draw the comb of edges; no edges remove it. ``scale``: of the length of its lines."""
-        combs = quills(edges, scale)
-        feet = [each for comb in combs for pair in comb for each in pair]
+    def show(self, edges, scale=1.0, measure=()):
+        """Draw the comb of edges; no edges remove it. ``scale``, ``measure``: as for ``quills``."""
+        combs = quills(edges, scale, measure)
+        feet = [each for comb in combs for pair in comb[::EVERY] for each in pair]
         tips = [[tip for _, tip in comb] for comb in combs]
         for field, values in (
             (self._points.point, feet),
@@ -60,27 +62,36 @@ class Comb:
             field.setValues(0, len(values), values)
 
 
-def quills(edges, scale=1.0):
+def quills(edges, scale=1.0, measure=()):
     """Return for each edge [(point on it, end of the line of the comb there), ...].
 
     The lines point away from the centre of curvature. With a ``scale`` of 1, the longest one has
-    the part LONGEST of the size of the edges.
+    the part LONGEST of the size of the edges; with edges to ``measure``, the longest one of these.
     """
-    if not edges:
+    combs = _all_curvatures(edges)
+    factor = scale * _unit_length(measure or edges, _all_curvatures(measure) or combs)
+    if factor == 0:
         return []
-    count = max(LEAST_QUILLS, QUILLS // len(edges))
-    combs = [_curvatures(edge, count) for edge in edges]
-    largest = max(vector.Length for comb in combs for _, vector in comb)
+    return [
+        [(tuple(point), tuple(point - vector * factor)) for point, vector in comb]
+        for comb in combs
+    ]
+
+
+def _unit_length(edges, combs):
+    """Return the length of the line of a comb for the curvature 1; 0 for straight edges."""
+    largest = max((vector.Length for comb in combs for _, vector in comb), default=0.0)
     box = App.BoundBox()
     for edge in edges:
         box.add(edge.BoundBox)
-    if largest <= 1e-9 / max(box.DiagonalLength, 1e-9):
-        return []
-    factor = -scale * LONGEST * box.DiagonalLength / largest
-    return [
-        [(tuple(point), tuple(point + vector * factor)) for point, vector in comb]
-        for comb in combs
-    ]
+    if largest == 0 or largest <= 1e-9 / box.DiagonalLength:
+        return 0.0
+    return LONGEST * box.DiagonalLength / largest
+
+
+def _all_curvatures(edges):
+    count = max(LEAST_QUILLS, QUILLS // len(edges)) if edges else 0
+    return [_curvatures(edge, count) for edge in edges]
 
 
 def _curvatures(edge, count):
