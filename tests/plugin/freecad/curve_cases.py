@@ -17,6 +17,7 @@ from document_cases import ABSENT, DocumentCase
 from freecad.seamwright.document.curves import arcs, curve
 from freecad.seamwright.document.curves import kinds as curves
 from freecad.seamwright.document.curves.conic import CHAIN
+from freecad.seamwright.document.curves.samples import corners_of, end_directions
 from freecad.seamwright.document.curves.spline import ALPHA, BETA, DIRECT, GAMMA, NU
 from freecad.seamwright.document.sources import SourceError
 
@@ -370,6 +371,46 @@ class Joins(DocumentCase):
         other = Part.makeLine(end + App.Vector(0, 0, 0.2), end + App.Vector(-30, -5, 0.2))
         made = curves.make("JoinCurves", [one, other], moves="Second")
         self.assertLess(farthest(made.shape.Edges[0], one), 1e-12)
+
+
+#: Samples of a half circle and of the two lines that close it with corners.
+BOW = [(20 * math.cos(at), 20 * math.sin(at), 1) for at in numpy.linspace(0, math.pi, 25)]
+BOW += [(x, 0, 1) for x in range(-15, 20, 5)]
+
+
+class Corners(DocumentCase):
+    def test_corners_of_points_stay(self):
+        points = numpy.array(BOW)[:, :2]
+        self.assertEqual(corners_of(points, True), [0, 24])
+        self.assertEqual(corners_of(numpy.roll(points, 7, axis=0), True), [7, 31])
+        self.assertEqual(corners_of(points, False), [24])
+        self.assertEqual(corners_of(numpy.array([(0, 0), (1, 0), (1, 1), (0, 1)]), True), [])
+        ring = Part.Compound(vertices([*BOW, BOW[0]]))
+        for kind, options in (
+            ("Arcs", {}), ("Clothoid", {}), ("Conic", {"points": CHAIN}), ("FairCurve", {})
+        ):  # fmt: skip
+            with self.subTest(kind):
+                shape = curves.make(kind, ring, **options).shape
+                self.assertTrue(shape.isClosed() and shape.isValid())
+                self.assertAlmostEqual(shape.Length, 40 + 20 * math.pi, delta=0.2)
+                self.assertEqual(sum(angle > 80 for angle in kinks(shape)), 1)
+        made = curves.make("Arcs", ring)
+        self.assertEqual((made.report["arcs"], made.report["lines"]), (1, 1))
+
+    def test_directions_at_the_ends_are_those_of_circles(self):
+        at = numpy.array([2.0, 2.5, 3.5, 4.1])
+        for turn in (1, -1):
+            circle = numpy.column_stack([numpy.cos(turn * at), numpy.sin(turn * at)])
+            ends = end_directions(circle, False)
+            for name, place in (("start_direction_rad", 2.0), ("end_direction_rad", 4.1)):
+                true = turn * (place + math.pi / 2)
+                self.assertAlmostEqual(math.remainder(ends[name] - true, 2 * math.pi), 0)
+
+    def test_points_of_a_circle_have_none(self):
+        for count in (3, 5, 12, 100):
+            at = numpy.arange(count) * 2 * math.pi / count
+            circle = numpy.column_stack([numpy.cos(at), numpy.sin(at)])
+            self.assertEqual(corners_of(circle, True), [])
 
 
 class Inputs(DocumentCase):

@@ -14,6 +14,7 @@ import Sketcher
 from freecad.seamwright.document.curves import inputs, results
 from freecad.seamwright.document.curves.curve import Curve
 from freecad.seamwright.document.curves.plane import Plane, plane_of
+from freecad.seamwright.document.curves.samples import end_directions, runs_of
 from freecad.seamwright.document.feature import report_of
 from freecad.seamwright.plain import curve_text
 from freecad.seamwright.plain.options import CHOICE, LENGTH, Option
@@ -39,7 +40,11 @@ class Gathered(NamedTuple):
 
 
 class Fits(NamedTuple):
-    """Chains of arcs in a plane: [(ArcFit, distance of its curve from the input in mm), ...]."""
+    """Chains of arcs in a plane.
+
+    ``fits``: for each curve the chains end to end, [(ArcFit, distance of what it is near from the
+    input in mm), ...].
+    """
 
     plane: Plane
     fits: list
@@ -81,31 +86,39 @@ class Arcs(Curve):
         """Return the Fits."""
         tolerance = values["tolerance_mm"]
         if gathered.splines:
-            fits = [(module.fit_arcs(each, tolerance), 0.0) for each in gathered.splines]
+            fits = [[(module.fit_arcs(each, tolerance), 0.0)] for each in gathered.splines]
         elif values["through"] == POLYGON:
-            fits = [(module.fit_arcs(_polygon(module, gathered), tolerance), 0.0)]
+            polygon = _polygon(module, gathered.points, gathered.closed)
+            fits = [[(module.fit_arcs(polygon, tolerance), 0.0)]]
         else:
-            fits = [_through(module, gathered, tolerance)]
+            runs = runs_of(gathered.points, gathered.closed)
+            fits = [[_through(module, *run, tolerance) for run in runs]]
         return Fits(gathered.plane, fits)
 
     @classmethod
     def build(cls, module, found, values):
         """Return (report, wires)."""
         tolerance = values["tolerance_mm"]
-        chains = [fit.chain for fit, _ in found.fits]
         wires = [
-            results.wire_of([results.arc_edge(arc, found.plane, tolerance) for arc in chain.arcs])
-            for chain in chains
+            results.wire_of(
+                [
+                    results.arc_edge(arc, found.plane, tolerance)
+                    for fit, _ in parts
+                    for arc in fit.chain.arcs
+                ]
+            )
+            for parts in found.fits
         ]
+        every = [pair for parts in found.fits for pair in parts]
         edges = [edge for wire in wires for edge in wire.Edges]
         lines = sum(inputs.is_straight(edge) for edge in edges)
         report = {
-            "curves": len(chains),
+            "curves": len(wires),
             "arcs": len(edges) - lines,
             "lines": lines,
-            "length_mm": sum(chain.length_mm for chain in chains),
-            "distance_mm": max(fit.distance_mm + more for fit, more in found.fits),
-            "least_arcs": sum(fit.least_arcs for fit, _ in found.fits),
+            "length_mm": sum(fit.chain.length_mm for fit, _ in every),
+            "distance_mm": max(fit.distance_mm + more for fit, more in every),
+            "least_arcs": sum(fit.least_arcs for fit, _ in every),
             "plane": found.plane.to_dict(),
         }
         return report, results.together(wires)
@@ -136,25 +149,22 @@ def gather_points(shapes, flatness_mm):
     return Gathered(plane, [], plane.coordinates(points)[0], closed)
 
 
-def _polygon(module, gathered):
-    points = gathered.points
-    if gathered.closed:
+def _polygon(module, points, closed):
+    if closed:
         points = numpy.vstack([points, points[:1]])
     poles = numpy.column_stack([points, numpy.zeros(len(points))])
-    return module.BezierSpline(1, range(len(poles)), poles, None, gathered.closed)
+    return module.BezierSpline(1, range(len(poles)), poles, None, closed)
 
 
-def _through(module, gathered, tolerance_mm):
+def _through(module, points, closed, tolerance_mm):
     """Return the arcs near the clothoids or the biarcs through points, whichever are fewer."""
-    points, closed = gathered.points, gathered.closed
-    if len(points) == 2:
-        return module.fit_arcs(_polygon(module, gathered), tolerance_mm), 0.0
-    biarcs = module.biarc_spline(points, closed=closed)
+    ends = end_directions(points, closed)
+    biarcs = module.biarc_spline(points, closed=closed, **ends)
     if tolerance_mm == 0:
         return _Exactly(biarcs), 0.0
     found = [(module.fit_arcs(biarcs, tolerance_mm), 0.0)]
     try:
-        chain = module.clothoid_spline(points, closed=closed).chain
+        chain = module.clothoid_spline(points, closed=closed, **ends).chain
     except ValueError:  # points that are too far apart for the turn between them
         return found[0]
     near = chain.bezier_spline(SPLINE_SHARE * tolerance_mm)

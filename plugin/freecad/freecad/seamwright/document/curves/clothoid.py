@@ -5,16 +5,17 @@ The class path is written into documents: neither rename nor move it.
 """
 
 import math
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from freecad.seamwright.document.curves import results
 from freecad.seamwright.document.curves.arcs import FLATNESS, gather_planar
 from freecad.seamwright.document.curves.curve import Curve
 from freecad.seamwright.document.curves.plane import Plane
+from freecad.seamwright.document.curves.samples import end_directions, runs_of
 from freecad.seamwright.plain import curve_text
 from freecad.seamwright.plain.options import ANGLE, CHOICE, LENGTH, Option
 
-NO_CURVATURE, DIRECTIONS = "No curvature", "Given directions"
+ARC, NO_CURVATURE, DIRECTIONS = "Arc", "No curvature", "Given directions"
 
 #: The part of the tolerance that is left to the splines that hold the clothoids.
 SPLINE_SHARE = 0.1
@@ -25,11 +26,14 @@ def _directed(values):
 
 
 class Clothoids(NamedTuple):
-    """Chains of clothoids in a plane: [(ClothoidChain, distance from the input in mm), ...]."""
+    """Chains of clothoids in a plane.
+
+    ``parts``: for each curve the chains end to end, [(ClothoidChain, SplineWithin of it, distance
+    of the chain from the input in mm), ...].
+    """
 
     plane: Plane
-    chains: list
-    splines: Any
+    parts: list
 
 
 class Clothoid(Curve):
@@ -48,9 +52,10 @@ class Clothoid(Curve):
         Option("Tolerance", "tolerance_mm", LENGTH, 0.01, "Tolerance",
                "Largest distance of the clothoids from edges, in mm; points are passed through",
                least=0.0),
-        Option("Ends", "ends", CHOICE, NO_CURVATURE, "Ends of points",
-               "What is given at the ends of an open sequence of points",
-               choices=(NO_CURVATURE, DIRECTIONS)),
+        Option("Ends", "ends", CHOICE, ARC, "Ends of points",
+               "What is given at the ends of open points: the directions of the circles through "
+               "the three outer points, the curvature 0, or directions",
+               choices=(ARC, NO_CURVATURE, DIRECTIONS)),
         Option("StartDirection", "start_deg", ANGLE, 0.0, "First direction",
                "Direction at the first point, against the first axis of the plane, in degrees",
                used=_directed),
@@ -82,29 +87,34 @@ class Clothoid(Curve):
             fits = [
                 module.fit_clothoids(each, tolerance - spline_mm) for each in gathered.splines
             ]
-            chains = [(fit.chain, fit.distance_mm) for fit in fits]
+            chains = [[(fit.chain, fit.distance_mm)] for fit in fits]
         else:
-            ends = {}
-            if _directed(values) and not gathered.closed:
-                ends = {
-                    "start_direction_rad": math.radians(values["start_deg"]),
-                    "end_direction_rad": math.radians(values["end_deg"]),
-                }
-            found = module.clothoid_spline(gathered.points, closed=gathered.closed, **ends)
-            chains = [(found.chain, 0.0)]
-        splines = [chain.bezier_spline(spline_mm) for chain, _ in chains]
-        return Clothoids(gathered.plane, chains, splines)
+            chains = [[(chain, 0.0) for chain in _through(module, gathered, values)]]
+        return Clothoids(
+            gathered.plane,
+            [
+                [(chain, chain.bezier_spline(spline_mm), distance) for chain, distance in parts]
+                for parts in chains
+            ],
+        )
 
     @classmethod
     def build(cls, module, found, values):
         """Return (report, wires)."""
         wires = [
             results.wire_of(
-                results.spline_edges(module, results.raised(module, near.curve, found.plane))
+                [
+                    edge
+                    for _, near, _ in parts
+                    for edge in results.spline_edges(
+                        module, results.raised(module, near.curve, found.plane)
+                    )
+                ]
             )
-            for near in found.splines
+            for parts in found.parts
         ]
-        pieces = [piece for chain, _ in found.chains for piece in chain.pieces]
+        every = [part for parts in found.parts for part in parts]
+        pieces = [piece for chain, *_ in every for piece in chain.pieces]
         sharpest = max(
             max(abs(piece.curvature_at_per_mm(at)) for at in (0.0, piece.length_mm))
             for piece in pieces
@@ -112,13 +122,10 @@ class Clothoid(Curve):
         radius = 1 / sharpest if sharpest > 0 else None
         report = {
             "pieces": len(pieces),
-            "length_mm": sum(chain.length_mm for chain, _ in found.chains),
+            "length_mm": sum(chain.length_mm for chain, *_ in every),
             "least_radius_mm": radius,
             "radius_mm": radius or 0.0,
-            "distance_mm": max(
-                distance + near.distance_mm
-                for (_, distance), near in zip(found.chains, found.splines)
-            ),
+            "distance_mm": max(distance + near.distance_mm for _, near, distance in every),
         }
         return report, results.together(wires)
 
@@ -126,3 +133,18 @@ class Clothoid(Curve):
     def text(cls, report):
         """Return the summary of a report."""
         return curve_text.clothoid_text(report)
+
+
+def _through(module, gathered, values):
+    """Return the ClothoidChains through points, one for each run between corners."""
+    runs = runs_of(gathered.points, gathered.closed)
+    ends = [{} for _ in runs]
+    if values["ends"] != NO_CURVATURE:
+        ends = [end_directions(*run) for run in runs]
+    if _directed(values) and not gathered.closed:
+        ends[0]["start_direction_rad"] = math.radians(values["start_deg"])
+        ends[-1]["end_direction_rad"] = math.radians(values["end_deg"])
+    return [
+        module.clothoid_spline(points, closed=closed, **given).chain
+        for (points, closed), given in zip(runs, ends)
+    ]

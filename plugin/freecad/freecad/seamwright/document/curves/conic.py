@@ -12,6 +12,7 @@ from freecad.seamwright.document.curves import inputs, results
 from freecad.seamwright.document.curves.arcs import FLATNESS
 from freecad.seamwright.document.curves.curve import Curve
 from freecad.seamwright.document.curves.plane import Plane, plane_of
+from freecad.seamwright.document.curves.samples import end_directions, runs_of
 from freecad.seamwright.document.curves.spline import SAMPLES
 from freecad.seamwright.plain import curve_text
 from freecad.seamwright.plain.options import CHOICE, FLOAT, Option
@@ -20,7 +21,7 @@ ONE, CHAIN = "Start, corner and end", "Spline through points"
 
 
 class Conics(NamedTuple):
-    """Conics in a plane, the joints at which the curvature jumps, and whether they are closed."""
+    """Conics in a plane, and how many joints between corners have a jump of the curvature."""
 
     plane: Plane
     conics: Any
@@ -73,8 +74,14 @@ class Conic(Curve):
         """Return the Conics."""
         plane, points, closed = gathered
         if values["points"] == CHAIN:
-            found = module.g2_conics(module.biarc_spline(points, closed=closed))
-            return Conics(plane, found.conics, len(found.g1_joints))
+            runs = [
+                module.g2_conics(
+                    module.biarc_spline(run, closed=is_ring, **end_directions(run, is_ring))
+                )
+                for run, is_ring in runs_of(points, closed)
+            ]
+            conics = [conic for found in runs for conic in found.conics]
+            return Conics(plane, conics, sum(len(found.g1_joints) for found in runs))
         if len(points) != 3:
             raise ValueError(
                 "there are %d points: one conic has three, its start, the corner of its tangents "

@@ -4,12 +4,13 @@
 The class path is written into documents: neither rename nor move it.
 """
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from freecad.seamwright.document.curves import inputs, results
 from freecad.seamwright.document.curves.arcs import FLATNESS, SPLINE_SHARE, gather_points
 from freecad.seamwright.document.curves.curve import Curve
 from freecad.seamwright.document.curves.plane import Plane
+from freecad.seamwright.document.curves.samples import end_directions, runs_of
 from freecad.seamwright.plain import curve_text
 from freecad.seamwright.plain.options import CHOICE, LENGTH, Option
 
@@ -17,12 +18,18 @@ ENERGY, VARIATION = "Least energy", "Least variation of curvature"
 NOTHING, POSITION, TANGENT, CURVATURE = "Nothing", "Position", "Tangent", "Curvature"
 
 
+#: Distance of the splines that hold clothoids, where the tolerance is 0.
+LEAST_MM = 1e-6
+
+
 class FairPoints(NamedTuple):
-    """Faired points of a plane: FairedPoints, and the SplineWithin through them."""
+    """Faired points of a plane.
+
+    ``parts``: of each run between corners (FairedPoints, SplineWithin through them).
+    """
 
     plane: Plane
-    faired: Any
-    within: Any
+    parts: list
 
 
 class FairCurve(Curve):
@@ -172,22 +179,29 @@ def _ends(values, closed, count):
 
 def _fair_points(module, gathered, values):
     tolerance = values["tolerance_mm"]
-    faired = module.fair_points(
-        gathered.points,
-        tolerance,
-        closed=gathered.closed,
-        ends_fixed=values["ends"] != NOTHING,
-    )
-    chain = module.clothoid_spline(faired.points_mm, closed=gathered.closed).chain
-    within = chain.bezier_spline(SPLINE_SHARE * tolerance or 1e-6)
-    return FairPoints(gathered.plane, faired, within)
+    runs = runs_of(gathered.points, gathered.closed)
+    fixed = values["ends"] != NOTHING or len(runs) > 1
+    parts = []
+    for points, closed in runs:
+        faired = module.fair_points(points, tolerance, closed=closed, ends_fixed=fixed)
+        ends = end_directions(faired.points_mm, closed)
+        chain = module.clothoid_spline(faired.points_mm, closed=closed, **ends).chain
+        parts.append((faired, chain.bezier_spline(SPLINE_SHARE * tolerance or LEAST_MM)))
+    return FairPoints(gathered.plane, parts)
 
 
 def _of_points(module, found):
     before, after = (
-        {"extrema": len(each.extrema), "inflections": len(each.inflections)}
-        for each in (found.faired.before, found.faired.after)
+        {
+            "extrema": sum(len(each.extrema) for each in every),
+            "inflections": sum(len(each.inflections) for each in every),
+        }
+        for every in (
+            [faired.before for faired, _ in found.parts],
+            [faired.after for faired, _ in found.parts],
+        )
     )
-    spline = results.raised(module, found.within.curve, found.plane)
-    wire = results.wire_of(results.spline_edges(module, spline))
-    return _report(before, after, found.faired.moved_mm, 0), wire
+    splines = [results.raised(module, near.curve, found.plane) for _, near in found.parts]
+    edges = [edge for spline in splines for edge in results.spline_edges(module, spline)]
+    moved = max(faired.moved_mm for faired, _ in found.parts)
+    return _report(before, after, moved, 0), results.wire_of(edges)
