@@ -515,6 +515,19 @@ class Objects(DocumentCase):
             shape.translate(App.Vector(0, 0, height))
             source.Shape = shape
 
+    def test_a_source_that_is_moved_is_followed(self):
+        box = self.doc.addObject("Part::Box", "Box")
+        self.doc.recompute()
+        obj = curves.create("Spline", [(box, ["Vertex1", "Vertex3", "Vertex8"])])
+        before = [vertex.Point for vertex in obj.Shape.Vertexes]
+        box.Placement.Base = App.Vector(1, 2, 3)
+        self.doc.recompute()
+        for old, new in zip(before, (vertex.Point for vertex in obj.Shape.Vertexes)):
+            self.assertLess((new - old - App.Vector(1, 2, 3)).Length, 1e-9)
+        box.Length = 30
+        self.doc.recompute()
+        self.assertAlmostEqual(obj.Shape.BoundBox.XMax, 31, delta=1e-6)
+
     def test_a_change_of_an_option_and_an_expression(self):
         obj = curves.create("Arcs", [self.source()], tolerance_mm=0.01)
         many = obj.Arcs
