@@ -16,7 +16,9 @@ from curve_window_cases import CurveWindow
 from window import count, messages, picture, settle, whole_window
 
 from freecad.seamwright.document.curves import curve
+from freecad.seamwright.document.feature import report_of
 from freecad.seamwright.gui.scene.comb import COLOURS, INPUT_COLOURS, LONGEST, quills
+from freecad.seamwright.gui.scene.marker import INK
 
 FEW, MANY = 20, 300
 
@@ -90,6 +92,18 @@ class Combs(CurveWindow):
             settle()
             self.assertTrue(again.ViewObject.Proxy.panel.comb.isChecked())
             self.cancel()
+
+    def test_points_are_numbered_while_the_panel_is_open(self):
+        obj, panel = self.start("Spline", self.points)
+        before = count(picture("numbers-off"), INK)
+        self.assertTrue(panel.numbers.isVisible())
+        panel.numbers.setChecked(True)
+        self.assertGreater(count(picture("numbers-on"), INK), before + MANY)
+        settle()
+        whole_window("numbers-on")
+        self.ok()
+        self.assertEqual(len(obj.Proxy.points(report_of(obj))), 5)
+        self.assertLess(count(picture("numbers-after"), INK), before + FEW)
 
     def test_the_comb_of_the_input_is_drawn_while_the_panel_is_open(self):
         edge = models.add(self.doc, wavy(), "Wavy")

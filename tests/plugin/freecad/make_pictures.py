@@ -176,6 +176,7 @@ class CurvePicture(PanelWindow):
         panel.options.fields["tension"].show_value([0, 0, 0, 0.5, 0, 0, 0])
         settle(1.0)
         panel.comb.setChecked(True)
+        panel.numbers.setChecked(True)
         Gui.activeDocument().activeView().fitAll()
         take("spline_freecad")
         self.cancel()

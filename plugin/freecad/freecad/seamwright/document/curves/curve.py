@@ -67,6 +67,11 @@ class Curve(feature.Feature):
         """Return the {argument: value} that suit what was gathered; others have their defaults."""
         return {}
 
+    @classmethod
+    def points(cls, report):
+        """Return the points to which numbers in lists of options belong, in their order."""
+        return report.get("points_mm", [])
+
     # The function.
 
     @classmethod

@@ -19,6 +19,9 @@ GAMMA, DIRECT, ALPHA = "Polygon, gamma", "Polygon, direct G2", "Polygon, alpha c
 #: The families whose spline passes through the points.
 INTERPOLATING = (NU, BETA)
 
+#: Points that a report has, so that the view can number them.
+MOST_NUMBERED = 100
+
 SAMPLES = Option(
     "Samples", "samples", COUNT, 4, "Points on curved edges",
     "Number of points taken between the ends of each edge that is not straight", least=0.0,
@@ -89,18 +92,19 @@ class Spline(Curve):
 
     @classmethod
     def compute(cls, module, gathered, values, progress):
-        """Return (spline of the kernel, number of points)."""
+        """Return (spline of the kernel, points)."""
         points, closed = gathered
-        return MAKERS[values["family"]](module, points, closed, values), len(points)
+        return MAKERS[values["family"]](module, points, closed, values), points
 
     @classmethod
     def build(cls, module, found, values):
         """Return (report, wire)."""
-        spline, count = found
+        spline, points = found
         wire = results.wire_of(results.spline_edges(module, spline))
         report = {
             **results.figures(module, spline, wire.Length),
-            "points": count,
+            "points": len(points),
+            "points_mm": points[:MOST_NUMBERED].tolist(),
             "interpolates": values["family"] in INTERPOLATING,
         }
         return report, wire

@@ -6,6 +6,7 @@ The document follows the fields: each change is computed at once.
 
 from freecad.seamwright.document import sources
 from freecad.seamwright.document.curves import arcs, curve
+from freecad.seamwright.document.feature import report_of
 from freecad.seamwright.document.properties import error_text
 from freecad.seamwright.gui.base.result_panel import ResultPanel
 from freecad.seamwright.gui.curves.fields import OptionForm
@@ -64,8 +65,9 @@ class CurvePanel(ResultPanel):
         return self._timer.isActive() or super().is_due()
 
     def release(self):
-        """Stop computing, and remove the comb of the input."""
+        """Stop computing; remove the numbers of points and the comb of the input."""
         self._timer.stop()
+        self.numbers.setChecked(False)
         self.compare.setChecked(False)
 
     # The window.
@@ -99,6 +101,10 @@ class CurvePanel(ResultPanel):
         self.comb_scale.setRange(0.01, 100.0)
         self.comb_scale.setStepType(QtWidgets.QAbstractSpinBox.AdaptiveDecimalStepType)
         self.comb_scale.setToolTip("Length of the lines of the comb")
+        self.numbers = QtWidgets.QCheckBox("Number the points")
+        self.numbers.setToolTip("Show which number of a list belongs to which point")
+        self.numbers.setVisible(bool(self._points()))
+        layout.addWidget(self.numbers)
         line = QtWidgets.QHBoxLayout()
         line.addWidget(self.comb)
         line.addWidget(self.compare, 1)
@@ -119,6 +125,7 @@ class CurvePanel(ResultPanel):
         self.comb.toggled.connect(self._show_comb)
         self.compare.toggled.connect(self.obj.ViewObject.Proxy.compare)
         self.comb_scale.valueChanged.connect(self._show_comb)
+        self.numbers.toggled.connect(self._show_numbers)
 
     def read_fields(self):
         """Show the values of the object."""
@@ -144,6 +151,8 @@ class CurvePanel(ResultPanel):
         self._list_sources()
         self.say(error_text(self.obj) or self.obj.Summary)
         self.show(True)
+        self.numbers.setVisible(bool(self._points()))
+        self._show_numbers()
 
     def say(self, text):
         """Show this text as the result."""
@@ -163,6 +172,14 @@ class CurvePanel(ResultPanel):
     def _show_comb(self, *_):
         self.obj.ViewObject.CombScale = self.comb_scale.value()
         self.obj.ViewObject.ShowComb = self.comb.isChecked()
+
+    def _points(self):
+        return self.obj.Proxy.points(report_of(self.obj))
+
+    def _show_numbers(self, *_):
+        points = self._points() if self.numbers.isChecked() else []
+        labels = [(point, str(number)) for number, point in enumerate(points, 1)]
+        self.obj.ViewObject.Proxy.mark([], [], labels)
 
     def _preview_in_time(self):
         """Compute now, or retry while FreeCAD changes documents."""
