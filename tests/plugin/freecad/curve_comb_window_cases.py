@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Selecting for curves, and their combs, in FreeCAD's window; run by run_freecad.py --window."""
+"""Selecting for curves, combs and handles in FreeCAD's window; run by run_freecad.py --window."""
 
+import math
 import os
 import sys
 import tempfile
@@ -13,14 +14,48 @@ import models
 import Part
 from curve_cases import wavy
 from curve_window_cases import CurveWindow
-from window import count, messages, picture, settle, whole_window
+from PySide import QtCore, QtGui
+from window import count, messages, pause, picture, settle, whole_window
 
 from freecad.seamwright.document.curves import curve
 from freecad.seamwright.document.feature import report_of
 from freecad.seamwright.gui.scene.comb import COLOURS, INPUT_COLOURS, LONGEST, quills
 from freecad.seamwright.gui.scene.marker import INK
+from freecad.seamwright.gui.widgets.qt import QtWidgets
 
 FEW, MANY = 20, 300
+
+
+def drag(start, end, steps=8):
+    """Drag with the left button between points of the plane z = 0, in a view from above."""
+    view = Gui.activeDocument().activeView()
+    camera = view.getCameraNode()
+    (place,) = [
+        each.viewport()
+        for each in Gui.getMainWindow().findChildren(QtWidgets.QGraphicsView)
+        if each.isVisible() and each.viewport().width() > 400
+    ]
+    scale = place.height() / camera.height.getValue()
+    centre = camera.position.getValue().getValue()
+
+    def at(share):
+        x, y = (a + share * (b - a) for a, b in zip(start, end))
+        across = place.width() / 2 + (x - centre[0]) * scale
+        return QtCore.QPointF(across, place.height() / 2 - (y - centre[1]) * scale)
+
+    left, none = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
+    events = [
+        (QtCore.QEvent.MouseMove, 0, none, none),
+        (QtCore.QEvent.MouseButtonPress, 0, left, left),
+        *((QtCore.QEvent.MouseMove, k / steps, none, left) for k in range(1, steps + 1)),
+        (QtCore.QEvent.MouseButtonRelease, 1, left, none),
+    ]
+    for kind, share, button, held in events:
+        local = at(share)
+        everywhere = QtCore.QPointF(place.mapToGlobal(local.toPoint()))
+        event = QtGui.QMouseEvent(kind, local, everywhere, button, held, QtCore.Qt.NoModifier)
+        QtWidgets.QApplication.sendEvent(place, event)
+        pause(0.03)
 
 
 def pixels(colours):
@@ -66,6 +101,35 @@ class Selecting(CurveWindow):
         obj, _ = self.start("Conic", self.points)
         self.assertEqual(obj.Conics, 8)
         self.cancel()
+
+
+class Handles(CurveWindow):
+    def test_a_tension_is_dragged_with_the_mouse(self):
+        ends = ((0, 0, 0), (10, 0, 0)), ((40, 20, 0), (50, 20, 0))
+        lines = [
+            models.add(self.doc, Part.makeLine(*(App.Vector(*p) for p in pair)), "Line")
+            for pair in ends
+        ]
+        self.doc.recompute()
+        obj, panel = self.start("BridgeCurve", *lines)
+        view = Gui.activeDocument().activeView()
+        view.viewTop()
+        view.fitAll()
+        settle(0.5)
+        whole_window("handles")
+        self.assertEqual(sorted(panel._handles), ["first_tension", "second_tension"])
+        reach = math.hypot(30, 20) / 3
+        drag((10 + reach, 0), (10 + 2 * reach, 0))
+        self.wait()
+        whole_window("handles-dragged")
+        self.assertAlmostEqual(obj.FirstTension, 2, delta=0.1)
+        self.assertEqual(obj.SecondTension, 1)
+        drag((10 + 2 * reach, 0), (-5, 0))
+        self.wait()
+        self.assertAlmostEqual(obj.FirstTension, 1e-3, delta=1e-9)
+        self.assertEqual(len(obj.Shape.Edges), 1)
+        self.cancel()
+        self.assertEqual(self.made(), [])
 
 
 class Combs(CurveWindow):

@@ -15,6 +15,10 @@ from freecad.seamwright.plain.options import CHOICE, FLAG, FLOAT, Option
 
 ORDERS = ("G1", "G2", "G3")
 
+#: The distance of a handle from its end for the tension 1, by the distance of the ends: that of the
+#: inner poles of a cubic.
+HANDLE_SHARE = 1.0 / 3
+
 
 class BridgeCurve(Curve):
     """Proxy of a Part::FeaturePython that holds a curve between two edges."""
@@ -62,7 +66,7 @@ class BridgeCurve(Curve):
 
     @classmethod
     def compute(cls, module, gathered, values, progress):
-        """Return the BezierCurve between."""
+        """Return (BezierCurve between, its order, the handles of its tensions)."""
         arriving, leaving, distance = gathered
         order = 1 + ORDERS.index(values["order"])
         before = numpy.asarray(arriving.derivatives(1.0, order))
@@ -75,16 +79,23 @@ class BridgeCurve(Curve):
         rest = [0.0] * (order - 1)
         first = values["first_tension"] * distance / speeds[0]
         second = speeds[1] / (values["second_tension"] * distance)
-        return module.curve_blend(*sides, [first, *rest], [second, *rest]), values["order"]
+        curve = module.curve_blend(*sides, [first, *rest], [second, *rest])
+        reach = distance * HANDLE_SHARE
+        handles = {
+            "first_tension": (before[0].tolist(), (before[1] * (reach / speeds[0])).tolist()),
+            "second_tension": (after[0].tolist(), (after[1] * (-reach / speeds[1])).tolist()),
+        }
+        return curve, values["order"], handles
 
     @classmethod
     def build(cls, module, found, values):
         """Return (report, wire)."""
-        curve, order = found
+        curve, order, handles = found
         wire = results.wire_of([module.curve_to_freecad(curve).toShape()])
         report = {
             **results.figures(module, curve, wire.Length),
             "order": int(order[1:]),
+            "handles": handles,
         }
         return report, wire
 

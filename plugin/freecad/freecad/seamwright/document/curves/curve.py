@@ -72,6 +72,11 @@ class Curve(feature.Feature):
         """Return the points to which numbers in lists of options belong, in their order."""
         return report.get("points_mm", [])
 
+    @classmethod
+    def handles(cls, report):
+        """Return {argument: (origin, step)} of numbers to drag, each at origin + number step."""
+        return report.get("handles", {})
+
     # The function.
 
     @classmethod

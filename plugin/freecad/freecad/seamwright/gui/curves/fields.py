@@ -69,6 +69,10 @@ class QuantityField(Field):
         """Show a number."""
         self.widget.setProperty("rawValue", float(value))
 
+    def drag(self, value):
+        """Show a number that the user drags, or the smallest one that is allowed."""
+        self.show_value(max(value, self.option.least))
+
 
 class CountField(Field):
     """A whole number."""

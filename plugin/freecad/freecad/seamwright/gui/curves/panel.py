@@ -11,6 +11,7 @@ from freecad.seamwright.document.properties import error_text
 from freecad.seamwright.gui.base.result_panel import ResultPanel
 from freecad.seamwright.gui.curves.fields import OptionForm
 from freecad.seamwright.gui.curves.picked import picked
+from freecad.seamwright.gui.scene.handle import Handle
 from freecad.seamwright.gui.widgets import messages
 from freecad.seamwright.gui.widgets.computation import Computation
 from freecad.seamwright.gui.widgets.forms import make_box, make_form, make_text
@@ -21,6 +22,9 @@ from freecad.seamwright.plain.summary import counted
 
 #: Delay between the last change and the computation of the preview.
 PREVIEW_AFTER_MS = 300
+
+#: Interval at which handles are asked for their numbers.
+READ_HANDLES_MS = 60
 
 #: Names of sources that are listed; of more the number is told.
 LISTED = 6
@@ -36,6 +40,9 @@ class CurvePanel(ResultPanel):
         names = ["Sources", *(option.name for option in kind.OPTIONS)]
         super().__init__(obj, created, "Edit %s" % kind.LABEL.lower(), names)
         self._links = None
+        self._handles, self._handle_timer = {}, QtCore.QTimer()
+        self._handle_timer.setInterval(READ_HANDLES_MS)
+        self._handle_timer.timeout.connect(self._read_handles)
         self._timer = QtCore.QTimer()
         self._timer.setSingleShot(True)
         self._timer.setInterval(PREVIEW_AFTER_MS)
@@ -65,9 +72,10 @@ class CurvePanel(ResultPanel):
         return self._timer.isActive() or super().is_due()
 
     def release(self):
-        """Stop computing; remove the numbers of points and the comb of the input."""
+        """Stop computing; remove handles, the numbers of points and the comb of the input."""
         self._timer.stop()
         self.numbers.setChecked(False)
+        self._show_handles()
         self.compare.setChecked(False)
 
     # The window.
@@ -153,6 +161,7 @@ class CurvePanel(ResultPanel):
         self.show(True)
         self.numbers.setVisible(bool(self._points()))
         self._show_numbers()
+        self._show_handles()
 
     def say(self, text):
         """Show this text as the result."""
@@ -180,6 +189,31 @@ class CurvePanel(ResultPanel):
         points = self._points() if self.numbers.isChecked() else []
         labels = [(point, str(number)) for number, point in enumerate(points, 1)]
         self.obj.ViewObject.Proxy.mark([], [], labels)
+
+    def _show_handles(self):
+        """Put the handles to the values of their fields; make those that are missing."""
+        places = self.obj.Proxy.handles(report_of(self.obj)) if not self._ended else {}
+        root = self.obj.ViewObject.RootNode
+        for argument, (origin, step) in places.items():
+            field = self.options.fields[argument]
+            if argument not in self._handles:
+                self._handles[argument] = Handle()
+                root.addChild(self._handles[argument].node)
+            size = self.obj.Shape.BoundBox.DiagonalLength
+            self._handles[argument].show(origin, step, field.value(), size)
+        for argument in [each for each in self._handles if each not in places]:
+            root.removeChild(self._handles.pop(argument).node)
+        if self._handles:
+            self._handle_timer.start()
+        else:
+            self._handle_timer.stop()
+
+    def _read_handles(self):
+        """Give the fields the numbers to which their handles were dragged."""
+        for argument, handle in self._handles.items():
+            value = handle.dragged_to()
+            if value is not None:
+                self.options.fields[argument].drag(value)
 
     def _preview_in_time(self):
         """Compute now, or retry while FreeCAD changes documents."""
