@@ -23,8 +23,7 @@ class SeamwrightWorkbench(Gui.Workbench):
 
     def Initialize(self):
         """Register the commands when the workbench is first activated."""
-        from freecad.seamwright.gui import commands
-        from freecad.seamwright.gui.curves import commands as curve_commands
+        from freecad.seamwright.gui import commands, curve_commands
 
         names = commands.register()
         self.appendToolbar("Seamwright", names)

@@ -7,9 +7,9 @@ A folder imports only from those before it in this list:
 * ``scene``     what is drawn in the 3D view;
 * ``base``      base classes of panels and view providers;
 * ``analysis``, ``repair``, ``match``, ``fill``, ``corner``   panel and view of one document object;
-* ``curves``    panel, view and commands of all curves.
+* ``curves``    panel and view of all curves.
 
-The commands in ``commands.py`` use all of them.
+The commands in ``commands.py`` and ``curve_commands.py`` use all of them.
 """
 
 import os
