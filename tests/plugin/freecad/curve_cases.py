@@ -394,6 +394,9 @@ class Corners(DocumentCase):
                 self.assertTrue(shape.isClosed() and shape.isValid())
                 self.assertAlmostEqual(shape.Length, 40 + 20 * math.pi, delta=0.2)
                 self.assertEqual(sum(angle > 80 for angle in kinks(shape)), 1)
+        bow = Part.Compound(vertices([*BOW[:25], BOW[0]]))
+        faired = curves.make("FairCurve", bow)
+        self.assertAlmostEqual(faired.shape.Length, 40 + 20 * math.pi, delta=0.2)
         made = curves.make("Arcs", ring)
         self.assertEqual((made.report["arcs"], made.report["lines"]), (1, 1))
 

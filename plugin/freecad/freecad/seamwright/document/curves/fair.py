@@ -25,7 +25,8 @@ LEAST_MM = 1e-6
 class FairPoints(NamedTuple):
     """Faired points of a plane.
 
-    ``parts``: of each run between corners (FairedPoints, SplineWithin through them).
+    ``parts``: of each run between corners (FairedPoints, SplineWithin through them); of two points
+    there is no FairedPoints.
     """
 
     plane: Plane
@@ -183,25 +184,26 @@ def _fair_points(module, gathered, values):
     fixed = values["ends"] != NOTHING or len(runs) > 1
     parts = []
     for points, closed in runs:
-        faired = module.fair_points(points, tolerance, closed=closed, ends_fixed=fixed)
-        ends = end_directions(faired.points_mm, closed)
-        chain = module.clothoid_spline(faired.points_mm, closed=closed, **ends).chain
+        faired = None
+        if len(points) > 2:
+            faired = module.fair_points(points, tolerance, closed=closed, ends_fixed=fixed)
+            points = faired.points_mm
+        ends = end_directions(points, closed)
+        chain = module.clothoid_spline(points, closed=closed, **ends).chain
         parts.append((faired, chain.bezier_spline(SPLINE_SHARE * tolerance or LEAST_MM)))
     return FairPoints(gathered.plane, parts)
 
 
 def _of_points(module, found):
+    faired = [each for each, _ in found.parts if each is not None]
     before, after = (
         {
             "extrema": sum(len(each.extrema) for each in every),
             "inflections": sum(len(each.inflections) for each in every),
         }
-        for every in (
-            [faired.before for faired, _ in found.parts],
-            [faired.after for faired, _ in found.parts],
-        )
+        for every in ([each.before for each in faired], [each.after for each in faired])
     )
     splines = [results.raised(module, near.curve, found.plane) for _, near in found.parts]
     edges = [edge for spline in splines for edge in results.spline_edges(module, spline)]
-    moved = max(faired.moved_mm for faired, _ in found.parts)
+    moved = max((each.moved_mm for each in faired), default=0.0)
     return _report(before, after, moved, 0), results.wire_of(edges)
