@@ -121,7 +121,7 @@ class Panel(CurveWindow):
         obj.setExpression("Tolerance", "100 * 5 um")
         self.doc.recompute()
         settle()
-        self.assertEqual(obj.Tolerance.Value, 0.5)
+        self.assertEqual((obj.Tolerance.Value, field.value()), (0.5, 0.5))
         self.ok()
         ((name, text),) = obj.ExpressionEngine
         self.assertEqual((name, text.replace(" ", "")), ("Tolerance", "100*5um"))

@@ -56,8 +56,8 @@ class QuantityField(Field):
         widget.setProperty("decimals", DECIMALS)
         widget.setProperty("minimum", max(self.option.least, -LARGEST))
         widget.setProperty("maximum", LARGEST)
-        if obj is not None:
-            Gui.ExpressionBinding(widget).bind(obj, self.option.name)
+        self._binding = Gui.ExpressionBinding(widget)
+        self._binding.bind(obj, self.option.name)
         QtCore.QObject.connect(widget, QtCore.SIGNAL("valueChanged(double)"), self._emit)
         return widget
 
