@@ -10,6 +10,8 @@ import FreeCAD as App
 from document_cases import ABSENT, DocumentCase
 
 from freecad.seamwright.document import analysis, corner, feature, fill, match, repair
+from freecad.seamwright.document.curves import curve
+from freecad.seamwright.document.curves.kinds import KINDS
 
 FEATURES = (
     analysis.SeamAnalysis,
@@ -17,13 +19,22 @@ FEATURES = (
     fill.UmbrellaFill,
     match.MatchSurfaces,
     repair.SeamRepair,
+    *KINDS.values(),
 )
 
 #: Written into documents; it must never change.
 PATHS = {
     "SeamAnalysis": "freecad.seamwright.document.analysis",
+    "Arcs": "freecad.seamwright.document.curves.arcs",
+    "BlendCurves": "freecad.seamwright.document.curves.blend",
+    "BridgeCurve": "freecad.seamwright.document.curves.bridge",
+    "Clothoid": "freecad.seamwright.document.curves.clothoid",
+    "Conic": "freecad.seamwright.document.curves.conic",
     "CornerFillet": "freecad.seamwright.document.corner",
+    "FairCurve": "freecad.seamwright.document.curves.fair",
+    "Spline": "freecad.seamwright.document.curves.spline",
     "UmbrellaFill": "freecad.seamwright.document.fill",
+    "JoinCurves": "freecad.seamwright.document.curves.join",
     "MatchSurfaces": "freecad.seamwright.document.match",
     "SeamRepair": "freecad.seamwright.document.repair",
 }
@@ -59,6 +70,7 @@ class Proxies(DocumentCase):
         )
         for place, obj in enumerate(objects):
             self.assertEqual([test(obj) for test in tests], [place == k for k in range(len(tests))])
+            self.assertEqual(curve.is_curve(obj), obj.Name in KINDS)
 
     def test_an_object_that_lacks_all_properties_gets_them(self):
         for each in FEATURES:

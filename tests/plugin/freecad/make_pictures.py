@@ -3,12 +3,14 @@
 
     python3 run_freecad.py --window --mod ADDON --out FOLDER make_pictures
 
-writes workbench.png, repair.png, match.png, fill_freecad.png and corner_fillet_freecad.png, to be
-looked at and moved to docs/images. For repair_curvature.png it writes the models:
+writes workbench.png, repair.png, match.png, fill_freecad.png, corner_fillet_freecad.png,
+spline_freecad.png and blend_freecad.png, to be looked at and moved to docs/images. For
+repair_curvature.png it writes the models:
 
     seam-picture --pair FOLDER/before.brep FOLDER/after.brep repair_curvature.png --curvature ...
 """
 
+import math
 import os
 
 import FreeCAD as App
@@ -21,6 +23,7 @@ from window import OUT, PanelWindow, click_row, settle, whole_window
 from window_cases import STEP
 
 from freecad.seamwright.document import corner, fill, match, repair
+from freecad.seamwright.document.curves import curve, kinds
 from freecad.seamwright.gui.corner.panel import RADIUS
 from freecad.seamwright.gui.widgets.dock import dock_of
 
@@ -139,4 +142,56 @@ class CornerPicture(PanelWindow):
             field.setValue(radius)
         self.preview(panel)
         take("corner_fillet_freecad")
+        self.cancel()
+
+
+def airfoil(thickness, camber, chord, height, count=30):
+    """Points of an airfoil of the NACA series of four digits, with a sharp trailing edge."""
+    points = []
+    for k in range(2 * count):
+        x = (1 + math.cos(math.pi * k / count)) / 2
+        half = 5 * thickness * (0.2969 * x**0.5 - 0.126 * x - 0.3516 * x**2 + 0.2843 * x**3)
+        half -= 5 * thickness * 0.1036 * x**4
+        ramp = 0.8 * x - x * x if x < 0.4 else (0.2 + 0.8 * x - x * x) / 2.25
+        y = camber / 0.16 * ramp + (half if k < count else -half)
+        points.append(App.Vector(chord * x, chord * y, height))
+    return points
+
+
+class CurvePicture(PanelWindow):
+    is_made = staticmethod(curve.is_curve)
+
+    def points(self, places, name):
+        points = Part.Compound([Part.Vertex(place) for place in places])
+        return models.add(self.doc, points, name)
+
+    def test_spline(self):
+        self.COMMAND = "Seamwright_Spline"
+        places = ((0, 0), (10, 22), (26, 18), (34, 2), (52, 6), (70, 26), (88, 10))
+        source = self.points([App.Vector(x, y, 0) for x, y in places], "Points")
+        source.ViewObject.PointSize = 7
+        self.doc.recompute()
+        _, panel = self.run_selected([(source, "")])
+        Gui.activeDocument().activeView().viewTop()
+        panel.options.fields["tension"].show_value([0, 0, 0, 0.5, 0, 0, 0])
+        settle(1.0)
+        panel.comb.setChecked(True)
+        panel.numbers.setChecked(True)
+        Gui.activeDocument().activeView().fitAll()
+        take("spline_freecad")
+        self.cancel()
+
+    def test_blend(self):
+        self.COMMAND = "Seamwright_BlendCurves"
+        sections = [
+            self.points(airfoil(*figures), name)
+            for *figures, name in ((0.15, 0.04, 100, 0, "Root"), (0.1, 0.02, 60, 150, "Tip"))
+        ]
+        sections = [kinds.create("Spline", each, closed=True) for each in sections]
+        self.doc.recompute()
+        _, panel = self.run_selected([(each, "") for each in sections])
+        panel.options.fields["result"].show_value("Surface")
+        settle(1.0)
+        self.fit()
+        take("blend_freecad")
         self.cancel()

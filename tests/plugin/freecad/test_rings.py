@@ -23,7 +23,7 @@ GUI_ORDER = (
     {"widgets"},
     {"scene"},
     {"base"},
-    {"analysis", "repair", "match", "fill", "corner"},
+    {"analysis", "repair", "match", "fill", "corner", "curves"},
 )
 
 
@@ -39,7 +39,7 @@ def imported(path):
 
 
 def files(ring):
-    found = sorted((PACKAGE / ring).glob("*.py"))
+    found = sorted((PACKAGE / ring).rglob("*.py"))
     assert found, "no files in ring %s" % ring
     return found
 

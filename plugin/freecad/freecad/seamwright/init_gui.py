@@ -23,11 +23,14 @@ class SeamwrightWorkbench(Gui.Workbench):
 
     def Initialize(self):
         """Register the commands when the workbench is first activated."""
-        from freecad.seamwright.gui import commands
+        from freecad.seamwright.gui import commands, curve_commands
 
         names = commands.register()
         self.appendToolbar("Seamwright", names)
         self.appendMenu("Seamwright", names)
+        names = curve_commands.register()
+        self.appendToolbar("Seamwright Curves", names)
+        self.appendMenu(["Seamwright", "Curves"], names)
 
     def GetClassName(self):
         """Return the kind of workbench, as FreeCAD names it."""
@@ -36,10 +39,18 @@ class SeamwrightWorkbench(Gui.Workbench):
 
 #: For each kind of document object, the folder of its view in ``gui``.
 VIEWS = {
+    "Arcs": "curves",
+    "BlendCurves": "curves",
+    "BridgeCurve": "curves",
+    "Clothoid": "curves",
+    "Conic": "curves",
     "CornerFillet": "corner",
+    "FairCurve": "curves",
+    "JoinCurves": "curves",
     "MatchSurfaces": "match",
     "SeamAnalysis": "analysis",
     "SeamRepair": "repair",
+    "Spline": "curves",
     "UmbrellaFill": "fill",
 }
 

@@ -73,12 +73,21 @@ def parent_placement(obj):
 
 
 def world_shape(obj):
+    """Return the shape of one object with faces at its position in the model.
+
+    Raises SourceError.
+    """
+    shape = placed_shape(obj)
+    if not shape.Faces:
+        raise SourceError("%s has no faces: seams are found between faces." % obj.Label)
+    return shape
+
+
+def placed_shape(obj):
     """Return the shape of one object at its position in the model. Raises SourceError."""
     shape = Part.getShape(obj)
     if shape.isNull():
         raise SourceError("%s has no shape: recompute it or choose another object." % obj.Label)
-    if not shape.Faces:
-        raise SourceError("%s has no faces: seams are found between faces." % obj.Label)
     placement = parent_placement(obj)
     if placement.isIdentity():
         return shape

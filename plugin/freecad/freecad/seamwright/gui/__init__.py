@@ -6,9 +6,10 @@ A folder imports only from those before it in this list:
 * ``widgets``   fields, forms, messages, progress, threads, steps that can be undone;
 * ``scene``     what is drawn in the 3D view;
 * ``base``      base classes of panels and view providers;
-* ``analysis``, ``repair``, ``match``, ``fill``, ``corner``   panel and view of one document object.
+* ``analysis``, ``repair``, ``match``, ``fill``, ``corner``   panel and view of one document object;
+* ``curves``    panel and view of all curves.
 
-The commands in ``commands.py`` use all of them.
+The commands in ``commands.py`` and ``curve_commands.py`` use all of them.
 """
 
 import os

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Bridge Curve: a curve between the nearest ends of two edges, with their tangents and curvatures.
+
+The class path is written into documents: neither rename nor move it.
+"""
+
+import math
+
+import numpy
+
+from freecad.seamwright.document.curves import inputs, results
+from freecad.seamwright.document.curves.curve import Curve
+from freecad.seamwright.plain import curve_text
+from freecad.seamwright.plain.options import CHOICE, FLAG, FLOAT, Option
+
+ORDERS = ("G1", "G2", "G3")
+
+#: The distance of a handle from its end for the tension 1, by the distance of the ends: that of the
+#: inner poles of a cubic.
+HANDLE_SHARE = 1.0 / 3
+
+
+class BridgeCurve(Curve):
+    """Proxy of a Part::FeaturePython that holds a curve between two edges."""
+
+    Type = "BridgeCurve"
+    LABEL = "Bridge Curve"
+    ICON = "seamwright-bridge"
+    TIP = (
+        "Make a curve from an end of one selected edge to an end of another one. It continues both "
+        "with their tangents (G1), their curvatures (G2) and the change of these (G3)."
+    )
+    NEEDS = "select two edges"
+    OPTIONS = (
+        Option("Order", "order", CHOICE, "G2", "Continuity", "The continuity at both ends",
+               choices=ORDERS),
+        Option("FirstTension", "first_tension", FLOAT, 1.0, "Tension at the first",
+               "Length of the tangent at the first edge, by the distance of the ends", least=1e-3),
+        Option("SecondTension", "second_tension", FLOAT, 1.0, "Tension at the second",
+               "Length of the tangent at the second edge, by the distance of the ends",
+               least=1e-3),
+        Option("FlipFirst", "flip_first", FLAG, False, "Other end of the first",
+               "Begin at the other end of the first edge"),
+        Option("FlipSecond", "flip_second", FLAG, False, "Other end of the second",
+               "End at the other end of the second edge"),
+    )  # fmt: skip
+    RESULTS = (
+        ("Extrema", "App::PropertyInteger", "Extrema of the curvature", "extrema"),
+        ("Inflections", "App::PropertyInteger", "Inflections of a planar curve", "inflections"),
+    )
+    INPUTS = ("Sources", *(option.name for option in OPTIONS))
+
+    @classmethod
+    def gather(cls, module, shapes, values):
+        """Return (curve that arrives, curve that leaves, distance of these ends in mm)."""
+        edges = inputs.edges_of(shapes)
+        flips = values["flip_first"], values["flip_second"]
+        at_first, at_second = inputs.nearest_ends(edges, flips)
+        first, second = (inputs.ends_of(edge) for edge in edges)
+        distance = first[at_first].distanceToPoint(second[at_second])
+        if distance <= inputs.GAP_MM:
+            raise ValueError("the edges meet where the curve would be: choose other ends")
+        one, other = (inputs.curve_of(module, edge).bezier_spline() for edge in edges)
+        arriving, to_second = _out_of(one, at_first), _out_of(other, at_second)
+        return arriving, to_second.reversed(), distance
+
+    @classmethod
+    def compute(cls, module, gathered, values, progress):
+        """Return (BezierCurve between, its order, the handles of its tensions)."""
+        arriving, leaving, distance = gathered
+        order = 1 + ORDERS.index(values["order"])
+        before = numpy.asarray(arriving.derivatives(1.0, order))
+        after = numpy.asarray(leaving.derivatives(0.0, order))
+        speeds = numpy.linalg.norm(before[1]), numpy.linalg.norm(after[1])
+        if min(speeds) == 0:
+            raise ValueError("an edge has no tangent at its end: choose another end")
+        back = before * (-1.0) ** numpy.arange(order + 1)[:, None]
+        sides = _from_derivatives(module, back).reversed(), _from_derivatives(module, after)
+        rest = [0.0] * (order - 1)
+        first = values["first_tension"] * distance / speeds[0]
+        second = speeds[1] / (values["second_tension"] * distance)
+        curve = module.curve_blend(*sides, [first, *rest], [second, *rest])
+        reach = distance * HANDLE_SHARE
+        handles = {
+            "first_tension": (before[0].tolist(), (before[1] * (reach / speeds[0])).tolist()),
+            "second_tension": (after[0].tolist(), (after[1] * (-reach / speeds[1])).tolist()),
+        }
+        return curve, values["order"], handles
+
+    @classmethod
+    def build(cls, module, found, values):
+        """Return (report, wire)."""
+        curve, order, handles = found
+        wire = results.wire_of([module.curve_to_freecad(curve).toShape()])
+        report = {
+            **results.figures(module, curve, wire.Length),
+            "order": int(order[1:]),
+            "handles": handles,
+        }
+        return report, wire
+
+    @classmethod
+    def text(cls, report):
+        """Return the summary of a report."""
+        return curve_text.bridge_text(report)
+
+
+def _out_of(spline, at_end):
+    """Return the segment that runs out of one end of a spline."""
+    return spline.segment(spline.segments - 1) if at_end else spline.segment(0).reversed()
+
+
+def _from_derivatives(module, derivatives):
+    """Return the polynomial BezierCurve that has these derivatives where it begins."""
+    degree = len(derivatives) - 1
+    return module.BezierCurve(
+        [
+            sum(
+                math.comb(k, j) * math.factorial(degree - j) / math.factorial(degree) * each
+                for j, each in enumerate(derivatives[: k + 1])
+            )
+            for k in range(degree + 1)
+        ]
+    )

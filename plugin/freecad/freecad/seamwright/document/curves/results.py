@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From curves of the kernel to shapes, and figures of them."""
+
+import math
+
+import FreeCAD as App
+import numpy
+import Part
+
+from freecad.seamwright.document.curves.inputs import GAP_MM
+
+#: Arcs that turn by less than this are drawn as lines if these are within a tenth of the tolerance:
+#: their centre is far away, and has few digits left.
+LEAST_TURN_RAD = 1e-5
+
+#: Derivatives on both sides of a knot that differ by less than this part of them are the same.
+SAME_DERIVATIVE = 1e-9
+
+
+def wire_of(edges):
+    """Return the wire of edges that are in order."""
+    wire = Part.Wire(edges)
+    if len(wire.Edges) != len(edges):
+        raise ValueError("the %d edges do not join to one curve" % len(edges))
+    return wire
+
+
+def together(shapes):
+    """Return the only shape, or a compound of several."""
+    return shapes[0] if len(shapes) == 1 else Part.Compound(shapes)
+
+
+def arc_edge(arc, plane, tolerance_mm):
+    """Return the edge of a PlanarArc in a Plane."""
+    start, end = numpy.asarray(arc.start), numpy.asarray(arc.end)
+    turn = arc.curvature_per_mm * arc.length_mm
+    sagitta = abs(turn) * arc.length_mm / 8
+    if turn == 0 or (abs(turn) < LEAST_TURN_RAD and sagitta <= tolerance_mm / 10):
+        return Part.makeLine(plane.vector(start), plane.vector(end))
+    if arc.length_mm * abs(arc.curvature_per_mm) >= 2 * math.pi * (1 - 1e-12):
+        radius = 1 / arc.curvature_per_mm
+        left = numpy.array([-math.sin(arc.direction_rad), math.cos(arc.direction_rad)])
+        normal = App.Vector(*plane.frame[2])
+        return Part.makeCircle(abs(radius), plane.vector(start + radius * left), normal)
+    middle = numpy.asarray(arc.point(arc.length_mm / 2))
+    return Part.Arc(*(plane.vector(point) for point in (start, middle, end))).toShape()
+
+
+def raised(module, spline, plane):
+    """Return a BezierSpline of the plane z = 0 as it lies in a Plane."""
+    poles = plane.space(numpy.asarray(spline.poles)[:, :2])
+    weights = spline.weights if spline.is_rational else None
+    return module.BezierSpline(spline.degree, spline.knots, poles, weights, spline.closed)
+
+
+def flattened(module, spline, plane):
+    """Return a BezierSpline of a Plane in the plane z = 0."""
+    poles, _ = plane.coordinates(spline.poles)
+    poles = numpy.column_stack([poles, numpy.zeros(len(poles))])
+    weights = spline.weights if spline.is_rational else None
+    return module.BezierSpline(spline.degree, spline.knots, poles, weights, spline.closed)
+
+
+def spline_edges(module, spline):
+    """Return the edges of a BezierSpline.
+
+    It is divided where it is not C1: OpenCASCADE sweeps, offsets and meshes C1 curves only.
+    """
+    segments = [spline.segment(place) for place in range(spline.segments)]
+    runs, knots = [[segments[0]]], [spline.knots[:2]]
+    for place, segment in enumerate(segments[1:], 1):
+        if _is_smooth(spline, segments[place - 1], segment, place):
+            runs[-1].append(segment)
+            knots[-1] = [*knots[-1], spline.knots[place + 1]]
+        else:
+            runs.append([segment])
+            knots.append(spline.knots[place : place + 2])
+    splines = [
+        module.BezierSpline.from_segments(run, own, False, GAP_MM) for run, own in zip(runs, knots)
+    ]
+    return [module.curve_to_freecad(each).toShape() for each in splines]
+
+
+def _is_smooth(spline, before, after, place):
+    left, right = numpy.diff(spline.knots[place - 1 : place + 2])
+    arriving = numpy.asarray(before.derivatives(1.0, 1))[1] / left
+    leaving = numpy.asarray(after.derivatives(0.0, 1))[1] / right
+    size = max(numpy.linalg.norm(arriving), numpy.linalg.norm(leaving))
+    same = numpy.linalg.norm(arriving - leaving) <= SAME_DERIVATIVE * size
+    if not (spline.is_rational and same):
+        return bool(same)
+    weights = numpy.asarray(spline.weights)
+    at = place * spline.degree
+    slopes = (weights[at] - weights[at - 1]) / left, (weights[at + 1] - weights[at]) / right
+    return bool(abs(slopes[0] - slopes[1]) <= SAME_DERIVATIVE * max(weights[at], *map(abs, slopes)))
+
+
+def figures(module, curve, length_mm):
+    """Return {length_mm, extrema, inflections} of a curve; at joints extrema count too."""
+    found = module.curvature_variation(curve)
+    return {
+        "length_mm": float(length_mm),
+        "extrema": found.extrema + found.extrema_at_joints,
+        "inflections": found.inflections,
+    }
+
+
+def surface_shape(surfaces, gap_mm):
+    """Return the shape of BSplineSurfaces side by side: a face, or a shell sewn within the gap."""
+    faces = [_face(surface) for surface in surfaces]
+    if len(faces) == 1:
+        return faces[0]
+    shell = Part.Compound(faces)
+    shell.sewShape(max(gap_mm, GAP_MM))
+    return shell
+
+
+def _face(surface):
+    knots_u, counts_u = numpy.unique(surface.knots_u, return_counts=True)
+    knots_v, counts_v = numpy.unique(surface.knots_v, return_counts=True)
+    poles = [[App.Vector(*map(float, pole)) for pole in row] for row in surface.poles]
+    whole = Part.BSplineSurface()
+    whole.buildFromPolesMultsKnots(
+        poles,
+        counts_u.tolist(),
+        counts_v.tolist(),
+        knots_u.tolist(),
+        knots_v.tolist(),
+        False,
+        False,
+        surface.degree_u,
+        surface.degree_v,
+    )
+    return whole.toShape()

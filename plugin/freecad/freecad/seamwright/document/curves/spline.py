@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Spline: a G2 spline through points or near their polygon, with tension and bias for each point.
+
+The class path is written into documents: neither rename nor move it.
+"""
+
+import numpy
+
+from freecad.seamwright.document.curves import inputs, results
+from freecad.seamwright.document.curves.curve import Curve
+from freecad.seamwright.plain import curve_text
+from freecad.seamwright.plain.options import (
+    CHOICE, COUNT, FLAG, NUMBERS, Option, one_for_each
+)  # fmt: skip
+
+NU, BETA = "Through points, tension", "Through points, tension and bias"
+GAMMA, DIRECT, ALPHA = "Polygon, gamma", "Polygon, direct G2", "Polygon, alpha curves"
+
+#: The families whose spline passes through the points.
+INTERPOLATING = (NU, BETA)
+
+#: Points that a report has, so that the view can number them.
+MOST_NUMBERED = 100
+
+SAMPLES = Option(
+    "Samples", "samples", COUNT, 4, "Points on curved edges",
+    "Number of points taken between the ends of each edge that is not straight", least=0.0,
+)  # fmt: skip
+
+
+def of_family(*families):
+    """Return a condition: whether the family is one of these."""
+    return lambda values: values["family"] in families
+
+
+class Spline(Curve):
+    """Proxy of a Part::FeaturePython that holds a spline of points."""
+
+    Type = "Spline"
+    LABEL = "Spline"
+    ICON = "seamwright-spline"
+    TIP = (
+        "Make a spline with continuous curvature through the selected points or the points of a "
+        "wire, a sketch or edges, or near the polygon of these points. Tension and bias shape it "
+        "at each point."
+    )
+    NEEDS = "select points, edges, a wire or a sketch"
+    OPTIONS = (
+        Option("Family", "family", CHOICE, NU, "Family", "How the spline is made of the points",
+               choices=(NU, BETA, GAMMA, DIRECT, ALPHA)),
+        Option("Closed", "closed", FLAG, False, "Closed",
+               "Join the last point to the first; wires that are closed always are"),
+        Option("Tension", "tension", NUMBERS, [0.0], "Tension",
+               "One number for each point, or one for all. It tightens the spline: the larger the "
+               "number without bias, the more negative with bias",
+               used=of_family(NU, BETA)),
+        Option("Bias", "bias", NUMBERS, [1.0], "Bias",
+               "One number for each point, or one for all: the speed before the point by that "
+               "after it", least=1e-9, used=of_family(BETA)),
+        Option("Gamma", "gamma", NUMBERS, [1.0], "Gamma",
+               "One number for each segment, or one for all: 1 is the B-spline, smaller ones draw "
+               "the curve to the polygon", least=1e-9, used=of_family(GAMMA)),
+        Option("FirstShare", "first_share", NUMBERS, [1.0 / 3], "First pole at",
+               "Share of each side of the polygon at which its first inner pole lies; one number "
+               "for each side, or one for all", least=0.0, used=of_family(DIRECT)),
+        Option("SecondShare", "second_share", NUMBERS, [2.0 / 3], "Second pole at",
+               "Share of each side of the polygon at which its second inner pole lies; one number "
+               "for each side, or one for all", least=0.0, used=of_family(DIRECT)),
+        Option("Alpha", "alpha", NUMBERS, [0.75], "Alpha",
+               "One number above 0.5, up to 1, for each segment, or one for all: 1 is nearest to "
+               "the polygon", least=0.0, used=of_family(ALPHA)),
+        SAMPLES,
+    )  # fmt: skip
+    RESULTS = (
+        ("Extrema", "App::PropertyInteger", "Extrema of the curvature", "extrema"),
+        ("Inflections", "App::PropertyInteger", "Inflections of a planar curve", "inflections"),
+    )
+    INPUTS = ("Sources", *(option.name for option in OPTIONS))
+
+    @classmethod
+    def gather(cls, module, shapes, values):
+        """Return (points, whether the spline is closed)."""
+        points, closed = inputs.points_of(shapes, values["samples"])
+        closed = closed or values["closed"]
+        least = _least(values["family"], closed)
+        if len(points) < least:
+            raise ValueError(
+                "there are %d points: %s needs %d or more"
+                % (len(points), "a closed spline" if closed else "such a spline", least)
+            )
+        return points, closed
+
+    @classmethod
+    def compute(cls, module, gathered, values, progress):
+        """Return (spline of the kernel, points)."""
+        points, closed = gathered
+        return MAKERS[values["family"]](module, points, closed, values), points
+
+    @classmethod
+    def build(cls, module, found, values):
+        """Return (report, wire)."""
+        spline, points = found
+        wire = results.wire_of(results.spline_edges(module, spline))
+        report = {
+            **results.figures(module, spline, wire.Length),
+            "points": len(points),
+            "points_mm": points[:MOST_NUMBERED].tolist(),
+            "interpolates": values["family"] in INTERPOLATING,
+        }
+        return report, wire
+
+    @classmethod
+    def text(cls, report):
+        """Return the summary of a report."""
+        return curve_text.spline_text(report)
+
+
+def _least(family, closed):
+    if closed:
+        return 3
+    return 2 if family in INTERPOLATING else 4
+
+
+def _ring(points):
+    return numpy.vstack([points, points[:1]])
+
+
+def _nu(module, points, closed, values):
+    tension = one_for_each("Tension", values["tension"], len(points), "points")
+    if not closed:
+        return module.nu_spline(points, nu=tension).curve
+    # The tensions at both ends of a ring add up.
+    found = module.nu_spline(_ring(points), nu=[*tension, 0.0], ends="periodic")
+    return found.curve
+
+
+def _beta(module, points, closed, values):
+    count = len(points)
+    tension = one_for_each("Tension", values["tension"], count, "points")
+    bias = one_for_each("Bias", values["bias"], count, "points")
+    if not closed:
+        return module.beta_spline(points, bias, tension).curve
+    # The first entry of a ring is not read: the last one is that of the same point.
+    found = module.beta_spline(
+        _ring(points), [*bias, bias[0]], [*tension, tension[0]], ends="periodic"
+    )
+    return found.curve
+
+
+def _segments(points, closed):
+    return len(points) if closed else len(points) - 3
+
+
+def _gamma(module, points, closed, values):
+    gamma = one_for_each("Gamma", values["gamma"], _segments(points, closed), "segments")
+    return module.gamma_spline(points, gamma=gamma, closed=closed)
+
+
+def _direct(module, points, closed, values):
+    sides = len(points) if closed else len(points) - 1
+    shares = [
+        one_for_each(label, values[argument], sides, "sides")
+        for label, argument in (
+            ("First pole at", "first_share"),
+            ("Second pole at", "second_share"),
+        )
+    ]
+    return module.direct_g2_spline(points, *shares, closed)
+
+
+def _alpha(module, points, closed, values):
+    shape = one_for_each("Alpha", values["alpha"], _segments(points, closed), "segments")
+    return module.alpha_spline(points, shape, closed=closed)
+
+
+MAKERS = {NU: _nu, BETA: _beta, GAMMA: _gamma, DIRECT: _direct, ALPHA: _alpha}

@@ -1,0 +1,220 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The input fields of a table of options; lengths and angles have units and take expressions."""
+
+import FreeCADGui as Gui
+
+from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
+from freecad.seamwright.plain import options
+
+UNITS = {options.LENGTH: "mm", options.ANGLE: "deg"}
+
+#: Digits after the decimal point that a field shows.
+DECIMALS = 6
+
+LARGEST = 1e9
+
+#: Letters of a choice that a narrow panel still shows.
+LEAST_LETTERS = 12
+
+BAD_TEXT = "color: #b03020"
+
+
+class Field(QtCore.QObject):
+    """The widget of one option of an object; ``changed`` is emitted when its value changes."""
+
+    changed = QtCore.Signal()
+
+    def __init__(self, obj, option):
+        super().__init__()
+        self.option = option
+        self.label = QtWidgets.QLabel(option.label)
+        self.widget = self._make(obj)
+        for each in (self.label, self.widget):
+            each.setToolTip(option.tip)
+
+    def _make(self, obj):
+        raise NotImplementedError
+
+    def value(self):
+        """Return the value of the field. Raises ValueError where there is none."""
+        raise NotImplementedError
+
+    def show_value(self, value):
+        """Show a value."""
+        raise NotImplementedError
+
+    def _emit(self, *_):
+        self.changed.emit()
+
+
+class QuantityField(Field):
+    """A length, an angle or a plain number, in a field of FreeCAD: it also takes expressions."""
+
+    def _make(self, obj):
+        widget = Gui.UiLoader().createWidget("Gui::QuantitySpinBox")
+        widget.setProperty("unit", UNITS.get(self.option.kind, ""))
+        widget.setProperty("decimals", DECIMALS)
+        widget.setProperty("minimum", max(self.option.least, -LARGEST))
+        widget.setProperty("maximum", LARGEST)
+        self._binding = Gui.ExpressionBinding(widget)
+        self._binding.bind(obj, self.option.name)
+        QtCore.QObject.connect(widget, QtCore.SIGNAL("valueChanged(double)"), self._emit)
+        return widget
+
+    def value(self):
+        """Return the number, in mm or degrees."""
+        return float(self.widget.property("rawValue"))
+
+    def show_value(self, value):
+        """Show a number."""
+        self.widget.setProperty("rawValue", float(value))
+
+    def drag(self, value):
+        """Show a number that the user drags, or the smallest one that is allowed."""
+        self.show_value(max(value, self.option.least))
+
+
+class CountField(Field):
+    """A whole number."""
+
+    def _make(self, obj):
+        widget = QtWidgets.QSpinBox()
+        widget.setRange(int(max(self.option.least, 0)), 10000)
+        widget.valueChanged.connect(self._emit)
+        return widget
+
+    def value(self):
+        """Return the number."""
+        return self.widget.value()
+
+    def show_value(self, value):
+        """Show a number."""
+        self.widget.setValue(value)
+
+
+class FlagField(Field):
+    """A choice between yes and no."""
+
+    def _make(self, obj):
+        widget = QtWidgets.QCheckBox()
+        widget.toggled.connect(self._emit)
+        return widget
+
+    def value(self):
+        """Return whether the box is checked."""
+        return self.widget.isChecked()
+
+    def show_value(self, value):
+        """Check the box or not."""
+        self.widget.setChecked(bool(value))
+
+
+class ChoiceField(Field):
+    """One of several texts."""
+
+    def _make(self, obj):
+        widget = QtWidgets.QComboBox()
+        widget.addItems(self.option.choices)
+        widget.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLength)
+        widget.setMinimumContentsLength(LEAST_LETTERS)
+        widget.currentIndexChanged.connect(self._emit)
+        return widget
+
+    def value(self):
+        """Return the text."""
+        return self.widget.currentText()
+
+    def show_value(self, value):
+        """Show a text."""
+        self.widget.setCurrentText(value)
+
+
+class NumbersField(Field):
+    """Numbers in one line, such as 0; 0; 50. A text that is no list of numbers is red."""
+
+    def _make(self, obj):
+        widget = QtWidgets.QLineEdit()
+        widget.textChanged.connect(self._emit)
+        return widget
+
+    def value(self):
+        """Return the numbers."""
+        try:
+            numbers = options.parse_numbers(self.widget.text())
+        except ValueError:
+            self.widget.setStyleSheet(BAD_TEXT)
+            raise
+        self.widget.setStyleSheet("")
+        return numbers
+
+    def show_value(self, value):
+        """Show numbers."""
+        self.widget.setText(options.numbers_text(value))
+
+
+FIELDS = {
+    options.LENGTH: QuantityField,
+    options.ANGLE: QuantityField,
+    options.FLOAT: QuantityField,
+    options.COUNT: CountField,
+    options.FLAG: FlagField,
+    options.CHOICE: ChoiceField,
+    options.NUMBERS: NumbersField,
+}
+
+
+class OptionForm(QtWidgets.QWidget):
+    """Fields for the options of an object; those without an effect are hidden.
+
+    The form changes no property; ``values`` returns the values of its fields.
+    """
+
+    changed = QtCore.Signal()
+
+    def __init__(self, obj, table):
+        super().__init__()
+        layout = QtWidgets.QGridLayout(self)  # in a QFormLayout hidden rows leave gaps
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setColumnStretch(1, 1)
+        self.fields = {}
+        for option in table:
+            field = FIELDS[option.kind](obj, option)
+            field.changed.connect(self._changed)
+            self.fields[option.argument] = field
+            layout.addWidget(field.label, layout.rowCount(), 0)
+            layout.addWidget(field.widget, layout.rowCount() - 1, 1)
+
+    def show_values(self, values):
+        """Show these {argument: value}."""
+        for argument, field in self.fields.items():
+            field.show_value(values[argument])
+        self._show_used()
+
+    def values(self):
+        """Return the {property: value} of the fields. Raises ValueError for a bad text."""
+        return {
+            field.option.name: field.value()
+            for field in self.fields.values()
+            if self._is_used(field) or field.option.kind != options.NUMBERS
+        }
+
+    def _is_used(self, field):
+        used = field.option.used
+        return used is None or used(self._choices())
+
+    def _choices(self):
+        return {
+            argument: field.value()
+            for argument, field in self.fields.items()
+            if field.option.kind in (options.CHOICE, options.FLAG)
+        }
+
+    def _show_used(self):
+        for field in self.fields.values():
+            used = self._is_used(field)
+            field.label.setVisible(used)
+            field.widget.setVisible(used)
+
+    def _changed(self):
+        self._show_used()
+        self.changed.emit()

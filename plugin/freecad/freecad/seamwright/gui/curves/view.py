@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The view of a curve: its curvature comb and its panel.
+
+The class path is written into documents: neither rename nor move it.
+"""
+
+from freecad.seamwright.document import sources
+from freecad.seamwright.document.curves import curve, inputs
+from freecad.seamwright.document.properties import Adder
+from freecad.seamwright.gui.base.panel_view import PanelView
+from freecad.seamwright.gui.base.result_view import attach_as
+from freecad.seamwright.gui.curves.panel import CurvePanel
+from freecad.seamwright.gui.scene.comb import INPUT_COLOURS, Comb
+
+COLOUR, WIDTH = (0.0, 0.32, 0.62), 2.0
+
+
+class CurveView(PanelView):
+    """Proxy of the view provider of a curve."""
+
+    comb = None
+
+    #: Whether the comb of the sources is drawn too; the panel says it.
+    compares = False
+
+    def attach(self, vobj):
+        """FreeCAD calls this for a new view and for a restored one."""
+        super().attach(vobj)
+        adder = Adder(vobj)
+        adder.add_with(
+            "App::PropertyBool", "ShowComb", "Curvature comb", "Draw the curvature comb", False
+        )
+        tip = "Length of the lines of the comb; 1: the longest is 15 % of the size of the curve"
+        adder.add_with("App::PropertyFloat", "CombScale", "Curvature comb", tip, 1.0)
+        self.comb, self.input_comb = Comb(), Comb(INPUT_COLOURS)
+        for each in (self.comb, self.input_comb):
+            vobj.RootNode.insertChild(each.node, 0)
+        self._draw_comb(vobj)
+
+    def updateData(self, obj, prop):
+        """Draw the comb of a new curve."""
+        super().updateData(obj, prop)
+        if prop == "Shape":
+            self._draw_comb(obj.ViewObject)
+
+    def onChanged(self, vobj, prop):
+        """Draw the comb or remove it; it is seen only with its curve."""
+        if prop in ("ShowComb", "CombScale", "Visibility"):
+            self._draw_comb(vobj)
+
+    def compare(self, compares):
+        """Draw the comb of the sources too, to the same scale, or remove it."""
+        self.compares = compares
+        self._draw_comb(self.object.ViewObject)
+
+    def _draw_comb(self, vobj):
+        if self.comb is None or "CombScale" not in vobj.PropertiesList:
+            return
+        shown = vobj.ShowComb and vobj.Visibility and not vobj.Object.Shape.isNull()
+        edges = vobj.Object.Shape.Edges if shown else []
+        self.comb.show(edges, vobj.CombScale)
+        given = _given_edges(vobj.Object) if shown and self.compares else []
+        self.input_comb.show(given, vobj.CombScale, measure=edges)
+
+    def getIcon(self):
+        """Return the icon in the tree."""
+        self.ICON = self.object.Proxy.ICON
+        return super().getIcon()
+
+    def make_panel(self, obj, created):
+        """Return the task panel."""
+        return CurvePanel(obj, created)
+
+
+def _given_edges(obj):
+    try:
+        return inputs.edges_of(inputs.shapes_of(curve.links_of(obj)))
+    except sources.SourceError:
+        return []
+
+
+def attach_view(obj):
+    """Give a curve its view provider if it has none, and lines that differ from those of edges."""
+    vobj = obj.ViewObject
+    if vobj is not None and not isinstance(vobj.Proxy, CurveView):
+        vobj.LineColor, vobj.LineWidth = COLOUR, WIDTH
+    attach_as(CurveView, obj)

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Tables of options: the properties of an object, the fields of its panel, arguments of Python."""
+
+import math
+from typing import Any, Callable, NamedTuple, Optional, Tuple
+
+LENGTH, ANGLE, FLOAT = "App::PropertyLength", "App::PropertyAngle", "App::PropertyFloat"
+COUNT, FLAG, CHOICE = "App::PropertyInteger", "App::PropertyBool", "App::PropertyEnumeration"
+NUMBERS = "App::PropertyFloatList"
+
+
+class Option(NamedTuple):
+    """One option.
+
+    ``name``: of the property. ``argument``: of functions. ``kind``: the type of the property.
+    ``choices``: the values of a CHOICE. ``least``: the smallest number that is allowed.
+    ``used(values)``: whether the option has an effect with these {argument: value}; None: always.
+    """
+
+    name: str
+    argument: str
+    kind: str
+    default: Any
+    label: str
+    tip: str
+    choices: Tuple[str, ...] = ()
+    least: float = -math.inf
+    used: Optional[Callable[[dict], bool]] = None
+
+
+def defaults(table):
+    """Return the {argument: value} of a table."""
+    return {option.argument: option.default for option in table}
+
+
+def checked(table, given):
+    """Return {argument: value} for given arguments.
+
+    Raises TypeError for an argument that the table does not have, ValueError for a bad value.
+    """
+    known = {option.argument: option for option in table}
+    for argument in given:
+        if argument not in known:
+            raise TypeError("unknown option %r: choose from %s" % (argument, ", ".join(known)))
+    return {argument: _checked(known[argument], value) for argument, value in given.items()}
+
+
+def _checked(option, value):
+    if option.kind == CHOICE:
+        if value not in option.choices:
+            raise ValueError(
+                "%s %r: choose one of %s" % (option.argument, value, ", ".join(option.choices))
+            )
+        return value
+    if option.kind == FLAG:
+        return bool(value)
+    if option.kind == NUMBERS:
+        numbers = list(value) if hasattr(value, "__iter__") else [value]
+        return [_number(option, number) for number in numbers]
+    number = _number(option, value)
+    return int(number) if option.kind == COUNT else number
+
+
+def _number(option, value):
+    number = float(value)
+    if not (math.isfinite(number) and number >= option.least):
+        wanted = "must be finite" if option.least == -math.inf else "at least %g" % option.least
+        raise ValueError("%s = %r: %s" % (option.argument, value, wanted))
+    return number
+
+
+def parse_numbers(text):
+    """Return the numbers of a text such as "0; 0; 50". Raises ValueError for anything else."""
+    words = text.replace(";", " ").split()
+    try:
+        numbers = [float(word) for word in words]
+    except ValueError:
+        numbers = []
+    if len(numbers) != len(words) or not numbers or not all(map(math.isfinite, numbers)):
+        raise ValueError(
+            "\u201c%s\u201d is not a list of numbers: write them with blanks or semicolons, "
+            "such as 0; 0; 50." % text.strip()
+        )
+    return numbers
+
+
+def numbers_text(numbers):
+    """Return the text of numbers that ``parse_numbers`` reads."""
+    return "; ".join(repr(float(number)).removesuffix(".0") for number in numbers)
+
+
+def one_for_each(label, numbers, count, what):
+    """Return ``count`` numbers for a list of so many, or of one that holds for all.
+
+    Raises ValueError for another count; ``what`` is what they belong to, such as "points".
+    """
+    if len(numbers) == 1:
+        return list(numbers) * count
+    if len(numbers) != count:
+        raise ValueError(
+            "%s has %d numbers for %d %s: give one for each, or one for all"
+            % (label, len(numbers), count, what)
+        )
+    return list(numbers)

@@ -1,0 +1,197 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Selecting for curves, combs and handles in FreeCAD's window; run by run_freecad.py --window."""
+
+import math
+import os
+import sys
+import tempfile
+from unittest import mock
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import Mesh
+import models
+import Part
+from curve_cases import wavy
+from curve_window_cases import CurveWindow
+from PySide import QtCore, QtGui
+from window import count, messages, pause, picture, settle, whole_window
+
+from freecad.seamwright.document.curves import curve
+from freecad.seamwright.document.feature import report_of
+from freecad.seamwright.gui.scene.comb import COLOURS, INPUT_COLOURS, LONGEST, quills
+from freecad.seamwright.gui.scene.marker import INK
+from freecad.seamwright.gui.widgets.qt import QtWidgets
+
+FEW, MANY = 20, 300
+
+
+def drag(start, end, steps=8):
+    """Drag with the left button between points of the plane z = 0, in a view from above."""
+    view = Gui.activeDocument().activeView()
+    camera = view.getCameraNode()
+    (place,) = [
+        each.viewport()
+        for each in Gui.getMainWindow().findChildren(QtWidgets.QGraphicsView)
+        if each.isVisible() and each.viewport().width() > 400
+    ]
+    scale = place.height() / camera.height.getValue()
+    centre = camera.position.getValue().getValue()
+
+    def at(share):
+        x, y = (a + share * (b - a) for a, b in zip(start, end))
+        across = place.width() / 2 + (x - centre[0]) * scale
+        return QtCore.QPointF(across, place.height() / 2 - (y - centre[1]) * scale)
+
+    left, none = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
+    events = [
+        (QtCore.QEvent.MouseMove, 0, none, none),
+        (QtCore.QEvent.MouseButtonPress, 0, left, left),
+        *((QtCore.QEvent.MouseMove, k / steps, none, left) for k in range(1, steps + 1)),
+        (QtCore.QEvent.MouseButtonRelease, 1, left, none),
+    ]
+    for kind, share, button, held in events:
+        local = at(share)
+        everywhere = QtCore.QPointF(place.mapToGlobal(local.toPoint()))
+        event = QtGui.QMouseEvent(kind, local, everywhere, button, held, QtCore.Qt.NoModifier)
+        QtWidgets.QApplication.sendEvent(place, event)
+        pause(0.03)
+
+
+def pixels(colours):
+    """The colour of the lines of a comb, 0..255."""
+    return [round(255 * each) for each in colours[0]]
+
+
+class Selecting(CurveWindow):
+    def test_points_are_taken_in_the_order_of_picking(self):
+        other = models.add(self.doc, Part.Vertex(-9, 0, 0), "Other")
+        self.doc.recompute()
+        obj, _ = self.start(
+            "Spline", (self.points, "Vertex3"), (other, "Vertex1"), (self.points, "Vertex1")
+        )
+        self.assertEqual(
+            curve.links_of(obj),
+            [(self.points, "Vertex3"), (other, "Vertex1"), (self.points, "Vertex1")],
+        )
+        self.cancel()
+
+    def test_a_bad_selection_is_one_sentence_and_changes_nothing(self):
+        mesh = self.doc.addObject("Mesh::Feature", "Scan")
+        mesh.Mesh = Mesh.createBox(1, 1, 1)
+        self.doc.recompute()
+        self.doc.clearUndos()
+        for kind, chosen, text in (
+            ("Spline", [], "Nothing is selected: select points, edges, a wire or a sketch."),
+            ("Arcs", [mesh], "Scan is a mesh: choose points, edges, wires or sketches."),
+            ("Spline", [(self.points, "Vertex1")], "There is only one point: choose two or more."),
+            ("BridgeCurve", [self.points], "0 edges are chosen: choose two."),
+        ):
+            with self.subTest(text):
+                self.start(kind, *chosen)
+                self.assertEqual(messages(), [text])
+                self.assertEqual((self.made(), self.doc.UndoCount), ([], 0))
+                self.assertFalse(self.doc.HasPendingTransaction)
+        with mock.patch.dict(sys.modules, seamwright=None):
+            self.start("Spline", self.points)
+        (text,) = messages()
+        self.assertIn("It was built for Python", text)
+
+    def test_more_points_than_three_are_a_spline_of_conics(self):
+        obj, _ = self.start("Conic", self.points)
+        self.assertEqual(obj.Conics, 8)
+        self.cancel()
+
+
+class Handles(CurveWindow):
+    def test_a_tension_is_dragged_with_the_mouse(self):
+        ends = ((0, 0, 0), (10, 0, 0)), ((40, 20, 0), (50, 20, 0))
+        lines = [
+            models.add(self.doc, Part.makeLine(*(App.Vector(*p) for p in pair)), "Line")
+            for pair in ends
+        ]
+        self.doc.recompute()
+        obj, panel = self.start("BridgeCurve", *lines)
+        view = Gui.activeDocument().activeView()
+        view.viewTop()
+        view.fitAll()
+        settle(0.5)
+        whole_window("handles")
+        self.assertEqual(sorted(panel._handles), ["first_tension", "second_tension"])
+        reach = math.hypot(30, 20) / 3
+        drag((10 + reach, 0), (10 + 2 * reach, 0))
+        self.wait()
+        whole_window("handles-dragged")
+        self.assertAlmostEqual(obj.FirstTension, 2, delta=0.1)
+        self.assertEqual(obj.SecondTension, 1)
+        drag((10 + 2 * reach, 0), (-5, 0))
+        self.wait()
+        self.assertAlmostEqual(obj.FirstTension, 1e-3, delta=1e-9)
+        self.assertEqual(len(obj.Shape.Edges), 1)
+        self.cancel()
+        self.assertEqual(self.made(), [])
+
+
+class Combs(CurveWindow):
+    def test_the_comb_is_drawn_saved_and_removed(self):
+        _, panel = self.start("Spline", self.points)
+        rgb = pixels(COLOURS)
+        self.assertLess(count(picture("comb-off"), rgb), FEW)
+        panel.comb.setChecked(True)
+        self.assertGreater(count(picture("comb-on"), rgb), MANY)
+        self.ok()
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "saved.FCStd")
+            self.doc.saveAs(path)
+            App.closeDocument(self.doc.Name)
+            self.doc = App.openDocument(path)
+            settle()
+            self.fit()
+            again = self.made()[0]
+            self.assertGreater(count(picture("comb-again"), rgb), MANY)
+            again.ViewObject.Visibility = False
+            settle()
+            self.assertLess(count(picture("comb-hidden"), rgb), FEW)
+            again.ViewObject.Proxy.doubleClicked(again.ViewObject)
+            settle()
+            self.assertTrue(again.ViewObject.Proxy.panel.comb.isChecked())
+            self.cancel()
+
+    def test_points_are_numbered_while_the_panel_is_open(self):
+        obj, panel = self.start("Spline", self.points)
+        before = count(picture("numbers-off"), INK)
+        self.assertTrue(panel.numbers.isVisible())
+        panel.numbers.setChecked(True)
+        self.assertGreater(count(picture("numbers-on"), INK), before + MANY)
+        settle()
+        whole_window("numbers-on")
+        self.ok()
+        self.assertEqual(len(obj.Proxy.points(report_of(obj))), 5)
+        self.assertLess(count(picture("numbers-after"), INK), before + FEW)
+
+    def test_the_comb_of_the_input_is_drawn_while_the_panel_is_open(self):
+        edge = models.add(self.doc, wavy(), "Wavy")
+        self.doc.recompute()
+        obj, panel = self.start("FairCurve", edge)
+        panel.compare.setChecked(True)
+        panel.comb.setChecked(True)
+        Gui.activeDocument().activeView().viewTop()
+        settle()
+        self.assertGreater(count(picture("comb-compare"), pixels(INPUT_COLOURS)), MANY)
+        whole_window("comb-compare")
+        self.ok()
+        self.assertTrue(obj.ViewObject.ShowComb)
+        after = picture("comb-compared")
+        self.assertLess(count(after, pixels(INPUT_COLOURS)), FEW)
+        self.assertGreater(count(after, pixels(COLOURS)), MANY)
+
+    def test_the_lines_point_outwards_and_grow_with_the_curvature(self):
+        for comb in quills(Part.makeCircle(10).Edges):
+            for foot, tip in comb:
+                self.assertAlmostEqual(App.Vector(*foot).Length, 10, delta=1e-9)
+                longest = 10 + LONGEST * Part.makeCircle(10).BoundBox.DiagonalLength
+                self.assertAlmostEqual(App.Vector(*tip).Length, longest, delta=1e-6)
+        (measured,) = quills(Part.makeCircle(5).Edges, measure=Part.makeCircle(10).Edges)
+        foot, tip = measured[0]
+        self.assertAlmostEqual((App.Vector(*tip) - App.Vector(*foot)).Length, 2 * (longest - 10))
+        self.assertEqual(quills(Part.makeLine(App.Vector(), App.Vector(9, 1, 0)).Edges), [])

@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Curves in FreeCAD's window; run by run_freecad.py --window."""
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import models
+import Part
+from curve_cases import RING, WAVE, slot, vertices, wavy
+from window import PanelWindow, click, messages, settle, whole_window
+
+from freecad.seamwright.document.curves import curve
+from freecad.seamwright.document.curves.kinds import KINDS
+from freecad.seamwright.document.curves.spline import BETA
+from freecad.seamwright.gui.curves.panel import PREVIEW_AFTER_MS
+from freecad.seamwright.gui.widgets.qt import QtWidgets
+
+
+class CurveWindow(PanelWindow):
+    is_made = staticmethod(curve.is_curve)
+
+    def setUp(self):
+        super().setUp()
+        self.doc.UndoMode = 1
+        self.points = models.add(self.doc, Part.Compound(vertices(WAVE)), "Points")
+        self.doc.recompute()
+        self.doc.clearUndos()
+
+    def start(self, kind, *chosen):
+        self.COMMAND = "Seamwright_" + kind
+        found = self.run_selected(
+            [each if isinstance(each, tuple) else (each, "") for each in chosen]
+        )
+        if found[0] is not None:
+            self.fit()
+        return found
+
+    def set_field(self, panel, argument, value):
+        panel.options.fields[argument].show_value(value)
+        self.wait()
+
+    def wait(self):
+        settle(0.1 + PREVIEW_AFTER_MS / 1000)
+
+
+class Panel(CurveWindow):
+    def test_each_kind_is_made_accepted_undone_and_done_again(self):
+        line = models.add(self.doc, Part.makeLine(App.Vector(), App.Vector(10, 0, 0)), "Line")
+        other = models.add(
+            self.doc, Part.makeLine(App.Vector(20, 5, 0), App.Vector(30, 5, 9)), "Other"
+        )
+        edge = models.add(self.doc, wavy(), "Wavy")
+        self.doc.recompute()
+        chosen = dict.fromkeys(("BlendCurves", "BridgeCurve", "JoinCurves"), [line, other])
+        chosen["FairCurve"] = [edge]
+        for kind in KINDS:
+            with self.subTest(kind):
+                steps, before = self.doc.UndoCount, self.doc.Objects
+                obj, panel = self.start(kind, *chosen.get(kind, [self.points]))
+                self.assertEqual(panel.summary.text(), obj.Summary)
+                self.assertTrue(obj.Summary and not obj.Shape.isNull())
+                panel.comb.setChecked(True)
+                settle(0.5)
+                whole_window("curve-" + kind)
+                self.ok()
+                self.assertIsNone(obj.ViewObject.Proxy.panel)
+                self.assertEqual(self.doc.UndoCount, steps + 1)
+                self.doc.undo()
+                settle()
+                self.assertEqual(self.doc.Objects, before)
+                self.doc.redo()
+                settle()
+                (again,) = [each for each in self.doc.Objects if each not in before]
+                self.assertFalse(again.Shape.isNull())
+                self.doc.removeObject(again.Name)
+
+    def test_the_document_follows_the_fields(self):
+        obj, panel = self.start("Spline", self.points)
+        free = obj.Shape.Length
+        self.set_field(panel, "tension", [50.0])
+        self.assertEqual(list(obj.Tension), [50.0])
+        self.assertLess(obj.Shape.Length, free)
+        self.assertFalse(panel.options.fields["bias"].widget.isVisible())
+        self.set_field(panel, "family", BETA)
+        self.assertTrue(panel.options.fields["bias"].widget.isVisible())
+        self.assertEqual(obj.Family, BETA)
+        panel.options.fields["tension"].widget.setText("1; x")
+        self.wait()
+        self.assertIn("is not a list of numbers", panel.summary.text())
+        self.ok()
+        (text,) = messages()
+        self.assertIn("is not a list of numbers", text)
+        self.assertIsNotNone(obj.ViewObject.Proxy.panel)
+        self.set_field(panel, "tension", [1.0, 2.0])
+        self.assertIn("Tension has 2 numbers for 5 points", panel.summary.text())
+        self.cancel()
+        self.assertEqual(self.made(), [])
+        self.assertEqual(self.doc.UndoCount, 0)
+
+    def test_cancel_of_a_later_change_restores_the_values(self):
+        obj, _ = self.start("Arcs", self.points)
+        self.ok()
+        before = obj.Arcs
+        for undo in (1, 0):
+            self.doc.UndoMode = undo
+            obj.ViewObject.Proxy.doubleClicked(obj.ViewObject)
+            settle()
+            panel = obj.ViewObject.Proxy.panel
+            self.set_field(panel, "tolerance_mm", 1.0)
+            self.assertLess(obj.Arcs, before)
+            self.cancel()
+            self.assertEqual((obj.Tolerance.Value, obj.Arcs), (0.01, before))
+
+    def test_units_and_expressions(self):
+        obj, panel = self.start("Arcs", self.points)
+        field = panel.options.fields["tolerance_mm"]
+        self.assertEqual(field.value(), 0.01)
+        line = field.widget.findChild(QtWidgets.QLineEdit)
+        line.setText("0.02 cm")
+        self.wait()
+        self.assertAlmostEqual(obj.Tolerance.Value, 0.2, delta=1e-9)
+        obj.setExpression("Tolerance", "100 * 5 um")
+        self.doc.recompute()
+        settle()
+        self.assertEqual((obj.Tolerance.Value, field.value()), (0.5, 0.5))
+        self.ok()
+        ((name, text),) = obj.ExpressionEngine
+        self.assertEqual((name, text.replace(" ", "")), ("Tolerance", "100*5um"))
+        self.assertEqual(obj.Tolerance.Value, 0.5)
+
+    def test_other_sources_are_used(self):
+        ring = models.add(self.doc, Part.Compound(vertices(RING)), "Ring")
+        box = self.doc.addObject("Part::Box", "Box")
+        self.doc.recompute()
+        obj, panel = self.start("Spline", self.points)
+        self.assertEqual(panel.chosen.text(), "Points")
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(self.doc.Name, ring.Name)
+        click(panel.use, panel.use.rect().center())
+        self.assertEqual((panel.chosen.text(), obj.Sources[0][0]), ("Ring", ring))
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(self.doc.Name, box.Name)
+        click(panel.use, panel.use.rect().center())
+        self.assertIn("Box has 6 faces", messages()[0])
+        self.assertEqual(obj.Sources[0][0], ring)
+        self.ok()
+        self.assertEqual(obj.Sources[0][0], ring)
+
+    def test_arcs_leave_a_sketch(self):
+        source = models.add(self.doc, slot(), "Slot")
+        self.doc.recompute()
+        steps = self.doc.UndoCount
+        _, panel = self.start("Arcs", source)
+        self.assertTrue(panel.sketch.isVisible())
+        panel.sketch.setChecked(True)
+        self.ok()
+        (sketch,) = [each for each in self.doc.Objects if each.Name.endswith("Sketch")]
+        self.assertEqual(sketch.GeometryCount, 4)
+        self.assertEqual(self.doc.UndoCount, steps + 1)
+        self.doc.undo()
+        settle()
+        self.assertEqual(self.doc.Objects, [self.points, source])

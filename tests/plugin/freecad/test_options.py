@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Tables of options and the sentences about curves."""
+
+import math
+
+import pytest
+
+from freecad.seamwright.plain import curve_text, options
+from freecad.seamwright.plain.options import CHOICE, COUNT, FLAG, LENGTH, NUMBERS, Option
+
+TABLE = (
+    Option("Tolerance", "tolerance_mm", LENGTH, 0.1, "Tolerance", "", least=0.0),
+    Option("Kind", "kind", CHOICE, "one", "Kind", "", choices=("one", "two")),
+    Option("Count", "count", COUNT, 3, "Count", "", least=1.0),
+    Option("Closed", "closed", FLAG, False, "Closed", ""),
+    Option("Tension", "tension", NUMBERS, [0.0], "Tension", ""),
+)
+
+
+def test_defaults_and_checked_values():
+    assert options.defaults(TABLE)["tension"] == [0.0]
+    given = {"tolerance_mm": 2, "kind": "two", "count": 5.0, "closed": 1, "tension": 7}
+    assert options.checked(TABLE, given) == {
+        "tolerance_mm": 2.0,
+        "kind": "two",
+        "count": 5,
+        "closed": True,
+        "tension": [7.0],
+    }
+    assert options.checked(TABLE, {"tension": (1, 2)}) == {"tension": [1.0, 2.0]}
+
+
+@pytest.mark.parametrize(
+    "given, text",
+    [
+        ({"tolerance_mm": -1}, "tolerance_mm = -1: at least 0"),
+        ({"tolerance_mm": math.nan}, "tolerance_mm = nan: at least 0"),
+        ({"kind": "three"}, "kind 'three': choose one of one, two"),
+        ({"count": 0}, "count = 0: at least 1"),
+        ({"tension": [1, math.inf]}, "tension = inf: must be finite"),
+    ],
+)
+def test_bad_values_are_named(given, text):
+    with pytest.raises(ValueError) as caught:
+        options.checked(TABLE, given)
+    assert str(caught.value) == text
+
+
+def test_unknown_options_are_named():
+    with pytest.raises(TypeError, match="unknown option 'radius': choose from tolerance_mm, kind"):
+        options.checked(TABLE, {"radius": 1})
+
+
+@pytest.mark.parametrize("text", ["0; 0; 50", "0 0 50", " 0;0 ;50;"])
+def test_numbers_are_read(text):
+    assert options.parse_numbers(text) == [0.0, 0.0, 50.0]
+
+
+@pytest.mark.parametrize("text", ["", ";", "1; x", "1,5", "nan", "1; inf"])
+def test_what_is_no_list_of_numbers_is_refused(text):
+    with pytest.raises(ValueError, match="is not a list of numbers"):
+        options.parse_numbers(text)
+
+
+def test_numbers_are_written_as_they_are_read():
+    numbers = [0.25, -3.0, 1e-7, 1 / 3, 1e300]
+    assert options.parse_numbers(options.numbers_text(numbers)) == numbers
+    assert options.numbers_text([0, 50.0, 0.1]) == "0; 50; 0.1"
+
+
+def test_one_number_holds_for_all():
+    assert options.one_for_each("Tension", [2.0], 3, "points") == [2.0, 2.0, 2.0]
+    assert options.one_for_each("Tension", [1.0, 2.0], 2, "points") == [1.0, 2.0]
+    with pytest.raises(ValueError, match="Tension has 2 numbers for 3 points: give one for each"):
+        options.one_for_each("Tension", [1.0, 2.0], 3, "points")
+
+
+def test_sentences():
+    figures = {"length_mm": 78.34, "extrema": 1, "inflections": 0}
+    assert curve_text.figures_text(figures) == (
+        "78.3 mm long; curvature: 1 extremum, no inflections"
+    )
+    report = {
+        "curves": 2,
+        "arcs": 1,
+        "lines": 2,
+        "length_mm": 50.0,
+        "distance_mm": 0.00991,
+        "least_arcs": 3,
+    }
+    assert curve_text.arcs_text(report) == (
+        "1 arc and 2 lines for 2 curves, 50 mm long, at most 0.00991 mm from the input (proven); "
+        "no chain has fewer than 3."
+    )
+    assert curve_text.failure_text("there are no points.") == "Not made: there are no points."
