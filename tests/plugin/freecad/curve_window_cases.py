@@ -11,7 +11,7 @@ from window import PanelWindow, click, messages, settle, whole_window
 from freecad.seamwright.document.curves import curve
 from freecad.seamwright.document.curves.kinds import KINDS
 from freecad.seamwright.document.curves.spline import BETA
-from freecad.seamwright.gui.curves.panel import PREVIEW_AFTER_MS
+from freecad.seamwright.gui.base.option_panel import PREVIEW_AFTER_MS
 from freecad.seamwright.gui.widgets.qt import QtWidgets
 
 
@@ -132,14 +132,14 @@ class Panel(CurveWindow):
         box = self.doc.addObject("Part::Box", "Box")
         self.doc.recompute()
         obj, panel = self.start("Spline", self.points)
-        self.assertEqual(panel.chosen.text(), "Points")
+        self.assertEqual(panel.boxes["Sources"].chosen.text(), "Points")
         Gui.Selection.clearSelection()
         Gui.Selection.addSelection(self.doc.Name, ring.Name)
-        click(panel.use, panel.use.rect().center())
-        self.assertEqual((panel.chosen.text(), obj.Sources[0][0]), ("Ring", ring))
+        click(panel.boxes["Sources"].use, panel.boxes["Sources"].use.rect().center())
+        self.assertEqual((panel.boxes["Sources"].chosen.text(), obj.Sources[0][0]), ("Ring", ring))
         Gui.Selection.clearSelection()
         Gui.Selection.addSelection(self.doc.Name, box.Name)
-        click(panel.use, panel.use.rect().center())
+        click(panel.boxes["Sources"].use, panel.boxes["Sources"].use.rect().center())
         self.assertIn("Box has 6 faces", messages()[0])
         self.assertEqual(obj.Sources[0][0], ring)
         self.ok()

@@ -8,8 +8,8 @@ from freecad.seamwright.document import sources
 from freecad.seamwright.document.curves import curve
 from freecad.seamwright.document.curves.kinds import KINDS
 from freecad.seamwright.gui.command import Command, begin, open_new
-from freecad.seamwright.gui.curves.panel import sentence
-from freecad.seamwright.gui.curves.picked import picked
+from freecad.seamwright.gui.base.option_panel import sentence
+from freecad.seamwright.gui.base.picked import picked
 from freecad.seamwright.gui.widgets import messages
 from freecad.seamwright.plain import kernel
 

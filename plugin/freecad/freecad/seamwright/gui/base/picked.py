@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The selection, as links of curves."""
+"""The selection, as links of document objects."""
 
 import FreeCADGui as Gui
 

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Document objects that are made from sources and a table of options: curves and surfaces.
+
+The table has their properties, the arguments of functions and the fields of their panel.
+"""
+
+import json
+
+import Part
+
+from freecad.seamwright.document import feature, properties
+from freecad.seamwright.plain import curve_text, options
+
+SUMMARY = ("Summary", "App::PropertyString", "The result in one line, or why there is none")
+
+
+class OptionFeature(feature.Feature):
+    """Proxy of a Part::FeaturePython that has options.
+
+    A subclass has the texts of its command, NEEDS (what to select), GROUP (of its properties), LINKS:
+    (property, its name in the panel, help) of the sources, the table OPTIONS, and RESULTS:
+    (property, its type, help, key of the report).
+    """
+
+    LABEL = ICON = TIP = NEEDS = GROUP = ""
+    LINKS = ()
+    OPTIONS = ()
+    RESULTS = ()
+
+    @classmethod
+    def text(cls, report):
+        """Return the summary of a report."""
+        raise NotImplementedError
+
+    @classmethod
+    def handles(cls, report):
+        """Return {argument: (origin, step)} of numbers to drag, each at origin + number step."""
+        return report.get("handles", {})
+
+    @classmethod
+    def add_properties(cls, obj):
+        """Add the properties that an object lacks, with their defaults."""
+        adder = properties.Adder(obj)
+        for name, _, tip in cls.LINKS:
+            adder.add("App::PropertyLinkSubListGlobal", name, cls.GROUP, tip)
+        for option in cls.OPTIONS:
+            if option.kind == options.CHOICE:
+                adder.add_choice(option.name, cls.GROUP, option.tip, option.choices, option.default)
+            else:
+                adder.add_with(option.kind, option.name, cls.GROUP, option.tip, option.default)
+        shown = [SUMMARY, *(result[:3] for result in cls.RESULTS)]
+        adder.add_results(shown, feature.INTERNAL)
+        obj.setEditorMode("Placement", ["Hidden"])
+
+    @classmethod
+    def source_objects(cls, obj):
+        """Return the objects to which the sources belong, without repeats."""
+        return list(
+            dict.fromkeys(each for name, *_ in cls.LINKS for each, _ in links_of(obj, name))
+        )
+
+    @classmethod
+    def store(cls, obj, report, shape):
+        """Put the results into the read-only properties; the Summary is written last."""
+        feature.keep_report(obj, report)
+        for name, _, _, key in cls.RESULTS:
+            setattr(obj, name, report[key])
+        feature.put_shape(obj, shape)
+        obj.Summary = cls.text(report)
+
+    @classmethod
+    def store_failure(cls, obj, reason):
+        """Store that there is no result and why; return the reason."""
+        obj.Report = json.dumps({"reason": reason})
+        for name, *_ in cls.RESULTS:
+            setattr(obj, name, 0)
+        feature.put_shape(obj, Part.Shape())
+        obj.Summary = curve_text.failure_text(reason)
+        return obj.Summary
+
+
+def links_of(obj, name="Sources"):
+    """Return [(object, "Edge3" or ""), ...] that a property links to."""
+    return [
+        (source, element)
+        for source, elements in getattr(obj, name)
+        if source is not None
+        for element in elements
+    ]
+
+
+def value_of(obj, option):
+    """Return the value of an option of an object."""
+    value = getattr(obj, option.name)
+    if option.kind in (options.LENGTH, options.ANGLE, options.FLOAT):
+        return properties.number(obj, option.name)
+    return [float(each) for each in value] if option.kind == options.NUMBERS else value
+
+
+def values_of(obj):
+    """Return the {argument: value} of the options of an object."""
+    return {option.argument: value_of(obj, option) for option in obj.Proxy.OPTIONS}
+
+
+def set_values(obj, values):
+    """Give an object the {argument: value} of some of its options."""
+    names = {option.argument: option.name for option in obj.Proxy.OPTIONS}
+    for argument, value in values.items():
+        setattr(obj, names[argument], value)
+
+
+def links(chosen):
+    """Return [(object, "Edge3" or ""), ...] of objects, (object, name) or (object, names)."""
+    found = []
+    for each in chosen if isinstance(chosen, (list, tuple)) else [chosen]:
+        obj, names = each if isinstance(each, (list, tuple)) else (each, "")
+        names = [names] if isinstance(names, str) else list(names)
+        found += [(obj, name) for name in names or [""]]
+    return found
