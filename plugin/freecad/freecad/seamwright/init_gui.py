@@ -23,7 +23,7 @@ class SeamwrightWorkbench(Gui.Workbench):
 
     def Initialize(self):
         """Register the commands when the workbench is first activated."""
-        from freecad.seamwright.gui import commands, curve_commands
+        from freecad.seamwright.gui import commands, curve_commands, surface_commands
 
         names = commands.register()
         self.appendToolbar("Seamwright", names)
@@ -31,6 +31,9 @@ class SeamwrightWorkbench(Gui.Workbench):
         names = curve_commands.register()
         self.appendToolbar("Seamwright Curves", names)
         self.appendMenu(["Seamwright", "Curves"], names)
+        names = surface_commands.register()
+        self.appendToolbar("Seamwright Surfaces", names)
+        self.appendMenu(["Seamwright", "Surfaces"], names)
 
     def GetClassName(self):
         """Return the kind of workbench, as FreeCAD names it."""
@@ -41,10 +44,12 @@ class SeamwrightWorkbench(Gui.Workbench):
 VIEWS = {
     "Arcs": "curves",
     "BlendCurves": "curves",
+    "BlendSurface": "surfaces",
     "BridgeCurve": "curves",
     "Clothoid": "curves",
     "Conic": "curves",
     "CornerFillet": "corner",
+    "ExtendSurface": "surfaces",
     "FairCurve": "curves",
     "JoinCurves": "curves",
     "MatchSurfaces": "match",

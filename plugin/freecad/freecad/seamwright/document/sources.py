@@ -109,7 +109,7 @@ class Elements:
         """
         self._parts = {obj: world_shape(obj) for obj, _ in links}
         if len(self._parts) > 1:
-            self._parts = {obj: _without_location(part) for obj, part in self._parts.items()}
+            self._parts = {obj: without_location(part) for obj, part in self._parts.items()}
         self.shapes = [self._find(obj, name) for obj, name in links]
 
     def _find(self, obj, name):
@@ -146,7 +146,7 @@ class Model:
         if len(self.parts) == 1:
             self.shape = self.parts[0]
         else:
-            self.parts = [_without_location(part) for part in self.parts]
+            self.parts = [without_location(part) for part in self.parts]
             self.shape = Part.Compound(self.parts)
 
     def owners(self, kind, numbers):
@@ -156,7 +156,7 @@ class Model:
         """
         wanted = set(numbers)
         whole = _elements(self.shape, kind)
-        index = _Index((number, whole[number - 1]) for number in wanted)
+        index = Index((number, whole[number - 1]) for number in wanted)
         prefix = {"faces": "Face", "edges": "Edge"}[kind]
         owners = {}
         for obj, part in zip(self.objects, self.parts):
@@ -167,13 +167,13 @@ class Model:
         return owners
 
 
-def _without_location(shape):
+def without_location(shape):
     """Return the same faces and edges in the same order, without an identity location.
 
     FreeCAD gives the shape of each object a location of its own. With it, an edge that two objects
-    share looks like two edges. The location of a single face cannot be removed.
+    share looks like two edges. The location of a single face or edge cannot be removed.
     """
-    if shape.ShapeType == "Face" or not shape.Placement.isIdentity():
+    if shape.ShapeType in ("Face", "Edge") or not shape.Placement.isIdentity():
         return shape
     return Part.Compound(shape.childShapes(True, False))
 
@@ -182,7 +182,7 @@ def _elements(shape, kind):
     return shape.Faces if kind == "faces" else shape.Edges
 
 
-class _Index:
+class Index:
     """Numbers of shapes, which are found again by identity."""
 
     def __init__(self, numbered):

@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The task panel of all surfaces: that of objects with options, with a table of the seams."""
+
+from freecad.seamwright.document import sources
+from freecad.seamwright.document.feature import report_of
+from freecad.seamwright.document.surfaces.chain import tangent_chain
+from freecad.seamwright.document.surfaces.extend import UP_TO
+from freecad.seamwright.gui.base.option_panel import OptionPanel, SourceBox, sentence
+from freecad.seamwright.gui.base.preview_panel import TEXT_COLOURS
+from freecad.seamwright.gui.scene.zebra import zebra
+from freecad.seamwright.gui.widgets import messages
+from freecad.seamwright.gui.widgets.forms import make_box, make_text, show_seams_in
+from freecad.seamwright.gui.widgets.qt import QtGui, QtWidgets
+from freecad.seamwright.plain import repair_text, surface_text
+
+TABLE_HEIGHT = 110
+
+
+class SurfacePanel(OptionPanel):
+    """Shows and changes one surface; ``created``: Cancel removes it."""
+
+    DOCK_WIDTH = 560
+
+    def release(self):
+        """Stop computing; remove handles, names of the sides and stripes."""
+        super().release()
+        self._show_marks()
+        self._stripe(False)
+
+    # The window.
+
+    def build_sources(self, name, title, tip):
+        """Return the SourceBox of a property."""
+        box = SourceBox(title, "Use what is selected now instead: %s" % _small(tip))
+        if name != UP_TO:
+            box.chain = QtWidgets.QPushButton("Tangent chain")
+            box.chain.setToolTip("Add the edges that go on with the tangent of those chosen")
+            box.line.addWidget(box.chain)
+            box.chain.clicked.connect(lambda *_: self._add_chain(name))
+        return box
+
+    def build_result(self):
+        """Return the box of the result; it has ``summary``."""
+        box, layout = make_box("Result")
+        self.summary = make_text()
+        self.table = QtWidgets.QTableWidget(0, len(surface_text.COLUMNS))
+        self.table.setHorizontalHeaderLabels([heading for heading, _ in surface_text.COLUMNS])
+        for column, (_, tip) in enumerate(surface_text.COLUMNS):
+            self.table.horizontalHeaderItem(column).setToolTip(tip)
+        self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
+        show_seams_in(self.table, TABLE_HEIGHT)
+        header = self.table.horizontalHeader()
+        header.setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
+        header.setStretchLastSection(True)
+        self.zebra = QtWidgets.QCheckBox("Zebra stripes")
+        self.zebra.setToolTip("Draw zebra stripes on the surface and on the faces beside it")
+        for widget in (self.summary, self.table, self.zebra):
+            layout.addWidget(widget)
+        return box
+
+    def _connect(self):
+        super()._connect()
+        self.zebra.toggled.connect(self._stripe)
+
+    # Actions.
+
+    def check(self, name, chosen):
+        """Raise SourceError or ValueError where a property cannot have these links."""
+        self.obj.Proxy.check(name, chosen)
+
+    def refresh(self):
+        """Show the results as they are stored now."""
+        super().refresh()
+        rows = surface_text.build_rows(report_of(self.obj))
+        self.table.setRowCount(len(rows))
+        for line, row in enumerate(rows):
+            state = repair_text.REPAIRED if row.met else repair_text.NOT_REPAIRED
+            for column, text in enumerate(row.cells):
+                item = QtWidgets.QTableWidgetItem(text)
+                item.setToolTip(row.detail)
+                self.table.setItem(line, column, item)
+            item.setForeground(QtGui.QBrush(QtGui.QColor(*TEXT_COLOURS[state])))
+        self._show_marks()
+
+    def _show_marks(self):
+        marks = [] if self._ended else self.obj.Proxy.marks(report_of(self.obj))
+        self.obj.ViewObject.Proxy.mark([], [], [(tuple(point), text) for point, text in marks])
+
+    def _add_chain(self, name):
+        try:
+            chain = tangent_chain(self.links(name))
+        except (sources.SourceError, ValueError) as error:
+            messages.show_error(sentence(error))
+            return
+        self.use(name, chain)
+
+    def _stripe(self, striped):
+        if not striped:
+            zebra.hide(self._striped)
+            self._striped = []
+            return
+        fresh = [self.obj, *self.sources()]
+        fresh = [each for each in fresh if each not in zebra.objects(self._doc)]
+        if zebra.show(fresh):
+            self._striped = fresh
+
+    _striped = ()
+
+
+def _small(text):
+    return text[:1].lower() + text[1:]
