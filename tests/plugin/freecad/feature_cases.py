@@ -12,6 +12,8 @@ from document_cases import ABSENT, DocumentCase
 from freecad.seamwright.document import analysis, corner, feature, fill, match, repair
 from freecad.seamwright.document.curves import curve
 from freecad.seamwright.document.curves.kinds import KINDS
+from freecad.seamwright.document.surfaces import surface
+from freecad.seamwright.document.surfaces.kinds import KINDS as SURFACES
 
 FEATURES = (
     analysis.SeamAnalysis,
@@ -20,6 +22,7 @@ FEATURES = (
     match.MatchSurfaces,
     repair.SeamRepair,
     *KINDS.values(),
+    *SURFACES.values(),
 )
 
 #: Written into documents; it must never change.
@@ -27,10 +30,12 @@ PATHS = {
     "SeamAnalysis": "freecad.seamwright.document.analysis",
     "Arcs": "freecad.seamwright.document.curves.arcs",
     "BlendCurves": "freecad.seamwright.document.curves.blend",
+    "BlendSurface": "freecad.seamwright.document.surfaces.blend",
     "BridgeCurve": "freecad.seamwright.document.curves.bridge",
     "Clothoid": "freecad.seamwright.document.curves.clothoid",
     "Conic": "freecad.seamwright.document.curves.conic",
     "CornerFillet": "freecad.seamwright.document.corner",
+    "ExtendSurface": "freecad.seamwright.document.surfaces.extend",
     "FairCurve": "freecad.seamwright.document.curves.fair",
     "Spline": "freecad.seamwright.document.curves.spline",
     "UmbrellaFill": "freecad.seamwright.document.fill",
@@ -71,6 +76,7 @@ class Proxies(DocumentCase):
         for place, obj in enumerate(objects):
             self.assertEqual([test(obj) for test in tests], [place == k for k in range(len(tests))])
             self.assertEqual(curve.is_curve(obj), obj.Name in KINDS)
+            self.assertEqual(surface.is_surface(obj), obj.Name in SURFACES)
 
     def test_an_object_that_lacks_all_properties_gets_them(self):
         for each in FEATURES:

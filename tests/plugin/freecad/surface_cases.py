@@ -312,8 +312,8 @@ class Extensions(SurfaceCase):
 
     def test_a_side_is_continued_up_to_a_face(self):
         low, _ = self.sheets()
-        corners = ((40, -50, -100), (40, 100, -100), (40, 100, 100), (40, -50, 100), (40, -50, -100))
-        wall = Part.Face(Part.makePolygon([App.Vector(*corner) for corner in corners]))
+        corners = ((-50, -100), (100, -100), (100, 100), (-50, 100), (-50, -100))
+        wall = Part.Face(Part.makePolygon([App.Vector(40, y, z) for y, z in corners]))
         wall = models.add(self.doc, wall, "Wall")
         self.doc.recompute()
         obj = kinds.create("ExtendSurface", [(low, at_x(low, 30)), (wall, "Face1")])

@@ -1,0 +1,221 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Surfaces in FreeCAD's window; run by run_freecad.py --window."""
+
+import FreeCADGui as Gui
+import models
+import Part
+from curve_cases import slot
+from surface_cases import around_a_hole, at_x, sheet
+from window import PanelWindow, click, messages, settle, whole_window
+
+from freecad.seamwright.document.surfaces import surface
+from freecad.seamwright.document.surfaces.kinds import KINDS
+from freecad.seamwright.gui.base.option_panel import PREVIEW_AFTER_MS
+from freecad.seamwright.gui.scene.zebra import zebra
+
+
+class SurfaceWindow(PanelWindow):
+    is_made = staticmethod(surface.is_surface)
+
+    def setUp(self):
+        super().setUp()
+        self.doc.UndoMode = 1
+        self.low = models.add(self.doc, sheet(0, 0, 0.3), "Low")
+        self.high = models.add(self.doc, sheet(60, 8, -0.2), "High")
+        self.doc.recompute()
+        self.doc.clearUndos()
+        self.start_edge = self.low, at_x(self.low, 30)
+        self.end_edge = self.high, at_x(self.high, 60)
+
+    def start(self, kind, *chosen):
+        self.COMMAND = "Seamwright_" + kind
+        found = self.run_selected(chosen)
+        if found[0] is not None:
+            self.fit()
+        return found
+
+    def blend(self):
+        return self.start("BlendSurface", self.start_edge, self.end_edge)
+
+    def select(self, *chosen):
+        Gui.Selection.clearSelection()
+        for obj, name in chosen:
+            Gui.Selection.addSelection(self.doc.Name, obj.Name, name)
+
+    def set_field(self, panel, argument, value):
+        panel.options.fields[argument].show_value(value)
+        settle(0.1 + PREVIEW_AFTER_MS / 1000)
+
+    def use(self, panel, name):
+        click(panel.boxes[name].use, panel.boxes[name].use.rect().center())
+
+
+class Panel(SurfaceWindow):
+    def test_each_kind_is_made_accepted_undone_and_done_again(self):
+        chosen = {"ExtendSurface": [self.start_edge]}
+        for kind in KINDS:
+            with self.subTest(kind):
+                steps, before = self.doc.UndoCount, self.doc.Objects
+                obj, panel = self.start(kind, *chosen.get(kind, [self.start_edge, self.end_edge]))
+                self.assertEqual(panel.summary.text(), obj.Summary)
+                self.assertTrue(obj.Reached and not obj.Shape.isNull())
+                whole_window("surface-" + kind)
+                self.ok()
+                self.assertIsNone(obj.ViewObject.Proxy.panel)
+                self.assertEqual(self.doc.UndoCount, steps + 1)
+                self.doc.undo()
+                settle()
+                self.assertEqual(self.doc.Objects, before)
+                self.doc.redo()
+                settle()
+                (again,) = [each for each in self.doc.Objects if each not in before]
+                self.assertFalse(again.Shape.isNull())
+                self.doc.removeObject(again.Name)
+
+    def test_the_figures_follow_the_fields(self):
+        obj, panel = self.blend()
+        self.assertEqual(self.column(panel, 0), ["Start", "End"])
+        names = ["%s.%s" % (each.Label, name) for each, name in (self.start_edge, self.end_edge)]
+        self.assertEqual(self.column(panel, 1), names)
+        self.assertEqual(self.column(panel, 5), ["G2 is met", "G2 is met"])
+        self.assertTrue(panel.options.fields["start_tension"].widget.isVisible())
+        self.set_field(panel, "start_order", "G0")
+        self.assertFalse(panel.options.fields["start_tension"].widget.isVisible())
+        self.assertEqual(obj.StartOrder, "G0")
+        self.assertEqual(self.column(panel, 5), ["G0 is met", "G2 is met"])
+        self.assertGreater(float(self.column(panel, 3)[0].split("..")[0]), 1)
+        self.set_field(panel, "end_order", "G3")
+        self.assertEqual(self.column(panel, 5)[1], "G3 is met")
+        area = obj.Shape.Area
+        self.set_field(panel, "end_tension", 2.0)
+        self.assertGreater(abs(obj.Shape.Area - area), 0.5)
+        self.set_field(panel, "gap_mm", 0.0)
+        self.assertFalse(obj.Reached)
+        self.assertIn("Not reached", panel.summary.text())
+        self.cancel()
+        self.assertEqual((self.made(), self.doc.UndoCount), ([], 0))
+
+    def test_cancel_of_a_later_change_restores_the_values(self):
+        obj, _ = self.blend()
+        self.ok()
+        for undo in (1, 0):
+            self.doc.UndoMode = undo
+            obj.ViewObject.Proxy.doubleClicked(obj.ViewObject)
+            settle()
+            panel = obj.ViewObject.Proxy.panel
+            self.set_field(panel, "start_order", "G0")
+            self.select((self.high, at_x(self.high, 90)))
+            self.use(panel, "End")
+            self.assertEqual(obj.End, [(self.high, (at_x(self.high, 90),))])
+            self.cancel()
+            self.assertEqual((obj.StartOrder, obj.End), ("G2", [(self.high, (self.end_edge[1],))]))
+            self.assertTrue(obj.Reached)
+
+    def test_a_tension_is_changed_by_its_handle(self):
+        obj, panel = self.blend()
+        self.assertEqual(sorted(panel._handles), ["end_tension", "start_tension"])
+        handle = panel._handles["start_tension"]
+        handle.dragger.translation = (2 * handle._unit, 0.0, 0.0)
+        settle(0.2 + PREVIEW_AFTER_MS / 1000)
+        self.assertAlmostEqual(obj.StartTension, 2, delta=1e-6)
+        self.assertTrue(obj.Reached)
+        self.ok()
+        self.assertEqual(panel._handles, {})
+
+    def test_stripes_are_drawn_while_the_panel_is_open(self):
+        obj, panel = self.blend()
+        panel.zebra.setChecked(True)
+        settle()
+        self.assertEqual(set(zebra.objects(self.doc)), {obj, self.low, self.high})
+        whole_window("surface-stripes")
+        self.set_field(panel, "start_order", "G1")
+        settle()
+        whole_window("surface-stripes-g1")
+        panel.zebra.setChecked(False)
+        self.assertEqual(zebra.objects(self.doc), [])
+        panel.zebra.setChecked(True)
+        self.ok()
+        self.assertEqual(zebra.objects(self.doc), [])
+
+
+class Picking(SurfaceWindow):
+    def test_a_bad_selection_is_one_sentence_and_changes_nothing(self):
+        box = self.doc.addObject("Part::Box", "Box")
+        self.doc.recompute()
+        self.doc.clearUndos()
+        for kind, chosen, text in (
+            ("BlendSurface", [], "Nothing is selected: select the edges of two sides"),
+            ("BlendSurface", [self.start_edge], "1 edges are chosen, in 1 chains: select"),
+            ("ExtendSurface", [(box, "Edge1")], "Box.Edge1 lies between Box.Face"),
+        ):
+            with self.subTest(text):
+                self.start(kind, *chosen)
+                (found,) = messages()
+                self.assertTrue(found.startswith(text) and found.count(". ") == 0, found)
+                self.assertEqual((self.made(), self.doc.UndoCount), ([], 0))
+                self.assertFalse(self.doc.HasPendingTransaction)
+
+    def test_a_side_is_picked_again_and_a_bad_pick_is_refused(self):
+        box = self.doc.addObject("Part::Box", "Box")
+        self.doc.recompute()
+        obj, panel = self.blend()
+        self.assertEqual(panel.boxes["Lateral"].chosen.text(), "nothing")
+        self.select((box, "Edge1"))
+        self.use(panel, "Start")
+        self.assertIn("lies between", messages()[0])
+        self.select((self.high, at_x(self.high, 90)))
+        self.use(panel, "End")
+        self.assertEqual(panel.boxes["End"].chosen.text(), "High." + at_x(self.high, 90))
+        self.select((obj, "Edge1"))
+        self.use(panel, "End")
+        self.assertIn("No edge is chosen", messages()[0])
+        self.ok()
+        self.assertEqual(obj.End, [(self.high, (at_x(self.high, 90),))])
+
+    def test_four_edges_around_a_hole(self):
+        shell = models.add(self.doc, around_a_hole(), "Shell")
+        for each in (self.low, self.high):
+            each.ViewObject.Visibility = False
+        self.doc.recompute()
+        inside = [
+            (shell, "Edge%d" % number)
+            for number, edge in enumerate(shell.Shape.Edges, 1)
+            if all(19.9 < c < 40.1 for p in edge.discretize(3) for c in (p.x, p.y))
+        ]
+        obj, panel = self.start("BlendSurface", *inside)
+        self.set_field(panel, "lateral_order", "G1")
+        self.assertEqual(sorted(self.column(panel, 0)), ["End", "Lateral", "Lateral", "Start"])
+        self.assertTrue(obj.Reached)
+        whole_window("surface-hole")
+        self.select()
+        self.use(panel, "Lateral")
+        self.assertEqual((obj.Lateral, self.column(panel, 0)), ([], ["Start", "End"]))
+        self.cancel()
+
+    def test_a_chain_is_added_with_one_click(self):
+        face = models.add(self.doc, Part.Face(slot()), "Slot")
+        for each in (self.low, self.high):
+            each.ViewObject.Visibility = False
+        self.doc.recompute()
+        obj, panel = self.start("ExtendSurface", (face, "Edge1"))
+        click(panel.boxes["Side"].chain, panel.boxes["Side"].chain.rect().center())
+        self.assertEqual(len(obj.Side[0][1]), 4)
+        self.assertTrue(obj.Reached)
+        self.assertEqual(len(self.column(panel, 0)), 4)
+        whole_window("surface-chain")
+        self.ok()
+
+    def test_an_extension_ends_at_a_face(self):
+        obj, panel = self.start("ExtendSurface", self.start_edge)
+        self.assertEqual(list(panel._handles), ["length_mm"])
+        wall = models.add(self.doc, Part.makePlane(300, 300), "Wall")
+        wall.Placement.Base.z = 13
+        wall.Placement.Base.x = wall.Placement.Base.y = -100
+        self.doc.recompute()
+        self.select((wall, "Face1"))
+        self.use(panel, "UpTo")
+        self.set_field(panel, "until", "Face")
+        self.assertFalse(panel.options.fields["length_mm"].widget.isVisible())
+        self.assertEqual((panel.summary.text(), panel._handles), (obj.Summary, {}))
+        self.assertTrue(obj.Reached, obj.Summary)
+        self.ok()
