@@ -20,13 +20,16 @@ TOLERANCES = (
     ("GapTolerance", "gap_mm", "App::PropertyLength", 0.001,
      "Largest distance between the two sides of each new seam, in mm"),
     ("AngleTolerance", "angle_deg", "App::PropertyAngle", 0.01,
-     "Largest angle between the tangent planes of each new seam for G1, in degrees"),
+     "Largest angle between the tangent planes of each new seam for G1 and G2, in degrees"),
+    ("CurvatureTolerance", "curvature_rel", "App::PropertyFloat", 0.02,
+     "Largest relative difference of curvature of each new seam for G2; 0.02 is 2 %"),
     ("CornerAngle", "corner_deg", "App::PropertyAngle", 15.0,
      "A side of a hole ends where its tangent turns by more than this, in degrees"),
 )  # fmt: skip
 
 #: For G0 the new faces only have to meet in position.
-TARGETS = ["G1", "G0"]
+TARGETS = ["G0", "G1", "G2"]
+DEFAULT_TARGET = "G1"
 
 #: property, kind of element, help
 ELEMENTS = (
@@ -70,7 +73,7 @@ class UmbrellaFill(feature.Feature):
             "Fill",
             "Level that every new seam must meet; G0: position only",
             TARGETS,
-            TARGETS[0],
+            DEFAULT_TARGET,
         )
         tip = "Keep a fill even if it misses the target"
         adder.add("App::PropertyBool", "KeepAnyway", "Fill", tip)
@@ -248,10 +251,10 @@ def create(source, *, edges=(), face=None, target="G1", keep_anyway=False, **tol
 
     ``edges``: ["Edge5", ...] or [5, ...]; the holes of these edges are filled. One edge of each
     hole is enough. Without edges, all holes except the outer boundaries are filled. ``face``:
-    "Face3" or 3; this face is taken out and replaced instead. ``target``: "G1", or "G0" for
-    position only. ``keep_anyway``: also keep fills that miss the target. ``tolerances``: gap_mm,
-    angle_deg, corner_deg, and profile, a name of profiles.PROFILES, for gap and angle. Raises
-    TypeError and ValueError for bad arguments, kernel.KernelUnavailable when the compiled part is
+    "Face3" or 3; this face is taken out and replaced instead. ``target``: "G0"
+    (position only), "G1" or "G2". ``keep_anyway``: also keep fills that miss the target.
+    ``tolerances``: gap_mm, angle_deg, curvature_rel, corner_deg, and profile, a name of
+    profiles.PROFILES, for the first three. Raises TypeError and ValueError for bad arguments, kernel.KernelUnavailable when the compiled part is
     missing. Where no hole could be filled, the object has no shape and ``error_text`` says why.
     """
     obj = prepare(

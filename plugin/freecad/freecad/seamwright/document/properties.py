@@ -54,10 +54,17 @@ class Adder:
             setattr(self._obj, name, default)
 
     def add_choice(self, name, group, tip, choices, default):
-        """Add one property that has one of several values."""
+        """Add one property that has one of several values.
+
+        A property of an older version gets the values that it lacks.
+        """
         if self.add("App::PropertyEnumeration", name, group, tip):
             setattr(self._obj, name, list(choices))
             setattr(self._obj, name, default)
+        elif self._obj.getEnumerationsOfProperty(name) != list(choices):
+            kept = getattr(self._obj, name)
+            setattr(self._obj, name, list(choices))
+            setattr(self._obj, name, kept)
 
     def add_tolerances(self, table):
         """Add the properties of a table such as ``TOLERANCES``."""
