@@ -291,18 +291,6 @@ FaceNames namesOf(const Corner& corner, const RoundedOutside& rounded, const Ban
   return [names](int face) { return names[static_cast<std::size_t>(face)]; };
 }
 
-/// Returns a corner that was made with inside and outside exchanged to the order and orientation of
-/// its solid.
-BandedCorner turnedBack(BandedCorner made) {
-  made.shell.shell.Reverse();
-  std::ranges::reverse(made.edges);
-  for (CornerFilletEdge& edge : made.edges) edge.convex = !edge.convex;
-  std::ranges::reverse(made.fill.patches);
-  for (BezierPatch& patch : made.fill.patches) patch = patch.transposed();
-  std::ranges::reverse(made.fill.corners);
-  return made;
-}
-
 /// Parameters of an attempt.
 struct Attempt {
   double margin = 1;    ///< radius of the ball over that needed for planes
@@ -311,7 +299,7 @@ struct Attempt {
 
 /// A finished corner, and whether it reaches the target.
 struct Made {
-  BandedCorner corner;
+  RoundedCorner corner;
   bool reached = false;
 
   /// Rank of the corner: the better of two has the larger rank.
@@ -353,7 +341,10 @@ Made tried(const Corner& corner, std::vector<CornerStrip> strips,
                namesOf(corner, rounded, trimmer, holed), progress);
   if (!report.filled) throw CornerRefused(corner_why::notFilled(textOf(report.reason)));
 
-  Made made{{shellOf(report, corner), {}, fillOf(report), 0}, report.reached};
+  Made made;
+  made.corner.shell = shellOf(report, corner);
+  made.corner.fill = fillOf(report);
+  made.reached = report.reached;
   for (const FilledSide& side : report.sides)
     made.corner.section_error_mm = std::max(made.corner.section_error_mm, side.gap_mm);
   for (std::size_t i = 0; i < corner.count(); ++i)
@@ -365,8 +356,8 @@ Made tried(const Corner& corner, std::vector<CornerStrip> strips,
 
 }  // namespace
 
-BandedCorner bandedCorner(const Corner& given, const CornerFilletOptions& options,
-                          const Progress& progress) {
+RoundedCorner bandedCorner(const Corner& given, const CornerFilletOptions& options,
+                           const Progress& progress) {
   const std::pair<Corner, bool> alone = ofShellAlone(given);
   const Corner& corner = alone.first;
   const std::vector<CornerStrip> strips = cornerStrips(corner, options);

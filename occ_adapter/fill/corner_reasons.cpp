@@ -109,6 +109,8 @@ std::string betweenText(CornerSeamKind kind, int face) {
       return "a patch and " + faceText(face);
     case CornerSeamKind::Contact:
       return "a fillet and " + faceText(face);
+    case CornerSeamKind::Fillets:
+      return "two fillets";
   }
   return {};
 }
@@ -333,6 +335,11 @@ CornerReason edgeHasNoFillet(const EdgeOutside& at) {
 
 CornerReason filletMissesBall(const EdgeOutside& at) {
   return outsideBall(at, "its fillet, or the face after it, does not come to the ball");
+}
+
+CornerReason openCascadeHasNone() {
+  return {.fault = CornerFault::NotRounded,
+          .text = "OpenCASCADE makes no fillet of all edges at the vertex"};
 }
 
 CornerReason filletApart(int edge) {

@@ -110,6 +110,9 @@ CornerReason edgeHasNoFillet(const EdgeOutside& at);
 /// The fillet, or the next face, does not reach the ball.
 CornerReason filletMissesBall(const EdgeOutside& at);
 
+/// OpenCASCADE makes no fillet of all edges at once that closes the corner.
+CornerReason openCascadeHasNone();
+
 // Sections and spring curves are not found.
 
 /// The fillet and the face beside it reach the ball in different points.

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <seamwright/occ_adapter/fill/corner.hpp>
+#include <seamwright/occ_adapter/fill/rounded_corner.hpp>
+
+/// The corner as OpenCASCADE rounds it. Not a public header.
+namespace seamwright::occ {
+
+/// Rounds all edges of the corner by one BRepFilletAPI_MakeFillet, which closes the corner too. All
+/// new seams are named: also those of fillets that run on along smooth chains of edges, and of two
+/// fillets that meet without a face between them.
+/// \throws CornerRefused if OpenCASCADE makes no valid solid of the corner's shell, divides a face,
+/// or can't give each edge its radius; std::invalid_argument as cornerFillet().
+RoundedCorner openCascadeCorner(const Corner& corner, const CornerFilletOptions& options);
+
+}  // namespace seamwright::occ
