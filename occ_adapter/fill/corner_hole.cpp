@@ -267,7 +267,8 @@ corner_why::SetBackFillet setBackFillet(const Corner& corner,
           .edge_mm = length_mm,
           .setback_mm = strips[i].setback_mm,
           .cause = corner.edges[cause].number,
-          .cause_radius_mm = strips[cause].radius_mm};
+          .cause_radius_mm = strips[cause].radius_mm,
+          .given = options.setback_mm(edge).has_value()};
 }
 
 CornerHole cornerHole(const Corner& corner, const CornerFilletOptions& options) {

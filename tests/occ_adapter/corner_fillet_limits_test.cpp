@@ -39,6 +39,17 @@ std::string messageOf(const std::function<void()>& work) {
   return "nothing thrown";
 }
 
+/// The factor of the radii that a refusal names; 0 if there is none.
+double factorOf(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const occ::CornerRefused& refused) {
+    for (const auto& [name, value] : refused.reason().numbers)
+      if (name == "factor") return value;
+  }
+  return 0;
+}
+
 /// The corner at the origin of a cube of side 10: edges 1, 4 and 9.
 struct CubeCorner {
   Model model = modelFromShape(BRepPrimAPI_MakeBox(10, 10, 10).Shape());
@@ -46,6 +57,7 @@ struct CubeCorner {
   CornerFilletOptions options;
 
   CubeCorner() {
+    options.patches_only = true;
     for (const int edge : occ::cornerEdges(model, vertex)) options.radii_mm[edge] = 1;
   }
   template <class Error>
@@ -116,11 +128,20 @@ TEST(CornerFilletLimits, TheEdgeWhoseRadiusIsTooLargeIsNamed) {
   const std::vector<int> edges = occ::cornerEdges(model, vertex);
   for (const int large : edges) {
     CornerFilletOptions options;
+    options.patches_only = true;
     for (const int edge : edges) options.radii_mm[edge] = edge == large ? 28 : 0.5;
     const std::string said =
         messageOf<std::domain_error>([&] { cornerFillet(model, vertex, options); });
     EXPECT_EQ(said.rfind("edge " + std::to_string(large) + ": with a radius of 28 mm there", 0), 0U)
         << said;
+    // The numbers that the text names have room.
+    const double factor = factorOf([&] { cornerFillet(model, vertex, options); });
+    ASSERT_LT(factor, 1);
+    for (auto& [edge, radius_mm] : options.radii_mm) radius_mm *= factor;
+    EXPECT_EQ(messageOf<std::domain_error>([&] {
+                cornerFillet(model, vertex, options);
+              }).find("set back by"),
+              std::string::npos);
     options.radii_mm[large] = 0.5;
     const std::string alone = messageOf<std::domain_error>([&] {
       options.setbacks_mm[large] = 40;
@@ -150,13 +171,14 @@ TEST(CornerFilletLimits, FilletsThatRunIntoAVoidAreNoCorners) {
   const Model model = modelFromShape(hollow);
   const int vertex = vertexAt(hollow, {0, 0, 20});
   CornerFilletOptions options;
+  options.patches_only = true;
   for (const int edge : occ::cornerEdges(model, vertex)) options.radii_mm[edge] = 2;
   EXPECT_THAT(cornerFillet(model, vertex, options).shortfall.text, HasSubstr("runs into face"));
   for (auto& [edge, radius_mm] : options.radii_mm) radius_mm = 0.2;
   EXPECT_EQ(cornerFillet(model, vertex, options).shortfall.text, "");
 }
 
-TEST(CornerFilletLimits, FilletsThatReachBeyondAFarEdgeAreRefused) {
+TEST(CornerFilletLimits, FilletsThatReachBeyondAFarEdgeAreRefusedWithRadiiThatDoNot) {
   const TopoDS_Shape tapered = polyhedron(
       {{0, 0, 0},
        {0, 10, 0},
@@ -169,14 +191,27 @@ TEST(CornerFilletLimits, FilletsThatReachBeyondAFarEdgeAreRefused) {
       {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 4, 7, 3}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}});
   const Model model = modelFromShape(tapered);
   const int vertex = vertexAt(tapered, {0, 0, 0});
-  const auto refusal = [&](double radius_mm) {
+  const auto reasonAt = [&](double radius_mm) {
     CornerFilletOptions options;
+    options.patches_only = true;
     for (const int edge : occ::cornerEdges(model, vertex)) options.radii_mm[edge] = radius_mm;
-    return messageOf<std::domain_error>([&] { cornerFillet(model, vertex, options); });
+    try {
+      cornerFillet(model, vertex, options);
+      return occ::CornerReason();
+    } catch (const occ::CornerRefused& refused) {
+      return refused.reason();
+    }
   };
-  EXPECT_EQ(refusal(1), "nothing thrown");
-  EXPECT_THAT(refusal(3),
-              testing::ContainsRegex("^edge [0-9]+, 2 mm long, at a far end would be cut from"));
+  EXPECT_TRUE(reasonAt(1).empty());
+  const occ::CornerReason cut = reasonAt(3);
+  EXPECT_EQ(cut.fault, occ::CornerFault::FarEdgeCut);
+  EXPECT_THAT(cut.text, testing::ContainsRegex("^edge [0-9]+, 2 mm long, at a far end: the fillet "
+                                               "of edge [0-9]+, radius 3 mm, takes [0-9.]+ mm of "
+                                               "it; a radius of [0-9.]+ mm or less would leave"));
+  ASSERT_EQ(cut.numbers.back().first, "factor");
+  const double factor = cut.numbers.back().second;
+  EXPECT_TRUE(reasonAt(3 * factor).empty());
+  EXPECT_FALSE(reasonAt(3 * factor * 1.003).empty());
 }
 
 TEST(CornerFilletLimits, CornersOfOtherKindsAreRefused) {
@@ -199,6 +234,7 @@ TEST(CornerFilletLimits, SectionsThatAPolynomialCanNotFollowAreRefused) {
   const Model model = modelFromShape(blade);
   const int vertex = vertexAt(blade, {0, 0, 0});
   CornerFilletOptions options;
+  options.patches_only = true;
   options.section_mm = 1e-9;
   for (const int edge : occ::cornerEdges(model, vertex)) options.radii_mm[edge] = 10;
   EXPECT_THAT(messageOf<std::domain_error>([&] { cornerFillet(model, vertex, options); }),
@@ -245,6 +281,7 @@ TEST(CornerFilletLimits, FilletsAcrossABoreFailTheChecks) {
       modelFromShape(BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(10, 10, 10).Shape(), bore).Shape());
   const int vertex = vertexAt(model.shape, {0, 0, 0});
   CornerFilletOptions options;
+  options.patches_only = true;
   for (const int edge : occ::cornerEdges(model, vertex)) options.radii_mm[edge] = 1.5;
   const occ::CornerFillet crossed = cornerFillet(model, vertex, options);
   EXPECT_FALSE(crossed.valid || crossed.met());
