@@ -126,7 +126,7 @@ class OutsideRounder {
     if (solid.More()) throw CornerRefused(corner_why::ballDividesSolid(ball_mm_));
     for (std::size_t i = 0; i < corner_.count(); ++i) add(i, fillets);
     fillets.Build();
-    if (!fillets.IsDone()) throw CornerRefused(corner_why::notRounded(ball_mm_));
+    if (!fillets.IsDone()) throw CornerRefused(whyNotRounded(fillets));
     TopExp_Explorer rounded(fillets.Shape(), TopAbs_SOLID);
     if (!rounded.More()) throw CornerRefused(corner_why::noSolid(ball_mm_));
     repaired_ = repairedSolid(rounded.Current());
@@ -163,6 +163,17 @@ class OutsideRounder {
     fillets.Add(strips_[i].radius_mm, edge);
     if (fillets.Contour(edge) == 0) throw CornerRefused(corner_why::edgeHasNoFillet(outside(i)));
     edges_.push_back(edge);
+  }
+
+  CornerReason whyNotRounded(const BRepFilletAPI_MakeFillet& fillets) const {
+    std::vector<int> edges;
+    for (std::size_t i = 0; i < edges_.size(); ++i)
+      if (fillets.StripeStatus(fillets.Contour(edges_[i])) != ChFiDS_Ok)
+        edges.push_back(corner_.edges[i].number);
+    std::vector<Vector3d> points;
+    for (int k = 1; k <= fillets.NbFaultyVertices(); ++k)
+      points.push_back(vector(BRep_Tool::Pnt(fillets.FaultyVertex(k)).XYZ()));
+    return corner_why::notRounded(ball_mm_, edges, points);
   }
 
   /// The face after both steps; a null face if it is gone or split.

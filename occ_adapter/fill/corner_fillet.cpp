@@ -62,7 +62,7 @@ std::vector<CornerFilletEdge> described(const Corner& corner, const CornerHole& 
     const CornerEdge& edge = corner.edges[i];
     const CornerStrip& strip = hole.strips[i];
     edges.push_back({edge.number, edge.convex, edge.opening_rad, strip.radius_mm, strip.contact_mm,
-                     strip.setback_mm});
+                     strip.setback_mm, true});
   }
   return edges;
 }

@@ -45,7 +45,7 @@ enum class CornerSeamKind {
 /// What closes the corner between the fillets.
 enum class CornerFiller {
   Patches,     ///< of nSidedFill() or fillHole()
-  OpenCascade  ///< the fillet that BRepFilletAPI_MakeFillet makes of all edges at once
+  OpenCascade  ///< the fillets that BRepFilletAPI_MakeFillet makes of all edges
 };
 
 struct CornerSeam {
@@ -62,6 +62,7 @@ struct CornerFilletEdge {
   double radius_mm = 0;
   double contact_mm = 0;  ///< distance of the contact lines from the edge, at the section
   double setback_mm = 0;  ///< 0 where OpenCASCADE fills the corner: the fillet is not set back
+  bool rounded = true;    ///< false: nearly smooth, and OpenCASCADE leaves it as it is
 };
 
 struct CornerFillet {

@@ -10,10 +10,11 @@
 #include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
-#include <array>
-#include <map>
+#include <numbers>
+#include <numeric>
 #include <optional>
-#include <set>
+#include <utility>
+#include <vector>
 
 #include <seamwright/occ_adapter/fill/corner_hole.hpp>
 #include <seamwright/occ_adapter/fill/corner_opencascade.hpp>
@@ -31,127 +32,216 @@ struct FilletParams {
   double tang, tesp, t2d, tapp3d, tolapp2d, fleche;
 };
 
-/// The fillets of a corner's edges, with the faces of its shell.
-class WholeFillet {
+/// Sets of faces, kept from pass to pass.
+using FaceList = std::vector<TopoDS_Shape>;
+
+/// A face that a pass made.
+struct MadeFace {
+  TopoDS_Shape face;
+  bool fillet = false;  ///< of an edge; else it closes a corner between fillets
+  FaceList beside;      ///< the faces that the fillet touches along its edge
+};
+
+/// Fillets of the corner's edges, made in passes, each of them in the solid of the one before.
+class FilletPasses {
  public:
-  WholeFillet(const Corner& corner, const std::vector<CornerStrip>& strips,
-              const FilletParams& with)
-      : corner_(corner), fillets_(corner.solid) {
-    fillets_.SetParams(with.tang, with.tesp, with.t2d, with.tapp3d, with.tolapp2d, with.fleche);
-    for (std::size_t i = 0; i < corner.count(); ++i) add(corner.edges[i], strips[i].radius_mm);
-    fillets_.Build();
-    if (!fillets_.IsDone()) throw CornerRefused(corner_why::openCascadeHasNone());
-    TopExp_Explorer solid(fillets_.Shape(), TopAbs_SOLID);
-    if (!solid.More()) throw CornerRefused(corner_why::openCascadeHasNone());
-    made_ = repairedSolid(solid.Current());
-    TopExp::MapShapes(made_.solid, TopAbs_FACE, faces_);
+  explicit FilletPasses(const Corner& corner) : corner_(corner), solid_(corner.solid) {
+    for (TopExp_Explorer face(corner.shell, TopAbs_FACE); face.More(); face.Next())
+      given_.emplace_back(face.Current(), face.Current());
+    for (const CornerEdge& edge : corner.edges) edges_.push_back(edge.edge);
+    skipped_.resize(corner.count());
   }
 
-  CornerShell shell() {
-    const TopExp_Explorer shell(made_.solid, TopAbs_SHELL);
+  /// Rounds these edges at once. Where edges of a later pass are in one smooth chain, through
+  /// fillets of earlier passes, the radius changes between them.
+  /// \throws CornerRefused if OpenCASCADE does not, or divides a face.
+  void round(const std::vector<std::size_t>& which, const std::vector<CornerStrip>& strips,
+             double crease_rad, const FilletParams& with) {
+    BRepFilletAPI_MakeFillet fillets(solid_);
+    fillets.SetParams(with.tang, with.tesp, with.t2d, with.tapp3d, with.tolapp2d, with.fleche);
+    for (const std::size_t i : which) add(i, strips[i].radius_mm, crease_rad, fillets);
+    if (fillets.NbContours() == 0) throw CornerRefused(corner_why::openCascadeHasNone());
+    shareChains(which, strips, fillets);
+    fillets.Build();
+    if (!fillets.IsDone()) throw CornerRefused(corner_why::openCascadeHasNone());
+    const TopExp_Explorer solid(fillets.Shape(), TopAbs_SOLID);
+    if (!solid.More()) throw CornerRefused(corner_why::openCascadeHasNone());
+    follow(fillets, repairedSolid(solid.Current()));
+    ++passes_;
+  }
+
+  CornerShell shell() const {
     CornerShell result;
-    result.shell = TopoDS::Shell(shell.Current());
-    if (!BRepCheck_Analyzer(made_.solid).IsValid() || !BRep_Tool::IsClosed(result.shell))
+    result.shell = TopoDS::Shell(TopExp_Explorer(solid_, TopAbs_SHELL).Current());
+    if (!BRepCheck_Analyzer(solid_).IsValid() || !BRep_Tool::IsClosed(result.shell))
       throw CornerRefused(corner_why::checksFail());
-    for (TopExp_Explorer given(corner_.shell, TopAbs_FACE); given.More(); given.Next()) {
-      const int now = imageOf(given.Current());
-      if (now == 0) continue;
-      result.became.Bind(given.Current(), faces_(now));
-      given_.insert(now);
-    }
-    readChains();
-    for (const Seam& seam : findSeams(made_.solid).seams)
-      if (const auto kind = kindOf(seam))
-        result.seams.emplace_back(TopoDS::Edge(partsOf(made_.solid, TopAbs_EDGE)(seam.edges[0])),
-                                  *kind);
+    for (const auto& [was, now] : given_)
+      if (!now.IsNull()) result.became.Bind(was, now);
+    const TopTools_IndexedMapOfShape faces = partsOf(solid_, TopAbs_FACE),
+                                     edges = partsOf(solid_, TopAbs_EDGE);
+    for (const Seam& seam : findSeams(solid_).seams)
+      if (const auto kind = kindOf(faces(seam.sides[0].face), faces(seam.sides[1].face)))
+        result.seams.emplace_back(TopoDS::Edge(edges(seam.edges.front())), *kind);
     return result;
   }
 
+  /// Whether OpenCASCADE leaves the edge as it is, because it is nearly smooth.
+  bool skipped(std::size_t i) const { return skipped_[i]; }
+
  private:
-  void add(const CornerEdge& edge, double radius_mm) {
-    if (const int chain = fillets_.Contour(edge.edge); chain > 0) {
-      if (fillets_.Radius(chain) != radius_mm)
-        throw CornerRefused(corner_why::openCascadeHasNone());
-      return;
+  void add(std::size_t i, double radius_mm, double crease_rad, BRepFilletAPI_MakeFillet& fillets) {
+    if (edges_[i].IsNull()) throw CornerRefused(corner_why::openCascadeHasNone());
+    const TopoDS_Edge edge = TopoDS::Edge(edges_[i]);
+    if (fillets.Contour(edge) == 0) fillets.Add(radius_mm, edge);
+    if (fillets.Contour(edge) != 0) return;
+    if (std::numbers::pi - corner_.edges[i].opening_rad > crease_rad)
+      throw CornerRefused(corner_why::openCascadeHasNone());
+    skipped_[i] = true;
+  }
+
+  /// Gives edges of one chain their own radii. In the first pass nothing is between such edges.
+  void shareChains(const std::vector<std::size_t>& which, const std::vector<CornerStrip>& strips,
+                   BRepFilletAPI_MakeFillet& fillets) const {
+    for (const std::size_t i : which) {
+      if (skipped_[i]) continue;
+      const int chain = fillets.Contour(TopoDS::Edge(edges_[i]));
+      const bool differs = std::ranges::any_of(which, [&](std::size_t k) {
+        return !skipped_[k] && strips[k].radius_mm != strips[i].radius_mm &&
+               fillets.Contour(TopoDS::Edge(edges_[k])) == chain;
+      });
+      if (!differs) continue;
+      if (passes_ == 0) throw CornerRefused(corner_why::openCascadeHasNone());
+      fillets.SetRadius(strips[i].radius_mm, chain, TopoDS::Edge(edges_[i]));
     }
-    fillets_.Add(radius_mm, edge.edge);
-    if (fillets_.Contour(edge.edge) == 0) throw CornerRefused(corner_why::openCascadeHasNone());
   }
 
-  /// The number of the face that the given one became; 0 if it is gone.
-  int imageOf(const TopoDS_Shape& given) {
-    const TopTools_ListOfShape& parts = fillets_.Modified(given);
-    if (parts.Extent() > 1) throw CornerRefused(corner_why::openCascadeHasNone());
-    return faces_.FindIndex(made_.imageOf(parts.IsEmpty() ? given : parts.First()));
-  }
-
-  std::set<int> generatedBy(const TopoDS_Shape& part) {
-    std::set<int> numbers;
-    for (const TopoDS_Shape& face : fillets_.Generated(part))
-      if (const int number = faces_.FindIndex(made_.imageOf(face)); number > 0)
-        numbers.insert(number);
-    return numbers;
-  }
-
-  /// Finds the faces that close corners, and the faces that each fillet touches. OpenCASCADE does
-  /// not name all fillets by their edges. The others may touch all faces beside the edges.
-  void readChains() {
-    TopTools_IndexedDataMapOfShapeListOfShape around;
-    TopExp::MapShapesAndUniqueAncestors(corner_.shell, TopAbs_EDGE, TopAbs_FACE, around);
-    for (int chain = 1; chain <= fillets_.NbContours(); ++chain)
-      for (int k = 1; k <= fillets_.NbEdges(chain); ++k) {
-        const TopoDS_Edge edge = fillets_.Edge(chain, k);
-        for (const TopoDS_Vertex& end : {TopExp::FirstVertex(edge), TopExp::LastVertex(edge)})
-          patches_.merge(generatedBy(end));
-        std::set<int> beside;
-        for (const TopoDS_Shape& face : around.FindFromKey(edge))
-          if (const int now = imageOf(face); now > 0) beside.insert(now);
-        for (const int fillet : generatedBy(edge))
-          touched_[fillet].insert(beside.begin(), beside.end());
-        beside_any_.merge(beside);
-      }
-    for (const auto& [fillet, beside] : touched_) patches_.erase(fillet);
-  }
-
-  bool touches(int fillet, int face) const {
-    const auto named = touched_.find(fillet);
-    return (named == touched_.end() ? beside_any_ : named->second).count(face) != 0;
-  }
-
-  /// Nothing for seams that were there before, and for the far ends of fillets.
-  std::optional<CornerSeamKind> kindOf(const Seam& seam) const {
-    const std::array<int, 2> sides = {seam.sides[0].face, seam.sides[1].face};
-    if (sides[0] == sides[1]) return std::nullopt;
-    const auto count = [&sides](const std::set<int>& faces) {
-      return faces.count(sides[0]) + faces.count(sides[1]);
+  /// Finds what became of all faces and edges, and the new faces. OpenCASCADE does not name all
+  /// fillets by their edges.
+  void follow(BRepFilletAPI_MakeFillet& fillets, const RepairedSolid& now) {
+    const TopTools_IndexedMapOfShape faces = partsOf(now.solid, TopAbs_FACE),
+                                     edges = partsOf(now.solid, TopAbs_EDGE);
+    const auto image = [&](const TopoDS_Shape& part) -> TopoDS_Shape {
+      if (part.IsNull()) return part;
+      const TopTools_ListOfShape& parts = fillets.Modified(part);
+      if (parts.Extent() > 1) throw CornerRefused(corner_why::openCascadeHasNone());
+      const TopoDS_Shape after = now.imageOf(parts.IsEmpty() ? part : parts.First());
+      return faces.Contains(after) || edges.Contains(after) ? after : TopoDS_Shape();
     };
-    const std::size_t given = count(given_), patches = count(patches_);
-    if (given == 2) return std::nullopt;
-    if (patches == 2) return CornerSeamKind::Spoke;
-    if (patches == 1) return given == 1 ? CornerSeamKind::Spring : CornerSeamKind::Section;
-    if (given == 0) return CornerSeamKind::Fillets;
-    const std::size_t face = given_.count(sides[0]) != 0 ? 0 : 1;
-    if (touches(sides[1 - face], sides[face])) return CornerSeamKind::Contact;
+    std::vector<MadeFace> made;
+    TopTools_IndexedDataMapOfShapeListOfShape around;
+    TopExp::MapShapesAndUniqueAncestors(solid_, TopAbs_EDGE, TopAbs_FACE, around);
+    for (int chain = 1; chain <= fillets.NbContours(); ++chain)
+      for (int k = 1; k <= fillets.NbEdges(chain); ++k) {
+        const TopoDS_Edge edge = fillets.Edge(chain, k);
+        FaceList beside;
+        for (const TopoDS_Shape& face : around.FindFromKey(edge)) beside.push_back(image(face));
+        for (const TopoDS_Shape& face : fillets.Generated(edge))
+          made.push_back({now.imageOf(face), true, beside});
+        for (const TopoDS_Vertex& end : {TopExp::FirstVertex(edge), TopExp::LastVertex(edge)})
+          for (const TopoDS_Shape& face : fillets.Generated(end))
+            made.push_back({now.imageOf(face), false, {}});
+        beside_any_.insert(beside_any_.end(), beside.begin(), beside.end());
+      }
+    for (auto& [was, is] : given_) is = image(is);
+    for (TopoDS_Shape& edge : edges_) edge = image(edge);
+    for (MadeFace& face : made_) {
+      face.face = image(face.face);
+      for (TopoDS_Shape& beside : face.beside) beside = image(beside);
+    }
+    for (TopoDS_Shape& face : beside_any_)
+      if (!face.IsNull() && !faces.Contains(face)) face = image(face);
+    made_.insert(made_.end(), made.begin(), made.end());
+    solid_ = now.solid;
+  }
+
+  bool isGiven(const TopoDS_Shape& face) const {
+    return std::ranges::any_of(given_, [&](const auto& given) {
+      return !given.second.IsNull() && given.second.IsSame(face);
+    });
+  }
+
+  bool isNamed(const TopoDS_Shape& face, bool as_fillet) const {
+    return std::ranges::any_of(made_, [&](const MadeFace& made) {
+      return made.fillet == as_fillet && !made.face.IsNull() && made.face.IsSame(face);
+    });
+  }
+
+  bool isPatch(const TopoDS_Shape& face) const {
+    return isNamed(face, false) && !isNamed(face, true);
+  }
+
+  /// A fillet that is not named may touch all faces beside the edges.
+  bool touches(const TopoDS_Shape& fillet, const TopoDS_Shape& face) const {
+    const auto holds = [&face](const FaceList& faces) {
+      return std::ranges::any_of(
+          faces, [&](const TopoDS_Shape& one) { return !one.IsNull() && one.IsSame(face); });
+    };
+    if (!isNamed(fillet, true)) return holds(beside_any_);
+    return std::ranges::any_of(made_, [&](const MadeFace& made) {
+      return made.fillet && !made.face.IsNull() && made.face.IsSame(fillet) && holds(made.beside);
+    });
+  }
+
+  /// Nothing for seams that were there before, for those inside one face, and for the far ends of
+  /// fillets.
+  std::optional<CornerSeamKind> kindOf(const TopoDS_Shape& a, const TopoDS_Shape& b) const {
+    const bool a_given = isGiven(a), b_given = isGiven(b);
+    if (a.IsSame(b) || (a_given && b_given)) return std::nullopt;
+    const bool a_patch = isPatch(a), b_patch = isPatch(b);
+    if (a_patch && b_patch) return CornerSeamKind::Spoke;
+    if (a_patch || b_patch)
+      return a_given || b_given ? CornerSeamKind::Spring : CornerSeamKind::Section;
+    if (!a_given && !b_given) return CornerSeamKind::Fillets;
+    if (a_given ? touches(b, a) : touches(a, b)) return CornerSeamKind::Contact;
     return std::nullopt;
   }
 
   const Corner& corner_;
-  BRepFilletAPI_MakeFillet fillets_;
-  RepairedSolid made_;
-  TopTools_IndexedMapOfShape faces_;  ///< of the result; the sets have their numbers
-  std::set<int> given_, patches_, beside_any_;
-  std::map<int, std::set<int>> touched_;  ///< faces beside its edges, by fillet
+  TopoDS_Shape solid_;
+  std::vector<std::pair<TopoDS_Shape, TopoDS_Shape>> given_;  ///< faces, and what they became
+  std::vector<TopoDS_Shape> edges_;                           ///< of the corner, as they are now
+  std::vector<bool> skipped_;
+  std::vector<MadeFace> made_;
+  FaceList beside_any_;
+  int passes_ = 0;
 };
 
-std::vector<CornerFilletEdge> describedEdges(const Corner& corner,
-                                             const std::vector<CornerStrip>& strips) {
-  std::vector<CornerFilletEdge> edges;
+/// A way to round the corner: the edges of each pass.
+struct FilletPlan {
+  std::vector<std::vector<std::size_t>> passes;
+  FilletParams params;
+};
+
+/// All edges at once, then one of them before the others, whose fillets roll on around its end. A
+/// tenth of the default tolerances makes smoother seams; the default ones succeed more often.
+std::vector<FilletPlan> plansFor(std::size_t count) {
+  constexpr FilletParams fine = {1e-3, 1e-5, 1e-6, 1e-5, 1e-6, 1e-4},
+                         usual = {1e-2, 1e-4, 1e-5, 1e-4, 1e-5, 1e-3};
+  std::vector<std::size_t> all(count);
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  std::vector<FilletPlan> plans = {{{all}, fine}, {{all}, usual}};
+  for (const std::size_t first : all) {
+    std::vector<std::size_t> others = all;
+    std::erase(others, first);
+    plans.push_back({{{first}, others}, fine});
+  }
+  return plans;
+}
+
+RoundedCorner carriedOut(const FilletPlan& plan, const Corner& corner,
+                         const std::vector<CornerStrip>& strips, double crease_rad) {
+  FilletPasses fillets(corner);
+  for (const std::vector<std::size_t>& pass : plan.passes)
+    fillets.round(pass, strips, crease_rad, plan.params);
+  RoundedCorner made;
+  made.shell = fillets.shell();
+  made.filler = CornerFiller::OpenCascade;
   for (std::size_t i = 0; i < corner.count(); ++i) {
     const CornerEdge& edge = corner.edges[i];
-    edges.push_back(
-        {edge.number, edge.convex, edge.opening_rad, strips[i].radius_mm, strips[i].contact_mm});
+    made.edges.push_back({edge.number, edge.convex, edge.opening_rad, strips[i].radius_mm,
+                          strips[i].contact_mm, 0, !fillets.skipped(i)});
   }
-  return edges;
+  return made;
 }
 
 }  // namespace
@@ -159,16 +249,10 @@ std::vector<CornerFilletEdge> describedEdges(const Corner& corner,
 RoundedCorner openCascadeCorner(const Corner& given, const CornerFilletOptions& options) {
   const std::pair<Corner, bool> alone = ofShellAlone(given);
   const std::vector<CornerStrip> strips = cornerStrips(alone.first, options);
-  // A tenth of the default tolerances makes smoother seams; the default ones succeed more often.
-  constexpr std::array<FilletParams, 2> params = {
-      {{1e-3, 1e-5, 1e-6, 1e-5, 1e-6, 1e-4}, {1e-2, 1e-4, 1e-5, 1e-4, 1e-5, 1e-3}}};
   CornerReason reason;
-  for (const FilletParams& with : params) {
+  for (const FilletPlan& plan : plansFor(given.count())) {
     try {
-      RoundedCorner made;
-      made.shell = WholeFillet(alone.first, strips, with).shell();
-      made.edges = describedEdges(alone.first, strips);
-      made.filler = CornerFiller::OpenCascade;
+      RoundedCorner made = carriedOut(plan, alone.first, strips, options.tolerance.crease_rad);
       return alone.second ? turnedBack(std::move(made)) : made;
     } catch (const CornerRefused& refused) {
       reason = refused.reason();

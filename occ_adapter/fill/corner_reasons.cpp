@@ -319,8 +319,18 @@ CornerReason ballDividesSolid(double ball_mm) {
   return ofBall(CornerFault::BallDividesSolid, ball_mm, "the solid falls apart without it");
 }
 
-CornerReason notRounded(double ball_mm) {
-  return ofBall(CornerFault::NotRounded, ball_mm, "OpenCASCADE rounds no edges outside of it");
+CornerReason notRounded(double ball_mm, const std::vector<int>& edges,
+                        const std::vector<Eigen::Vector3d>& points) {
+  std::vector<std::string> where;
+  for (const int edge : edges) where.push_back(fmt::format("along edge {}", edge));
+  for (const Eigen::Vector3d& at : points)
+    where.push_back(fmt::format("at ({:.4g}, {:.4g}, {:.4g})", at.x(), at.y(), at.z()));
+  CornerReason reason = ofBall(
+      CornerFault::NotRounded, ball_mm,
+      "OpenCASCADE rounds no edges outside of it" +
+          (where.empty() ? "" : fmt::format(": its fillets fail {}", fmt::join(where, ", "))));
+  reason.edges = edges;
+  return reason;
 }
 
 CornerReason noSolid(double ball_mm) {

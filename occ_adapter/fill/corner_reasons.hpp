@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <Eigen/Core>
 #include <Standard_Failure.hxx>
 #include <array>
 #include <string>
@@ -89,7 +90,9 @@ CornerReason ballStays(double ball_mm);
 /// Without the ball, the solid is in several parts.
 CornerReason ballDividesSolid(double ball_mm);
 /// OpenCASCADE makes no fillets of the edges that are left.
-CornerReason notRounded(double ball_mm);
+/// \param edges of the corner whose fillets fail. \param points where fillets can't end or meet.
+CornerReason notRounded(double ball_mm, const std::vector<int>& edges,
+                        const std::vector<Eigen::Vector3d>& points);
 /// The result of OpenCASCADE's fillets is not a solid.
 CornerReason noSolid(double ball_mm);
 /// No face of the ball is left after the fillets.

@@ -82,29 +82,35 @@ std::set<int> freshFaces(const TopoDS_Shape& shape, const Corner& corner, const 
   return fresh;
 }
 
-/// The number that a face of the new shape has in the given one; 0 for a new face.
-int givenNumber(int face, const TopoDS_Shape& shape, const Corner& corner,
-                const CornerShell& made) {
-  const TopoDS_Shape is = partsOf(shape, TopAbs_FACE)(face);
-  for (int f = 1; f <= corner.given_faces.Extent(); ++f) {
-    if (imageOf(corner.given_faces(f), made).IsSame(is)) return f;
-  }
+/// The number that a face has in the given shape; 0 for a new face.
+int givenNumber(const TopoDS_Shape& face, const Corner& corner, const CornerShell& made) {
+  for (int f = 1; f <= corner.given_faces.Extent(); ++f)
+    if (imageOf(corner.given_faces(f), made).IsSame(face)) return f;
   return 0;
+}
+
+/// That a new face runs into a face of the solid; empty if none does. Other solids of an assembly
+/// do not count: they may touch the solid from the beginning.
+CornerReason runsInto(const Corner& corner, const CornerShell& made) {
+  const TopoDS_Shape solid = withShell(corner.solid, corner.shell, made.shell);
+  const auto touching = touchingFaces(solid, freshFaces(solid, corner, made));
+  if (!touching) return {};
+  return corner_why::runsIntoFace(
+      givenNumber(partsOf(solid, TopAbs_FACE)(touching->second), corner, made));
 }
 
 /// Why the result is not a valid rounded corner; empty if it is one.
 CornerReason shortfallOf(const CornerFillet& result, const Corner& corner,
                          const CornerShell& made) {
-  const TopoDS_Shape& shape = result.model.shape;
   if (!result.valid) return corner_why::checksFail();
   if (result.filler == CornerFiller::Patches && !result.fill.regular) return corner_why::mayFold();
-  if (const auto touching = touchingFaces(shape, {result.faces.begin(), result.faces.end()}))
-    return corner_why::runsIntoFace(givenNumber(touching->second, shape, corner, made));
+  if (CornerReason touching = runsInto(corner, made); !touching.empty()) return touching;
+  const TopTools_IndexedMapOfShape faces = partsOf(result.model.shape, TopAbs_FACE);
   for (const CornerSeam& seam : result.seams) {
     if (seam.result.verdict.level >= Level::G1) continue;
     int face = 0;
     for (const int side : seam.result.faces)
-      if (face == 0) face = givenNumber(side, shape, corner, made);
+      if (face == 0) face = givenNumber(faces(side), corner, made);
     return corner_why::missesTarget(seam.kind, face, figuresText(seam.result));
   }
   return {};

@@ -34,6 +34,7 @@ const char* kindName(occ::CornerSeamKind kind) {
 
 ordered_json edgeJson(const occ::CornerFilletEdge& edge) {
   return {{"edge", edge.edge},
+          {"rounded", edge.rounded},
           {"convex", edge.convex},
           {"angle_deg", degrees_per_radian * edge.angle_rad},
           {"radius_mm", edge.radius_mm},
@@ -115,7 +116,10 @@ std::string toTable(const occ::CornerFillet& fillet, const ModelCounts& memory,
                     const std::optional<WrittenModel>& output) {
   std::vector<Row> rows = {{"edge", "kind", "angle deg", "radius mm", "contact mm", "setback mm"}};
   for (const occ::CornerFilletEdge& edge : fillet.edges)
-    rows.push_back({"Edge" + std::to_string(edge.edge), edge.convex ? "convex" : "concave",
+    rows.push_back({"Edge" + std::to_string(edge.edge),
+                    !edge.rounded ? "smooth"
+                    : edge.convex ? "convex"
+                                  : "concave",
                     fmt::format("{:.4g}", degrees_per_radian * edge.angle_rad),
                     fmt::format("{:.4g}", edge.radius_mm), fmt::format("{:.4g}", edge.contact_mm),
                     edge.setback_mm > 0 ? fmt::format("{:.4g}", edge.setback_mm) : "-"});

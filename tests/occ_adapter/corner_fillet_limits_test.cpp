@@ -16,6 +16,7 @@
 #include "corner_solids.hpp"
 
 #include <seamwright/occ_adapter/fill/corner_fillet.hpp>
+#include <seamwright/occ_adapter/fill/corner_reasons.hpp>
 
 namespace seamwright::test {
 namespace {
@@ -178,7 +179,7 @@ TEST(CornerFilletLimits, FilletsThatRunIntoAVoidAreNoCorners) {
   EXPECT_EQ(cornerFillet(model, vertex, options).shortfall.text, "");
 }
 
-TEST(CornerFilletLimits, FilletsThatReachBeyondAFarEdgeAreRefusedWithRadiiThatDoNot) {
+TEST(CornerFilletLimits, FilletsThatReachBeyondAFarEdgeAreMadeAmongCurvedFaces) {
   const TopoDS_Shape tapered = polyhedron(
       {{0, 0, 0},
        {0, 10, 0},
@@ -191,27 +192,27 @@ TEST(CornerFilletLimits, FilletsThatReachBeyondAFarEdgeAreRefusedWithRadiiThatDo
       {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 4, 7, 3}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}});
   const Model model = modelFromShape(tapered);
   const int vertex = vertexAt(tapered, {0, 0, 0});
-  const auto reasonAt = [&](double radius_mm) {
-    CornerFilletOptions options;
-    options.patches_only = true;
-    for (const int edge : occ::cornerEdges(model, vertex)) options.radii_mm[edge] = radius_mm;
-    try {
-      cornerFillet(model, vertex, options);
-      return occ::CornerReason();
-    } catch (const occ::CornerRefused& refused) {
-      return refused.reason();
-    }
-  };
-  EXPECT_TRUE(reasonAt(1).empty());
-  const occ::CornerReason cut = reasonAt(3);
-  EXPECT_EQ(cut.fault, occ::CornerFault::FarEdgeCut);
-  EXPECT_THAT(cut.text, testing::ContainsRegex("^edge [0-9]+, 2 mm long, at a far end: the fillet "
-                                               "of edge [0-9]+, radius 3 mm, takes [0-9.]+ mm of "
-                                               "it; a radius of [0-9.]+ mm or less would leave"));
-  ASSERT_EQ(cut.numbers.back().first, "factor");
-  const double factor = cut.numbers.back().second;
-  EXPECT_TRUE(reasonAt(3 * factor).empty());
-  EXPECT_FALSE(reasonAt(3 * factor * 1.003).empty());
+  CornerFilletOptions options;
+  options.patches_only = true;
+  for (const int edge : occ::cornerEdges(model, vertex)) options.radii_mm[edge] = 3;
+  const occ::CornerFillet made = cornerFillet(model, vertex, options);
+  EXPECT_TRUE(made.met()) << made.shortfall.text;
+  EXPECT_LT(volume_mm3(made.model.shape), volume_mm3(tapered));
+}
+
+TEST(CornerFilletLimits, AFarEdgeThatIsTooShortNamesRadiiThatLeaveAPart) {
+  const occ::CornerReason one = occ::corner_why::farEdgeCut(12, 139, {{3, 20, 141}});
+  EXPECT_EQ(one.text,
+            "edge 12, 139 mm long, at a far end: the fillet of edge 3, radius 20 mm, takes 141 mm "
+            "of it; a radius of 19.68 mm or less would leave a part of it");
+  EXPECT_EQ(one.edges, (std::vector<int>{12, 3}));
+  // Cuts are in proportion to the radii.
+  ASSERT_EQ(one.numbers.back().first, "factor");
+  EXPECT_LT(one.numbers.back().second * 141, (1 - 1e-3) * 139);
+  const occ::CornerReason two = occ::corner_why::farEdgeCut(5, 10, {{1, 4, 8}, {2, 2, 4}});
+  EXPECT_THAT(two.text, HasSubstr("; radii of 3.327 mm and 1.663 mm or less would leave"));
+  EXPECT_THAT(occ::corner_why::farEdgeCut(5, 10, {{1, 4, -8}}).text,
+              HasSubstr("outside of it, at any radius"));
 }
 
 TEST(CornerFilletLimits, CornersOfOtherKindsAreRefused) {
