@@ -210,6 +210,8 @@ CornerFillet cornerFillet(const Model& model, int vertex, const CornerFilletOpti
       RoundedCorner made = makers[k](partOf(part, 0, built));
       attempts.add(judgedCorner(model, corner, std::move(made), options, partOf(part, built, 1)));
     } catch (const CornerRefused& refused) {
+      // No other way would meet the sections as closely as was asked for.
+      if (refused.reason().fault == CornerFault::SectionMisses) throw;
       attempts.add(refused.reason());
     }
   }

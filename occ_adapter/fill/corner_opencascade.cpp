@@ -52,8 +52,7 @@ class FilletPasses {
     skipped_.resize(corner.count());
   }
 
-  /// Rounds these edges at once. Where edges of a later pass are in one smooth chain, through
-  /// fillets of earlier passes, the radius changes between them.
+  /// Rounds these edges at once.
   /// \throws CornerRefused if OpenCASCADE does not, or divides a face.
   void round(const std::vector<std::size_t>& which, const std::vector<CornerStrip>& strips,
              double crease_rad, const FilletParams& with) {
@@ -61,13 +60,12 @@ class FilletPasses {
     fillets.SetParams(with.tang, with.tesp, with.t2d, with.tapp3d, with.tolapp2d, with.fleche);
     for (const std::size_t i : which) add(i, strips[i].radius_mm, crease_rad, fillets);
     if (fillets.NbContours() == 0) throw CornerRefused(corner_why::openCascadeHasNone());
-    shareChains(which, strips, fillets);
+    requireOwnRadii(which, strips, fillets);
     fillets.Build();
     if (!fillets.IsDone()) throw CornerRefused(corner_why::openCascadeHasNone());
     const TopExp_Explorer solid(fillets.Shape(), TopAbs_SOLID);
     if (!solid.More()) throw CornerRefused(corner_why::openCascadeHasNone());
     follow(fillets, repairedSolid(solid.Current()));
-    ++passes_;
   }
 
   CornerShell shell() const {
@@ -99,19 +97,18 @@ class FilletPasses {
     skipped_[i] = true;
   }
 
-  /// Gives edges of one chain their own radii. In the first pass nothing is between such edges.
-  void shareChains(const std::vector<std::size_t>& which, const std::vector<CornerStrip>& strips,
-                   BRepFilletAPI_MakeFillet& fillets) const {
+  /// OpenCASCADE makes one fillet of a smooth chain. A radius that changes along it would not keep
+  /// to that of each edge.
+  void requireOwnRadii(const std::vector<std::size_t>& which,
+                       const std::vector<CornerStrip>& strips,
+                       const BRepFilletAPI_MakeFillet& fillets) const {
     for (const std::size_t i : which) {
       if (skipped_[i]) continue;
       const int chain = fillets.Contour(TopoDS::Edge(edges_[i]));
-      const bool differs = std::ranges::any_of(which, [&](std::size_t k) {
-        return !skipped_[k] && strips[k].radius_mm != strips[i].radius_mm &&
-               fillets.Contour(TopoDS::Edge(edges_[k])) == chain;
-      });
-      if (!differs) continue;
-      if (passes_ == 0) throw CornerRefused(corner_why::openCascadeHasNone());
-      fillets.SetRadius(strips[i].radius_mm, chain, TopoDS::Edge(edges_[i]));
+      for (const std::size_t k : which)
+        if (!skipped_[k] && strips[k].radius_mm != strips[i].radius_mm &&
+            fillets.Contour(TopoDS::Edge(edges_[k])) == chain)
+          throw CornerRefused(corner_why::openCascadeHasNone());
     }
   }
 
@@ -203,7 +200,6 @@ class FilletPasses {
   std::vector<bool> skipped_;
   std::vector<MadeFace> made_;
   FaceList beside_any_;
-  int passes_ = 0;
 };
 
 /// A way to round the corner: the edges of each pass.

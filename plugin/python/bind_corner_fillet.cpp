@@ -138,20 +138,9 @@ then needs keep_anyway=True. Supported are 3 to 6 edges, convex or concave, of a
 planes or curved faces that are not tangent to each other. ValueError, with numbers and a
 reason_code, for others, and where there is no room.)";
 
-void bindCornerResult(py::module_& module) {
-  const std::string write_corner_doc =
-      std::string(write_result_doc) +
-      " ValueError for a corner that is not met, unless keep_anyway.";
-  const std::string doc = std::string("The result of Model.corner_fillet().") + copies_doc;
-  py::class_<CornerFilletResult> type(module, "CornerFillet", py::module_local(), doc.c_str());
-  bindCopies(type);
+/// What the corner falls short of, and what fills it.
+void bindVerdict(py::class_<CornerFilletResult>& type) {
   type.def_property_readonly(
-          "model", [](const CornerFilletResult& result) { return result.fillet.model; },
-          "The new model.")
-      .def_property_readonly(
-          "met", [](const CornerFilletResult& result) { return result.fillet.met(); },
-          "The solid is valid, patches are regular, the new seams meet the tolerance, proven.")
-      .def_property_readonly(
           "shortfall",
           [](const CornerFilletResult& result) { return result.fillet.shortfall.text; },
           "Which of these does not hold, with numbers; empty where met.")
@@ -174,19 +163,31 @@ void bindCornerResult(py::module_& module) {
       .def_property_readonly(
           "patches_shortfall",
           [](const CornerFilletResult& result) { return result.fillet.patches_shortfall.text; },
-          "Why patches do not fill the corner; empty where they do.")
+          "Why patches do not fill the corner; empty where they do.");
+}
+
+void bindCornerResult(py::module_& module) {
+  const std::string write_corner_doc =
+      std::string(write_result_doc) +
+      " ValueError for a corner that is not met, unless keep_anyway.";
+  const std::string doc = std::string("The result of Model.corner_fillet().") + copies_doc;
+  py::class_<CornerFilletResult> type(module, "CornerFillet", py::module_local(), doc.c_str());
+  bindCopies(type);
+  bindVerdict(type);
+  type.def_property_readonly(
+          "model", [](const CornerFilletResult& result) { return result.fillet.model; },
+          "The new model.")
+      .def_property_readonly(
+          "met", [](const CornerFilletResult& result) { return result.fillet.met(); },
+          "The solid is valid, patches are regular, the new seams meet the tolerance, proven.")
       .def_property_readonly(
           "patches", [](const CornerFilletResult& result) { return result.fillet.fill.patches; },
-          "BezierPatches of the corner, as n_sided_fill() orders them; none where OpenCASCADE "
-          "fills "
+          "BezierPatches of the corner, as n_sided_fill() orders them; none if OpenCASCADE fills "
           "it.")
       .def("to_dict", &cornerFilletDict,
            "All but the model and the patches as a plain dict with the keys of the JSON; seams "
-           "also with what "
-           "they are between: spoke (two patches), section (patch and fillet), spring (patch and "
-           "face), "
-           "contact "
-           "(fillet and face), fillets (two fillets).")
+           "also with what they are between: spoke (two patches), section (patch and fillet), "
+           "spring (patch and face), contact (fillet and face), fillets (two fillets).")
       .def(
           "to_json",
           [](const CornerFilletResult& result) { return report::toLine(jsonOf(result)); },

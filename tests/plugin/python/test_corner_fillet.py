@@ -213,3 +213,17 @@ def test_a_refused_corner_has_a_code(box):
 def test_it_can_be_stopped(box):
     with pytest.raises(seamwright.Cancelled):
         box.corner_fillet(1, 1, progress=lambda share: False)
+
+
+def test_opencascade_fills_where_patches_have_no_room(box):
+    result = box.corner_fillet(1, 8)
+    assert result.met and result.filled_by == "opencascade" and result.patches == []
+    assert "would have room" in result.patches_shortfall
+    what = result.to_dict()
+    assert what["filled_by"] == "opencascade" and what["regular"] is None
+    assert {seam["between"] for seam in what["seams"]} == {"section", "contact"}
+    assert len(what["faces"]) == 4 and result.model.face_count == 6 + 4
+    with pytest.raises(ValueError, match="would have room"):
+        box.corner_fillet(1, 8, patches_only=True)
+    patched = box.corner_fillet(1, 1)
+    assert patched.filled_by == "patches" and patched.patches_shortfall == ""

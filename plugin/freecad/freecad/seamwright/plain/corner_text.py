@@ -2,9 +2,10 @@
 """The texts about a corner of several fillets.
 
 The report is a dict with the keys ``tolerance``, ``met``, ``reason`` (why the target is not met),
-``filled_by`` ("patches" or "opencascade"), ``patches_reason`` (why not by patches), ``faces``
-(the new ones), ``edges`` and ``seams`` (see new_seams). ``edges`` has a dict for each edge: edge, convex,
-angle_deg, radius_mm, contact_mm, setback_mm (None where OpenCASCADE fills). The numbers of edges are those of the source.
+``filled_by`` ("patches" or "opencascade"), ``patches_reason`` (why not by patches), ``faces`` (the
+new ones), ``edges`` and ``seams`` (see new_seams). ``edges`` has a dict for each edge: edge,
+rounded, convex, angle_deg, radius_mm, contact_mm, setback_mm (None where OpenCASCADE fills). The
+numbers of edges are those of the source.
 """
 
 import math
