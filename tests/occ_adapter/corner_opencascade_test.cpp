@@ -164,17 +164,5 @@ TEST(CornerOfOpenCascade, ThatIsNoSolidIsNoResult) {
   }
 }
 
-/// A cylinder touches planes and a sphere exactly, patches meet them within section_mm.
-TEST(CornerOfOpenCascade, IsTheResultWhereItAloneMeetsTheTarget) {
-  const Model model = modelFromShape(box(side, side, side));
-  const int vertex = vertexAt(model.shape, {0, 0, 0});
-  CornerFilletOptions options = withRadii(model, vertex, {1});
-  options.tolerance.angle_rad = 1e-7;
-  const CornerFillet made = cornerFillet(model, vertex, options);
-  EXPECT_TRUE(made.met()) << made.shortfall.text;
-  EXPECT_EQ(made.filler, CornerFiller::OpenCascade);
-  EXPECT_EQ(made.patches_shortfall.fault, occ::CornerFault::MissesTarget);
-}
-
 }  // namespace
 }  // namespace seamwright::test

@@ -135,7 +135,7 @@ def test_the_result_is_written_and_read(box, tmp_path):
 
 
 def test_a_file_that_falls_short_says_so(box, tmp_path):
-    result = box.corner_fillet(1, 1, angle_deg=1e-9)
+    result = box.corner_fillet(1, 1, angle_deg=1e-9, patches_only=True)
     assert not result.met and result.shortfall.startswith("a seam between a patch and ")
     with pytest.raises(ValueError, match="keep_anyway=True: a seam between a patch and "):
         result.write(tmp_path / "out.step")
@@ -158,7 +158,10 @@ def test_the_report_is_there_in_all_forms(box):
 
 def test_a_corner_that_is_not_regular_is_written_and_said_so(box, tmp_path):
     edges = box.corner_edges(6)
-    result = box.corner_fillet(6, dict(zip(edges, (0.01, 0.01, 3))))
+    radii = dict(zip(edges, (0.001, 0.001, 4)))
+    filled = box.corner_fillet(6, radii)
+    assert filled.met and filled.filled_by == "opencascade" and "regular" in filled.patches_shortfall
+    result = box.corner_fillet(6, radii, patches_only=True)
     report = result.to_dict()
     assert (result.met, report["met"], report["regular"]) == (False, False, False)
     assert "regular" in result.shortfall == report["shortfall"]
