@@ -160,7 +160,8 @@ def test_a_corner_that_is_not_regular_is_written_and_said_so(box, tmp_path):
     edges = box.corner_edges(6)
     radii = dict(zip(edges, (0.001, 0.001, 4)))
     filled = box.corner_fillet(6, radii)
-    assert filled.met and filled.filled_by == "opencascade" and "regular" in filled.patches_shortfall
+    assert filled.met and filled.filled_by == "opencascade"
+    assert "regular" in filled.patches_shortfall
     result = box.corner_fillet(6, radii, patches_only=True)
     report = result.to_dict()
     assert (result.met, report["met"], report["regular"]) == (False, False, False)
