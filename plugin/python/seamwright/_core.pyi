@@ -38,6 +38,7 @@ Curve = Union[
     _r.InterpolatingSpline,
     _r.BiarcSpline,
     _r.ArcFit,
+    _r.SampledArcs,
     _r.SplineWithin,
     _r.G2Conics,
     _r.FairedCurve,
@@ -49,7 +50,7 @@ Curve = Union[
     _r.SplineFrame,
 ]
 FunctionPoints = Union[Numbers, _r.FunctionSpline, _r.FairedFunction]
-Arcs = Union[Sequence[PlanarArc], ArcChain, _r.Biarc, _r.BiarcSpline, _r.ArcFit]
+Arcs = Union[Sequence[PlanarArc], ArcChain, _r.Biarc, _r.BiarcSpline, _r.ArcFit, _r.SampledArcs]
 Surface = Union[BezierPatch, BezierTriangle]
 ModelItem = Union[
     Curve,
@@ -553,6 +554,13 @@ class PlanarConic:
     def __setstate__(self, arg0: Tuple[Any, ...]) -> None: ...
 
 def arc_through(start: Numbers, direction_rad: Number, end: Numbers) -> PlanarArc: ...
+def point_corners(
+    points: Numbers, *, closed: bool = False, corner_rad: Number = 1.0471975511965976,
+    error_mm: Number = 0.0
+) -> List[int]: ...
+def sampled_arcs(
+    points: Numbers, *, closed: bool = False, tolerance_mm: Number = 0.01
+) -> Optional[_r.SampledArcs]: ...
 def fit_arcs(
     curve: Curve, tolerance_mm: Number = 0.01, *, corner_rad: Number = 0.001
 ) -> _r.ArcFit: ...
