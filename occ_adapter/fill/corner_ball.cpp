@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <BRepAlgoAPI_Cut.hxx>
-#include <BRepCheck_Analyzer.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Tool.hxx>
 #include <Eigen/Geometry>
-#include <ShapeBuild_ReShape.hxx>
 #include <ShapeCustom.hxx>
-#include <ShapeFix_Shape.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -23,6 +20,7 @@
 #include <seamwright/occ_adapter/convert/points.hpp>
 #include <seamwright/occ_adapter/fill/corner_ball.hpp>
 #include <seamwright/occ_adapter/fill/corner_reasons.hpp>
+#include <seamwright/occ_adapter/fill/repaired_solid.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
 
 namespace seamwright::occ {
@@ -128,10 +126,11 @@ class OutsideRounder {
     if (solid.More()) throw CornerRefused(corner_why::ballDividesSolid(ball_mm_));
     for (std::size_t i = 0; i < corner_.count(); ++i) add(i, fillets);
     fillets.Build();
-    if (!fillets.IsDone()) throw CornerRefused(corner_why::notRounded(ball_mm_));
+    if (!fillets.IsDone()) throw CornerRefused(whyNotRounded(fillets));
     TopExp_Explorer rounded(fillets.Shape(), TopAbs_SOLID);
     if (!rounded.More()) throw CornerRefused(corner_why::noSolid(ball_mm_));
-    result_.solid = repaired(rounded.Current());
+    repaired_ = repairedSolid(rounded.Current());
+    result_.solid = repaired_.solid;
     follow(fillets);
     readBall();
     return std::move(result_);
@@ -166,20 +165,15 @@ class OutsideRounder {
     edges_.push_back(edge);
   }
 
-  /// OpenCASCADE's fillets may leave faces that fail its own checks, often beside pcurves that do
-  /// not follow their edges. ShapeFix gives these new pcurves.
-  TopoDS_Shape repaired(const TopoDS_Shape& solid) {
-    if (BRepCheck_Analyzer(solid).IsValid()) return solid;
-    ShapeFix_Shape fix(solid);
-    fix.Perform();
-    if (fix.Shape().ShapeType() != TopAbs_SOLID || !BRepCheck_Analyzer(fix.Shape()).IsValid())
-      return solid;
-    repairs_ = fix.Context();
-    return fix.Shape();
-  }
-
-  TopoDS_Shape afterRepairs(const TopoDS_Shape& face) const {
-    return repairs_.IsNull() ? face : repairs_->Apply(face);
+  CornerReason whyNotRounded(const BRepFilletAPI_MakeFillet& fillets) const {
+    std::vector<int> edges;
+    for (std::size_t i = 0; i < edges_.size(); ++i)
+      if (fillets.StripeStatus(fillets.Contour(edges_[i])) != ChFiDS_Ok)
+        edges.push_back(corner_.edges[i].number);
+    std::vector<Vector3d> points;
+    for (int k = 1; k <= fillets.NbFaultyVertices(); ++k)
+      points.push_back(vector(BRep_Tool::Pnt(fillets.FaultyVertex(k)).XYZ()));
+    return corner_why::notRounded(ball_mm_, edges, points);
   }
 
   /// The face after both steps; a null face if it is gone or split.
@@ -193,7 +187,7 @@ class OutsideRounder {
       if (parts.Extent() > 1) return {};
       now = parts.First();
     }
-    const int index = faces_.FindIndex(afterRepairs(now));
+    const int index = faces_.FindIndex(repaired_.imageOf(now));
     return index == 0 ? TopoDS_Face() : TopoDS::Face(faces_(index));
   }
 
@@ -210,7 +204,7 @@ class OutsideRounder {
         TopTools_ListOfShape now = fillets.Modified(part);
         if (now.IsEmpty()) now.Append(part);
         for (const TopoDS_Shape& cap : now)
-          if (const int index = faces_.FindIndex(afterRepairs(cap)); index > 0)
+          if (const int index = faces_.FindIndex(repaired_.imageOf(cap)); index > 0)
             result_.caps.push_back(TopoDS::Face(faces_(index)));
       }
     }
@@ -279,7 +273,7 @@ class OutsideRounder {
   TopoDS_Shape ball_;
   BRepAlgoAPI_Cut cut_;
   std::vector<TopoDS_Edge> edges_;  ///< what is left of the corner's edges
-  opencascade::handle<ShapeBuild_ReShape> repairs_;
+  RepairedSolid repaired_;
   TopTools_IndexedMapOfShape faces_;
   RoundedOutside result_;
 };

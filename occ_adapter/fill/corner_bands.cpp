@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRepAdaptor_Curve.hxx>
 #include <BRepLib.hxx>
 #include <BRepTools_ReShape.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Eigen/Geometry>
+#include <GCPnts_AbscissaPoint.hxx>
 #include <Geom2d_Line.hxx>
 #include <Geom_Surface.hxx>
 #include <Precision.hxx>
@@ -264,15 +266,19 @@ CornerShell shellOf(const FillHoleReport& report, const Corner& corner) {
   return shell;
 }
 
-/// Requires that each setback is less than the length of its edge.
+/// Requires that each setback is less than the length of its edge. The refusal is about the edge
+/// that asks for the smallest radii.
 void requireRoom(const Corner& corner, const std::vector<CornerStrip>& strips,
                  const CornerFilletOptions& options) {
-  for (std::size_t i = 0; i < corner.count(); ++i)
-    if (const double length_mm =
-            GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(corner.edges[i].edge));
-        !(strips[i].setback_mm < length_mm))
-      throw CornerRefused(
-          corner_why::setBackBeyondEnd(setBackFillet(corner, strips, options, i, length_mm)));
+  std::vector<double> lengths_mm, shares;
+  for (std::size_t i = 0; i < corner.count(); ++i) {
+    lengths_mm.push_back(GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(corner.edges[i].edge)));
+    shares.push_back(strips[i].setback_mm / lengths_mm.back());
+  }
+  const auto worst = static_cast<std::size_t>(std::ranges::max_element(shares) - shares.begin());
+  if (!(shares[worst] < 1))
+    throw CornerRefused(corner_why::setBackBeyondEnd(
+        setBackFillet(corner, strips, options, worst, lengths_mm[worst])));
 }
 
 /// Names of the faces of the holed model in reasons.
@@ -291,18 +297,6 @@ FaceNames namesOf(const Corner& corner, const RoundedOutside& rounded, const Ban
   return [names](int face) { return names[static_cast<std::size_t>(face)]; };
 }
 
-/// Returns a corner that was made with inside and outside exchanged to the order and orientation of
-/// its solid.
-BandedCorner turnedBack(BandedCorner made) {
-  made.shell.shell.Reverse();
-  std::ranges::reverse(made.edges);
-  for (CornerFilletEdge& edge : made.edges) edge.convex = !edge.convex;
-  std::ranges::reverse(made.fill.patches);
-  for (BezierPatch& patch : made.fill.patches) patch = patch.transposed();
-  std::ranges::reverse(made.fill.corners);
-  return made;
-}
-
 /// Parameters of an attempt.
 struct Attempt {
   double margin = 1;    ///< radius of the ball over that needed for planes
@@ -311,7 +305,7 @@ struct Attempt {
 
 /// A finished corner, and whether it reaches the target.
 struct Made {
-  BandedCorner corner;
+  RoundedCorner corner;
   bool reached = false;
 
   /// Rank of the corner: the better of two has the larger rank.
@@ -353,20 +347,23 @@ Made tried(const Corner& corner, std::vector<CornerStrip> strips,
                namesOf(corner, rounded, trimmer, holed), progress);
   if (!report.filled) throw CornerRefused(corner_why::notFilled(textOf(report.reason)));
 
-  Made made{{shellOf(report, corner), {}, fillOf(report), 0}, report.reached};
+  Made made;
+  made.corner.shell = shellOf(report, corner);
+  made.corner.fill = fillOf(report);
+  made.reached = report.reached;
   for (const FilledSide& side : report.sides)
     made.corner.section_error_mm = std::max(made.corner.section_error_mm, side.gap_mm);
   for (std::size_t i = 0; i < corner.count(); ++i)
     made.corner.edges.push_back({corner.edges[i].number, corner.edges[i].convex,
                                  corner.edges[i].opening_rad, strips[i].radius_mm,
-                                 sections.contact_mm(i), strips[i].setback_mm});
+                                 sections.contact_mm(i), strips[i].setback_mm, true});
   return made;
 }
 
 }  // namespace
 
-BandedCorner bandedCorner(const Corner& given, const CornerFilletOptions& options,
-                          const Progress& progress) {
+RoundedCorner bandedCorner(const Corner& given, const CornerFilletOptions& options,
+                           const Progress& progress) {
   const std::pair<Corner, bool> alone = ofShellAlone(given);
   const Corner& corner = alone.first;
   const std::vector<CornerStrip> strips = cornerStrips(corner, options);

@@ -1,25 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <fmt/format.h>
 
-#include <BRepCheck_Analyzer.hxx>
-#include <TopExp.hxx>
-#include <TopTools_DataMapOfShapeInteger.hxx>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
-#include <set>
 #include <stdexcept>
 #include <string>
 
-#include <seamwright/occ_adapter/analyze/measure_seam.hpp>
-#include <seamwright/occ_adapter/analyze/workers.hpp>
-#include <seamwright/occ_adapter/fill/clearance.hpp>
 #include <seamwright/occ_adapter/fill/corner_bands.hpp>
 #include <seamwright/occ_adapter/fill/corner_fillet.hpp>
+#include <seamwright/occ_adapter/fill/corner_opencascade.hpp>
 #include <seamwright/occ_adapter/fill/corner_reasons.hpp>
-#include <seamwright/occ_adapter/model/parts.hpp>
+#include <seamwright/occ_adapter/fill/corner_solid.hpp>
+#include <seamwright/occ_adapter/fill/corner_verdict.hpp>
 #include <seamwright/occ_adapter/model/usable.hpp>
-#include <seamwright/occ_adapter/topology/sewn_shape.hpp>
 
 namespace seamwright::occ {
 
@@ -61,70 +56,28 @@ NSidedFill requiredFill(const std::vector<FillSide>& sides) {
   }
 }
 
-AnalyzeOptions analyzeOptions(const CornerFilletOptions& options) {
-  AnalyzeOptions result;
-  result.tolerance = options.tolerance;
-  result.jobs = options.jobs;
-  return result;
-}
-
-std::vector<CornerSeam> measured(const TopoDS_Shape& shape, const CornerShell& made,
-                                 const CornerFilletOptions& options, const Progress& progress) {
-  TopTools_IndexedMapOfShape edges;
-  TopExp::MapShapes(shape, TopAbs_EDGE, edges);
-  std::map<int, CornerSeamKind> kinds;
-  for (const auto& [edge, kind] : made.seams) kinds.emplace(edges.FindIndex(edge), kind);
-  std::vector<Seam> found;
-  for (const Seam& seam : findSeams(shape).seams)
-    if (kinds.count(seam.edges.front()) != 0) found.push_back(seam);
-  std::vector<CornerSeam> seams(found.size());
-  const AnalyzeOptions asked = analyzeOptions(options);
-  runParallel(
-      found.size(), options.jobs,
-      [&](std::size_t k) {
-        seams[k] = {kinds.at(found[k].edges.front()), measureSeam(found[k], asked)};
-      },
-      progress);
-  return seams;
-}
-
-/// The attributes of faces and solids that are still there, with the new face numbers.
-std::vector<ShapeAttribute> attributesAfter(const Model& model, const TopoDS_Shape& shape,
-                                            const CornerShell& made) {
-  TopTools_IndexedMapOfShape before, after;
-  TopExp::MapShapes(model.shape, TopAbs_FACE, before);
-  TopExp::MapShapes(shape, TopAbs_FACE, after);
-  std::vector<ShapeAttribute> attributes;
-  for (ShapeAttribute attribute : model.attributes) {
-    if (attribute.kind == TopAbs_FACE) {
-      const TopoDS_Shape& old = before(attribute.index);
-      attribute.index = after.FindIndex(made.became.IsBound(old) ? made.became.Find(old) : old);
-    } else if (attribute.kind > TopAbs_SHELL) {
-      continue;
-    }
-    attributes.push_back(std::move(attribute));
-  }
-  return attributes;
-}
-
 std::vector<CornerFilletEdge> described(const Corner& corner, const CornerHole& hole) {
   std::vector<CornerFilletEdge> edges;
   for (std::size_t i = 0; i < corner.count(); ++i) {
     const CornerEdge& edge = corner.edges[i];
     const CornerStrip& strip = hole.strips[i];
     edges.push_back({edge.number, edge.convex, edge.opening_rad, strip.radius_mm, strip.contact_mm,
-                     strip.setback_mm});
+                     strip.setback_mm, true});
   }
   return edges;
 }
 
 /// Makes cylinders along lines between planes, and a fill that meets them exactly except at the
 /// sections.
-BandedCorner polyhedralCorner(const Corner& corner, const CornerFilletOptions& options) {
+RoundedCorner polyhedralCorner(const Corner& corner, const CornerFilletOptions& options) {
   const CornerHole hole = cornerHole(corner, options);
   NSidedFill fill = requiredFill(hole.sides);
-  CornerShell shell = cornerShell(corner, hole, fill);
-  return {std::move(shell), described(corner, hole), std::move(fill), hole.section_error_mm};
+  RoundedCorner made;
+  made.shell = cornerShell(corner, hole, fill);
+  made.edges = described(corner, hole);
+  made.fill = std::move(fill);
+  made.section_error_mm = hole.section_error_mm;
+  return made;
 }
 
 double largestUpper(const std::vector<CornerSeam>& seams,
@@ -138,44 +91,74 @@ double largestUpper(const std::vector<CornerSeam>& seams,
   return largest;
 }
 
-/// Numbers of the fillets and patches. In the new shell they come after the old faces.
-std::set<int> freshFaces(const TopoDS_Shape& shape, const Corner& corner, const CornerShell& made) {
-  const TopTools_IndexedMapOfShape all = partsOf(shape, TopAbs_FACE),
-                                   of_shell = partsOf(made.shell, TopAbs_FACE);
-  std::set<int> fresh;
-  for (int f = partsOf(corner.shell, TopAbs_FACE).Extent() + 1; f <= of_shell.Extent(); ++f)
-    fresh.insert(all.FindIndex(of_shell(f)));
-  return fresh;
+/// One way to round a corner. Throws CornerRefused where it does not apply.
+using CornerMaker = std::function<RoundedCorner(const Progress&)>;
+
+/// In the order in which they are tried. OpenCASCADE's own fillet has no setbacks.
+std::vector<CornerMaker> makersFor(const Corner& corner, const CornerFilletOptions& options) {
+  std::vector<CornerMaker> makers;
+  if (corner.polyhedral)
+    makers.emplace_back([&](const Progress&) { return polyhedralCorner(corner, options); });
+  makers.emplace_back(
+      [&](const Progress& progress) { return bandedCorner(corner, options, progress); });
+  const bool set_back = std::ranges::any_of(options.setbacks_mm,
+                                            [](const auto& setback) { return setback.second > 0; });
+  if (!options.patches_only && !set_back)
+    makers.emplace_back([&](const Progress&) { return openCascadeCorner(corner, options); });
+  return makers;
 }
 
-/// The number that a face of the new shape has in the given one; 0 for a new face.
-int givenNumber(int face, const TopoDS_Shape& shape, const Corner& corner,
-                const CornerShell& made) {
-  const TopoDS_Shape is = partsOf(shape, TopAbs_FACE)(face);
-  for (int f = 1; f <= corner.given_faces.Extent(); ++f) {
-    const TopoDS_Shape& was = corner.given_faces(f);
-    if ((made.became.IsBound(was) ? made.became.Find(was) : was).IsSame(is)) return f;
+/// What is better has the larger rank.
+int rankOf(CornerFault shortfall) {
+  switch (shortfall) {
+    case CornerFault::None:
+      return 4;
+    case CornerFault::MissesTarget:
+      return 3;
+    case CornerFault::MayFold:
+      return 2;
+    case CornerFault::RunsIntoFace:
+      return 1;
+    default:
+      return 0;
   }
-  return 0;
 }
 
-/// Why the result is not a valid rounded corner; empty if it is one.
-CornerReason shortfallOf(const CornerFillet& result, const Corner& corner,
-                         const CornerShell& made) {
-  const TopoDS_Shape& shape = result.model.shape;
-  if (!result.valid) return corner_why::checksFail();
-  if (!result.fill.regular) return corner_why::mayFold();
-  if (const auto touching = touchingFaces(shape, freshFaces(shape, corner, made)))
-    return corner_why::runsIntoFace(givenNumber(touching->second, shape, corner, made));
-  for (const CornerSeam& seam : result.seams) {
-    if (seam.result.verdict.level >= Level::G1) continue;
-    int face = 0;
-    for (const int side : seam.result.faces)
-      if (face == 0) face = givenNumber(side, shape, corner, made);
-    return corner_why::missesTarget(seam.kind, face, figuresText(seam.result));
-  }
-  return {};
+bool isBetter(const CornerFillet& one, const CornerFillet& other) {
+  const int rank = rankOf(one.shortfall.fault), other_rank = rankOf(other.shortfall.fault);
+  return rank != other_rank ? rank > other_rank : one.largestAngle_rad() < other.largestAngle_rad();
 }
+
+/// The corners that were made of one vertex, and why others were not.
+class Attempts {
+ public:
+  bool met() const { return best_ && best_->met(); }
+
+  void add(CornerReason refusal) {
+    if (first_reason_.empty()) first_reason_ = std::move(refusal);
+  }
+
+  /// OpenCASCADE's fillet counts if it is a valid solid. What fails its checks has to be explained
+  /// by what failed first.
+  void add(CornerFillet made) {
+    const bool theirs = made.filler == CornerFiller::OpenCascade;
+    if (theirs && rankOf(made.shortfall.fault) < rankOf(CornerFault::MissesTarget)) return;
+    if (!theirs && first_reason_.empty()) first_reason_ = made.shortfall;
+    if (best_ && !isBetter(made, *best_)) return;
+    if (theirs) made.patches_shortfall = first_reason_;
+    best_ = std::move(made);
+  }
+
+  /// \throws CornerRefused if nothing was made, with the first reason.
+  CornerFillet best() {
+    if (!best_) throw CornerRefused(first_reason_);
+    return std::move(*best_);
+  }
+
+ private:
+  std::optional<CornerFillet> best_;
+  CornerReason first_reason_;
+};
 
 }  // namespace
 
@@ -216,21 +199,23 @@ CornerFillet cornerFillet(const Model& model, int vertex, const CornerFilletOpti
   // may crash on numbers that are not finite.
   requireUsable(model.shape, model.path, "rounded");
   const Corner corner = cornerOf(model.shape, vertex);
-  constexpr double built = 0.5;  // share of the progress bar
-  BandedCorner made = corner.polyhedral ? polyhedralCorner(corner, options)
-                                        : bandedCorner(corner, options, partOf(progress, 0, built));
-
-  CornerFillet result;
-  result.model = model;
-  result.edges = std::move(made.edges);
-  result.fill = std::move(made.fill);
-  result.section_error_mm = made.section_error_mm;
-  result.model.shape = withShell(model.shape, corner.shell, made.shell.shell);
-  result.model.attributes = attributesAfter(model, result.model.shape, made.shell);
-  result.seams = measured(result.model.shape, made.shell, options, partOf(progress, built, 1));
-  result.valid = BRepCheck_Analyzer(made.shell.shell).IsValid();
-  result.shortfall = shortfallOf(result, corner, made.shell);
-  return result;
+  const std::vector<CornerMaker> makers = makersFor(corner, options);
+  Attempts attempts;
+  for (std::size_t k = 0; k < makers.size() && !attempts.met(); ++k) {
+    const double share = 1.0 / static_cast<double>(makers.size());
+    const Progress part =
+        partOf(progress, static_cast<double>(k) * share, static_cast<double>(k + 1) * share);
+    constexpr double built = 0.5;  // share of the progress bar
+    try {
+      RoundedCorner made = makers[k](partOf(part, 0, built));
+      attempts.add(judgedCorner(model, corner, std::move(made), options, partOf(part, built, 1)));
+    } catch (const CornerRefused& refused) {
+      // No other way would meet the sections as closely as was asked for.
+      if (refused.reason().fault == CornerFault::SectionMisses) throw;
+      attempts.add(refused.reason());
+    }
+  }
+  return attempts.best();
 }
 
 }  // namespace seamwright::occ

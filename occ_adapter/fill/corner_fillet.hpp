@@ -23,6 +23,7 @@ struct CornerFilletOptions {
   /// fitted to a twentieth of the tolerance instead.
   double section_mm = 1e-6;
   ContinuityTolerance tolerance;  ///< what the new seams must meet
+  bool patches_only = false;      ///< OpenCASCADE's own fillet is no result
   int jobs = 0;                   ///< threads; 0: one for each processor
 
   /// The setback of an edge; nothing if it is to be chosen.
@@ -37,7 +38,14 @@ enum class CornerSeamKind {
   Spoke,    ///< two patches
   Section,  ///< a patch and a fillet
   Spring,   ///< a patch and a face
-  Contact   ///< a fillet and a face
+  Contact,  ///< a fillet and a face
+  Fillets   ///< two fillets, where OpenCASCADE fills the corner
+};
+
+/// What closes the corner between the fillets.
+enum class CornerFiller {
+  Patches,     ///< of nSidedFill() or fillHole()
+  OpenCascade  ///< the fillets that BRepFilletAPI_MakeFillet makes of all edges
 };
 
 struct CornerSeam {
@@ -53,22 +61,28 @@ struct CornerFilletEdge {
   double angle_rad = 0;
   double radius_mm = 0;
   double contact_mm = 0;  ///< distance of the contact lines from the edge, at the section
-  double setback_mm = 0;
+  double setback_mm = 0;  ///< 0 where OpenCASCADE fills the corner: the fillet is not set back
+  bool rounded = true;    ///< false: nearly smooth, and OpenCASCADE leaves it as it is
 };
 
 struct CornerFillet {
   Model model;  ///< faces and solids that are still there keep their names and colours
   std::vector<CornerFilletEdge> edges;  ///< counter-clockwise as seen from outside
-  /// The patches. Side 2 i is the section of edge i, side 2 i + 1 the spring curve after it. At
-  /// curved faces only patches (none if some had to be splines), corners and regular are set.
+  CornerFiller filler = CornerFiller::Patches;
+  /// Why patches do not fill the corner; empty if they do.
+  CornerReason patches_shortfall;
+  std::vector<int> faces;  ///< numbers of the fillets and patches in the new model
+  /// The patches; none where OpenCASCADE fills the corner. Side 2 i is the section of edge i, side
+  /// 2 i + 1 the spring curve after it. At curved faces only patches (none if some had to be
+  /// splines), corners and regular are set.
   NSidedFill fill;
   /// Sampled distance of the section curves from their circles; at curved faces the sampled
   /// distance of all sides.
   double section_error_mm = 0;
   std::vector<CornerSeam> seams;  ///< new seams, by edge number
   bool valid = false;             ///< OpenCASCADE's checks of the new shell pass
-  /// What fails; empty if the shell is valid, the patches are proved regular, and the new seams
-  /// meet the tolerance with G1.
+  /// What fails; empty if the shell is valid, patches are proved regular, new faces run into no
+  /// others, and the new seams meet the tolerance with G1.
   CornerReason shortfall;
 
   bool met() const { return shortfall.empty(); }
@@ -91,7 +105,11 @@ std::vector<int> cornerEdges(const Model& model, int vertex);
 /// Between planes the fillets are cylinders, and the patches meet the planes exactly and the
 /// cylinders to within section_mm. OpenCASCADE makes the fillets if a face at the vertex is curved,
 /// if an edge is not a line, or if anything but two more edges and one more plane meets at its far
-/// end; then fillHole() fills the corner.
+/// end; then fillHole() fills the corner. The second way is also tried if the first falls short.
+///
+/// If patches fail or fall short, and no setback is given, the corner is OpenCASCADE's fillet of
+/// all its edges, if that is a valid solid and better: CornerFillet::filler. Its seams are measured
+/// in the same way.
 ///
 /// **Supported** is a vertex in one shell of one solid where 3 to 6 edges, convex or concave, and
 /// as many faces meet, no two of them tangent along an edge. The shell may be the wall of a void.

@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -141,10 +142,9 @@ class HoleBuilder {
   CornerHole build() {
     hole_.strips = cornerStrips(corner_, options_);
     hole_.sides.resize(2 * corner_.count(), {BezierCurve(Poles::Zero(1, 3))});
-    for (std::size_t i = 0; i < corner_.count(); ++i) {
-      placeStrip(i);
-      addSection(i);
-    }
+    for (std::size_t i = 0; i < corner_.count(); ++i) placeStrip(i);
+    requireRests();
+    for (std::size_t i = 0; i < corner_.count(); ++i) addSection(i);
     for (std::size_t i = 0; i < corner_.count(); ++i) addSpring(i);
     return std::move(hole_);
   }
@@ -157,16 +157,28 @@ class HoleBuilder {
     strip.to_edge = -(edge.into[0] + edge.into[1]).normalized();
     strip.centre = foot - strip.radius_mm / std::sin(edge.opening_rad / 2) * strip.to_edge;
     const Vector3d far = corner_.point + edge.length_mm * edge.axis;
+    rests_mm_.push_back(std::numeric_limits<double>::infinity());
     for (std::size_t side = 0; side < 2; ++side) {
       strip.contacts[side] = foot + strip.contact_mm * edge.into[side];
       const double length =
           edge.end_normal.dot(far - strip.contacts[side]) / edge.end_normal.dot(edge.axis);
-      // A choice: a shorter rest of the fillet would be a sliver.
-      if (!(length > 1e-3 * edge.length_mm))
-        throw CornerRefused(corner_why::setBackTooFar(
-            setBackFillet(corner_, hole_.strips, options_, i, edge.length_mm), length));
+      rests_mm_.back() = std::min(rests_mm_.back(), length);
       strip.far_contacts[side] = strip.contacts[side] + length * edge.axis;
     }
+  }
+
+  /// Requires that a part of each fillet is left beyond its setback. The refusal is about the edge
+  /// that asks for the smallest radii.
+  void requireRests() const {
+    std::vector<double> shares;
+    for (std::size_t i = 0; i < corner_.count(); ++i)
+      shares.push_back(rests_mm_[i] / corner_.edges[i].length_mm);
+    const auto worst = static_cast<std::size_t>(std::ranges::min_element(shares) - shares.begin());
+    // A choice: a shorter rest of the fillet would be a sliver.
+    if (!(shares[worst] > 1e-3))
+      throw CornerRefused(corner_why::setBackTooFar(
+          setBackFillet(corner_, hole_.strips, options_, worst, corner_.edges[worst].length_mm),
+          rests_mm_[worst]));
   }
 
   void addSection(std::size_t i) {
@@ -198,6 +210,8 @@ class HoleBuilder {
   const Corner& corner_;
   const CornerFilletOptions& options_;
   CornerHole hole_;
+  std::vector<double>
+      rests_mm_;  ///< by edge: of its fillet beyond the setback, on its shorter side
 };
 
 }  // namespace
@@ -267,7 +281,8 @@ corner_why::SetBackFillet setBackFillet(const Corner& corner,
           .edge_mm = length_mm,
           .setback_mm = strips[i].setback_mm,
           .cause = corner.edges[cause].number,
-          .cause_radius_mm = strips[cause].radius_mm};
+          .cause_radius_mm = strips[cause].radius_mm,
+          .given = options.setback_mm(edge).has_value()};
 }
 
 CornerHole cornerHole(const Corner& corner, const CornerFilletOptions& options) {

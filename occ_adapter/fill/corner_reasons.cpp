@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include <seamwright/occ_adapter/fill/corner_reasons.hpp>
@@ -91,6 +92,13 @@ std::string setBackText(const corner_why::SetBackFillet& fillet) {
                      fillet.cause, radius, long_edge, setback);
 }
 
+/// What the radii are to be multiplied with so that fillets do not use up a length, to which they
+/// are in proportion. A thousandth of the length has to be left; another one is for the rounding of
+/// texts.
+double helpfulFactor(double length_mm, double used_mm) {
+  return (1 - 2e-3) * length_mm / used_mm;
+}
+
 std::string faceText(int face) {
   return face == 0 ? "a new face" : fmt::format("face {}", face);
 }
@@ -109,17 +117,26 @@ std::string betweenText(CornerSeamKind kind, int face) {
       return "a patch and " + faceText(face);
     case CornerSeamKind::Contact:
       return "a fillet and " + faceText(face);
+    case CornerSeamKind::Fillets:
+      return "two fillets";
   }
   return {};
 }
 
-CornerReason setBack(const corner_why::SetBackFillet& fillet, const std::string& what) {
-  return {.fault = CornerFault::SetbackTooLarge,
-          .text = fmt::format("{} {}", setBackText(fillet), what),
-          .numbers = {{"edge_mm", fillet.edge_mm},
-                      {"setback_mm", fillet.setback_mm},
-                      {"radius_mm", fillet.cause_radius_mm}},
-          .edges = edgesOf(fillet.edge, fillet.cause)};
+/// \param left_mm length of the fillet beyond the setback; negative, because it has no room.
+CornerReason setBack(const corner_why::SetBackFillet& fillet, double left_mm,
+                     const std::string& what) {
+  CornerReason reason = {.fault = CornerFault::SetbackTooLarge,
+                         .text = fmt::format("{} {}", setBackText(fillet), what),
+                         .numbers = {{"edge_mm", fillet.edge_mm},
+                                     {"setback_mm", fillet.setback_mm},
+                                     {"radius_mm", fillet.cause_radius_mm}},
+                         .edges = edgesOf(fillet.edge, fillet.cause)};
+  if (fillet.given) return reason;
+  const double factor = helpfulFactor(fillet.edge_mm, fillet.edge_mm - left_mm);
+  reason.text += fmt::format("; all radii {:.3g} times as large would have room", factor);
+  reason.numbers.emplace_back("factor", factor);
+  return reason;
 }
 
 }  // namespace
@@ -224,14 +241,14 @@ CornerReason setbackTooSmall(int edge, double setback_mm, double least_mm) {
 }
 
 CornerReason setBackTooFar(const SetBackFillet& fillet, double length_mm) {
-  CornerReason reason =
-      setBack(fillet, fmt::format("would be {} long on one side", lengthText(length_mm)));
+  CornerReason reason = setBack(fillet, length_mm,
+                                fmt::format("would be {} long on one side", lengthText(length_mm)));
   reason.numbers.emplace_back("length_mm", length_mm);
   return reason;
 }
 
 CornerReason setBackBeyondEnd(const SetBackFillet& fillet) {
-  return setBack(fillet, "would begin beyond its end");
+  return setBack(fillet, fillet.edge_mm - fillet.setback_mm, "would begin beyond its end");
 }
 
 CornerReason setbackOutside(int edge, double setback_mm, double from_mm, double to_mm) {
@@ -253,13 +270,34 @@ CornerReason farEndCut(int edge, double radius_mm, double from_mm) {
   return reason;
 }
 
-CornerReason farEdgeCut(int edge, double length_mm, double from_mm, double to_mm) {
-  return {.fault = CornerFault::FarEdgeCut,
-          .text = fmt::format("edge {}, {} long, at a far end would be cut from {} to {} by the "
-                              "fillets: smaller radii may help",
-                              edge, lengthText(length_mm), lengthText(from_mm), lengthText(to_mm)),
-          .numbers = {{"length_mm", length_mm}, {"from_mm", from_mm}, {"to_mm", to_mm}},
-          .edges = {edge}};
+CornerReason farEdgeCut(int edge, double length_mm, const std::vector<FarCutter>& cutters) {
+  CornerReason reason = {
+      .fault = CornerFault::FarEdgeCut, .numbers = {{"length_mm", length_mm}}, .edges = {edge}};
+  std::vector<std::string> cuts;
+  double all_mm = 0, least_mm = 0;
+  for (const FarCutter& cutter : cutters) {
+    cuts.push_back(fmt::format("the fillet of edge {}, radius {}, takes {} of it", cutter.edge,
+                               lengthText(cutter.radius_mm), lengthText(cutter.cut_mm)));
+    const std::string which = cuts.size() == 1 ? "" : "next_";
+    reason.numbers.emplace_back(which + "radius_mm", cutter.radius_mm);
+    reason.numbers.emplace_back(which + "cut_mm", cutter.cut_mm);
+    reason.edges.push_back(cutter.edge);
+    all_mm += cutter.cut_mm;
+    least_mm = std::min(least_mm, cutter.cut_mm);
+  }
+  reason.text = fmt::format("edge {}, {} long, at a far end: {}", edge, lengthText(length_mm),
+                            fmt::join(cuts, ", "));
+  if (least_mm < 0) {
+    reason.text += ": outside of it, at any radius";
+    return reason;
+  }
+  const double factor = helpfulFactor(length_mm, all_mm);
+  std::vector<std::string> radii;
+  for (const FarCutter& cutter : cutters) radii.push_back(lengthText(factor * cutter.radius_mm));
+  reason.text += fmt::format("; {} of {} or less would leave a part of it",
+                             radii.size() == 1 ? "a radius" : "radii", fmt::join(radii, " and "));
+  reason.numbers.emplace_back("factor", factor);
+  return reason;
 }
 
 CornerReason filletsCross(const std::array<int, 2>& edges,
@@ -281,8 +319,18 @@ CornerReason ballDividesSolid(double ball_mm) {
   return ofBall(CornerFault::BallDividesSolid, ball_mm, "the solid falls apart without it");
 }
 
-CornerReason notRounded(double ball_mm) {
-  return ofBall(CornerFault::NotRounded, ball_mm, "OpenCASCADE rounds no edges outside of it");
+CornerReason notRounded(double ball_mm, const std::vector<int>& edges,
+                        const std::vector<Eigen::Vector3d>& points) {
+  std::vector<std::string> where;
+  for (const int edge : edges) where.push_back(fmt::format("along edge {}", edge));
+  for (const Eigen::Vector3d& at : points)
+    where.push_back(fmt::format("at ({:.4g}, {:.4g}, {:.4g})", at.x(), at.y(), at.z()));
+  CornerReason reason = ofBall(
+      CornerFault::NotRounded, ball_mm,
+      "OpenCASCADE rounds no edges outside of it" +
+          (where.empty() ? "" : fmt::format(": its fillets fail {}", fmt::join(where, ", "))));
+  reason.edges = edges;
+  return reason;
 }
 
 CornerReason noSolid(double ball_mm) {
@@ -333,6 +381,11 @@ CornerReason edgeHasNoFillet(const EdgeOutside& at) {
 
 CornerReason filletMissesBall(const EdgeOutside& at) {
   return outsideBall(at, "its fillet, or the face after it, does not come to the ball");
+}
+
+CornerReason openCascadeHasNone() {
+  return {.fault = CornerFault::NotRounded,
+          .text = "OpenCASCADE makes no fillet of all edges at the vertex"};
 }
 
 CornerReason filletApart(int edge) {

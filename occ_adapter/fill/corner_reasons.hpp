@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <Eigen/Core>
 #include <Standard_Failure.hxx>
 #include <array>
 #include <string>
+#include <vector>
 
 #include <seamwright/occ_adapter/fill/corner_fillet.hpp>
 #include <seamwright/occ_adapter/fill/corner_reason.hpp>
@@ -56,6 +58,7 @@ struct SetBackFillet {
   double setback_mm = 0;
   int cause = 0;
   double cause_radius_mm = 0;
+  bool given = false;  ///< the setback was not chosen
 };
 /// The setback leaves too little of the fillet.
 /// \param length_mm of the fillet along one contact line; may be negative.
@@ -68,9 +71,14 @@ CornerReason setbackOutside(int edge, double setback_mm, double from_mm, double 
 /// A face at the far end cuts the fillet before its section.
 /// \param from_mm where the far plane begins to cut, beyond the section.
 CornerReason farEndCut(int edge, double radius_mm, double from_mm);
+/// A fillet that cuts a part off an edge at its far end.
+struct FarCutter {
+  int edge = 0;  ///< whose fillet it is
+  double radius_mm = 0;
+  double cut_mm = 0;  ///< negative: the fillet's contact line passes the edge outside
+};
 /// Fillets leave too little of an edge at their far ends.
-/// \param from_mm, to_mm where the rest would begin and end, from the beginning of the edge.
-CornerReason farEdgeCut(int edge, double length_mm, double from_mm, double to_mm);
+CornerReason farEdgeCut(int edge, double length_mm, const std::vector<FarCutter>& cutters);
 /// Two neighbouring fillets cross before their sections.
 CornerReason filletsCross(const std::array<int, 2>& edges,
                           const std::array<double, 2>& setbacks_mm);
@@ -82,7 +90,9 @@ CornerReason ballStays(double ball_mm);
 /// Without the ball, the solid is in several parts.
 CornerReason ballDividesSolid(double ball_mm);
 /// OpenCASCADE makes no fillets of the edges that are left.
-CornerReason notRounded(double ball_mm);
+/// \param edges of the corner whose fillets fail. \param points where fillets can't end or meet.
+CornerReason notRounded(double ball_mm, const std::vector<int>& edges,
+                        const std::vector<Eigen::Vector3d>& points);
 /// The result of OpenCASCADE's fillets is not a solid.
 CornerReason noSolid(double ball_mm);
 /// No face of the ball is left after the fillets.
@@ -109,6 +119,9 @@ CornerReason edgeContinues(const EdgeOutside& at);
 CornerReason edgeHasNoFillet(const EdgeOutside& at);
 /// The fillet, or the next face, does not reach the ball.
 CornerReason filletMissesBall(const EdgeOutside& at);
+
+/// OpenCASCADE makes no fillet of all edges at once that closes the corner.
+CornerReason openCascadeHasNone();
 
 // Sections and spring curves are not found.
 

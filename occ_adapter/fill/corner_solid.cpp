@@ -97,6 +97,12 @@ CornerPatches cornerPatches(const Corner& corner, const CornerHole& hole, const 
   return made;
 }
 
+/// A new end of an edge, where the fillet of an edge of the corner ends; null where the end stays.
+struct FarTrim {
+  TopoDS_Vertex end;
+  std::size_t fillet = 0;
+};
+
 /// Gives the faces of the shell their new edges. The parts are kept by reference.
 class FaceRenewal {
  public:
@@ -137,7 +143,7 @@ class FaceRenewal {
       auto& ends = trims_[old_.Add(old.Oriented(TopAbs_FORWARD))];
       const bool at_first =
           TopExp::FirstVertex(TopoDS::Edge(old.Oriented(TopAbs_FORWARD))).IsSame(corner_edge.far);
-      ends[at_first ? 0 : 1] = tubes_[i].far[side];
+      ends[at_first ? 0 : 1] = {tubes_[i].far[side], i};
     }
   }
 
@@ -148,22 +154,35 @@ class FaceRenewal {
     auto made = trimmed_.find(number);
     if (made == trimmed_.end()) {
       const TopoDS_Edge whole = TopoDS::Edge(old_(number));
-      const std::array<TopoDS_Vertex, 2> ends = {TopExp::FirstVertex(whole),
-                                                 TopExp::LastVertex(whole)};
       const auto& cut = trims_[number];
-      const TopoDS_Vertex from = cut[0].IsNull() ? ends[0] : cut[0],
-                          to = cut[1].IsNull() ? ends[1] : cut[1];
-      const Vector3d run = pointAt(ends[1]) - pointAt(ends[0]);
-      const double left = run.normalized().dot(pointAt(to) - pointAt(from));
-      const double spare = run.normalized().dot(pointAt(from) - pointAt(ends[0]));
-      // A choice: a shorter rest of the edge would be a sliver.
-      if (!(left > 1e-3 * run.norm()) || spare < -maker_.tolerance_mm() ||
-          spare + left > run.norm() + maker_.tolerance_mm())
-        throw CornerRefused(corner_why::farEdgeCut(corner_.given_edges.FindIndex(old), run.norm(),
-                                                   spare, spare + left));
+      requireRest(whole, cut, corner_.given_edges.FindIndex(old));
+      const TopoDS_Vertex from = cut[0].end.IsNull() ? TopExp::FirstVertex(whole) : cut[0].end,
+                          to = cut[1].end.IsNull() ? TopExp::LastVertex(whole) : cut[1].end;
       made = trimmed_.emplace(number, maker_.line(from, to)).first;
     }
     return TopoDS::Edge(made->second.Oriented(old.Orientation()));
+  }
+
+  /// Requires that the fillets leave a part of an edge at their far ends.
+  void requireRest(const TopoDS_Edge& whole, const std::array<FarTrim, 2>& trims,
+                   int number) const {
+    const std::array<Vector3d, 2> ends = {pointAt(TopExp::FirstVertex(whole)),
+                                          pointAt(TopExp::LastVertex(whole))};
+    const Vector3d run = ends[1] - ends[0];
+    std::vector<corner_why::FarCutter> cutters;
+    double left_mm = run.norm(), least_mm = 0;
+    for (const std::size_t end : {0, 1}) {
+      if (trims[end].end.IsNull()) continue;
+      const double cut_mm =
+          (end == 0 ? 1 : -1) * run.normalized().dot(pointAt(trims[end].end) - ends[end]);
+      const CornerEdge& edge = corner_.edges[trims[end].fillet];
+      cutters.push_back({edge.number, tubes_[trims[end].fillet].surface->Radius(), cut_mm});
+      left_mm -= cut_mm;
+      least_mm = std::min(least_mm, cut_mm);
+    }
+    // A choice: a shorter rest of the edge would be a sliver.
+    if (!(left_mm > 1e-3 * run.norm()) || least_mm < -maker_.tolerance_mm())
+      throw CornerRefused(corner_why::farEdgeCut(number, run.norm(), cutters));
   }
 
   std::optional<TopoDS_Wire> renewedWire(const TopoDS_Wire& old, const TopoDS_Face& face) {
@@ -210,8 +229,8 @@ class FaceRenewal {
   BRep_Builder builder_;
   TopTools_DataMapOfShapeShape became_;
   TopTools_IndexedMapOfShape old_;  ///< edges at far ends
-  /// New ends of these edges; null where an end stays.
-  std::map<int, std::array<TopoDS_Vertex, 2>> trims_;
+  /// New ends of these edges.
+  std::map<int, std::array<FarTrim, 2>> trims_;
   std::map<int, TopoDS_Edge> trimmed_;
 };
 

@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <TopTools_DataMapOfShapeShape.hxx>
-#include <map>
-#include <vector>
-
 #include <seamwright/occ_adapter/fill/corner_hole.hpp>
+#include <seamwright/occ_adapter/fill/rounded_corner.hpp>
 
 /// Replaces the corner of a shell by fillets and patches. Not a public header.
 namespace seamwright::occ {
-
-struct CornerShell {
-  TopoDS_Shell shell;  ///< old faces in their order, then the cylinders, then the patches
-  TopTools_DataMapOfShapeShape became;  ///< new faces by the faces that they replace
-  std::vector<std::pair<TopoDS_Edge, CornerSeamKind>> seams;
-};
 
 /// \throws CornerRefused for fillets that reach beyond an edge at a far end or
 /// into their own sections.

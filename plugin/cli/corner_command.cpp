@@ -44,6 +44,7 @@ occ::CornerFilletOptions optionsOf(const CornerArguments& arguments,
   occ::CornerFilletOptions options;
   options.radii_mm = byEdge("--radius", arguments.radii_mm, edges);
   options.setbacks_mm = byEdge("--setback", arguments.setbacks_mm, edges);
+  options.patches_only = arguments.patches_only;
   options.tolerance = toleranceOf(arguments.measure);
   options.tolerance.crease_rad =
       std::max(options.tolerance.crease_rad, options.tolerance.angle_rad);
@@ -85,6 +86,9 @@ void addCornerOptions(CLI::App& command, CornerArguments& arguments) {
       "Distance from the vertex, along the edges, at which the fillets end: one for all edges "
       "or one for each, as for --radius; 0 or not given: chosen by the program",
       Range::NotNegative, false);
+  command.add_flag(
+      "--patches-only", arguments.patches_only,
+      "Refuse corners that patches can't fill, instead of filling them by OpenCASCADE");
   command.add_flag("--keep-anyway", arguments.keep_anyway,
                    "Write OUT even if the new seams fall short");
   addG1Options(command, arguments.measure);

@@ -16,7 +16,7 @@ struct CornerArguments {
   std::vector<double> radii_mm;     ///< one for all edges, or one for each edge
   std::vector<double> setbacks_mm;  ///< the same; empty: chosen by the program
   MeasureArguments measure;
-  bool keep_anyway = false;
+  bool keep_anyway = false, patches_only = false;
 };
 
 /// Adds the options to a command. Parsing stores them in \p arguments.

@@ -67,7 +67,8 @@ CornerFilletResult cornerFillet(const occ::Model& model, const py::object& verte
                                 const py::object& radii_mm, const py::object& setbacks_mm,
                                 const py::object& section_mm, const py::object& profile,
                                 const py::object& gap_mm, const py::object& angle_deg,
-                                const py::object& jobs, const py::object& progress) {
+                                const py::object& patches_only, const py::object& jobs,
+                                const py::object& progress) {
   const std::vector<int> edges = cornerEdges(model, vertex);
   occ::CornerFilletOptions options;
   options.radii_mm = lengths("radii_mm", radii_mm, edges);
@@ -78,6 +79,7 @@ CornerFilletResult cornerFillet(const occ::Model& model, const py::object& verte
       toleranceOf({profile, gap_mm, angle_deg, profiles_own, profiles_own, profiles_own});
   options.tolerance.crease_rad =
       std::max(options.tolerance.crease_rad, options.tolerance.angle_rad);
+  options.patches_only = flagOf("patches_only", patches_only);
   options.jobs = wholeNumber("jobs", jobs);
   const int number = argument<int>("vertex", vertex, "the number of a vertex");
   return valueErrors([&] {
@@ -128,26 +130,17 @@ setbacks_mm: where the fillets end, from the vertex along the edge; a number, or
 edges; 0 and the others are chosen.
 section_mm: the largest distance of the patches' sides from the cylinders between planes.
 profile, gap_mm, angle_deg: what the new seams must meet, as in analyze().
+patches_only: where patches fail or fall short and no setback is given, the corner is filled by
+OpenCASCADE if that is better (filled_by); not with patches_only.
 
 Returns a CornerFillet; the model is not changed. It has a model even if met is False; write()
 then needs keep_anyway=True. Supported are 3 to 6 edges, convex or concave, of a solid, between
 planes or curved faces that are not tangent to each other. ValueError, with numbers and a
 reason_code, for others, and where there is no room.)";
 
-void bindCornerResult(py::module_& module) {
-  const std::string write_corner_doc =
-      std::string(write_result_doc) +
-      " ValueError for a corner that is not met, unless keep_anyway.";
-  const std::string doc = std::string("The result of Model.corner_fillet().") + copies_doc;
-  py::class_<CornerFilletResult> type(module, "CornerFillet", py::module_local(), doc.c_str());
-  bindCopies(type);
+/// What the corner falls short of, and what fills it.
+void bindVerdict(py::class_<CornerFilletResult>& type) {
   type.def_property_readonly(
-          "model", [](const CornerFilletResult& result) { return result.fillet.model; },
-          "The new model.")
-      .def_property_readonly(
-          "met", [](const CornerFilletResult& result) { return result.fillet.met(); },
-          "The solid is valid, the patches are regular, the new seams meet the tolerance, proven.")
-      .def_property_readonly(
           "shortfall",
           [](const CornerFilletResult& result) { return result.fillet.shortfall.text; },
           "Which of these does not hold, with numbers; empty where met.")
@@ -164,15 +157,37 @@ void bindCornerResult(py::module_& module) {
           },
           "Numbers and location of the shortfall: ReasonFacts.")
       .def_property_readonly(
+          "filled_by",
+          [](const CornerFilletResult& result) { return report::fillerName(result.fillet.filler); },
+          "What closes the corner between the fillets: patches or opencascade.")
+      .def_property_readonly(
+          "patches_shortfall",
+          [](const CornerFilletResult& result) { return result.fillet.patches_shortfall.text; },
+          "Why patches do not fill the corner; empty where they do.");
+}
+
+void bindCornerResult(py::module_& module) {
+  const std::string write_corner_doc =
+      std::string(write_result_doc) +
+      " ValueError for a corner that is not met, unless keep_anyway.";
+  const std::string doc = std::string("The result of Model.corner_fillet().") + copies_doc;
+  py::class_<CornerFilletResult> type(module, "CornerFillet", py::module_local(), doc.c_str());
+  bindCopies(type);
+  bindVerdict(type);
+  type.def_property_readonly(
+          "model", [](const CornerFilletResult& result) { return result.fillet.model; },
+          "The new model.")
+      .def_property_readonly(
+          "met", [](const CornerFilletResult& result) { return result.fillet.met(); },
+          "The solid is valid, patches are regular, the new seams meet the tolerance, proven.")
+      .def_property_readonly(
           "patches", [](const CornerFilletResult& result) { return result.fillet.fill.patches; },
-          "BezierPatches of the corner, as n_sided_fill() orders them.")
+          "BezierPatches of the corner, as n_sided_fill() orders them; none if OpenCASCADE fills "
+          "it.")
       .def("to_dict", &cornerFilletDict,
            "All but the model and the patches as a plain dict with the keys of the JSON; seams "
-           "also with what "
-           "they are between: spoke (two patches), section (patch and fillet), spring (patch and "
-           "face), "
-           "contact "
-           "(fillet and face).")
+           "also with what they are between: spoke (two patches), section (patch and fillet), "
+           "spring (patch and face), contact (fillet and face), fillets (two fillets).")
       .def(
           "to_json",
           [](const CornerFilletResult& result) { return report::toLine(jsonOf(result)); },
@@ -200,8 +215,8 @@ void bindCornerFillet(py::module_& module) {
   model.def("corner_fillet", &cornerFillet, corner_fillet_doc, py::arg("vertex"),
             py::arg("radii_mm"), py::kw_only(), py::arg("setbacks_mm") = py::none(),
             py::arg("section_mm") = 1e-6, py::arg("profile") = "default",
-            py::arg("gap_mm") = py::none(), py::arg("angle_deg") = py::none(), py::arg("jobs") = 0,
-            py::arg("progress") = py::none());
+            py::arg("gap_mm") = py::none(), py::arg("angle_deg") = py::none(),
+            py::arg("patches_only") = false, py::arg("jobs") = 0, py::arg("progress") = py::none());
 }
 
 }  // namespace seamwright::python

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seamwright/core/planar/arc_fit.hpp>
+#include <seamwright/core/planar/point_corners.hpp>
+#include <seamwright/core/planar/sampled_chain.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
 #include <seamwright/plugin/python/curves.hpp>
 #include <seamwright/plugin/python/planar.hpp>
@@ -69,6 +71,32 @@ py::object fitArcsOf(const py::object& curve, const py::object& tolerance_mm,
   dict["distance_mm"] = fit.distance_mm;
   dict["least_arcs"] = fit.least_arcs;
   return resultOf("ArcFit", dict);
+}
+
+std::vector<Eigen::Index> pointCornersOf(const py::object& points, const py::object& closed,
+                                         const py::object& corner_rad, const py::object& error_mm) {
+  return pointCorners(planarPointsOf("points", points),
+                      {.closed = flagOf("closed", closed),
+                       .corner_rad = parameter("corner_rad", corner_rad),
+                       .error_mm = parameter("error_mm", error_mm)});
+}
+
+py::object sampledArcsOf(const py::object& points, const py::object& closed,
+                         const py::object& tolerance_mm) {
+  const PlanarPoints rows = planarPointsOf("points", points);
+  const SampledChainOptions options{.closed = flagOf("closed", closed),
+                                    .tolerance_mm = positiveNumber("tolerance_mm", tolerance_mm)};
+  const auto sampled = [&] {
+    const py::gil_scoped_release release;
+    return sampledChain(rows, options);
+  }();
+  if (!sampled) return py::none();
+  const ArcChain chain(sampled->arcs, sampled->closed, sampled->corners);
+  py::dict dict;
+  dict["chain"] = chain;
+  dict["curve"] = exactSpline(chain);
+  dict["distance_mm"] = sampled->distance_mm;
+  return resultOf("SampledArcs", dict);
 }
 
 void bindArc(py::module_& module) {
@@ -166,11 +194,37 @@ Source: docs/theory/planar.md P1.3. The knots are arc lengths.)")
   bindEquality(type);
 }
 
+void bindSamples(py::module_& module) {
+  const PointCornerOptions corner_defaults;
+  module.def("point_corners", &pointCornersOf, py::arg("points"), py::kw_only(),
+             py::arg("closed") = false, py::arg("corner_rad") = corner_defaults.corner_rad,
+             py::arg("error_mm") = corner_defaults.error_mm,
+             R"(The indices of points at which a sampled curve has a corner, ascending.
+
+points: (count, 2) in mm. There the polygon turns by more than corner_rad, and five times as much as
+at the nearest points before and after it that turn by less; eight times if few points lie on each
+of its sides up to the next corner. error_mm: by how much points may be off. Ends of open curves do
+not count. ValueError for fewer than 3 points, numbers that are not finite and equal neighbours.
+)");
+  const SampledChainOptions defaults;
+  module.def("sampled_arcs", &sampledArcsOf, py::arg("points"), py::kw_only(),
+             py::arg("closed") = defaults.closed, py::arg("tolerance_mm") = defaults.tolerance_mm,
+             R"(The fewest lines and arcs whose samples the points are: SampledArcs, or None.
+
+points: (count, 2) in mm, of lines and arcs up to errors within 2/5 of the tolerance along each axis.
+The chain is G1 between corners; these may lie between points at equal steps. No point is further
+from it than distance_mm. An arc needs three points of its own, a line two. None if there is no such
+chain. ValueError for numbers that are not finite and equal neighbours. Source:
+docs/theory/planar.md P9.6.
+)");
+}
+
 }  // namespace
 
 void bindPlanarArc(py::module_& module) {
   bindArc(module);
   bindArcChain(module);
+  bindSamples(module);
   module.def("arc_through", &arcThroughOf, py::arg("start"), py::arg("direction_rad"),
              py::arg("end"),
              R"(The PlanarArc from a point with a direction there to another point.

@@ -6,13 +6,11 @@
 #include <seamwright/occ_adapter/fill/corner_fillet.hpp>
 #include <seamwright/plugin/report/written.hpp>
 #include <string>
-#include <vector>
 
 namespace seamwright::report {
 
-/// Numbers of the faces that round the edges (cylinders between planes) and of the patches of the
-/// corner in the new model.
-std::vector<int> newFaces(const occ::CornerFillet& fillet);
+/// "patches" or "opencascade".
+const char* fillerName(occ::CornerFiller filler);
 
 /// Counts the seams of the new faces. Counts the seams of all faces if a model does not have the
 /// faces of the model in memory. Both arguments must outlive the result.

@@ -16,6 +16,7 @@
 #include "corner_solids.hpp"
 
 #include <seamwright/occ_adapter/fill/corner_fillet.hpp>
+#include <seamwright/occ_adapter/fill/corner_reasons.hpp>
 
 namespace seamwright::test {
 namespace {
@@ -39,6 +40,17 @@ std::string messageOf(const std::function<void()>& work) {
   return "nothing thrown";
 }
 
+/// The factor of the radii that a refusal names; 0 if there is none.
+double factorOf(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const occ::CornerRefused& refused) {
+    for (const auto& [name, value] : refused.reason().numbers)
+      if (name == "factor") return value;
+  }
+  return 0;
+}
+
 /// The corner at the origin of a cube of side 10: edges 1, 4 and 9.
 struct CubeCorner {
   Model model = modelFromShape(BRepPrimAPI_MakeBox(10, 10, 10).Shape());
@@ -46,6 +58,7 @@ struct CubeCorner {
   CornerFilletOptions options;
 
   CubeCorner() {
+    options.patches_only = true;
     for (const int edge : occ::cornerEdges(model, vertex)) options.radii_mm[edge] = 1;
   }
   template <class Error>
@@ -116,11 +129,20 @@ TEST(CornerFilletLimits, TheEdgeWhoseRadiusIsTooLargeIsNamed) {
   const std::vector<int> edges = occ::cornerEdges(model, vertex);
   for (const int large : edges) {
     CornerFilletOptions options;
+    options.patches_only = true;
     for (const int edge : edges) options.radii_mm[edge] = edge == large ? 28 : 0.5;
     const std::string said =
         messageOf<std::domain_error>([&] { cornerFillet(model, vertex, options); });
     EXPECT_EQ(said.rfind("edge " + std::to_string(large) + ": with a radius of 28 mm there", 0), 0U)
         << said;
+    // The numbers that the text names have room.
+    const double factor = factorOf([&] { cornerFillet(model, vertex, options); });
+    ASSERT_LT(factor, 1);
+    for (auto& [edge, radius_mm] : options.radii_mm) radius_mm *= factor;
+    EXPECT_EQ(messageOf<std::domain_error>([&] {
+                cornerFillet(model, vertex, options);
+              }).find("set back by"),
+              std::string::npos);
     options.radii_mm[large] = 0.5;
     const std::string alone = messageOf<std::domain_error>([&] {
       options.setbacks_mm[large] = 40;
@@ -150,13 +172,14 @@ TEST(CornerFilletLimits, FilletsThatRunIntoAVoidAreNoCorners) {
   const Model model = modelFromShape(hollow);
   const int vertex = vertexAt(hollow, {0, 0, 20});
   CornerFilletOptions options;
+  options.patches_only = true;
   for (const int edge : occ::cornerEdges(model, vertex)) options.radii_mm[edge] = 2;
   EXPECT_THAT(cornerFillet(model, vertex, options).shortfall.text, HasSubstr("runs into face"));
   for (auto& [edge, radius_mm] : options.radii_mm) radius_mm = 0.2;
   EXPECT_EQ(cornerFillet(model, vertex, options).shortfall.text, "");
 }
 
-TEST(CornerFilletLimits, FilletsThatReachBeyondAFarEdgeAreRefused) {
+TEST(CornerFilletLimits, FilletsThatReachBeyondAFarEdgeAreMadeAmongCurvedFaces) {
   const TopoDS_Shape tapered = polyhedron(
       {{0, 0, 0},
        {0, 10, 0},
@@ -169,14 +192,27 @@ TEST(CornerFilletLimits, FilletsThatReachBeyondAFarEdgeAreRefused) {
       {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 4, 7, 3}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}});
   const Model model = modelFromShape(tapered);
   const int vertex = vertexAt(tapered, {0, 0, 0});
-  const auto refusal = [&](double radius_mm) {
-    CornerFilletOptions options;
-    for (const int edge : occ::cornerEdges(model, vertex)) options.radii_mm[edge] = radius_mm;
-    return messageOf<std::domain_error>([&] { cornerFillet(model, vertex, options); });
-  };
-  EXPECT_EQ(refusal(1), "nothing thrown");
-  EXPECT_THAT(refusal(3),
-              testing::ContainsRegex("^edge [0-9]+, 2 mm long, at a far end would be cut from"));
+  CornerFilletOptions options;
+  options.patches_only = true;
+  for (const int edge : occ::cornerEdges(model, vertex)) options.radii_mm[edge] = 3;
+  const occ::CornerFillet made = cornerFillet(model, vertex, options);
+  EXPECT_TRUE(made.met()) << made.shortfall.text;
+  EXPECT_LT(volume_mm3(made.model.shape), volume_mm3(tapered));
+}
+
+TEST(CornerFilletLimits, AFarEdgeThatIsTooShortNamesRadiiThatLeaveAPart) {
+  const occ::CornerReason one = occ::corner_why::farEdgeCut(12, 139, {{3, 20, 141}});
+  EXPECT_EQ(one.text,
+            "edge 12, 139 mm long, at a far end: the fillet of edge 3, radius 20 mm, takes 141 mm "
+            "of it; a radius of 19.68 mm or less would leave a part of it");
+  EXPECT_EQ(one.edges, (std::vector<int>{12, 3}));
+  // Cuts are in proportion to the radii.
+  ASSERT_EQ(one.numbers.back().first, "factor");
+  EXPECT_LT(one.numbers.back().second * 141, (1 - 1e-3) * 139);
+  const occ::CornerReason two = occ::corner_why::farEdgeCut(5, 10, {{1, 4, 8}, {2, 2, 4}});
+  EXPECT_THAT(two.text, HasSubstr("; radii of 3.327 mm and 1.663 mm or less would leave"));
+  EXPECT_THAT(occ::corner_why::farEdgeCut(5, 10, {{1, 4, -8}}).text,
+              HasSubstr("outside of it, at any radius"));
 }
 
 TEST(CornerFilletLimits, CornersOfOtherKindsAreRefused) {
@@ -199,6 +235,7 @@ TEST(CornerFilletLimits, SectionsThatAPolynomialCanNotFollowAreRefused) {
   const Model model = modelFromShape(blade);
   const int vertex = vertexAt(blade, {0, 0, 0});
   CornerFilletOptions options;
+  options.patches_only = true;
   options.section_mm = 1e-9;
   for (const int edge : occ::cornerEdges(model, vertex)) options.radii_mm[edge] = 10;
   EXPECT_THAT(messageOf<std::domain_error>([&] { cornerFillet(model, vertex, options); }),
@@ -245,6 +282,7 @@ TEST(CornerFilletLimits, FilletsAcrossABoreFailTheChecks) {
       modelFromShape(BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(10, 10, 10).Shape(), bore).Shape());
   const int vertex = vertexAt(model.shape, {0, 0, 0});
   CornerFilletOptions options;
+  options.patches_only = true;
   for (const int edge : occ::cornerEdges(model, vertex)) options.radii_mm[edge] = 1.5;
   const occ::CornerFillet crossed = cornerFillet(model, vertex, options);
   EXPECT_FALSE(crossed.valid || crossed.met());

@@ -168,6 +168,7 @@ TEST(CurvedCorner, SaysWhatItCanNotDo) {
   const Model model = modelFromShape(shape);
   const int vertex = vertexAt(shape, {20, 0, 0});
   CornerFilletOptions options = withRadii(model, vertex, {2});
+  options.patches_only = true;
   const int edge = options.radii_mm.begin()->first;
   options.setbacks_mm[edge] = 2.01;
   EXPECT_THAT(refusal([&] { cornerFillet(model, vertex, options); }),

@@ -38,6 +38,7 @@ Curve = Union[
     _r.InterpolatingSpline,
     _r.BiarcSpline,
     _r.ArcFit,
+    _r.SampledArcs,
     _r.SplineWithin,
     _r.G2Conics,
     _r.FairedCurve,
@@ -49,7 +50,7 @@ Curve = Union[
     _r.SplineFrame,
 ]
 FunctionPoints = Union[Numbers, _r.FunctionSpline, _r.FairedFunction]
-Arcs = Union[Sequence[PlanarArc], ArcChain, _r.Biarc, _r.BiarcSpline, _r.ArcFit]
+Arcs = Union[Sequence[PlanarArc], ArcChain, _r.Biarc, _r.BiarcSpline, _r.ArcFit, _r.SampledArcs]
 Surface = Union[BezierPatch, BezierTriangle]
 ModelItem = Union[
     Curve,
@@ -553,6 +554,13 @@ class PlanarConic:
     def __setstate__(self, arg0: Tuple[Any, ...]) -> None: ...
 
 def arc_through(start: Numbers, direction_rad: Number, end: Numbers) -> PlanarArc: ...
+def point_corners(
+    points: Numbers, *, closed: bool = False, corner_rad: Number = 1.0471975511965976,
+    error_mm: Number = 0.0
+) -> List[int]: ...
+def sampled_arcs(
+    points: Numbers, *, closed: bool = False, tolerance_mm: Number = 0.01
+) -> Optional[_r.SampledArcs]: ...
 def fit_arcs(
     curve: Curve, tolerance_mm: Number = 0.01, *, corner_rad: Number = 0.001
 ) -> _r.ArcFit: ...
@@ -1494,6 +1502,7 @@ class Model:
         profile: str = "default",
         gap_mm: Optional[Number] = None,
         angle_deg: Optional[Number] = None,
+        patches_only: Flag = False,
         jobs: Whole = 0,
         progress: Progress = None,
     ) -> CornerFillet: ...
@@ -1649,6 +1658,10 @@ class CornerFillet:
     def shortfall_code(self) -> str: ...
     @property
     def shortfall_facts(self) -> _r.ReasonFacts: ...
+    @property
+    def filled_by(self) -> str: ...
+    @property
+    def patches_shortfall(self) -> str: ...
     @property
     def patches(self) -> List[BezierPatch]: ...
     def __copy__(self) -> CornerFillet: ...

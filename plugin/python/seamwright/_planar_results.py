@@ -82,6 +82,19 @@ class ArcFit(Result):
     least_arcs: int
 
 
+class SampledArcs(Result):
+    """The lines and arcs of which points are samples; an argument ``curve`` and ``chain`` of others.
+
+    chain        an ArcChain
+    curve        the same points as a BezierSpline
+    distance_mm  no point is further from the chain
+    """
+
+    chain: ArcChain
+    curve: BezierSpline
+    distance_mm: float
+
+
 class SplineWithin(Result):
     """A spline that approximates another curve; an argument ``curve`` of others.
 

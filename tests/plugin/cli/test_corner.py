@@ -73,12 +73,31 @@ def test_every_key_of_the_report_matters(box):
 
 
 def test_what_falls_short_is_not_written(box):
-    options = ["--vertex", "1", "--radius", "0.2", "--angle", "1e-9"]
+    options = ["--vertex", "1", "--radius", "0.2", "--angle", "1e-9", "--patches-only"]
     result, report, out = corner(box, *options)
     assert result.returncode == 1 and "NOT REACHED G1: a seam between a patch and " in result.stdout
     assert not out.exists() and report["output"] is None and not report["met"]
     result, report, out = corner(box, *options, "--keep-anyway")
     assert result.returncode == 1 and out.exists() and report["output"]["defects"] > 0
+
+
+def test_where_patches_have_no_room_opencascade_fills_and_is_named(box):
+    options = ["--vertex", "1", "--radius", "8"]
+    result, report, out = corner(box, *options)
+    assert result.returncode == 0, result.stdout + result.stderr
+    assert "filled by OpenCASCADE, worst angle " in result.stdout
+    assert "; not by patches: edge " in result.stdout and "REACHED G1" in result.stdout
+    assert report["filled_by"] == "opencascade" and report["regular"] is None
+    assert report["patches_shortfall"].endswith("would have room")
+    assert report["patches_shortfall_code"] == "setback_too_large"
+    assert [edge["setback_mm"] for edge in report["edges"]] == [None] * 3
+    # Three cylinders and an octant of a sphere, with six contacts and three sections.
+    assert len(report["faces"]) == 4 and len(report["seams"]) == 9
+    assert analysis(out)["summary"]["defects"] == 0
+    patched = corner(box, "--vertex", "1", "--radius", "0.2")
+    assert patched[1]["filled_by"] == "patches" and "filled by patches\n" in patched[0].stdout
+    refused = run("corner", box, "-o", out.parent / "no.step", *options, "--patches-only")
+    expect_one_line(refused, "would have room")
 
 
 @pytest.mark.parametrize(

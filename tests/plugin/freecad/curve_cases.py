@@ -12,8 +12,9 @@ from document_cases import DocumentCase
 from freecad.seamwright.document.curves import arcs
 from freecad.seamwright.document.curves import kinds as curves
 from freecad.seamwright.document.curves.conic import CHAIN
-from freecad.seamwright.document.curves.samples import corners_of, end_directions
+from freecad.seamwright.document.curves.samples import end_directions, runs_of
 from freecad.seamwright.document.curves.spline import ALPHA, BETA, DIRECT, GAMMA, NU
+from freecad.seamwright.plain import kernel
 
 #: Points of a wave.
 WAVE = [(0, 0, 0), (10, 22, 0), (26, 18, 0), (34, 2, 0), (52, 6, 0)]
@@ -375,10 +376,8 @@ BOW += [(x, 0, 1) for x in range(-15, 20, 5)]
 class Corners(DocumentCase):
     def test_corners_of_points_stay(self):
         points = numpy.array(BOW)[:, :2]
-        self.assertEqual(corners_of(points, True), [0, 24])
-        self.assertEqual(corners_of(numpy.roll(points, 7, axis=0), True), [7, 31])
-        self.assertEqual(corners_of(points, False), [24])
-        self.assertEqual(corners_of(numpy.array([(0, 0), (1, 0), (1, 1), (0, 1)]), True), [])
+        runs = runs_of(kernel.load(Part.OCC_VERSION), points, True)
+        self.assertEqual([len(run) for run, _ in runs], [25, 9])
         ring = Part.Compound(vertices([*BOW, BOW[0]]))
         for kind, options in (
             ("Arcs", {}), ("Clothoid", {}), ("Conic", {"points": CHAIN}), ("FairCurve", {})
@@ -407,4 +406,15 @@ class Corners(DocumentCase):
         for count in (3, 5, 12, 100):
             at = numpy.arange(count) * 2 * math.pi / count
             circle = numpy.column_stack([numpy.cos(at), numpy.sin(at)])
-            self.assertEqual(corners_of(circle, True), [])
+            ((run, closed),) = runs_of(kernel.load(Part.OCC_VERSION), circle, True)
+            self.assertTrue(closed)
+            self.assertEqual(len(run), count)
+
+    def test_corners_between_points_are_found_by_arcs(self):
+        sides = numpy.repeat([[1, 0], [0, 1], [-1, 0], [0, -1]], (60, 40, 60, 40), axis=0)
+        points = numpy.cumsum(sides, axis=0) - 0.4 * sides
+        ring = Part.Compound(vertices([(*point, 2) for point in [*points, points[0]]]))
+        made = curves.make("Arcs", ring)
+        self.assertEqual((made.report["arcs"], made.report["lines"]), (0, 4))
+        self.assertAlmostEqual(made.shape.Length, 200)
+        self.assertIn("the points are samples of these", made.summary)

@@ -226,7 +226,7 @@ def test_a_profile_is_known_by_the_tolerances_there_are():
 # Corners
 
 
-def corner(met=True, shortfall=""):
+def corner(met=True, shortfall="", filled_by="patches", patches_shortfall=""):
     edges = [
         {
             "edge": n,
@@ -240,24 +240,57 @@ def corner(met=True, shortfall=""):
     ]
     seams = []
     for number, (between, faces) in enumerate(
-        (("spoke", [10, 11]), ("section", [7, 10]), ("spring", [1, 11]), ("contact", [1, 8])), 1
+        (
+            ("spoke", [10, 11]),
+            ("section", [7, 10]),
+            ("spring", [1, 11]),
+            ("contact", [1, 8]),
+            ("fillets", [7, 8]),
+        ),
+        1,
     ):
         seams.append({**seam(number), "between": between, "faces": faces})
-    return {"met": met, "shortfall": shortfall, "edges": edges, "seams": seams}
+    return {
+        "met": met,
+        "shortfall": shortfall,
+        "filled_by": filled_by,
+        "patches_shortfall": patches_shortfall,
+        "faces": [7, 8, 10, 11],
+        "edges": edges,
+        "seams": seams,
+    }
 
 
 def test_a_corner_is_told_with_its_radii():
     report = corner_text.build_report(corner(), TOLERANCE)
     assert corner_text.summary_text(report).startswith(
-        "Corner of 3 edges rounded with radii 1, 2.5, 0.125 mm; 4 seams"
+        "Corner of 3 edges rounded with radii 1, 2.5, 0.125 mm; 5 seams"
     )
-    assert corner_text.new_faces(report) == {7, 10, 11} and corner_text.patches(report) == {10, 11}
+    assert corner_text.new_faces(report) == {7, 8, 10, 11}
+    assert corner_text.patches(report) == {10, 11}
+    assert "OpenCASCADE" not in corner_text.summary_text(report)
     assert [corner_text.edge_text(edge) for edge in report["edges"][:2]] == [
         "concave, 90\u00b0",
         "convex, 90\u00b0",
     ]
     assert [each["between"] for each in report["seams"]] == list(corner_text.BETWEEN.values())
     assert json.loads(json.dumps(report)) == report
+
+
+def test_a_corner_that_opencascade_fills_says_so():
+    found = corner(filled_by="opencascade", patches_shortfall="edge 4: no section.")
+    report = corner_text.build_report(found, TOLERANCE)
+    assert corner_text.summary_text(report).endswith(
+        "G1 is met. Filled by OpenCASCADE; not by patches: Edge4: no section."
+    )
+
+
+def test_a_corner_of_an_older_document_was_filled_by_patches():
+    report = corner_text.build_report(corner(), TOLERANCE)
+    for key in ("filled_by", "patches_reason", "faces"):
+        del report[key]
+    assert corner_text.summary_text(report).endswith("G1 is met.")
+    assert corner_text.new_faces(report) == {7, 10, 11}
 
 
 def test_a_corner_that_falls_short_says_why_and_has_no_numbers():

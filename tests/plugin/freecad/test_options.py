@@ -92,4 +92,9 @@ def test_sentences():
         "1 arc and 2 lines for 2 curves, 50 mm long, at most 0.00991 mm from the input (proven); "
         "no chain has fewer than 3."
     )
+    of_samples = {**report, "curves": 1, "least_arcs": 0}
+    assert curve_text.arcs_text(of_samples) == (
+        "1 arc and 2 lines, 50 mm long, at most 0.00991 mm from the input: "
+        "the points are samples of these."
+    )
     assert curve_text.failure_text("there are no points.") == "Not made: there are no points."

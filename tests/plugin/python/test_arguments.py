@@ -65,6 +65,9 @@ NUMBERS = [
     ("growth", lambda x: seamwright.LogSpiral([0, 0], 0, 1, x, 1)),
     ("corner_rad", lambda x: seamwright.fit_arcs(LINE, corner_rad=x)),
     ("corner_rad", lambda x: seamwright.fit_clothoids(LINE, corner_rad=x)),
+    ("corner_rad", lambda x: seamwright.point_corners(PLANE, corner_rad=x)),
+    ("error_mm", lambda x: seamwright.point_corners(PLANE, error_mm=x)),
+    ("tolerance_mm", lambda x: seamwright.sampled_arcs(PLANE, tolerance_mm=x)),
     ("start_share", lambda x: seamwright.two_conics(*PLANE[:3], -1, -1, start_share=x)),
     ("start_curvature_per_mm", lambda x: seamwright.clothoid_spline(
         PLANE, start_curvature_per_mm=x)),

@@ -135,7 +135,7 @@ def test_the_result_is_written_and_read(box, tmp_path):
 
 
 def test_a_file_that_falls_short_says_so(box, tmp_path):
-    result = box.corner_fillet(1, 1, angle_deg=1e-9)
+    result = box.corner_fillet(1, 1, angle_deg=1e-9, patches_only=True)
     assert not result.met and result.shortfall.startswith("a seam between a patch and ")
     with pytest.raises(ValueError, match="keep_anyway=True: a seam between a patch and "):
         result.write(tmp_path / "out.step")
@@ -158,7 +158,11 @@ def test_the_report_is_there_in_all_forms(box):
 
 def test_a_corner_that_is_not_regular_is_written_and_said_so(box, tmp_path):
     edges = box.corner_edges(6)
-    result = box.corner_fillet(6, dict(zip(edges, (0.01, 0.01, 3))))
+    radii = dict(zip(edges, (0.001, 0.001, 4)))
+    filled = box.corner_fillet(6, radii)
+    assert filled.met and filled.filled_by == "opencascade"
+    assert "regular" in filled.patches_shortfall
+    result = box.corner_fillet(6, radii, patches_only=True)
     report = result.to_dict()
     assert (result.met, report["met"], report["regular"]) == (False, False, False)
     assert "regular" in result.shortfall == report["shortfall"]
@@ -213,3 +217,17 @@ def test_a_refused_corner_has_a_code(box):
 def test_it_can_be_stopped(box):
     with pytest.raises(seamwright.Cancelled):
         box.corner_fillet(1, 1, progress=lambda share: False)
+
+
+def test_opencascade_fills_where_patches_have_no_room(box):
+    result = box.corner_fillet(1, 8)
+    assert result.met and result.filled_by == "opencascade" and result.patches == []
+    assert "would have room" in result.patches_shortfall
+    what = result.to_dict()
+    assert what["filled_by"] == "opencascade" and what["regular"] is None
+    assert {seam["between"] for seam in what["seams"]} == {"section", "contact"}
+    assert len(what["faces"]) == 4 and result.model.face_count == 6 + 4
+    with pytest.raises(ValueError, match="would have room"):
+        box.corner_fillet(1, 8, patches_only=True)
+    patched = box.corner_fillet(1, 1)
+    assert patched.filled_by == "patches" and patched.patches_shortfall == ""

@@ -178,6 +178,55 @@ def test_bad_arcs(call, kind, text):
         call()
 
 
+# Samples
+
+
+def sampled_slot(steps):
+    """Points of a slot of 40 mm with half circles of 10 mm: two lines, two arcs, no corner."""
+    along = np.arange(steps) / steps
+    turns = math.pi * (along - 0.5)
+    line = np.stack([40 * along, np.full(steps, -10.0)], axis=1)
+    cap = np.stack([40 + 10 * np.cos(turns), 10 * np.sin(turns)], axis=1)
+    half = np.concatenate([line, cap])
+    return np.concatenate([half, [40, 0] - half])
+
+
+def test_samples_of_lines_and_arcs_are_these():
+    found = seamwright.sampled_arcs(sampled_slot(12), closed=True)
+    assert sorted(round(arc.length_mm, 9) for arc in found.chain.arcs) == [
+        round(10 * math.pi, 9), round(10 * math.pi, 9), 40, 40,
+    ]  # fmt: skip
+    assert found.chain.closed and found.chain.corners == [] and found.distance_mm < 1e-9
+
+
+def test_corners_between_points_are_found():
+    sides = np.repeat([[1, 0], [0, 1], [-1, 0], [0, -1]], (60, 40, 60, 40), axis=0)
+    points = np.cumsum(sides, axis=0) - 0.4 * sides
+    assert not np.any((points % 1 == 0).all(axis=1))
+    found = seamwright.sampled_arcs(points, closed=True)
+    assert sorted(tuple(np.round(arc.start, 9)) for arc in found.chain.arcs) == [
+        (0, 0), (0, 40), (60, 0), (60, 40),
+    ]  # fmt: skip
+    assert found.chain.corners == [0, 1, 2, 3]
+
+
+def test_points_of_other_curves_are_no_samples_of_arcs():
+    turns = np.linspace(0, 2 * math.pi, 40, endpoint=False)
+    ellipse = np.stack([30 * np.cos(turns), 10 * np.sin(turns)], axis=1)
+    assert seamwright.sampled_arcs(ellipse, closed=True, tolerance_mm=1e-4) is None
+    assert seamwright.point_corners(ellipse, closed=True) == []
+
+
+def test_corners_of_points():
+    outline = [[x, 0] for x in range(10)] + [[10, y] for y in range(8)]
+    assert seamwright.point_corners(outline) == [10]
+    assert seamwright.point_corners(outline, corner_rad=2) == []
+    with pytest.raises(ValueError, match="2 points: at least 3"):
+        seamwright.point_corners(outline[:2])
+    with pytest.raises(ValueError, match="points 0 and 1 are equal"):
+        seamwright.sampled_arcs([[0, 0], [0, 0], [1, 0]])
+
+
 # Biarcs
 
 

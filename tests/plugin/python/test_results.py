@@ -111,6 +111,7 @@ def planar_results():
         seamwright.planar_tangents(points),
         seamwright.biarc_spline(points),
         seamwright.fit_arcs(s, 0.1),
+        seamwright.sampled_arcs([[0, 0], [1, 0], [2, 0], [3, 0]]),
         seamwright.clothoid_spline(points),
         seamwright.clothoid([0, 0], 0.3, [4, 1], -0.5).bezier_spline(0.01),
         seamwright.g2_conics(seamwright.biarc_spline(points)),

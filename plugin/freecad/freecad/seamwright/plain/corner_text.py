@@ -2,8 +2,10 @@
 """The texts about a corner of several fillets.
 
 The report is a dict with the keys ``tolerance``, ``met``, ``reason`` (why the target is not met),
-``edges`` and ``seams`` (see new_seams). ``edges`` has a dict for each edge: edge, convex,
-angle_deg, radius_mm, contact_mm, setback_mm. The numbers of edges are those of the source.
+``filled_by`` ("patches" or "opencascade"), ``patches_reason`` (why not by patches), ``faces`` (the
+new ones), ``edges`` and ``seams`` (see new_seams). ``edges`` has a dict for each edge: edge,
+rounded, convex, angle_deg, radius_mm, contact_mm, setback_mm (None where OpenCASCADE fills). The
+numbers of edges are those of the source.
 """
 
 import math
@@ -12,7 +14,16 @@ from freecad.seamwright.plain import enclosure, new_seams, repair_text, summary
 
 TARGET = "G1"
 
-EMPTY_REPORT = {"tolerance": {}, "met": False, "reason": "", "edges": [], "seams": []}
+EMPTY_REPORT = {
+    "tolerance": {},
+    "met": False,
+    "reason": "",
+    "filled_by": "patches",
+    "patches_reason": "",
+    "faces": [],
+    "edges": [],
+    "seams": [],
+}
 
 #: The faces that meet at a new seam, by the kernel's word for the seam.
 BETWEEN = {
@@ -20,6 +31,7 @@ BETWEEN = {
     "section": "patch, fillet",
     "spring": "patch, face",
     "contact": "fillet, face",
+    "fillets": "two fillets",
 }
 
 #: A suggested radius is this part of the length of the shortest edge, rounded down to one digit.
@@ -38,6 +50,9 @@ def build_report(found, tolerance):
         "tolerance": tolerance,
         "met": found["met"],
         "reason": repair_text.named(found["shortfall"]),
+        "filled_by": found["filled_by"],
+        "patches_reason": repair_text.named(found["patches_shortfall"]),
+        "faces": found["faces"] if found["met"] else [],
         "edges": found["edges"],
         "seams": seams,
     }
@@ -50,7 +65,18 @@ def summary_text(report):
     radii = ", ".join(enclosure.number(edge["radius_mm"]) for edge in report["edges"])
     seams = new_seams.largest_text(report["seams"], report["tolerance"])
     rounded = summary.counted(len(report["edges"]), "edge")
-    return "Corner of %s rounded with radii %s mm; %s; %s is met." % (rounded, radii, seams, TARGET)
+    made = "Corner of %s rounded with radii %s mm; %s; %s is met." % (rounded, radii, seams, TARGET)
+    return made + filled_text(report)
+
+
+def filled_text(report):
+    """Say that OpenCASCADE filled the corner, and why patches did not; "" where patches did.
+
+    Reports of documents that older versions saved do not say who filled: it was patches.
+    """
+    if report.get("filled_by", "patches") == "patches":
+        return ""
+    return " Filled by OpenCASCADE; not by patches: %s." % report["patches_reason"].rstrip(".")
 
 
 def waiting_text(edges):
@@ -59,8 +85,11 @@ def waiting_text(edges):
 
 
 def new_faces(report):
-    """Return the numbers of the patches and of the fillets."""
-    return _faces(report, "spoke", "section")
+    """Return the numbers of the patches and of the fillets.
+
+    Reports of documents that older versions saved have them in their seams alone.
+    """
+    return set(report.get("faces", ())) or _faces(report, "spoke", "section")
 
 
 def patches(report):

@@ -34,18 +34,16 @@ def counted_as(count, one, many):
 def arcs_text(report):
     """Return one line about arcs and lines near curves."""
     chains = "" if report["curves"] == 1 else " for %d curves" % report["curves"]
-    return (
-        "%s and %s%s, %s mm long, at most %s mm from the input (proven); "
-        "no chain has fewer than %s."
-        % (
-            counted(report["arcs"], "arc"),
-            counted(report["lines"], "line"),
-            chains,
-            number(report["length_mm"]),
-            bound(report["distance_mm"]),
-            report["least_arcs"],
-        )
+    text = "%s and %s%s, %s mm long, at most %s mm from the input" % (
+        counted(report["arcs"], "arc"),
+        counted(report["lines"], "line"),
+        chains,
+        number(report["length_mm"]),
+        bound(report["distance_mm"]),
     )
+    if not report["least_arcs"]:
+        return text + ": the points are samples of these."
+    return text + " (proven); no chain has fewer than %s." % report["least_arcs"]
 
 
 def fair_text(report):

@@ -91,8 +91,7 @@ class Arcs(Curve):
             polygon = _polygon(module, gathered.points, gathered.closed)
             fits = [[(module.fit_arcs(polygon, tolerance), 0.0)]]
         else:
-            runs = runs_of(gathered.points, gathered.closed)
-            fits = [[_through(module, *run, tolerance) for run in runs]]
+            fits = [_near_points(module, gathered, tolerance)]
         return Fits(gathered.plane, fits)
 
     @classmethod
@@ -118,7 +117,7 @@ class Arcs(Curve):
             "lines": lines,
             "length_mm": sum(fit.chain.length_mm for fit, _ in every),
             "distance_mm": max(fit.distance_mm + more for fit, more in every),
-            "least_arcs": sum(fit.least_arcs for fit, _ in every),
+            "least_arcs": sum(getattr(fit, "least_arcs", 0) for fit, _ in every),
             "plane": found.plane.to_dict(),
         }
         return report, results.together(wires)
@@ -154,6 +153,22 @@ def _polygon(module, points, closed):
         points = numpy.vstack([points, points[:1]])
     poles = numpy.column_stack([points, numpy.zeros(len(points))])
     return module.BezierSpline(1, range(len(poles)), poles, None, closed)
+
+
+def _near_points(module, gathered, tolerance_mm):
+    """Return the lines and arcs of which points are samples, or else arcs from corner to corner.
+
+    Those with fewer arcs are taken.
+    """
+    points, closed = gathered.points, gathered.closed
+    runs = runs_of(module, points, closed, tolerance_mm)
+    found = [_through(module, *run, tolerance_mm) for run in runs]
+    if tolerance_mm == 0:
+        return found
+    sampled = module.sampled_arcs(points, closed=closed, tolerance_mm=tolerance_mm)
+    if sampled is None or len(sampled.chain) > sum(len(fit.chain) for fit, _ in found):
+        return found
+    return [(sampled, 0.0)]
 
 
 def _through(module, points, closed, tolerance_mm):

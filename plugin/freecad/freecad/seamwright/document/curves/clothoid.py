@@ -137,7 +137,7 @@ class Clothoid(Curve):
 
 def _through(module, gathered, values):
     """Return the ClothoidChains through points, one for each run between corners."""
-    runs = runs_of(gathered.points, gathered.closed)
+    runs = runs_of(module, gathered.points, gathered.closed)
     ends = [{} for _ in runs]
     if values["ends"] != NO_CURVATURE:
         ends = [end_directions(*run) for run in runs]

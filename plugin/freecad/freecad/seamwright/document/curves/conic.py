@@ -78,7 +78,7 @@ class Conic(Curve):
                 module.g2_conics(
                     module.biarc_spline(run, closed=is_ring, **end_directions(run, is_ring))
                 )
-                for run, is_ring in runs_of(points, closed)
+                for run, is_ring in runs_of(module, points, closed)
             ]
             conics = [conic for found in runs for conic in found.conics]
             return Conics(plane, conics, sum(len(found.g1_joints) for found in runs))

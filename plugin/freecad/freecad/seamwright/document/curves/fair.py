@@ -180,7 +180,7 @@ def _ends(values, closed, count):
 
 def _fair_points(module, gathered, values):
     tolerance = values["tolerance_mm"]
-    runs = runs_of(gathered.points, gathered.closed)
+    runs = runs_of(module, gathered.points, gathered.closed, tolerance)
     fixed = values["ends"] != NOTHING or len(runs) > 1
     parts = []
     for points, closed in runs:

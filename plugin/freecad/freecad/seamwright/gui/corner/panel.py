@@ -94,7 +94,8 @@ class CornerPanel(NewSeamsPanel):
             angle = corner_text.edge_text(known[name]) if name in known else ""
             for column, text in enumerate((name, "%.6g" % length, angle)):
                 self.edges.setItem(line, column, QtWidgets.QTableWidgetItem(text))
-            automatic = "auto: %.4g mm" % known[name]["setback_mm"] if name in known else "auto"
+            setback = known[name]["setback_mm"] if name in known else None
+            automatic = "auto" if setback is None else "auto: %.4g mm" % setback
             self.fields[SETBACK][line].setSpecialValueText(automatic)
 
     def wanted(self):
