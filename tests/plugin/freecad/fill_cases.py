@@ -85,6 +85,28 @@ class Holes(FillCase):
             obj.Summary, r"^1 of 1 hole filled with 3 faces; 9 seams, gap at most .*; G1 is met\.$"
         )
 
+    def test_a_hole_of_a_smooth_sheet_is_filled_g2(self):
+        source = models.add(self.doc, models.around_a_hole(), "Shell")
+        obj = fill.create(source, target="G2", curvature_rel=0.01)
+        self.assertEqual((fill.error_text(obj), obj.Reached), ("", True))
+        self.assertTrue(obj.Summary.endswith("G2 is met."), obj.Summary)
+        self.assertLessEqual(obj.MaxCurvature, 0.01)
+        faces = fill.report_of(obj)["fills"][0]["faces"]
+        for number in faces:
+            for u, v in itertools.product((0.2, 0.5, 0.8), repeat=2):
+                face = obj.Shape.Faces[number - 1]
+                u0, u1, v0, v1 = face.ParameterRange
+                point = face.valueAt(u0 + u * (u1 - u0), v0 + v * (v1 - v0))
+                self.assertAlmostEqual(point.z, models.height(point.x, point.y), delta=0.05)
+
+    def test_a_rounded_corner_misses_g2_for_it_does_not_exist(self):
+        source, _ = self.open_block()
+        obj = fill.create(source, target="G2")
+        self.assertNotFilled(obj, "is not G2")
+        obj.Target = "G1"
+        self.doc.recompute()
+        self.assertEqual((fill.error_text(obj), obj.Reached), ("", True))
+
     def test_edges_of_a_loop_in_any_order_and_number_name_their_hole(self):
         source, loops = self.open_block(2)
         for seed, loop in enumerate(loops):
@@ -358,7 +380,7 @@ class Errors(FillCase):
     def test_bad_arguments_leave_nothing_behind(self):
         source, loops = self.open_block()
         for wrong, text in (
-            ({"target": "G2"}, "target 'G2'"),
+            ({"target": "G3"}, "target 'G3'"),
             ({"gap_mm": -1.0}, "gap_mm = -1.0"),
             ({"angle_deg": math.nan}, "angle_deg = nan"),
             ({"corner_deg": math.inf}, "corner_deg = inf"),

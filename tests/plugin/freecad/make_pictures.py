@@ -4,8 +4,8 @@
     python3 run_freecad.py --window --mod ADDON --out FOLDER make_pictures
 
 writes workbench.png, repair.png, match.png, fill_freecad.png, corner_fillet_freecad.png,
-spline_freecad.png and blend_freecad.png, to be looked at and moved to docs/images. For
-repair_curvature.png it writes the models:
+spline_freecad.png, blend_freecad.png and blend_surface_freecad.png, to be looked at and moved to
+docs/images. For repair_curvature.png it writes the models:
 
     seam-picture --pair FOLDER/before.brep FOLDER/after.brep repair_curvature.png --curvature ...
 """
@@ -19,11 +19,13 @@ import ImportGui
 import models
 import Part
 from PySide import QtCore
+from surface_cases import at_x, sheet
 from window import OUT, PanelWindow, click_row, settle, whole_window
 from window_cases import STEP
 
 from freecad.seamwright.document import corner, fill, match, repair
 from freecad.seamwright.document.curves import curve, kinds
+from freecad.seamwright.document.surfaces import surface
 from freecad.seamwright.gui.corner.panel import RADIUS
 from freecad.seamwright.gui.widgets.dock import dock_of
 
@@ -194,4 +196,23 @@ class CurvePicture(PanelWindow):
         settle(1.0)
         self.fit()
         take("blend_freecad")
+        self.cancel()
+
+
+class SurfacePicture(PanelWindow):
+    COMMAND = "Seamwright_BlendSurface"
+    is_made = staticmethod(surface.is_surface)
+
+    def test_blend(self):
+        low = models.add(self.doc, sheet(0, 0, 0.3), "Low")
+        high = models.add(self.doc, sheet(60, 8, -0.2), "High")
+        self.doc.recompute()
+        _, panel = self.run_selected([(low, at_x(low, 30)), (high, at_x(high, 60))])
+        self.fit()
+        for argument in ("start_tension", "end_tension"):
+            panel.options.fields[argument].show_value(1.6)
+        settle(1.0)
+        panel.zebra.setChecked(True)
+        click_row(panel.table, 1)
+        take("blend_surface_freecad")
         self.cancel()

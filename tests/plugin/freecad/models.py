@@ -174,3 +174,26 @@ def add(doc, shape, name):
     obj = doc.addObject("Part::Feature", name)
     obj.Shape = shape
     return obj
+
+
+def height(x, y):
+    return 0.004 * x**2 + 0.003 * y**2 - 0.002 * x * y
+
+
+def around_a_hole():
+    """A shell of the surface z = height(x, y) over eight of nine squares of 20 mm."""
+    faces = []
+    for i, j in itertools.product(range(3), range(3)):
+        if (i, j) != (1, 1):
+            surface = Part.BezierSurface()
+            surface.increase(2, 2)
+            for a, b in itertools.product(range(3), range(3)):
+                x1, x2 = 20 * (i + a // 2), 20 * (i + (a + 1) // 2)
+                y1, y2 = 20 * (j + b // 2), 20 * (j + (b + 1) // 2)
+                x, y = (x1 + x2) / 2, (y1 + y2) / 2
+                z = 0.004 * x1 * x2 + 0.003 * y1 * y2 - 0.002 * x * y
+                surface.setPole(a + 1, b + 1, App.Vector(x, y, z))
+            faces.append(surface.toShape())
+    shell = Part.Shell(faces)
+    shell.sewShape()
+    return shell

@@ -12,7 +12,7 @@ import FreeCADGui as Gui
 from make_workbench_0_1_0 import MODULES, NAME
 from window import WindowCase, settle
 
-from freecad.seamwright.document import feature
+from freecad.seamwright.document import feature, fill
 from freecad.seamwright.plain import palette
 
 DATA = pathlib.Path(__file__).resolve().parents[2] / "data"
@@ -80,6 +80,15 @@ class Saved(WindowCase):
             with self.subTest(kind):
                 children = self.objects[kind].ViewObject.Proxy.claimChildren()
                 self.assertEqual([child.Name for child in children], SOURCES[kind])
+
+    def test_a_choice_has_the_values_of_this_version(self):
+        obj = self.objects["UmbrellaFill"]
+        self.assertEqual(obj.Target, "G1")
+        self.assertEqual(obj.getEnumerationsOfProperty("Target"), fill.TARGETS)
+        obj.Target = "G2"
+        self.doc.recompute()
+        self.assertEqual((obj.Target, obj.Proxy.has_result(feature.report_of(obj))), ("G2", False))
+        self.assertIn("G2", obj.Summary)
 
     def test_a_recompute_finds_the_results_again(self):
         for obj in self.objects.values():

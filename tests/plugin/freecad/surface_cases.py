@@ -31,29 +31,6 @@ def sheet(x, z, tilt):
     return surface.toShape()
 
 
-def height(x, y):
-    return 0.004 * x**2 + 0.003 * y**2 - 0.002 * x * y
-
-
-def around_a_hole():
-    """A shell of the surface z = height(x, y) over eight of nine squares of 20 mm."""
-    faces = []
-    for i, j in itertools.product(range(3), range(3)):
-        if (i, j) != (1, 1):
-            surface = Part.BezierSurface()
-            surface.increase(2, 2)
-            for a, b in itertools.product(range(3), range(3)):
-                x1, x2 = 20 * (i + a // 2), 20 * (i + (a + 1) // 2)
-                y1, y2 = 20 * (j + b // 2), 20 * (j + (b + 1) // 2)
-                x, y = (x1 + x2) / 2, (y1 + y2) / 2
-                z = 0.004 * x1 * x2 + 0.003 * y1 * y2 - 0.002 * x * y
-                surface.setPole(a + 1, b + 1, App.Vector(x, y, z))
-            faces.append(surface.toShape())
-    shell = Part.Shell(faces)
-    shell.sewShape()
-    return shell
-
-
 def stadium():
     """A plane face with two straight and two round edges, which are tangent."""
     return Part.Face(slot())
@@ -166,7 +143,7 @@ class Blends(SurfaceCase):
         self.assertTrue(obj.Shape.isNull())
 
     def test_four_edges_of_a_hole_are_sides_and_lateral_boundaries(self):
-        shell = models.add(self.doc, around_a_hole(), "Shell")
+        shell = models.add(self.doc, models.around_a_hole(), "Shell")
         self.doc.recompute()
         inside = [
             "Edge%d" % number
@@ -178,7 +155,7 @@ class Blends(SurfaceCase):
         self.assertMade(obj)
         self.assertEqual(len(report_of(obj)["seams"]), 4)
         middle = obj.Shape.Surface.value(0.37, 0.61)
-        self.assertAlmostEqual(middle.z, height(middle.x, middle.y), delta=0.01)
+        self.assertAlmostEqual(middle.z, models.height(middle.x, middle.y), delta=0.01)
         obj.Lateral = [(shell, inside[0]), (shell, inside[0])]
         self.doc.recompute()
         self.assertWithout(obj, "Shell.%s" % inside[0])
@@ -397,7 +374,7 @@ class Objects(SurfaceCase):
             with self.opened_without_kernel(obj, names, again_made) as again:
                 self.assertTrue(again.Shape.isValid())
 
-    def test_a_reopened_surface_follows_its_source(self):
+    def test_a_reopened_one_is_up_to_date_and_follows_its_source(self):
         obj = self.blend(end_order="G3")
         name, top, high = obj.Name, obj.Shape.BoundBox.ZMax, obj.End[0][0].Name
         with tempfile.TemporaryDirectory() as folder:

@@ -5,12 +5,22 @@ import FreeCADGui as Gui
 import models
 import Part
 from curve_cases import slot
-from surface_cases import around_a_hole, at_x, sheet
-from window import PanelWindow, click, messages, settle, whole_window
+from surface_cases import at_x, sheet
+from window import (
+    PanelWindow,
+    click,
+    click_row,
+    count,
+    messages,
+    picture,
+    settle,
+    whole_window,
+)
 
 from freecad.seamwright.document.surfaces import surface
 from freecad.seamwright.document.surfaces.kinds import KINDS
 from freecad.seamwright.gui.base.option_panel import PREVIEW_AFTER_MS
+from freecad.seamwright.gui.scene.marker import INK
 from freecad.seamwright.gui.scene.zebra import zebra
 
 
@@ -84,6 +94,9 @@ class Panel(SurfaceWindow):
         self.assertEqual(obj.StartOrder, "G0")
         self.assertEqual(self.column(panel, 5), ["G0 is met", "G2 is met"])
         self.assertGreater(float(self.column(panel, 3)[0].split("..")[0]), 1)
+        before = count(picture("surface-row-off"), INK)
+        click_row(panel.table, 1)
+        self.assertGreater(count(picture("surface-row-on"), INK), before + 50)
         self.set_field(panel, "end_order", "G3")
         self.assertEqual(self.column(panel, 5)[1], "G3 is met")
         area = obj.Shape.Area
@@ -114,6 +127,7 @@ class Panel(SurfaceWindow):
     def test_a_tension_is_changed_by_its_handle(self):
         obj, panel = self.blend()
         self.assertEqual(sorted(panel._handles), ["end_tension", "start_tension"])
+        self.assertFalse(obj.ViewObject.Selectable)
         handle = panel._handles["start_tension"]
         handle.dragger.translation = (2 * handle._unit, 0.0, 0.0)
         settle(0.2 + PREVIEW_AFTER_MS / 1000)
@@ -121,6 +135,7 @@ class Panel(SurfaceWindow):
         self.assertTrue(obj.Reached)
         self.ok()
         self.assertEqual(panel._handles, {})
+        self.assertTrue(obj.ViewObject.Selectable)
 
     def test_stripes_are_drawn_while_the_panel_is_open(self):
         obj, panel = self.blend()
@@ -173,7 +188,7 @@ class Picking(SurfaceWindow):
         self.assertEqual(obj.End, [(self.high, (at_x(self.high, 90),))])
 
     def test_four_edges_around_a_hole(self):
-        shell = models.add(self.doc, around_a_hole(), "Shell")
+        shell = models.add(self.doc, models.around_a_hole(), "Shell")
         for each in (self.low, self.high):
             each.ViewObject.Visibility = False
         self.doc.recompute()

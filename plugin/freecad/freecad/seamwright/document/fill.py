@@ -251,11 +251,12 @@ def create(source, *, edges=(), face=None, target="G1", keep_anyway=False, **tol
 
     ``edges``: ["Edge5", ...] or [5, ...]; the holes of these edges are filled. One edge of each
     hole is enough. Without edges, all holes except the outer boundaries are filled. ``face``:
-    "Face3" or 3; this face is taken out and replaced instead. ``target``: "G0"
-    (position only), "G1" or "G2". ``keep_anyway``: also keep fills that miss the target.
-    ``tolerances``: gap_mm, angle_deg, curvature_rel, corner_deg, and profile, a name of
-    profiles.PROFILES, for the first three. Raises TypeError and ValueError for bad arguments, kernel.KernelUnavailable when the compiled part is
-    missing. Where no hole could be filled, the object has no shape and ``error_text`` says why.
+    "Face3" or 3; this face is taken out and replaced instead. ``target``: "G0" (position only),
+    "G1" or "G2". ``keep_anyway``: also keep fills that miss the target. ``tolerances``: gap_mm,
+    angle_deg, curvature_rel, corner_deg, and profile, a name of profiles.PROFILES, for the first
+    three. Raises TypeError and ValueError for bad arguments, kernel.KernelUnavailable when the
+    compiled part is missing. Where no hole could be filled, the object has no shape and
+    ``error_text`` says why.
     """
     obj = prepare(
         source, edges=edges, face=face, target=target, keep_anyway=keep_anyway, **tolerances

@@ -17,8 +17,8 @@ SUMMARY = ("Summary", "App::PropertyString", "The result in one line, or why the
 class OptionFeature(feature.Feature):
     """Proxy of a Part::FeaturePython that has options.
 
-    A subclass has the texts of its command, NEEDS (what to select), GROUP (of its properties), LINKS:
-    (property, its name in the panel, help) of the sources, the table OPTIONS, and RESULTS:
+    A subclass has the texts of its command, NEEDS (what to select), GROUP (of its properties),
+    LINKS: (property, its name in the panel, help) of the sources, the table OPTIONS, and RESULTS:
     (property, its type, help, key of the report).
     """
 

@@ -105,3 +105,8 @@ class ExtendSurface(Surface):
             return {}
         jet = surface.jet(0.5, 0.0)
         return {"length_mm": (jet.p.tolist(), (jet.v / numpy.linalg.norm(jet.v)).tolist())}
+
+    @classmethod
+    def ends(cls, found):
+        """Return [(parameter across, text), ...] of the marks of a BlendedSurface."""
+        return [(0.0, SIDE)]

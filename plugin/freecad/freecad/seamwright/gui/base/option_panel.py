@@ -38,6 +38,7 @@ class SourceBox(QtWidgets.QGroupBox):
         self.use = QtWidgets.QPushButton("Use selection")
         self.use.setToolTip(tip)
         self.line = QtWidgets.QHBoxLayout(self)
+        self.line.setContentsMargins(9, 3, 9, 3)
         self.line.addWidget(self.chosen, 1)
         self.line.addWidget(self.use)
 

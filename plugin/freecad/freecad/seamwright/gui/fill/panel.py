@@ -44,7 +44,9 @@ class FillPanel(NewSeamsPanel):
 
     def _build_limits(self):
         self.tolerances = ToleranceForm(fill.TOLERANCES, ("Target", fill.TARGETS))
-        self.tolerances.level.setToolTip("G0: position only; G1: without a kink; G2: with the same curvature")
+        self.tolerances.level.setToolTip(
+            "G0: position only; G1: without a kink; G2: with the same curvature"
+        )
         self.keep_anyway = QtWidgets.QCheckBox("Keep anyway")
         self.keep_anyway.setToolTip(
             "Keep a fill even if it misses the target; otherwise the hole stays open"

@@ -11,7 +11,7 @@ from freecad.seamwright.gui.scene.zebra import zebra
 from freecad.seamwright.gui.widgets import messages
 from freecad.seamwright.gui.widgets.forms import make_box, make_text, show_seams_in
 from freecad.seamwright.gui.widgets.qt import QtGui, QtWidgets
-from freecad.seamwright.plain import repair_text, surface_text
+from freecad.seamwright.plain import repair_text, rows, surface_text
 
 TABLE_HEIGHT = 110
 
@@ -20,12 +20,18 @@ class SurfacePanel(OptionPanel):
     """Shows and changes one surface; ``created``: Cancel removes it."""
 
     DOCK_WIDTH = 560
+    _striped = ()
+
+    def __init__(self, obj, created):
+        super().__init__(obj, created)
+        obj.ViewObject.Selectable = False  # so that the view picks edges of the sources
 
     def release(self):
         """Stop computing; remove handles, names of the sides and stripes."""
         super().release()
         self._show_marks()
         self._stripe(False)
+        self.obj.ViewObject.Selectable = True
 
     # The window.
 
@@ -61,6 +67,7 @@ class SurfacePanel(OptionPanel):
     def _connect(self):
         super()._connect()
         self.zebra.toggled.connect(self._stripe)
+        self.table.itemSelectionChanged.connect(self._show_marks)
 
     # Actions.
 
@@ -71,9 +78,10 @@ class SurfacePanel(OptionPanel):
     def refresh(self):
         """Show the results as they are stored now."""
         super().refresh()
-        rows = surface_text.build_rows(report_of(self.obj))
-        self.table.setRowCount(len(rows))
-        for line, row in enumerate(rows):
+        built = surface_text.build_rows(report_of(self.obj))
+        self.table.clearSelection()
+        self.table.setRowCount(len(built))
+        for line, row in enumerate(built):
             state = repair_text.REPAIRED if row.met else repair_text.NOT_REPAIRED
             for column, text in enumerate(row.cells):
                 item = QtWidgets.QTableWidgetItem(text)
@@ -83,7 +91,14 @@ class SurfacePanel(OptionPanel):
         self._show_marks()
 
     def _show_marks(self):
-        marks = [] if self._ended else self.obj.Proxy.marks(report_of(self.obj))
+        """Name the sides in the view, and mark the worst points of the chosen seams."""
+        report = report_of(self.obj)
+        marks = [] if self._ended else list(self.obj.Proxy.marks(report))
+        for line in {index.row() for index in self.table.selectedIndexes()} if marks else ():
+            seam = report["seams"][line]
+            if seam["worst"]:
+                label = rows.worst_label(seam, report["tolerance"])
+                marks.append((seam["worst"]["point"], label))
         self.obj.ViewObject.Proxy.mark([], [], [(tuple(point), text) for point, text in marks])
 
     def _add_chain(self, name):
@@ -103,9 +118,6 @@ class SurfacePanel(OptionPanel):
         fresh = [each for each in fresh if each not in zebra.objects(self._doc)]
         if zebra.show(fresh):
             self._striped = fresh
-
-    _striped = ()
-
 
 def _small(text):
     return text[:1].lower() + text[1:]
