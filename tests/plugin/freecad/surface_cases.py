@@ -232,7 +232,7 @@ class Selections(SurfaceCase):
         self.doc.recompute()
         start, end = (low, at_x(low, 30)), (high, at_x(high, 60))
         self.refused("BlendSurface", [], "nothing is selected: select the edges of two sides")
-        self.refused("BlendSurface", [start], "1 edges are chosen, in 1 chains")
+        self.refused("BlendSurface", [start], "the selection has 1 edge, in 1 chain")
         self.refused("BlendSurface", [start, (mesh, "")], "Scan has no edges: choose edges")
         self.refused("BlendSurface", [start, (high, "")], "High is chosen as a whole: choose edges")
         self.refused("BlendSurface", [start, (high, "Edge9")], "High has no Edge9")

@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Surfaces in FreeCAD's window; run by run_freecad.py --window."""
 
+import os
+import tempfile
+
+import FreeCAD as App
 import FreeCADGui as Gui
 import models
 import Part
@@ -22,6 +26,7 @@ from freecad.seamwright.document.surfaces.kinds import KINDS
 from freecad.seamwright.gui.base.option_panel import PREVIEW_AFTER_MS
 from freecad.seamwright.gui.scene.marker import INK
 from freecad.seamwright.gui.scene.zebra import zebra
+from freecad.seamwright.gui.surfaces.view import COLOUR
 
 
 class SurfaceWindow(PanelWindow):
@@ -137,6 +142,28 @@ class Panel(SurfaceWindow):
         self.assertEqual(panel._handles, {})
         self.assertTrue(obj.ViewObject.Selectable)
 
+    def test_a_document_that_is_saved_meanwhile_opens_with_its_view(self):
+        obj, _ = self.blend()
+        name = obj.Name
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "saved.FCStd")
+            self.doc.saveAs(path)
+            App.closeDocument(self.doc.Name)
+            self.doc = App.openDocument(path)
+            settle()
+        again = self.doc.getObject(name)
+        self.assertTrue(again.ViewObject.Selectable)
+        for one, other in zip(again.ViewObject.ShapeColor, COLOUR):
+            self.assertAlmostEqual(one, other, delta=1 / 255)  # saved as a byte
+        self.assertNotIn("Touched", again.State)
+        again.ViewObject.Proxy.doubleClicked(again.ViewObject)
+        settle()
+        panel = again.ViewObject.Proxy.panel
+        self.assertEqual(self.column(panel, 5), ["G2 is met", "G2 is met"])
+        self.set_field(panel, "start_order", "G1")
+        self.ok()
+        self.assertEqual((again.StartOrder, again.Reached), ("G1", True))
+
     def test_stripes_are_drawn_while_the_panel_is_open(self):
         obj, panel = self.blend()
         panel.zebra.setChecked(True)
@@ -160,7 +187,7 @@ class Picking(SurfaceWindow):
         self.doc.clearUndos()
         for kind, chosen, text in (
             ("BlendSurface", [], "Nothing is selected: select the edges of two sides"),
-            ("BlendSurface", [self.start_edge], "1 edges are chosen, in 1 chains: select"),
+            ("BlendSurface", [self.start_edge], "The selection has 1 edge, in 1 chain: select"),
             ("ExtendSurface", [(box, "Edge1")], "Box.Edge1 lies between Box.Face"),
         ):
             with self.subTest(text):

@@ -7,6 +7,7 @@ The class path is written into documents: neither rename nor move it.
 from freecad.seamwright.document.surfaces import sides
 from freecad.seamwright.document.surfaces.surface import HANDLE_SHARE, ORDERS, TOLERANCES, Surface
 from freecad.seamwright.plain.options import CHOICE, FLAG, FLOAT, Option
+from freecad.seamwright.plain.summary import counted
 
 START, END, LATERAL = "Start", "End", "Lateral"
 
@@ -84,7 +85,8 @@ class BlendSurface(Surface):
         groups = _groups([edge for _, edge in edges])
         if len(groups) not in (2, 3):
             raise ValueError(
-                "%d edges are chosen, in %d chains: %s" % (len(edges), len(groups), cls.NEEDS)
+                "the selection has %s, in %s: %s"
+                % (counted(len(edges), "edge"), counted(len(groups), "chain"), cls.NEEDS)
             )
         found = {}
         for name, group in zip((START, END, LATERAL), [*groups, []]):

@@ -25,8 +25,13 @@ class SurfaceView(PanelView):
 
 
 def attach_view(obj):
-    """Give a surface its view provider if it has none, and a colour of its own."""
+    """Give a surface its view provider if it has none, and a colour of its own.
+
+    One that was saved while its panel was open can be selected again.
+    """
     vobj = obj.ViewObject
     if vobj is not None and not isinstance(vobj.Proxy, SurfaceView):
         vobj.ShapeColor = COLOUR
+    if vobj is not None:
+        vobj.Selectable = True
     attach_as(SurfaceView, obj)

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The texts about new surfaces."""
+
+import pytest
+
+from freecad.seamwright.plain import surface_text
+
+TOLERANCE = {"gap_mm": 0.01, "angle_deg": 0.1, "curvature_rel": 0.02}
+
+
+def figure(lower, upper):
+    return {"lower": lower, "upper": upper, "at": 0.5}
+
+
+def seam(target, angle, curvature, **changed):
+    return {
+        "id": 1,
+        "kind": "matched",
+        "side": "Start",
+        "name": "Plate.Edge3",
+        "target": target,
+        "gap_mm": figure(1e-5, 2e-5),
+        "angle_deg": angle,
+        "curvature_rel": curvature,
+        "curvature_change_rel": None,
+        "certified": True,
+        **changed,
+    }
+
+
+def report(*seams, **changed):
+    return {
+        "reached": True,
+        "tolerance": TOLERANCE,
+        "poles": [9, 6],
+        "to": None,
+        "fold": None,
+        "sides": [{"side": "start", "reason": ""}],
+        "laterals": [],
+        "seams": list(seams),
+        **changed,
+    }
+
+
+MET = seam("G2", figure(1e-6, 2e-6), figure(1e-4, 2e-4))
+
+
+@pytest.mark.parametrize(
+    "target, angle, curvature, result",
+    [
+        ("G2", figure(1e-6, 2e-6), figure(1e-4, 2e-4), "G2 is met"),
+        ("G2", figure(1e-6, 2e-6), figure(0.01, None), "G2 is uncertain"),
+        ("G2", figure(1e-6, 2e-6), figure(0.3, 0.4), "misses G2"),
+        ("G1", figure(1e-6, 2e-6), figure(0.3, 0.4), "G1 is met"),
+        ("G0", figure(20.0, 21.0), figure(0.3, 0.4), "G0 is met"),
+    ],
+)
+def test_a_row_is_judged_by_the_level_of_its_side(target, angle, curvature, result):
+    (row,) = surface_text.build_rows(report(seam(target, angle, curvature)))
+    assert row.cells[:2] == ("Start", "Plate.Edge3") and row.cells[-1] == result
+    assert row.met == result.endswith("is met") and len(row.cells) == len(surface_text.COLUMNS)
+
+
+def test_bounds_are_those_of_seams_whose_level_they_decide():
+    other = seam("G0", figure(20.0, 21.0), figure(0.3, 0.4))
+    assert surface_text.largest([MET, other]) == {
+        "gap_mm": 2e-5,
+        "angle_deg": 2e-6,
+        "curvature_rel": 2e-4,
+    }
+    assert surface_text.summary(report(MET, other)) == (
+        "Every seam has its level: gap at most 2e-5 mm, angle at most 2e-6\u00b0, curvature at most "
+        "0.02 %; 9 x 6 poles."
+    )
+
+
+def test_the_summary_says_what_falls_short():
+    missed = seam("G2", figure(1e-6, 2e-6), figure(0.3, 0.4))
+    text = surface_text.summary(
+        report(
+            missed,
+            reached=False,
+            fold={"distance_mm": 5.0},
+            sides=[{"side": "start", "reason": "no seam was found."}],
+            laterals=[{"reason": "it is too far"}],
+        )
+    )
+    assert text.startswith(
+        "Not reached (G2 is not certain at Plate.Edge3; start, no seam was found; lateral boundary, "
+        "it is too far; the surface folds 5 mm from the side): gap"
+    )
+
+
+def test_lengths_up_to_a_face_are_told_and_no_report_has_no_rows():
+    text = surface_text.summary(report(MET, to={"least_mm": 10.1, "most_mm": 10.44}))
+    assert text.endswith("9 x 6 poles; 10.1 to 10.4 mm long.")
+    assert surface_text.build_rows({"reason": "no edge"}) == []
