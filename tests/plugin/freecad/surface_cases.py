@@ -156,6 +156,11 @@ class Blends(SurfaceCase):
         self.assertEqual(len(report_of(obj)["seams"]), 4)
         middle = obj.Shape.Surface.value(0.37, 0.61)
         self.assertAlmostEqual(middle.z, models.height(middle.x, middle.y), delta=0.01)
+        area, obj.Flip = obj.Shape.Area, True
+        self.doc.recompute()
+        self.assertMade(obj)
+        self.assertAlmostEqual(obj.Shape.Area, area, delta=1e-9)
+        obj.Flip = False
         obj.Lateral = [(shell, inside[0]), (shell, inside[0])]
         self.doc.recompute()
         self.assertWithout(obj, "Shell.%s" % inside[0])

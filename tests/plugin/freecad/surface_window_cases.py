@@ -229,9 +229,14 @@ class Picking(SurfaceWindow):
         self.assertEqual(sorted(self.column(panel, 0)), ["End", "Lateral", "Lateral", "Start"])
         self.assertTrue(obj.Reached)
         whole_window("surface-hole")
+        fields = panel.options.fields
+        seen = [fields[each].widget.isVisible() for each in ("lateral_order", "flip")]
+        self.assertEqual(seen, [True, False])
         self.select()
         self.use(panel, "Lateral")
         self.assertEqual((obj.Lateral, self.column(panel, 0)), ([], ["Start", "End"]))
+        seen = [fields[each].widget.isVisible() for each in ("lateral_order", "flip")]
+        self.assertEqual(seen, [False, True])
         self.cancel()
 
     def test_a_chain_is_added_with_one_click(self):

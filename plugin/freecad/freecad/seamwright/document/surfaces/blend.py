@@ -47,7 +47,7 @@ class BlendSurface(Surface):
                least=1e-3, used=lambda values: values["end_order"] != "G0"),
         Option("Flip", "flip", FLAG, False, "End runs the other way",
                "Let the end run in the other direction than that in which the surface is less "
-               "twisted"),
+               "twisted; lateral boundaries say the direction"),
         Option("LateralOrder", "lateral_order", CHOICE, "G0", "Lateral boundaries join",
                "The continuity with the faces beside the lateral boundaries",
                choices=ORDERS[:2]),
@@ -105,7 +105,7 @@ class BlendSurface(Surface):
     def compute(cls, model, numbers, values, progress):
         """Return the BlendedSurface; ``numbers``: of the Gathered. Any thread may call it."""
         lateral, beside = numbers.get(LATERAL, ([], []))
-        given = {**values, "lateral_order": values["lateral_order"] if lateral else "G0"}
+        given = {**values, **({"flip": False} if lateral else {"lateral_order": "G0"})}
         return model.blend_surface(
             numbers[START][0],
             numbers[END][0],

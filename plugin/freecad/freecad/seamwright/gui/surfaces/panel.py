@@ -3,6 +3,7 @@
 
 from freecad.seamwright.document import sources
 from freecad.seamwright.document.feature import report_of
+from freecad.seamwright.document.surfaces.blend import LATERAL
 from freecad.seamwright.document.surfaces.chain import tangent_chain
 from freecad.seamwright.document.surfaces.extend import UP_TO
 from freecad.seamwright.gui.base.option_panel import OptionPanel, SourceBox, sentence
@@ -100,6 +101,12 @@ class SurfacePanel(OptionPanel):
                 label = rows.worst_label(seam, report["tolerance"])
                 marks.append((seam["worst"]["point"], label))
         self.obj.ViewObject.Proxy.mark([], [], [(tuple(point), text) for point, text in marks])
+
+    def _list_sources(self):
+        super()._list_sources()
+        if LATERAL in self.boxes:
+            along = bool(self.links(LATERAL))
+            self.options.hide(("flip",) if along else ("lateral_order",))
 
     def _add_chain(self, name):
         try:

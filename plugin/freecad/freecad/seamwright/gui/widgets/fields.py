@@ -176,7 +176,7 @@ class OptionForm(QtWidgets.QWidget):
         layout = QtWidgets.QGridLayout(self)  # in a QFormLayout hidden rows leave gaps
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setColumnStretch(1, 1)
-        self.fields = {}
+        self.fields, self._hidden = {}, ()
         for option in table:
             field = FIELDS[option.kind](obj, option)
             field.changed.connect(self._changed)
@@ -188,6 +188,11 @@ class OptionForm(QtWidgets.QWidget):
         """Show these {argument: value}."""
         for argument, field in self.fields.items():
             field.show_value(values[argument])
+        self._show_used()
+
+    def hide(self, arguments):
+        """Hide the fields of these arguments, besides those of options without an effect."""
+        self._hidden = arguments
         self._show_used()
 
     def values(self):
@@ -211,7 +216,7 @@ class OptionForm(QtWidgets.QWidget):
 
     def _show_used(self):
         for field in self.fields.values():
-            used = self._is_used(field)
+            used = self._is_used(field) and field.option.argument not in self._hidden
             field.label.setVisible(used)
             field.widget.setVisible(used)
 
