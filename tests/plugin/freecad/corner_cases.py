@@ -162,7 +162,7 @@ class Following(CornerCase):
 class Errors(CornerCase):
     def test_corners_that_cannot_be_rounded_say_why(self):
         cube = self.cube()
-        self.assertNotRounded(corner.create(cube, "Vertex1", 9.0), "a fillet of radius 9 mm")
+        self.assertNotRounded(corner.create(cube, "Vertex1", 11.0), "a fillet of radius 11 mm")
         near = corner.create(cube, "Vertex1", 1.0, setbacks_mm=0.5)
         self.assertNotRounded(near, "a setback of 0.5 mm leaves no room")
         self.assertNotRounded(corner.create(cube, "Vertex1", 0.0), "radius of Edge1 is 0 mm")

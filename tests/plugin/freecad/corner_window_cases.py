@@ -112,16 +112,16 @@ class Rounding(CornerWindow):
 
     def test_what_is_refused_says_why_and_nothing_is_made(self):
         obj, panel = self.start()
-        self.set_fields(panel, RADIUS, (9.0, 1.0, 1.0))
+        self.set_fields(panel, RADIUS, (11.0, 1.0, 1.0))
         self.preview(panel)
         self.assertEqual(self.visible(), ["Cube"])
         self.assertRegex(
             panel.summary.text(),
-            r"^Not rounded: Edge\d+: with a radius of 9 mm there, the fillet of Edge",
+            r"^Not rounded: Edge\d+: with a radius of 11 mm there, the fillet of Edge",
         )
         self.ok()
         (text,) = messages()
-        self.assertIn("with a radius of 9 mm there", text)
+        self.assertIn("with a radius of 11 mm there", text)
         whole_window("corner-refused")
         self.assertIsNotNone(obj.ViewObject.Proxy.panel)
         self.set_fields(panel, RADIUS, (1.0, 1.0, 1.0))
