@@ -69,8 +69,8 @@ def test_bounds_are_those_of_seams_whose_level_they_decide():
         "curvature_rel": 2e-4,
     }
     assert surface_text.summary(report(MET, other)) == (
-        "Every seam has its level: gap at most 2e-5 mm, angle at most 2e-6\u00b0, curvature at most "
-        "0.02 %; 9 x 6 poles."
+        "Every seam has its level: gap at most 2e-5 mm, angle at most 2e-6\u00b0, curvature at "
+        "most 0.02 %; 9 x 6 poles."
     )
 
 
@@ -86,8 +86,8 @@ def test_the_summary_says_what_falls_short():
         )
     )
     assert text.startswith(
-        "Not reached (G2 is not certain at Plate.Edge3; start, no seam was found; lateral boundary, "
-        "it is too far; the surface folds 5 mm from the side): gap"
+        "Not reached (G2 is not certain at Plate.Edge3; start, no seam was found; lateral "
+        "boundary, it is too far; the surface folds 5 mm from the side): gap"
     )
 
 

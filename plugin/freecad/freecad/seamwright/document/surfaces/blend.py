@@ -29,7 +29,7 @@ class BlendSurface(Surface):
     LINKS = (
         (START, "Start", "Edges of the first side, and faces to continue"),
         (END, "End", "Edges of the second side, and faces to continue"),
-        (LATERAL, "Along (may be empty)",
+        (LATERAL, "Lateral boundaries (may be empty)",
          "Edges between the ends of the sides, along which the lateral boundaries run, and the "
          "faces beside them"),
     )  # fmt: skip
