@@ -83,7 +83,7 @@ class ArcFit(Result):
 
 
 class SampledArcs(Result):
-    """The lines and arcs of which points are samples; an argument ``curve`` and ``chain`` of others.
+    """The lines and arcs of which points are samples; an argument ``curve``, ``chain`` of others.
 
     chain        an ArcChain
     curve        the same points as a BezierSpline
