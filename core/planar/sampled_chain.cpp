@@ -20,7 +20,7 @@ using Eigen::Vector2d;
 /// Choices. Points of lines and arcs show corners that those of other curves do not: with a corner
 /// at a smaller turn there are fewer pieces, or it is none. Pieces between such corners have more
 /// points than the chords of an arc, or are lines of three.
-constexpr double least_corner_deg = 12, least_steps = 5;
+constexpr double least_corner_deg = 12, least_steps = 3;
 constexpr std::size_t least_of_arc = 4, least_of_line = 3;
 
 /// An upper bound, which is the distance up to rounding for points near the arc.
@@ -97,7 +97,7 @@ struct Corners {
 /// The points on both sides of a corner, two of each.
 struct CornerSteps {
   std::array<Vector2d, 2> before, after;
-  bool is_closing = false;  ///< between the last and the first point, where a step can be shorter
+  bool is_closing = false;  ///< between the last and the first point, up to two steps apart
 
   /// Whether a crossing can be the corner. Between two points it is one only if the steps of the
   /// points go on around it: where they do not, both points are corners, as those of a chamfer.
@@ -106,7 +106,8 @@ struct CornerSteps {
     const double around_mm = (crossing - before[1]).norm() + (crossing - after[0]).norm();
     const auto goesOn = [&](const std::array<Vector2d, 2>& side) {
       const double step_mm = (side[1] - side[0]).norm(), off_mm = share * step_mm + 2 * within_mm;
-      return around_mm <= step_mm + off_mm && (is_closing || around_mm >= step_mm - off_mm);
+      if (is_closing) return around_mm <= 2 * step_mm + off_mm;
+      return std::abs(around_mm - step_mm) <= off_mm;
     };
     return around_mm <= 2 * within_mm || (goesOn(before) && goesOn(after));
   }

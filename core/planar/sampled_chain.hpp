@@ -29,11 +29,11 @@ struct SampledChainOptions {
 /// neighbouring pieces cross at such an angle. Pieces on both sides of a corner meet where they
 /// cross. It is no further from the corner among the points than the tolerance and the bound of the
 /// errors, or between two points in whose steps it fits: around the corner these are as far apart
-/// as on both sides, or closer between the last and the first point of a closed chain. An arc needs
-/// three points, a line two, and two neighbours six; between corners where pieces cross an arc
-/// needs four and a line three. There are at most 60 pieces between corners. Pieces are lines if
-/// they can be. A closed chain begins at its first corner, else its first arc is the one beside the
-/// first point. Identities (each has a test of its number):
+/// as on both sides, or up to two steps between the last and the first point of a closed chain. An
+/// arc needs three points, a line two, and two neighbours six; between corners where pieces cross
+/// an arc needs four and a line three. There are at most 60 pieces between corners. Pieces are
+/// lines if they can be. A closed chain begins at its first corner, else its first arc is the one
+/// beside the first point. Identities (each has a test of its number):
 ///   (1) Samples of lines and arcs give these, up to the rounding of their digits; corners among
 ///       the samples stay corners, and those that equal steps of the samples leave out are found.
 ///   (2) No point is further from the chain than distance_mm <= tolerance_mm.

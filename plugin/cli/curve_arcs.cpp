@@ -178,6 +178,15 @@ std::optional<CurveWithArcs> arcsSampledBy(const GivenCurve& given, double toler
   return result;
 }
 
+const char* samplesNote(const ArcFit& sampled, double tolerance_mm) {
+  constexpr double of_exact_points = 0.1;
+  if (sampled.distance_mm <= of_exact_points * tolerance_mm)
+    return "the points are samples of these lines and arcs: the distance is that of the points";
+  return "the points are near these lines and arcs, with errors up to the distance; if they are "
+         "exact "
+         "points of another curve, give a smaller --tolerance";
+}
+
 /// Lines from point to point.
 CurveWithArcs linesOf(const GivenCurve& given) {
   CurveWithArcs result{.curve = polygonOf(given), .fit = {}};
@@ -227,8 +236,7 @@ MadeCurve madeArcs(const GivenCurve& given, const CurveTask& task) {
   auto sampled = given.polygon ? std::nullopt : arcsSampledBy(given, task.tolerance_mm, near.fit);
   if (sampled) {
     near = *std::move(sampled);
-    made.record.notes.emplace_back(
-        "the points are samples of these lines and arcs: the distance is that of the points");
+    made.record.notes.emplace_back(samplesNote(near.fit, task.tolerance_mm));
   }
   const auto& [curve, fit] = near;
   made.chain = chainOf(fit.arcs, fit.closed);

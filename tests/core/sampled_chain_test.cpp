@@ -419,6 +419,38 @@ TEST(SampledChain, CornersCanLieBetweenPoints) {
         }
 }
 
+// Identity (1): the last step of a closed outline can be shorter or longer, at a corner or beside
+// it.
+TEST(SampledChain, CornersAreFoundWhateverTheClosingStepIs) {
+  const std::vector<std::vector<OutlinePiece>> outlines = {
+      {{pi / 2, 0, 80}, {pi / 2, 0, 50}, {pi / 2, 0, 80}, {pi / 2, 0, 50}},
+      {{pi - 2.5, 0.05, 100}, {pi - 2.5, 0, 40 * std::sin(2.5)}}};  // corners of 37 degrees
+  for (const std::vector<OutlinePiece>& pieces : outlines)
+    for (const double step_mm : {1.3, 2.1, 2.4})
+      for (const double begin : {0.05, 0.4, 0.9})
+        for (const double missing : {0.0, 1.0}) {
+          SCOPED_TRACE(testing::Message()
+                       << pieces.size() << ' ' << step_mm << ' ' << begin << ' ' << missing);
+          const std::vector<PlanarArc> outline = outlineOf(pieces, 0.2);
+          double length_mm = 0;
+          for (const PlanarArc& arc : outline) length_mm += arc.length_mm;
+          const double steps = std::floor(length_mm / step_mm - begin) - missing;
+          // The rest of the length is the closing step.
+          const PlanarPoints all = stepsAlong(outline, length_mm / 1e4, 0);
+          PlanarPoints points(static_cast<Eigen::Index>(steps) + 1, 2);
+          for (Eigen::Index i = 0; i < points.rows(); ++i) {
+            double along_mm = (static_cast<double>(i) + begin) * step_mm;
+            auto arc = outline.begin();
+            while (along_mm > arc->length_mm) along_mm -= (arc++)->length_mm;
+            points.row(i) = arc->point(along_mm).transpose();
+          }
+          const auto chain = sampledChain(points, {.closed = true, .tolerance_mm = 0.01});
+          ASSERT_TRUE(chain);
+          ASSERT_THAT(chain->arcs, SizeIs(outline.size()));
+          EXPECT_LT(largestDistance(chain->arcs, all), 1e-4);
+        }
+}
+
 // Identity (1): a chamfer that only its two ends show is no corner that equal steps leave out.
 TEST(SampledChain, ShortChamfersStay) {
   for (const double chamfer_mm : {0.3, 0.5, 1.7, 2.5}) {
