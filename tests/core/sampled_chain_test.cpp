@@ -428,18 +428,18 @@ TEST(SampledChain, CornersAreFoundWhateverTheClosingStepIs) {
   for (const std::vector<OutlinePiece>& pieces : outlines)
     for (const double step_mm : {1.3, 2.1, 2.4})
       for (const double begin : {0.05, 0.4, 0.9})
-        for (const double missing : {0.0, 1.0}) {
+        for (const double more : {0.0, 1.0}) {
           SCOPED_TRACE(testing::Message()
-                       << pieces.size() << ' ' << step_mm << ' ' << begin << ' ' << missing);
+                       << pieces.size() << ' ' << step_mm << ' ' << begin << ' ' << more);
           const std::vector<PlanarArc> outline = outlineOf(pieces, 0.2);
           double length_mm = 0;
           for (const PlanarArc& arc : outline) length_mm += arc.length_mm;
-          const double steps = std::floor(length_mm / step_mm - begin) - missing;
           // The rest of the length is the closing step.
+          const double count = std::floor(length_mm / step_mm) + more;
           const PlanarPoints all = stepsAlong(outline, length_mm / 1e4, 0);
-          PlanarPoints points(static_cast<Eigen::Index>(steps) + 1, 2);
+          PlanarPoints points(static_cast<Eigen::Index>(count), 2);
           for (Eigen::Index i = 0; i < points.rows(); ++i) {
-            double along_mm = (static_cast<double>(i) + begin) * step_mm;
+            double along_mm = std::fmod((static_cast<double>(i) + begin) * step_mm, length_mm);
             auto arc = outline.begin();
             while (along_mm > arc->length_mm) along_mm -= (arc++)->length_mm;
             points.row(i) = arc->point(along_mm).transpose();
