@@ -182,22 +182,25 @@ double inflectionShare(const NodeChain& chain, Index s) {
   return before / (before + after);
 }
 
-/// A node has no turn if a node inserted at the inflection beside it would be so near that rounding
-/// of its place gives the chord between them another direction.
+/// A node has no turn if a node inserted at the inflection beside it would be so near that the
+/// conic between them waves, or that rounding of its place gives the chord between them another
+/// direction.
 void hideTurnsAtInflections(NodeChain& chain) {
   // A choice: the direction is to have an error of less than about a hundredth of the turn.
-  constexpr double clear = 512;
+  constexpr double clear = 512, near_share = 1e-3;
   std::vector<Index> hidden;
-  const auto consider = [&](Index i, double to_inflection_mm) {
+  const auto consider = [&](Index i, double share, double chord_mm) {
     const double rounding_mm = roundingOf_mm(chain.at(i - 1), chain.at(i), chain.at(i + 1));
-    if (to_inflection_mm * std::abs(chain.at(i).turn_rad) <= clear * rounding_mm)
+    const double to_inflection_mm = share * chord_mm;
+    if (share <= near_share ||
+        to_inflection_mm * std::abs(chain.at(i).turn_rad) <= clear * rounding_mm)
       hidden.push_back(i);
   };
   for (Index s = 0; s < chain.spans(); ++s) {
     if (!turnsBothWays(chain, s)) continue;
     const double share = inflectionShare(chain, s), chord_mm = chain.at(s).chord_mm;
-    consider(s, share * chord_mm);
-    consider(s + 1, (1 - share) * chord_mm);
+    consider(s, share, chord_mm);
+    consider(s + 1, 1 - share, chord_mm);
   }
   for (const Index i : hidden) chain.at(i).turn_sign = 0;
 }

@@ -83,7 +83,8 @@ bool hasFlatArcs(const SampledChain& chain, double tolerance_mm) {
   });
 }
 
-/// The last point of a run and the first one of the next; the same if the corner is a point.
+/// The last point of a run and the first one of the next; the same if the corner is a point. Before
+/// the first point of a closed curve the last one is -1.
 struct CornerPoints {
   int last = 0, first = 0;
 };
@@ -94,30 +95,45 @@ struct Corners {
   bool is_of_pieces = false;  ///< not of the points alone
 };
 
-/// The points on both sides of a corner, two of each.
+/// A corner as the points show it.
 struct CornerSteps {
-  std::array<Vector2d, 2> before, after;
+  Vector2d last, first;  ///< the points before and after it
+  /// The steps before and after it, two of each: one of them can be the closing one.
+  std::array<double, 2> before_mm, after_mm;
   bool is_closing = false;  ///< between the last and the first point, up to two steps apart
 
   /// Whether a crossing can be the corner. Between two points it is one only if the steps of the
   /// points go on around it: where they do not, both points are corners, as those of a chamfer.
   bool allows(const Vector2d& crossing, double within_mm) const {
     constexpr double share = 0.1;
-    const double around_mm = (crossing - before[1]).norm() + (crossing - after[0]).norm();
-    const auto goesOn = [&](const std::array<Vector2d, 2>& side) {
-      const double step_mm = (side[1] - side[0]).norm(), off_mm = share * step_mm + 2 * within_mm;
+    const double around_mm = (crossing - last).norm() + (crossing - first).norm();
+    const auto goesOn = [&](double step_mm) {
+      const double off_mm = share * step_mm + 2 * within_mm;
       if (is_closing) return around_mm <= 2 * step_mm + off_mm;
       return std::abs(around_mm - step_mm) <= off_mm;
     };
-    return around_mm <= 2 * within_mm || (goesOn(before) && goesOn(after));
+    return around_mm <= 2 * within_mm ||
+           (std::ranges::any_of(before_mm, goesOn) && std::ranges::any_of(after_mm, goesOn));
   }
 };
+
+/// The corner between two runs.
+CornerSteps stepsBeside(const std::vector<Vector2d>& ended, const std::vector<Vector2d>& begun) {
+  CornerSteps result{.last = ended.back(), .first = begun.front(), .before_mm = {}, .after_mm = {}};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::size_t before = ended.size() - 1 - std::min(k, ended.size() - 2),
+                      after = std::min(k, begun.size() - 2);
+    result.before_mm[k] = (ended[before] - ended[before - 1]).norm();
+    result.after_mm[k] = (begun[after + 1] - begun[after]).norm();
+  }
+  return result;
+}
 
 /// Lets an arc end, and the next one begin, where both cross near a corner. Returns whether they
 /// do.
 bool meetNear(PlanarArc& before, PlanarArc& after, const CornerSteps& steps, double within_mm) {
   const TouchPoint end = touchPointOf(before).after(before.length_mm), start = touchPointOf(after);
-  const auto crossing = crossingNear(end, start, (steps.before[1] + steps.after[0]) / 2);
+  const auto crossing = crossingNear(end, start, (steps.last + steps.first) / 2);
   if (!crossing || !steps.allows(*crossing, within_mm)) return false;
   before.length_mm += end.lengthTo_mm(*crossing);
   const double ahead_mm = start.lengthTo_mm(*crossing);
@@ -194,12 +210,10 @@ std::optional<SampledChain> chainWithCorners(const std::vector<Vector2d>& points
   }
   for (std::size_t r = task.closed ? 0 : 1; r < runs.size(); ++r) {
     const std::size_t before = r > 0 ? r - 1 : runs.size() - 1;
-    const std::vector<Vector2d>&ended = runs[before], &begun = runs[r];
+    CornerSteps steps = stepsBeside(runs[before], runs[r]);
+    steps.is_closing = corners.at[task.closed ? r : r - 1].first % n == 0;
     // The corner of the points is off by the noise itself.
-    if (!meetNear(placed[before].arcs.back(), placed[r].arcs.front(),
-                  {{ended[ended.size() - 2], ended.back()},
-                   {begun[0], begun[1]},
-                   corners.at[task.closed ? r : r - 1].first % n == 0},
+    if (!meetNear(placed[before].arcs.back(), placed[r].arcs.front(), steps,
                   task.tolerance_mm + task.noise_mm))
       return std::nullopt;
   }
@@ -239,10 +253,10 @@ std::vector<CornerPoints> cornersBetweenPieces(const std::vector<Vector2d>& poin
       corner.last = corner.first;
     else if ((*crossing - last).norm() <= task.noise_mm)
       corner.first = corner.last;
-    const int turns = corner.last < 0 ? n : corner.last >= n ? -n : 0;
+    const int turns = corner.first < 0 ? n : corner.first >= n ? -n : 0;
     corners.push_back({.last = corner.last + turns, .first = corner.first + turns});
   }
-  std::ranges::sort(corners, {}, &CornerPoints::last);
+  std::ranges::sort(corners, {}, &CornerPoints::first);
   return corners;
 }
 
@@ -256,13 +270,13 @@ Corners withThoseBetween(const std::vector<Vector2d>& points, const Corners& giv
   int begin = task.closed ? given.at.front().first : 0;
   for (const std::vector<Vector2d>& run : runsOf(points, given.at, task.closed)) {
     for (const CornerPoints& corner : cornersBetweenPieces(run, open)) {
-      const int turns = begin + corner.last < n ? 0 : n;
+      const int turns = begin + corner.first < n ? 0 : n;
       all.at.push_back(
           {.last = begin + corner.last - turns, .first = begin + corner.first - turns});
     }
     begin += static_cast<int>(run.size()) - 1;
   }
-  std::ranges::sort(all.at, {}, &CornerPoints::last);
+  std::ranges::sort(all.at, {}, &CornerPoints::first);
   return all;
 }
 

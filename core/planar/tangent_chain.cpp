@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include <seamwright/core/numeric.hpp>
 #include <seamwright/core/planar/nearest_chain.hpp>
@@ -112,6 +113,15 @@ PlacedArcs fromFirstVertex(const SampledPolygon& polygon, const VertexArcs& foun
   return result;
 }
 
+/// From beside the first vertex around; nothing if the piece is a line.
+std::optional<PlacedArcs> circleOf(const PointPiece& piece, const SampledPolygon& polygon) {
+  if (piece.isLine()) return std::nullopt;
+  const double length_mm = 2 * std::numbers::pi / std::abs(piece.circle.curvature_per_mm);
+  const double end = polygon.begin + static_cast<double>(polygon.vertices.size());
+  return PlacedArcs{.arcs = {piece.circle.beside(polygon.vertices.front()).arc(length_mm)},
+                    .ends = {{end, end}}};
+}
+
 /// Whether the pieces have the vertices they need: three of an arc, two of a line, six of two
 /// neighbours. Pieces of a chain that are found in fewer could be of any curve.
 bool haveEnoughVertices(const std::vector<PointPiece>& pieces, bool closed) {
@@ -138,9 +148,9 @@ std::optional<PlacedArcs> tangentChain(const SampledPolygon& polygon,
                                      .noise_mm = options.noise_mm,
                                      .line_mm = options.line_mm,
                                      .fewer_than = std::min(options.fewer_than, most_pieces)});
-  // A closed piece is a circle.
-  if (pieces.size() < (polygon.closed ? 2 : 1)) return std::nullopt;
+  if (pieces.empty()) return std::nullopt;
   if (!haveEnoughVertices(pieces, polygon.closed)) return std::nullopt;
+  if (polygon.closed && pieces.size() == 1) return circleOf(pieces.front(), polygon);
   const auto found = vertexArcs(pieces, polygon);
   if (!found) return std::nullopt;
   if (polygon.closed) return fromFirstVertex(polygon, *found, options.noise_mm);

@@ -190,6 +190,7 @@ const char* samplesNote(const ArcFit& sampled, double tolerance_mm) {
 /// Lines from point to point.
 CurveWithArcs linesOf(const GivenCurve& given) {
   CurveWithArcs result{.curve = polygonOf(given), .fit = {}};
+  result.curve.figures = figuresFrom(figuresOf(result.curve.chain));
   ArcFit& fit = result.fit;
   fit.closed = given.record.closed;
   for (const ChainCurve& side : result.curve.chain.curves)

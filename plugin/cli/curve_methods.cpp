@@ -48,7 +48,7 @@ void noteCorners(report::CurveRecord& record, const GivenCurve& given,
   std::vector<int> lines;
   for (const Eigen::Index i : corners) lines.push_back(given.lines[static_cast<std::size_t>(i)]);
   record.notes.push_back(fmt::format(
-      "{} in line{} {}: the tangent jumps there, and the curvature is continuous between them only",
+      "{} in line{} {}: the tangent jumps there, and the curvature is continuous elsewhere only",
       lines.size() == 1 ? "a corner" : fmt::format("{} corners", lines.size()),
       lines.size() == 1 ? "" : "s", fmt::join(lines, ", ")));
 }
@@ -111,17 +111,19 @@ bool noteAdded(report::CurveRecord& record) {
 }
 
 /// Curves through points have the extrema of the curvature that rounding of the points made.
-void noteRounding(report::CurveRecord& record, const GivenCurve& given, double tolerance_mm) {
+/// \param moves_points whether a larger tolerance helps.
+void noteRounding(report::CurveRecord& record, const GivenCurve& given, double tolerance_mm,
+                  bool moves_points) {
   constexpr Eigen::Index least_points = 3;
-  if (given.rounding_mm == 0 || given.points.rows() < least_points) return;
+  if (given.rounding_mm == 0 || given.points.rows() < least_points || given.polygon) return;
   const PointFairness certain = fairnessOf(given.points, record.closed, given.rounding_mm);
   const auto extrema = static_cast<int>(certain.extrema.size());
   if (extrema < record.before.extrema)
-    record.notes.push_back(
-        fmt::format("{} of the {} extrema before can come from the rounding of the points, by up "
-                    "to {:.2g} mm{}",
-                    record.before.extrema - extrema, record.before.extrema, given.rounding_mm,
-                    tolerance_mm < given.rounding_mm ? "; give a larger --tolerance" : ""));
+    record.notes.push_back(fmt::format(
+        "{} of the {} extrema before can come from the rounding of the points, by up "
+        "to {:.2g} mm{}",
+        record.before.extrema - extrema, record.before.extrema, given.rounding_mm,
+        moves_points && tolerance_mm < given.rounding_mm ? "; give a larger --tolerance" : ""));
 }
 
 /// Samples of lines and arcs, such as a slot: their extrema are no errors. Returns whether they
@@ -192,7 +194,7 @@ MadeCurve madeCurve(const std::string& method, const GivenCurve& given, const Cu
   const bool added = noteAdded(made.record);
   // Arcs have jumps of the curvature, which nobody takes for a fair curve.
   made.record.with_reservations |= method != "arcs" && added;
-  noteRounding(made.record, local.given, task.tolerance_mm);
+  noteRounding(made.record, local.given, task.tolerance_mm, method != "clothoid");
   if (method != "arcs") made.record.with_reservations |= noteSampled(made.record, local.given);
   return made;
 }

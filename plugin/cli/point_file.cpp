@@ -154,7 +154,12 @@ class PointRows {
 
   void add(const std::string& text, int line) {
     const std::vector<std::string> words = wordsOf(text);
-    if (words.empty()) return;
+    if (words.empty()) {
+      is_after_blank_ = true;
+      return;
+    }
+    if (std::exchange(is_after_blank_, false) && rows_.size() >= least_of_curve)
+      breaks_.push_back(line);
     if (rows_.empty() && !beginsAsNumber(words.front())) {
       readHeader(namesIn(text), line);
       return;
@@ -181,7 +186,12 @@ class PointRows {
   PointFile file() {
     if (rows_.empty())
       throw std::runtime_error(path_ + ": has no points: a line has two or three numbers");
-    orderAirfoil();
+    // Files with an empty line after each point have no parts.
+    const bool is_parted = !breaks_.empty() && 4 * breaks_.size() < rows_.size();
+    if (!orderAirfoil() && is_parted)
+      notes_.push_back(fmt::format(
+          "an empty line is before line {}: the points before and after it are one curve",
+          breaks_.front()));
     PointFile file{.points = Poles(static_cast<Eigen::Index>(rows_.size()), 3),
                    .has_z = columns_ == 3,
                    .lines = {},
@@ -229,16 +239,18 @@ class PointRows {
   }
   /// Airfoils in the format of Lednicer begin with the numbers of upper and lower points, and both
   /// sides run from the nose: the outline runs along the upper side to the nose, then back.
-  void orderAirfoil() {
+  /// Returns whether it is one.
+  bool orderAirfoil() {
     const double upper = rows_.front().place[0], lower = rows_.front().place[1];
     const auto count = static_cast<double>(rows_.size() - 1);
     if (columns_ != 2 || upper < 2 || lower < 2 || upper != std::floor(upper) ||
         lower != std::floor(lower) || upper + lower != count)
-      return;
+      return false;
     rows_.erase(rows_.begin());
     const auto nose = static_cast<std::ptrdiff_t>(upper);
     std::reverse(rows_.begin(), rows_.begin() + nose);
     if (rows_[nose - 1].place == rows_[nose].place) rows_.erase(rows_.begin() + nose);
+    return true;
   }
   /// "2412 airfoil", "20-32C airfoil"
   static bool isName(const std::vector<std::string>& words) {
@@ -248,8 +260,11 @@ class PointRows {
   double rounding_mm() const {
     // With fewer digits the points are those of a drawing; with more they are doubles.
     constexpr int least = 5, most = 15;
-    if (digits_ < least || digits_ > most || largest_ == 0) return 0;
-    const double unit = std::pow(10, std::floor(std::log10(largest_)) + 1 - digits_);
+    double largest = 0;
+    for (const PointRow& row : rows_)
+      for (const double number : row.place) largest = std::max(largest, std::abs(number));
+    if (digits_ < least || digits_ > most || largest == 0) return 0;
+    const double unit = std::pow(10, std::floor(std::log10(largest)) + 1 - digits_);
     return unit / 2 * std::sqrt(static_cast<double>(columns_));
   }
   double coordinate(const std::string& word, int line) {
@@ -259,14 +274,15 @@ class PointRows {
     if (!(std::abs(number) < too_large))
       fail(line, fmt::format("has the number {}, which is not finite or too large", word));
     digits_ = std::max(digits_, digitsOf(word));
-    largest_ = std::max(largest_, std::abs(number));
     return number;
   }
 
   std::string path_;
   bool begun_ = false, has_tolerances_ = false;
   int digits_ = 0;
-  double largest_ = 0;
+  static constexpr std::size_t least_of_curve = 3;  ///< names and counts have fewer
+  bool is_after_blank_ = false;
+  std::vector<int> breaks_ = {};  ///< lines after empty ones between points
   std::vector<std::string> notes_;
   std::size_t columns_ = 0;  ///< of coordinates
   std::vector<PointRow> rows_;

@@ -543,6 +543,59 @@ TEST(SampledChain, OfAnEllipseIsNothingOrNear) {
   EXPECT_TRUE(!chain || largestDistance(chain->arcs, ellipse) <= 1e-4 + 1e-7);
 }
 
+// Identity (1): one arc goes all the way round.
+TEST(SampledChain, OfACircleIsOneArc) {
+  std::mt19937_64 random(testSeed());
+  for (const int count : {6, 8, 12, 60, 400})
+    for (const double unit_mm : {1e-3, 1e-6, 1e-12})
+      for (const double radius_mm : {20.0, -20.0}) {
+        SCOPED_TRACE(testing::Message() << count << ' ' << unit_mm << ' ' << radius_mm);
+        const std::vector<PlanarArc> circle =
+            outlineOf({{0, 1 / radius_mm, 40 * pi}}, uniform(random, -3, 3));
+        const PlanarPoints points = samplesOf(circle, {.steps = count, .unit_mm = unit_mm});
+        const auto chain = sampledChain(points, {.closed = true, .tolerance_mm = 0.02});
+        ASSERT_TRUE(chain);
+        ASSERT_THAT(chain->arcs, SizeIs(1));
+        EXPECT_THAT(chain->corners, IsEmpty());
+        EXPECT_LT((chain->arcs[0].start - points.row(0).transpose()).norm(), 5 * unit_mm + 1e-9);
+        EXPECT_LT((chain->arcs[0].end() - chain->arcs[0].start).norm(), 1e-9);
+        EXPECT_NEAR(chain->arcs[0].curvature_per_mm, 1 / radius_mm, unit_mm);
+        EXPECT_LT(largestDistance(chain->arcs, samplesOf(circle, {.steps = 1000})),
+                  10 * unit_mm + 1e-9);
+      }
+}
+
+// A closed chain begins at the corner that is its first point, whatever rounding does to it.
+TEST(SampledChain, BeginsAtTheCornerThatIsTheFirstPoint) {
+  const std::vector<OutlinePiece> plate = {
+      {pi / 2, 0, 40}, {pi / 2, 0, 20}, {0, 0.05, 20 * pi}, {0, 0, 20}};
+  for (const double unit_mm : {1e-2, 1e-3, 1e-6})
+    for (int turn = 0; turn < 60; ++turn) {
+      const std::vector<PlanarArc> outline = outlineOf(plate, 0.1 * turn);
+      const PlanarPoints points = samplesOf(outline, {.steps = 20, .unit_mm = unit_mm});
+      const auto chain = sampledChain(points, {.closed = true, .tolerance_mm = 0.03});
+      SCOPED_TRACE(testing::Message() << unit_mm << ' ' << turn);
+      ASSERT_TRUE(chain);
+      ASSERT_THAT(chain->arcs, SizeIs(4));
+      EXPECT_LT((chain->arcs[0].start - points.row(0).transpose()).norm(), 5 * unit_mm);
+    }
+}
+
+// Identity (1): a corner of 30 degrees beside an arc whose chords turn by 6 degrees.
+TEST(SampledChain, CornersBesideCoarseArcsStay) {
+  for (const double corner_deg : {20.0, 30.0, 45.0}) {
+    const double turn_rad = corner_deg * radians_per_degree, step_rad = turn_rad / 5;
+    const std::vector<PlanarArc> outline =
+        outlineOf({{0, 0, 30}, {turn_rad, 1.0 / 12, 18 * 12 * step_rad}}, 0.3);
+    const PlanarPoints points = samplesOf(outline, {.steps = 18, .closed = false});
+    const auto chain = sampledChain(points, {.tolerance_mm = 0.01});
+    SCOPED_TRACE(corner_deg);
+    ASSERT_TRUE(chain);
+    EXPECT_THAT(chain->arcs, SizeIs(2));
+    EXPECT_THAT(chain->corners, ElementsAre(1));
+  }
+}
+
 // Lines through two points each show nothing.
 TEST(SampledChain, OfFewPointsOfACurveIsNothing) {
   PlanarPoints points(5, 2);
