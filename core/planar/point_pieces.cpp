@@ -70,6 +70,7 @@ class DividedPoints {
 
   /// Moves the ends of pieces to where the points become nearer to the next one.
   void settle() {
+    if (count() < 2) return;
     std::vector<TouchPoint> circles;
     for (int i = 0; i < count(); ++i) circles.push_back(pieceAt(i).circle);
     const std::vector<int> before = starts_;
