@@ -486,7 +486,7 @@ def test_runs_are_repeated_bitwise(tmp_path, pair):
         (["low.csv", "high.csv", "-o", "out.step", "--pair", "2,101%"], "--pair: '101%'"),
         (
             ["low.csv", "high.csv", "-o", "out.step", "--pair", "2,3", "--pair", "3,2"],
-            "the second is not behind the first on the curve of high.csv",
+            "the curve of high.csv, which runs the other way: reverse its points",
         ),
         (
             ["low.csv", "high.csv", "-o", "out.step", "--pair", "2,3", "--match", "length"],
