@@ -100,13 +100,14 @@ bool areAlikeFrom(const std::vector<Feature>& first, const std::vector<Feature>&
 /// Joints from which a frame may start.
 using MayStart = std::function<bool(std::size_t)>;
 
-/// The sharp joint to start from if there are equally many: the best one by their distances.
-std::optional<Place> pairedStart(const SharpJoints& first, const SharpJoints& joints,
+/// The sharp joint to start from if there are equally many: the best one by their distances, if the
+/// sum of their squares is below that limit.
+std::optional<Place> pairedStart(const SharpJoints& first, const SharpJoints& joints, double limit,
                                  const MayStart& mayStart) {
   const Eigen::VectorXd costs = shiftCosts(first.points, joints.points);
   const double equal = equal_cost * (first.points.squaredNorm() + joints.points.squaredNorm());
   std::optional<Place> best;
-  double best_cost = infinite;
+  double best_cost = limit;
   for (std::size_t i = 0; i < joints.all.size(); ++i) {
     const double cost = costs(static_cast<Eigen::Index>(i));
     if (!(cost < best_cost - equal) || !mayStart(i)) continue;
@@ -260,14 +261,18 @@ class Turner {
                                   double equal) const {
     const Features of_frame = features(frame);
     const SharpJoints joints = withPoints(frame, {}, sharpFeatures(of_frame));
-    if (first_.joints.all.size() == joints.all.size())
-      if (const auto place = pairedStart(first_.joints, joints, [&](std::size_t i) {
-            return areAlikeFrom(first_.joints.all, joints.all, i);
-          }))
-        return place;
+    if (first_.joints.all.size() == joints.all.size()) {
+      // Beyond that the frame would be turned by more than a right angle, and frames between
+      // shrink.
+      const double limit = first_.joints.points.squaredNorm() + joints.points.squaredNorm();
+      const MayStart mayStart = [&](std::size_t i) {
+        return areAlikeFrom(first_.joints.all, joints.all, i);
+      };
+      if (const auto place = pairedStart(first_.joints, joints, limit, mayStart)) return place;
+    }
     const SharpJoints sharp = sharpJoints(frame, of_frame, first_.sharp.kind);
     return first_.sharp.all.size() == sharp.all.size()
-               ? pairedStart(first_.sharp, sharp, [](std::size_t) { return true; })
+               ? pairedStart(first_.sharp, sharp, infinite, [](std::size_t) { return true; })
                : nearStart(first_.sharp, sharp, costs, share, options_.reach, equal);
   }
 

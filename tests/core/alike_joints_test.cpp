@@ -104,6 +104,35 @@ TEST(AlikeJoints, ThreeFramesCorrespond) {
   EXPECT_LT(farthest(square, mean(common.frames[0], common.frames[2])), 2 * tolerance_mm);
 }
 
+/// A rectangle of which one corner is rounded, turned and scaled.
+BezierSpline blunted(double turn, double scale) {
+  BezierSpline result{2, {0, 1, 2, 3, 4, 5}, HomogeneousPoles::Ones(11, 4), true};
+  const double weight = std::sqrt(0.5);
+  const double places[11][2] = {{-20, -10}, {0, -10}, {20, -10}, {20, -1}, {20, 8},   {20, 10},
+                                {18, 10},   {-1, 10}, {-20, 10}, {-20, 0}, {-20, -10}};
+  for (Eigen::Index i = 0; i < 11; ++i) {
+    const double w = i == 5 ? weight : 1;
+    const Eigen::Vector2d place =
+        scale * (Eigen::Rotation2Dd(turn) * Eigen::Vector2d(places[i][0], places[i][1]));
+    result.poles.row(i) << w * place.x(), w * place.y(), 0, w;
+  }
+  return result;
+}
+
+TEST(AlikeJoints, TheStartKeepsTheOrderUnlessFramesWouldShrink) {
+  for (const double turn : {-1.2, 0.4, 1.4}) {
+    const BezierSpline b = blunted(turn, 0.8);
+    const MatchedFrames matched = matchPieces({blunted(0, 1), from(b, 4, 0)}, found);
+    EXPECT_EQ(matched.summary.pieces_after, 5) << turn;
+    EXPECT_LT((matched.frames[1].poles - b.poles).norm(), 1e-9) << turn;
+  }
+  // Turned by 180 degrees, the frame halfway would be a point.
+  const MatchedFrames matched = matchPieces({blunted(0, 1), blunted(pi, 1)}, found);
+  const BezierSpline half = mean(matched.frames[0], matched.frames[1]);
+  EXPECT_GT(half.poles.col(0).maxCoeff(), 17);
+  EXPECT_GT(half.poles.col(1).maxCoeff(), 8);
+}
+
 /// A line, an arc to the left and a line.
 BezierSpline bow(double before, double radius, double after) {
   BezierSpline result{2, {0, 1, 2, 3}, HomogeneousPoles::Ones(7, 4), false};
