@@ -16,14 +16,14 @@ struct Anchor {
   std::vector<double> shares;  ///< likewise
   MatchedKind kind = MatchedKind::Given;
   /// The speeds along the frames may jump here: at a corner, and where the curvature jumps in all
-  /// frames, with one tangent.
+  /// frames, with one tangent; at given places, too.
   bool may_kink = false;
 };
 
 struct Correspondence {
   std::vector<Measured> frames;  ///< in their directions, from their starts
   std::vector<Anchor> anchors;   ///< increasing
-  /// Where closed frames begin, if that is a feature of the same kind in all of them.
+  /// Where closed frames begin, if that is given or a feature of the same kind in all of them.
   std::optional<Anchor> start;
 };
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
+#include <span>
 #include <stdexcept>
 
 #include <seamwright/core/bezier/stopped_ends.hpp>
@@ -35,10 +38,11 @@ double aloneCost(const Feature& feature) {
 Feature cornerAt(const Measured& frame, const FrameExtent& extent, int i) {
   Feature result{FeatureKind::Corner, {i, 0}, frame.share(i)};
   result.from_middle = (frame.point(result.place) - extent.middle) / extent.radius_mm;
-  if (!extent.round) return result;
   const int before = i > 0 ? i - 1 : frame.spline().segments() - 1;
   const Eigen::Vector3d arriving = segment(frame.spline(), before).derivatives(1, 1).row(1),
                         leaving = segment(frame.spline(), i).derivatives(0, 1).row(1);
+  result.turn = arriving.stableNormalized().cross(leaving.stableNormalized());
+  if (!extent.round) return result;
   const double turn = arriving.cross(leaving).dot(*extent.round);
   result.side = turn > 0 ? 1 : turn < 0 ? -1 : 0;
   return result;
@@ -224,7 +228,93 @@ class CostRows {
   double reach_;
 };
 
+bool isCorner(const Feature& feature) {
+  return feature.kind == FeatureKind::Corner;
+}
+
+std::vector<Feature> picked(const std::vector<Feature>& features, const std::vector<int>& indices) {
+  std::vector<Feature> result;
+  for (const int i : indices) result.push_back(features[i]);
+  return result;
+}
+
+/// A range of the length.
+struct ShareRange {
+  double from = 0, to = 1;
+};
+
+/// Features first to last - 1 of a range of the length, moved to another range.
+std::vector<Feature> movedTo(const ShareRange& target, const std::vector<Feature>& features,
+                             int first, int last, const ShareRange& range) {
+  std::vector<Feature> result(features.begin() + first, features.begin() + last);
+  for (Feature& feature : result)
+    feature.share = target.from + (feature.share - range.from) / (range.to - range.from) *
+                                      (target.to - target.from);
+  return result;
+}
+
+using FeaturePairs = std::vector<std::pair<int, int>>;
+
+/// The pairs of features that lie in one range of both frames. \param tests what corresponds in
+/// order, if it is alike; between that what the rest of the tests says.
+FeaturePairs pairsIn(const ShareRange& range, const std::vector<Feature>& a,
+                     const std::vector<Feature>& b, double reach,
+                     std::span<bool (*const)(const Feature&)> tests) {
+  if (tests.empty()) return matchedFeatures(a, b, reach);
+  std::vector<int> of_a, of_b;
+  for (int i = 0; i < std::ssize(a); ++i)
+    if (tests.front()(a[i])) of_a.push_back(i);
+  for (int i = 0; i < std::ssize(b); ++i)
+    if (tests.front()(b[i])) of_b.push_back(i);
+  if (!areAlike(picked(a, of_a), picked(b, of_b))) return matchedFeatures(a, b, reach);
+  FeaturePairs result;
+  int first_a = 0, first_b = 0;
+  ShareRange range_a{range.from, range.to}, range_b = range_a, common = range_a;
+  for (std::size_t k = 0; k <= of_a.size(); ++k) {
+    const bool end = k == of_a.size();
+    const int last_a = end ? static_cast<int>(a.size()) : of_a[k],
+              last_b = end ? static_cast<int>(b.size()) : of_b[k];
+    range_a.to = end ? range.to : a[last_a].share;
+    range_b.to = end ? range.to : b[last_b].share;
+    common.to = 0.5 * (range_a.to + range_b.to);
+    for (const auto& [i, j] :
+         pairsIn(common, movedTo(common, a, first_a, last_a, range_a),
+                 movedTo(common, b, first_b, last_b, range_b), reach, tests.subspan(1)))
+      result.emplace_back(first_a + i, first_b + j);
+    if (!end) result.emplace_back(last_a, last_b);
+    first_a = last_a + 1;
+    first_b = last_b + 1;
+    range_a.from = range_a.to;
+    range_b.from = range_b.to;
+    common.from = common.to;
+  }
+  return result;
+}
+
 }  // namespace
+
+bool isSharp(const Feature& feature) {
+  return feature.kind == FeatureKind::Corner || feature.kind == FeatureKind::Rise ||
+         feature.kind == FeatureKind::Fall;
+}
+
+std::vector<Feature> sharpFeatures(const Features& features) {
+  std::vector<Feature> result;
+  if (features.closing) result.push_back(*features.closing);
+  std::ranges::copy_if(features.all, std::back_inserter(result), isSharp);
+  return result;
+}
+
+bool areAlike(const Feature& a, const Feature& b) {
+  if (a.kind != b.kind) return false;
+  if (a.kind != FeatureKind::Corner) return true;
+  return a.side == 0 && b.side == 0 ? a.turn.dot(b.turn) > 0 : a.side == b.side;
+}
+
+bool areAlike(const std::vector<Feature>& a, const std::vector<Feature>& b) {
+  return std::ranges::equal(
+      a, b, [](const Feature& one, const Feature& other) { return areAlike(one, other); });
+}
 
 double pairCost(const Feature& a, const Feature& b, double reach) {
   const double moved = std::abs(a.share - b.share);
@@ -303,6 +393,13 @@ std::vector<std::pair<int, int>> matchedFeatures(const std::vector<Feature>& a,
     if (block.size() == 1) block.clear();
   }
   return pairs;
+}
+
+std::vector<std::pair<int, int>> correspondingFeatures(const std::vector<Feature>& a,
+                                                       const std::vector<Feature>& b,
+                                                       double reach) {
+  constexpr std::array tests = {isCorner, isSharp};
+  return pairsIn({0, 1}, a, b, reach, tests);
 }
 
 }  // namespace seamwright::match

@@ -24,6 +24,8 @@ struct Feature {
   /// Of a corner of a closed frame: 1 if it turns the way round of the frame, -1 if the other way;
   /// 0 unless that is known.
   int side = 0;
+  /// Of a corner: about what it turns, the product of its tangents.
+  Eigen::Vector3d turn = Eigen::Vector3d::Zero();
 };
 
 struct Features {
@@ -43,6 +45,19 @@ struct FeatureOptions {
 /// take the signed curvature. \pre then the frame lies in z = 0.
 Features featuresOf(const Measured& frame, bool planar, const FeatureOptions& options);
 
+/// Whether it is a corner or a jump of the curvature.
+bool isSharp(const Feature& feature);
+
+/// The corners and jumps, with the joint that closes a frame as the first one.
+std::vector<Feature> sharpFeatures(const Features& features);
+
+/// Whether two features are of one kind; two corners also if they turn to the same side, or, where
+/// that is not known, about directions that differ by less than a right angle.
+bool areAlike(const Feature& a, const Feature& b);
+
+/// Whether equally many features are alike in their order.
+bool areAlike(const std::vector<Feature>& a, const std::vector<Feature>& b);
+
 /// What it costs that two features correspond; infinite if they cannot. Source:
 /// docs/theory/curves.md C12.2.
 double pairCost(const Feature& a, const Feature& b, double reach);
@@ -55,5 +70,11 @@ double matchingCost(const std::vector<Feature>& a, const std::vector<Feature>& b
 /// docs/theory/curves.md C12.2.
 std::vector<std::pair<int, int>> matchedFeatures(const std::vector<Feature>& a,
                                                  const std::vector<Feature>& b, double reach);
+
+/// Pairs of indices in order: all corners if they are alike, between them all jumps if these are,
+/// whatever their places; the others at least cost, by their places between those. Source:
+/// docs/theory/curves.md C12.2.
+std::vector<std::pair<int, int>> correspondingFeatures(const std::vector<Feature>& a,
+                                                       const std::vector<Feature>& b, double reach);
 
 }  // namespace seamwright::match

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
+#include <utility>
 
 #include <seamwright/core/blend/correspondence.hpp>
 #include <seamwright/core/blend/frame_features.hpp>
@@ -58,23 +60,16 @@ double apart(double share, double other) {
   return std::min(distance, 1 - distance);
 }
 
-/// The joints of a closed frame that are as sharp as the one where it starts.
+/// Joints of a closed frame that are as sharp as the one where it starts, or all sharp ones.
 struct SharpJoints {
   std::optional<FeatureKind> kind;
   std::vector<Feature> all;  ///< by their place
   Poles points;              ///< about their mean
 };
 
-/// \param kind nothing: that of the joint where the frame starts.
-SharpJoints sharpJoints(const Measured& frame, const Features& features,
-                        std::optional<FeatureKind> kind) {
-  SharpJoints result{kind, {}, {}};
-  if (!kind && features.closing) result.kind = features.closing->kind;
-  if (!result.kind) return result;
-  if (features.closing && features.closing->kind == *result.kind)
-    result.all.push_back(*features.closing);
-  for (const Feature& feature : features.all)
-    if (feature.kind == result.kind) result.all.push_back(feature);
+SharpJoints withPoints(const Measured& frame, std::optional<FeatureKind> kind,
+                       std::vector<Feature> all) {
+  SharpJoints result{kind, std::move(all), {}};
   if (result.all.empty()) return result;
   result.points.resize(static_cast<Eigen::Index>(result.all.size()), 3);
   for (std::size_t i = 0; i < result.all.size(); ++i)
@@ -83,15 +78,39 @@ SharpJoints sharpJoints(const Measured& frame, const Features& features,
   return result;
 }
 
-/// The sharp joint to start from if there are equally many: the best one by their distances.
-std::optional<Place> pairedStart(const SharpJoints& first, const SharpJoints& joints) {
+/// \param kind nothing: that of the joint where the frame starts.
+SharpJoints sharpJoints(const Measured& frame, const Features& features,
+                        std::optional<FeatureKind> kind) {
+  if (!kind && features.closing) kind = features.closing->kind;
+  if (!kind) return {};
+  std::vector<Feature> all = sharpFeatures(features);
+  std::erase_if(all, [&](const Feature& feature) { return feature.kind != *kind; });
+  return withPoints(frame, kind, std::move(all));
+}
+
+/// Whether the joints are those of the first frame in their order if a frame starts at its joint i.
+bool areAlikeFrom(const std::vector<Feature>& first, const std::vector<Feature>& joints,
+                  std::size_t i) {
+  if (first.size() != joints.size()) return false;
+  for (std::size_t k = 0; k < first.size(); ++k)
+    if (!areAlike(first[k], joints[(i + k) % joints.size()])) return false;
+  return true;
+}
+
+/// Joints from which a frame may start.
+using MayStart = std::function<bool(std::size_t)>;
+
+/// The sharp joint to start from if there are equally many: the best one by their distances, if the
+/// sum of their squares is below that limit.
+std::optional<Place> pairedStart(const SharpJoints& first, const SharpJoints& joints, double limit,
+                                 const MayStart& mayStart) {
   const Eigen::VectorXd costs = shiftCosts(first.points, joints.points);
   const double equal = equal_cost * (first.points.squaredNorm() + joints.points.squaredNorm());
   std::optional<Place> best;
-  double best_cost = infinite;
+  double best_cost = limit;
   for (std::size_t i = 0; i < joints.all.size(); ++i) {
     const double cost = costs(static_cast<Eigen::Index>(i));
-    if (!(cost < best_cost - equal)) continue;
+    if (!(cost < best_cost - equal) || !mayStart(i)) continue;
     best = joints.all[i].place;
     best_cost = cost;
   }
@@ -172,8 +191,9 @@ std::optional<bool> goAlike(const Poles& first, const Poles& frame) {
 /// What the other frames are compared with.
 struct FirstFrame {
   Poles points;
-  SharpJoints sharp;  ///< none if its start is smooth, or starts are not found
-  bool flat = false;  ///< all frames are
+  SharpJoints sharp;   ///< none if its start is smooth, or starts are not found
+  SharpJoints joints;  ///< all sharp ones, likewise
+  bool flat = false;   ///< all frames are
 };
 
 struct Turned {
@@ -191,7 +211,10 @@ class Turner {
     const Measured first = measured(frames[0], 0);
     first_.points = samples(first, sample_count);
     first_.flat = areFlat(frames);
-    if (finds_start_) first_.sharp = sharpJoints(first, features(first), std::nullopt);
+    if (!finds_start_) return;
+    const Features of_first = features(first);
+    first_.sharp = sharpJoints(first, of_first, std::nullopt);
+    if (first_.sharp.kind) first_.joints = withPoints(first, {}, sharpFeatures(of_first));
   }
 
   Turned operator()(const BezierSpline& frame, std::size_t index) const {
@@ -228,15 +251,29 @@ class Turner {
     while (!(costs(at) <= costs.minCoeff() + equal)) ++at;
     const double steps = static_cast<double>(at) + refinedShift(costs, at) + sample_count;
     const double share = steps / sample_count - std::floor(steps / sample_count);
-    if (first_.sharp.kind) {
-      const SharpJoints sharp = sharpJoints(frame, features(frame), first_.sharp.kind);
-      const std::optional<Place> place =
-          first_.sharp.all.size() == sharp.all.size()
-              ? pairedStart(first_.sharp, sharp)
-              : nearStart(first_.sharp, sharp, costs, share, options_.reach, equal);
-      if (place) return *place;
-    }
+    if (first_.sharp.kind)
+      if (const auto place = sharpStart(frame, costs, share, equal)) return *place;
     return startPlace(frame, share, near_share_);
+  }
+
+  /// \pre the first frame starts at a corner or jump.
+  std::optional<Place> sharpStart(const Measured& frame, const Eigen::VectorXd& costs, double share,
+                                  double equal) const {
+    const Features of_frame = features(frame);
+    const SharpJoints joints = withPoints(frame, {}, sharpFeatures(of_frame));
+    if (first_.joints.all.size() == joints.all.size()) {
+      // Beyond that the frame would be turned by more than a right angle, and frames between
+      // shrink.
+      const double limit = first_.joints.points.squaredNorm() + joints.points.squaredNorm();
+      const MayStart mayStart = [&](std::size_t i) {
+        return areAlikeFrom(first_.joints.all, joints.all, i);
+      };
+      if (const auto place = pairedStart(first_.joints, joints, limit, mayStart)) return place;
+    }
+    const SharpJoints sharp = sharpJoints(frame, of_frame, first_.sharp.kind);
+    return first_.sharp.all.size() == sharp.all.size()
+               ? pairedStart(first_.sharp, sharp, infinite, [](std::size_t) { return true; })
+               : nearStart(first_.sharp, sharp, costs, share, options_.reach, equal);
   }
 
   const MatchOptions& options_;
@@ -285,6 +322,33 @@ void startAtCorner(const MatchOptions& options, double near_share,
   summary.start[0] = first.start;
 }
 
+/// Whether the corners and jumps of a closed frame are those of the first one in cyclic order.
+bool areAlikeAround(const std::vector<Feature>& first, const std::vector<Feature>& joints) {
+  for (std::size_t i = 0; i < joints.size(); ++i)
+    if (areAlikeFrom(first, joints, i)) return true;
+  return false;
+}
+
+/// The first frame from a corner or jump on, if those of all frames are alike in cyclic order: then
+/// all of them correspond from there on.
+void startAtAlike(const MatchOptions& options, std::vector<BezierSpline>& frames,
+                  MatchSummary& summary) {
+  const bool flat = areFlat(frames);
+  const auto features = [&](const BezierSpline& frame, std::size_t f) {
+    return featuresOf(measured(frame, f), flat, {options.corner_rad, options.prominence});
+  };
+  const Features first = features(frames[0], 0);
+  const std::vector<Feature> joints = sharpFeatures(first);
+  if (first.closing || joints.empty()) return;
+  for (std::size_t f = 1; f < frames.size(); ++f)
+    if (!areAlikeAround(joints, sharpFeatures(features(frames[f], f))) &&
+        !(options.find_direction &&
+          areAlikeAround(joints, sharpFeatures(features(runBackwards(frames[f]), f)))))
+      return;
+  summary.start[0] = joints.front().share;
+  frames[0] = startingAt(frames[0], joints.front().place);
+}
+
 /// Closed frames from their first given parameters.
 void startAtGiven(const std::vector<BezierSpline>& frames, const MatchOptions& options,
                   std::vector<BezierSpline>& result, MatchSummary& summary) {
@@ -313,7 +377,10 @@ std::vector<BezierSpline> turned(const std::vector<BezierSpline>& frames,
   if (options.by == MatchBy::Given && frames[0].closed && !options.given[0].empty())
     startAtGiven(frames, options, result, summary);
   if (!options.find_direction && !(options.find_start && frames[0].closed)) return result;
-  if (options.find_start && frames[0].closed) startAtCorner(options, near_share, result, summary);
+  if (options.find_start && frames[0].closed) {
+    startAtCorner(options, near_share, result, summary);
+    if (options.by == MatchBy::Features) startAtAlike(options, result, summary);
+  }
   const Turner turn(result, options, near_share);
   for (std::size_t f = 1; f < frames.size(); ++f) {
     Turned best = turn(frames[f], f);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
@@ -160,14 +161,10 @@ Anchor anchorAt(const std::vector<Measured>& frames, const std::vector<Feature>&
 }
 
 std::vector<Features> featuresOfAll(const std::vector<Measured>& frames,
-                                    const MatchOptions& options, bool planar,
-                                    MatchSummary& summary) {
+                                    const MatchOptions& options, bool planar) {
   std::vector<Features> result;
-  for (const Measured& frame : frames) {
+  for (const Measured& frame : frames)
     result.push_back(featuresOf(frame, planar, {options.corner_rad, options.prominence}));
-    summary.features.push_back(static_cast<int>(result.back().all.size()));
-    summary.unknown_pieces += result.back().unknown_pieces;
-  }
   return result;
 }
 
@@ -183,25 +180,6 @@ std::optional<Anchor> startAnchor(const std::vector<Measured>& frames,
   return anchorAt(frames, starts);
 }
 
-/// Whether closed frames have as many corners, which turn to the same sides in their order.
-bool turnAlike(const std::vector<Feature>& a, const std::vector<Feature>& b) {
-  std::vector<int> sides_a, sides_b;
-  for (const auto& [features, sides] : {std::pair{&a, &sides_a}, {&b, &sides_b}})
-    for (const Feature& feature : *features)
-      if (feature.kind == FeatureKind::Corner) sides->push_back(feature.side);
-  return sides_a == sides_b && std::ranges::find(sides_a, 0) == sides_a.end();
-}
-
-/// The pairs of least cost. Corners that turn alike correspond in their order, however far one of
-/// the frames is turned.
-std::vector<std::pair<int, int>> pairsOf(std::vector<Feature> a, std::vector<Feature> b,
-                                         double reach) {
-  if (turnAlike(a, b))
-    for (std::vector<Feature>* features : {&a, &b})
-      for (Feature& feature : *features) feature.from_middle.setZero();
-  return matchedFeatures(a, b, reach);
-}
-
 std::vector<Anchor> featureAnchors(const std::vector<Measured>& frames,
                                    const std::vector<Features>& features,
                                    const MatchOptions& options, double near_share) {
@@ -211,7 +189,8 @@ std::vector<Anchor> featureAnchors(const std::vector<Measured>& frames,
   std::vector<std::vector<int>> partners(all[0].size(), std::vector<int>(frames.size(), -1));
   for (std::size_t i = 0; i < partners.size(); ++i) partners[i][0] = static_cast<int>(i);
   for (std::size_t f = 1; f < frames.size(); ++f)
-    for (const auto& [i, j] : pairsOf(all[0], all[f], options.reach)) partners[i][f] = j;
+    for (const auto& [i, j] : correspondingFeatures(all[0], all[f], options.reach))
+      partners[i][f] = j;
   // Corners first: an extremum beside one leaves it no room.
   std::stable_sort(partners.begin(), partners.end(),
                    [&](const std::vector<int>& a, const std::vector<int>& b) {
@@ -232,19 +211,28 @@ std::vector<Anchor> featureAnchors(const std::vector<Measured>& frames,
   return result;
 }
 
-/// Whether all frames have a corner at their place.
-bool areCorners(const std::vector<Measured>& frames, const std::vector<Place>& places,
-                double corner_rad) {
+/// The corner or jump at a place, if there is one.
+std::optional<FeatureKind> sharpKindAt(const Features& features, const Place& place) {
+  for (const Feature& feature : sharpFeatures(features))
+    if (feature.place.piece == place.piece && feature.place.t == place.t) return feature.kind;
+  return std::nullopt;
+}
+
+/// Whether the speeds may jump at given places: all frames have a corner or a jump there, and where
+/// it is a jump in all of them, one tangent.
+bool mayKink(const std::vector<Measured>& frames, const std::vector<Features>& features,
+             const std::vector<Place>& places) {
+  bool corner = false;
   for (std::size_t f = 0; f < frames.size(); ++f) {
-    const auto [piece, t] = places[f];
-    if (t != 0 || piece == 0) return false;
-    const CurveJoint joint = measureJoints(frames[f].spline(), 1).at(piece - 1);
-    if (!joint.angle_rad || !(*joint.angle_rad > corner_rad)) return false;
+    const std::optional<FeatureKind> kind = sharpKindAt(features[f], places[f]);
+    if (!kind) return false;
+    corner = corner || *kind == FeatureKind::Corner;
   }
-  return true;
+  return corner || areParallel(frames, places);
 }
 
 std::vector<Anchor> givenAnchors(const std::vector<Measured>& frames, const Splines& original,
+                                 const std::vector<Features>& features,
                                  const MatchOptions& options) {
   std::vector<Anchor> result;
   const bool closed = original[0].closed;
@@ -263,9 +251,17 @@ std::vector<Anchor> givenAnchors(const std::vector<Measured>& frames, const Spli
     }
     if (!isBetween(anchor, result.empty() ? nullptr : &result.back(), nullptr, 0))
       refuse(fmt::format("given parameter {} is at the same place as another", i));
-    anchor.may_kink = areCorners(frames, anchor.places, options.corner_rad);
+    anchor.may_kink = mayKink(frames, features, anchor.places);
     result.push_back(std::move(anchor));
   }
+  return result;
+}
+
+/// Where closed frames begin by given parameters.
+Anchor givenStart(const std::vector<Measured>& frames, const std::vector<Features>& features) {
+  Anchor result{.places = std::vector<Place>(frames.size()),
+                .shares = std::vector<double>(frames.size(), 0)};
+  result.may_kink = mayKink(frames, features, result.places);
   return result;
 }
 
@@ -407,21 +403,32 @@ double largestRatio(const Splines& frames) {
   return result;
 }
 
-/// The anchors, or those at corners, or none, if the tangents at corresponding places differ less.
+/// Whether the corners and jumps of all frames are alike, so that lines and arcs between them
+/// correspond.
+bool joinAlike(const std::vector<Features>& features) {
+  const std::vector<Feature> first = sharpFeatures(features[0]);
+  return std::ranges::all_of(
+      features, [&](const Features& of_frame) { return areAlike(first, sharpFeatures(of_frame)); });
+}
+
+/// The anchors, or those at corners, and at jumps if all of them correspond, or none, if the
+/// tangents at corresponding places differ less.
 std::vector<Anchor> fittingAnchors(const std::vector<Measured>& frames,
-                                   const std::vector<Anchor>& anchors, MatchSummary& summary) {
-  std::vector<Anchor> corners;
-  std::ranges::copy_if(anchors, std::back_inserter(corners),
-                       [](const Anchor& anchor) { return anchor.kind == MatchedKind::Corner; });
-  const double with_all = turnOf(frames, anchors), with_corners = turnOf(frames, corners);
-  // Less by rounding is not less. Corners are left out only for much less: without them frames have
-  // corners of both curves.
+                                   const std::vector<Anchor>& anchors, bool join_alike,
+                                   MatchSummary& summary) {
+  std::vector<Anchor> sharp;
+  std::ranges::copy_if(anchors, std::back_inserter(sharp), [&](const Anchor& anchor) {
+    return anchor.kind == MatchedKind::Corner || (join_alike && anchor.kind == MatchedKind::Jump);
+  });
+  const double with_all = turnOf(frames, anchors), with_sharp = turnOf(frames, sharp);
+  // Less by rounding is not less. These are left out only for much less: without them frames have
+  // the corners and jumps of both curves.
   constexpr double rounding = 1e-9, much_less = 0.5;
-  const bool fewer = with_corners < with_all - rounding;
-  const bool none = turnOf(frames, {}) < much_less * std::min(with_all, with_corners) - rounding;
+  const bool fewer = with_sharp < with_all - rounding;
+  const bool none = turnOf(frames, {}) < much_less * std::min(with_all, with_sharp) - rounding;
   summary.lengths_fit_better = fewer || none;
   if (none) return {};
-  return fewer ? corners : anchors;
+  return fewer ? sharp : anchors;
 }
 
 /// A share of a frame as it is given.
@@ -464,23 +471,28 @@ Correspondence corresponding(const std::vector<BezierSpline>& frames, const Matc
   const Splines start = turned(frames, options, near_share, summary);
   Correspondence result;
   for (std::size_t f = 0; f < start.size(); ++f) result.frames.push_back(measured(start[f], f));
+  const bool planar = areFlat(frames);
   if (options.by == MatchBy::Features) {
-    const std::vector<Features> features =
-        featuresOfAll(result.frames, options, areFlat(frames), summary);
+    const std::vector<Features> features = featuresOfAll(result.frames, options, planar);
+    for (const Features& of_frame : features) {
+      summary.features.push_back(static_cast<int>(of_frame.all.size()));
+      summary.unknown_pieces += of_frame.unknown_pieces;
+    }
     result.start = startAnchor(result.frames, features);
     result.anchors = featureAnchors(result.frames, features, options, near_share);
-    result.anchors = fittingAnchors(result.frames, result.anchors, summary);
+    result.anchors = fittingAnchors(result.frames, result.anchors, joinAlike(features), summary);
   }
-  if (options.by == MatchBy::Given) result.anchors = givenAnchors(result.frames, frames, options);
   // The first of the given places of closed frames is their start.
   const bool starts_given =
       options.by == MatchBy::Given && frames[0].closed && !options.given[0].empty();
-  summary.matched_features =
-      static_cast<int>(result.anchors.size()) + (starts_given || result.start ? 1 : 0);
-  const MatchedKind start_kind = starts_given   ? MatchedKind::Given
-                                 : result.start ? result.start->kind
-                                                : MatchedKind::Start;
-  summary.pairs = matchedPlaces(result, start_kind, summary);
+  if (options.by == MatchBy::Given) {
+    const std::vector<Features> features = featuresOfAll(result.frames, options, planar);
+    result.anchors = givenAnchors(result.frames, frames, features, options);
+    if (starts_given) result.start = givenStart(result.frames, features);
+  }
+  summary.matched_features = static_cast<int>(result.anchors.size()) + (result.start ? 1 : 0);
+  summary.pairs =
+      matchedPlaces(result, result.start ? result.start->kind : MatchedKind::Start, summary);
   return result;
 }
 

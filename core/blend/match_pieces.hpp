@@ -13,7 +13,8 @@ namespace seamwright {
 enum class MatchBy {
   Length,    ///< equal fractions of the length
   Features,  ///< corners, jumps and extrema of the curvature in order; between them by length
-  Given      ///< given parameters; between them by length
+  Given      ///< given parameters; between them by length. commonKnots() keeps the speeds smooth
+             ///< there, unless all frames have a corner or a jump of the curvature
 };
 
 struct MatchOptions {
@@ -26,21 +27,23 @@ struct MatchOptions {
   std::vector<std::vector<double>> given = {};
   /// Closed frames start where they are nearest to the first frame, about their centroids (not for
   /// MatchBy::Given). If that one starts at a corner, or at a jump of the curvature, they do: if
-  /// there are equally many, where the sum of their squared distances is least; corners of
-  /// different numbers, where they match at the least cost. If all frames have corners, the first
-  /// one starts at a corner too, and if it has more than another one, at one that corresponds to
-  /// one of those.
+  /// there are equally many, where the sum of their squared distances is least, if possible where
+  /// all of them are alike in order; corners of different numbers, where they match at the least
+  /// cost. If all frames have corners, the first one starts at a corner too, and if it has more
+  /// than another one, at one that corresponds to one of those. For MatchBy::Features it starts at
+  /// a corner or jump, too, if those of all frames are alike in cyclic order.
   bool find_start = false;
   /// Frames run in the direction in which they are nearer to the first frame; closed ones in that
   /// in which they go round as it does, unless they lie in planes across or are figures of eight.
   bool find_direction = false;
-  /// MatchBy::Features: joints whose tangents turn by more are corners.
+  /// Joints whose tangents turn by more are corners.
   double corner_rad = 10 * radians_per_degree;
-  /// MatchBy::Features: an extremum of the curvature counts if it differs from its neighbours by
-  /// this share of the range of the curvature of its frame, and so does a jump. Fainter extrema are
-  /// left out in pairs, the faintest first.
+  /// An extremum of the curvature counts if it differs from its neighbours by this share of the
+  /// range of the curvature of its frame, and so does a jump. Fainter extrema are left out in
+  /// pairs, the faintest first.
   double prominence = 0.1;
-  /// MatchBy::Features: features whose places differ by more than this share are not matched.
+  /// MatchBy::Features: features whose places differ by more than this share are not matched,
+  /// unless they are all corners, or all jumps between corners, and alike in order.
   double reach = 0.2;
 };
 
@@ -65,8 +68,9 @@ struct MatchSummary {
   /// In the order of the first frame. The start of closed frames is always among them, the ends of
   /// open ones never.
   std::vector<MatchedPlaces> pairs;
-  /// MatchBy::Features: features were found, but equal shares of the length between corners
-  /// correspond: with them the tangents at corresponding places differ less.
+  /// MatchBy::Features: features were found, but equal shares of the length between corners, and
+  /// between jumps if all of these correspond: with them the tangents at corresponding places
+  /// differ less.
   bool lengths_fit_better = false;
   int unknown_pieces = 0;      ///< whose curvature has no certain profile: no features from them
   std::vector<bool> reversed;  ///< of each frame
@@ -112,7 +116,9 @@ struct MatchedFrames {
 /// arc, is in its middle. They are matched in order, and only of one kind, such that the sum of
 /// costs is least: displacement by reach for a pair, 1/2 for each extremum that is left alone, 1
 /// for a jump, 2 for a corner. A pair of corners costs twice the sum of displacement, distance (3/2
-/// at most, about the centroids of frames of radius 1), and 1 if they turn to different sides.
+/// at most, about the centroids of frames of radius 1), and 1 if they turn to different sides. All
+/// corners are matched whatever that costs if frames have as many, which turn alike in order, and
+/// so are between them as many jumps up and down in one order; the others by their places between.
 /// Equal shares of the length correspond instead if the tangents of neighbouring frames, turned to
 /// fit, then differ less in the mean square. \throws std::invalid_argument for fewer than two
 /// frames, a frame that requireValid() refuses (with its index), open and closed frames together, a

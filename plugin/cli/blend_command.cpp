@@ -70,6 +70,21 @@ MatchOptions matchOptions(const KeyCurves& input, const BlendArguments& argument
           .find_direction = true};
 }
 
+/// As "2 corners and 1 jump of the curvature correspond".
+std::string featuresText(const std::vector<MatchedPlaces>& pairs) {
+  std::string result;
+  const auto add = [&](MatchedKind kind, const char* one, const char* several) {
+    const auto count = std::ranges::count(pairs, kind, &MatchedPlaces::kind);
+    if (count == 0) return;
+    result +=
+        fmt::format("{}{} {}", result.empty() ? "" : " and ", count, count == 1 ? one : several);
+  };
+  add(MatchedKind::Corner, "corner", "corners");
+  add(MatchedKind::Jump, "jump of the curvature", "jumps of the curvature");
+  add(MatchedKind::Extremum, "extremum of the curvature", "extrema of the curvature");
+  return result;
+}
+
 std::string matchNote(const MatchSummary& summary, MatchBy by) {
   const auto [fewest, most] = std::ranges::minmax(summary.pieces_before);
   const std::string before = fewest == most ? fmt::format("{} piece{}", most, most == 1 ? "" : "s")
@@ -79,10 +94,7 @@ std::string matchNote(const MatchSummary& summary, MatchBy by) {
   if (const auto count = summary.matched_features; count > 0 && by == MatchBy::Given)
     note += fmt::format(", {} given pair{}", count, count == 1 ? " corresponds" : "s correspond");
   else if (count > 0)
-    note += fmt::format(
-        ", {} of the curvature correspond{}",
-        count == 1 ? "1 corner or extremum" : fmt::format("{} corners or extrema", count),
-        count == 1 ? "s" : "");
+    note += fmt::format(", {} correspond{}", featuresText(summary.pairs), count == 1 ? "s" : "");
   else if (by == MatchBy::Features && !summary.lengths_fit_better &&
            std::ranges::any_of(summary.features, hasSome))
     note +=
@@ -90,9 +102,9 @@ std::string matchNote(const MatchSummary& summary, MatchBy by) {
         "do; --pair can name places that correspond";
   if (summary.lengths_fit_better)
     note += fmt::format(
-        ", by equal shares of the length{}: with jumps and extrema of the curvature the "
-        "tangents at corresponding points would differ more",
-        summary.matched_features > 0 ? " between corners" : "");
+        ", by equal shares of the length{} jumps and extrema of the curvature the tangents at "
+        "corresponding points would differ more",
+        summary.matched_features > 0 ? " between these: with other" : ": with");
   if (const auto reversed = std::ranges::count(summary.reversed, true))
     note += fmt::format(", {} run{} in the other direction", reversed, reversed == 1 ? "s" : "");
   return note;

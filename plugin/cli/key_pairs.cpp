@@ -118,14 +118,29 @@ void unwrap(const KeyCurves& input, std::vector<PairAt>& pairs) {
   }
 }
 
+/// Whether a curve has the pairs in the opposite order. Those of closed curves begin at the first.
+bool haveOppositeOrder(const std::vector<PairAt>& pairs, std::size_t curve, bool closed) {
+  const std::size_t first = closed ? 1 : 0;
+  for (std::size_t k = first + 1; k < pairs.size(); ++k)
+    if (!(pairs[k].parameters[curve] < pairs[k - 1].parameters[curve])) return false;
+  return pairs.size() > first + 1;
+}
+
 /// \throws std::runtime_error unless the pairs have one order on all curves.
-void requireOneOrder(const KeyCurves& input, const PairAt& a, const PairAt& b) {
-  for (std::size_t i = 0; i < input.curves.size(); ++i)
-    if (!(a.parameters[i] < b.parameters[i]))
+void requireOneOrder(const KeyCurves& input, const std::vector<PairAt>& pairs) {
+  for (std::size_t k = 1; k < pairs.size(); ++k)
+    for (std::size_t i = 0; i < input.curves.size(); ++i) {
+      const PairAt &a = pairs[k - 1], &b = pairs[k];
+      if (a.parameters[i] < b.parameters[i]) continue;
+      const KeyCurve& key = input.curves[i];
+      const std::string hint = !haveOppositeOrder(pairs, i, key.curve.closed) ? ""
+                               : key.points > 0 ? ", which runs the other way: reverse its points"
+                                                : ", which runs the other way";
       throw std::runtime_error(
           fmt::format("--pair {} and --pair {}: the second is not behind the first on the curve of "
-                      "{}",
-                      a.pair->text, b.pair->text, input.facts[input.curves[i].input].path));
+                      "{}{}",
+                      a.pair->text, b.pair->text, input.facts[key.input].path, hint));
+    }
 }
 
 std::string nameOf(MatchedKind kind) {
@@ -176,7 +191,7 @@ std::vector<std::vector<double>> pairParameters(const KeyCurves& input,
   for (const KeyPair& pair : pairs) placed.push_back(pairAt(input, pair));
   std::ranges::sort(placed, {}, [](const PairAt& pair) { return pair.parameters.front(); });
   if (!placed.empty()) unwrap(input, placed);
-  for (std::size_t k = 1; k < placed.size(); ++k) requireOneOrder(input, placed[k - 1], placed[k]);
+  requireOneOrder(input, placed);
   std::vector<std::vector<double>> result(input.curves.size());
   for (const PairAt& pair : placed)
     for (std::size_t i = 0; i < result.size(); ++i) result[i].push_back(pair.parameters[i]);

@@ -127,14 +127,15 @@ void bindCurveMatch(py::module_& module) {
       R"(Curves divided into corresponding pieces, exactly: MatchedCurves, keys of SplineBlend.
 
 keys: two or more curves of any class, all open or all closed; messages call them frames. by:
-'length', equal shares of the length, or 'features', corners and extrema of the curvature in order.
-given: instead of by, parameters that correspond: increasing, equally many for each curve; of closed
-curves the first is the start. find_start: closed curves start where they are nearest to the first.
-find_direction: curves run in the direction in which they are nearer to it. closeness: shares of the
-length within which joints of different curves are one. corner_rad: joints that turn by more are
-corners. prominence: share of the range of the curvature by which an extremum must differ from its
-neighbours. reach: share of the length beyond which features are not matched. ValueError, with index
-and value, for curves that can't be matched.)");
+'length', equal shares of the length, or 'features', corners, jumps and extrema of the curvature in
+order. given: instead of by, parameters that correspond: increasing, equally many for each curve; of
+closed curves the first is the start. find_start: closed curves start where they are nearest to the
+first. find_direction: curves run in the direction in which they are nearer to it. closeness: shares
+of the length within which joints of different curves are one. corner_rad: joints that turn by more
+are corners. prominence: share of the range of the curvature by which an extremum must differ from
+its neighbours. reach: share of the length beyond which features are not matched, unless all
+corners, or all jumps between them, are alike in order. ValueError, with index and value, for curves
+that can't be matched.)");
   const CommonKnotsOptions common;
   module.def("common_knots", &commonKnotsOf, py::arg("keys"), py::kw_only(),
              py::arg("tolerance_mm") = common.tolerance_mm, py::arg("by") = "length",

@@ -77,14 +77,17 @@ def on_ends_of_arcs(points, width, height, radius):
 
 
 @pytest.mark.parametrize("exact", [False, True])
-@pytest.mark.parametrize("second", [(80, 50, 5), (60, 40, 10)])
-def test_a_rounded_rectangle_between_two_is_one(tmp_path, second, exact):
-    first = (40, 30, 5)
+@pytest.mark.parametrize("first, second", [
+    ((40, 30, 5), (80, 50, 5)),
+    ((40, 30, 5), (60, 40, 10)),
+    ((60, 40, 5), (40, 60, 15)),  # long sides become short ones
+])
+def test_a_rounded_rectangle_between_two_is_one(tmp_path, first, second, exact):
     files = [points_file(tmp_path, rounded(*first), "a.csv"),
              points_file(tmp_path, rounded(*second), "b.csv")]
     report, text = blend(tmp_path, *files, options=["--frames", 3] + ["--exact"] * exact)
     assert text.count("samples of 4 lines and 4 arcs") == 2
-    assert "8 corners or extrema of the curvature correspond" in text
+    assert "8 jumps of the curvature correspond" in text
     width, height, radius = (np.array(first) + second) / 2
     points = frame_at(tmp_path / "out.csv", 0.5)
     assert np.abs(from_rounded(points, width, height, radius)).max() < 1e-4
