@@ -159,7 +159,7 @@ std::optional<Place> nearStart(const SharpJoints& first, const SharpJoints& join
   constexpr std::size_t most_candidates = 32;
   std::ranges::stable_sort(candidates, {}, &SharpCandidate::cost);
   if (candidates.size() > most_candidates) candidates.resize(most_candidates);
-  const SharpCandidate* best = nullptr;
+  const SharpCandidate* best = &candidates.front();
   double best_cost = infinite;
   for (const SharpCandidate& candidate : candidates) {
     const double cost = costFrom(first.all, joints.all, candidate.index, reach);

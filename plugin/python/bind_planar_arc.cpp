@@ -211,9 +211,9 @@ not count. ValueError for fewer than 3 points, numbers that are not finite and e
              py::arg("closed") = defaults.closed, py::arg("tolerance_mm") = defaults.tolerance_mm,
              R"(The fewest lines and arcs whose samples the points are: SampledArcs, or None.
 
-points: (count, 2) in mm, of lines and arcs up to errors of 2/5 of the tolerance along each axis. The
-chain is G1 between corners; these may lie between points at equal steps. No point is further from
-it than distance_mm. An arc needs three points of its own, a line two. None if there is no such
+points: (count, 2) in mm, of lines and arcs up to errors of 2/5 of the tolerance along each axis.
+The chain is G1 between corners; these may lie between points at equal steps. No point is further
+from it than distance_mm. An arc needs three points of its own, a line two. None if there is no such
 chain. ValueError for numbers that are not finite and equal neighbours. Source:
 docs/theory/planar.md P9.6.
 )");
