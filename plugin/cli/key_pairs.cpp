@@ -60,8 +60,11 @@ double pointParameter(const KeyCurve& key, int number) {
 
 double parameterOf(const KeyCurve& key, const std::string& path, const KeyPair& pair,
                    const KeyPlace& place) {
-  if (const auto* share = std::get_if<LengthShare>(&place))
-    return joinedParameter(key.curve, parameterAtShare(key.curve, share->value));
+  if (const auto* share = std::get_if<LengthShare>(&place)) {
+    const bool is_once_around = key.curve.closed && share->value == 1;
+    return joinedParameter(key.curve,
+                           parameterAtShare(key.curve, is_once_around ? 0 : share->value));
+  }
   const int number = std::get<PointNumber>(place).value;
   if (key.points == 0)
     throw std::runtime_error(

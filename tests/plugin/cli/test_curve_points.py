@@ -36,6 +36,28 @@ def test_conics_of_a_figure_eight(tmp_path, count, start, closed):
     assert found["after"]["extrema"] <= 4
 
 
+@pytest.mark.parametrize("count", [24, 60])
+@pytest.mark.parametrize("offset", [1e-4, 3e-5, 1e-5, 1e-6, 1e-8])
+def test_conics_through_points_with_one_beside_an_inflection(tmp_path, count, offset):
+    """The conics between that point and its inflection would wave."""
+    given = points_file(tmp_path, lemniscate(count, math.pi / 2 + offset))
+    result, report, _ = curve("conic", given, "--closed", "--tolerance", "0")
+    assert result.returncode == 0, result.stderr
+    (found,) = report["curves"]
+    assert (found["after"]["extrema"], found["after"]["inflections"]) == (2, 2)
+
+
+def test_an_empty_line_between_outlines_is_named(tmp_path):
+    given = tmp_path / "two.csv"
+    sides = ["".join(f"{x},{y}\n" for x in range(11)) for y in (0, 5)]
+    given.write_text("\n".join(sides))
+    _, report, _ = curve("arcs", given)
+    (found,) = report["curves"]
+    assert "an empty line is before line 13: the points before and after it are one curve" in (
+        found["notes"]
+    )
+
+
 def slot(steps=15):
     points = []
     for side in (1, -1):
