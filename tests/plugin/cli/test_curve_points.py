@@ -51,10 +51,9 @@ def test_an_empty_line_between_outlines_is_named(tmp_path):
     given = tmp_path / "two.csv"
     sides = ["".join(f"{x},{y}\n" for x in range(11)) for y in (0, 5)]
     given.write_text("\n".join(sides))
-    _, report, _ = curve("arcs", given)
-    (found,) = report["curves"]
+    result, _, _ = curve("arcs", given)
     assert "an empty line is before line 13: the points before and after it are one curve" in (
-        found["notes"]
+        result.stderr
     )
 
 
