@@ -26,7 +26,8 @@ struct SampledChainOptions {
 /// The chain of fewest lines and arcs whose samples the points are, each off by less than the
 /// tolerance; of those for several bounds of the errors the first. It is G1 except at corners:
 /// those of pointCorners() for the bound, turns of 12 degrees or more included, and those where
-/// neighbouring pieces cross at such an angle. Pieces on both sides of a corner meet where they
+/// neighbouring pieces cross at such an angle, and by three times the turn of an arc from point to
+/// point. Pieces on both sides of a corner meet where they
 /// cross. It is no further from the corner among the points than the tolerance and the bound of the
 /// errors, or between two points in whose steps it fits: around the corner these are as far apart
 /// as on both sides, or up to two steps between the last and the first point of a closed chain. An
