@@ -35,8 +35,8 @@ struct ConicSpline {
 ///       Inside of a span the joint of a pair is the best of a grid, where rounding may decide.
 ///   (5) Three neighbours on a line, with turns to the same side before and after them, stay on a
 ///       line: no convex curve passes otherwise.
-///   (6) A point at an inflection, up to a thousandth of the chord beside it or rounding of its place,
-///       is the inflection: a closed curve that crosses itself there may begin there.
+///   (6) A point at an inflection, up to a thousandth of the chord beside it or rounding, is the
+///       inflection: a closed curve that crosses itself there may begin there.
 /// The tangents are such that pairs of conics with monotone curvature have one curvature from both
 /// sides at each point. Few extrema are an aim, not a promise.
 /// \throws std::invalid_argument for fewer than 2 points (closed: 3), numbers that are not finite
