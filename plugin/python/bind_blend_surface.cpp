@@ -238,9 +238,9 @@ constexpr const char* side_ribbon_doc =
 SideRibbon.
 
 edges: an edge, or the edges of a chain, numbers from 1, of trimmed or whole faces. Edges are free,
-or faces names the faces beside. depth_mm: how deep the ribbon is. order: 'G1' (ruled), 'G2' or 'G3',
-the derivatives that it has in common with the faces at the side. Tolerances and progress as in
-analyze(). ValueError for bad arguments, with name and value.)";
+or faces names the faces beside. depth_mm: how deep the ribbon is. order: 'G1' (ruled), 'G2' or
+'G3', the derivatives that it has in common with the faces at the side. Tolerances and progress as
+in analyze(). ValueError for bad arguments, with name and value.)";
 
 }  // namespace
 
