@@ -17,16 +17,16 @@ BSplineSurface spline(const char* name, const py::object& value) {
 }
 
 std::vector<BezierPatch> edgePatchesOf(const py::object& surface, const py::object& edge,
-                                   const py::object& breaks) {
+                                       const py::object& breaks) {
   return edgePatches(spline("surface", surface), patchEdgeOf("edge", edge),
                      listOf("breaks", breaks));
 }
 
 std::vector<std::pair<BezierPatch, BezierPatch>> edgePairsOf(const py::object& a,
-                                                         const py::object& edge_a,
-                                                         const py::object& b,
-                                                         const py::object& edge_b,
-                                                         const py::object& reversed) {
+                                                             const py::object& edge_a,
+                                                             const py::object& b,
+                                                             const py::object& edge_b,
+                                                             const py::object& reversed) {
   return edgePairs(spline("a", a), patchEdgeOf("edge_a", edge_a), spline("b", b),
                    patchEdgeOf("edge_b", edge_b), flagOf("reversed", reversed));
 }
