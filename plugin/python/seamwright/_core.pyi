@@ -1565,6 +1565,7 @@ class Model:
         curvature_rel: Number = ...,
         corner_deg: Number = 15.0,
         keep_anyway: Flag = False,
+        repair_first: Flag = False,
         jobs: Whole = 0,
         progress: Progress = None,
     ) -> FillReport: ...
@@ -1754,6 +1755,8 @@ class FillReport:
     def reason_code(self) -> str: ...
     @property
     def method(self) -> str: ...
+    @property
+    def around(self) -> Optional[Dict[str, Any]]: ...
     @property
     def causes(self) -> List[Dict[str, Any]]: ...
     @property
