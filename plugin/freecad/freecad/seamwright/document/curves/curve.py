@@ -7,6 +7,7 @@ sources, which are only read.
 
 from typing import Any, NamedTuple
 
+import FreeCAD as App
 import Part
 
 from freecad.seamwright.document import feature, sources
@@ -38,7 +39,15 @@ class Curve(OptionFeature):
         ("Sources", "Made from", "Points, edges, wires or sketches from which the curve is made"),
     )
 
+    #: Whether the panel of a new curve without sources lets the user pick points in the view.
+    PICKS = False
+
     # Methods that a subclass defines.
+
+    @classmethod
+    def needs_sources(cls, values):
+        """Return whether there is no curve without sources."""
+        return True
 
     @classmethod
     def gather(cls, module, shapes, values):
@@ -84,12 +93,12 @@ class Curve(OptionFeature):
     @classmethod
     def job(cls, module, obj, private=False):
         """Return the Job that finds (report, shape)."""
-        chosen = links_of(obj)
-        if not chosen:
+        chosen, values = links_of(obj), values_of(obj)
+        if not chosen and cls.needs_sources(values):
             raise sources.SourceError(
                 "The sources were deleted: choose others in the property Sources"
             )
-        values = values_of(obj)
+        cls.check_links(obj, {name: chosen for name, *_ in cls.LINKS})
         options.checked(cls.OPTIONS, values)
         gathered = cls.gather(module, inputs.shapes_of(chosen), values)
         return feature.Job(
@@ -125,8 +134,9 @@ def _some(kind, chosen):
 def prepare(kind, chosen, **given):
     """Add a curve as ``create`` does, but compute nothing yet."""
     kernel.load(Part.OCC_VERSION)
-    found, values = _some(kind, chosen), options.checked(kind.OPTIONS, given)
-    obj = feature.add(found[0][0].Document, kind, kind.LABEL)
+    values = options.checked(kind.OPTIONS, given)
+    found = links(chosen) if kind.PICKS else _some(kind, chosen)
+    obj = feature.add(found[0][0].Document if found else App.ActiveDocument, kind, kind.LABEL)
     obj.Sources = found
     set_values(obj, values)
     hooks.attach_view(obj)
