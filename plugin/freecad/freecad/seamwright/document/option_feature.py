@@ -9,7 +9,7 @@ import json
 import Part
 
 from freecad.seamwright.document import feature, properties, sources
-from freecad.seamwright.plain import curve_text, options
+from freecad.seamwright.plain import curve_text, kernel_words, options
 
 LINKED = (
     "Linked", "App::PropertyStringList", "The sources as they were chosen: property, object, name"
@@ -27,6 +27,7 @@ class OptionFeature(feature.Feature):
 
     LABEL = ICON = TIP = NEEDS = GROUP = ""
     LINKS = ()
+    REQUIRED = ()  # the properties of LINKS that must name something
     OPTIONS = ()
     RESULTS = ()
 
@@ -34,6 +35,11 @@ class OptionFeature(feature.Feature):
     def text(cls, report):
         """Return the summary of a report."""
         raise NotImplementedError
+
+    @classmethod
+    def in_words(cls, text):
+        """Return a sentence of the kernel in the words of the panel."""
+        return kernel_words.in_words(text, {each.argument: each.label for each in cls.OPTIONS})
 
     @classmethod
     def handles(cls, report):
@@ -81,14 +87,14 @@ class OptionFeature(feature.Feature):
 
         A property whose links were chosen otherwise since then does not count.
         """
-        for name, title, *_ in cls.LINKS:
+        for name, *_ in cls.LINKS:
             if chosen[name] != links_of(obj.Document.getObject(obj.Name), name):
                 continue
             for _, label in _lost(obj, name):
-                raise sources.SourceError(
-                    "%s of %s was deleted: choose others in the property %s"
-                    % (label, title.split(" (")[0], name)
-                )
+                advice = "choose others in the property %s" % name
+                if name not in cls.REQUIRED:
+                    advice += ", or set it to none"
+                raise sources.SourceError("%s was deleted: %s" % (label, advice))
 
     @classmethod
     def store(cls, obj, report, shape):
@@ -102,6 +108,7 @@ class OptionFeature(feature.Feature):
     @classmethod
     def store_failure(cls, obj, reason):
         """Store that there is no result and why; return the reason."""
+        reason = cls.in_words(reason)
         obj.Report = json.dumps({"reason": reason})
         for name, *_ in cls.RESULTS:
             setattr(obj, name, 0)

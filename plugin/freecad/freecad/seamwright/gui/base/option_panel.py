@@ -240,6 +240,8 @@ class OptionPanel(ResultPanel):
         except (sources.SourceError, ValueError, kernel.KernelUnavailable) as error:
             messages.show_error(sentence(error))
             return
+        if chosen == option_feature.links_of(self.obj, name):
+            setattr(self.obj, name, _grouped(chosen))  # objects that were deleted are given up
         self._links[name] = chosen
         self._list_sources()
         self._edits += 1

@@ -5,11 +5,12 @@ The class path is written into documents: neither rename nor move it.
 """
 
 from freecad.seamwright.document import sources
-from freecad.seamwright.document.curves import curve, inputs
+from freecad.seamwright.document.curves import curve, inputs, spline
 from freecad.seamwright.document.properties import Adder
 from freecad.seamwright.gui.base.panel_view import PanelView
 from freecad.seamwright.gui.base.result_view import attach_as
 from freecad.seamwright.gui.curves.panel import CurvePanel
+from freecad.seamwright.gui.curves.spline_panel import SplinePanel
 from freecad.seamwright.gui.scene.comb import INPUT_COLOURS, Comb
 
 COLOUR, WIDTH = (0.0, 0.32, 0.62), 2.0
@@ -69,7 +70,8 @@ class CurveView(PanelView):
 
     def make_panel(self, obj, created):
         """Return the task panel."""
-        return CurvePanel(obj, created)
+        panel = SplinePanel if isinstance(obj.Proxy, spline.Spline) else CurvePanel
+        return panel(obj, created)
 
 
 def _given_edges(obj):

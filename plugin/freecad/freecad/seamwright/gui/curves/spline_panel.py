@@ -1,0 +1,269 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The task panel of a spline: also its points, with handles in the view."""
+
+from freecad.seamwright.document.curves.spline import BETA, FREE, INTERPOLATING
+from freecad.seamwright.gui.curves.panel import CurvePanel
+from freecad.seamwright.gui.curves.point_table import PointTable
+from freecad.seamwright.gui.curves.spline_editor import SplineEditor
+from freecad.seamwright.gui.scene.projection import Projection
+from freecad.seamwright.gui.widgets.forms import make_box, make_text
+from freecad.seamwright.gui.widgets.qt import QtWidgets
+from freecad.seamwright.plain import spline_handles
+
+HOW_TO_PICK = (
+    "Click adds a point, at a vertex or on the grid; Ctrl: free. Backspace removes the last point, "
+    "a click on the first one closes, Enter ends, Esc cancels."
+)
+NO_POINTS = "There are no points: pick some, or select points or edges and press Use selection."
+
+#: Pixels between lines of the first grid.
+GRID_PX = 12
+
+
+class SplinePanel(CurvePanel):
+    """Shows and changes one spline; ``created``: Cancel removes it."""
+
+    def __init__(self, obj, created):
+        self.editor = None
+        self._undone, self._done = [], []
+        super().__init__(obj, created)
+        self.editor = SplineEditor(self, obj)
+        self._enable()
+
+    # The window.
+
+    def _build(self):
+        super()._build()
+        box, layout = make_box("Points")
+        self.pick = QtWidgets.QPushButton("Pick points")
+        self.pick.setCheckable(True)
+        self.pick.setToolTip(
+            HOW_TO_PICK + " The points are the spline's own: it no longer follows its sources."
+        )
+        self.undo = QtWidgets.QPushButton("Undo")
+        self.undo.setToolTip("Take the last drag or change of a point back (Ctrl+Z)")
+        self.redo = QtWidgets.QPushButton("Redo")
+        self.redo.setToolTip("Do it again (Ctrl+Shift+Z)")
+        self.free = QtWidgets.QPushButton("Free ends")
+        self.free.setToolTip("Remove the tangents that were given to the ends")
+        self.back = QtWidgets.QPushButton("As in sources")
+        self.back.setToolTip("Move all points back to those of the sources")
+        line = QtWidgets.QHBoxLayout()
+        for each in (self.pick, self.undo, self.redo, self.free, self.back):
+            line.addWidget(each)
+        layout.addLayout(line)
+        self.picked = make_text()
+        self.picked.hide()
+        layout.addWidget(self.picked)
+        self.table = PointTable()
+        layout.addWidget(self.table)
+        layout.addLayout(self._grid_line())
+        form = self.form.layout()
+        form.insertWidget(form.indexOf(self.boxes["Sources"]) + 1, box)
+
+    def _grid_line(self):
+        line = QtWidgets.QHBoxLayout()
+        self.handles = QtWidgets.QCheckBox("Handles")
+        self.handles.setChecked(True)
+        self.handles.setToolTip(
+            "Show handles in the view: circles are points, squares the tangents of the ends, "
+            "diamonds the tensions. Drag them; Esc takes a drag back."
+        )
+        self.snaps = QtWidgets.QCheckBox("Grid")
+        self.snaps.setToolTip("Points that are picked or dragged snap to a grid; Ctrl: free")
+        self.grid = QtWidgets.QDoubleSpinBox()
+        self.grid.setRange(1e-4, 1e6)
+        self.grid.setDecimals(4)
+        self.grid.setSuffix(" mm")
+        self.grid.setStepType(QtWidgets.QAbstractSpinBox.AdaptiveDecimalStepType)
+        for each in (self.handles, self.snaps, self.grid):
+            line.addWidget(each)
+        line.addStretch(1)
+        return line
+
+    def _connect(self):
+        super()._connect()
+        self.pick.toggled.connect(self._toggle_pick)
+        self.undo.clicked.connect(lambda *_: self.undo_drag())
+        self.redo.clicked.connect(lambda *_: self.redo_drag())
+        self.free.clicked.connect(lambda *_: self._free_ends())
+        self.back.clicked.connect(lambda *_: self._move_back())
+        self.handles.toggled.connect(self._toggle_handles)
+        self.comb.toggled.connect(lambda *_: self._load())
+        self.table.edited.connect(self._edit)
+
+    def open(self):
+        """Take the mouse in the view; without any points, pick some."""
+        super().open()
+        self.editor.start()
+        if hasattr(self.editor.view, "graphicsView"):
+            pixel_mm = Projection(self.editor.view).size_of_pixel_mm((0, 0, 0))
+            self.grid.setValue(spline_handles.fair_step(GRID_PX * pixel_mm))
+        self._load()
+        if self._created and not self._has_points():
+            self.snaps.setChecked(True)
+            self.pick.setChecked(True)
+
+    def release(self):
+        """Stop computing; remove handles, the numbers of points and the comb of the input."""
+        super().release()
+        if self.editor is not None:
+            self.editor.end()
+
+    def accept(self):
+        """Keep the result; points that are being picked are used."""
+        self._end_pick()
+        return super().accept()
+
+    def refresh(self):
+        """Show the results as they are stored now."""
+        super().refresh()
+        self._load()
+
+    def preview(self, then=None):
+        """Compute as the fields say; without any points there is nothing to compute."""
+        if self._has_points() or then is not None:
+            super().preview(then)
+        else:
+            self._timer.stop()
+            self.say(NO_POINTS)
+
+    def changed(self, *_):
+        """Show the handles of the fields, and compute after a short delay."""
+        super().changed()
+        self._load()
+
+    def use(self, name, chosen):
+        """Let the spline be made from these links, without points of its own and moves."""
+        self._end_pick()
+        before = self.links(name)
+        super().use(name, chosen)
+        if self.links(name) != before or self.options.fields["points_mm"].value():
+            self._put({"points_mm": [], "moves_mm": []})
+            self._done, self._undone = [], []
+            self._enable()
+
+    # What the editor asks for.
+
+    def spline_values(self):
+        """Return the {argument: value} of the fields. Raises ValueError for a bad text."""
+        values = {}
+        for argument, field in self.options.fields.items():
+            used = field.option.used
+            if used is None or used({"family": self.options.fields["family"].value()}):
+                values[argument] = field.value()
+            else:
+                values[argument] = field.option.default
+        return values
+
+    def grid_mm(self):
+        """Return the step of the grid, 0 without one."""
+        return self.grid.value() if self.snaps.isChecked() else 0.0
+
+    def keep_values(self, values):
+        """Compute with these values of fields, as one step that ``undo_drag`` takes back."""
+        before = self.spline_values()
+        changed = {name: value for name, value in values.items() if value != before[name]}
+        if not changed:
+            return
+        self._done.append({name: before[name] for name in changed})
+        self._undone = []
+        self._put(changed)
+
+    def undo_drag(self):
+        """Take the last change of a point, tangent or tension back."""
+        self._step(self._done, self._undone)
+
+    def redo_drag(self):
+        """Do the last change again that was taken back."""
+        self._step(self._undone, self._done)
+
+    def say_picked(self, count, point, what):
+        """Say how many points are picked, and where the last one or the mouse is."""
+        place = ""
+        if point is not None:
+            place = ": (%s)%s" % (", ".join("%.6g" % each for each in point), what and " " + what)
+        self.picked.setText("%d points%s. %s" % (count, place, HOW_TO_PICK))
+
+    # Actions.
+
+    def _put(self, values):
+        for name, value in values.items():
+            self.options.fields[name].show_value(value)
+        self._enable()
+        self.preview()
+
+    def _step(self, taken, kept):
+        if not taken:
+            return
+        values = taken.pop()
+        kept.append({name: self.options.fields[name].value() for name in values})
+        self._put(values)
+
+    def _has_points(self):
+        return bool(self.options.fields["points_mm"].value() or self.links("Sources"))
+
+    def _load(self):
+        if self.editor is None or self._ended:
+            return
+        self.editor.load()
+        self._enable()
+        self._show_table()
+
+    def _enable(self):
+        fields = self.options.fields
+        self.undo.setEnabled(bool(self._done))
+        self.redo.setEnabled(bool(self._undone))
+        interpolates = fields["family"].value() in INTERPOLATING
+        tangents = any(any(fields[name].value()) for name in ("start_tangent_mm", "end_tangent_mm"))
+        self.free.setEnabled(interpolates and tangents)
+        self.back.setEnabled(bool(fields["moves_mm"].value()))
+
+    def _show_table(self):
+        family = self.options.fields["family"].value()
+        points = self.editor.points
+        if points is None or family not in INTERPOLATING:
+            self.table.hide()
+            return
+        values = self.spline_values()
+        columns = [values["tension"]] + ([values["bias"]] if family == BETA else [])
+        self.table.show_numbers(len(points), columns)
+        self.table.show()
+
+    def _edit(self, name, numbers):
+        self.keep_values({**self.spline_values(), name: numbers})
+
+    def _free_ends(self):
+        values = self.spline_values()
+        self.keep_values({**values, "start_tangent_mm": FREE, "end_tangent_mm": FREE})
+
+    def _move_back(self):
+        self.keep_values({**self.spline_values(), "moves_mm": []})
+
+    def _toggle_handles(self, shown):
+        self.editor.shown = shown
+        self._load()
+
+    def _toggle_pick(self, picks):
+        if not picks:
+            self._end_pick()
+            return
+        started = self.editor.pick(self._picked)
+        self.picked.setVisible(started)
+        self.pick.setChecked(started)
+
+    def _end_pick(self):
+        if self.editor.picker is not None:
+            self.editor.picker.end(True)
+
+    def _picked(self, kept, points, closed):
+        self.picked.hide()
+        self.pick.blockSignals(True)
+        self.pick.setChecked(False)
+        self.pick.blockSignals(False)
+        if kept and points:
+            self._links["Sources"] = []
+            self._list_sources()
+            values = {**self.spline_values(), "points_mm": points, "moves_mm": []}
+            self.keep_values({**values, "closed": values["closed"] or closed})
+        self._load()
