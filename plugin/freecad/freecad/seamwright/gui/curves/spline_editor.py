@@ -65,6 +65,7 @@ class SplineEditor:
 
     def end(self):
         """Remove the handles, and let FreeCAD have the mouse and keys."""
+        self.obj.ViewObject.Proxy.drag(False)
         if self._events is not None:
             self._events.point_with(None)
             self._events.end()
@@ -102,14 +103,20 @@ class SplineEditor:
             values = self.panel.spline_values()
         except ValueError:  # a text of the panel is no list of numbers
             self._base = None
-        self._live.show_curve(None)
-        self._live.show_comb(None, None, EVERY)
+        if self._base is None or not self.panel.is_due():
+            self._hide_spline()
         self._spline = self._points = None
         if self._base is None or not self.shown or not self._compute(values):
             self._points = None
             self._live.show_handles({})
             return
         self._show_handles(values)
+
+    def _hide_spline(self):
+        """Show the curve of the document again; after a drag it is not computed at once."""
+        self._live.show_curve(None)
+        self._live.show_comb(None, None, EVERY)
+        self.obj.ViewObject.Proxy.drag(False)
 
     def points_of(self, values):
         """Return the points of values, an array (count, 3)."""
@@ -135,6 +142,7 @@ class SplineEditor:
         """Compute and draw the spline of values; one update of a drag. Return whether it exists."""
         if not self._compute(values):
             return False
+        self.obj.ViewObject.Proxy.drag(True)
         self._draw_spline()
         self._show_handles(values)
         return True
@@ -228,7 +236,7 @@ class SplineEditor:
         self.show_snap(None)
         if drag is not None and drag.values != drag.before:
             self.panel.keep_values(drag.values)
-        elif drag is not None:
+        if drag is not None:
             self.load()
 
     def wants(self, name):

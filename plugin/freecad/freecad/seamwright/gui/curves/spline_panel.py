@@ -48,10 +48,10 @@ class SplinePanel(CurvePanel):
         self.free.setToolTip("Remove the tangents that were given to the ends")
         self.back = QtWidgets.QPushButton("As in sources")
         self.back.setToolTip("Move all points back to those of the sources")
-        line = QtWidgets.QHBoxLayout()
-        for each in (self.pick, self.undo, self.redo, self.free, self.back):
-            line.addWidget(each)
-        layout.addLayout(line)
+        grid = QtWidgets.QGridLayout()
+        for place, each in enumerate((self.pick, self.undo, self.redo, self.free, self.back)):
+            grid.addWidget(each, *divmod(place, 3))
+        layout.addLayout(grid)
         self.picked = make_text()
         self.picked.hide()
         layout.addWidget(self.picked)
@@ -166,7 +166,7 @@ class SplinePanel(CurvePanel):
         changed = {name: value for name, value in values.items() if value != before[name]}
         if not changed:
             return
-        self._done.append({name: before[name] for name in changed})
+        self._done.append(self._kept_step(changed, before))
         self._undone = []
         self._put(changed)
 
@@ -196,9 +196,15 @@ class SplinePanel(CurvePanel):
     def _step(self, taken, kept):
         if not taken:
             return
-        values = taken.pop()
-        kept.append({name: self.options.fields[name].value() for name in values})
+        values, chosen = taken.pop()
+        kept.append(self._kept_step(values, self.spline_values()))
+        self._links["Sources"] = chosen
+        self._list_sources()
         self._put(values)
+
+    def _kept_step(self, changed, values):
+        """Return what ``_step`` brings back: values of fields, and the sources."""
+        return {name: values[name] for name in changed}, self.links("Sources")
 
     def _has_points(self):
         return bool(self.options.fields["points_mm"].value() or self.links("Sources"))
@@ -262,8 +268,11 @@ class SplinePanel(CurvePanel):
         self.pick.setChecked(False)
         self.pick.blockSignals(False)
         if kept and points:
+            values = {**self.spline_values(), "points_mm": points, "moves_mm": []}
+            chosen = self.links("Sources")
             self._links["Sources"] = []
             self._list_sources()
-            values = {**self.spline_values(), "points_mm": points, "moves_mm": []}
             self.keep_values({**values, "closed": values["closed"] or closed})
+            if self._done:
+                self._done[-1] = self._done[-1][0], chosen
         self._load()

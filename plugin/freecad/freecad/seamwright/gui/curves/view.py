@@ -24,6 +24,9 @@ class CurveView(PanelView):
     #: Whether the comb of the sources is drawn too; the panel says it.
     compares = False
 
+    #: Whether the curve is dragged, and its comb is drawn by the handles.
+    drags = False
+
     def attach(self, vobj):
         """FreeCAD calls this for a new view and for a restored one."""
         super().attach(vobj)
@@ -54,10 +57,17 @@ class CurveView(PanelView):
         self.compares = compares
         self._draw_comb(self.object.ViewObject)
 
+    def drag(self, drags):
+        """Remove the comb while the curve is dragged, and draw it again after that."""
+        if drags != self.drags:
+            self.drags = drags
+            self._draw_comb(self.object.ViewObject)
+
     def _draw_comb(self, vobj):
         if self.comb is None or "CombScale" not in vobj.PropertiesList:
             return
         shown = vobj.ShowComb and vobj.Visibility and not vobj.Object.Shape.isNull()
+        shown = shown and not self.drags
         edges = vobj.Object.Shape.Edges if shown else []
         self.comb.show(edges, vobj.CombScale)
         given = _given_edges(vobj.Object) if shown and self.compares else []
