@@ -120,9 +120,10 @@ def blend_text(report):
 
 def join_text(report):
     """Return one line about two curves that were joined."""
-    return "Joined G%d; the ends were %s mm apart, no pole moved further than %s mm." % (
+    return "Joined G%d; the ends were %s mm apart, no %s moved further than %s mm." % (
         report["order"],
         number(report["gap_mm"]),
+        "point" if report.get("continued") else "pole",
         bound(report["moved_mm"]),
     )
 
