@@ -43,7 +43,8 @@ def meridian(number, count=3, radius=20.0):
 
 def section(height, bend):
     curve = Part.BSplineCurve()
-    curve.interpolate([V(0, 0, height), V(10, bend, height), V(20, 1, height + 2), V(30, 4, height)])
+    places = (0, 0, height), (10, bend, height), (20, 1, height + 2), (30, 4, height)
+    curve.interpolate([V(*place) for place in places])
     return curve.toShape()
 
 

@@ -48,7 +48,7 @@ def grab(point):
     mouse(QtCore.QEvent.MouseButtonPress, point, QtCore.Qt.LeftButton, QtCore.Qt.LeftButton)
 
 
-def pull(start, end, steps=6):
+def pass_over(start, end, steps=6):
     start, end = numpy.array(start, float), numpy.array(end, float)
     for k in range(1, steps + 1):
         at = start + (end - start) * k / steps
@@ -61,7 +61,7 @@ def drop(point):
 
 def drag(start, end):
     grab(start)
-    pull(start, end)
+    pass_over(start, end)
     drop(end)
 
 
@@ -106,7 +106,7 @@ class Drags(SplineWindow):
         target = (30, 26, 0)
         panel.comb.setChecked(True)
         grab(WAVE[2])
-        pull(WAVE[2], target)
+        pass_over(WAVE[2], target)
         self.assertEqual(list(obj.Moves), [])  # the document waits until the drag ends
         self.assertGreater(count(picture("drag"), [round(255 * c) for c in LINE_COLOUR]), 300)
         whole_window("spline-drag")
@@ -161,7 +161,7 @@ class Drags(SplineWindow):
         obj, panel = self.spline()
         length = obj.Shape.Length
         grab(WAVE[3])
-        pull(WAVE[3], (34, 20, 0))
+        pass_over(WAVE[3], (34, 20, 0))
         key(QtCore.Qt.Key_Escape)
         drop((34, 20, 0))
         self.wait()

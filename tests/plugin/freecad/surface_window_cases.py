@@ -108,7 +108,7 @@ class Panel(SurfaceWindow):
         self.ok()
         self.assertEqual(len(obj.Shape.Faces), 4)
 
-    def test_a_deleted_lateral_boundary_is_given_up_by_an_empty_selection(self):
+    def test_a_deleted_lateral_boundary_is_forgotten_by_an_empty_selection(self):
         obj, panel = self.blend()
         ends = [
             min(

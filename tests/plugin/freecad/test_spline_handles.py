@@ -9,7 +9,9 @@ from freecad.seamwright.plain import spline_handles
 WAVE = numpy.array([(0, 0, 0), (10, 22, 0), (26, 18, 0), (34, 2, 0), (52, 6, 0)], float)
 
 
-@pytest.mark.parametrize("by_length, tensions", [(True, (0, 0.1, 3, 200)), (False, (1, 0, -2, -50))])
+@pytest.mark.parametrize(
+    "by_length, tensions", [(True, (0, 0.1, 3, 200)), (False, (1, 0, -2, -50))]
+)
 def test_a_place_of_a_handle_is_that_of_its_tension(by_length, tensions):
     slides = spline_handles.slides(WAVE, False, by_length)
     for tension in tensions:

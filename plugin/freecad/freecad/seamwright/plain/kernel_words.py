@@ -14,7 +14,7 @@ WORDS = {"gap_mm": "gap", "flat_rad": "tangents in one plane within"}
 
 
 def in_words(text, labels=None):
-    """Return a sentence without names of arguments such as gap_mm or angle_rad, and without radians.
+    """Return a sentence without radians and names of arguments such as gap_mm or angle_rad.
 
     ``labels``: {argument: label of its field}, for sentences about the argument itself.
     """

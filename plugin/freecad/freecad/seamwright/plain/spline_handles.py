@@ -60,7 +60,7 @@ def slides(points, closed, by_length):
     still = numpy.linalg.norm(out, axis=1) <= STRAIGHT
     out[still] = numpy.cross(along[still], numpy.eye(3)[numpy.argmin(abs(along[still]), axis=1)])
     out = out / numpy.linalg.norm(out, axis=1)[:, None]
-    rest, unit = (numpy.minimum(of_size * size, of_chord * chord) for of_size, of_chord in (REST, UNIT))
+    rest, unit = (numpy.minimum(share[0] * size, share[1] * chord) for share in (REST, UNIT))
     scale = 1 / chord if by_length else -numpy.ones(len(points))
     return Slides(points, out, rest, unit, scale)
 
@@ -113,4 +113,5 @@ def rounded(point, axis, grid_mm):
 def fair_step(length):
     """Return 1, 2 or 5 times a power of ten, not less than a length."""
     power = 10.0 ** numpy.floor(numpy.log10(length))
-    return float(next(step * power for step in (1, 2, 5, 10) if step * power >= length * (1 - 1e-9)))
+    least = length * (1 - 1e-9)
+    return float(next(step * power for step in (1, 2, 5, 10) if step * power >= least))

@@ -58,9 +58,9 @@ class JoinCurves(Curve):
     )  # fmt: skip
     RESULTS = (
         ("Gap", "App::PropertyLength", "Distance of the ends before, in mm", "gap_mm"),
-        ("Moved", "App::PropertyLength", "No pole, or no point of a continuation, moved further, in mm",
-         "moved_mm"),
-    )
+        ("Moved", "App::PropertyLength",
+         "No pole, or no point of a continuation, moved further, in mm", "moved_mm"),
+    )  # fmt: skip
     INPUTS = ("Sources", *(option.name for option in OPTIONS))
 
     @classmethod

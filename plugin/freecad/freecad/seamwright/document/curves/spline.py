@@ -209,7 +209,8 @@ def _with_ends(make, values):
     knots = numpy.asarray(free.knots)
     lengths = knots[1] - knots[0], knots[-1] - knots[-2]
     derivatives = [
-        None if each is None else free.degree * each / length for each, length in zip(given, lengths)
+        None if each is None else free.degree * each / length
+        for each, length in zip(given, lengths)
     ]
 
     def clamped(start, end):

@@ -241,7 +241,7 @@ class OptionPanel(ResultPanel):
             messages.show_error(sentence(error))
             return
         if chosen == option_feature.links_of(self.obj, name):
-            setattr(self.obj, name, _grouped(chosen))  # objects that were deleted are given up
+            setattr(self.obj, name, _grouped(chosen))  # those that were deleted are forgotten
         self._links[name] = chosen
         self._list_sources()
         self._edits += 1

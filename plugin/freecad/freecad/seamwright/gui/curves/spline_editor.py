@@ -305,7 +305,7 @@ class SplineEditor:
     # Picking.
 
     def pick(self, ended):
-        """Let clicks in the view add points; ``ended(kept, points, closed)`` is called when that ends."""
+        """Let clicks in the view add points; ``ended(kept, points, closed)`` is called at the end."""
         if self._events is None:
             return False
         self.load()

@@ -89,6 +89,7 @@ class SplinePanel(CurvePanel):
         self.free.clicked.connect(lambda *_: self._free_ends())
         self.back.clicked.connect(lambda *_: self._move_back())
         self.handles.toggled.connect(self._toggle_handles)
+        self.snaps.toggled.connect(self._suit_grid)
         self.comb.toggled.connect(lambda *_: self._load())
         self.table.edited.connect(self._edit)
 
@@ -96,9 +97,7 @@ class SplinePanel(CurvePanel):
         """Take the mouse in the view; without any points, pick some."""
         super().open()
         self.editor.start()
-        if hasattr(self.editor.view, "graphicsView"):
-            pixel_mm = Projection(self.editor.view).size_of_pixel_mm((0, 0, 0))
-            self.grid.setValue(spline_handles.fair_step(GRID_PX * pixel_mm))
+        self._suit_grid()
         self._load()
         if self._created and not self._has_points():
             self.snaps.setChecked(True)
@@ -245,6 +244,12 @@ class SplinePanel(CurvePanel):
 
     def _move_back(self):
         self.keep_values({**self.spline_values(), "moves_mm": []})
+
+    def _suit_grid(self, *_):
+        """Give the grid a step that is seen in the view as it is now."""
+        if hasattr(self.editor.view, "graphicsView"):
+            pixel_mm = Projection(self.editor.view).size_of_pixel_mm((0, 0, 0))
+            self.grid.setValue(spline_handles.fair_step(GRID_PX * pixel_mm))
 
     def _toggle_handles(self, shown):
         self.editor.shown = shown

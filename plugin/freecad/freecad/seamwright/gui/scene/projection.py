@@ -70,7 +70,7 @@ class Projection:
         return float((start - point) @ across / square)
 
     def facing_axis(self):
-        """Return the axis of space that is nearest to the direction of view; z before y before x."""
+        """Return the axis of space that is nearest to the direction of view; z first, then y."""
         cosines = abs(AXES @ self._frame[2])
         return AXES[int(numpy.argmax(cosines > cosines.max() - EQUAL))]
 
