@@ -44,7 +44,7 @@ class PointPicker:
     def move(self, pixel, held):
         """Draw the spline with the point at the mouse."""
         point, what = self._at(pixel)
-        self._editor.show_snap(point)
+        self._editor.drawing.show_snap(point)
         self.show(point, what)
         return held
 
@@ -85,7 +85,7 @@ class PointPicker:
         if hovered is not None and not (points and _same(hovered, points[-1])):
             points.append(tuple(map(float, hovered)))
         panel = self._editor.panel
-        self._editor.draw_points(points, False, {**panel.spline_values(), "points_mm": points})
+        self._editor.drawing.show_picked(points, panel.values_with(points))
         panel.say_picked(len(self.points), points[-1] if points else None, what)
 
     def _at(self, pixel):

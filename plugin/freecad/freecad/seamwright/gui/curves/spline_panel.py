@@ -3,17 +3,11 @@
 
 from freecad.seamwright.document.curves.spline import BETA, FREE, INTERPOLATING
 from freecad.seamwright.gui.curves.panel import CurvePanel
-from freecad.seamwright.gui.curves.point_table import PointTable
+from freecad.seamwright.gui.curves.point_box import PointBox
 from freecad.seamwright.gui.curves.spline_editor import SplineEditor
 from freecad.seamwright.gui.scene.projection import Projection
-from freecad.seamwright.gui.widgets.forms import make_box, make_text
-from freecad.seamwright.gui.widgets.qt import QtWidgets
 from freecad.seamwright.plain import spline_handles
 
-HOW_TO_PICK = (
-    "Click adds a point, at a vertex or on the grid; Ctrl: free. Backspace removes the last point, "
-    "a click on the first one closes, Enter ends, Esc cancels."
-)
 NO_POINTS = "There are no points: pick some, or select points or edges and press Use selection."
 
 #: Pixels between lines of the first grid.
@@ -34,62 +28,20 @@ class SplinePanel(CurvePanel):
 
     def _build(self):
         super()._build()
-        box, layout = make_box("Points")
-        self.pick = QtWidgets.QPushButton("Pick points")
-        self.pick.setCheckable(True)
-        self.pick.setToolTip(
-            HOW_TO_PICK + " The points are the spline's own: it no longer follows its sources."
-        )
-        self.undo = QtWidgets.QPushButton("Undo")
-        self.undo.setToolTip("Take the last drag or change of a point back (Ctrl+Z)")
-        self.redo = QtWidgets.QPushButton("Redo")
-        self.redo.setToolTip("Do it again (Ctrl+Shift+Z)")
-        self.free = QtWidgets.QPushButton("Free ends")
-        self.free.setToolTip("Remove the tangents that were given to the ends")
-        self.back = QtWidgets.QPushButton("As in sources")
-        self.back.setToolTip("Move all points back to those of the sources")
-        grid = QtWidgets.QGridLayout()
-        for place, each in enumerate((self.pick, self.undo, self.redo, self.free, self.back)):
-            grid.addWidget(each, *divmod(place, 3))
-        layout.addLayout(grid)
-        self.picked = make_text()
-        self.picked.hide()
-        layout.addWidget(self.picked)
-        self.table = PointTable()
-        layout.addWidget(self.table)
-        layout.addLayout(self._grid_line())
-        form = self.form.layout()
-        form.insertWidget(form.indexOf(self.boxes["Sources"]) + 1, box)
-
-    def _grid_line(self):
-        line = QtWidgets.QHBoxLayout()
-        self.handles = QtWidgets.QCheckBox("Handles")
-        self.handles.setChecked(True)
-        self.handles.setToolTip(
-            "Show handles in the view: circles are points, squares the tangents of the ends, "
-            "diamonds the tensions. Drag them; Esc takes a drag back."
-        )
-        self.snaps = QtWidgets.QCheckBox("Grid")
-        self.snaps.setToolTip("Points that are picked or dragged snap to a grid; Ctrl: free")
-        self.grid = QtWidgets.QDoubleSpinBox()
-        self.grid.setRange(1e-4, 1e6)
-        self.grid.setDecimals(4)
-        self.grid.setSuffix(" mm")
-        self.grid.setStepType(QtWidgets.QAbstractSpinBox.AdaptiveDecimalStepType)
-        for each in (self.handles, self.snaps, self.grid):
-            line.addWidget(each)
-        line.addStretch(1)
-        return line
+        self.box = PointBox()
+        self.table, self.pick = self.box.table, self.box.pick
+        layout = self.form.layout()
+        layout.insertWidget(layout.indexOf(self.boxes["Sources"]) + 1, self.box)
 
     def _connect(self):
         super()._connect()
         self.pick.toggled.connect(self._toggle_pick)
-        self.undo.clicked.connect(lambda *_: self.undo_drag())
-        self.redo.clicked.connect(lambda *_: self.redo_drag())
-        self.free.clicked.connect(lambda *_: self._free_ends())
-        self.back.clicked.connect(lambda *_: self._move_back())
-        self.handles.toggled.connect(self._toggle_handles)
-        self.snaps.toggled.connect(self._suit_grid)
+        self.box.undo.clicked.connect(lambda *_: self.undo_drag())
+        self.box.redo.clicked.connect(lambda *_: self.redo_drag())
+        self.box.free.clicked.connect(lambda *_: self._free_ends())
+        self.box.back.clicked.connect(lambda *_: self._move_back())
+        self.box.handles.toggled.connect(self._toggle_handles)
+        self.box.snaps.toggled.connect(self._suit_grid)
         self.comb.toggled.connect(lambda *_: self._load())
         self.table.edited.connect(self._edit)
 
@@ -100,7 +52,7 @@ class SplinePanel(CurvePanel):
         self._suit_grid()
         self._load()
         if self._created and not self._has_points():
-            self.snaps.setChecked(True)
+            self.box.snaps.setChecked(True)
             self.pick.setChecked(True)
 
     def release(self):
@@ -155,9 +107,19 @@ class SplinePanel(CurvePanel):
                 values[argument] = field.option.default
         return values
 
+    def values_with(self, points):
+        """Return the values for own points; points that are added have no tension, and bias 1."""
+        values = {**self.spline_values(), "points_mm": points, "moves_mm": []}
+        for name, default in (("tension", 0.0), ("bias", 1.0)):
+            numbers = values[name]
+            if len(numbers) > 1:
+                more = len(points) - len(numbers)
+                values[name] = (numbers + [default] * more)[: max(len(points), 1)]
+        return values
+
     def grid_mm(self):
         """Return the step of the grid, 0 without one."""
-        return self.grid.value() if self.snaps.isChecked() else 0.0
+        return self.box.grid.value() if self.box.snaps.isChecked() else 0.0
 
     def keep_values(self, values):
         """Compute with these values of fields, as one step that ``undo_drag`` takes back."""
@@ -179,10 +141,7 @@ class SplinePanel(CurvePanel):
 
     def say_picked(self, count, point, what):
         """Say how many points are picked, and where the last one or the mouse is."""
-        place = ""
-        if point is not None:
-            place = ": (%s)%s" % (", ".join("%.6g" % each for each in point), what and " " + what)
-        self.picked.setText("%d points%s. %s" % (count, place, HOW_TO_PICK))
+        self.box.say_picked(count, point, what)
 
     # Actions.
 
@@ -217,12 +176,12 @@ class SplinePanel(CurvePanel):
 
     def _enable(self):
         fields = self.options.fields
-        self.undo.setEnabled(bool(self._done))
-        self.redo.setEnabled(bool(self._undone))
+        self.box.undo.setEnabled(bool(self._done))
+        self.box.redo.setEnabled(bool(self._undone))
         interpolates = fields["family"].value() in INTERPOLATING
         tangents = any(any(fields[name].value()) for name in ("start_tangent_mm", "end_tangent_mm"))
-        self.free.setEnabled(interpolates and tangents)
-        self.back.setEnabled(bool(fields["moves_mm"].value()))
+        self.box.free.setEnabled(interpolates and tangents)
+        self.box.back.setEnabled(bool(fields["moves_mm"].value()))
 
     def _show_table(self):
         family = self.options.fields["family"].value()
@@ -249,7 +208,7 @@ class SplinePanel(CurvePanel):
         """Give the grid a step that is seen in the view as it is now."""
         if hasattr(self.editor.view, "graphicsView"):
             pixel_mm = Projection(self.editor.view).size_of_pixel_mm((0, 0, 0))
-            self.grid.setValue(spline_handles.fair_step(GRID_PX * pixel_mm))
+            self.box.grid.setValue(spline_handles.fair_step(GRID_PX * pixel_mm))
 
     def _toggle_handles(self, shown):
         self.editor.shown = shown
@@ -260,7 +219,7 @@ class SplinePanel(CurvePanel):
             self._end_pick()
             return
         started = self.editor.pick(self._picked)
-        self.picked.setVisible(started)
+        self.box.picked.setVisible(started)
         self.pick.setChecked(started)
 
     def _end_pick(self):
@@ -268,12 +227,12 @@ class SplinePanel(CurvePanel):
             self.editor.picker.end(True)
 
     def _picked(self, kept, points, closed):
-        self.picked.hide()
+        self.box.picked.hide()
         self.pick.blockSignals(True)
         self.pick.setChecked(False)
         self.pick.blockSignals(False)
         if kept and points:
-            values = {**self.spline_values(), "points_mm": points, "moves_mm": []}
+            values = self.values_with(points)
             chosen = self.links("Sources")
             self._links["Sources"] = []
             self._list_sources()
