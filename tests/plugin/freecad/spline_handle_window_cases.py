@@ -12,7 +12,7 @@ import Part
 from curve_cases import WAVE, vertices
 from curve_window_cases import CurveWindow
 from PySide import QtCore, QtGui
-from window import click, count, pause, picture, settle, whole_window
+from window import click, count, messages, pause, picture, settle, whole_window
 
 from freecad.seamwright.document.curves import kinds
 from freecad.seamwright.document.curves.spline import BETA
@@ -236,6 +236,31 @@ class Drags(SplineWindow):
         self.wait()
         self.assertEqual(list(obj.Moves), [])
         self.cancel()
+
+    def test_a_bad_text_ends_no_panel_and_other_sources_replace_own_points(self):
+        obj, panel = self.spline()
+        panel.options.fields["tension"].widget.setText("x")
+        self.wait()
+        drag(WAVE[1], (12, 27, 0))
+        click(panel.pick, panel.pick.rect().center())
+        self.assertFalse(panel.pick.isChecked())
+        self.assertIn("is not a list of numbers", panel.summary.text())
+        self.set_field(panel, "tension", [0.0])
+        click(panel.pick, panel.pick.rect().center())
+        click_at((60, 20, 0))
+        key(QtCore.Qt.Key_Enter)
+        self.wait()
+        self.assertEqual(len(obj.Points), 6)
+        use = panel.boxes["Sources"].use
+        Gui.Selection.clearSelection()
+        click(use, use.rect().center())
+        self.assertIn("Nothing is selected", messages()[0])
+        self.assertEqual(len(obj.Points), 6)
+        Gui.Selection.addSelection(self.doc.Name, self.points.Name)
+        click(use, use.rect().center())
+        self.wait()
+        self.assertEqual((len(obj.Points), obj.Sources[0][0]), (0, self.points))
+        self.ok()
 
     def test_handles_can_be_hidden(self):
         obj, panel = self.spline()

@@ -68,6 +68,13 @@ class OptionFeature(feature.Feature):
             dict.fromkeys(each for name, *_ in cls.LINKS for each, _ in links_of(obj, name))
         )
 
+    def onDocumentRestored(self, obj):
+        """Remember the sources of an object of an older version, too."""
+        super().onDocumentRestored(obj)
+        if not obj.Linked:
+            for name, *_ in self.LINKS:
+                self._remember(obj, name)
+
     def onChanged(self, obj, prop):
         """Remember the sources that are chosen.
 
@@ -77,6 +84,10 @@ class OptionFeature(feature.Feature):
             return
         if "Restore" in obj.State or any(_is_going(obj, each) for each in _linked(obj, prop)):
             return
+        self._remember(obj, prop)
+
+    @staticmethod
+    def _remember(obj, prop):
         others = [each for each in obj.Linked if each.split("\t")[0] != prop]
         names = ["\t".join((prop, each.Name, each.Label)) for each, _ in links_of(obj, prop)]
         obj.Linked = others + list(dict.fromkeys(names))

@@ -1,14 +1,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The part of the panel of a spline that is about its points."""
 
+from freecad.seamwright.document.curves.spline import INTERPOLATING
 from freecad.seamwright.gui.curves.point_table import PointTable
+from freecad.seamwright.gui.scene.projection import Projection
 from freecad.seamwright.gui.widgets.forms import make_text
 from freecad.seamwright.gui.widgets.qt import QtWidgets
+from freecad.seamwright.plain import spline_handles
 
 HOW_TO_PICK = (
     "Click adds a point, at a vertex or on the grid; Ctrl: free. Backspace removes the last point, "
     "a click on the first one closes, Enter ends, Esc cancels."
 )
+
+#: Pixels between lines of the grid that is suggested.
+GRID_PX = 12
 
 #: Buttons in a row.
 ROW = 3
@@ -60,6 +66,25 @@ class PointBox(QtWidgets.QGroupBox):
             line.addWidget(each)
         line.addStretch(1)
         return line
+
+    def enable(self, steps, fields):
+        """Enable the buttons that have an effect; ``fields``: {argument: field} of the spline."""
+        tangents = (fields[name].value() for name in ("start_tangent_mm", "end_tangent_mm"))
+        interpolates = fields["family"].value() in INTERPOLATING
+        self.undo.setEnabled(bool(steps.done))
+        self.redo.setEnabled(bool(steps.undone))
+        self.free.setEnabled(interpolates and any(map(any, tangents)))
+        self.back.setEnabled(bool(fields["moves_mm"].value()))
+
+    def suit_grid(self, view):
+        """Give the grid a step that is seen in a 3D view as it is now."""
+        if hasattr(view, "graphicsView"):
+            pixel_mm = Projection(view).size_of_pixel_mm((0, 0, 0))
+            self.grid.setValue(spline_handles.fair_step(GRID_PX * pixel_mm))
+
+    def grid_mm(self):
+        """Return the step of the grid, 0 without one."""
+        return self.grid.value() if self.snaps.isChecked() else 0.0
 
     def say_picked(self, count, point, what):
         """Say how many points are picked, and where the last one or the mouse is."""

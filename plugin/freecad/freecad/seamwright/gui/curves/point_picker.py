@@ -85,13 +85,17 @@ class PointPicker:
         if hovered is not None and not (points and _same(hovered, points[-1])):
             points.append(tuple(map(float, hovered)))
         panel = self._editor.panel
-        self._editor.drawing.show_picked(points, panel.values_with(points))
-        panel.say_picked(len(self.points), points[-1] if points else None, what)
+        try:
+            values = panel.values_with(points)
+        except ValueError:  # a text of the panel is no list of numbers
+            return
+        self._editor.drawing.show_picked(points, values)
+        panel.box.say_picked(len(self.points), points[-1] if points else None, what)
 
     def _at(self, pixel):
         through = self.points[-1] if self.points else (0.0, 0.0, 0.0)
         projection = Projection(self._editor.view)
-        return self._snapper.find(projection, pixel, through, self._editor.panel.grid_mm())
+        return self._snapper.find(projection, pixel, through, self._editor.panel.box.grid_mm())
 
     def _closes(self, pixel):
         if len(self.points) < 3:

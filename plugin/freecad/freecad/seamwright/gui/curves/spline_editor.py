@@ -42,9 +42,7 @@ class _Drag(NamedTuple):
 class SplineEditor:
     """The handles of a spline while its panel is open.
 
-    ``panel`` has ``spline_values()`` -> {argument: value} of the fields, ``links(name)``,
-    ``keep_values(values)``, ``undo_drag()``, ``redo_drag()``, ``say_picked(count, point, what)``,
-    ``is_due()`` and ``grid_mm()``.
+    ``panel`` is the SplinePanel.
     """
 
     def __init__(self, panel, obj):
@@ -182,7 +180,7 @@ class SplineEditor:
         kind, place, _, before, snapper = self._drag
         if kind == POINT:
             start = self._points_of(before)[place]
-            point, _ = snapper.find(projection, pixel, start, self.panel.grid_mm())
+            point, _ = snapper.find(projection, pixel, start, self.panel.box.grid_mm())
             self.drawing.show_snap(point)
             return None if point is None else self._with_point(before, place, point)
         if kind == TANGENT:
@@ -221,10 +219,11 @@ class SplineEditor:
     def pick(self, ended):
         """Let clicks in the view add points; ``ended(kept, points, closed)`` is called at the end.
 
-        Returns False where there is no 3D view.
+        Returns False where there is no 3D view. Raises ValueError for a bad text of the panel.
         """
         if self._events is None:
             return False
+        self.panel.spline_values()
         self.load()
         points = [] if self.points is None else self.points.tolist()
         self.picker = PointPicker(self, points, ended)

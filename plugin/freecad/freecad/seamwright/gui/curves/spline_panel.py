@@ -1,17 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The task panel of a spline: also its points, with handles in the view."""
 
-from freecad.seamwright.document.curves.spline import BETA, FREE, INTERPOLATING
+from freecad.seamwright.document.curves.spline import BETA, FREE, NU
 from freecad.seamwright.gui.curves.panel import CurvePanel
 from freecad.seamwright.gui.curves.point_box import PointBox
 from freecad.seamwright.gui.curves.spline_editor import SplineEditor
-from freecad.seamwright.gui.scene.projection import Projection
-from freecad.seamwright.plain import spline_handles
+from freecad.seamwright.gui.curves.value_steps import ValueSteps
 
 NO_POINTS = "There are no points: pick some, or select points or edges and press Use selection."
-
-#: Pixels between lines of the first grid.
-GRID_PX = 12
 
 
 class SplinePanel(CurvePanel):
@@ -19,10 +15,10 @@ class SplinePanel(CurvePanel):
 
     def __init__(self, obj, created):
         self.editor = None
-        self._undone, self._done = [], []
+        self._steps = ValueSteps()
         super().__init__(obj, created)
         self.editor = SplineEditor(self, obj)
-        self._enable()
+        self.box.enable(self._steps, self.options.fields)
 
     # The window.
 
@@ -38,18 +34,19 @@ class SplinePanel(CurvePanel):
         self.pick.toggled.connect(self._toggle_pick)
         self.box.undo.clicked.connect(lambda *_: self.undo_drag())
         self.box.redo.clicked.connect(lambda *_: self.redo_drag())
-        self.box.free.clicked.connect(lambda *_: self._free_ends())
-        self.box.back.clicked.connect(lambda *_: self._move_back())
+        free = {"start_tangent_mm": FREE, "end_tangent_mm": FREE}
+        self.box.free.clicked.connect(lambda *_: self._change(free))
+        self.box.back.clicked.connect(lambda *_: self._change({"moves_mm": []}))
         self.box.handles.toggled.connect(self._toggle_handles)
-        self.box.snaps.toggled.connect(self._suit_grid)
+        self.box.snaps.toggled.connect(lambda *_: self.box.suit_grid(self.editor.view))
         self.comb.toggled.connect(lambda *_: self._load())
-        self.table.edited.connect(self._edit)
+        self.table.edited.connect(lambda name, numbers: self._change({name: numbers}))
 
     def open(self):
         """Take the mouse in the view; without any points, pick some."""
         super().open()
         self.editor.start()
-        self._suit_grid()
+        self.box.suit_grid(self.editor.view)
         self._load()
         if self._created and not self._has_points():
             self.box.snaps.setChecked(True)
@@ -84,15 +81,14 @@ class SplinePanel(CurvePanel):
         super().changed()
         self._load()
 
-    def use(self, name, chosen):
-        """Let the spline be made from these links, without points of its own and moves."""
+    def take(self, name, chosen):
+        """Let the spline be made from these links, without points of its own and moves; compute."""
         self._end_pick()
-        before = self.links(name)
-        super().use(name, chosen)
-        if self.links(name) != before or self.options.fields["points_mm"].value():
-            self._put({"points_mm": [], "moves_mm": []})
-            self._done, self._undone = [], []
-            self._enable()
+        for argument in ("points_mm", "moves_mm"):
+            self.options.fields[argument].show_value([])
+        self._steps.clear()
+        super().take(name, chosen)
+        self._load()
 
     # What the editor asks for.
 
@@ -117,52 +113,45 @@ class SplinePanel(CurvePanel):
                 values[name] = (numbers + [default] * more)[: max(len(points), 1)]
         return values
 
-    def grid_mm(self):
-        """Return the step of the grid, 0 without one."""
-        return self.box.grid.value() if self.box.snaps.isChecked() else 0.0
+    def keep_values(self, values, sources=None):
+        """Compute with these values of fields, as one step that ``undo_drag`` takes back.
 
-    def keep_values(self, values):
-        """Compute with these values of fields, as one step that ``undo_drag`` takes back."""
-        before = self.spline_values()
+        ``sources``: links instead of those that there are.
+        """
+        before, chosen = self.spline_values(), self.links("Sources")
         changed = {name: value for name, value in values.items() if value != before[name]}
-        if not changed:
-            return
-        self._done.append(self._kept_step(changed, before))
-        self._undone = []
-        self._put(changed)
+        if changed:
+            self._steps.add(({name: before[name] for name in changed}, chosen))
+            self._links["Sources"] = chosen if sources is None else sources
+            self._list_sources()
+            self._put(changed)
 
     def undo_drag(self):
         """Take the last change of a point, tangent or tension back."""
-        self._step(self._done, self._undone)
+        self._move(back=True)
 
     def redo_drag(self):
         """Do the last change again that was taken back."""
-        self._step(self._undone, self._done)
-
-    def say_picked(self, count, point, what):
-        """Say how many points are picked, and where the last one or the mouse is."""
-        self.box.say_picked(count, point, what)
+        self._move(back=False)
 
     # Actions.
 
     def _put(self, values):
         for name, value in values.items():
             self.options.fields[name].show_value(value)
-        self._enable()
+        self.box.enable(self._steps, self.options.fields)
         self.preview()
 
-    def _step(self, taken, kept):
-        if not taken:
-            return
-        values, chosen = taken.pop()
-        kept.append(self._kept_step(values, self.spline_values()))
-        self._links["Sources"] = chosen
-        self._list_sources()
-        self._put(values)
+    def _move(self, back):
+        def now(step):
+            fields = self.options.fields
+            return {name: fields[name].value() for name in step[0]}, self.links("Sources")
 
-    def _kept_step(self, changed, values):
-        """Return what ``_step`` brings back: values of fields, and the sources."""
-        return {name: values[name] for name in changed}, self.links("Sources")
+        found = self._steps.move(back, now)
+        if found is not None:
+            values, self._links["Sources"] = found
+            self._list_sources()
+            self._put(values)
 
     def _has_points(self):
         return bool(self.options.fields["points_mm"].value() or self.links("Sources"))
@@ -171,44 +160,24 @@ class SplinePanel(CurvePanel):
         if self.editor is None or self._ended:
             return
         self.editor.load()
-        self._enable()
+        self.box.enable(self._steps, self.options.fields)
         self._show_table()
 
-    def _enable(self):
-        fields = self.options.fields
-        self.box.undo.setEnabled(bool(self._done))
-        self.box.redo.setEnabled(bool(self._undone))
-        interpolates = fields["family"].value() in INTERPOLATING
-        tangents = any(any(fields[name].value()) for name in ("start_tangent_mm", "end_tangent_mm"))
-        self.box.free.setEnabled(interpolates and tangents)
-        self.box.back.setEnabled(bool(fields["moves_mm"].value()))
-
     def _show_table(self):
-        family = self.options.fields["family"].value()
-        points = self.editor.points
-        if points is None or family not in INTERPOLATING:
-            self.table.hide()
-            return
-        values = self.spline_values()
-        columns = [values["tension"]] + ([values["bias"]] if family == BETA else [])
-        self.table.show_numbers(len(points), columns)
-        self.table.show()
+        columns = []
+        if self.editor.points is not None:
+            values = self.spline_values()
+            names = {NU: ("tension",), BETA: ("tension", "bias")}.get(values["family"], ())
+            columns = [values[name] for name in names]
+        self.table.setVisible(bool(columns))
+        if columns:
+            self.table.show_numbers(len(self.editor.points), columns)
 
-    def _edit(self, name, numbers):
-        self.keep_values({**self.spline_values(), name: numbers})
-
-    def _free_ends(self):
-        values = self.spline_values()
-        self.keep_values({**values, "start_tangent_mm": FREE, "end_tangent_mm": FREE})
-
-    def _move_back(self):
-        self.keep_values({**self.spline_values(), "moves_mm": []})
-
-    def _suit_grid(self, *_):
-        """Give the grid a step that is seen in the view as it is now."""
-        if hasattr(self.editor.view, "graphicsView"):
-            pixel_mm = Projection(self.editor.view).size_of_pixel_mm((0, 0, 0))
-            self.box.grid.setValue(spline_handles.fair_step(GRID_PX * pixel_mm))
+    def _change(self, values):
+        try:
+            self.keep_values({**self.spline_values(), **values})
+        except ValueError as error:  # a text of the panel is no list of numbers
+            self.say(str(error))
 
     def _toggle_handles(self, shown):
         self.editor.shown = shown
@@ -218,9 +187,18 @@ class SplinePanel(CurvePanel):
         if not picks:
             self._end_pick()
             return
-        started = self.editor.pick(self._picked)
+        try:
+            started = self.editor.pick(self._picked)
+        except ValueError as error:  # a text of the panel is no list of numbers
+            started = False
+            self.say(str(error))
         self.box.picked.setVisible(started)
-        self.pick.setChecked(started)
+        self._check_pick(started)
+
+    def _check_pick(self, picks):
+        self.pick.blockSignals(True)
+        self.pick.setChecked(picks)
+        self.pick.blockSignals(False)
 
     def _end_pick(self):
         if self.editor.picker is not None:
@@ -228,15 +206,8 @@ class SplinePanel(CurvePanel):
 
     def _picked(self, kept, points, closed):
         self.box.picked.hide()
-        self.pick.blockSignals(True)
-        self.pick.setChecked(False)
-        self.pick.blockSignals(False)
+        self._check_pick(False)
         if kept and points:
             values = self.values_with(points)
-            chosen = self.links("Sources")
-            self._links["Sources"] = []
-            self._list_sources()
-            self.keep_values({**values, "closed": values["closed"] or closed})
-            if self._done:
-                self._done[-1] = self._done[-1][0], chosen
+            self.keep_values({**values, "closed": values["closed"] or closed}, sources=[])
         self._load()
