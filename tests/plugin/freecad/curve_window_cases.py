@@ -40,6 +40,11 @@ class CurveWindow(PanelWindow):
 
     def wait(self):
         settle(0.1 + PREVIEW_AFTER_MS / 1000)
+        while any(panel is not None and panel._timer.isActive() for panel in self.panels()):
+            settle(0.05)
+
+    def panels(self):
+        return [obj.ViewObject.Proxy.panel for obj in self.made()]
 
 
 class Panel(CurveWindow):

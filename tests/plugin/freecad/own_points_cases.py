@@ -130,6 +130,22 @@ class Spirals(DocumentCase):
         with self.assertRaisesRegex(ValueError, "turns to one side"):
             curves.make("LogSpiral", [line, other], flip_first=True)
 
+    def test_it_follows_its_source_and_is_swept_along(self):
+        points = models.add(self.doc, Part.Compound(vertices(self.CORNER)), "Points")
+        self.doc.recompute()
+        obj = curves.create("LogSpiral", points)
+        profile = Part.Wire(Part.makeCircle(2, V(), V(0, 1, 0)))
+        sweep = self.doc.addObject("Part::Sweep", "Sweep")
+        sweep.Sections = [models.add(self.doc, profile, "Profile")]
+        sweep.Spine, sweep.Solid = (obj, []), True
+        self.doc.recompute()
+        volume = 4 * math.pi * obj.Shape.Length
+        self.assertAlmostEqual(sweep.Shape.Volume, volume, delta=0.01 * volume)
+        length = obj.Shape.Length
+        points.Shape = Part.Compound(vertices([[2 * each for each in p] for p in self.CORNER]))
+        self.doc.recompute()
+        self.assertAlmostEqual(obj.Shape.Length, 2 * length, delta=0.01)
+
     def test_other_points_are_refused(self):
         with self.assertRaisesRegex(ValueError, "there are 5 points: a spiral has three"):
             curves.make("LogSpiral", vertices(WAVE))

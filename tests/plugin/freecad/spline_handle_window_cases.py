@@ -100,6 +100,37 @@ class SplineWindow(CurveWindow):
         return numpy.array(report_of(obj)["points_mm"])
 
 
+class Projections(SplineWindow):
+    def test_pixels_are_those_of_freecad(self):
+        models.add(self.doc, Part.makeBox(10, 20, 30), "Box")
+        self.doc.recompute()
+        points = numpy.array([(0, 0, 0), (10, 20, 30), (-5, 12, 3.5)], float)
+        for camera in ("Orthographic", "Perspective"):
+            view().setCameraType(camera)
+            for turn in ("viewTop", "viewFront", "viewIsometric"):
+                with self.subTest((camera, turn)):
+                    getattr(view(), turn)()
+                    view().fitAll()
+                    settle(0.3)
+                    projection = Projection(view())
+                    pixels = projection.pixels(points)
+                    on_screen = getattr(view(), "getPointOnViewport", None)
+                    on_screen = on_screen or view().getPointOnScreen
+                    for point, pixel in zip(points, pixels):
+                        # FreeCAD counts pixels of the screen, from the bottom.
+                        found = numpy.array(on_screen(App.Vector(*point)))
+                        x, y = found / viewport().devicePixelRatioF()
+                        self.assertLess(abs(pixel[0] - x), 2)
+                        self.assertLess(abs(viewport().height() - pixel[1] - y), 2)
+                        axis = projection.facing_axis()
+                        back = projection.on_plane(pixel, point, axis)
+                        numpy.testing.assert_allclose(back, point, atol=1e-4)
+                        line = projection.along_line(pixel, point - [3, 1, 2], (3.0, 1.0, 2.0))
+                        self.assertAlmostEqual(line, 1, delta=1e-4)
+                    self.assertEqual(tuple(axis), (0, 1, 0) if turn == "viewFront" else (0, 0, 1))
+        view().setCameraType("Orthographic")
+
+
 class Drags(SplineWindow):
     def test_a_point_is_dragged_undone_and_done_again(self):
         obj, panel = self.spline()
