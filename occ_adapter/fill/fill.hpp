@@ -53,6 +53,14 @@ enum class FillMethod {
 /// "", "surface", "patches" or "graph".
 const char* name(FillMethod method);
 
+/// What was repaired around a hole before it was filled.
+struct RepairedAround {
+  std::vector<int> edges;  ///< of the seams that end at the hole; numbers of the given model
+  int treated = 0;         ///< those that missed the tolerances
+  int repaired = 0;
+  double largest_move_mm = 0;  ///< of a face around
+};
+
 struct FillHoleReport {
   Model model;          ///< with the fill, or as given
   bool filled = false;  ///< the fill is in the model
@@ -81,6 +89,7 @@ struct FillHoleReport {
   double build_s = 0;  ///< time to fit the sides and build the surfaces
   double sew_s = 0;
   double measure_s = 0;
+  std::optional<RepairedAround> around;  ///< only of repairedAndFilledHole() and the like
 
   /// \param face from 1, as seams of the filled model name it.
   const std::string& faceName(int face) const {

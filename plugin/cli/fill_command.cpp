@@ -4,6 +4,7 @@
 #include <optional>
 #include <seamwright/core/angle.hpp>
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
+#include <seamwright/occ_adapter/fill/repaired_fill.hpp>
 #include <seamwright/plugin/cli/fill_command.hpp>
 #include <seamwright/plugin/cli/output.hpp>
 #include <seamwright/plugin/cli/progress_bar.hpp>
@@ -58,9 +59,11 @@ occ::Hole holeOf(const occ::Model& model, const FillArguments& arguments,
 occ::FillHoleReport filled(const occ::Model& model, const FillArguments& arguments,
                            const occ::FillHoleOptions& options) {
   ProgressBar bar(doing("filling", arguments.model));
-  if (!arguments.faces.empty())
-    return occ::replaceFaces(model, arguments.faces, options, bar.progress());
-  return occ::fillHole(model, holeOf(model, arguments, options), options, bar.progress());
+  const auto replace = arguments.repair_first ? occ::repairedAndReplacedFaces : occ::replaceFaces;
+  if (!arguments.faces.empty()) return replace(model, arguments.faces, options, bar.progress());
+  const occ::Hole hole = holeOf(model, arguments, options);
+  return arguments.repair_first ? occ::repairedAndFilledHole(model, hole, options, bar.progress())
+                                : occ::fillHole(model, hole, options, bar.progress());
 }
 
 }  // namespace
@@ -109,6 +112,8 @@ void addFillOptions(CLI::App& command, FillArguments& arguments) {
       ->type_name("DEG")
       ->check(numberIn(Range::NotNegative))
       ->capture_default_str();
+  command.add_flag("--repair-first", arguments.repair_first,
+                   "Repair the seams that end at the hole, between the faces around it, before");
   command.add_flag("--keep-anyway", arguments.keep_anyway,
                    "Write OUT even if the fill misses the target");
   addJobsOption(command, arguments.jobs);

@@ -19,6 +19,7 @@ struct FillArguments {
   double angle_deg = 0.01;
   double curvature_rel = occ::FillHoleOptions{}.tolerance.curvature_rel;
   double corner_deg = 15;
+  bool repair_first = false;  ///< the seams that end at the hole
   bool keep_anyway = false;
   int jobs = 0;
 };

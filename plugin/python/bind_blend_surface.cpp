@@ -2,6 +2,7 @@
 #include <pybind11/stl.h>
 
 #include <seamwright/occ_adapter/blend/blend_surface.hpp>
+#include <seamwright/occ_adapter/blend/side_ribbon.hpp>
 #include <seamwright/occ_adapter/model/model.hpp>
 #include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
@@ -105,11 +106,42 @@ BlendedSurface extendSurface(const occ::Model& model, const py::object& edges,
   });
 }
 
+py::list seamsOf(const std::vector<occ::BlendSeam>& seams, const ContinuityTolerance& tolerance) {
+  py::list list;
+  for (const occ::BlendSeam& seam : seams)
+    list.append(resultOf("Seam", plainObject(report::toJson(seam.result, tolerance))));
+  return list;
+}
+
 py::list seamsOf(const BlendedSurface& result) {
-  py::list seams;
-  for (const occ::BlendSeam& seam : result.report.seams)
-    seams.append(resultOf("Seam", plainObject(report::toJson(seam.result, result.tolerance))));
-  return seams;
+  return seamsOf(result.report.seams, result.tolerance);
+}
+
+py::object sideRibbon(const occ::Model& model, const py::object& edges, const py::object& depth_mm,
+                      const py::object& faces, const py::object& order, const py::object& profile,
+                      const py::object& gap_mm, const py::object& angle_deg,
+                      const py::object& curvature_rel, const py::object& flat_radius_mm,
+                      const py::object& crease_deg, const py::object& progress) {
+  const occ::BlendEnd side{
+      .side = {.edges = numbersOrOne("edges", edges), .faces = numbersOrOne("faces", faces)},
+      .order = orderOf("order", order)};
+  const double depth = numberOf("depth_mm", depth_mm);
+  occ::BlendSurfaceOptions options;
+  options.tolerance =
+      toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg});
+  const occ::SideRibbon ribbon = longCall(progress, [&](const occ::Progress& report) {
+    return occ::sideRibbon(model.shape, side, depth, options, report);
+  });
+  py::dict dict;
+  dict["surface"] = ribbon.surface;
+  dict["edge"] = "v1";
+  dict["edges"] = ribbon.side.edges;
+  dict["faces"] = ribbon.side.faces;
+  dict["length_mm"] = ribbon.side.length_mm;
+  dict["seams"] = seamsOf(ribbon.seams, options.tolerance);
+  dict["reached"] = ribbon.reached;
+  dict["reason"] = ribbon.side.reason;
+  return resultOf("SideRibbon", dict);
 }
 
 py::dict blendDict(const BlendedSurface& result) {
@@ -137,7 +169,7 @@ void bindResult(py::module_& module) {
       .def_property_readonly(
           "surface", [](const BlendedSurface& result) { return result.report.surface; },
           "The new surface, a BSplineSurface: u runs along the sides, v from start to end.")
-      .def_property_readonly("seams", &seamsOf,
+      .def_property_readonly("seams", py::overload_cast<const BlendedSurface&>(&seamsOf),
                              "The Seams between the new face and the sides; the number of the new "
                              "face is 0, the others are those of the model.")
       .def_property_readonly(
@@ -201,6 +233,15 @@ instead of a length. Edges are free, or faces names the faces to
 continue. order: 'G1' (ruled), 'G2' or 'G3'. Tolerances and progress as in analyze(). ValueError for
 bad arguments, with name and value. The model is not changed.)";
 
+constexpr const char* side_ribbon_doc =
+    R"(A side of the model as a spline surface inside of it, for constructions from surfaces: a
+SideRibbon.
+
+edges: an edge, or the edges of a chain, numbers from 1, of trimmed or whole faces. Edges are free,
+or faces names the faces beside. depth_mm: how deep the ribbon is. order: 'G1' (ruled), 'G2' or
+'G3', the derivatives that it has in common with the faces at the side. Tolerances and progress as
+in analyze(). ValueError for bad arguments, with name and value.)";
+
 }  // namespace
 
 void bindBlendSurface(py::module_& module) {
@@ -217,6 +258,12 @@ void bindBlendSurface(py::module_& module) {
            py::arg("gap_mm") = py::none(), py::arg("angle_deg") = py::none(),
            py::arg("curvature_rel") = py::none(), py::arg("flat_radius_mm") = py::none(),
            py::arg("crease_deg") = py::none(), py::arg("progress") = py::none())
+      .def("side_ribbon", &sideRibbon, side_ribbon_doc, py::arg("edges"), py::arg("depth_mm"),
+           py::kw_only(), py::arg("faces") = none, py::arg("order") = "G2",
+           py::arg("profile") = "default", py::arg("gap_mm") = py::none(),
+           py::arg("angle_deg") = py::none(), py::arg("curvature_rel") = py::none(),
+           py::arg("flat_radius_mm") = py::none(), py::arg("crease_deg") = py::none(),
+           py::arg("progress") = py::none())
       .def("extend_surface", &extendSurface, extend_surface_doc, py::arg("edges"),
            py::arg("length_mm") = py::none(), py::kw_only(), py::arg("to") = py::none(),
            py::arg("faces") = none, py::arg("order") = "G2", py::arg("profile") = "default",

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numbers>
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
-#include <seamwright/occ_adapter/fill/fill.hpp>
+#include <seamwright/occ_adapter/fill/repaired_fill.hpp>
 #include <seamwright/plugin/python/arguments.hpp>
 #include <seamwright/plugin/python/bindings.hpp>
 #include <seamwright/plugin/python/model_calls.hpp>
@@ -66,7 +66,9 @@ FillReport fillModel(const occ::Model& model, const py::object& hole, const py::
                      const py::object& target, const py::object& gap_mm,
                      const py::object& angle_deg, const py::object& curvature_rel,
                      const py::object& corner_deg, const py::object& keep_anyway,
-                     const py::object& jobs, const py::object& progress) {
+                     const py::object& repair_first, const py::object& jobs,
+                     const py::object& progress) {
+  const bool repair = flagOf("repair_first", repair_first);
   occ::FillHoleOptions options;
   options.target = targetLevel(target);
   options.tolerance.gap_mm = numberOf("gap_mm", gap_mm);
@@ -82,13 +84,15 @@ FillReport fillModel(const occ::Model& model, const py::object& hole, const py::
     const std::vector<int> numbers =
         isNumber(face) ? std::vector{wholeNumber("face", face)} : wholeNumbers("face", face);
     return longCall(progress, [&](const occ::Progress& report) {
-      return FillReport{occ::replaceFaces(model, numbers, options, report), options,
-                        occ::factsOf(model)};
+      const auto replace = repair ? occ::repairedAndReplacedFaces : occ::replaceFaces;
+      return FillReport{replace(model, numbers, options, report), options, occ::factsOf(model)};
     });
   }
   const occ::Hole found = holeOf(model, hole, options);
   return longCall(progress, [&](const occ::Progress& report) {
-    return FillReport{occ::fillHole(model, found, options, report), options, occ::factsOf(model)};
+    return FillReport{repair ? occ::repairedAndFilledHole(model, found, options, report)
+                             : occ::fillHole(model, found, options, report),
+                      options, occ::factsOf(model)};
   });
 }
 
@@ -134,6 +138,10 @@ void bindFillOutcome(FillClass& type) {
       .def_property_readonly(
           "method", [](const FillReport& fill) { return name(fill.report.method); },
           "What the fill consists of: 'surface', 'patches' or 'graph'; empty if nothing was built.")
+      .def_property_readonly("around", valueNamed("around"),
+                             "With repair_first what was repaired around the hole, as a dict with "
+                             "the keys of the JSON: edges, treated, repaired, largest_move_mm; "
+                             "otherwise None.")
       .def_property_readonly("causes", valueNamed("causes"),
                              "The causes that the reason names, as dicts with the keys of the "
                              "JSON: code, numbers, edges, point_mm.");
@@ -201,7 +209,8 @@ The faces are sewn in and every new seam is measured. The model is not changed.
 hole: a Hole of holes() or its id; None: the only one. face: number of a face, from 1, that is
 taken out and replaced, or a sequence of numbers of faces that are replaced together. target: 'G0',
 'G1' or 'G2', and tolerances: what every new seam has to reach for the fill to be kept. corner_deg:
-as in holes(). keep_anyway: keep it if it misses that. jobs and progress as in analyze().
+as in holes(). keep_anyway: keep it if it misses that. repair_first: the seams that end at the hole,
+between the faces around it, are repaired before, for the same target and tolerances. jobs and progress as in analyze().
 ValueError for bad arguments, with name and value.)";
 
 }  // namespace
@@ -221,8 +230,8 @@ void bindHole(py::module_& module) {
             py::arg("face") = py::none(), py::arg("target") = "G1",
             py::arg("gap_mm") = defaults.tolerance.gap_mm, py::arg("angle_deg") = 0.01,
             py::arg("curvature_rel") = defaults.tolerance.curvature_rel,
-            py::arg("corner_deg") = 15.0, py::arg("keep_anyway") = false, py::arg("jobs") = 0,
-            py::arg("progress") = py::none());
+            py::arg("corner_deg") = 15.0, py::arg("keep_anyway") = false,
+            py::arg("repair_first") = false, py::arg("jobs") = 0, py::arg("progress") = py::none());
 }
 
 }  // namespace seamwright::python

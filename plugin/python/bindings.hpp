@@ -20,6 +20,7 @@ void bindFunctionSpline(pybind11::module_& module);
 void bindHole(pybind11::module_& module);
 void bindJoin(pybind11::module_& module);
 void bindBlendSurface(pybind11::module_& module);
+void bindEdgePatches(pybind11::module_& module);
 void bindMatch(pybind11::module_& module);
 void bindMatrixCurve(pybind11::module_& module);
 void bindMeasure(pybind11::module_& module);

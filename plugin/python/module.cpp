@@ -45,6 +45,7 @@ PYBIND11_MODULE(_core, module) {
   bindUmbrella(module);
   bindCurveJoin(module);
   bindNearest(module);
+  bindEdgePatches(module);
   bindNearestCurve(module);
   bindFill(module);
   bindSpline(module);

@@ -53,6 +53,21 @@ ordered_json cornerJson(const FillCorner& corner) {
           {"exact", corner.exact}};
 }
 
+ordered_json aroundJson(const std::optional<occ::RepairedAround>& around) {
+  if (!around) return nullptr;
+  return {{"edges", around->edges},
+          {"treated", around->treated},
+          {"repaired", around->repaired},
+          {"largest_move_mm", around->largest_move_mm}};
+}
+
+std::string aroundText(const occ::RepairedAround& around) {
+  if (around.treated == 0) return "no seam that ends at the hole needs a repair\n";
+  return fmt::format(
+      "{} of {} that end at the hole repaired first, faces moved by up to {:.3g} mm\n",
+      around.repaired, counted(around.treated, "seam"), around.largest_move_mm);
+}
+
 ordered_json seamsJson(const std::vector<occ::SeamResult>& seams,
                        const ContinuityTolerance& tolerance) {
   ordered_json all = ordered_json::array();
@@ -171,6 +186,7 @@ ordered_json toJson(const occ::FillHoleReport& report, const occ::FillHoleOption
   json["causes"] = ordered_json::array();
   for (const occ::FillReason& cause : report.reason.causes)
     json["causes"].push_back(causeJson(cause));
+  json["around"] = aroundJson(report.around);
   json["largest_gap_mm"] = maybe(report.largestGap_mm());
   json["largest_angle_deg"] = maybe(report.largestAngle_rad(), degrees(1));
   json["largest_curvature_rel"] = maybe(report.largestCurvature_rel());
@@ -204,6 +220,7 @@ std::string shortly(const occ::Hole& hole) {
 std::string toTable(const occ::FillHoleReport& report, const occ::FillHoleOptions& options,
                     const std::optional<WrittenModel>& output) {
   std::ostringstream out;
+  if (report.around) out << aroundText(*report.around);
   if (report.filled)
     out << "filled with " << counted(report.faces.size(), "face");
   else

@@ -920,6 +920,16 @@ def blend(
 def orient(
     a: BezierPatch, edge_a: str, b: BezierPatch, edge_b: str
 ) -> Tuple[BezierPatch, BezierPatch, bool]: ...
+def edge_patches(
+    surface: Union[BezierPatch, BSplineSurface], edge: str, breaks: Numbers = ()
+) -> List[BezierPatch]: ...
+def edge_pairs(
+    a: Union[BezierPatch, BSplineSurface],
+    edge_a: str,
+    b: Union[BezierPatch, BSplineSurface],
+    edge_b: str,
+    reversed: Flag = False,
+) -> List[Tuple[BezierPatch, BezierPatch]]: ...
 def join_condition(
     a: Surface,
     edge_a: str,
@@ -1447,6 +1457,21 @@ class Model:
         crease_deg: Optional[Number] = None,
         progress: Progress = None,
     ) -> BlendedSurface: ...
+    def side_ribbon(
+        self,
+        edges: Union[Whole, Sequence[Whole]],
+        depth_mm: Number,
+        *,
+        faces: Union[Whole, Sequence[Whole]] = (),
+        order: str = "G2",
+        profile: str = "default",
+        gap_mm: Optional[Number] = None,
+        angle_deg: Optional[Number] = None,
+        curvature_rel: Optional[Number] = None,
+        flat_radius_mm: Optional[Number] = None,
+        crease_deg: Optional[Number] = None,
+        progress: Progress = None,
+    ) -> _r.SideRibbon: ...
     def match_faces(
         self,
         first: Whole,
@@ -1540,6 +1565,7 @@ class Model:
         curvature_rel: Number = ...,
         corner_deg: Number = 15.0,
         keep_anyway: Flag = False,
+        repair_first: Flag = False,
         jobs: Whole = 0,
         progress: Progress = None,
     ) -> FillReport: ...
@@ -1729,6 +1755,8 @@ class FillReport:
     def reason_code(self) -> str: ...
     @property
     def method(self) -> str: ...
+    @property
+    def around(self) -> Optional[Dict[str, Any]]: ...
     @property
     def causes(self) -> List[Dict[str, Any]]: ...
     @property

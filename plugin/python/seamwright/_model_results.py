@@ -3,9 +3,12 @@
 
 from __future__ import annotations
 
-from typing import Dict, List, Optional
+from typing import TYPE_CHECKING, Dict, List, Optional
 
 from ._result import Result
+
+if TYPE_CHECKING:
+    from ._core import BSplineSurface
 
 
 class Tolerances(Result):
@@ -294,6 +297,29 @@ class Hole(Result):
     has_corners: bool
     longest: bool
     sides: List[HoleSide]
+
+
+class SideRibbon(Result):
+    """A side of a model as a spline surface inside of it.
+
+    surface    BSplineSurface: u runs along the side, v from inside to the side at v = 1
+    edge       "v1", the name of that boundary
+    edges      numbers of the edges along it
+    faces      numbers of the faces that it stands for
+    length_mm  of the side
+    seams      Seams between these and the continuation of the ribbon beyond the side, face 0
+    reached    all seams certainly have the order asked for, and the continuation does not fold
+    reason     why seams do not cover the side; empty if they do
+    """
+
+    surface: BSplineSurface
+    edge: str
+    edges: List[int]
+    faces: List[int]
+    length_mm: float
+    seams: List[Seam]
+    reached: bool
+    reason: str
 
 
 class ShapeAttribute(Result):

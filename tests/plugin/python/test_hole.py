@@ -4,6 +4,7 @@
 import pathlib
 import sys
 
+import numpy as np
 import pytest
 
 import seamwright
@@ -163,3 +164,52 @@ def test_a_bad_corner_angle_of_holes_is_told_in_degrees(shell):
         ValueError, match="corner angle is 500 degrees: it must be within 0 and 180"
     ):
         shell.holes(corner_deg=500)
+
+
+def ring_with_a_kink(kink_mm):
+    """Eight patches of one surface around a hole, but for a kink in a seam that ends there."""
+    patches = []
+    for i, j in ((i, j) for i in range(3) for j in range(3) if (i, j) != (1, 1)):
+        poles = np.array([[pole_of_a_quadric(i, j, p, q) for q in range(4)] for p in range(4)])
+        if (i, j) == (0, 1):
+            poles[3, 1, 2] += kink_mm  # on the edge of the hole, beside its corner
+        patches.append(seamwright.BezierPatch(poles))
+    return seamwright.Model.from_patches(patches, sew=True)
+
+
+def pole_of_a_quadric(i, j, p, q):
+    """The pole (p, q) of a bicubic patch over the square (i, j) of 10 mm, by blossoms."""
+    x, y = 10 * (i + p / 3), 10 * (j + q / 3)
+    square_x = 100 * (i * i + 2 * i * p / 3 + p * (p - 1) / 6)
+    square_y = 100 * (j * j + 2 * j * q / 3 + q * (q - 1) / 6)
+    return [x, y, 0.01 * square_x - 0.008 * square_y + 0.004 * x * y]
+
+
+def test_seams_that_end_at_a_hole_are_repaired_first():
+    model = ring_with_a_kink(0.006)
+    hole = next(h for h in model.holes() if not h.longest)
+    plain = model.fill(hole=hole)
+    assert not plain.filled and plain.around is None
+    assert "neighbours_contradict" in [cause["code"] for cause in plain.causes]
+    fill = model.fill(hole=hole, repair_first=True)
+    assert fill.reached and fill.largest_angle_deg < 0.01
+    assert fill.around["treated"] >= 1 and fill.around["repaired"] == fill.around["treated"]
+    assert 0 < fill.around["largest_move_mm"] < 0.01
+    assert len(fill.around["edges"]) == 8  # two at each corner
+    assert "repaired first" in fill.to_table()
+
+
+def test_without_a_kink_nothing_is_repaired_first():
+    model = ring_with_a_kink(0)
+    hole = next(h for h in model.holes() if not h.longest)
+    fill = model.fill(hole=hole, repair_first=True)
+    assert fill.reached and fill.around["treated"] == 0 and fill.around["largest_move_mm"] == 0
+
+
+def test_without_a_fill_the_model_is_the_given_one():
+    model = ring_with_a_kink(0.006)
+    hole = next(h for h in model.holes() if not h.longest)
+    fill = model.fill(hole=hole, repair_first=True, gap_mm=0, angle_deg=0)
+    assert not fill.filled
+    edges = range(1, model.edge_count + 1)
+    assert all(np.array_equal(fill.model.curve(e).poles, model.curve(e).poles) for e in edges)
