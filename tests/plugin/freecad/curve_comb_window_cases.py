@@ -82,7 +82,7 @@ class Selecting(CurveWindow):
         self.doc.recompute()
         self.doc.clearUndos()
         for kind, chosen, text in (
-            ("Spline", [], "Nothing is selected: select points, edges, a wire or a sketch."),
+            ("JoinCurves", [], "Nothing is selected: select two edges."),
             ("Arcs", [mesh], "Scan is a mesh: choose points, edges, wires or sketches."),
             ("Spline", [(self.points, "Vertex1")], "There is only one point: choose two or more."),
             ("BridgeCurve", [self.points], "0 edges are chosen: choose two."),

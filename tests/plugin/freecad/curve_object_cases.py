@@ -99,6 +99,7 @@ class Objects(DocumentCase):
             "FairCurve": [edge],
             "Conic": [(self.source(), ["Vertex1", "Vertex2", "Vertex3"])],
         }
+        chosen["LogSpiral"] = chosen["Conic"]
         for kind in curves.KINDS:
             with self.subTest(kind):
                 sources = chosen.get(kind, [self.source()])

@@ -40,6 +40,11 @@ class CurveWindow(PanelWindow):
 
     def wait(self):
         settle(0.1 + PREVIEW_AFTER_MS / 1000)
+        while any(panel is not None and panel._timer.isActive() for panel in self.panels()):
+            settle(0.05)
+
+    def panels(self):
+        return [obj.ViewObject.Proxy.panel for obj in self.made()]
 
 
 class Panel(CurveWindow):
@@ -52,6 +57,7 @@ class Panel(CurveWindow):
         self.doc.recompute()
         chosen = dict.fromkeys(("BlendCurves", "BridgeCurve", "JoinCurves"), [line, other])
         chosen["FairCurve"] = [edge]
+        chosen["LogSpiral"] = [(self.points, "Vertex%d" % number) for number in (1, 2, 3)]
         for kind in KINDS:
             with self.subTest(kind):
                 steps, before = self.doc.UndoCount, self.doc.Objects
@@ -145,13 +151,21 @@ class Panel(CurveWindow):
         self.ok()
         self.assertEqual(obj.Sources[0][0], ring)
 
-    def test_arcs_leave_a_sketch(self):
+    def test_a_curve_leaves_a_sketch(self):
         source = models.add(self.doc, slot(), "Slot")
         self.doc.recompute()
         steps = self.doc.UndoCount
+        for undo in (1, 0):
+            self.doc.UndoMode = undo
+            _, panel = self.start("Spline", self.points)
+            click(panel.sketch, panel.sketch.rect().center())
+            self.assertIn("Spline sketch has ", panel.sketch_text.text())
+            self.cancel()
+            self.assertEqual(self.doc.Objects, [self.points, source])
+        self.doc.UndoMode = 1
+        self.assertEqual(self.doc.UndoCount, steps)
         _, panel = self.start("Arcs", source)
-        self.assertTrue(panel.sketch.isVisible())
-        panel.sketch.setChecked(True)
+        click(panel.sketch, panel.sketch.rect().center())
         self.ok()
         (sketch,) = [each for each in self.doc.Objects if each.Name.endswith("Sketch")]
         self.assertEqual(sketch.GeometryCount, 4)

@@ -4,7 +4,8 @@
     python3 run_freecad.py --window --mod ADDON --out FOLDER make_pictures
 
 writes workbench.png, repair.png, match.png, fill_freecad.png, corner_fillet_freecad.png,
-spline_freecad.png, blend_freecad.png and blend_surface_freecad.png, to be looked at and moved to
+spline_freecad.png, blend_freecad.png, blend_surface_freecad.png, and of the samples 33 and 34
+handles_freecad.png, umbrella_freecad.png and loft_freecad.png, to be looked at and moved to
 docs/images. For repair_curvature.png it writes the models:
 
     seam-picture --pair FOLDER/before.brep FOLDER/after.brep repair_curvature.png --curvature ...
@@ -12,6 +13,7 @@ docs/images. For repair_curvature.png it writes the models:
 
 import math
 import os
+import pathlib
 
 import FreeCAD as App
 import FreeCADGui as Gui
@@ -30,6 +32,7 @@ from freecad.seamwright.gui.corner.panel import RADIUS
 from freecad.seamwright.gui.widgets.dock import dock_of
 
 GREY = (0.7, 0.7, 0.7)
+SAMPLES = pathlib.Path(__file__).resolve().parents[3] / "samples"
 
 
 def take(name):
@@ -216,3 +219,45 @@ class SurfacePicture(PanelWindow):
         click_row(panel.table, 1)
         take("blend_surface_freecad")
         self.cancel()
+
+
+class SamplePicture(PanelWindow):
+    def open(self, sample):
+        App.closeDocument(self.doc.Name)
+        exec((SAMPLES / (sample + ".FCMacro")).read_text(), {"__name__": "__main__"})
+        self.doc = App.ActiveDocument
+        settle()
+
+    def edit(self, name):
+        obj = self.doc.getObject(name)
+        Gui.Selection.clearSelection()
+        obj.ViewObject.Proxy.doubleClicked(obj.ViewObject)
+        settle(1.0)
+        return obj.ViewObject.Proxy.panel
+
+    def show_only(self, *names):
+        for obj in self.doc.Objects:
+            obj.ViewObject.Visibility = obj.Name in names
+
+    def test_handles(self):
+        self.open("33_curves")
+        self.show_only("Spline001", "LogSpiral", "Line")
+        panel = self.edit("Spline001")
+        panel.comb.setChecked(True)
+        Gui.activeDocument().activeView().viewTop()
+        Gui.activeDocument().activeView().fitAll()
+        take("handles_freecad")
+        self.cancel()
+
+    def test_umbrella_and_loft(self):
+        self.open("34_surfaces")
+        for kind, sources in (("Umbrella", "Spoke"), ("FrameLoft", "Section")):
+            shown = [obj.Name for obj in self.doc.Objects if obj.Name.startswith(sources)]
+            self.show_only(kind, *shown)
+            panel = self.edit(kind)
+            self.fit()
+            panel.zebra.setChecked(True)
+            if kind == "Umbrella":
+                click_row(panel.table, 1)
+            take({"Umbrella": "umbrella_freecad", "FrameLoft": "loft_freecad"}[kind])
+            self.cancel()

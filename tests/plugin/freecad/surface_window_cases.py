@@ -9,6 +9,7 @@ import FreeCADGui as Gui
 import models
 import Part
 from curve_cases import slot
+from free_surface_cases import spoke
 from surface_cases import at_x, sheet
 from window import (
     PanelWindow,
@@ -67,7 +68,9 @@ class SurfaceWindow(PanelWindow):
 
 class Panel(SurfaceWindow):
     def test_each_kind_is_made_accepted_undone_and_done_again(self):
-        chosen = {"ExtendSurface": [self.start_edge]}
+        spokes = models.add(self.doc, Part.Compound([spoke(k) for k in range(5)]), "Spokes")
+        self.doc.recompute()
+        chosen = {"ExtendSurface": [self.start_edge], "Umbrella": [(spokes, "")]}
         for kind in KINDS:
             with self.subTest(kind):
                 steps, before = self.doc.UndoCount, self.doc.Objects
@@ -86,6 +89,53 @@ class Panel(SurfaceWindow):
                 (again,) = [each for each in self.doc.Objects if each not in before]
                 self.assertFalse(again.Shape.isNull())
                 self.doc.removeObject(again.Name)
+
+    def test_an_umbrella_shows_a_row_for_each_edge_and_follows_the_fields(self):
+        spokes = models.add(self.doc, Part.Compound([spoke(k) for k in range(5)]), "Spokes")
+        self.doc.recompute()
+        obj, panel = self.start("Umbrella", (spokes, ""))
+        self.assertEqual(sorted(self.column(panel, 1)), ["Edge %d" % k for k in range(1, 6)])
+        self.assertEqual(set(self.column(panel, 5)), {"G1 is met"})
+        self.assertFalse(panel.options.fields["curvature_rel"].widget.isVisible())
+        before = count(picture("umbrella"), INK)
+        click_row(panel.table, 1)
+        self.assertGreater(count(picture("umbrella-row"), INK), before + 50)
+        panel.zebra.setChecked(True)
+        settle()
+        whole_window("umbrella")
+        self.set_field(panel, "open", True)
+        self.assertEqual((panel.table.rowCount(), len(obj.Shape.Faces)), (3, 4))
+        self.ok()
+        self.assertEqual(len(obj.Shape.Faces), 4)
+
+    def test_a_deleted_lateral_boundary_is_forgotten_by_an_empty_selection(self):
+        obj, panel = self.blend()
+        ends = [
+            min(
+                (vertex.Point for vertex in each.Shape.Vertexes if abs(vertex.X - x) < 1e-6),
+                key=lambda point: point.y,
+            )
+            for each, x in ((self.low, 30), (self.high, 60))
+        ]
+        wall = models.add(self.doc, Part.makeLine(*ends), "Wall")
+        self.doc.recompute()
+        self.set_field(panel, "start_order", "G0")
+        self.set_field(panel, "end_order", "G0")
+        self.select((wall, "Edge1"))
+        self.use(panel, "Lateral")
+        self.assertEqual(len(obj.Lateral), 1)
+        self.ok()
+        self.doc.removeObject(wall.Name)
+        self.doc.recompute()
+        obj.ViewObject.Proxy.doubleClicked(obj.ViewObject)
+        settle(0.5)
+        panel = obj.ViewObject.Proxy.panel
+        self.assertIn("Wall was deleted", panel.summary.text())
+        self.select()
+        self.use(panel, "Lateral")
+        self.assertIn("Every seam has its level", panel.summary.text())
+        self.ok()
+        self.assertFalse(obj.Shape.isNull())
 
     def test_the_figures_follow_the_fields(self):
         obj, panel = self.blend()

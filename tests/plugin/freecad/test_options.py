@@ -17,6 +17,22 @@ TABLE = (
 )
 
 
+def test_vectors():
+    table = (
+        Option("Points", "points_mm", options.VECTORS, [], "Points", ""),
+        Option("Start", "start_mm", options.VECTOR, (0.0, 0.0, 0.0), "Start", ""),
+    )
+    given = {"points_mm": [[1, 2, 3], (4, 5, 6)], "start_mm": [7, 8, 9]}
+    assert options.checked(table, given) == {
+        "points_mm": [(1.0, 2.0, 3.0), (4.0, 5.0, 6.0)],
+        "start_mm": (7.0, 8.0, 9.0),
+    }
+    with pytest.raises(ValueError, match="points_mm has 2 coordinates: give three"):
+        options.checked(table, {"points_mm": [(1, 2)]})
+    with pytest.raises(ValueError, match="must be finite"):
+        options.checked(table, {"start_mm": (1, 2, math.nan)})
+
+
 def test_defaults_and_checked_values():
     assert options.defaults(TABLE)["tension"] == [0.0]
     given = {"tolerance_mm": 2, "kind": "two", "count": 5.0, "closed": 1, "tension": 7}

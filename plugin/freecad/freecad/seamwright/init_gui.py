@@ -51,11 +51,14 @@ VIEWS = {
     "CornerFillet": "corner",
     "ExtendSurface": "surfaces",
     "FairCurve": "curves",
+    "FrameLoft": "surfaces",
     "JoinCurves": "curves",
+    "LogSpiral": "curves",
     "MatchSurfaces": "match",
     "SeamAnalysis": "analysis",
     "SeamRepair": "repair",
     "Spline": "curves",
+    "Umbrella": "surfaces",
     "UmbrellaFill": "fill",
 }
 

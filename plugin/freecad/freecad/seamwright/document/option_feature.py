@@ -8,9 +8,12 @@ import json
 
 import Part
 
-from freecad.seamwright.document import feature, properties
-from freecad.seamwright.plain import curve_text, options
+from freecad.seamwright.document import feature, properties, sources
+from freecad.seamwright.plain import curve_text, kernel_words, options
 
+LINKED = (
+    "Linked", "App::PropertyStringList", "The sources as they were chosen: property, object, name"
+)  # fmt: skip
 SUMMARY = ("Summary", "App::PropertyString", "The result in one line, or why there is none")
 
 
@@ -24,6 +27,7 @@ class OptionFeature(feature.Feature):
 
     LABEL = ICON = TIP = NEEDS = GROUP = ""
     LINKS = ()
+    REQUIRED = ()  # the properties of LINKS that must name something
     OPTIONS = ()
     RESULTS = ()
 
@@ -31,6 +35,11 @@ class OptionFeature(feature.Feature):
     def text(cls, report):
         """Return the summary of a report."""
         raise NotImplementedError
+
+    @classmethod
+    def in_words(cls, text):
+        """Return a sentence of the kernel in the words of the panel."""
+        return kernel_words.in_words(text, {each.argument: each.label for each in cls.OPTIONS})
 
     @classmethod
     def handles(cls, report):
@@ -49,7 +58,7 @@ class OptionFeature(feature.Feature):
             else:
                 adder.add_with(option.kind, option.name, cls.GROUP, option.tip, option.default)
         shown = [SUMMARY, *(result[:3] for result in cls.RESULTS)]
-        adder.add_results(shown, feature.INTERNAL)
+        adder.add_results(shown, (*feature.INTERNAL, LINKED))
         obj.setEditorMode("Placement", ["Hidden"])
 
     @classmethod
@@ -58,6 +67,45 @@ class OptionFeature(feature.Feature):
         return list(
             dict.fromkeys(each for name, *_ in cls.LINKS for each, _ in links_of(obj, name))
         )
+
+    def onDocumentRestored(self, obj):
+        """Remember the sources of an object of an older version, too."""
+        super().onDocumentRestored(obj)
+        if not obj.Linked:
+            for name, *_ in self.LINKS:
+                self._remember(obj, name)
+
+    def onChanged(self, obj, prop):
+        """Remember the sources that are chosen.
+
+        FreeCAD removes an object that is deleted from the links: then they are as remembered.
+        """
+        if prop not in [name for name, *_ in self.LINKS] or "Linked" not in obj.PropertiesList:
+            return
+        if "Restore" in obj.State or any(_is_going(obj, each) for each in _linked(obj, prop)):
+            return
+        self._remember(obj, prop)
+
+    @staticmethod
+    def _remember(obj, prop):
+        others = [each for each in obj.Linked if each.split("\t")[0] != prop]
+        names = ["\t".join((prop, each.Name, each.Label)) for each, _ in links_of(obj, prop)]
+        obj.Linked = others + list(dict.fromkeys(names))
+
+    @classmethod
+    def check_links(cls, obj, chosen):
+        """Raise SourceError where an object of {property: links} was deleted.
+
+        A property whose links were chosen otherwise since then does not count.
+        """
+        for name, *_ in cls.LINKS:
+            if chosen[name] != links_of(obj.Document.getObject(obj.Name), name):
+                continue
+            for _, label in _lost(obj, name):
+                advice = "choose others in the property %s" % name
+                if name not in cls.REQUIRED:
+                    advice += ", or set it to none"
+                raise sources.SourceError("%s was deleted: %s" % (label, advice))
 
     @classmethod
     def store(cls, obj, report, shape):
@@ -71,12 +119,29 @@ class OptionFeature(feature.Feature):
     @classmethod
     def store_failure(cls, obj, reason):
         """Store that there is no result and why; return the reason."""
+        reason = cls.in_words(reason)
         obj.Report = json.dumps({"reason": reason})
         for name, *_ in cls.RESULTS:
             setattr(obj, name, 0)
         feature.put_shape(obj, Part.Shape())
         obj.Summary = curve_text.failure_text(reason)
         return obj.Summary
+
+
+def _linked(obj, prop):
+    """Return [(name, label), ...] of the objects that a property linked to when it was chosen."""
+    found = (each.split("\t", 2) for each in getattr(obj, "Linked", ()))
+    return [(name, label) for own, name, label in found if own == prop]
+
+
+def _is_going(obj, linked):
+    """Return whether an object of a link is being deleted."""
+    found = obj.Document.getObject(linked[0])
+    return found is not None and found.Removing
+
+
+def _lost(obj, prop):
+    return [each for each in _linked(obj, prop) if obj.Document.getObject(each[0]) is None]
 
 
 def links_of(obj, name="Sources"):
@@ -94,6 +159,10 @@ def value_of(obj, option):
     value = getattr(obj, option.name)
     if option.kind in (options.LENGTH, options.ANGLE, options.FLOAT):
         return properties.number(obj, option.name)
+    if option.kind == options.VECTOR:
+        return tuple(value)
+    if option.kind == options.VECTORS:
+        return [tuple(each) for each in value]
     return [float(each) for each in value] if option.kind == options.NUMBERS else value
 
 

@@ -3,6 +3,8 @@
 
 import math
 
+import FreeCAD as App
+
 from freecad.seamwright.plain import profiles
 
 #: property, argument of the kernel, property type, default, help
@@ -161,7 +163,7 @@ def plain(value):
         return float(value.Value)
     if hasattr(value, "Name"):
         return value.Name
-    if isinstance(value, (list, tuple)):
+    if isinstance(value, (list, tuple, App.Vector)):
         return [plain(each) for each in value]
     return value
 

@@ -78,6 +78,20 @@ def clothoid_text(report):
     )
 
 
+def log_spiral_text(report):
+    """Return one line about a logarithmic spiral."""
+    near = ", as %s of one sweep" % counted(report["arcs"], "arc")
+    if report["distance_mm"] is not None:
+        near = ", at most %s mm from the spiral" % bound(report["distance_mm"])
+    return "%s mm long, turns by %s\u00b0, radius %s to %s mm%s." % (
+        number(report["length_mm"]),
+        number(report["turn_deg"]),
+        number(report["first_radius_mm"]),
+        number(report["last_radius_mm"]),
+        near,
+    )
+
+
 def conic_text(report):
     """Return one line about conics."""
     joints = report["g1_joints"]
@@ -106,9 +120,10 @@ def blend_text(report):
 
 def join_text(report):
     """Return one line about two curves that were joined."""
-    return "Joined G%d; the ends were %s mm apart, no pole moved further than %s mm." % (
+    return "Joined G%d; the ends were %s mm apart, no %s moved further than %s mm." % (
         report["order"],
         number(report["gap_mm"]),
+        "point" if report.get("continued") else "pole",
         bound(report["moved_mm"]),
     )
 

@@ -7,6 +7,7 @@ from typing import Any, Callable, NamedTuple, Optional, Tuple
 LENGTH, ANGLE, FLOAT = "App::PropertyLength", "App::PropertyAngle", "App::PropertyFloat"
 COUNT, FLAG, CHOICE = "App::PropertyInteger", "App::PropertyBool", "App::PropertyEnumeration"
 NUMBERS = "App::PropertyFloatList"
+VECTOR, VECTORS = "App::PropertyVector", "App::PropertyVectorList"
 
 
 class Option(NamedTuple):
@@ -57,8 +58,19 @@ def _checked(option, value):
     if option.kind == NUMBERS:
         numbers = list(value) if hasattr(value, "__iter__") else [value]
         return [_number(option, number) for number in numbers]
+    if option.kind == VECTOR:
+        return _vector(option, value)
+    if option.kind == VECTORS:
+        return [_vector(option, each) for each in value]
     number = _number(option, value)
     return int(number) if option.kind == COUNT else number
+
+
+def _vector(option, value):
+    numbers = tuple(_number(option, number) for number in value)
+    if len(numbers) != 3:
+        raise ValueError("%s has %d coordinates: give three" % (option.argument, len(numbers)))
+    return numbers
 
 
 def _number(option, value):

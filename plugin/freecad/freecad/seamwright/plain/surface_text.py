@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 from freecad.seamwright.plain import enclosure, new_seams, rows
 from freecad.seamwright.plain.curve_text import bound
+from freecad.seamwright.plain.summary import counted
 
 #: heading, tool tip
 COLUMNS = (
@@ -22,6 +23,9 @@ COLUMNS = (
     ("Curvature %", "Largest relative difference of curvature, in %"),
     ("Result", "Whether the seam certainly has its level"),
 )
+
+#: Poles that move by less are those of an edge that stays, up to rounding.
+UNMOVED_MM = 1e-9
 
 FIGURES = ("gap_mm", "angle_deg", "curvature_rel")
 
@@ -79,6 +83,43 @@ def summary(report):
             enclosure.number(report["to"]["most_mm"]),
         )
     return "%s: %s; %s%s." % (state, figures, poles, length)
+
+
+def umbrella_summary(report):
+    """Return one line about faces around a point."""
+    state = "every seam is G1" if report["reached"] else "not every seam is certainly G1"
+    return "%s around the point: %s, gap at most %s mm, angle at most %s\u00b0; %s." % (
+        counted(report["members"], "face"),
+        state,
+        bound(report["gap_mm"]),
+        bound(report["angle_deg"]),
+        _followed(report),
+    )
+
+
+def _followed(report):
+    moved, fit = report["moved_mm"], report["fit_mm"]
+    text = "no edge moved"
+    if moved > UNMOVED_MM:
+        text = "edges moved by at most %s mm" % bound(moved)
+    return text + (", curves within %s mm of them" % bound(fit) if fit else "")
+
+
+def loft_summary(report):
+    """Return one line about the surface through curves."""
+    text = "%s through %d curves, within %s mm" % (
+        counted(report["faces"], "face"),
+        report["keys"],
+        bound(report["distance_mm"]),
+    )
+    if not report["seams"]:
+        return text + "."
+    return "%s; across %s: angle at most %s\u00b0, curvature at most %s %%." % (
+        text,
+        counted(len(report["seams"]), "line") + " of joints",
+        bound(report["angle_deg"]),
+        bound(100 * report["curvature_rel"]),
+    )
 
 
 def _shortcomings(report):

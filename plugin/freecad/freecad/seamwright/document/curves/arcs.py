@@ -30,6 +30,10 @@ FLATNESS = Option(
 )  # fmt: skip
 
 
+#: The tolerance of a sketch of a curve that is not of arcs and lines.
+SKETCH_MM = 0.01
+
+
 class Gathered(NamedTuple):
     """Curves in a plane: splines, or else points with whether they are closed."""
 
@@ -197,21 +201,41 @@ class _Exactly:
         self.least_arcs = len(biarcs.chain)
 
 
-def add_sketch(obj):
-    """Add a sketch with the arcs and lines of an Arcs object as they are now, and return it.
+def add_sketch(obj, tolerance_mm=SKETCH_MM):
+    """Add a sketch with the arcs and lines of a curve as they are now, and return it.
 
-    Ends that meet are constrained to be coincident. Raises ValueError where it has no arcs.
+    A curve that has other edges is replaced by arcs and lines within ``tolerance_mm``. Ends that
+    meet are constrained to be coincident. Raises ValueError where the curve has no shape, or is not
+    planar.
     """
     if obj.Shape.isNull():
-        raise ValueError("%s has no arcs: %s" % (obj.Label, obj.Summary))
-    plane = Plane.from_dict(report_of(obj)["plane"])
+        raise ValueError("%s has no curve: %s" % (obj.Label, obj.Summary))
+    if obj.Shape.Faces:
+        raise ValueError("%s has faces: choose curves" % obj.Label)
+    shape, plane = _flat_arcs(obj, tolerance_mm)
     sketch = obj.Document.addObject("Sketcher::SketchObject", obj.Name + "Sketch")
     sketch.Label = "%s sketch" % obj.Label
     sketch.Placement = plane.placement()
     inverse = sketch.Placement.inverse()
-    for wire in obj.Shape.Wires:
+    for wire in shape.Wires:
         _add_wire(sketch, wire, inverse)
     return sketch
+
+
+def _flat_arcs(obj, tolerance_mm):
+    """Return (wires of arcs and lines, their Plane) of a curve."""
+    shape = obj.Shape
+    if isinstance(obj.Proxy, Arcs):
+        return shape, Plane.from_dict(report_of(obj)["plane"])
+    if all(inputs.is_straight(each) or _is_arc(each) for each in shape.Edges):
+        points = [tuple(each.valueAt(at)) for each in shape.Edges for at in _run(each)]
+        return shape, plane_of(numpy.array(points), FLATNESS.default)
+    made = Arcs.make([shape], tolerance_mm=tolerance_mm)
+    return made.shape, Plane.from_dict(made.report["plane"])
+
+
+def _is_arc(edge):
+    return edge.Curve.TypeId in ("Part::GeomCircle", "Part::GeomArcOfCircle")
 
 
 def _add_wire(sketch, wire, to_sketch):

@@ -177,7 +177,7 @@ def points_of(shapes, samples):
     alone = [shape for shape in shapes if not shape.Edges]
     if not chains:
         points = [tuple(vertex.Point) for shape in alone for vertex in shape.Vertexes]
-        return _checked_points(points, closed=False)
+        return checked_points(points, closed=False)
     if alone:
         raise ValueError("points and edges are chosen: choose either")
     if len(chains) > 1:
@@ -189,7 +189,7 @@ def points_of(shapes, samples):
     at = first if chains[0].edges[-1][1] else last
     if not chains[0].closed:
         points.append(tuple(chains[0].edges[-1][0].valueAt(at)))
-    return _checked_points(points, chains[0].closed)
+    return checked_points(points, chains[0].closed)
 
 
 def _points_on(edge, backwards, samples):
@@ -201,7 +201,12 @@ def _points_on(edge, backwards, samples):
     return [tuple(edge.valueAt(first + (last - first) * k / count)) for k in range(count)]
 
 
-def _checked_points(points, closed):
+def checked_points(points, closed):
+    """Return (points (count, 3), whether they are closed); they are where the ends are the same.
+
+    Raises ValueError for one point, and for neighbours that are the same point.
+    """
+    points = [tuple(point) for point in points]
     if len(points) > 2 and numpy.abs(numpy.subtract(points[0], points[-1])).max() <= GAP_MM:
         points, closed = points[:-1], True
     if len(points) < 2:

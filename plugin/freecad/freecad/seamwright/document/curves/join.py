@@ -1,8 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Join Curves: two edges moved as little as possible until they join smoothly.
+"""Join Curves: two edges that join smoothly, by the smallest move or by a continuation.
 
 The class path is written into documents: neither rename nor move it.
 """
+
+from typing import Any, List, NamedTuple
+
+import numpy
 
 from freecad.seamwright.document.curves import inputs, results
 from freecad.seamwright.document.curves.curve import Curve
@@ -12,6 +16,21 @@ from freecad.seamwright.plain.options import CHOICE, LENGTH, Option
 BOTH, FIRST, SECOND = "Both", "First", "Second"
 MOVES = {BOTH: "both", FIRST: "a", SECOND: "b"}
 ORDERS = ("G1", "G2", "G3")
+SMALLEST, CONTINUATION = "Smallest move", "Second continues the first"
+
+#: Points at which a continued curve is compared with the edge.
+COMPARED = 200
+
+
+class Joined(NamedTuple):
+    """The curves from end to end, and the largest move in mm."""
+
+    curves: List[Any]
+    moved_mm: float
+
+
+def _moves(values):
+    return values["method"] == SMALLEST
 
 
 class JoinCurves(Curve):
@@ -22,21 +41,26 @@ class JoinCurves(Curve):
     ICON = "seamwright-join"
     TIP = (
         "Join two selected edges at their nearest ends with a common tangent (G1), curvature (G2) "
-        "or change of the curvature (G3), by the smallest move of their poles there."
+        "or change of the curvature (G3), by the smallest move of their poles there. Or let the "
+        "second continue the first, which stays."
     )
     NEEDS = "select two edges"
     OPTIONS = (
         Option("Order", "order", CHOICE, "G2", "Continuity", "The continuity of the joint",
                choices=ORDERS),
+        Option("Method", "method", CHOICE, SMALLEST, "By",
+               "Poles at the joint move as little as possible, or the second edge begins as the "
+               "continuation of the first says", choices=(SMALLEST, CONTINUATION)),
         Option("Moves", "moves", CHOICE, BOTH, "Moves", "The edge that moves",
-               choices=tuple(MOVES)),
+               choices=tuple(MOVES), used=_moves),
         Option("LargestMove", "most_mm", LENGTH, 0.0, "Largest move",
-               "A larger move of a pole is refused, in mm; 0: no limit", least=0.0),
+               "A larger move is refused, in mm; 0: no limit", least=0.0),
     )  # fmt: skip
     RESULTS = (
         ("Gap", "App::PropertyLength", "Distance of the ends before, in mm", "gap_mm"),
-        ("Moved", "App::PropertyLength", "No pole moved further, in mm", "moved_mm"),
-    )
+        ("Moved", "App::PropertyLength",
+         "No pole, or no point of a continuation, moved further, in mm", "moved_mm"),
+    )  # fmt: skip
     INPUTS = ("Sources", *(option.name for option in OPTIONS))
 
     @classmethod
@@ -52,16 +76,20 @@ class JoinCurves(Curve):
 
     @classmethod
     def compute(cls, module, gathered, values, progress):
-        """Return (NearestCurveJoin, distance of the ends before)."""
+        """Return (Joined, distance of the ends before)."""
         one, other, gap = gathered
         order = 1 + ORDERS.index(values["order"])
-        found = module.curve_nearest_join(one, other, order, moves=MOVES[values["moves"]])
-        if found.status == "infeasible":
-            raise ValueError("the edges cannot be joined so: %s" % found.reason)
-        if 0 < values["most_mm"] < found.largest_move_mm:
+        if values["method"] == CONTINUATION:
+            found = _continued(module, one, other, order)
+        else:
+            join = module.curve_nearest_join(one, other, order, moves=MOVES[values["moves"]])
+            if join.status == "infeasible":
+                raise ValueError("the edges cannot be joined so: %s" % join.reason)
+            found = Joined([join.a, join.b], join.largest_move_mm)
+        if 0 < values["most_mm"] < found.moved_mm:
             raise ValueError(
-                "a pole would move by %.4g mm, further than the %g mm that are allowed"
-                % (found.largest_move_mm, values["most_mm"])
+                "%s would move by %.4g mm, further than the %g mm that are allowed"
+                % ("a pole" if _moves(values) else "a point", found.moved_mm, values["most_mm"])
             )
         return found, gap
 
@@ -69,11 +97,12 @@ class JoinCurves(Curve):
     def build(cls, module, found, values):
         """Return (report, wire)."""
         join, gap = found
-        edges = [module.curve_to_freecad(curve).toShape() for curve in (join.a, join.b)]
+        edges = [module.curve_to_freecad(curve).toShape() for curve in join.curves]
         report = {
             "order": 1 + ORDERS.index(values["order"]),
             "gap_mm": gap,
-            "moved_mm": join.largest_move_mm,
+            "moved_mm": join.moved_mm,
+            "continued": not _moves(values),
         }
         return report, results.wire_of(edges)
 
@@ -81,6 +110,38 @@ class JoinCurves(Curve):
     def text(cls, report):
         """Return the summary of a report."""
         return curve_text.join_text(report)
+
+
+def _continued(module, one, other, order):
+    """Return the Joined of a curve that stays and one whose first segment continues it.
+
+    The end of that segment stays, with its derivatives to the order.
+    """
+    spline = other.bezier_spline()
+    first = spline.segment(0)
+    joined = module.curve_joined(one, first, _beta(module, one, first, order))
+    places = numpy.linspace(0.0, 1.0, COMPARED)
+    moved = numpy.linalg.norm(joined.point(places) - first.point(places), axis=1).max()
+    curves = [one, joined]
+    if spline.segments > 1:
+        rest = [spline.segment(place) for place in range(1, spline.segments)]
+        curves.append(module.BezierSpline.from_segments(rest, spline.knots[1:], False))
+    return Joined(curves, float(moved))
+
+
+def _beta(module, one, first, order):
+    """Return the betas with which a curve goes on most like another one.
+
+    Where this turns by more than 90 degrees, they are those of equal speed.
+    """
+    beta = list(module.fit_beta(one, first, order)["beta"])
+    if len(beta) == order:
+        return beta
+    speeds = [
+        numpy.linalg.norm(curve.derivatives(at, 1)[1])
+        for curve, at in ((one, one.knots[-1]), (first, 0.0))
+    ]
+    return [speeds[1] / speeds[0], *[0.0] * (order - 1)]
 
 
 def _curve(module, edge, backwards, order):

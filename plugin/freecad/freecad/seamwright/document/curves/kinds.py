@@ -9,6 +9,7 @@ from freecad.seamwright.document.curves.clothoid import Clothoid
 from freecad.seamwright.document.curves.conic import Conic
 from freecad.seamwright.document.curves.fair import FairCurve
 from freecad.seamwright.document.curves.join import JoinCurves
+from freecad.seamwright.document.curves.log_spiral import LogSpiral
 from freecad.seamwright.document.curves.spline import Spline
 from freecad.seamwright.document.properties import error_text
 
@@ -21,6 +22,7 @@ KINDS = {
         Arcs,
         FairCurve,
         Clothoid,
+        LogSpiral,
         Conic,
         BlendCurves,
         BridgeCurve,
@@ -44,7 +46,8 @@ def make(kind, shapes, **options):
 def create(kind, sources, **options):
     """Add a curve to the document of its sources, compute it and return it.
 
-    ``sources``: an object, or a list of objects, (object, "Edge1") and (object, ["Edge1", ...]).
+    ``sources``: an object, or a list of objects, (object, "Edge1") and (object, ["Edge1", ...]). A
+    Spline of ``points_mm`` needs none: it is added to the active document.
     ``kind`` and ``options`` as in ``make``. Where the curve cannot be made, the object has no shape
     and ``error_text`` says why.
     """

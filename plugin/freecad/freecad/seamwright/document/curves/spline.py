@@ -10,7 +10,7 @@ from freecad.seamwright.document.curves import inputs, results
 from freecad.seamwright.document.curves.curve import Curve
 from freecad.seamwright.plain import curve_text
 from freecad.seamwright.plain.options import (
-    CHOICE, COUNT, FLAG, NUMBERS, Option, one_for_each
+    CHOICE, COUNT, FLAG, NUMBERS, VECTOR, VECTORS, Option, one_for_each
 )  # fmt: skip
 
 NU, BETA = "Through points, tension", "Through points, tension and bias"
@@ -26,6 +26,9 @@ SAMPLES = Option(
     "Samples", "samples", COUNT, 4, "Points on curved edges",
     "Number of points taken between the ends of each edge that is not straight", least=0.0,
 )  # fmt: skip
+
+#: The tangent of a free end.
+FREE = (0.0, 0.0, 0.0)
 
 
 def of_family(*families):
@@ -45,6 +48,7 @@ class Spline(Curve):
         "at each point."
     )
     NEEDS = "select points, edges, a wire or a sketch"
+    PICKS = True
     OPTIONS = (
         Option("Family", "family", CHOICE, NU, "Family", "How the spline is made of the points",
                choices=(NU, BETA, GAMMA, DIRECT, ALPHA)),
@@ -70,6 +74,17 @@ class Spline(Curve):
                "One number above 0.5, up to 1, for each segment, or one for all: 1 is nearest to "
                "the polygon", least=0.0, used=of_family(ALPHA)),
         SAMPLES,
+        Option("Points", "points_mm", VECTORS, [], "Own points",
+               "Points of the spline that belong to no other object, in mm; where there are any, "
+               "the sources are not used"),
+        Option("Moves", "moves_mm", VECTORS, [], "Moves",
+               "By how much the points of the sources were moved, in mm; one for each, or none"),
+        Option("StartTangent", "start_tangent_mm", VECTOR, FREE, "Start tangent",
+               "From the first point to the next pole, in mm; 0: the end is free",
+               used=of_family(NU, BETA)),
+        Option("EndTangent", "end_tangent_mm", VECTOR, FREE, "End tangent",
+               "From the last pole but one to the last point, in mm; 0: the end is free",
+               used=of_family(NU, BETA)),
     )  # fmt: skip
     RESULTS = (
         ("Extrema", "App::PropertyInteger", "Extrema of the curvature", "extrema"),
@@ -78,9 +93,16 @@ class Spline(Curve):
     INPUTS = ("Sources", *(option.name for option in OPTIONS))
 
     @classmethod
+    def needs_sources(cls, values):
+        """Return whether there is no spline without sources."""
+        return not values["points_mm"]
+
+    @classmethod
     def gather(cls, module, shapes, values):
         """Return (points, whether the spline is closed)."""
-        points, closed = inputs.points_of(shapes, values["samples"])
+        points, closed = cls.points_before(shapes, values)
+        if not values["points_mm"]:
+            points, closed = _moved(points, closed, values["moves_mm"])
         closed = closed or values["closed"]
         least = _least(values["family"], closed)
         if len(points) < least:
@@ -91,10 +113,22 @@ class Spline(Curve):
         return points, closed
 
     @classmethod
+    def points_before(cls, shapes, values):
+        """Return (points, whether they are closed) of shapes, or the own ones, without moves."""
+        if values["points_mm"]:
+            return inputs.checked_points(values["points_mm"], closed=False)
+        return inputs.points_of(shapes, values["samples"])
+
+    @classmethod
+    def curve(cls, module, points, closed, values):
+        """Return the spline of the kernel. Any thread may call it."""
+        return MAKERS[values["family"]](module, points, closed, values)
+
+    @classmethod
     def compute(cls, module, gathered, values, progress):
         """Return (spline of the kernel, points)."""
         points, closed = gathered
-        return MAKERS[values["family"]](module, points, closed, values), points
+        return cls.curve(module, points, closed, values), points
 
     @classmethod
     def build(cls, module, found, values):
@@ -121,6 +155,17 @@ def _least(family, closed):
     return 2 if family in INTERPOLATING else 4
 
 
+def _moved(points, closed, moves):
+    if not moves:
+        return points, closed
+    if len(moves) != len(points):
+        raise ValueError(
+            "%d points were moved, but the sources have %d: empty the property Moves"
+            % (len(moves), len(points))
+        )
+    return inputs.checked_points(points + numpy.array(moves), closed)
+
+
 def _ring(points):
     return numpy.vstack([points, points[:1]])
 
@@ -128,7 +173,7 @@ def _ring(points):
 def _nu(module, points, closed, values):
     tension = one_for_each("Tension", values["tension"], len(points), "points")
     if not closed:
-        return module.nu_spline(points, nu=tension).curve
+        return _with_ends(lambda **ends: module.nu_spline(points, nu=tension, **ends).curve, values)
     # The tensions at both ends of a ring add up.
     found = module.nu_spline(_ring(points), nu=[*tension, 0.0], ends="periodic")
     return found.curve
@@ -139,12 +184,63 @@ def _beta(module, points, closed, values):
     tension = one_for_each("Tension", values["tension"], count, "points")
     bias = one_for_each("Bias", values["bias"], count, "points")
     if not closed:
-        return module.beta_spline(points, bias, tension).curve
+        return _with_ends(
+            lambda **ends: module.beta_spline(points, bias, tension, **ends).curve, values
+        )
     # The first entry of a ring is not read: the last one is that of the same point.
     found = module.beta_spline(
         _ring(points), [*bias, bias[0]], [*tension, tension[0]], ends="periodic"
     )
     return found.curve
+
+
+def _with_ends(make, values):
+    """Return the spline that ``make`` makes with the tangents of its ends; others are free.
+
+    ``make(ends=, start_derivative=, end_derivative=)`` returns a cubic spline.
+    """
+    free = make()
+    given = [
+        numpy.array(values[name]) if any(values[name]) else None
+        for name in ("start_tangent_mm", "end_tangent_mm")
+    ]
+    if all(each is None for each in given):
+        return free
+    knots = numpy.asarray(free.knots)
+    lengths = knots[1] - knots[0], knots[-1] - knots[-2]
+    derivatives = [
+        None if each is None else free.degree * each / length
+        for each, length in zip(given, lengths)
+    ]
+
+    def clamped(start, end):
+        return make(ends="clamped", start_derivative=start, end_derivative=end)
+
+    if derivatives[0] is None:
+        derivatives[0] = _free_derivative(free, 0, lambda each: clamped(each, derivatives[1]))
+    elif derivatives[1] is None:
+        derivatives[1] = _free_derivative(free, -1, lambda each: clamped(derivatives[0], each))
+    return clamped(*derivatives)
+
+
+def _free_derivative(free, end, make):
+    """Return the derivative at an end (0 or -1) that makes this end as free as it is in ``free``.
+
+    A free end has X'' = k X'. ``make(derivative)``: the spline with a derivative at this end; its
+    X'' is linear in it, by the same factor in each coordinate.
+    """
+    _, first, second = _at_end(free, end)
+    factor = second @ first / (first @ first)
+    _, _, offset = _at_end(make(numpy.zeros(3)), end)
+    _, _, one = _at_end(make(numpy.ones(3)), end)
+    return -offset / (one - offset - factor)
+
+
+def _at_end(spline, end):
+    place = 0 if end == 0 else spline.segments - 1
+    length = spline.knots[place + 1] - spline.knots[place]
+    found = numpy.asarray(spline.segment(place).derivatives(0.0 if end == 0 else 1.0, 2))
+    return found / numpy.array([1.0, length, length**2])[:, None]
 
 
 def _segments(points, closed):

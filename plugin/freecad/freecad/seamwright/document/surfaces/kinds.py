@@ -9,11 +9,13 @@ from freecad.seamwright.document.option_feature import links, set_values
 from freecad.seamwright.document.properties import error_text
 from freecad.seamwright.document.surfaces.blend import BlendSurface
 from freecad.seamwright.document.surfaces.extend import ExtendSurface
+from freecad.seamwright.document.surfaces.loft import FrameLoft
+from freecad.seamwright.document.surfaces.umbrella import Umbrella
 from freecad.seamwright.plain import kernel, options
 
 __all__ = ["KINDS", "arranged", "create", "error_text", "prepare"]
 
-KINDS = {kind.Type: kind for kind in (BlendSurface, ExtendSurface)}
+KINDS = {kind.Type: kind for kind in (BlendSurface, ExtendSurface, Umbrella, FrameLoft)}
 
 
 def arranged(kind, chosen):

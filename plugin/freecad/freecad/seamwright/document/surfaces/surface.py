@@ -31,7 +31,6 @@ class Surface(OptionFeature):
     """Proxy of a Part::FeaturePython that holds a new face."""
 
     GROUP = "Surface"
-    REQUIRED = ()  # the properties of LINKS that must name an edge
     RESULTS = (
         ("Reached", "App::PropertyBool", "Whether every seam certainly has its level", "reached"),
         ("MaxGap", "App::PropertyLength", "Upper bound of the gaps, in mm", "gap_mm"),
@@ -98,6 +97,7 @@ class Surface(OptionFeature):
                 raise sources.SourceError(
                     "The edges of %s were deleted: choose others in this property" % name
                 )
+        cls.check_links(obj, chosen)
         values = values_of(obj)
         options.checked(cls.OPTIONS, values)
         parts = sides.Parts([each for links in chosen.values() for each, _ in links])
@@ -120,7 +120,7 @@ class Surface(OptionFeature):
         """Return the report of a BlendedSurface."""
         report = found.to_dict()
         for each in report["sides"] + report["laterals"]:
-            each["reason"] = gathered.named(each["reason"])
+            each["reason"] = cls.in_words(gathered.named(each["reason"]))
         levels = cls.levels(values)
         for seam in report["seams"]:
             name = next(
@@ -148,5 +148,6 @@ class Surface(OptionFeature):
 
 
 def is_surface(obj):
-    """Return whether a document object is one of these surfaces."""
-    return isinstance(getattr(obj, "Proxy", None), Surface)
+    """Return whether a document object is a surface of this workbench."""
+    proxy = getattr(obj, "Proxy", None)
+    return isinstance(proxy, OptionFeature) and proxy.GROUP == Surface.GROUP

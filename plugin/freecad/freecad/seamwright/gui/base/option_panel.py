@@ -240,6 +240,12 @@ class OptionPanel(ResultPanel):
         except (sources.SourceError, ValueError, kernel.KernelUnavailable) as error:
             messages.show_error(sentence(error))
             return
+        if chosen == option_feature.links_of(self.obj, name):
+            setattr(self.obj, name, _grouped(chosen))  # those that were deleted are forgotten
+        self.take(name, chosen)
+
+    def take(self, name, chosen):
+        """Let a property have these links, which are usable; compute."""
         self._links[name] = chosen
         self._list_sources()
         self._edits += 1

@@ -4,9 +4,12 @@
 from freecad.seamwright.document.curves import arcs, curve
 from freecad.seamwright.document.feature import report_of
 from freecad.seamwright.document.properties import error_text
-from freecad.seamwright.gui.base.option_panel import OptionPanel, SourceBox
+from freecad.seamwright.gui.base.option_panel import OptionPanel, SourceBox, sentence
+from freecad.seamwright.gui.widgets import messages
 from freecad.seamwright.gui.widgets.forms import make_box, make_text
 from freecad.seamwright.gui.widgets.qt import QtWidgets
+from freecad.seamwright.gui.widgets.steps import remove
+from freecad.seamwright.plain.summary import counted
 
 
 class CurvePanel(OptionPanel):
@@ -19,6 +22,10 @@ class CurvePanel(OptionPanel):
         self.compare.setChecked(False)
 
     # The window.
+
+    def _build(self):
+        self._sketches = []
+        super()._build()
 
     def build_sources(self, name, title, tip):
         """Return the SourceBox of a property."""
@@ -47,14 +54,28 @@ class CurvePanel(OptionPanel):
         line.addWidget(self.compare, 1)
         line.addWidget(self.comb_scale)
         layout.addLayout(line)
-        self.sketch = QtWidgets.QCheckBox("Also make a sketch")
-        self.sketch.setToolTip(
-            "With OK, add a sketch of the arcs and lines as they are then; it does not follow the "
-            "sources"
-        )
-        self.sketch.setVisible(isinstance(self.obj.Proxy, arcs.Arcs))
-        layout.addWidget(self.sketch)
+        layout.addLayout(self._sketch_line())
         return box
+
+    def _sketch_line(self):
+        line = QtWidgets.QHBoxLayout()
+        self.sketch = QtWidgets.QPushButton("To Sketch")
+        self.sketch.setToolTip(
+            "Add a sketch of arcs and lines near the planar curve as it is now; the sketch does "
+            "not follow the sources"
+        )
+        self.sketch_mm = QtWidgets.QDoubleSpinBox()
+        self.sketch_mm.setDecimals(5)
+        self.sketch_mm.setRange(1e-5, 1e3)
+        self.sketch_mm.setValue(arcs.SKETCH_MM)
+        self.sketch_mm.setSuffix(" mm")
+        self.sketch_mm.setStepType(QtWidgets.QAbstractSpinBox.AdaptiveDecimalStepType)
+        self.sketch_mm.setToolTip("Largest distance of the arcs from the curve")
+        self.sketch_text = make_text()
+        for widget, stretch in ((self.sketch, 0), (self.sketch_mm, 0), (self.sketch_text, 1)):
+            line.addWidget(widget, stretch)
+        self.sketch_mm.setVisible(not isinstance(self.obj.Proxy, arcs.Arcs))
+        return line
 
     def _connect(self):
         super()._connect()
@@ -62,6 +83,7 @@ class CurvePanel(OptionPanel):
         self.compare.toggled.connect(self.obj.ViewObject.Proxy.compare)
         self.comb_scale.valueChanged.connect(self._show_comb)
         self.numbers.toggled.connect(self._show_numbers)
+        self.sketch.clicked.connect(lambda *_: self.to_sketch())
 
     def read_fields(self):
         """Show the values of the object."""
@@ -93,8 +115,32 @@ class CurvePanel(OptionPanel):
         labels = [(point, str(number)) for number, point in enumerate(points, 1)]
         self.obj.ViewObject.Proxy.mark([], [], labels)
 
-    def _keep(self):
-        if self.sketch.isChecked() and not error_text(self.obj):
-            arcs.add_sketch(self.obj)
-            self._doc.recompute()
-        super()._keep()
+    def to_sketch(self):
+        """Add a sketch of the curve, or say why there is none. Cancel takes it back."""
+        if self.computation.busy or self.is_due():
+            self.preview(then=self._add_sketch)
+        else:
+            self._add_sketch()
+
+    def _add_sketch(self):
+        if error_text(self.obj):
+            messages.show_notice(error_text(self.obj))
+            return
+        try:
+            sketch = arcs.add_sketch(self.obj, self.sketch_mm.value())
+        except ValueError as error:
+            messages.show_error(sentence(error))
+            return
+        self._sketches.append(sketch.Name)
+        self._doc.recompute()
+        self.sketch_text.setText(
+            "%s has %s" % (sketch.Label, counted(sketch.GeometryCount, "curve"))
+        )
+
+    def reject(self):
+        """Stop a running computation; without one, take back all changes made in the panel."""
+        if not super().reject():
+            return False
+        for name in self._sketches:  # those that no transaction has removed
+            remove(self._doc, name)
+        return True

@@ -5,11 +5,12 @@ The class path is written into documents: neither rename nor move it.
 """
 
 from freecad.seamwright.document import sources
-from freecad.seamwright.document.curves import curve, inputs
+from freecad.seamwright.document.curves import curve, inputs, spline
 from freecad.seamwright.document.properties import Adder
 from freecad.seamwright.gui.base.panel_view import PanelView
 from freecad.seamwright.gui.base.result_view import attach_as
 from freecad.seamwright.gui.curves.panel import CurvePanel
+from freecad.seamwright.gui.curves.spline_panel import SplinePanel
 from freecad.seamwright.gui.scene.comb import INPUT_COLOURS, Comb
 
 COLOUR, WIDTH = (0.0, 0.32, 0.62), 2.0
@@ -22,6 +23,9 @@ class CurveView(PanelView):
 
     #: Whether the comb of the sources is drawn too; the panel says it.
     compares = False
+
+    #: Whether the curve is dragged, and its comb is drawn by the handles.
+    drags = False
 
     def attach(self, vobj):
         """FreeCAD calls this for a new view and for a restored one."""
@@ -53,10 +57,17 @@ class CurveView(PanelView):
         self.compares = compares
         self._draw_comb(self.object.ViewObject)
 
+    def drag(self, drags):
+        """Remove the comb while the curve is dragged, and draw it again after that."""
+        if drags != self.drags:
+            self.drags = drags
+            self._draw_comb(self.object.ViewObject)
+
     def _draw_comb(self, vobj):
         if self.comb is None or "CombScale" not in vobj.PropertiesList:
             return
         shown = vobj.ShowComb and vobj.Visibility and not vobj.Object.Shape.isNull()
+        shown = shown and not self.drags
         edges = vobj.Object.Shape.Edges if shown else []
         self.comb.show(edges, vobj.CombScale)
         given = _given_edges(vobj.Object) if shown and self.compares else []
@@ -69,7 +80,8 @@ class CurveView(PanelView):
 
     def make_panel(self, obj, created):
         """Return the task panel."""
-        return CurvePanel(obj, created)
+        panel = SplinePanel if isinstance(obj.Proxy, spline.Spline) else CurvePanel
+        return panel(obj, created)
 
 
 def _given_edges(obj):

@@ -6,6 +6,7 @@ from freecad.seamwright.document.feature import report_of
 from freecad.seamwright.document.surfaces.blend import LATERAL
 from freecad.seamwright.document.surfaces.chain import tangent_chain
 from freecad.seamwright.document.surfaces.extend import UP_TO
+from freecad.seamwright.document.surfaces.surface import Surface
 from freecad.seamwright.gui.base.option_panel import OptionPanel, SourceBox, sentence
 from freecad.seamwright.gui.base.preview_panel import TEXT_COLOURS
 from freecad.seamwright.gui.scene.zebra import zebra
@@ -39,7 +40,7 @@ class SurfacePanel(OptionPanel):
     def build_sources(self, name, title, tip):
         """Return the SourceBox of a property."""
         box = SourceBox(title, "Use what is selected now instead: %s" % _small(tip))
-        if name != UP_TO:
+        if name != UP_TO and isinstance(self.obj.Proxy, Surface):
             box.chain = QtWidgets.QPushButton("Tangent chain")
             box.chain.setToolTip("Add the edges that go on with the tangent of those chosen")
             box.line.addWidget(box.chain)

@@ -24,6 +24,9 @@ class Field(QtCore.QObject):
 
     changed = QtCore.Signal()
 
+    #: Whether the form shows it.
+    is_shown = True
+
     def __init__(self, obj, option):
         super().__init__()
         self.option = option
@@ -152,6 +155,26 @@ class NumbersField(Field):
         self.widget.setText(options.numbers_text(value))
 
 
+class VectorField(Field):
+    """A vector or a list of vectors, which the view shows and not the form."""
+
+    is_shown = False
+
+    def _make(self, obj):
+        self._value = self.option.default
+        return QtWidgets.QLabel()
+
+    def value(self):
+        """Return the coordinates, or those of each vector."""
+        return self._value
+
+    def show_value(self, value):
+        """Keep a value."""
+        if value != self._value:
+            self._value = value
+            self._emit()
+
+
 FIELDS = {
     options.LENGTH: QuantityField,
     options.ANGLE: QuantityField,
@@ -160,6 +183,8 @@ FIELDS = {
     options.FLAG: FlagField,
     options.CHOICE: ChoiceField,
     options.NUMBERS: NumbersField,
+    options.VECTOR: VectorField,
+    options.VECTORS: VectorField,
 }
 
 
@@ -217,6 +242,7 @@ class OptionForm(QtWidgets.QWidget):
     def _show_used(self):
         for field in self.fields.values():
             used = self._is_used(field) and field.option.argument not in self._hidden
+            used = used and field.is_shown
             field.label.setVisible(used)
             field.widget.setVisible(used)
 

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Document objects with options that are made from the shapes of their sources alone."""
+
+from typing import Any, NamedTuple
+
+import Part
+
+from freecad.seamwright.document import feature, sources
+from freecad.seamwright.document.curves import inputs
+from freecad.seamwright.document.option_feature import OptionFeature, links_of, values_of
+from freecad.seamwright.plain import kernel, options
+
+
+class Made(NamedTuple):
+    """A result: ``shape``, ``report`` (a dict of figures) and ``summary`` (one line)."""
+
+    shape: Any
+    report: dict
+    summary: str
+
+
+class ShapeFeature(OptionFeature):
+    """Proxy of a Part::FeaturePython that is made from shapes."""
+
+    # Methods that a subclass defines.
+
+    @classmethod
+    def needs_sources(cls, values):
+        """Return whether there is nothing to make without sources."""
+        return True
+
+    @classmethod
+    def gather(cls, module, shapes, values):
+        """Return what ``compute`` needs of shapes; the {argument: value} are of OPTIONS.
+
+        Raises ValueError where the shapes are not what is needed.
+        """
+        raise NotImplementedError
+
+    @classmethod
+    def compute(cls, module, gathered, values, progress):
+        """Return what the kernel made. Any thread may call it."""
+        raise NotImplementedError
+
+    @classmethod
+    def build(cls, module, found, values):
+        """Return (report, shape) of what ``compute`` returned."""
+        raise NotImplementedError
+
+    @classmethod
+    def suggested(cls, gathered):
+        """Return the {argument: value} that suit what was gathered; others have their defaults."""
+        return {}
+
+    # The function.
+
+    @classmethod
+    def make(cls, shapes, **given):
+        """Return the Made of shapes. Raises ValueError where there is none."""
+        module = kernel.load(Part.OCC_VERSION)
+        values = {**options.defaults(cls.OPTIONS), **options.checked(cls.OPTIONS, given)}
+        found = cls.compute(module, cls.gather(module, shapes, values), values, None)
+        report, shape = cls.build(module, found, values)
+        return Made(shape, report, cls.text(report))
+
+    # The document object.
+
+    @classmethod
+    def job(cls, module, obj, private=False):
+        """Return the Job that finds (report, shape)."""
+        chosen, values = links_of(obj), values_of(obj)
+        if not chosen and cls.needs_sources(values):
+            raise sources.SourceError(
+                "The sources were deleted: choose others in the property Sources"
+            )
+        cls.check_links(obj, {name: chosen for name, *_ in cls.LINKS})
+        options.checked(cls.OPTIONS, values)
+        gathered = cls.gather(module, inputs.shapes_of(chosen), values)
+        return feature.Job(
+            "Making the %s\u2026" % cls.GROUP.lower(),
+            lambda progress: cls.compute(module, gathered, values, progress),
+            lambda found: cls.build(module, found, values),
+        )

@@ -1,0 +1,217 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Umbrella: faces around a point, one between each two neighbouring edges that end there.
+
+The class path is written into documents: neither rename nor move it.
+"""
+
+import math
+import re
+from typing import Any, List, NamedTuple
+
+import numpy
+
+from freecad.seamwright.document.curves import inputs
+from freecad.seamwright.document.surfaces.free import FreeSurface
+from freecad.seamwright.document.surfaces.spoke import fitted
+from freecad.seamwright.document.surfaces.surface import TOLERANCES
+from freecad.seamwright.plain import surface_text
+from freecad.seamwright.plain.options import ANGLE, CHOICE, COUNT, FLAG, LENGTH, Option
+
+PATCHES, TRIANGLES = "Four-sided", "Three-sided"
+KINDS = {PATCHES: "patch", TRIANGLES: "triangle"}
+
+#: A sector from which on edges are suggested to be an open fan: faces need less than 180 degrees.
+LARGEST_SECTOR_DEG = 179.0
+
+#: Ends of edges that faces share are sewn within this, in mm; they are equal up to rounding.
+SEW_MM = 1e-6
+
+
+#: Parameters of a spoke in the middle of the edges that may lie on it: halves, or all of it.
+PLACES = 0.25, 0.5, 0.75
+
+
+class Spokes(NamedTuple):
+    """Curves from one point, in their order around it.
+
+    ``curves``: BezierCurves. ``numbers``: their places in the selection, from 1. ``after_deg``: the
+    sector behind each. ``fit_mm``: the largest distance of a curve from its edge.
+    """
+
+    curves: List[Any]
+    numbers: List[int]
+    after_deg: List[float]
+    fit_mm: float
+
+
+class Found(NamedTuple):
+    """The spokes in the order of the members, and the Umbrella."""
+
+    spokes: Spokes
+    umbrella: Any
+
+
+class Umbrella(FreeSurface):
+    """Proxy of a Part::FeaturePython that holds faces around a point."""
+
+    Type = "Umbrella"
+    LABEL = "Umbrella"
+    ICON = "seamwright-umbrella"
+    TIP = (
+        "Make faces around a point from three or more selected edges that end there with tangents "
+        "in one plane: a face between each two neighbouring edges. All of them have common tangent "
+        "planes along the edges."
+    )
+    NEEDS = "select three or more edges that end in one point"
+    OPTIONS = (
+        Option("Members", "members", CHOICE, PATCHES, "Faces", "Four-sided faces, or three-sided "
+               "ones, which are three faces each", choices=tuple(KINDS)),
+        Option("Open", "open", FLAG, False, "Leave the largest sector open",
+               "Make no face in the largest sector between two edges"),
+        Option("Degree", "degree", COUNT, 0, "Degree", "Of all faces; 0: the lowest that suffices",
+               least=0.0),
+        Option("Fit", "fit_mm", LENGTH, 1e-3, "Curves within",
+               "Largest distance of the curves that take the place of edges which are no single "
+               "polynomial curve, such as arcs, in mm", least=1e-9),
+        Option("Meet", "meet_mm", LENGTH, 1e-4, "Edges meet within",
+               "Largest distance of the ends of the edges from their mean, in mm", least=0.0),
+        Option("Flat", "flat_deg", ANGLE, 0.01, "Tangents in one plane within",
+               "Largest angle of a tangent with the plane of all tangents, in degrees; the edges "
+               "are turned into that plane", least=0.0),
+        *TOLERANCES[:2],
+        TOLERANCES[2]._replace(used=lambda values: False),
+    )  # fmt: skip
+    RESULTS = (
+        *FreeSurface.RESULTS,
+        ("Moved", "App::PropertyLength", "No pole of an edge moved further, in mm", "moved_mm"),
+    )
+    INPUTS = ("Sources", *(option.name for option in OPTIONS))
+
+    @classmethod
+    def gather(cls, module, shapes, values):
+        """Return the Spokes."""
+        edges = inputs.edges_of(shapes)
+        if len(edges) < 3:
+            raise ValueError("%d edges are chosen: choose three or more" % len(edges))
+        found = [
+            fitted(module, edge, at_last, values["fit_mm"])
+            for edge, at_last in zip(edges, _common_ends(edges, values["meet_mm"]))
+        ]
+        return _around([curve for curve, _ in found], max(distance for _, distance in found))
+
+    @classmethod
+    def suggested(cls, gathered):
+        """Return that a sector for which a face is impossible stays open."""
+        return {"open": True} if max(gathered.after_deg) > LARGEST_SECTOR_DEG else {}
+
+    @classmethod
+    def compute(cls, module, gathered, values, progress):
+        """Return the Found."""
+        spokes = gathered
+        if values["open"]:
+            spokes = _turned(spokes, 1 + int(numpy.argmax(spokes.after_deg)))
+        try:
+            umbrella = module.umbrella(
+                spokes.curves,
+                closed=not values["open"],
+                kinds=[KINDS[values["members"]]] * (len(spokes.curves) - bool(values["open"])),
+                degree=values["degree"] or None,
+                gap_mm=values["meet_mm"],
+                flat_rad=math.radians(values["flat_deg"]),
+            )
+        except ValueError as error:
+            raise ValueError(_with_edges(str(error), spokes.numbers)) from None
+        return Found(spokes, umbrella)
+
+    @classmethod
+    def build(cls, module, found, values):
+        """Return (report, faces)."""
+        umbrella, numbers = found.umbrella, found.spokes.numbers
+        model = module.Model.from_patches(umbrella.members, sew_mm=SEW_MM)
+        shape = model.to_freecad()
+        spokes = [numpy.asarray(spoke.point(numpy.array(PLACES))) for spoke in umbrella.spokes]
+        seams = [
+            _named(seam, shape, spokes, numbers) for seam in model.analyze().to_dict()["seams"]
+        ]
+        report = {
+            **cls.judged(seams, values),
+            "members": len(umbrella.members),
+            "faces": len(shape.Faces),
+            "moved_mm": umbrella.spoke_move_mm,
+            "fit_mm": found.spokes.fit_mm,
+            "condition": umbrella.condition,
+            "marks": [
+                (points[1].tolist(), "Edge %d" % number) for points, number in zip(spokes, numbers)
+            ],
+        }
+        return report, shape
+
+    @classmethod
+    def text(cls, report):
+        """Return the summary of a report."""
+        return surface_text.umbrella_summary(report)
+
+
+def _with_edges(text, numbers):
+    """Return a sentence of the kernel with the numbers of edges in place of those of spokes."""
+
+    def edge(found):
+        numbered = [str(numbers[int(each) % len(numbers)]) for each in found.groups() if each]
+        return "edge " + " to ".join(numbered)
+
+    text = re.sub(r"sector \d+, from spoke (\d+) to (\d+)", r"the sector from spoke \1 to \2", text)
+    return re.sub(r"\bspoke (\d+)(?: to (\d+))?", edge, text)
+
+
+def _common_ends(edges, gap_mm):
+    """Return for each edge whether the point in which all of them end is its last one."""
+    ends = [inputs.ends_of(edge) for edge in edges]
+    for point in ends[0]:
+        distances = [[point.distanceToPoint(each) for each in own] for own in ends]
+        if max(map(min, distances)) <= 2 * max(gap_mm, inputs.GAP_MM):
+            return [own[1] < own[0] for own in distances]
+    raise ValueError(
+        "the %d edges do not end in one point: choose edges that meet in a vertex" % len(edges)
+    )
+
+
+def _around(curves, fit_mm):
+    """Return the Spokes of curves from one point in any order."""
+    tangents = numpy.array([numpy.asarray(curve.derivatives(0.0, 1))[1] for curve in curves])
+    sizes = numpy.linalg.norm(tangents, axis=1)
+    if sizes.min() == 0:
+        raise ValueError("an edge has no tangent at the point: choose other edges")
+    tangents = tangents / sizes[:, None]
+    axes = numpy.linalg.svd(tangents)[2][:2]
+    angles = numpy.arctan2(tangents @ axes[1], tangents @ axes[0]) % (2 * math.pi)
+    order = numpy.argsort(angles)
+    after = numpy.diff(angles[order], append=angles[order[0]] + 2 * math.pi)
+    spokes = Spokes(
+        [curves[place] for place in order],
+        [int(place) + 1 for place in order],
+        numpy.degrees(after).tolist(),
+        fit_mm,
+    )
+    return _turned(spokes, spokes.numbers.index(1))
+
+
+def _turned(spokes, first):
+    """Return the Spokes that begin with another one."""
+    lists = (spokes.curves, spokes.numbers, spokes.after_deg)
+    first = first % len(spokes.curves)
+    return Spokes(*(each[first:] + each[:first] for each in lists), spokes.fit_mm)
+
+
+def _named(seam, shape, spokes, numbers):
+    """Return a seam with the edge of the selection along which it runs, and its target.
+
+    Seams within a three-sided face run along no edge. The sides of such a face have two seams each.
+    ``spokes``: their points at PLACES.
+    """
+    edge = shape.Edges[seam["edges"][0] - 1]
+    middle = numpy.array(edge.valueAt(sum(edge.ParameterRange) / 2))
+    distances = numpy.linalg.norm(numpy.array(spokes) - middle, axis=2).min(axis=1)
+    place = int(numpy.argmin(distances))
+    along = distances[place] <= 1e-6 * max(1.0, edge.Length)
+    name = "Edge %d" % numbers[place] if along else "inside a face"
+    return {**seam, "side": "Spoke" if along else "Face", "name": name, "target": "G1"}
