@@ -210,7 +210,8 @@ hole: a Hole of holes() or its id; None: the only one. face: number of a face, f
 taken out and replaced, or a sequence of numbers of faces that are replaced together. target: 'G0',
 'G1' or 'G2', and tolerances: what every new seam has to reach for the fill to be kept. corner_deg:
 as in holes(). keep_anyway: keep it if it misses that. repair_first: the seams that end at the hole,
-between the faces around it, are repaired before, for the same target and tolerances. jobs and progress as in analyze().
+between the faces around it, are repaired before, for the same target and tolerances. jobs and
+progress as in analyze().
 ValueError for bad arguments, with name and value.)";
 
 }  // namespace
