@@ -141,7 +141,7 @@ void bindReport(py::module_& module) {
                     " seams: " + (report.passed() ? "passed>" : "failed>");
            })
       .def("to_dict", &reportDict, "The report as a plain dict with the keys of the JSON.")
-      .def("to_json", &report::toJsonLine,
+      .def("to_json", &report::toJsonLine, py::call_guard<py::gil_scoped_release>(),
            "The report as one line of JSON, schema seamwright.analysis/1.")
       .def(
           "to_csv",
@@ -249,14 +249,22 @@ void bindCalls(py::class_<occ::Model>& type) {
 
 /// Shapes as bytes and text, for the bridge to FreeCAD.
 void bindExchange(py::module_& module) {
-  module.def("_model_from_binary", [](const std::string& bytes) {
-    std::istringstream stream(bytes);
-    return occ::modelFromShape(occ::readBinaryShape(stream));
-  });
-  module.def("_model_from_text", [](const std::string& text) {
-    std::istringstream stream(text);
-    return occ::modelFromShape(occ::readTextShape(stream));
-  });
+  // Other threads, such as that of FreeCAD's window, go on meanwhile.
+  const py::call_guard<py::gil_scoped_release> unlocked;
+  module.def(
+      "_model_from_binary",
+      [](const std::string& bytes) {
+        std::istringstream stream(bytes);
+        return occ::modelFromShape(occ::readBinaryShape(stream));
+      },
+      unlocked);
+  module.def(
+      "_model_from_text",
+      [](const std::string& text) {
+        std::istringstream stream(text);
+        return occ::modelFromShape(occ::readTextShape(stream));
+      },
+      unlocked);
   module.def("_binary_from_model", [](const occ::Model& model) {
     return py::bytes(written(occ::writeBinaryShape, model));
   });
