@@ -441,7 +441,7 @@ class Stripes(MatchWindow):
         Gui.runCommand(ZEBRA)
         settle()
         (text,) = messages()
-        self.assertIn("have no faces", text)
+        self.assertIn("has no faces", text)
         self.left.ViewObject.Visibility = self.right.ViewObject.Visibility = False
         Gui.Selection.clearSelection()
         Gui.runCommand(ZEBRA)

@@ -16,10 +16,13 @@ import pytest
 from freecad.seamwright.plain import (
     enclosure,
     export,
+    filters,
     kernel,
+    match_distance,
     match_text,
     palette,
     profiles,
+    report_text,
     rows,
     summary,
 )
@@ -129,11 +132,12 @@ def _cube_root(t):
     return t ** (1 / 3) if t > 0.008856 else 7.787 * t + 16 / 116
 
 
+@pytest.mark.parametrize("entries", [palette.CLASSES, palette.LEVELS], ids=["classes", "levels"])
 @pytest.mark.parametrize("sight", sorted(SIGHTS))
-def test_classes_look_different_to_every_eye(sight):
+def test_colours_look_different_to_every_eye(sight, entries):
     seen = [
         lab([sum(m * c for m, c in zip(row, linear(each.rgb))) for row in SIGHTS[sight]])
-        for each in palette.CLASSES
+        for each in entries
     ]
     for one, other in itertools.combinations(seen, 2):
         assert math.dist(one, other) > 20
@@ -276,12 +280,12 @@ def test_uncertain_rows_can_be_filtered(report):
 def test_a_picked_edge_is_found_on_source_and_analysis(report):
     report["seams"] = [seam(1, edges=[4]), seam(2, edges=[4, 6]), seam(3, edges=[3])]
     known = {"Edge1": 4, "Edge2": 6, "Edge3": 3}
+    numbers = rows.edge_numbers_by_name(report, "Analysis")
     for element in (*known, "Edge4", "Edge0", "Vertex1", ""):
-        number = known.get(element)
-        assert rows.edge_number(report, "Analysis", "Analysis", element) == number
-    assert rows.edge_number(report, "Analysis", "Box", "Edge7") == 3
-    assert rows.edge_number(report, "Analysis", "Box", "Edge8") is None
-    assert rows.edge_number({}, "Analysis", "Box", "Edge8") is None
+        assert numbers.get(("Analysis", element)) == known.get(element)
+    assert numbers["Box", "Edge7"] == 3
+    assert ("Box", "Edge8") not in numbers
+    assert rows.edge_numbers_by_name({}, "Analysis") == {}
     assert rows.edge_numbers(report) == list(summary.edge_classes(report))
 
 
@@ -518,3 +522,76 @@ def test_a_figure_of_no_seam_counts_as_nothing(matched):
     assert match_text.value(matched["before"], "angle_deg") == 3.0686
     assert match_text.value(matched["before"], "curvature_rel") == 0.0
     assert match_text.value(None, "angle_deg") == 0.0
+
+
+# What is shown of seams
+
+
+def test_seams_of_a_level_are_coloured_by_the_worst_of_an_edge(report):
+    report["seams"] = [seam(1, edges=[4]), seam(2, edges=[4, 6]), seam(3, edges=[3])]
+    for entry, level in zip(report["seams"], ("G2", "G0", "none")):
+        entry["level"] = level
+    assert summary.edge_keys(report, summary.LEVEL) == {4: "G0", 6: "G0", 3: "none"}
+    assert summary.level_counts(report) == {"none": 1, "G0": 1, "G1": 0, "G2": 1, "G3": 0}
+    texts = [(entry.key, text) for entry, text, _ in summary.legend_entries(report, summary.LEVEL)]
+    assert texts[:2] == [("none", "No level: 1"), ("G0", "G0: 1")]
+
+
+def test_filters_count_what_they_show(report):
+    report["seams"][1]["certified"] = True
+    built = rows.build_rows(report)
+    shown = [len(rows.filter_rows(built, filters.of(name))) for name in filters.NAMES]
+    assert filters.counts(report) == shown
+    assert shown[0] == shown[1] + shown[filters.NAMES.index("Smooth")]
+    for name in filters.NAMES:
+        edges = {n for row in rows.filter_rows(built, filters.of(name)) for n in row.edges}
+        assert rows.shown_edges(report, filters.of(name)) == edges
+
+
+def test_copied_rows_are_a_table_of_text(report):
+    built = rows.build_rows(report)
+    lines = [line.split("\t") for line in rows.cells(built).split("\n")]
+    assert lines[0] == [column.title for column in rows.COLUMNS]
+    assert [line[0] for line in lines[1:]] == [str(row.seam) for row in built]
+    assert {len(line) for line in lines} == {len(rows.COLUMNS)}
+
+
+# Reports in parts
+
+
+@pytest.mark.parametrize("separators", [(",", ":"), (", ", ": ")])
+@pytest.mark.parametrize("part", [1, 500, 10**6])
+def test_a_report_read_in_parts_is_the_same(monkeypatch, report, separators, part):
+    monkeypatch.setattr(report_text, "PART", part)
+    report["summary"] = {"seams": 5}
+    report["seams"][2]["note"] = 'a note with "seams":[ and , {"id": 3} in it'
+    text = json.dumps(report, separators=separators)
+    assert report_text.read(text) == report
+    longer = report_text.with_entry(text, "more", {"a": [1, 2]})
+    assert report_text.read(longer) == {**report, "more": {"a": [1, 2]}}
+    empty = {**report, "seams": []}
+    assert report_text.read(json.dumps(empty, separators=separators)) == empty
+
+
+# The proposed match distance
+
+
+def side_by_side(*gaps):
+    return [{"gap_mm": figure(gap)} for gap in gaps]
+
+
+@pytest.mark.parametrize(
+    "gaps, expected",
+    [
+        ((), None),
+        ((0.0, 0.0), 0.02),  # twice the gap tolerance
+        ((0.004, 0.02), 0.05),
+        ((0.02, 0.03, 4.0), 0.1),  # edges 4 mm apart only pass each other
+        ((0.03, 9.5), 0.1),  # cut off at the distance that was tried
+        ((9.5,), None),
+        ((7.0,), 10.0),  # not more than was tried
+    ],
+)
+def test_the_proposed_distance_covers_the_gaps(gaps, expected):
+    found = match_distance.proposed(side_by_side(*gaps), 10.0, 0.01)
+    assert found == (expected if expected is None else pytest.approx(expected))

@@ -56,7 +56,7 @@ class Picture(WindowCase):
         for place in (0, 3):
             before = camera()
             click_row(panel.seam_table.table, place)
-            seam = panel.seams[panel.seam_table.model.row(place).seam]
+            seam = panel.results.seams[panel.seam_table.model.row(place).seam]
             chosen = [
                 (one.ObjectName, one.SubElementNames) for one in Gui.Selection.getSelectionEx()
             ]
@@ -212,7 +212,7 @@ class Panel(WindowCase):
             row = panel.seam_table.model.row(place)
             number = row.edges[0]
             if name == obj.Name:
-                number = rows.edge_numbers(panel.report).index(number) + 1
+                number = rows.edge_numbers(panel.results.report).index(number) + 1
             Gui.Selection.clearSelection()
             Gui.Selection.addSelection(self.doc.Name, name, element % number, 1.0, 2.0, 3.0)
             settle()
@@ -225,7 +225,7 @@ class Panel(WindowCase):
     def test_picking_an_edge_of_a_filtered_class_shows_all(self):
         obj, panel = self.analyse()
         panel.seam_table.filter.setCurrentIndex(panel.seam_table.filter.findData("smooth"))
-        crease = next(seam for seam in panel.report["seams"] if seam["class"] == "crease")
+        crease = next(seam for seam in panel.results.report["seams"] if seam["class"] == "crease")
         Gui.Selection.addSelection(
             self.doc.Name, obj.Analysed[0].Name, "Edge%d" % crease["edges"][0]
         )

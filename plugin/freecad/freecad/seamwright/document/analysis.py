@@ -14,7 +14,8 @@ from freecad.seamwright import __version__
 from freecad.seamwright.document import feature, properties, sources
 from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.document.properties import error_text
-from freecad.seamwright.plain import kernel, summary
+from freecad.seamwright.document.seam_results import SeamResults
+from freecad.seamwright.plain import kernel, match_distance, report_text, summary
 
 #: property, argument of the kernel, property type, default, help
 TOLERANCES = properties.TOLERANCES + (
@@ -48,6 +49,12 @@ EMPTY_REPORT = {"seams": [], "open": []}
 
 WORKING = "Analysing seams\u2026"
 
+#: Results of this many reports are kept, so that undo and redo show them at once.
+KEPT = 3
+
+#: The largest distance that is tried where no two faces share an edge, as a part of the size.
+TRIED_PART = 0.005
+
 
 class SeamAnalysis(feature.Feature):
     """Proxy of a Part::FeaturePython that measures the seams of its sources."""
@@ -60,7 +67,10 @@ class SeamAnalysis(feature.Feature):
     def add_properties(obj):
         """Add the properties that an object lacks, with their defaults."""
         adder = properties.Adder(obj)
-        tip = "The objects to analyse; empty: all solids and shells of the document"
+        tip = (
+            "The objects to analyse; empty: all solids and shells of the document, or where it has "
+            "none, all objects with faces"
+        )
         adder.add("App::PropertyLinkListGlobal", "Sources", "Seams", tip)
         adder.add_tolerances(TOLERANCES)
         adder.add_choice(
@@ -76,38 +86,48 @@ class SeamAnalysis(feature.Feature):
 
     @staticmethod
     def job(module, obj, private=False):
-        """Return the Job that finds (report, compound of the seam edges, objects)."""
+        """Return the Job that finds (report, compound of the seam edges, objects, SeamResults)."""
         model, level, given = sources.Model(source_objects(obj)), obj.Level, tolerances(obj)
+        names = [source.Name for source in model.objects]
         make = feature.model_maker(module, model.shape, private)
+        size = model.shape.BoundBox.DiagonalLength
 
-        def finish(report):
-            report["freecad"] = owners(model, level, report)
-            return report, seam_edges(model.shape, report), model.objects
+        def run(progress):
+            made = make()
+            text = made.analyze(**given, progress=progress).to_json()
+            report = report_text.read(text)
+            facts = owners(model, names, level, report)
+            if report["open"] and not report["seams"] and not given["match_mm"]:
+                facts.update(proposal(made, given, size, progress))
+            report["freecad"] = facts
+            text = report_text.with_entry(text, "freecad", facts)
+            # Edges of the model, which nothing else draws or changes if it is private.
+            shape = seam_edges(made.to_freecad(), report)
+            return SeamResults(text, shape.Edges, report).complete(), shape
 
-        return feature.Job(
-            WORKING, lambda progress: make().analyze(**given, progress=progress).to_dict(), finish
-        )
+        def finish(found):
+            results, shape = found
+            return results.report, shape, model.objects, results
+
+        return feature.Job(WORKING, run, finish)
 
     @staticmethod
-    def store(obj, report, shape, objects):
+    def store(obj, report, shape, objects, results=None):
         """Put the results into the read-only properties.
 
         The Report is written before the Shape, since it gives the colours of the Shape.
         """
-        counts = summary.class_counts(report)
-        feature.keep_report(obj, report)
+        if results is None:
+            results = SeamResults(json.dumps(report), [], report)
+        keep_results(obj, results)
+        feature.keep_text(obj, results.text)
         obj.Analysed = objects
-        obj.Seams = sum(counts.values())
-        obj.Defects = counts["defect"]
-        obj.Creases = counts["crease"]
-        obj.Uncertain = summary.uncertain(report)
-        obj.Matched = summary.matched(report)
-        obj.OpenEdges = len(report.get("open", ()))
-        obj.MaxGap = summary.largest(report, "gap_mm") or 0.0
-        obj.MaxAngle = summary.largest(report, "angle_deg") or 0.0
-        obj.Passed = summary.passed(report)
+        facts = dict(results.facts)
+        text = facts.pop("Summary")
+        for name, value in facts.items():
+            setattr(obj, name, value)
         obj.Shape = shape
-        obj.Summary = summary.summary_text(report)
+        obj.Summary = text
 
     @staticmethod
     def store_failure(obj, reason):
@@ -123,15 +143,47 @@ def is_analysis(obj):
 
 
 def report_of(obj):
-    """Return the stored report as a dict; an empty report when nothing was analysed yet."""
-    return json.loads(obj.Report) if obj.Report else dict(EMPTY_REPORT)
+    """Return the stored report as a dict, not to be changed; an empty one before any analysis."""
+    return results_of(obj).report
+
+
+def results_of(obj):
+    """Return the SeamResults of the stored report; they are read if they are not known yet."""
+    known = known_results(obj)
+    if known is None:
+        known = SeamResults(obj.Report, obj.Shape.Edges)
+        keep_results(obj, known)
+    return known
+
+
+def known_results(obj):
+    """Return the SeamResults of the stored report if they have been read, else None."""
+    text = obj.Report
+    if not text:
+        return SeamResults("", [], dict(EMPTY_REPORT))
+    return next((each for each in _kept(obj) if each.text == text), None)
+
+
+def reader(obj):
+    """Return a callable that reads the stored report; any thread may call it."""
+    text, edges = obj.Report, obj.Shape.copy().Edges
+    return lambda: SeamResults(text, edges).complete()
+
+
+def keep_results(obj, results):
+    """Remember results for ``known_results``, and forget the oldest ones."""
+    obj.Proxy.kept = [results, *(each for each in _kept(obj) if each.text != results.text)][:KEPT]
+
+
+def _kept(obj):
+    return getattr(obj.Proxy, "kept", [])
 
 
 def source_objects(obj):
-    """Return the objects to analyse: the Sources, or all solids and shells of the document."""
+    """Return the objects to analyse: the Sources, or what ``sources.everything`` finds."""
     if obj.Sources:
         return sources.expand(obj.Sources)
-    return sources.solids_and_shells(obj.Document, exclude=obj.Document.getObject(obj.Name))
+    return sources.everything(obj.Document, exclude=obj.Document.getObject(obj.Name))
 
 
 def tolerances(obj):
@@ -139,8 +191,22 @@ def tolerances(obj):
     return {**properties.arguments(obj, TOLERANCES), "level": obj.Level}
 
 
-def owners(model, level, report):
-    """Return the value of the report's key "freecad": the objects to which its numbers belong."""
+def proposal(model, given, size, progress):
+    """Return the entries of the report's key "freecad" about a distance to match free edges.
+
+    ``model``: of the kernel, of ``size`` mm, with free edges and without seams.
+    """
+    tried = TRIED_PART * size
+    found = model.analyze(**{**given, "match_mm": tried}, progress=progress).to_dict()
+    proposed = match_distance.proposed(found["seams"], tried, given["gap_mm"])
+    return {"tried_match_mm": tried, "proposed_match_mm": proposed}
+
+
+def owners(model, names, level, report):
+    """Return the value of the report's key "freecad": the objects to which its numbers belong.
+
+    ``names``: of the model's objects. Any thread may call it.
+    """
     seams = report["seams"]
     open_edges, shared = report.get("open", []), report.get("non_manifold", [])
     edges = {number for seam in seams for number in seam["edges"]}
@@ -151,9 +217,9 @@ def owners(model, level, report):
     return {
         "version": __version__,
         "level": level,
-        "objects": [source.Name for source in model.objects],
-        "faces": model.owners("faces", faces),
-        "edges": model.owners("edges", edges),
+        "objects": names,
+        "faces": model.owners("faces", faces, names),
+        "edges": model.owners("edges", edges, names),
     }
 
 
@@ -180,12 +246,13 @@ def _bare_edge(edge):
 def create(sources=None, doc=None, **tolerances):
     """Add a Seam Analysis to a document, compute it and return it.
 
-    ``sources``: objects to analyse; empty means all solids and shells of the document.
-    ``tolerances``: gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg, match_mm (finite
-    numbers that are not negative), level ("G0" to "G3"), and profile (a name of profiles.PROFILES,
-    for the tolerances that are not given). Raises TypeError for another name, ValueError for
-    another value or where there is no document, kernel.KernelUnavailable when the compiled part is
-    missing. When nothing can be analysed, ``error_text`` says why.
+    ``sources``: objects to analyse; empty means all solids and shells of the document, or where it
+    has none, all objects with faces. ``tolerances``: gap_mm, angle_deg, curvature_rel,
+    flat_radius_mm, crease_deg, match_mm (finite numbers that are not negative), level ("G0" to
+    "G3"), and profile (a name of profiles.PROFILES, for the tolerances that are not given). Raises
+    TypeError for another name, ValueError for another value or where there is no document,
+    kernel.KernelUnavailable when the compiled part is missing. When nothing can be analysed,
+    ``error_text`` says why.
     """
     doc = doc or (sources[0].Document if sources else App.ActiveDocument)
     if doc is None:

@@ -192,7 +192,12 @@ def report_of(obj):
 
 def keep_report(obj, report):
     """Store the report of the kernel."""
-    obj.Report = json.dumps(report)
+    keep_text(obj, json.dumps(report))
+
+
+def keep_text(obj, text):
+    """Store the report of the kernel as the text that it is."""
+    obj.Report = text
     obj.SeamwrightVersion = __version__
 
 

@@ -13,12 +13,15 @@ class SourceError(Exception):
     """The sources cannot be analysed; the text names the object and says what is missing."""
 
 
-def solids_and_shells(doc, exclude=None):
+def everything(doc, exclude=None):
     """Return all objects with a solid or a shell that are not part of another such object.
 
-    ``exclude`` and the objects that depend on it are left out.
+    In a document without solids and shells, these are all objects with faces. ``exclude`` and the
+    objects that depend on it are left out.
     """
-    found = [obj for obj in doc.Objects if _is_candidate(obj, exclude)]
+    candidates = [obj for obj in doc.Objects if _is_candidate(obj, exclude)]
+    solid = [obj for obj in candidates if _has_shells(Part.getShape(obj))]
+    found = solid or [obj for obj in candidates if Part.getShape(obj).Faces]
     inputs = {
         part.Name
         for obj in found
@@ -29,14 +32,15 @@ def solids_and_shells(doc, exclude=None):
 
 
 def _is_candidate(obj, exclude):
-    if not has_shape(obj):
+    if not has_shape(obj) or in_body(obj):
         return False
     if exclude is not None and (obj == exclude or exclude in obj.OutListRecursive):
         return False
-    if in_body(obj):
-        return False
-    shape = Part.getShape(obj)
-    return not shape.isNull() and bool(shape.Solids or shape.Shells)
+    return not Part.getShape(obj).isNull()
+
+
+def _has_shells(shape):
+    return bool(shape.Solids or shape.Shells)
 
 
 def in_body(obj):
@@ -77,10 +81,23 @@ def world_shape(obj):
 
     Raises SourceError.
     """
+    check_kind(obj)
     shape = placed_shape(obj)
-    if not shape.Faces:
-        raise SourceError("%s has no faces: seams are found between faces." % obj.Label)
+    if not shape.countElement("Face"):
+        what = "is a sketch and has" if obj.isDerivedFrom("Sketcher::SketchObject") else "has"
+        raise SourceError("%s %s no faces: choose an object with faces." % (obj.Label, what))
     return shape
+
+
+def check_kind(obj):
+    """Raise SourceError for an object of a kind that cannot hold a shape."""
+    if obj.isDerivedFrom("Mesh::Feature"):
+        raise SourceError(
+            "%s is a mesh: make a shape of it first, with Create shape from mesh of the workbench "
+            "Part." % obj.Label
+        )
+    if not has_shape(obj):
+        raise SourceError("%s has no shape: choose another object." % obj.Label)
 
 
 def placed_shape(obj):
@@ -140,7 +157,7 @@ class Model:
         Raises SourceError without objects, or for an object without faces.
         """
         if not objects:
-            raise SourceError("There is nothing to analyse: the document has no solid or shell.")
+            raise SourceError("There is nothing to analyse: the document has no faces.")
         self.objects = list(objects)
         self.parts = [world_shape(obj) for obj in self.objects]
         if len(self.parts) == 1:
@@ -149,21 +166,21 @@ class Model:
             self.parts = [without_location(part) for part in self.parts]
             self.shape = Part.Compound(self.parts)
 
-    def owners(self, kind, numbers):
+    def owners(self, kind, numbers, names):
         """Return {"7": [object name, "Edge3"]} for the wanted numbers.
 
-        ``kind`` is "faces" or "edges".
+        ``kind`` is "faces" or "edges"; ``names`` are those of the objects. Any thread may call it.
         """
         wanted = set(numbers)
         whole = _elements(self.shape, kind)
         index = Index((number, whole[number - 1]) for number in wanted)
         prefix = {"faces": "Face", "edges": "Edge"}[kind]
         owners = {}
-        for obj, part in zip(self.objects, self.parts):
+        for name, part in zip(names, self.parts):
             for own_number, element in enumerate(_elements(part, kind), 1):
                 number = index.find(element)
                 if number is not None:
-                    owners.setdefault(str(number), [obj.Name, "%s%d" % (prefix, own_number)])
+                    owners.setdefault(str(number), [name, "%s%d" % (prefix, own_number)])
         return owners
 
 

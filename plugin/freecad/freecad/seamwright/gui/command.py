@@ -4,6 +4,7 @@
 import FreeCAD as App
 import FreeCADGui as Gui
 
+from freecad.seamwright.document import sources
 from freecad.seamwright.gui import icon_path
 from freecad.seamwright.gui.widgets import messages
 from freecad.seamwright.plain import kernel
@@ -23,7 +24,14 @@ class Command:
         return App.ActiveDocument is not None
 
     def Activated(self):
-        """Run the command; errors are shown to the user."""
+        """Run the command; where the selection does not suit it, show why."""
+        try:
+            self.run(App.ActiveDocument)
+        except sources.SourceError as error:
+            messages.show_error(str(error))
+
+    def run(self, doc):
+        """Run the command in the active document. Raises SourceError for an unsuitable object."""
         raise NotImplementedError
 
 

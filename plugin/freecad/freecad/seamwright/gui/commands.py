@@ -3,9 +3,8 @@
 
 import FreeCAD as App
 import FreeCADGui as Gui
-import Part
 
-from freecad.seamwright.document import analysis, corner, fill, match, repair, sources
+from freecad.seamwright.document import analysis, corner, fill, match, repair
 from freecad.seamwright.gui.analysis import export_dialog
 from freecad.seamwright.gui.command import Command, begin, open_new
 from freecad.seamwright.gui.scene.zebra import zebra
@@ -15,6 +14,8 @@ from freecad.seamwright.gui.selected import (
     selected_parts,
     selected_seams,
     selected_sources,
+    selected_with_faces,
+    visible_with_faces,
 )
 from freecad.seamwright.gui.widgets import messages
 from freecad.seamwright.plain import summary
@@ -29,13 +30,13 @@ class AnalyzeSeams(Command):
     tip = (
         "Measure gap, angle and curvature where faces of the selected objects meet, and colour the "
         "seams by the result. With nothing selected, all solids and shells of the document are "
-        "analysed."
+        "analysed, or where it has none, all faces."
     )
 
-    def Activated(self):
+    def run(self, doc):
         """Create the analysis as one undoable step, and open its panel, which measures."""
-        doc, chosen = App.ActiveDocument, selected_sources()
         doc.recompute()  # without a selection, objects are found by their shapes
+        chosen = selected_sources(doc)
         open_new(begin(doc, "Analyze seams", lambda: analysis.prepare(chosen, doc)))
 
 
@@ -54,7 +55,7 @@ class ExportReport(Command):
         """Return whether there is an analysis."""
         return App.ActiveDocument is not None and selected_analysis() is not None
 
-    def Activated(self):
+    def run(self, doc):
         """Ask for a file and write it."""
         export_dialog.ask_and_export(selected_analysis())
 
@@ -70,7 +71,7 @@ class MatchSurfaces(Command):
         "with equal curvature (G2). If they share several edges, also select the edge to match."
     )
 
-    def Activated(self):
+    def run(self, doc):
         """Create the match as one step that can be undone, and open its panel."""
         faces, edges = selected_elements("Face"), selected_elements("Edge")
         if len(faces) != 2 or len(edges) > 1:
@@ -82,7 +83,7 @@ class MatchSurfaces(Command):
             return
         edge = edges[0] if edges else None
         open_new(
-            begin(App.ActiveDocument, "Match surfaces", lambda: match.prepare(*faces, edge=edge))
+            begin(doc, "Match surfaces", lambda: match.prepare(*faces, edge=edge))
         )
 
 
@@ -98,10 +99,9 @@ class RepairSeams(Command):
         "their edges, or rows of an analysis."
     )
 
-    def Activated(self):
+    def run(self, doc):
         """Create the repair as one undoable step, and open its panel; nothing is repaired yet."""
-        doc = App.ActiveDocument
-        chosen = selected_seams() or [(obj, "") for obj in sources.solids_and_shells(doc)]
+        chosen = selected_seams(doc)
         objects = list(dict.fromkeys(obj for obj, _ in chosen))
         if len(objects) != 1:
             messages.show_error(
@@ -142,9 +142,8 @@ class UmbrellaFill(Command):
         "To fill only some holes, select an edge of each. To replace a face, select it."
     )
 
-    def Activated(self):
+    def run(self, doc):
         """Create the fill as one undoable step, and open its panel; nothing is filled yet."""
-        doc = App.ActiveDocument
         chosen = selected_parts(doc)
         if len(chosen) != 1:
             messages.show_error(
@@ -177,7 +176,7 @@ class CornerFillet(Command):
         "Patches close the corner between the fillets without a kink."
     )
 
-    def Activated(self):
+    def run(self, doc):
         """Create the fillet as one undoable step, and open its panel; nothing is rounded yet."""
         vertices = selected_elements("Vertex")
         if len(vertices) != 1:
@@ -186,7 +185,7 @@ class CornerFillet(Command):
                 % (", ".join("%s.%s" % (obj.Label, name) for obj, name in vertices) or "no vertex")
             )
             return
-        open_new(begin(App.ActiveDocument, "Corner fillet", lambda: corner.prepare(*vertices[0])))
+        open_new(begin(doc, "Corner fillet", lambda: corner.prepare(*vertices[0])))
 
 
 class ZebraStripes(Command):
@@ -205,25 +204,15 @@ class ZebraStripes(Command):
         """Return whether there is a view of a document."""
         return App.ActiveDocument is not None and Gui.ActiveDocument is not None
 
-    def Activated(self):
+    def run(self, doc):
         """Draw the stripes; remove them where all of the objects already have them."""
-        doc = App.ActiveDocument
-        striped = zebra.objects(doc)
-        chosen = with_faces(sources.expand(dict.fromkeys(Gui.Selection.getSelection())))
-        if Gui.Selection.getSelection() and not chosen:
-            messages.show_error("The selected objects have no faces to draw zebra stripes on.")
-        elif chosen and any(obj not in striped for obj in chosen):
+        striped, chosen = zebra.objects(doc), selected_with_faces()
+        if chosen and any(obj not in striped for obj in chosen):
             self._show([obj for obj in chosen if obj not in striped])
         elif chosen or striped:
             zebra.hide(chosen or striped)
         else:
-            self._show(
-                with_faces(
-                    obj
-                    for obj in doc.Objects
-                    if obj.ViewObject.Visibility and not sources.in_body(obj)
-                )
-            )
+            self._show(visible_with_faces(doc))
 
     def _show(self, objects):
         if objects:
@@ -231,11 +220,6 @@ class ZebraStripes(Command):
             Gui.Selection.clearSelection()  # the colour of a selection would cover the stripes
         else:
             messages.show_error("No visible object has faces to draw zebra stripes on.")
-
-
-def with_faces(objects):
-    """Return the objects that have faces."""
-    return [obj for obj in objects if sources.has_shape(obj) and Part.getShape(obj).Faces]
 
 
 COMMANDS = (

@@ -1,5 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The selection, in the form that the commands need."""
+"""The selection, in the form that the commands need.
+
+All commands follow one rule: they take what is selected or, with nothing selected, everything in
+the document that suits them. An analysis counts as the objects that it analysed, a group as its
+contents. An object that does not suit is refused with a sentence, as SourceError; it is never
+left out in silence.
+"""
 
 import FreeCAD as App
 import FreeCADGui as Gui
@@ -9,12 +15,17 @@ from freecad.seamwright.document import analysis, sources
 from freecad.seamwright.plain import rows
 
 
-def selected_sources():
-    """Return the selected objects that can be analysed, without repeats."""
-    chosen = []
-    for obj in Gui.Selection.getSelection():
-        if obj not in chosen and not analysis.is_analysis(obj):
-            chosen.append(obj)
+def selected_sources(doc):
+    """Return the selected objects to analyse, without repeats; a group stays what it is.
+
+    Without a selection there are none, which means everything. Raises SourceError where an object
+    has no faces, or the document has none.
+    """
+    chosen = _with_analysed(Gui.Selection.getSelection())
+    for obj in sources.expand(chosen) or chosen:
+        sources.world_shape(obj)
+    if not chosen and not sources.everything(doc):
+        sources.Model([])
     return chosen
 
 
@@ -29,13 +40,16 @@ def selected_elements(kind):
     """Return [(object, "Face3"), ...] of the selected elements of a kind, in the order of picking.
 
     ``kind``: "Face", "Edge" or "Vertex". An object that is selected as a whole counts as its face
-    if it has just one.
+    if it has just one. Raises SourceError for an object without faces.
     """
+    chosen = Gui.Selection.getSelectionEx()
+    for each in chosen:
+        if not analysis.is_analysis(each.Object):
+            sources.world_shape(each.Object)
     return [
-        (chosen.Object, name)
-        for chosen in Gui.Selection.getSelectionEx()
-        if sources.has_shape(chosen.Object)
-        for name in chosen.SubElementNames or _only_face(chosen.Object)
+        (each.Object, name)
+        for each in chosen
+        for name in each.SubElementNames or _only_face(each.Object)
         if name.startswith(kind)
     ]
 
@@ -44,12 +58,16 @@ def _only_face(obj):
     return ("Face1",) if len(Part.getShape(obj).Faces) == 1 else ()
 
 
-def selected_seams():
+def selected_seams(doc):
     """Return [(object, "Edge3" or ""), ...]: the selection for a repair; "" means all of an object.
 
-    The lines of an analysis count as the edges on which they lie. An analysis that is selected as a
-    whole counts as the objects that it analysed.
+    The lines of an analysis count as the edges on which they lie, and the rows that are chosen in
+    its panel as their edges. Without a selection, these are all that suit. Raises SourceError for
+    an object without faces.
     """
+    rest = _chosen_rows(doc)
+    if rest:
+        return rest
     found = []
     for chosen in Gui.Selection.getSelectionEx():
         edges = [name for name in chosen.SubElementNames if name.startswith("Edge")]
@@ -58,15 +76,23 @@ def selected_seams():
                 (obj, "") for obj in chosen.Object.Analysed
             ]
         else:
-            found += [
-                (obj, edge) for obj in sources.expand([chosen.Object]) for edge in edges or [""]
-            ]
-    return found
+            found += [(obj, edge) for obj in _parts([chosen.Object]) for edge in edges or [""]]
+    return found or [(obj, "") for obj in sources.everything(doc)]
+
+
+def _chosen_rows(doc):
+    """Return the edges of rows of an open panel if they are too many to be selected."""
+    for obj in doc.Objects:
+        panel = obj.ViewObject.Proxy.panel if analysis.is_analysis(obj) else None
+        if panel is not None and panel.chosen_elements():
+            return panel.chosen_elements()
+    return []
 
 
 def _edges_of_lines(found, lines):
+    numbers = analysis.results_of(found).numbers_on(found.Name)
     report = analysis.report_of(found)
-    numbers = [rows.edge_number(report, found.Name, found.Name, line) for line in lines]
+    numbers = [numbers.get((found.Name, line)) for line in lines]
     owners = [rows.owner_of(report, "edges", number) for number in numbers if number is not None]
     return [
         (found.Document.getObject(name), edge)
@@ -75,17 +101,49 @@ def _edges_of_lines(found, lines):
 
 
 def selected_parts(doc):
-    """Return {object: [names of its selected elements]}.
+    """Return {object: [names of its selected elements]}; without a selection, all that suit.
 
-    Without a selection, these are all solids and shells of the document. An analysis counts as the
-    objects that it analysed.
+    Raises SourceError for an object without faces.
     """
     found = {}
     for chosen in Gui.Selection.getSelectionEx():
         if analysis.is_analysis(chosen.Object):
             parts = {obj: () for obj in chosen.Object.Analysed}
         else:
-            parts = {obj: chosen.SubElementNames for obj in sources.expand([chosen.Object])}
+            parts = {obj: chosen.SubElementNames for obj in _parts([chosen.Object])}
         for obj, names in parts.items():
             found.setdefault(obj, []).extend(names)
-    return found or {obj: [] for obj in sources.solids_and_shells(doc)}
+    return found or {obj: [] for obj in sources.everything(doc)}
+
+
+def selected_with_faces():
+    """Return the selected objects. Raises SourceError for an object without faces."""
+    return _parts(_with_analysed(Gui.Selection.getSelection()))
+
+
+def visible_with_faces(doc):
+    """Return the visible objects with faces; a body counts instead of its steps."""
+    return [
+        obj
+        for obj in doc.Objects
+        if obj.ViewObject.Visibility
+        and not sources.in_body(obj)
+        and sources.has_shape(obj)
+        and Part.getShape(obj).Faces
+    ]
+
+
+def _with_analysed(objects):
+    """Return the objects without repeats; those that it analysed take the place of an analysis."""
+    found = {}
+    for obj in objects:
+        found.update(dict.fromkeys(obj.Analysed if analysis.is_analysis(obj) else [obj]))
+    return list(found)
+
+
+def _parts(objects):
+    """Return the objects with faces that the objects contain. Raises SourceError without faces."""
+    found = sources.expand(objects)
+    for obj in found or objects:
+        sources.world_shape(obj)
+    return found

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The colour and the wording of each class of seam.
+"""The colour and the wording of each class and of each level of seams.
 
-The colours are bluish green and vermillion of the Okabe-Ito palette and a dark blue. Readers with
-protanopia, deuteranopia and tritanopia can tell them apart. The legend also names the classes in
-words.
+The colours of classes are bluish green and vermillion of the Okabe-Ito palette and a dark blue,
+those of levels run from dark red over orange to blue. Readers with protanopia, deuteranopia and
+tritanopia can tell them apart. The legend also names classes and levels in words.
 """
 
 from dataclasses import dataclass
@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class SeamClass:
-    """One class of seam: its key in the report, its name for readers and its colour."""
+    """One class or level of seams: its key in the report, its name for readers and its colour."""
 
     key: str
     name: str
@@ -34,6 +34,24 @@ SMOOTH = SeamClass("smooth", "Smooth", (0, 158, 115))
 
 #: Worst first: the order of the legend, of the filter and of the default sorting.
 CLASSES = (DEFECT, CREASE, SMOOTH)
+#: The levels of continuity, worst first.
+LEVELS = (
+    SeamClass("none", "No level", (110, 0, 30)),
+    SeamClass("G0", "G0", (213, 94, 0)),
+    SeamClass("G1", "G1", (240, 180, 60)),
+    SeamClass("G2", "G2", (70, 150, 220)),
+    SeamClass("G3", "G3", (30, 50, 130)),
+)
+
+#: What each level says about the faces at a seam.
+LEVEL_MEANINGS = {
+    "none": "gap larger than the tolerance",
+    "G0": "meet with an angle",
+    "G1": "meet without a kink",
+    "G2": "equal curvature",
+    "G3": "equal change of curvature",
+}
+
 BY_KEY = {seam_class.key: seam_class for seam_class in CLASSES}
 
 

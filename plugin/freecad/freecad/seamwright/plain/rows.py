@@ -8,7 +8,6 @@ known.
 
 import math
 from dataclasses import dataclass
-from typing import Optional
 
 from freecad.seamwright.plain import enclosure, palette
 
@@ -53,25 +52,49 @@ WORST_FIGURE = {
 }
 
 
-@dataclass(frozen=True)
 class Row:
-    """One seam of a report, ready to be shown."""
+    """One seam of a report, ready to be shown.
 
-    seam: int
-    edges: tuple
-    edge_text: str
-    face_text: str
-    seam_class: str
-    level: str
-    certain: bool
-    gap_mm: Optional[float]
-    angle_deg: Optional[float]
-    curvature_rel: Optional[float]
-    curvature_change_rel: Optional[float]
-    figure_texts: dict
-    length_mm: Optional[float]
-    severity: float
-    detail: str
+    Texts are made when they are asked for, since a table shows few rows at a time.
+    """
+
+    def __init__(self, report, seam, level):
+        self._report, self._seam = report, seam
+        self.seam = seam["id"]
+        self.edges = tuple(seam["edges"])
+        self.seam_class = seam["class"]
+        self.level = seam["level"]
+        self.certain = seam["certified"]
+        self.gap_mm, self.angle_deg, self.curvature_rel, self.curvature_change_rel = (
+            figure_value(seam.get(name)) for name in SHOWN
+        )
+        self.length_mm = seam.get("length_mm")
+        self.severity = severity(seam, report["tolerance"], level)
+
+    @property
+    def edge_text(self):
+        """The names of the edges."""
+        return self._names("edges")
+
+    @property
+    def face_text(self):
+        """The names of the faces."""
+        return self._names("faces")
+
+    @property
+    def detail(self):
+        """The tool tip."""
+        return detail_text(self._seam, self._report["tolerance"])
+
+    def figure_text(self, name):
+        """Return a figure as a cell shows it."""
+        return figure_text(self._seam, name, self._report["tolerance"])
+
+    def _names(self, kind):
+        qualified = len(self._report.get("freecad", {}).get("objects", ())) > 1
+        return ", ".join(
+            element_text(self._report, kind, number, qualified) for number in self._seam[kind]
+        )
 
 
 @dataclass(frozen=True)
@@ -92,7 +115,7 @@ COLUMNS = (
     Column("seam_class", "Class", "Defect, crease or smooth", numeric=False),
     Column("angle_deg", "Angle \u00b0", "Largest angle between the tangent planes, in degrees"),
     Column("gap_mm", "Gap mm", "Largest distance between the two sides, in mm"),
-    Column("curvature_rel", "Curvature %", "Largest relative difference of curvature, in %"),
+    Column("curvature_rel", "Curv. %", "Largest relative difference of curvature, in %"),
     Column("curvature_change_rel", "Change %",
            "Largest relative difference of the change of curvature, in % (measured for G3)"),
     Column("level", "Level", "Highest level of continuity the seam meets", numeric=False),
@@ -157,20 +180,16 @@ def located(seams, tolerance, name):
     }
 
 
-def edge_number(report, analysis, name, element):
-    """Return the number in the report of sub-element ``element`` of object ``name``.
+def edge_numbers_by_name(report, analysis):
+    """Return {(object name, "Edge3"): number in the report} of the edges of all seams.
 
-    Returns None if the element belongs to no seam. ``analysis`` is the name of the analysis object,
-    whose edges are those of the seams in order.
+    ``analysis`` is the name of the analysis object, whose edges are those of the seams in order.
     """
-    if name == analysis:
-        number = int(element[4:]) if element.startswith("Edge") and element[4:].isdigit() else 0
-        numbers = edge_numbers(report)
-        return numbers[number - 1] if 0 < number <= len(numbers) else None
-    for number, owner in report.get("freecad", {}).get("edges", {}).items():
-        if owner == [name, element]:
-            return int(number)
-    return None
+    numbers = edge_numbers(report)
+    found = {(analysis, "Edge%d" % place): number for place, number in enumerate(numbers, 1)}
+    owners = report.get("freecad", {}).get("edges", {})
+    found.update({tuple(owner): int(number) for number, owner in owners.items()})
+    return found
 
 
 def edge_numbers(report):
@@ -182,35 +201,13 @@ def edge_numbers(report):
 
 def build_rows(report):
     """Return all rows of a report (a dict with the keys of the JSON file), the worst first."""
-    qualified = len(report.get("freecad", {}).get("objects", ())) > 1
     level = report.get("freecad", {}).get("level", "G1")
-    rows = [_row(report, seam, level, qualified) for seam in report.get("seams", ())]
+    rows = [Row(report, seam, level) for seam in report.get("seams", ())]
     return sorted(rows, key=_worst_first)
 
 
 def _worst_first(row):
     return (palette.rank(row.seam_class), -row.severity, row.seam)
-
-
-def _row(report, seam, level, qualified):
-    names = {
-        kind: ", ".join(element_text(report, kind, number, qualified) for number in seam[kind])
-        for kind in ("edges", "faces")
-    }
-    return Row(
-        seam=seam["id"],
-        edges=tuple(seam["edges"]),
-        edge_text=names["edges"],
-        face_text=names["faces"],
-        seam_class=seam["class"],
-        level=seam["level"],
-        certain=seam["certified"],
-        **{name: figure_value(seam.get(name)) for name in SHOWN},
-        figure_texts={name: figure_text(seam, name, report["tolerance"]) for name in SHOWN},
-        length_mm=seam.get("length_mm"),
-        severity=severity(seam, report["tolerance"], level),
-        detail=detail_text(seam, report["tolerance"]),
-    )
 
 
 def severity(seam, tolerance, level):
@@ -317,28 +314,58 @@ def has_values(rows, field):
     return any(getattr(row, field) is not None for row in rows)
 
 
-#: Takes the place of a class in filters: the rows whose verdict is not certain.
-UNCERTAIN = "uncertain"
+# These take the place of a class in filters.
+NOT_SMOOTH, UNCERTAIN = "not smooth", "uncertain"
+
+
+def is_wanted(wanted, seam_class, certain):
+    """Return whether a filter lets a seam pass.
+
+    ``wanted``: a class, ``NOT_SMOOTH``, ``UNCERTAIN`` for seams whose verdict is not certain, or
+    None for all.
+    """
+    if wanted == UNCERTAIN:
+        return not certain
+    if wanted == NOT_SMOOTH:
+        return seam_class != palette.SMOOTH.key
+    return wanted is None or seam_class == wanted
 
 
 def filter_rows(rows, wanted):
-    """Return the rows of one class, the uncertain rows for ``UNCERTAIN``, or all rows for None."""
-    if wanted == UNCERTAIN:
-        return [row for row in rows if not row.certain]
-    return [row for row in rows if wanted is None or row.seam_class == wanted]
+    """Return the rows that a filter lets pass (see ``is_wanted``)."""
+    return [row for row in rows if is_wanted(wanted, row.seam_class, row.certain)]
+
+
+def shown_edges(report, wanted):
+    """Return the set of the edges of the seams that a filter lets pass."""
+    return {
+        number
+        for seam in report.get("seams", ())
+        if is_wanted(wanted, seam["class"], seam["certified"])
+        for number in seam["edges"]
+    }
+
+
+def cells(rows):
+    """Return the rows as a table of text: headings and rows, cells separated by tabs."""
+    lines = [[column.title for column in COLUMNS]]
+    lines += [[cell_text(row, column) for column in COLUMNS] for row in rows]
+    return "\n".join("\t".join(line) for line in lines)
 
 
 def cell_text(row, column):
-    """Return the text of a cell."""
+    """Return the text of a cell; the headings say what numbers of edges and faces are."""
     value = getattr(row, column.field)
+    if column.field in ("edge_text", "face_text") and "." not in value:
+        return value.replace("Edge", "").replace("Face", "")
     if column.field == "seam_class":
         return palette.BY_KEY[value].name + ("" if row.certain else "?")
     if column.field == "seam":
         return str(value)
     if column.field == "certain":
         return "yes" if value else "no"
-    if column.field in row.figure_texts:
-        return row.figure_texts[column.field]
+    if column.field in SHOWN:
+        return row.figure_text(column.field)
     if column.numeric:
         return "\u2013" if value is None else "%.4g" % value
     return value

@@ -17,12 +17,32 @@ def edge_classes(report):
 
     An edge of several seams gets the worst of their classes, so that each edge is drawn once.
     """
-    classes = {}
+    return edge_keys(report, CLASS)
+
+
+#: What the colours of seams show, with the palette of each.
+CLASS, LEVEL = "Class", "Level"
+COLOURS = {CLASS: palette.CLASSES, LEVEL: palette.LEVELS}
+
+
+def edge_keys(report, colours):
+    """Return {edge number: class or level} as ``edge_classes`` does, for a key of ``COLOURS``."""
+    ranks = {entry.key: rank for rank, entry in enumerate(COLOURS[colours])}
+    name, keys = colours.lower(), {}
     for seam in report.get("seams", ()):
+        key = seam[name]
         for number in seam["edges"]:
-            known = classes.get(number, seam["class"])
-            classes[number] = min(known, seam["class"], key=palette.rank)
-    return classes
+            known = keys.get(number, key)
+            keys[number] = key if ranks[key] < ranks[known] else known
+    return keys
+
+
+def level_counts(report):
+    """Return the number of seams of each level, by key, in the order of ``palette.LEVELS``."""
+    counts = {level.key: 0 for level in palette.LEVELS}
+    for seam in report.get("seams", ()):
+        counts[seam["level"]] += 1
+    return counts
 
 
 def largest(report, name):
@@ -57,6 +77,23 @@ def counted(number, noun):
     return "%s %s%s" % (number or "no", noun, "" if number == 1 else "s")
 
 
+def facts(report):
+    """Return {property of a Seam Analysis: value} of a report; the Summary is the last."""
+    counts = class_counts(report)
+    return {
+        "Seams": sum(counts.values()),
+        "Defects": counts["defect"],
+        "Creases": counts["crease"],
+        "Uncertain": uncertain(report),
+        "Matched": matched(report),
+        "OpenEdges": len(report.get("open", ())),
+        "MaxGap": largest(report, "gap_mm") or 0.0,
+        "MaxAngle": largest(report, "angle_deg") or 0.0,
+        "Passed": passed(report),
+        "Summary": summary_text(report),
+    }
+
+
 def summary_text(report):
     """Return one line: seams of each class, largest figures, certainty, and the verdict."""
     counts = class_counts(report)
@@ -64,9 +101,7 @@ def summary_text(report):
     if total == 0:
         text = "No seams: no two faces share an edge."
         if report.get("open"):
-            text += " %s can be matched: see Tolerances." % counted(
-                len(report["open"]), "free edge"
-            )
+            text += " " + free_edges_text(report)
         return text
     parts = [
         "%s: %s, %s, %d smooth"
@@ -85,6 +120,22 @@ def summary_text(report):
     verdict = "%s is met" if passed(report) else "%s is not met"
     parts.append(verdict % level_of(report))
     return "; ".join(part for part in parts if part) + "."
+
+
+def proposed_match_mm(report):
+    """Return the match distance that the analysis proposes, or None."""
+    return report.get("freecad", {}).get("proposed_match_mm")
+
+
+def free_edges_text(report):
+    """Return a sentence about the free edges of a report without seams."""
+    edges, proposed = counted(len(report["open"]), "free edge"), proposed_match_mm(report)
+    tried = report.get("freecad", {}).get("tried_match_mm")
+    if proposed is not None:
+        return "%s; edges lie side by side: match them within %g mm." % (edges, proposed)
+    if tried is not None:
+        return "%s; none lie side by side within %g mm." % (edges, tried)
+    return "%s can be matched: see Tolerances." % edges
 
 
 def _total_text(report, total):
@@ -123,15 +174,18 @@ def tolerance_text(report):
     return "%s: %s" % (level, ", ".join(parts))
 
 
-def legend_entries(report):
-    """Return [(SeamClass, "Defect: 2", "falls short of G1"), ...] for the legend, worst first."""
-    counts = class_counts(report)
-    level, crease = level_of(report), report["tolerance"]["crease_deg"]
+def legend_entries(report, colours=CLASS):
+    """Return [(SeamClass, "Defect: 2", "falls short of G1"), ...] for the legend, worst first.
+
+    ``colours``: a key of ``COLOURS``.
+    """
+    if colours == LEVEL:
+        counts, meanings = level_counts(report), palette.LEVEL_MEANINGS
+    else:
+        counts = class_counts(report)
+        level, crease = level_of(report), report["tolerance"]["crease_deg"]
+        meanings = {key: palette.meaning(key, level, crease) for key in counts}
     return [
-        (
-            seam_class,
-            "%s: %d" % (seam_class.name, counts[seam_class.key]),
-            palette.meaning(seam_class.key, level, crease),
-        )
-        for seam_class in palette.CLASSES
+        (entry, "%s: %d" % (entry.name, counts[entry.key]), meanings[entry.key])
+        for entry in COLOURS[colours]
     ]

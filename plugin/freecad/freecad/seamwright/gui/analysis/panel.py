@@ -6,7 +6,9 @@ import FreeCADGui as Gui
 from freecad.seamwright.document import analysis
 from freecad.seamwright.document.plan import Plan
 from freecad.seamwright.document.properties import plain
+from freecad.seamwright.document.seam_results import SeamResults
 from freecad.seamwright.gui.analysis import export_dialog
+from freecad.seamwright.gui.analysis.look_form import LookForm
 from freecad.seamwright.gui.analysis.picking import EdgePicker
 from freecad.seamwright.gui.analysis.seam_table import SeamTable
 from freecad.seamwright.gui.base.result_panel import OLD_RESULTS
@@ -17,19 +19,23 @@ from freecad.seamwright.gui.widgets.dock import widen_dock
 from freecad.seamwright.gui.widgets.forms import buttons, make_box, make_form, make_text
 from freecad.seamwright.gui.widgets.later import later
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
-from freecad.seamwright.gui.widgets.steps import abort, remove
+from freecad.seamwright.gui.widgets.steps import abort, remove, step
 from freecad.seamwright.gui.widgets.tolerance_form import ToleranceForm
-from freecad.seamwright.plain import kernel
+from freecad.seamwright.plain import kernel, summary
 
-DOCK_WIDTH = 600
+DOCK_WIDTH = 700
+
+PROPOSED = "No two faces share an edge: free edges are matched within %g mm, as proposed. "
+
+MANY = "%d seams are marked; only the edges of the first %d are selected."
 
 
 class AnalysisPanel:
     """Shows one Seam Analysis.
 
     A click on a row selects the edge of the seam, marks its worst point and zooms to it. Picking an
-    edge in the 3D view selects its row. The panel measures in a thread; the object stays unchanged
-    until that has ended.
+    edge in the 3D view selects its row. What the view shows are properties of the view provider.
+    The panel measures in a thread; the object stays unchanged until that has ended.
     """
 
     def __init__(self, obj, created):
@@ -40,7 +46,10 @@ class AnalysisPanel:
         self.obj = obj
         self._doc, self._name = obj.Document, obj.Name
         self._created = created
-        self.picker = EdgePicker(obj, self._edge_picked)
+        self._in_step = created  # whether a transaction is open for the next results
+        self._proposed = None  # the match distance of the last report, if the panel proposed it
+        self._all_selected = True  # whether the edges of all chosen rows are selected in the view
+        self.picker = EdgePicker(obj, self._edges_picked)
         self._build()
         self.computation = Computation(self.form)
         self._read_fields()
@@ -73,11 +82,19 @@ class AnalysisPanel:
         self.form, layout = make_form("Seam Analysis", "seamwright-analyze")
         self.summary = make_text()
         layout.addWidget(self.summary)
+        self.match_button = QtWidgets.QPushButton()
+        self.match_button.clicked.connect(lambda *_: self._match(self._proposal()))
+        layout.addWidget(self.match_button)
         self.seam_table = SeamTable()
         self.seam_table.chosen.connect(self._show_seams)
+        self.seam_table.filter_chosen.connect(lambda name: self._set_look("Show", name))
+        self.seam_table.asked.connect(self._asked)
         layout.addWidget(self.seam_table)
+        self.look = LookForm()
+        self.look.changed.connect(self._set_look)
+        layout.addWidget(self.look)
         layout.addWidget(self._build_tolerances())
-        layout.addLayout(self._build_export())
+        layout.addLayout(_buttons(self._asked))
 
     def _build_tolerances(self):
         self.tolerances = ToleranceForm(analysis.TOLERANCES, ("Level", analysis.LEVELS))
@@ -87,32 +104,51 @@ class AnalysisPanel:
         layout.addWidget(self.recompute_button)
         return box
 
-    def _build_export(self):
-        line = QtWidgets.QHBoxLayout()
-        repair = QtWidgets.QPushButton("Repair\u2026")
-        repair.setToolTip(
-            "Repair the seams of the selected rows, or all defects if no row is selected"
-        )
-        repair.clicked.connect(lambda *_: QtCore.QTimer.singleShot(0, _repair))
-        line.addWidget(repair)
-        for kind in ("csv", "json"):
-            button = QtWidgets.QPushButton("Export %s\u2026" % kind.upper())
-            button.clicked.connect(
-                lambda *_, kind=kind: export_dialog.ask_and_export(self.obj, (kind,))
-            )
-            line.addWidget(button)
-        return line
-
     # Actions.
 
     def refresh(self):
-        """Show the results as they are stored now."""
+        """Show the results as they are stored now; a long report once the view has read it."""
         self._shown = self._state()
-        self.report, self.seams = seam_view.seams_by_number(self.obj)
-        self.picker.report = self.report
-        self.seam_table.show_report(self.report)
-        self.summary.setText(analysis.error_text(self.obj) or self.obj.Summary)
+        self.results = analysis.known_results(self.obj)
+        if self.results is None:
+            self.obj.ViewObject.Proxy.refresh(self.obj.ViewObject)
+            self.results = analysis.known_results(self.obj) or SeamResults("", [], {"seams": []})
+        self.picker.numbers = self.results.numbers_on(self.obj.Name)
+        self.seam_table.show_results(self.results)
+        self.obj.ViewObject.Proxy.mark([], [], [])
+        self.summary.setText(self._summary())
+        proposal = self._proposal()
+        self.match_button.setVisible(proposal is not None)
+        self.match_button.setText("Match free edges within %g mm" % (proposal or 0.0))
+        self.look_changed()
         self._tolerances_changed()
+
+    def look_changed(self):
+        """Show what the view shows."""
+        self.seam_table.show_filter(self.obj.ViewObject.Show)
+        self.look.show_look(self.obj.ViewObject)
+
+    def _summary(self):
+        text = analysis.error_text(self.obj) or self.obj.Summary
+        if self._proposed is not None and self.obj.MatchDistance.Value == self._proposed:
+            text = PROPOSED % self._proposed + text
+        return text
+
+    def _proposal(self):
+        return summary.proposed_match_mm(self.results.report)
+
+    def _set_look(self, name, value):
+        """Change a property of the view, as a step that can be undone."""
+        vobj = self.obj.ViewObject
+        if getattr(vobj, name) != value:
+            with step(self._doc, "Look of seams"):
+                setattr(vobj, name, value)
+
+    def _match(self, distance_mm):
+        """Analyse again with a match distance that was proposed."""
+        self._proposed = distance_mm
+        self.tolerances.fields["MatchDistance"].setValue(distance_mm)
+        self._measure()
 
     def recompute(self, *_):
         """Analyse with the tolerances of the fields, as one step that can be undone."""
@@ -147,13 +183,19 @@ class AnalysisPanel:
                 self._withdraw()
                 messages.show_error(str(error))
                 return
-            if not self._created:
+            if not self._in_step:
                 self._doc.openTransaction("Seam tolerances")
             plan.apply(found, error)
-            self._doc.commitTransaction()
+            proposal = summary.proposed_match_mm(analysis.report_of(self.obj))
+            again = self._created and proposal is not None
+            self._in_step = again
+            if not again:
+                self._doc.commitTransaction()
             self._created = False
             self._read = self._values()
             self.refresh()
+            if again:
+                self._match(proposal)
 
         self.computation.follow(plan, keep, self._abandoned)
 
@@ -164,10 +206,17 @@ class AnalysisPanel:
             messages.say("%s; nothing was analysed." % why)
         else:
             self.summary.setText(why + OLD_RESULTS)
+            self._end_step()
+
+    def _end_step(self):
+        if self._in_step:
+            self._in_step = False
+            self._doc.commitTransaction()
 
     def _withdraw(self):
         """Remove the object that the command created, and close the panel."""
-        name, self._name, self._created = self._name, None, False
+        name, self._name = self._name, None
+        self._created = self._in_step = False
         abort(self._doc, name)
         Gui.getDocument(self._doc.Name).resetEdit()
 
@@ -176,8 +225,8 @@ class AnalysisPanel:
         self.computation.drop()
         self.picker.stop()
         Gui.Selection.clearSelection()
+        self._end_step()
         if self._created:  # FreeCAD ended the editing before anything was measured
-            self._doc.commitTransaction()
             later(self.obj, lambda obj: remove(obj.Document, obj.Name))
 
     def _tolerances_changed(self):
@@ -185,21 +234,54 @@ class AnalysisPanel:
         text = "Recompute (values were changed)" if stale else "Recompute"
         self.recompute_button.setText(text)
 
+    def chosen_elements(self):
+        """Return [(object, "Edge3"), ...] of the chosen rows if FreeCAD's selection lacks some."""
+        if self._all_selected:
+            return []
+        found = self.results.elements(self.seam_table.chosen_rows())
+        found = [(self._doc.getObject(name), edge) for name, edge in found]
+        return [(obj, edge) for obj, edge in found if obj is not None]
+
     def _show_seams(self, numbers, look):
         """Show seams in the view; ``look``: turn and zoom the view to them."""
-        chosen = [self.seams[number] for number in numbers]
-        size = self.obj.Shape.BoundBox.DiagonalLength
+        chosen = [self.results.seams[number] for number in numbers]
+        size = self.obj.Shape.BoundBox.DiagonalLength if look else 0.0
         with self.picker.paused():
-            seam_view.show(self.obj, self.report, chosen, size, look)
+            self._all_selected = seam_view.show(
+                self.obj, self.results.report, chosen, size, look, self.results.lines
+            )
+        if not self._all_selected:
+            messages.say(MANY % (len(chosen), seam_view.SELECTED_MOST))
 
-    def _edge_picked(self, number):
-        """Select the rows of an edge once FreeCAD has finished its own selection."""
+    def _asked(self, key):
+        """Do what a button or an entry of the context menu says."""
+        if key == "repair":
+            QtCore.QTimer.singleShot(0, _repair)
+        elif key in ("csv", "json"):
+            export_dialog.ask_and_export(self.obj, (key,))
+        else:
+            numbers = [row.seam for row in self.seam_table.chosen_rows()]
+            self._show_seams(numbers, look=key == "zoom")
 
-        def act():
-            if self.picker.active:
-                self.seam_table.select_edge(number)
+    def _edges_picked(self, numbers):
+        """Select the rows of edges."""
+        self.seam_table.select_edges(numbers)
 
-        QtCore.QTimer.singleShot(0, act)
+
+def _buttons(asked):
+    """Return the line of buttons at the end of the panel; each calls ``asked`` with its key."""
+    line = QtWidgets.QHBoxLayout()
+    for key, text, tip in (
+        ("repair", "Repair\u2026",
+         "Repair the seams of the selected rows, or all defects if no row is selected"),
+        ("csv", "Export CSV\u2026", "Write a table with a line for each seam"),
+        ("json", "Export JSON\u2026", "Write the report as the command seamwright does"),
+    ):  # fmt: skip
+        button = QtWidgets.QPushButton(text)
+        button.setToolTip(tip)
+        button.clicked.connect(lambda *_, key=key: asked(key))
+        line.addWidget(button)
+    return line
 
 
 def _repair():

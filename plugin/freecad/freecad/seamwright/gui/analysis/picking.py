@@ -5,20 +5,22 @@ import contextlib
 
 import FreeCADGui as Gui
 
-from freecad.seamwright.plain import rows
+from freecad.seamwright.gui.widgets.qt import QtCore
 
 
 class EdgePicker:
-    """Calls ``picked(edge number)`` when an edge of an analysis or of its sources is selected.
+    """Calls ``picked(edge numbers)`` when edges of an analysis or of its sources are selected.
 
-    Numbers are those of ``report``. The picker observes FreeCAD's selection between ``start`` and
-    ``stop``, except within ``paused``.
+    ``numbers``: {(object name, "Edge3"): edge number}. The picker observes FreeCAD's selection
+    between ``start`` and ``stop``, except within ``paused``. It tells all edges at once that are
+    selected in one go, when FreeCAD has finished its own selection.
     """
 
     def __init__(self, obj, picked):
-        self.report = {}
-        self._obj = obj
+        self.numbers = {}
+        self._doc_name = obj.Document.Name
         self._picked = picked
+        self._found = []
         self._paused = False
         self.active = False
 
@@ -43,10 +45,17 @@ class EdgePicker:
 
     def addSelection(self, doc_name, name, element, position):
         """FreeCAD calls this when an element is added to the selection."""
-        if self._paused or doc_name != self._obj.Document.Name:
+        if self._paused or doc_name != self._doc_name:
             return
         *path, element = element.split(".")
-        name = path[-1] if path else name
-        number = rows.edge_number(self.report, self._obj.Name, name, element)
-        if number is not None:
-            self._picked(number)
+        number = self.numbers.get((path[-1] if path else name, element))
+        if number is None:
+            return
+        if not self._found:
+            QtCore.QTimer.singleShot(0, self._tell)
+        self._found.append(number)
+
+    def _tell(self):
+        found, self._found = self._found, []
+        if self.active:
+            self._picked(found)

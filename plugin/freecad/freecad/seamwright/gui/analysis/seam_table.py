@@ -2,26 +2,29 @@
 """The table of an analysis: a line for each seam, with a filter by class and a default order."""
 
 from freecad.seamwright.gui.analysis.table_model import SeamTableModel
-from freecad.seamwright.gui.widgets.forms import show_seams_in
+from freecad.seamwright.gui.analysis.table_view import SeamTableView
 from freecad.seamwright.gui.widgets.qt import QtCore, QtGui, QtWidgets
-from freecad.seamwright.plain import palette, rows, summary
-
-HEIGHT = 260
+from freecad.seamwright.plain import filters, palette, rows
 
 
 class SeamTable(QtWidgets.QWidget):
     """The lines of one report.
 
     When lines are selected, ``chosen`` is emitted with the numbers of their seams, and with whether
-    the view has to turn to them. It stays where the user picked an edge in the view.
+    the view has to turn to them. It stays where the user picked an edge in the view, and where the
+    user moves through the table with the keys. ``filter_chosen`` is emitted with a name of
+    filters.NAMES, ``asked`` with the key of an entry of the context menu.
     """
 
     chosen = QtCore.Signal(list, bool)
+    filter_chosen = QtCore.Signal(str)
+    asked = QtCore.Signal(str)
 
     def __init__(self):
         super().__init__()
         self.model = SeamTableModel()
-        self._look = True
+        self._look, self._silent = True, False
+        self._kept = set()
         layout = QtWidgets.QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addLayout(self._build_filter())
@@ -31,10 +34,13 @@ class SeamTable(QtWidgets.QWidget):
         line = QtWidgets.QHBoxLayout()
         line.addWidget(QtWidgets.QLabel("Show"))
         self.filter = QtWidgets.QComboBox()
-        self.filter.addItem("All seams", None)
-        for seam_class in palette.CLASSES:
-            self.filter.addItem("", seam_class.key)
-        self.filter.addItem("", rows.UNCERTAIN)
+        self.filter.setToolTip("The seams in the table and in the view")
+        for name, wanted in filters.FILTERS.items():
+            self.filter.addItem(name, wanted)
+            if wanted in palette.BY_KEY:
+                self.filter.setItemIcon(
+                    self.filter.count() - 1, _swatch(palette.BY_KEY[wanted].rgb)
+                )
         self.filter.currentIndexChanged.connect(self._filter_changed)
         line.addWidget(self.filter, 1)
         worst = QtWidgets.QPushButton("Worst first")
@@ -44,65 +50,103 @@ class SeamTable(QtWidgets.QWidget):
         return line
 
     def _build_table(self):
-        self.table = QtWidgets.QTableView()
-        self.table.setModel(self.model)
-        show_seams_in(self.table, HEIGHT)
-        self.table.horizontalHeader().setSortIndicator(-1, QtCore.Qt.AscendingOrder)
-        self.table.setSortingEnabled(True)
+        self.table = SeamTableView(self.model)
+        self.table.asked.connect(self._asked)
         self.table.selectionModel().selectionChanged.connect(self._selection_changed)
+        self.model.modelAboutToBeReset.connect(self._remember)
+        self.model.modelReset.connect(self._recall)
         return self.table
 
-    def show_report(self, report):
-        """Show the seams of a report; filter and order stay."""
-        built = rows.build_rows(report)
-        self.model.set_rows(built)
+    def show_results(self, results):
+        """Show the seams of SeamResults; filter and order stay."""
+        self._silent = True
+        self.table.clearSelection()
+        self._silent = False
+        self.model.set_rows(results.rows)
         for index, column in enumerate(rows.COLUMNS):
             if column.field == "curvature_change_rel":
-                self.table.setColumnHidden(index, not rows.has_values(built, column.field))
-        self._count(report)
-        self.table.resizeColumnsToContents()
+                known = rows.has_values(results.rows, column.field)
+                self.table.setColumnHidden(index, not known)
+        for index, count in enumerate(filters.counts(results.report)):
+            self.filter.setItemText(index, "%s (%d)" % (filters.NAMES[index], count))
+        self.table.fit_columns(new_texts=True)
 
-    def _count(self, report):
-        """Write into the filter how many seams each class has."""
-        counts = summary.class_counts(report)
-        self.filter.setItemText(0, "All seams (%d)" % sum(counts.values()))
-        for index, seam_class in enumerate(palette.CLASSES, 1):
-            text = "%s (%d)" % (seam_class.name, counts[seam_class.key])
-            self.filter.setItemText(index, text)
-            self.filter.setItemIcon(index, _swatch(seam_class.rgb))
-        text = "Uncertain (%d)" % summary.uncertain(report)
-        self.filter.setItemText(self.filter.count() - 1, text)
+    def show_filter(self, name):
+        """Show the seams of a choice of filters.NAMES."""
+        self.filter.setCurrentIndex(filters.NAMES.index(name))
+
+    def chosen_rows(self):
+        """Return the selected Rows, in the order of the table."""
+        # Qt's list of selected rows takes seconds for 40,000 rows: it asks the model for each cell.
+        ranges = self.table.selectionModel().selection()
+        lines = {line for each in ranges for line in range(each.top(), each.bottom() + 1)}
+        return [self.model.row(line) for line in sorted(lines)]
 
     def sort_worst_first(self, *_):
         """Restore the initial order."""
         self.table.horizontalHeader().setSortIndicator(-1, QtCore.Qt.AscendingOrder)
         self.model.sort(-1)
 
-    def select_edge(self, number):
-        """Select the lines of the seams that have an edge; the view stays as it is."""
-        lines = self.model.rows_of_edge(number)
+    def select_edges(self, numbers):
+        """Select the lines of the seams that have one of the edges; the view stays as it is."""
+        lines = self.model.rows_of_edges(numbers)
         if not lines:
             self.filter.setCurrentIndex(0)
-            lines = self.model.rows_of_edge(number)
-        selection = QtCore.QItemSelection()
-        for line in lines:
-            index = self.model.index(line, 0)
-            selection.select(index, index)
+            lines = self.model.rows_of_edges(numbers)
         self._look = False
-        flags = QtCore.QItemSelectionModel.ClearAndSelect | QtCore.QItemSelectionModel.Rows
-        self.table.selectionModel().select(selection, flags)
+        self._select(lines)
         self._look = True
+
+    def _select(self, lines):
+        selection, last = QtCore.QItemSelection(), self.model.columnCount() - 1
+        for first, end in _runs(lines):
+            selection.select(self.model.index(first, 0), self.model.index(end, last))
+        flags = QtCore.QItemSelectionModel.ClearAndSelect
+        self.table.selectionModel().select(selection, flags)
         if lines:
+            flags = QtCore.QItemSelectionModel.NoUpdate
+            self.table.selectionModel().setCurrentIndex(self.model.index(lines[0], 0), flags)
             self.table.scrollTo(self.model.index(lines[0], 0))
 
     def _filter_changed(self, index):
         self.model.set_filter(self.filter.itemData(index))
-        self.table.resizeColumnsToContents()
+        self.filter_chosen.emit(filters.NAMES[index])
+
+    def _remember(self):
+        self._kept = {row.seam for row in self.chosen_rows()}
+
+    def _recall(self):
+        """Select the chosen seams again that a new order or filter has left in the table."""
+        lines = self.model.rows_of_seams(self._kept) if self._kept else []
+        self._silent = len(lines) == len(self._kept)
+        self._look = False
+        if lines:
+            self._select(lines)
+        elif self._kept:
+            self.chosen.emit([], False)
+        self._look, self._silent = True, False
 
     def _selection_changed(self, *_):
-        lines = [index.row() for index in self.table.selectionModel().selectedRows()]
-        if lines:
-            self.chosen.emit([self.model.row(line).seam for line in lines], self._look)
+        if not self._silent:
+            look = self._look and not self.table.by_keys
+            self.chosen.emit([row.seam for row in self.chosen_rows()], look)
+
+    def _asked(self, key):
+        if key == "copy":
+            QtWidgets.QApplication.clipboard().setText(rows.cells(self.chosen_rows()))
+        else:
+            self.asked.emit(key)
+
+
+def _runs(lines):
+    """Return [(first, last), ...] of sorted numbers that follow each other."""
+    found = []
+    for line in lines:
+        if found and found[-1][1] == line - 1:
+            found[-1][1] = line
+        else:
+            found.append([line, line])
+    return found
 
 
 def _swatch(rgb):

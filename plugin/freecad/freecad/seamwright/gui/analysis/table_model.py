@@ -26,7 +26,9 @@ class SeamTableModel(QtCore.QAbstractTableModel):
         self._arrange()
 
     def set_filter(self, wanted):
-        """Show one class, or the uncertain rows (see ``rows.filter_rows``); None shows all rows."""
+        """Show only the rows that ``rows.filter_rows`` lets pass."""
+        if wanted == self._wanted:
+            return
         self._wanted = wanted
         self._arrange()
 
@@ -34,9 +36,14 @@ class SeamTableModel(QtCore.QAbstractTableModel):
         """Return the Row at an index of the shown rows."""
         return self._shown[index]
 
-    def rows_of_edge(self, number):
-        """Return the indices of the shown rows whose seam has this edge."""
-        return [index for index, row in enumerate(self._shown) if number in row.edges]
+    def rows_of_edges(self, numbers):
+        """Return the indices of the shown rows whose seam has one of these edges."""
+        wanted = set(numbers)
+        return [index for index, row in enumerate(self._shown) if not wanted.isdisjoint(row.edges)]
+
+    def rows_of_seams(self, numbers):
+        """Return the indices of the shown rows of these seams."""
+        return [index for index, row in enumerate(self._shown) if row.seam in numbers]
 
     def rowCount(self, parent=None):
         """Return the number of shown rows."""
@@ -52,7 +59,7 @@ class SeamTableModel(QtCore.QAbstractTableModel):
         if role == Qt.DisplayRole:
             return rows.cell_text(row, column)
         if role == Qt.ToolTipRole:
-            return row.detail
+            return "%s, %s\n%s" % (row.edge_text, row.face_text, row.detail)
         if role == Qt.DecorationRole and column.field == "seam_class":
             return QtGui.QColor(*palette.BY_KEY[row.seam_class].rgb)
         if role == Qt.TextAlignmentRole and column.numeric:

@@ -133,7 +133,7 @@ class OptionPanel(ResultPanel):
     def _connect(self):
         self.options.changed.connect(self.changed)
         for name, box in self.boxes.items():
-            box.use.clicked.connect(lambda *_, name=name: self.use(name, picked()))
+            box.use.clicked.connect(lambda *_, name=name: self._use_selection(name))
 
     def read_fields(self):
         """Show the values of the object."""
@@ -225,6 +225,14 @@ class OptionPanel(ResultPanel):
         """Compute after a short delay."""
         super().changed()
         self._timer.start()
+
+    def _use_selection(self, name):
+        try:
+            chosen = picked()
+        except sources.SourceError as error:
+            messages.show_error(str(error))
+            return
+        self.use(name, chosen)
 
     def use(self, name, chosen):
         """Let a property have these links, or say why it cannot; compute."""

@@ -54,12 +54,12 @@ class PanelView:
         if self.panel is not None:
             self.panel.reload()
 
-    def mark(self, edges, classes, worst):
-        """Draw a bright band along the edges, which have the given classes; [] removes it.
+    def mark(self, lines, classes, worst):
+        """Draw a bright band along lines of seams, which have the given classes; [] removes it.
 
-        ``worst`` is a list of (point, label) to be marked.
+        A line is a list of points. ``worst`` is a list of (point, label) to be marked.
         """
-        self.halo.show(edges, [palette.BY_KEY[key].unit_rgb for key in classes], self.line_width)
+        self.halo.show(lines, [palette.BY_KEY[key].unit_rgb for key in classes], self.line_width)
         self.marker.show(worst)
 
     def getIcon(self):

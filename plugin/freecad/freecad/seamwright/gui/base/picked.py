@@ -9,7 +9,8 @@ from freecad.seamwright.document import sources
 def picked():
     """Return [(object, "Edge3" or ""), ...] of the selection, in the order of picking.
 
-    A group or part that is selected as a whole counts as its contents.
+    A group or part that is selected as a whole counts as its contents. Raises SourceError for a
+    mesh, and for what else has no shape.
     """
     found = []
     for chosen in Gui.Selection.getCompleteSelection():
@@ -20,4 +21,6 @@ def picked():
             if not sources.has_shape(chosen.Object):
                 members = sources.expand(members) or members
             found += [(obj, "") for obj in members]
+    for obj, _ in found:
+        sources.check_kind(obj)
     return found

@@ -13,9 +13,6 @@ WIDTH = 16.0
 #: the viewer would cover half of a wide line, so the band is lifted further.
 SEAM_LIFT, BAND_LIFT, CORE_LIFT = 0.003, 0.03, 0.0305
 
-#: Deviation of the drawn band from the edge, as a part of the size of the edge.
-DEFLECTION = 0.001
-
 
 def nearer(amount):
     """Return a node that draws the nodes after it nearer by a part of the depth of the view.
@@ -48,13 +45,12 @@ class Halo:
             self.node.addChild(node)
         self.show([], [], 1.0)
 
-    def show(self, edges, colours, line_width):
-        """Draw the band along the edges, and on it their lines; no edges remove it.
+    def show(self, lines, colours, line_width):
+        """Draw the band along lines, each a list of points, and on it the lines; [] removes it.
 
         ``colours`` are the (red, green, blue) of the lines, 0..1; ``line_width`` is in pixels.
         """
-        lines = [_polyline(edge) for edge in edges]
-        points = [tuple(point) for line in lines for point in line]
+        points = [point for line in lines for point in line]
         self._core_style.lineWidth = line_width
         for field, values in (
             (self._points.point, points),
@@ -63,7 +59,3 @@ class Halo:
         ):
             field.setNum(0)
             field.setValues(0, len(values), values)
-
-
-def _polyline(edge):
-    return edge.discretize(Deflection=max(DEFLECTION * edge.BoundBox.DiagonalLength, 1e-7))

@@ -26,11 +26,12 @@ class Marker:
     def show(self, marks):
         """Show only these marks, each (point, label); the coordinates of the point are in mm."""
         self._marks.removeAllChildren()
+        ring = _image(draw_ring(), coin.SoImage.CENTER, coin.SoImage.HALF) if marks else None
         for point, label in marks:
             mark, position = coin.SoSeparator(), coin.SoTranslation()
             position.translation = tuple(point)
             mark.addChild(position)
-            mark.addChild(_image(draw_ring(), coin.SoImage.CENTER, coin.SoImage.HALF))
+            mark.addChild(ring)
             if label:
                 mark.addChild(_image(draw_label(label), coin.SoImage.LEFT, coin.SoImage.HALF))
             self._marks.addChild(mark)

@@ -5,53 +5,101 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import Part
 
-from freecad.seamwright.document import analysis, sources
+from freecad.seamwright.document import sources
+from freecad.seamwright.document.seam_results import polyline
 from freecad.seamwright.gui.scene import camera
 from freecad.seamwright.plain import rows
 
 #: The least height of the view when zooming to a seam, as a part of the size of the model.
 CONTEXT = 0.15
 
+#: More edges are not selected, only marked: FreeCAD compares each with all that are selected.
+SELECTED_MOST = 1000
 
-def show(obj, report, seams, size, look=True):
+#: More worst points are not marked, since their labels would cover each other.
+LABELLED_MOST = 50
+
+
+def show(obj, report, seams, size, look=True, lines=None):
     """Select the edges of seams (dicts of the report) on their objects, and mark them on ``obj``.
 
-    ``size``: of the model, in mm. ``look``: turn and zoom the view to the seams.
+    ``size``: of the model, in mm. ``look``: turn and zoom the view to the seams, unless they
+    are too many. ``lines``: the
+    {edge number: [point, ...]} of the edges, if they are known. Returns whether all edges were
+    selected, see ``SELECTED_MOST``.
     """
+    lines = _lines_of(obj.Document, report, seams) if lines is None else lines
+    numbers = {number: seam["class"] for seam in seams for number in seam["edges"]}
+    numbers = {number: key for number, key in numbers.items() if number in lines}
+    owners = [rows.owner_of(report, "edges", number) for number in numbers]
+    owners = [owner for owner in owners if owner]
     Gui.Selection.clearSelection()
-    edges, classes = [], []
-    for seam in seams:
-        for number in seam["edges"]:
-            owner = rows.owner_of(report, "edges", number)
-            edge = find(obj.Document, *owner) if owner else None
-            if edge is not None:
-                select(obj.Document, *owner)
-                edges.append(edge)
-                classes.append(seam["class"])
-    worst = [
+    select_all(obj.Document, owners[:SELECTED_MOST])
+    obj.ViewObject.Proxy.mark(
+        [lines[number] for number in numbers],
+        list(numbers.values()),
+        worst_marks(report, seams[:LABELLED_MOST]),
+    )
+    all_selected = len(owners) <= SELECTED_MOST
+    if look and numbers and all_selected:
+        look_at(obj, report, seams, size, [lines[number] for number in numbers])
+    return all_selected
+
+
+def look_at(obj, report, seams, size, lines):
+    """Turn and zoom the view to seams; ``lines``: of their edges, as lists of points."""
+    view = _view_of(obj.Document)
+    if view is None:
+        return
+    box = App.BoundBox()
+    for line in lines:
+        for point in line:
+            box.add(*point)
+    camera.look_at(view, box, CONTEXT * size, _location(obj, report, seams[0], lines[0]))
+
+
+def worst_marks(report, seams):
+    """Return [(point, label), ...] of the worst points of seams."""
+    return [
         (seam["worst"]["point"], rows.worst_label(seam, report["tolerance"]))
         for seam in seams
         if seam.get("worst")
     ]
-    obj.ViewObject.Proxy.mark(edges, classes, worst)
-    view = _view_of(obj.Document)
-    if not look or not edges or view is None:
-        return
-    box = App.BoundBox()
-    for edge in edges:
-        box.add(edge.BoundBox)
-    camera.look_at(view, box, CONTEXT * size, _location(obj, report, seams[0], edges[0]))
+
+
+def _lines_of(doc, report, seams):
+    found = {}
+    for number in (number for seam in seams for number in seam["edges"]):
+        owner = rows.owner_of(report, "edges", number)
+        edge = find(doc, *owner) if owner else None
+        if edge is not None:
+            found[number] = polyline(edge)
+    return found
 
 
 def select(doc, name, element):
     """Select one sub-element, by its path from the top of the document."""
-    obj = doc.getObject(name)
-    path = element
-    group = obj.getParentGeoFeatureGroup()
-    while group is not None:
-        path = "%s.%s" % (obj.Name, path)
-        obj, group = group, group.getParentGeoFeatureGroup()
-    Gui.Selection.addSelection(doc.Name, obj.Name, path)
+    select_all(doc, [(name, element)])
+
+
+def select_all(doc, owners):
+    """Select sub-elements, (object name, element) each; the objects that are gone are left out.
+
+    Elements of one object are selected at once, by their paths from the top of the document.
+    """
+    elements = {}
+    for name, element in owners:
+        elements.setdefault(name, []).append(element)
+    for name, names in elements.items():
+        obj = doc.getObject(name)
+        if obj is None:
+            continue
+        path = ""
+        group = obj.getParentGeoFeatureGroup()
+        while group is not None:
+            path = "%s.%s" % (obj.Name, path)
+            obj, group = group, group.getParentGeoFeatureGroup()
+        Gui.Selection.addSelection(obj, [path + element for element in names])
 
 
 def find(doc, name, element):
@@ -65,13 +113,16 @@ def find(doc, name, element):
         return None
 
 
-def _location(obj, report, seam, edge):
-    """Return (point, outward normal or None, tangent) at the middle of a seam's edge.
+def _location(obj, report, seam, line):
+    """Return (point, outward normal or None, tangent) at the middle of the line of a seam.
 
     The normal is the mean of the normals of the faces; None where they cancel or are unknown.
     """
-    middle = sum(edge.ParameterRange) / 2
-    point, tangent = edge.valueAt(middle), edge.tangentAt(middle)
+    middle = len(line) // 2
+    before, after = App.Vector(*line[middle - 1]), App.Vector(*line[middle])
+    point, tangent = (before + after) / 2, after - before
+    if tangent.Length > 0:
+        tangent.normalize()
     owners = [rows.owner_of(report, "faces", number) for number in seam["faces"]]
     faces = [find(obj.Document, *owner) for owner in owners if owner]
     total = App.Vector()
@@ -92,9 +143,3 @@ def _view_of(doc):
     gui_document = Gui.getDocument(doc.Name)
     view = gui_document.activeView()
     return view if hasattr(view, "getCameraNode") else None
-
-
-def seams_by_number(obj):
-    """Return (report, {seam number: seam}) of an analysis."""
-    report = analysis.report_of(obj)
-    return report, {seam["id"]: seam for seam in report["seams"]}

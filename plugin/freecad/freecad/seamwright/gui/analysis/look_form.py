@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The fields for what the view shows of an analysis, besides the filter of the table."""
+
+from freecad.seamwright.gui.scene import seam_view
+from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
+from freecad.seamwright.plain import summary
+
+
+class LookForm(QtWidgets.QWidget):
+    """``changed`` is emitted with the name of a view property and its new value."""
+
+    changed = QtCore.Signal(str, object)
+
+    def __init__(self):
+        super().__init__()
+        self.colours, self.labels = QtWidgets.QComboBox(), QtWidgets.QSpinBox()
+        self.colours.addItems(list(summary.COLOURS))
+        self.colours.setToolTip("What the colours of the seams in the view show")
+        self.colours.activated.connect(
+            lambda *_: self.changed.emit("ColourBy", self.colours.currentText())
+        )
+        self.labels.setRange(0, seam_view.LABELLED_MOST)
+        self.labels.setSpecialValueText("none")
+        self.labels.setToolTip(
+            "At how many of the worst seams that are shown the largest figure is written. "
+            "It is always written at the seams of the selected rows."
+        )
+        self.labels.valueChanged.connect(lambda number: self.changed.emit("WorstLabels", number))
+        line = QtWidgets.QHBoxLayout(self)
+        line.setContentsMargins(0, 0, 0, 0)
+        for text, widget in (("Colours", self.colours), ("Label the worst", self.labels)):
+            line.addWidget(QtWidgets.QLabel(text))
+            line.addWidget(widget, 1)
+
+    def show_look(self, vobj):
+        """Show the properties of a view."""
+        self.colours.setCurrentText(vobj.ColourBy)
+        self.labels.setValue(vobj.WorstLabels)
