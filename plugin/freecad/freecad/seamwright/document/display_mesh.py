@@ -7,7 +7,7 @@ The kernel makes them. Faces share no points, so that a break at a seam stays vi
 import numpy
 import Part
 
-from freecad.seamwright.plain import kernel
+from freecad.seamwright.plain import curvature, kernel
 
 
 class ShownMesh:
@@ -28,6 +28,7 @@ class ShownMesh:
         self.principal_per_mm = self.parameters = numpy.empty((0, 2))
         self.first_nodes = numpy.zeros(1, int)
         self.faults = []
+        self._areas = None
 
     @classmethod
     def of(cls, mesh):
@@ -64,6 +65,13 @@ class ShownMesh:
         found.points = self.points @ matrix[:3, :3].T + matrix[:3, 3]
         found.normals = self.normals @ matrix[:3, :3].T
         return found
+
+    @property
+    def areas(self):
+        """The area of each point: a third of that of the triangles around it."""
+        if self._areas is None:
+            self._areas = curvature.areas(self.points, self.triangles)
+        return self._areas
 
     @property
     def largest_mm(self):

@@ -83,7 +83,7 @@ def closest(points, corners):
     with numpy.errstate(divide="ignore", invalid="ignore"):
         v = (d11 * d20 - d01 * d21) / area
         w = (d00 * d21 - d01 * d20) / area
-    inside = (v >= 0) & (w >= 0) & (v + w <= 1)
+        inside = (v >= 0) & (w >= 0) & (v + w <= 1)
     v, w = numpy.where(inside, v, 0.0), numpy.where(inside, w, 0.0)
     square = numpy.where(inside, _square(ap, ab, ac, v, w), numpy.inf)
     with numpy.errstate(divide="ignore", invalid="ignore"):

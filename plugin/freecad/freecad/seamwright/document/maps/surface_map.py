@@ -8,7 +8,7 @@ import numpy
 from freecad.seamwright.document import sources
 from freecad.seamwright.document.maps import meshes
 from freecad.seamwright.document.maps.tool import Tool
-from freecad.seamwright.plain import curvature, maps, orientation
+from freecad.seamwright.plain import maps, orientation
 
 WANTED = "Select objects with faces; with nothing selected, all visible ones are taken"
 
@@ -163,9 +163,7 @@ def _align(sheets):
 
 def weights(found):
     """Return the areas of the points of a list of Values, in a row."""
-    return numpy.concatenate(
-        [curvature.areas(each.mesh.points, each.mesh.triangles) for each in found]
-    )
+    return numpy.concatenate([each.mesh.unplaced.areas for each in found])
 
 
 def joined(found):
