@@ -372,7 +372,7 @@ class Objects(DocumentCase):
         self.doc.recompute()
         for kind, chosen, text in (
             ("CurvatureMap", line, "Line has no faces"),
-            ("Deviation", box, "1 objects are selected"),
+            ("Deviation", box, "1 object selected"),
             ("SeamPlot", box, "Box is no edge"),
             ("CurvatureComb", [(box, "Vertex1")], "Box.Vertex1 is a point"),
             ("CurvatureMap", [], "nothing is selected"),

@@ -153,7 +153,7 @@ class Panel(MapWindow):
             ("CurvatureComb", [], "Nothing is selected: select edges, wires or faces."),
             ("CurvatureMap", [(line, "")], "Line has no faces: "),
             ("DraftAngle", [(group, "")], "Group has no shape: "),
-            ("Deviation", [(self.block, "")], "1 objects are selected: select two objects"),
+            ("Deviation", [(self.block, "")], "1 object selected: select two objects"),
             ("SeamPlot", [(self.sheets[0], "Edge1")], "Left.Edge1 bounds 1 face: "),
             ("SeamPlot", [(self.block, "")], "Block is no edge: "),
         ):

@@ -52,7 +52,7 @@ def test_highlight_lines_of_a_plane_have_the_spacing_of_the_lamps(random):
 
 
 def test_highlight_lines_of_a_cylinder_meet_the_lamps(random):
-    """The normal at the angle a of a cylinder of radius r about x reaches the height h at h tan a."""
+    """The normal at the angle a of a cylinder about x reaches the height h at h tan a."""
     angles = random.uniform(-1.2, 1.2, 50)
     normals = numpy.stack([0 * angles, numpy.sin(angles), numpy.cos(angles)], axis=1)
     for radius in (3.0, 40.0):

@@ -25,8 +25,9 @@ ROUGH_MM = 1.0
 def curvature_map_later(shape, constant=CONSTANT):
     """Return a callable(progress) -> ShownMesh with ``mean_per_mm`` of a shape as it is now.
 
-    Large faces have small triangles, except surfaces of the kinds ``constant``. Any thread may call it. ``progress`` is a callable(fraction) that returns False to stop; then
-    the result is None. Raises KernelUnavailable when the compiled part is missing.
+    Large faces have small triangles, except surfaces of the kinds ``constant``. Any thread may call
+    it. ``progress`` is a callable(fraction) that returns False to stop; then the result is None.
+    Raises KernelUnavailable when the compiled part is missing.
     """
     module = kernel.load(Part.OCC_VERSION)
     if shape.isNull() or not shape.Faces:

@@ -16,9 +16,9 @@ class ShownMesh:
     ``points`` and ``normals`` have the shape (n, 3), ``triangles`` (m, 3), ``moves_mm`` and
     ``mean_per_mm`` (n,) or empty. ``mean_per_mm``: the mean curvatures in 1/mm, positive where the
     face bends towards its normal; nan where it has none. ``principal_per_mm`` (n, 2): the principal
-    curvatures, the larger first. ``parameters`` (n, 2): of the surface. The points of face k, from 1, are those
-    from ``first_nodes[k - 1]`` to ``first_nodes[k]``. ``faults``: dicts of face, from 1, and
-    reason, for the faces whose triangles are missing or do not cover them.
+    curvatures, the larger first. ``parameters`` (n, 2): of the surface. The points of face k, from
+    1, are those from ``first_nodes[k - 1]`` to ``first_nodes[k]``. ``faults``: dicts of face, from
+    1, and reason, for the faces whose triangles are missing or do not cover them.
     """
 
     def __init__(self):
@@ -53,9 +53,7 @@ class ShownMesh:
         self.normals, self.mean_per_mm = self.normals * each[:, None], self.mean_per_mm * each
         if len(self.principal_per_mm):
             turned = -self.principal_per_mm[:, ::-1]
-            self.principal_per_mm = numpy.where(
-                each[:, None] < 0, turned, self.principal_per_mm
-            )
+            self.principal_per_mm = numpy.where(each[:, None] < 0, turned, self.principal_per_mm)
 
     def placed(self, placement):
         """Return the same mesh at a placement; ``unplaced`` of the result is this one."""

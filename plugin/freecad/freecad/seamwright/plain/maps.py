@@ -69,7 +69,7 @@ def highlight_positions(points, normals, along, towards, distance_mm, spacing_mm
     direction ``towards``, ``spacing_mm`` apart; line 0 passes over the origin. Where the position
     is a whole number, the line through the point along the normal meets a light line: the point is
     on a highlight line. Undefined where the normal is parallel to the plane of the lights, or
-    points along them. Source: the definition of Beier and Chen, as a function on the surface.
+    points along them. Source: [BeierChen1994].
     """
     along = unit(along, "along")
     towards = unit(towards, "towards")
@@ -87,7 +87,7 @@ def highlight_positions(points, normals, along, towards, distance_mm, spacing_mm
 
 
 def extremes(values, points):
-    """Return {"least", "largest", "least_at", "largest_at"} of values; None without a finite one."""
+    """Return {"least", "largest", "least_at", "largest_at"}; None without a finite value."""
     known = numpy.flatnonzero(numpy.isfinite(values))
     if not len(known):
         return {"least": None, "largest": None, "least_at": None, "largest_at": None}

@@ -80,10 +80,10 @@ def range_look(values, low, high, title, unit, meaning, stops=SEQUENTIAL, footer
     shares = (values - low) / size if size > 0 else numpy.zeros(len(values))
     places = numpy.where(numpy.isfinite(values), numpy.clip(shares, 0, 1), numpy.nan)
     row = row_of(stops)
-    entries = [
-        (_sample(row, share), "%s %s" % (figure(low + share * size), unit), meaning(low + share * size))
-        for share in (SHARES if size > 0 else (0.0,))
-    ]
+    entries = []
+    for share in SHARES if size > 0 else (0.0,):
+        value = low + share * size
+        entries.append((_sample(row, share), "%s %s" % (figure(value), unit), meaning(value)))
     return Look(row, places, False, True, (title, entries, footer))
 
 
@@ -98,9 +98,8 @@ def curvature_look(quantity, values, weights, given):
         return _radius_look(values, weights, given)
     if given is not None:
         # White stays 0 where the range contains it.
-        return range_look(
-            values, *given, title, unit, lambda value: "", SEQUENTIAL if quantity == LARGEST else stops_between(*given), BEYOND
-        )
+        stops = SEQUENTIAL if quantity == LARGEST else stops_between(*given)
+        return range_look(values, *given, title, unit, lambda value: "", stops, BEYOND)
     limit = _limit(quantity, values, weights)
     if quantity == LARGEST:
         return range_look(values, 0.0, limit, title, unit, _as_radius, footer=BEYOND)
@@ -154,17 +153,21 @@ def _as_radius(value):
 
 
 def draft_look(angles_deg, towards_deg, away_deg):
-    """Return the Look of draft angles: three colours, and lighter ones near to the limits."""
+    """Return the Look of draft angles: three colours, sharp at the limits."""
     low, high = -90.0, 90.0
     at = low + (numpy.arange(PIXELS) + 0.5) / PIXELS * (high - low)
     row = numpy.where(
         (at >= towards_deg)[:, None], TOWARDS, numpy.where((at <= -away_deg)[:, None], AWAY, STEEP)
     ).astype(float)
     places = numpy.where(numpy.isfinite(angles_deg), (angles_deg - low) / (high - low), numpy.nan)
+    at_least, at_most = (
+        "%s %s\u00b0" % (sign, figure(limit))
+        for sign, limit in (("\u2265", towards_deg), ("\u2264", -away_deg))
+    )
     entries = [
-        (curvature.Sample(TOWARDS), "\u2265 %s\u00b0" % figure(towards_deg), "drafts towards the pull"),
+        (curvature.Sample(TOWARDS), at_least, "drafts towards the pull"),
         (curvature.Sample(STEEP), "between", "too steep"),
-        (curvature.Sample(AWAY), "\u2264 %s\u00b0" % figure(-away_deg), "drafts away from the pull"),
+        (curvature.Sample(AWAY), at_most, "drafts away from the pull"),
     ]
     return Look(row, places, False, False, ("Draft angle", entries, ""))
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Curvature Map: mean, Gaussian or largest curvature of faces, or their smallest radius, in colours.
+"""Curvature Map: curvature of faces, or their smallest radius, in colours.
 
 The class path is written into documents: neither rename nor move it.
 """

@@ -21,6 +21,7 @@ from freecad.seamwright.document.maps.surface_map import (
 )
 from freecad.seamwright.plain import curvature, map_text, ramps
 from freecad.seamwright.plain.options import FLAG, Option
+from freecad.seamwright.plain.summary import counted
 
 #: The part of the progress after which the meshes are there.
 MESHED = 0.4
@@ -58,7 +59,9 @@ class Deviation(SurfaceMap):
         """Return the first object of a selection as Sources, the others as Reference."""
         whole = list(dict.fromkeys(obj for obj, _ in chosen))
         if len(whole) != 2:
-            raise ValueError("%d objects are selected: %s" % (len(whole), cls.NEEDS))
+            raise ValueError(
+                "%s selected: %s" % (counted(len(whole), "object"), cls.NEEDS)
+            )
         found = {"Sources": [(whole[0], "")], "Reference": [(whole[1], "")]}
         for name, links in found.items():
             cls.check(name, links)

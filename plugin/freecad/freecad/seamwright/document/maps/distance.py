@@ -38,28 +38,30 @@ def distances(points, meshes, faces, beyond_edges, progress=None):
     found = nearest(points, corners, progress and (lambda share: progress(TRIANGLES * share)))
     if found is None:
         return None
-    on_edge = _beyond(triangles, mesh["points"], found)
-    result = numpy.full(len(points), numpy.nan)
-    face_of = numpy.searchsorted(first_nodes, triangles[:, 0], side="right") - 1
-    sizes = numpy.linalg.norm(numpy.ptp(corners, axis=1), axis=1)
+    nodes = triangles[found.triangles]
+    feet, parameters, normals = (
+        numpy.einsum("nk,nkd->nd", found.weights, mesh[name][nodes])
+        for name in ("points", "parameters", "normals")
+    )
+    outside = ((points - feet) * normals).sum(axis=1) >= 0
+    result = numpy.where(outside, found.distances, -found.distances)
+    face_of = numpy.searchsorted(first_nodes, nodes[:, 0], side="right") - 1
+    sizes = numpy.linalg.norm(numpy.ptp(corners, axis=1), axis=1)[found.triangles]
+    beyond = _beyond(triangles, mesh["points"], found)
     surfaces = [_Surface(face) for face in faces]
-    for place, point in enumerate(points):
-        if progress is not None and place % EVERY == 0:
-            if not progress(TRIANGLES + (1 - TRIANGLES) * place / len(points)):
+    flat = numpy.array([surface.flat for surface in surfaces])[face_of]  # triangles are exact there
+    steps = numpy.flatnonzero(beyond | ~flat)
+    for count, place in enumerate(steps):
+        if progress is not None and count % EVERY == 0:
+            if not progress(TRIANGLES + (1 - TRIANGLES) * count / len(steps)):
                 return None
-        triangle = found.triangles[place]
-        if on_edge[place]:
-            if beyond_edges:
-                result[place] = _to_edge(faces[face_of[triangle]], point)
-            continue
-        nodes, weights = triangles[triangle], found.weights[place]
-        result[place] = surfaces[face_of[triangle]].distance(
-            point,
-            weights @ mesh["parameters"][nodes],
-            weights @ corners[triangle],
-            weights @ mesh["normals"][nodes],
-            sizes[triangle],
-        )
+        surface = surfaces[face_of[place]]
+        if beyond[place]:
+            result[place] = surface.to_edge(points[place]) if beyond_edges else numpy.nan
+        else:
+            result[place] = surface.distance(
+                points[place], parameters[place], feet[place], normals[place], sizes[place]
+            )
     return numpy.where(abs(result) < ROUNDING * abs(mesh["points"]).max(), 0.0, result)
 
 
@@ -81,19 +83,17 @@ def _beyond(triangles, points, found):
     Faces share no nodes: points at one place count as one.
     """
     cell = (numpy.ptp(points, axis=0).max() or 1.0) * 1e-9
-    _, same = numpy.unique(numpy.round(points / cell).astype(numpy.int64), axis=0, return_inverse=True)
+    cells = numpy.round(points / cell).astype(numpy.int64)
+    _, same = numpy.unique(cells, axis=0, return_inverse=True)
     same = same.ravel()[triangles]
-    sides = numpy.sort(numpy.stack([same[:, [1, 2]], same[:, [2, 0]], same[:, [0, 1]]], axis=1), axis=2)
+    ends = [same[:, pair] for pair in ([1, 2], [2, 0], [0, 1])]
+    sides = numpy.sort(numpy.stack(ends, axis=1), axis=2)
     _, index, counts = numpy.unique(
         sides.reshape(-1, 2), axis=0, return_inverse=True, return_counts=True
     )
     free = (counts == 1)[index.ravel()].reshape(-1, 3)
     at_side = found.weights < ON_SIDE  # weight k is zero on side k
     return (at_side & free[found.triangles]).any(axis=1) & (found.distances > 1e3 * cell)
-
-
-def _to_edge(face, point):
-    return float(face.distToShape(Part.Vertex(App.Vector(*point)))[0])
 
 
 class _Surface:
@@ -103,6 +103,11 @@ class _Surface:
         self._face, self._surface = face, face.Surface
         u1, u2, v1, v2 = face.ParameterRange
         self._low, self._high = (u1, v1), (u2, v2)
+        self.flat = self._surface.TypeId == "Part::GeomPlane"
+
+    def to_edge(self, point):
+        """Return the distance of a point from the face."""
+        return float(self._face.distToShape(Part.Vertex(App.Vector(*point)))[0])
 
     def distance(self, point, start, rough, normal, size):
         """Return the signed distance of a point; ``rough``: its nearest point on the triangles.
@@ -125,6 +130,8 @@ class _Surface:
             foot = surface.getD0(u, v)
             su, sv = surface.getDN(u, v, 1, 0), surface.getDN(u, v, 0, 1)
             away = point - foot
+            if away.Length <= SMALL * size:
+                return foot
             suu, suv, svv = (surface.getDN(u, v, *order) for order in ((2, 0), (1, 1), (0, 2)))
             a = su.dot(su) - away.dot(suu)
             b = su.dot(sv) - away.dot(suv)

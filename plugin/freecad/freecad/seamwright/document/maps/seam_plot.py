@@ -99,9 +99,11 @@ class SeamPlot(Tool):
     def job(cls, module, obj, private=False):
         """Return the Job; a stopped analysis raises Cancelled itself."""
         work, values = cls.prepared(obj)
-        return feature.Job(
-            "Measuring the seams\u2026", work, lambda found: (cls.report(found, values), Part.Shape())
-        )
+
+        def finish(found):
+            return cls.report(found, values), Part.Shape()
+
+        return feature.Job("Measuring the seams\u2026", work, finish)
 
     @classmethod
     def report(cls, found, values):

@@ -10,8 +10,6 @@ from freecad.seamwright.document.maps import meshes
 from freecad.seamwright.document.maps.tool import Tool
 from freecad.seamwright.plain import maps, orientation
 
-WANTED = "Select objects with faces; with nothing selected, all visible ones are taken"
-
 
 class Values(NamedTuple):
     """The map of one object: ``mesh`` (a ShownMesh in the model), and a value for each point."""
@@ -103,7 +101,8 @@ def check_faces(chosen, needs):
     for obj, _ in chosen:
         if not sources.has_shape(obj):
             raise sources.SourceError("%s has no shape: %s" % (obj.Label, needs))
-        sources.world_shape(obj)
+        if not sources.placed_shape(obj).Faces:
+            raise sources.SourceError("%s has no faces: %s" % (obj.Label, needs))
 
 
 class MeshWork(NamedTuple):

@@ -59,7 +59,7 @@ def node(groups, look, part):
 
 
 def mirror(groups, look):
-    """Return a separator that draws a mesh with the zebra stripes of a stripes.Stripes, by shader."""
+    """Return a separator that draws a mesh with the stripes of a stripes.Stripes, by a shader."""
     return _separator(groups, None, *stripes.shader(look))
 
 
