@@ -210,7 +210,7 @@ def seam(**bounds):
 def test_bounds_say_whether_they_are_proven():
     proven = seam(angle_deg={"lower": 1.2, "upper": 1.5, "at": 0.5})
     assert seam_text.bound_line(proven, "angle_deg") == (
-        "Box.Edge3: the largest value is 1.2..1.5 \u00b0, proven."
+        "Box.Edge3: the largest value is 1.2..1.5\u00b0, proven."
     )
     seen = seam(angle_deg={"lower": 1.2, "upper": None, "at": 0.5})
     assert "seen, without an upper bound" in seam_text.bound_line(seen, "angle_deg")

@@ -13,6 +13,11 @@ FIGURES = (
 )
 
 
+def with_unit(number, unit):
+    """Return a number that is a text with its unit, as it is printed."""
+    return number + ("" if unit in ("", "\u00b0") else " ") + unit
+
+
 def bounds_text(seam, key):
     """Return the enclosure of a figure of a seam of the report as text."""
     for known, name, unit, limit in FIGURES:
@@ -20,7 +25,7 @@ def bounds_text(seam, key):
             bounds = seam["bounds"][key]
             if bounds is None:
                 return "%s: not measured" % name
-            return ("%s %s %s" % (name, enclosure.text(bounds, limit=limit), unit)).strip()
+            return "%s %s" % (name, with_unit(enclosure.text(bounds, limit=limit), unit))
     raise KeyError(key)
 
 

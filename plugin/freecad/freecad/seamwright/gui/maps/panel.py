@@ -103,7 +103,7 @@ class ToolPanel(OptionPanel):
         seam = seams[index]
         key, name, unit, _ = seam_text.FIGURES[self.figure.currentIndex()]
         value = seam["figures"][key][place]
-        text = "undefined" if value is None else ("%s %s" % (figure(value), unit)).strip()
+        text = "undefined" if value is None else seam_text.with_unit(figure(value), unit)
         view.mark([], [], [(seam["points"][place], text)])
         self.reading.setText(
             "%s, %s mm along: %s" % (seam["name"], figure(seam["lengths_mm"][place]), text)

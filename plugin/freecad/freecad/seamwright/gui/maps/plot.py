@@ -107,25 +107,25 @@ class Plot(QtWidgets.QWidget):
     def _draw_axes(self, painter):
         area, text = self._area(), self.palette().text().color()
         grid = QtGui.QPen(QtGui.QColor(*GRID), 1.0, QtCore.Qt.DotLine)
-        middle, right = QtCore.Qt.AlignVCenter | QtCore.Qt.AlignRight, QtCore.Qt.AlignHCenter
+        right = QtCore.Qt.AlignVCenter | QtCore.Qt.AlignRight
         for y in ticks(0.0, self._top(), 4):
             spot = self._place(0.0, y)
             painter.setPen(grid)
             painter.drawLine(spot, QtCore.QPointF(area.right(), spot.y()))
             painter.setPen(text)
             box = QtCore.QRectF(0, spot.y() - 10, LEFT - 6, 20)
-            painter.drawText(box, int(middle), figure(y))
+            painter.drawText(box.toRect(), right, figure(y))
         for x in ticks(0.0, self._starts()[-1], 6):
             spot = self._place(x, 0.0)
             painter.setPen(grid)
             painter.drawLine(spot, QtCore.QPointF(spot.x(), area.top()))
             painter.setPen(text)
             box = QtCore.QRectF(spot.x() - 30, area.bottom() + 3, 60, 16)
-            painter.drawText(box, int(right), figure(x))
+            painter.drawText(box.toRect(), QtCore.Qt.AlignHCenter, figure(x))
         title = "%s%s" % (self._title, ", %s" % self._unit if self._unit else "")
         painter.drawText(QtCore.QPointF(8, TOP - 9), title)
         box = QtCore.QRectF(area.left(), self.height() - 17, area.width(), 16)
-        painter.drawText(box, int(middle), "along the seam, mm")
+        painter.drawText(box.toRect(), right, "along the seam, mm")
         painter.drawRect(area)
 
     def _draw_bounds(self, painter, start, line):
