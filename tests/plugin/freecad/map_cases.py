@@ -308,6 +308,16 @@ class SeamPlots(unittest.TestCase):
         for key in ("gap_mm", "angle_deg", "curvature_rel"):
             self.assertLess(max(seam["figures"][key]), 1e-9)
 
+    def test_without_a_document(self):
+        shape, name = self.sheets()
+        made = kinds.make("SeamPlot", (shape, name), samples=11)
+        (seam,) = made.found
+        self.assertEqual((seam.points.shape, seam.name), ((11, 3), "Shape1." + name))
+        self.assertAlmostEqual(seam.figures["angle_deg"].max(), models.SHEETS_DEG, delta=0.01)
+        self.assertIn("Angle 3\u00b0", made.summary)
+        with self.assertRaisesRegex(TypeError, "a Part.Shape is needed"):
+            kinds.make("SeamPlot", ["Edge3"])
+
     def test_an_edge_of_one_face_is_no_seam(self):
         with self.assertRaisesRegex(SourceError, "Part.Edge1 bounds 1 face: select edges"):
             self.seams(Part.makePlane(3, 3), "Edge1")

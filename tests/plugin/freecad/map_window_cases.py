@@ -130,6 +130,22 @@ class Panel(MapWindow):
         self.assertEqual(obj.Quantity, "Mean")
         self.assertAlmostEqual(obj.Least, -0.25)
 
+    def test_undo_restores_values_and_colours(self):
+        obj, _ = self.start("DraftAngle", (self.block, ""))
+        self.ok()
+        before = count(picture("undo-before"), ramps.TOWARDS)
+        obj.ViewObject.Proxy.doubleClicked(obj.ViewObject)
+        settle()
+        self.set_field(obj.ViewObject.Proxy.panel, "towards_deg", 89.9)
+        self.ok()
+        settle(0.5)
+        changed = count(picture("undo-changed"), ramps.TOWARDS)
+        self.assertLess(changed, 0.9 * before)
+        self.doc.undo()
+        settle(0.5)
+        self.assertEqual(obj.Towards.Value, 3)
+        self.assertEqual(count(picture("undo-after"), ramps.TOWARDS), before)
+
     def test_a_stopped_computation_keeps_nothing(self):
         with held():
             self.COMMAND = "Seamwright_CurvatureMap"

@@ -21,8 +21,8 @@ KINDS = {
 def make(kind, shapes, **options):
     """Return ``found`` (arrays), ``report`` (figures) and ``summary`` of shapes.
 
-    ``kind``: a name of KINDS. ``shapes``: a Part.Shape or a list of them; for Deviation a dict
-    {"Sources": shapes, "Reference": shapes}. ``options``: the arguments of the kind's OPTIONS.
+    ``kind``: a name of KINDS. ``shapes``: a Part.Shape, a (shape, "Edge3"), or a list of these; for
+    Deviation a dict {"Sources": shapes, "Reference": shapes}. ``options``: the arguments of the kind's OPTIONS.
     Nothing is added to a document. Raises TypeError for another option, ValueError or SourceError
     where the shapes or values are not usable, kernel.KernelUnavailable when the compiled part is
     missing.

@@ -128,8 +128,7 @@ def place_name(given):
 def _edge_and_faces(given):
     """Return (edge, [faces]): the two faces that meet at an Input, or the one that closes there.
 
-    Raises SourceError for an element that is no such edge. The shape of a make without a document
-    has to be an edge of the compound of its faces.
+    Raises SourceError for an element that is no such edge.
     """
     whole = element_shape(given._replace(element=""))
     edge = element_shape(given._replace(shape=whole, parent=App.Placement()))

@@ -7,6 +7,7 @@ from the sources.
 
 from typing import Any, NamedTuple
 
+import FreeCAD as App
 import Part
 
 from freecad.seamwright.document import feature, sources
@@ -85,19 +86,15 @@ class Tool(OptionFeature):
 
     @classmethod
     def make(cls, shapes, **given):
-        """Return the Made of {property: shapes}, or of the shapes of the first property."""
+        """Return the Made of {property: shapes}, or of the shapes of the first property.
+
+        Instead of a shape, (shape, "Edge3") names an element of it.
+        """
         kernel.load(Part.OCC_VERSION)
         values = {**options.defaults(cls.OPTIONS), **options.checked(cls.OPTIONS, given)}
         if not isinstance(shapes, dict):
             shapes = {cls.LINKS[0][0]: shapes}
-        inputs = {}
-        for name, *_ in cls.LINKS:
-            every = shapes.get(name, ())
-            every = every if isinstance(every, (list, tuple)) else [every]
-            inputs[name] = [
-                Input(str(number), shape, sources.App.Placement(), "")
-                for number, shape in enumerate(every)
-            ]
+        inputs = {name: _given_inputs(shapes.get(name, [])) for name, *_ in cls.LINKS}
         found = cls.work(inputs, values)(None)
         report = cls.report(found, values)
         return Made(found, report, cls.text(report))
@@ -131,6 +128,19 @@ class Tool(OptionFeature):
                     "The objects of \u201c%s\u201d were deleted: choose others" % title
                 )
         return cls.work(inputs, values), values
+
+
+def _given_inputs(shapes):
+    """Return the Inputs of a shape, of (shape, element), or of a list of these."""
+    every = shapes if isinstance(shapes, list) else [shapes]
+    pairs = [each if isinstance(each, tuple) else (each, "") for each in every]
+    for shape, _ in pairs:
+        if not isinstance(shape, Part.Shape):
+            raise TypeError("a Part.Shape is needed, not %s" % type(shape).__name__)
+    return [
+        Input("Shape%d" % number, shape, App.Placement(), element)
+        for number, (shape, element) in enumerate(pairs, 1)
+    ]
 
 
 def _input(obj, element):

@@ -46,6 +46,7 @@ class Drawing:
         def done(found, error):
             self._task = None
             if error is not None:
+                self.clear()
                 App.Console.PrintError(
                     "".join(traceback.format_exception(type(error), error, error.__traceback__))
                 )

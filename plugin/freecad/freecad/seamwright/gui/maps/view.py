@@ -20,9 +20,6 @@ class ToolView(PanelView):
     drawing = None
     _scheduled = False
 
-    #: The points that the panel of a Seam Plot marks.
-    pointed = ()
-
     def attach(self, vobj):
         """FreeCAD calls this for a new view and for a restored one."""
         super().attach(vobj)
