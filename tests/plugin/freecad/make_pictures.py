@@ -12,7 +12,7 @@ and moved to docs/images. For repair_curvature.png it writes the models:
 For analysis_tools.png samples/35_analysis.FCMacro writes six pictures, which ImageMagick joins:
 
     montage CurvatureComb.png CurvatureMap.png ReflectionLines.png DraftAngle.png Deviation.png
-        SeamPlot.png -tile 3x2 -geometry 520x+4+4 analysis_tools.png
+        HighlightLines.png -depth 8 -tile 3x2 -geometry 520x+4+4 analysis_tools.png
 """
 
 import math
