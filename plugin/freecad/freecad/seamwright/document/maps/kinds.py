@@ -22,10 +22,10 @@ def make(kind, shapes, **options):
     """Return ``found`` (arrays), ``report`` (figures) and ``summary`` of shapes.
 
     ``kind``: a name of KINDS. ``shapes``: a Part.Shape, a (shape, "Edge3"), or a list of these; for
-    Deviation a dict {"Sources": shapes, "Reference": shapes}. ``options``: the arguments of the kind's OPTIONS.
-    Nothing is added to a document. Raises TypeError for another option, ValueError or SourceError
-    where the shapes or values are not usable, kernel.KernelUnavailable when the compiled part is
-    missing.
+    Deviation a dict {"Sources": shapes, "Reference": shapes}. ``options``: the arguments of the
+    kind's OPTIONS. Nothing is added to a document. Raises TypeError for another option, ValueError
+    or SourceError where the shapes or values are not usable, kernel.KernelUnavailable when the
+    compiled part is missing.
     """
     return _kind(kind).make(shapes, **options)
 
