@@ -30,7 +30,8 @@ UNDEFINED = curvature.UNDEFINED
 #: dark blue, as the classes of seams.
 TOWARDS, STEEP, AWAY = (0, 158, 115), (213, 94, 0), (40, 70, 160)
 
-PIXELS = 1024
+#: Pixels of a row, and of one that repeats.
+PIXELS, STRIPE_PIXELS = 1024, 256
 
 #: The shares of a range for which a legend has a line.
 SHARES = (1.0, 0.75, 0.5, 0.25, 0.0)
@@ -181,7 +182,7 @@ def stripes_look(positions, width, colours=(DARK, LIGHT)):
 
     ``width``: of a stripe, as a share of the distance of two. It has no legend.
     """
-    at = (numpy.arange(PIXELS) + 0.5) / PIXELS
+    at = (numpy.arange(STRIPE_PIXELS) + 0.5) / STRIPE_PIXELS
     on = abs((at + 0.5) % 1.0 - 0.5) < width / 2
     row = numpy.where(on[:, None], *colours).astype(float)
     return Look(row, positions, True, True, None)
@@ -202,10 +203,15 @@ def _lines(*texts):
 
 
 def image(look):
-    """Return (width, height, bytes) of a picture: the row of a look, and one of UNDEFINED."""
-    undefined = numpy.broadcast_to(UNDEFINED, look.row.shape)
-    pixels = numpy.stack([look.row, look.row, undefined, undefined])
-    return PIXELS, 4, numpy.rint(pixels).astype(numpy.uint8).tobytes()
+    """Return (width, height, bytes) of a picture: half the row of a look, half UNDEFINED.
+
+    One that repeats is a square, so that its smaller sizes do not mix both halves.
+    """
+    width = len(look.row)
+    half = width // 2 if look.repeats else 2
+    pixels = numpy.empty((2 * half, width, 3))
+    pixels[:half], pixels[half:] = look.row, UNDEFINED
+    return width, 2 * half, numpy.rint(pixels).astype(numpy.uint8).tobytes()
 
 
 def texture_places(look):

@@ -13,8 +13,9 @@ from pivy import coin
 from freecad.seamwright.gui.scene import coloured, stripes
 from freecad.seamwright.plain import ramps
 
-#: Qualities of a texture in the scene library: without and with mixing of neighbouring pixels.
-SHARP, MIXED = 0.1, 0.4
+#: Qualities of a texture in the scene library: without and with mixing of neighbouring pixels, and
+#: with smaller sizes for stripes that are narrower than a pixel.
+SHARP, MIXED, SCALED = 0.1, 0.4, 0.9
 
 
 def mesh_group(shown, edges, placement):
@@ -53,7 +54,7 @@ def node(groups, look, part):
     coordinates.point.setNum(0)
     coordinates.point.setValues(0, len(places), places)
     width, height, pixels = ramps.image(look)
-    quality = MIXED if look.smooth else SHARP
+    quality = SCALED if look.repeats else MIXED if look.smooth else SHARP
     texture = _texture(width, height, pixels, look.repeats)
     return _separator(groups, quality, texture, coordinates, edges=look.legend is not None)
 
@@ -74,7 +75,7 @@ class TurningStripes:
         self._coordinates = coin.SoTextureCoordinate2()
         drawn = ramps.stripes_look(numpy.zeros(1), look.width, (ramps.LIGHT, ramps.DARK))
         texture = _texture(*ramps.image(drawn), True)
-        self.node = _separator(groups, MIXED, texture, self._coordinates)
+        self.node = _separator(groups, SCALED, texture, self._coordinates)
         self.turn((0.0, 0.0, 0.0, 1.0))
 
     def turn(self, quaternion):
