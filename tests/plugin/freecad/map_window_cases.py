@@ -27,8 +27,8 @@ from freecad.seamwright.plain import ramps
 LEGEND = QtCore.QRect(0, 0, 420, 140)
 FEW, MANY = 20, 300
 
-#: The longest that the window may work on a switch of a map of 1,000 faces: time of the processor in
-#: its thread, which other programs do not lengthen; what the graphics card draws does not count.
+#: The longest that the window may work on a switch of a map of 1,000 faces: processor time of its
+#: thread, which other programs do not lengthen; what the graphics card draws does not count.
 SWITCH_S = 0.2
 
 SURFACE_MAPS = "CurvatureMap", "ReflectionLines", "DraftAngle", "Deviation"
