@@ -75,6 +75,7 @@ NOT_SEARCHED = {
 NAMERS = {"docs/glossary.md", "tests/house/test_terms.py"}
 #: Tests and benchmarks are of solids with rims and of polygons that are stars.
 SHAPES = ("tests/", "benchmarks/")
+MOULD = "the direction in which a mould opens"
 #: Where a word means something else: beginnings of paths.
 OTHERWISE = {
     "stretch": {
@@ -83,6 +84,13 @@ OTHERWISE = {
     },
     "way": {"occ_adapter/repair/passed_faces.cpp": "of a point while its face moves"},
     "pull": {
+        "plugin/freecad/freecad/seamwright/document/maps/draft.py": MOULD,
+        "plugin/freecad/freecad/seamwright/plain/map": MOULD,
+        "plugin/freecad/freecad/seamwright/plain/ramps.py": MOULD,
+        "tests/plugin/freecad/map_": MOULD,
+        "tests/plugin/freecad/test_maps.py": MOULD,
+        "samples/35_analysis.FCMacro": MOULD,
+        "docs/freecad_analysis.md": MOULD,
         "occ_adapter/match/least_moves.": "the downward gradient draws moves to what is asked",
         "occ_adapter/model/format.cpp": "a command of Git",
         "plugin/python/bind_spline.cpp": "a tension draws a curve to its polygon",

@@ -4,11 +4,16 @@
     python3 run_freecad.py --window --mod ADDON --out FOLDER make_pictures
 
 writes workbench.png, repair.png, match.png, fill_freecad.png, corner_fillet_freecad.png,
-spline_freecad.png, blend_freecad.png, blend_surface_freecad.png, and of the samples 33 and 34
-handles_freecad.png, umbrella_freecad.png and loft_freecad.png, to be looked at and moved to
-docs/images. For repair_curvature.png it writes the models:
+spline_freecad.png, blend_freecad.png, blend_surface_freecad.png, seam_plot.png, and of the samples
+33 and 34 handles_freecad.png, umbrella_freecad.png and loft_freecad.png, to be looked at and moved
+to docs/images. For repair_curvature.png it writes the models:
 
     seam-picture --pair FOLDER/before.brep FOLDER/after.brep repair_curvature.png --curvature ...
+
+For analysis_tools.png samples/35_analysis.FCMacro writes six pictures, which ImageMagick joins:
+
+    montage CurvatureComb.png CurvatureMap.png ReflectionLines.png DraftAngle.png Deviation.png
+        HighlightLines.png -depth 8 -tile 3x2 -geometry 520x+4+4 analysis_tools.png
 """
 
 import math
@@ -27,6 +32,7 @@ from window_cases import STEP
 
 from freecad.seamwright.document import corner, fill, match, repair
 from freecad.seamwright.document.curves import curve, kinds
+from freecad.seamwright.document.maps import tool
 from freecad.seamwright.document.surfaces import surface
 from freecad.seamwright.gui.corner.panel import RADIUS
 from freecad.seamwright.gui.widgets.dock import dock_of
@@ -261,3 +267,22 @@ class SamplePicture(PanelWindow):
                 click_row(panel.table, 1)
             take({"Umbrella": "umbrella_freecad", "FrameLoft": "loft_freecad"}[kind])
             self.cancel()
+
+
+class PlotPicture(PanelWindow):
+    COMMAND = "Seamwright_SeamPlot"
+    is_made = staticmethod(tool.is_tool)
+
+    def test_seam_plot(self):
+        shell = Part.Compound(models.two_sheets())
+        shell.sewShape(1e-5)
+        source = models.add(self.doc, shell, "Sheets")
+        self.doc.recompute()
+        _, panel = self.run_selected([(source, at_x(source, 0))])
+        self.fit()
+        area = panel.plot._area()
+        panel.plot._at = panel.plot.point_at(area.left() + 0.3 * area.width())
+        panel.plot.pointed.emit(*panel.plot._at)
+        panel.plot.update()
+        take("seam_plot")
+        self.cancel()

@@ -23,7 +23,7 @@ GUI_ORDER = (
     {"widgets"},
     {"scene"},
     {"base"},
-    {"analysis", "repair", "match", "fill", "corner", "curves", "surfaces"},
+    {"analysis", "repair", "match", "fill", "corner", "curves", "surfaces", "maps"},
 )
 
 

@@ -23,7 +23,12 @@ class SeamwrightWorkbench(Gui.Workbench):
 
     def Initialize(self):
         """Register the commands when the workbench is first activated."""
-        from freecad.seamwright.gui import commands, curve_commands, surface_commands
+        from freecad.seamwright.gui import (
+            analysis_commands,
+            commands,
+            curve_commands,
+            surface_commands,
+        )
 
         names = commands.register()
         self.appendToolbar("Seamwright", names)
@@ -34,6 +39,9 @@ class SeamwrightWorkbench(Gui.Workbench):
         names = surface_commands.register()
         self.appendToolbar("Seamwright Surfaces", names)
         self.appendMenu(["Seamwright", "Surfaces"], names)
+        names = analysis_commands.register()
+        self.appendToolbar("Seamwright Analysis", names)
+        self.appendMenu(["Seamwright", "Analysis"], names)
 
     def GetClassName(self):
         """Return the kind of workbench, as FreeCAD names it."""
@@ -49,13 +57,19 @@ VIEWS = {
     "Clothoid": "curves",
     "Conic": "curves",
     "CornerFillet": "corner",
+    "CurvatureComb": "maps",
+    "CurvatureMap": "maps",
+    "Deviation": "maps",
+    "DraftAngle": "maps",
     "ExtendSurface": "surfaces",
     "FairCurve": "curves",
     "FrameLoft": "surfaces",
     "JoinCurves": "curves",
     "LogSpiral": "curves",
     "MatchSurfaces": "match",
+    "ReflectionLines": "maps",
     "SeamAnalysis": "analysis",
+    "SeamPlot": "maps",
     "SeamRepair": "repair",
     "Spline": "curves",
     "Umbrella": "surfaces",

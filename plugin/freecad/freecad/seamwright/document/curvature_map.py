@@ -22,11 +22,12 @@ LARGE = 0.1
 ROUGH_MM = 1.0
 
 
-def curvature_map_later(shape):
+def curvature_map_later(shape, constant=CONSTANT):
     """Return a callable(progress) -> ShownMesh with ``mean_per_mm`` of a shape as it is now.
 
-    Any thread may call it. ``progress`` is a callable(fraction) that returns False to stop; then
-    the result is None. Raises KernelUnavailable when the compiled part is missing.
+    Large faces have small triangles, except surfaces of the kinds ``constant``. Any thread may call
+    it. ``progress`` is a callable(fraction) that returns False to stop; then the result is None.
+    Raises KernelUnavailable when the compiled part is missing.
     """
     module = kernel.load(Part.OCC_VERSION)
     if shape.isNull() or not shape.Faces:
@@ -37,7 +38,7 @@ def curvature_map_later(shape):
     curved = [
         number
         for number, face in enumerate(shape.Faces, 1)
-        if face.Surface.TypeId not in CONSTANT and face.BoundBox.DiagonalLength >= large
+        if face.Surface.TypeId not in constant and face.BoundBox.DiagonalLength >= large
     ]
 
     def run(progress=None):

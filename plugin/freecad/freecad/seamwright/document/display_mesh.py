@@ -7,7 +7,7 @@ The kernel makes them. Faces share no points, so that a break at a seam stays vi
 import numpy
 import Part
 
-from freecad.seamwright.plain import kernel
+from freecad.seamwright.plain import curvature, kernel
 
 
 class ShownMesh:
@@ -15,17 +15,20 @@ class ShownMesh:
 
     ``points`` and ``normals`` have the shape (n, 3), ``triangles`` (m, 3), ``moves_mm`` and
     ``mean_per_mm`` (n,) or empty. ``mean_per_mm``: the mean curvatures in 1/mm, positive where the
-    face bends towards its normal; nan where it has none. The points of face k, from 1, are those
-    from ``first_nodes[k - 1]`` to ``first_nodes[k]``. ``faults``: dicts of face, from 1, and
-    reason, for the faces whose triangles are missing or do not cover them.
+    face bends towards its normal; nan where it has none. ``principal_per_mm`` (n, 2): the principal
+    curvatures, the larger first. ``parameters`` (n, 2): of the surface. The points of face k, from
+    1, are those from ``first_nodes[k - 1]`` to ``first_nodes[k]``. ``faults``: dicts of face, from
+    1, and reason, for the faces whose triangles are missing or do not cover them.
     """
 
     def __init__(self):
         self.points = self.normals = numpy.empty((0, 3))
         self.triangles = numpy.empty((0, 3), numpy.int32)
         self.moves_mm = self.mean_per_mm = numpy.empty(0)
+        self.principal_per_mm = self.parameters = numpy.empty((0, 2))
         self.first_nodes = numpy.zeros(1, int)
         self.faults = []
+        self._areas = None
 
     @classmethod
     def of(cls, mesh):
@@ -33,6 +36,7 @@ class ShownMesh:
         shown = cls()
         shown.points, shown.normals, shown.triangles = mesh.points, mesh.normals, mesh.triangles
         shown.first_nodes = numpy.asarray(mesh.first_nodes, int)
+        shown.principal_per_mm, shown.parameters = mesh.principal_curvatures, mesh.parameters
         shown.moves_mm, shown.mean_per_mm, shown.faults = (
             mesh.moves_mm,
             mesh.mean_curvature,
@@ -47,6 +51,25 @@ class ShownMesh:
         """
         each = numpy.repeat(signs, numpy.diff(self.first_nodes))
         self.normals, self.mean_per_mm = self.normals * each[:, None], self.mean_per_mm * each
+        if len(self.principal_per_mm):
+            turned = -self.principal_per_mm[:, ::-1]
+            self.principal_per_mm = numpy.where(each[:, None] < 0, turned, self.principal_per_mm)
+
+    def placed(self, placement):
+        """Return the same mesh at a placement; ``unplaced`` of the result is this one."""
+        found = ShownMesh()
+        found.__dict__.update(self.__dict__, unplaced=self)
+        matrix = numpy.array(placement.Matrix.A).reshape(4, 4)
+        found.points = self.points @ matrix[:3, :3].T + matrix[:3, 3]
+        found.normals = self.normals @ matrix[:3, :3].T
+        return found
+
+    @property
+    def areas(self):
+        """The area of each point: a third of that of the triangles around it."""
+        if self._areas is None:
+            self._areas = curvature.areas(self.points, self.triangles)
+        return self._areas
 
     @property
     def largest_mm(self):

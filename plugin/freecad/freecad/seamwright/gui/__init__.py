@@ -7,9 +7,11 @@ A folder imports only from those before it in this list:
 * ``scene``     what is drawn in the 3D view;
 * ``base``      base classes of panels and view providers;
 * ``analysis``, ``repair``, ``match``, ``fill``, ``corner``   panel and view of one document object;
-* ``curves``    panel and view of all curves.
+* ``curves``    panel and view of all curves;
+* ``maps``      panel and view of all analysis tools.
 
-The commands in ``commands.py`` and ``curve_commands.py`` use all of them.
+The commands in ``commands.py``, ``curve_commands.py``, ``surface_commands.py`` and
+``analysis_commands.py`` use all of them.
 """
 
 import os

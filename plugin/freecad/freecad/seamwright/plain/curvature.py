@@ -88,10 +88,11 @@ def limit(values, weights):
     found = float(abs(quantiles(values, weights, (TAIL, 1 - TAIL))).max())
     if found < FLAT:
         found = float(abs(values).max(initial=0.0))
-    return _round_up(found) if found >= FLAT else 0.0
+    return round_up(found) if found >= FLAT else 0.0
 
 
-def _round_up(value):
+def round_up(value):
+    """Return the least round number that is not smaller than a positive value, up to 0.1 %."""
     power = 10.0 ** math.floor(math.log10(value))
     return power * next(digits for digits in ROUND if digits * power * (1 + ROUNDED_DOWN) >= value)
 

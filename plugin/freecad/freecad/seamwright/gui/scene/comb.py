@@ -49,8 +49,11 @@ class Comb:
 
     def show(self, edges, scale=1.0, measure=()):
         """Draw the comb of edges; no edges remove it. ``scale``, ``measure``: as for ``quills``."""
-        combs = quills(edges, scale, measure)
-        feet = [each for comb in combs for pair in comb[::EVERY] for each in pair]
+        self.draw(quills(edges, scale, measure), EVERY)
+
+    def draw(self, combs, every):
+        """Draw combs as ``quills`` returns them, with a line at each ``every``-th place."""
+        feet = [each for comb in combs for pair in comb[::every] for each in pair]
         tips = [[tip for _, tip in comb] for comb in combs]
         for field, values in (
             (self._points.point, feet),

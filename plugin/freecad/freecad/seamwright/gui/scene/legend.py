@@ -66,7 +66,7 @@ def draw(title, entries, footer, text_px):
     name_width = max([_width(bold, name) for _, name, _ in entries] + [0])
     meaning_x = pad + bar + pad + name_width + pad
     meaning_width = max([_width(font, meaning) for _, _, meaning in entries] + [0])
-    last = footer.split("\n")
+    last = footer.split("\n") if footer else []
     right = max(
         meaning_x + meaning_width,
         pad + _width(bold, title),

@@ -6,13 +6,23 @@ stripes glide over the faces as the view turns. They are the same for a normal a
 """
 
 import math
+from typing import NamedTuple
 
 import numpy
 from pivy import coin
 
-#: The number of light stripes on a ball, and the angle by which stripes lean. The lean makes
-#: stripes visible on a cylinder of any direction.
-STRIPES, LEAN = 32, math.radians(30)
+
+class Stripes(NamedTuple):
+    """Stripes: how many light ones a ball has, the angle by which they lean, and how much of a pair
+    of a light and a dark stripe the light one has.
+
+    The lean makes stripes visible on a cylinder of any direction.
+    """
+
+    count: int = 32
+    lean_rad: float = math.radians(30)
+    width: float = 0.5
+
 
 #: Brightness of dark and of light stripes, and the factor where a face is seen from the side.
 DARK, LIGHT, GRAZING = 0.07, 0.97, 0.7
@@ -34,19 +44,26 @@ void main() {
   vec3 n = normalize(normal);
   float position = %(pairs).8f * dot(n.xy, vec2(%(x).8f, %(y).8f));
   float pixel = max(fwidth(position), 1e-6);
-  float inside = abs(fract(position) - 0.5) - 0.25;
-  float part = mix(clamp(0.5 + inside / pixel, 0.0, 1.0), 0.5, clamp(2.0 * pixel - 0.5, 0.0, 1.0));
+  float inside = abs(fract(position) - 0.5) - %(half).8f;
+  float part = mix(clamp(0.5 + inside / pixel, 0.0, 1.0), %(width).8f,
+                   clamp(2.0 * pixel - 0.5, 0.0, 1.0));
   float shade = mix(%(dark).8f, %(light).8f, part) * mix(%(grazing).8f, 1.0, abs(n.z));
   gl_FragColor = vec4(vec3(shade), 1.0);
 }
-""" % {
-    "pairs": STRIPES / 2,  # components of a normal go from -1 to 1
-    "x": math.cos(LEAN),
-    "y": math.sin(LEAN),
-    "dark": DARK,
-    "light": LIGHT,
-    "grazing": GRAZING,
-}
+"""
+
+
+def _fragment(look):
+    return FRAGMENT % {
+        "pairs": look.count / 2,  # components of a normal go from -1 to 1
+        "x": math.cos(look.lean_rad),
+        "y": math.sin(look.lean_rad),
+        "half": (1 - look.width) / 2,
+        "width": look.width,
+        "dark": DARK,
+        "light": LIGHT,
+        "grazing": GRAZING,
+    }
 
 
 def unseen():
@@ -62,20 +79,21 @@ def node(shown):
     group, pick, binding = coin.SoSeparator(), coin.SoPickStyle(), coin.SoNormalBinding()
     pick.style = coin.SoPickStyle.UNPICKABLE
     binding.value = coin.SoNormalBinding.PER_VERTEX_INDEXED
-    for child in (pick, binding, _mirror(), *mesh(shown)):
+    for child in (pick, binding, *shader(Stripes()), *mesh(shown)):
         group.addChild(child)
     return group
 
 
-def _mirror():
+def shader(look):
+    """Return the nodes that draw the triangles after them with Stripes."""
     program = coin.SoShaderProgram()
     for index, (shader, text) in enumerate(
-        ((coin.SoVertexShader(), VERTEX), (coin.SoFragmentShader(), FRAGMENT))
+        ((coin.SoVertexShader(), VERTEX), (coin.SoFragmentShader(), _fragment(look)))
     ):
         shader.sourceType = coin.SoShaderObject.GLSL_PROGRAM
         shader.sourceProgram = text
         program.shaderObject.set1Value(index, shader)
-    return program
+    return (program,)
 
 
 def mesh(shown):

@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Signed distances of points from faces: found on triangles, then on the surfaces themselves."""
+
+import FreeCAD as App
+import numpy
+import Part
+
+from freecad.seamwright.plain.nearest import nearest
+
+#: Steps on a surface towards the foot of a point, and the step that counts as none, as a share of
+#: the size of a triangle.
+STEPS, SMALL = 12, 1e-9
+
+#: A foot may be this much further from the start of the steps than the triangle is large.
+REACH = 1.0
+
+#: The share of the progress at which the nearest triangles are known, and points between reports.
+TRIANGLES, EVERY = 0.5, 200
+
+#: Smaller distances are 0: those of rounding, as a share of the largest coordinate.
+ROUNDING = 1e-13
+
+#: A weight below this one counts as zero: the nearest point lies on a side of its triangle.
+ON_SIDE = 1e-9
+
+
+def distances(points, meshes, faces, beyond_edges, progress=None):
+    """Return the distance of each point in mm, negative behind the normals; nan beyond free edges.
+
+    ``meshes``: ShownMeshes with parameters, ``faces``: those of all meshes in a row, at the same
+    position. ``beyond_edges``: also for points beyond a free edge, without a sign. None where
+    ``progress`` stopped it.
+    """
+    triangles, first_nodes, mesh = _joined(meshes)
+    if not len(triangles):
+        raise ValueError("the shape to compare with has no triangles")
+    corners = mesh["points"][triangles]
+    found = nearest(points, corners, progress and (lambda share: progress(TRIANGLES * share)))
+    if found is None:
+        return None
+    nodes = triangles[found.triangles]
+    feet, parameters, normals = (
+        numpy.einsum("nk,nkd->nd", found.weights, mesh[name][nodes])
+        for name in ("points", "parameters", "normals")
+    )
+    outside = ((points - feet) * normals).sum(axis=1) >= 0
+    result = numpy.where(outside, found.distances, -found.distances)
+    face_of = numpy.searchsorted(first_nodes, nodes[:, 0], side="right") - 1
+    sizes = numpy.linalg.norm(numpy.ptp(corners, axis=1), axis=1)[found.triangles]
+    beyond = _beyond(triangles, mesh["points"], found)
+    surfaces = [_Surface(face) for face in faces]
+    flat = numpy.array([surface.flat for surface in surfaces])[face_of]  # triangles are exact there
+    steps = numpy.flatnonzero(beyond | ~flat)
+    for count, place in enumerate(steps):
+        if progress is not None and count % EVERY == 0:
+            if not progress(TRIANGLES + (1 - TRIANGLES) * count / len(steps)):
+                return None
+        surface = surfaces[face_of[place]]
+        if beyond[place]:
+            result[place] = surface.to_edge(points[place]) if beyond_edges else numpy.nan
+        else:
+            result[place] = surface.distance(
+                points[place], parameters[place], feet[place], normals[place], sizes[place]
+            )
+    return numpy.where(abs(result) < ROUNDING * abs(mesh["points"]).max(), 0.0, result)
+
+
+def _joined(meshes):
+    """Return (triangles, first nodes of the faces, arrays) of meshes in a row."""
+    shifts = numpy.cumsum([0] + [len(mesh.points) for mesh in meshes])
+    triangles = numpy.concatenate([m.triangles + shift for m, shift in zip(meshes, shifts)])
+    first = [m.first_nodes[:-1] + shift for m, shift in zip(meshes, shifts)]
+    arrays = {
+        name: numpy.concatenate([getattr(mesh, name) for mesh in meshes])
+        for name in ("points", "normals", "parameters")
+    }
+    return triangles, numpy.concatenate(first), arrays
+
+
+def _beyond(triangles, points, found):
+    """Return which nearest points lie on a free edge: on a side that one triangle has alone.
+
+    Faces share no nodes: points at one place count as one.
+    """
+    cell = (numpy.ptp(points, axis=0).max() or 1.0) * 1e-9
+    cells = numpy.round(points / cell).astype(numpy.int64)
+    _, same = numpy.unique(cells, axis=0, return_inverse=True)
+    same = same.ravel()[triangles]
+    ends = [same[:, pair] for pair in ([1, 2], [2, 0], [0, 1])]
+    sides = numpy.sort(numpy.stack(ends, axis=1), axis=2)
+    _, index, counts = numpy.unique(
+        sides.reshape(-1, 2), axis=0, return_inverse=True, return_counts=True
+    )
+    free = (counts == 1)[index.ravel()].reshape(-1, 3)
+    at_side = found.weights < ON_SIDE  # weight k is zero on side k
+    return (at_side & free[found.triangles]).any(axis=1) & (found.distances > 1e3 * cell)
+
+
+class _Surface:
+    """A face whose surface is evaluated at parameters."""
+
+    def __init__(self, face):
+        self._face, self._surface = face, face.Surface
+        u1, u2, v1, v2 = face.ParameterRange
+        self._low, self._high = (u1, v1), (u2, v2)
+        self.flat = self._surface.TypeId == "Part::GeomPlane"
+
+    def to_edge(self, point):
+        """Return the distance of a point from the face."""
+        return float(self._face.distToShape(Part.Vertex(App.Vector(*point)))[0])
+
+    def distance(self, point, start, rough, normal, size):
+        """Return the signed distance of a point; ``rough``: its nearest point on the triangles.
+
+        Steps on the surface go to its foot. Where they do not end near the triangle, such as at a
+        pole, OpenCASCADE measures.
+        """
+        point, rough = App.Vector(*point), App.Vector(*rough)
+        foot = self._foot(point, start, size)
+        if foot is None or foot.distanceToPoint(rough) > REACH * size:
+            foot = self._face.distToShape(Part.Vertex(point))[1][0][0]
+        away = point - foot
+        length = away.Length
+        return -length if away.dot(App.Vector(*normal)) < 0 else length
+
+    def _foot(self, point, start, size):
+        u, v = (float(each) for each in start)
+        surface = self._surface
+        for _ in range(STEPS):
+            foot = surface.getD0(u, v)
+            su, sv = surface.getDN(u, v, 1, 0), surface.getDN(u, v, 0, 1)
+            away = point - foot
+            if away.Length <= SMALL * size:
+                return foot
+            suu, suv, svv = (surface.getDN(u, v, *order) for order in ((2, 0), (1, 1), (0, 2)))
+            a = su.dot(su) - away.dot(suu)
+            b = su.dot(sv) - away.dot(suv)
+            c = sv.dot(sv) - away.dot(svv)
+            determinant = a * c - b * b
+            if determinant <= 1e-12 * abs(su.dot(su) * sv.dot(sv)):
+                a, b, c = su.dot(su), su.dot(sv), sv.dot(sv)
+                determinant = a * c - b * b
+                if determinant <= 0:
+                    return None
+            p, q = away.dot(su), away.dot(sv)
+            du, dv = (c * p - b * q) / determinant, (a * q - b * p) / determinant
+            u = min(max(u + du, self._low[0]), self._high[0])
+            v = min(max(v + dv, self._low[1]), self._high[1])
+            if (su * du + sv * dv).Length <= SMALL * size:
+                return surface.getD0(u, v)
+        return None

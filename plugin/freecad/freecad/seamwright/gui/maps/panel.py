@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The task panel of all analysis tools: sources, options and the result in words.
+
+The panel of a Seam Plot has the plot too.
+"""
+
+from freecad.seamwright.document.feature import report_of
+from freecad.seamwright.document.maps.deviation import Deviation
+from freecad.seamwright.document.maps.seam_plot import SeamPlot
+from freecad.seamwright.document.properties import DONE
+from freecad.seamwright.gui.base.option_panel import OptionPanel, SourceBox
+from freecad.seamwright.gui.maps.plot import Line, Plot
+from freecad.seamwright.gui.widgets.forms import make_box, make_text
+from freecad.seamwright.gui.widgets.qt import QtWidgets
+from freecad.seamwright.plain import seam_text
+from freecad.seamwright.plain.ramps import figure
+
+#: Delay between the last change and the drawing; maps are quick where the mesh is there.
+DRAW_AFTER_MS = 60
+
+
+class ToolPanel(OptionPanel):
+    """Shows and changes one tool; ``created``: Cancel removes it."""
+
+    DOCK_WIDTH = 470
+
+    def __init__(self, obj, created):
+        self.plot = None
+        super().__init__(obj, created)
+        if not isinstance(obj.Proxy, (Deviation, SeamPlot)):
+            self._timer.setInterval(DRAW_AFTER_MS)
+
+    # What the base asks for.
+
+    def has_result(self):
+        """Return whether there is something to draw; the object has no shape."""
+        return self.obj.Outcome == DONE
+
+    def build_sources(self, name, title, tip):
+        """Return the SourceBox of a property."""
+        return SourceBox(title, "Use what is selected now instead: %s" % self.obj.Proxy.NEEDS)
+
+    def build_result(self):
+        """Return the box of the result; it has ``summary``, and for a Seam Plot the plot."""
+        box, layout = make_box("Result")
+        self.summary = make_text()
+        layout.addWidget(self.summary)
+        if isinstance(self.obj.Proxy, SeamPlot):
+            self._build_plot(layout)
+        return box
+
+    def _build_plot(self, layout):
+        self.figure, self.plot, self.reading = QtWidgets.QComboBox(), Plot(), make_text()
+        self.figure.addItems([name for _, name, *_ in seam_text.FIGURES])
+        self.figure.setCurrentIndex(1)
+        self.figure.setToolTip("What is plotted along the seam")
+        self.bounds = make_text()
+        self.bounds.setToolTip(
+            "The largest value on the whole seam, proven where an upper bound is known. The curve "
+            "is sampled."
+        )
+        for widget in (self.figure, self.plot, self.bounds, self.reading):
+            layout.addWidget(widget)
+        self.figure.currentIndexChanged.connect(self._show_plot)
+        self.plot.pointed.connect(self._point)
+
+    def check(self, name, chosen):
+        """Raise SourceError or ValueError where a property cannot have these links."""
+        self.obj.Proxy.check(name, chosen)
+
+    # Actions.
+
+    def refresh(self):
+        """Show the results as they are stored now."""
+        super().refresh()
+        self._show_plot()
+
+    def _seams(self):
+        return report_of(self.obj).get("seams", []) if self.has_result() else []
+
+    def _show_plot(self, *_):
+        if self.plot is None:
+            return
+        key, name, unit, _ = seam_text.FIGURES[self.figure.currentIndex()]
+        seams = self._seams()
+        lines = []
+        for seam in seams:
+            bounds = seam["bounds"][key] or {"lower": None, "upper": None}
+            lines.append(
+                Line(seam["lengths_mm"], seam["figures"][key], bounds["lower"], bounds["upper"])
+            )
+        self.plot.show_lines(lines, name, unit)
+        self.bounds.setText("\n".join(seam_text.bound_line(seam, key) for seam in seams))
+        self.reading.setText("")
+
+    def _point(self, index, place):
+        """Mark a point of a seam in the view, and tell its value."""
+        view, seams = self.obj.ViewObject.Proxy, self._seams()
+        if index < 0 or index >= len(seams):
+            view.mark([], [], [])
+            self.reading.setText("")
+            return
+        seam = seams[index]
+        key, name, unit, _ = seam_text.FIGURES[self.figure.currentIndex()]
+        value = seam["figures"][key][place]
+        text = "undefined" if value is None else seam_text.with_unit(figure(value), unit)
+        view.mark([], [], [(seam["points"][place], text)])
+        self.reading.setText(
+            "%s, %s mm along: %s" % (seam["name"], figure(seam["lengths_mm"][place]), text)
+        )

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The texts of a Seam Plot."""
+
+from freecad.seamwright.plain import enclosure
+from freecad.seamwright.plain.summary import counted
+
+#: key, name, unit, accepted value of the default profile
+FIGURES = (
+    ("gap_mm", "Gap", "mm", 0.01),
+    ("angle_deg", "Angle", "\u00b0", 0.1),
+    ("curvature_per_mm", "Curvature", "1/mm", None),
+    ("curvature_rel", "Relative curvature", "", 0.02),
+)
+
+
+def with_unit(number, unit):
+    """Return a number that is a text with its unit, as it is printed."""
+    return number + ("" if unit in ("", "\u00b0") else " ") + unit
+
+
+def bounds_text(seam, key):
+    """Return the enclosure of a figure of a seam of the report as text."""
+    for known, name, unit, limit in FIGURES:
+        if known == key:
+            bounds = seam["bounds"][key]
+            if bounds is None:
+                return "%s: not measured" % name
+            return "%s %s" % (name, with_unit(enclosure.text(bounds, limit=limit), unit))
+    raise KeyError(key)
+
+
+def bound_line(seam, key):
+    """Return what is known about the largest value of a figure on a seam, as a sentence."""
+    bounds = seam["bounds"][key]
+    if bounds is None:
+        return "%s: not measured where the angle is that of a crease." % seam["name"]
+    known = "proven" if bounds["upper"] is not None else "seen, without an upper bound"
+    return "%s: the largest value is %s, %s." % (
+        seam["name"],
+        bounds_text(seam, key)[len(_name(key)) + 1 :],
+        known,
+    )
+
+
+def _name(key):
+    return next(name for known, name, *_ in FIGURES if known == key)
+
+
+def plot_text(report):
+    """Return the summary of a report."""
+    first = report["seams"][0]
+    parts = [
+        bounds_text(first, key) for key in ("gap_mm", "angle_deg", "curvature_rel")
+    ]
+    if report["count"] > 1:
+        return "%s; largest gap seen %s mm, largest angle %s\u00b0." % (
+            counted(report["count"], "seam"),
+            enclosure.number(report["gap_mm"]),
+            enclosure.number(report["angle_deg"]),
+        )
+    return "%s: %s, %s." % (first["name"], first["level"], ", ".join(parts))

@@ -1,0 +1,417 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The analysis tools in FreeCAD's window; run by run_freecad.py --window."""
+
+import os
+import tempfile
+import time
+from unittest import mock
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import models
+import numpy
+import Part
+from PySide import QtCore, QtGui
+from window import PanelWindow, click, count, held, messages, picture, settle, whole_window
+
+from freecad.seamwright.document.feature import report_of
+from freecad.seamwright.document.maps import kinds, tool
+from freecad.seamwright.gui.maps.panel import DRAW_AFTER_MS
+from freecad.seamwright.gui.scene import shaders
+from freecad.seamwright.gui.scene.comb import COLOURS
+from freecad.seamwright.gui.scene.marker import INK
+from freecad.seamwright.gui.scene.substitutes import NAME
+from freecad.seamwright.gui.widgets.qt import QtWidgets
+from freecad.seamwright.plain import ramps
+
+LEGEND = QtCore.QRect(0, 0, 420, 140)
+FEW, MANY = 20, 300
+
+#: The longest that the window may work on a switch of a map of 1,000 faces: processor time of its
+#: thread, which other programs do not lengthen; what the graphics card draws does not count.
+SWITCH_S = 0.2
+
+SURFACE_MAPS = "CurvatureMap", "ReflectionLines", "DraftAngle", "Deviation"
+
+
+class MapWindow(PanelWindow):
+    is_made = staticmethod(tool.is_tool)
+
+    def setUp(self):
+        super().setUp()
+        self.doc.UndoMode = 1
+        self.sheets = [
+            models.add(self.doc, shape, name)
+            for shape, name in zip(models.two_sheets(), ("Left", "Right"))
+        ]
+        self.block = models.add(self.doc, models.rounded_block(), "Block")
+        self.block.Placement.Base.x = 40
+        self.doc.recompute()
+        self.doc.clearUndos()
+
+    def start(self, kind, *chosen):
+        self.COMMAND = "Seamwright_" + kind
+        found = self.run_selected(chosen)
+        settle(0.3)
+        if found[0] is not None:
+            self.fit()
+        return found
+
+    def chosen(self, kind):
+        return {
+            "SeamPlot": [(self.block, "Edge3")],
+            "Deviation": [(self.sheets[0], ""), (self.sheets[1], "")],
+            "CurvatureComb": [(self.sheets[0], "Face1"), (self.block, "Edge3")],
+        }.get(kind, [(self.block, "")])
+
+    def select(self, *chosen):
+        Gui.Selection.clearSelection()
+        for obj, name in chosen:
+            Gui.Selection.addSelection(self.doc.Name, obj.Name, name)
+
+    def set_field(self, panel, argument, value):
+        panel.options.fields[argument].show_value(value)
+        settle(0.4 + DRAW_AFTER_MS / 1000)
+
+    def drawn(self, obj):
+        """Whether something is drawn in place of an object."""
+        root = obj.ViewObject.RootNode
+        return any(
+            root.getChild(k).getName().getString() == NAME for k in range(root.getNumChildren())
+        )
+
+    def legend(self, name):
+        """Pixels of the white of a legend in its corner, on the dark background of the picture."""
+        return count(picture(name), ramps.TOWARDS, LEGEND)
+
+
+class Panel(MapWindow):
+    def test_each_kind_is_made_accepted_undone_and_done_again(self):
+        for kind in kinds.KINDS:
+            with self.subTest(kind):
+                steps, before = self.doc.UndoCount, self.doc.Objects
+                obj, panel = self.start(kind, *self.chosen(kind))
+                self.assertEqual(panel.summary.text(), obj.Summary)
+                self.assertEqual(obj.Outcome, "done", obj.Summary)
+                whole_window("map-" + kind)
+                sources = obj.Proxy.source_objects(obj)[:1] if kind in SURFACE_MAPS else []
+                self.assertTrue(all(map(self.drawn, sources)))
+                self.ok()
+                settle(0.3)
+                self.assertTrue(all(map(self.drawn, sources)), "it stays without the panel")
+                self.assertEqual(self.doc.UndoCount, steps + 1)
+                self.doc.undo()
+                settle(0.3)
+                self.assertEqual(self.doc.Objects, before)
+                self.assertFalse(any(map(self.drawn, sources)))
+                self.doc.redo()
+                settle(0.5)
+                (again,) = [each for each in self.doc.Objects if each not in before]
+                self.assertTrue(all(map(self.drawn, sources)))
+                self.doc.removeObject(again.Name)
+                settle(0.3)
+                self.assertFalse(any(map(self.drawn, sources)))
+
+    def test_cancel_removes_a_new_tool_and_restores_a_changed_one(self):
+        for kind in kinds.KINDS:
+            with self.subTest(kind):
+                self.start(kind, *self.chosen(kind))
+                self.cancel()
+                settle(0.3)
+                self.assertEqual((self.made(), self.doc.UndoCount), ([], 0))
+                self.assertFalse(self.drawn(self.block) or self.drawn(self.sheets[0]))
+        obj, _ = self.start("CurvatureMap", (self.block, ""))
+        self.ok()
+        obj.ViewObject.Proxy.doubleClicked(obj.ViewObject)
+        settle()
+        panel = obj.ViewObject.Proxy.panel
+        self.set_field(panel, "quantity", "Gaussian")
+        self.assertAlmostEqual(obj.Largest, 1 / 16)
+        self.cancel()
+        self.assertEqual(obj.Quantity, "Mean")
+        self.assertAlmostEqual(obj.Least, -0.25)
+
+    def test_undo_restores_values_and_colours(self):
+        obj, _ = self.start("DraftAngle", (self.block, ""))
+        self.ok()
+        before = count(picture("undo-before"), ramps.TOWARDS)
+        obj.ViewObject.Proxy.doubleClicked(obj.ViewObject)
+        settle()
+        self.set_field(obj.ViewObject.Proxy.panel, "towards_deg", 89.9)
+        self.ok()
+        settle(0.5)
+        changed = count(picture("undo-changed"), ramps.TOWARDS)
+        self.assertLess(changed, 0.9 * before)
+        self.doc.undo()
+        settle(0.5)
+        self.assertEqual(obj.Towards.Value, 3)
+        self.assertEqual(count(picture("undo-after"), ramps.TOWARDS), before)
+
+    def test_a_stopped_computation_keeps_nothing(self):
+        with held():
+            self.COMMAND = "Seamwright_CurvatureMap"
+            self.select((self.block, ""))
+            Gui.runCommand(self.COMMAND)
+            (obj,) = self.made()
+            panel = obj.ViewObject.Proxy.panel
+            self.assertTrue(panel.computation.busy)
+            panel.computation.stop()
+        self.assertIn("there are no results yet", panel.summary.text())
+        self.assertFalse(self.drawn(self.block))
+        self.cancel()
+        self.assertEqual(self.made(), [])
+
+    def test_a_bad_selection_is_one_sentence_and_changes_nothing(self):
+        line = models.add(self.doc, Part.makeLine(App.Vector(), App.Vector(1, 0, 0)), "Line")
+        group = self.doc.addObject("App::DocumentObjectGroup", "Group")
+        self.doc.recompute()
+        self.doc.clearUndos()
+        for kind, chosen, text in (
+            ("CurvatureComb", [], "Nothing is selected: select edges, wires or faces."),
+            ("CurvatureMap", [(line, "")], "Line has no faces: "),
+            ("DraftAngle", [(group, "")], "Group has no shape: "),
+            ("Deviation", [(self.block, "")], "1 object selected: select two objects"),
+            ("SeamPlot", [(self.sheets[0], "Edge1")], "Left.Edge1 bounds 1 face: "),
+            ("SeamPlot", [(self.block, "")], "Block is no edge: "),
+        ):
+            with self.subTest(text):
+                self.start(kind, *chosen)
+                (found,) = messages()
+                self.assertTrue(found.startswith(text), found)
+                self.assertEqual((self.made(), self.doc.UndoCount), ([], 0))
+                self.assertFalse(self.doc.HasPendingTransaction)
+
+    def test_other_sources_are_taken_or_refused(self):
+        obj, panel = self.start("CurvatureMap", (self.block, ""))
+        self.select((self.sheets[0], ""))
+        click(panel.boxes["Sources"].use, panel.boxes["Sources"].use.rect().center())
+        settle(0.5)
+        self.assertEqual(obj.Proxy.source_objects(obj), [self.sheets[0]])
+        self.assertEqual((self.drawn(self.block), self.drawn(self.sheets[0])), (False, True))
+        self.select()
+        click(panel.boxes["Sources"].use, panel.boxes["Sources"].use.rect().center())
+        self.assertIn("Nothing is selected", messages()[0])
+        self.ok()
+
+    def test_with_nothing_selected_all_visible_objects_are_taken(self):
+        self.sheets[1].ViewObject.Visibility = False
+        obj, _ = self.start("DraftAngle")
+        self.assertEqual(obj.Proxy.source_objects(obj), [self.sheets[0], self.block])
+        self.cancel()
+
+
+class Drawing(MapWindow):
+    def test_options_change_what_is_drawn(self):
+        obj, panel = self.start("DraftAngle", (self.block, ""))
+        first = picture("draft-z")
+        for colour in (ramps.TOWARDS, ramps.STEEP):
+            self.assertGreater(count(first, colour), MANY)
+        self.set_field(panel, "pull", [0, 0, -1])
+        self.assertLess(
+            count(picture("draft-down"), ramps.TOWARDS, QtCore.QRect(430, 0, 770, 800)),
+            count(first, ramps.TOWARDS, QtCore.QRect(430, 0, 770, 800)) / 2,
+        )
+        self.set_field(panel, "pull", [0, 0, 0])
+        self.assertIn("three numbers are needed", panel.summary.text())
+        self.assertFalse(self.drawn(self.block))
+        self.set_field(panel, "pull", [0, 0, 1])
+        self.assertTrue(self.drawn(self.block))
+        panel.options.fields["pull"].widget.setText("up")
+        settle(0.4)
+        self.assertIn("is not a list of numbers", panel.summary.text())
+        panel.options.fields["pull"].show_value([0, 0, 1])
+        settle(0.4)
+        self.ok()
+
+    def test_only_the_options_of_the_chosen_lines_are_seen(self):
+        _, panel = self.start("ReflectionLines", (self.block, ""))
+        stripes = picture("lines-zebra")
+        fields = panel.options.fields
+        for lines, seen, unseen in (
+            ("Zebra stripes", "stripes", "step_deg"),
+            ("Isophotes", "step_deg", "along"),
+            ("Highlight lines", "along", "stripes"),
+        ):
+            self.set_field(panel, "lines", lines)
+            self.assertTrue(fields[seen].widget.isVisible(), seen)
+            self.assertFalse(fields[unseen].widget.isVisible(), unseen)
+            whole_window("lines-" + lines)
+            view = picture("lines-now")
+            self.assertGreater(count(view, ramps.DARK), MANY)
+            self.assertEqual(view == stripes, lines == "Zebra stripes")
+        self.ok()
+
+    def test_stripes_without_a_shader_follow_the_view(self):
+        with mock.patch.object(shaders, "work", lambda: False):
+            self.start("ReflectionLines", (self.block, ""))
+            self.ok()
+            settle(0.5)
+            one = picture("texture-iso")
+            Gui.activeDocument().activeView().viewFront()
+            settle(0.5)
+            other = picture("texture-front")
+        for view in (one, other):
+            self.assertGreater(count(view, ramps.DARK), MANY)
+            self.assertGreater(count(view, ramps.LIGHT), MANY)
+        self.assertNotEqual(one, other)
+
+    def test_a_comb_is_drawn_beside_other_panels_and_maps(self):
+        obj, panel = self.start("CurvatureComb", (self.sheets[0], "Face1"))
+        rgb = [round(255 * each) for each in COLOURS[0]]
+        self.assertGreater(count(picture("comb-panel"), rgb), MANY)
+        self.set_field(panel, "scale", 3.0)
+        larger = count(picture("comb-larger"), rgb)
+        self.ok()
+        self.start("CurvatureMap", (self.sheets[0], ""))
+        self.assertGreater(count(picture("comb-and-map"), rgb), larger / 2)
+        self.ok()
+        obj.ViewObject.Visibility = False
+        settle(0.4)
+        self.assertLess(count(picture("comb-hidden"), rgb), FEW)
+
+    def test_a_new_map_hides_the_one_before_and_cancel_shows_it_again(self):
+        first, _ = self.start("CurvatureMap", (self.block, ""))
+        self.ok()
+        second, _ = self.start("DraftAngle", (self.block, ""))
+        self.assertFalse(first.ViewObject.Visibility)
+        self.cancel()
+        settle(0.4)
+        self.assertTrue(first.ViewObject.Visibility)
+        self.assertTrue(self.drawn(self.block))
+        first.ViewObject.Visibility = False
+        settle(0.4)
+        self.assertFalse(self.drawn(self.block))
+
+    def test_maps_follow_their_sources(self):
+        obj, _ = self.start("DraftAngle", (self.block, ""))
+        self.ok()
+        before = obj.Largest, obj.Summary
+        self.block.Placement.Rotation = App.Rotation(App.Vector(1, 0, 0), 45)
+        self.doc.recompute()
+        settle(0.5)
+        self.assertNotEqual(obj.Summary, before[1])
+        self.assertTrue(self.drawn(self.block))
+        self.doc.removeObject("Block")
+        obj.touch()
+        self.doc.recompute()
+        settle(0.5)
+        self.assertIn("Invalid", obj.State)
+        self.assertLess(self.legend("draft-deleted"), FEW)
+
+    def test_a_document_opens_with_what_was_drawn(self):
+        for kind in ("CurvatureComb", "DraftAngle"):
+            self.start(kind, *self.chosen(kind))
+            self.ok()
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "saved.FCStd")
+            self.doc.saveAs(path)
+            App.closeDocument(self.doc.Name)
+            self.doc = App.openDocument(path)
+            settle(1.0)
+        self.fit()
+        view = picture("opened")
+        self.assertTrue(self.drawn(self.doc.Block))
+        self.assertGreater(count(view, [round(255 * each) for each in COLOURS[0]]), MANY)
+        self.assertGreater(count(view, ramps.TOWARDS, LEGEND), FEW)
+        again = self.doc.DraftAngle
+        again.ViewObject.Proxy.doubleClicked(again.ViewObject)
+        settle()
+        self.set_field(again.ViewObject.Proxy.panel, "towards_deg", 50)
+        self.ok()
+        self.assertEqual(again.Towards.Value, 50)
+
+    def test_the_largest_deviation_is_marked(self):
+        ball = models.add(self.doc, Part.makeSphere(9), "Ball")
+        other = models.add(self.doc, Part.makeSphere(10), "Other")
+        self.doc.recompute()
+        obj, panel = self.start("Deviation", (ball, ""), (other, ""))
+        other.ViewObject.Visibility = False
+        self.ok()
+        settle(0.5)
+        report = report_of(obj)
+        self.assertAlmostEqual(report["furthest_mm"], 1, delta=1e-9)
+        (mark,) = obj.Proxy.marks(report)
+        self.assertEqual(mark[1], "1 mm")
+        self.assertGreater(count(picture("deviation-mark"), INK), FEW)
+        self.assertIn("Sampled", obj.Summary)
+
+
+class Plots(MapWindow):
+    def move(self, plot, share):
+        """Move the mouse to a place of a plot, as a share of its width."""
+        area = plot._area()
+        spot = QtCore.QPointF(area.left() + share * area.width(), area.center().y())
+        event = QtGui.QMouseEvent(
+            QtCore.QEvent.MouseMove, spot, QtCore.Qt.NoButton, QtCore.Qt.NoButton,
+            QtCore.Qt.NoModifier,
+        )  # fmt: skip
+        QtWidgets.QApplication.sendEvent(plot, event)
+        settle()
+
+    def test_the_mouse_in_the_plot_marks_the_point_on_the_seam(self):
+        obj, panel = self.start("SeamPlot", (self.block, "Edge3"), (self.block, "Edge5"))
+        seams = report_of(obj)["seams"]
+        whole = sum(seam["lengths_mm"][-1] for seam in seams)
+        seen = []
+        with mock.patch.object(obj.ViewObject.Proxy, "mark", lambda *given: seen.append(given[2])):
+            self.move(panel.plot, 0.0)
+            self.move(panel.plot, 1.0)
+            self.move(panel.plot, (seams[0]["lengths_mm"][-1] / 2) / whole)
+            QtWidgets.QApplication.sendEvent(panel.plot, QtCore.QEvent(QtCore.QEvent.Leave))
+        middle = len(seams[0]["points"]) // 2
+        wanted = seams[0]["points"][0], seams[1]["points"][-1], seams[0]["points"][middle]
+        for marks, point in zip(seen, wanted):
+            numpy.testing.assert_allclose(marks[0][0], point, atol=0.2)
+        self.assertEqual(seen[3], [])
+        self.move(panel.plot, 0.2)
+        whole_window("plot-pointed")
+        self.assertIn("mm along: ", panel.reading.text())
+        self.assertGreater(count(picture("plot-mark"), INK), FEW)
+        self.ok()
+
+    def test_the_figures_have_their_bounds(self):
+        shell = Part.Compound(models.two_sheets())
+        shell.sewShape(1e-5)
+        source = models.add(self.doc, shell, "Shell")
+        for each in (*self.sheets, self.block):
+            each.ViewObject.Visibility = False
+        self.doc.recompute()
+        (name,) = [
+            "Edge%d" % number
+            for number, edge in enumerate(shell.Edges, 1)
+            if all(abs(vertex.X) < 1e-9 for vertex in edge.Vertexes)
+        ]
+        _, panel = self.start("SeamPlot", (source, name))
+        for index in range(panel.figure.count()):
+            panel.figure.setCurrentIndex(index)
+            settle()
+            (line,) = panel.plot.lines
+            known = [each for each in line.values if each is not None]
+            self.assertLessEqual(max(known), line.upper + 1e-9)
+            self.assertIn("proven", panel.bounds.text())
+            whole_window("plot-%d" % index)
+        self.ok()
+
+
+class Large(MapWindow):
+    def test_a_switch_takes_less_than_a_fifth_of_a_second_for_a_thousand_faces(self):
+        blocks = []
+        for k in range(39):
+            block = models.rounded_block()
+            block.translate(App.Vector(25 * (k % 7), 25 * (k // 7), 0))
+            blocks.append(block)
+        source = models.add(self.doc, Part.Compound(blocks), "Blocks")
+        self.doc.recompute()
+        self.assertGreater(len(source.Shape.Faces), 1000)
+        obj = kinds.create("CurvatureMap", source)
+        settle(1.0)
+        for quantity in ("Gaussian", "Largest", "Smallest radius", "Mean"):
+            begin, wall = time.thread_time(), time.perf_counter()
+            obj.Quantity = quantity
+            self.doc.recompute()
+            work, values = obj.Proxy.prepared(obj)
+            obj.ViewObject.Proxy.drawing.draw(obj, work(None), values)
+            spent, wall = time.thread_time() - begin, time.perf_counter() - wall
+            print("%s: %.3f s of the processor, %.3f s" % (quantity, spent, wall))
+            self.assertLess(spent, SWITCH_S)
+            settle(0.2)
