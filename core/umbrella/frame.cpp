@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seamwright/core/join/bernstein_rows.hpp>
+#include <algorithm>
+#include <seamwright/core/umbrella/forms.hpp>
 #include <seamwright/core/umbrella/frame.hpp>
 #include <stdexcept>
 #include <string>
@@ -8,28 +9,6 @@
 namespace seamwright::umbrella {
 
 namespace {
-
-/// Multiplication of a polynomial of that degree by a factor, as a matrix.
-Eigen::MatrixXd multiplication(const Eigen::VectorXd& factor, int degree) {
-  Eigen::MatrixXd matrix(degree + factor.size(), degree + 1);
-  for (int j = 0; j <= degree; ++j)
-    matrix.col(j) = rows::times(factor, Eigen::VectorXd::Unit(degree + 1, j));
-  return matrix;
-}
-
-Forms times(const Eigen::VectorXd& factor, const Forms& field) {
-  return multiplication(factor, rows::degree(field)) * field;
-}
-
-Forms elevated(const Forms& field, int degree) {
-  return rows::elevation(rows::degree(field), degree) * field;
-}
-
-Forms derivative(const Forms& field) {
-  const int n = rows::degree(field);
-  if (n == 0) return Forms::Zero(1, field.cols());
-  return n * (field.bottomRows(n) - field.topRows(n));
-}
 
 double slope(const Eigen::VectorXd& linear) {
   return linear(linear.size() - 1) - linear(0);
@@ -173,6 +152,29 @@ class Frame {
   Forms twists_;
 };
 
+/// The poles in that degree, in the order of a net.
+Poles raised(const UmbrellaMember& member, int degree) {
+  if (const auto* triangle = std::get_if<BezierTriangle>(&member)) {
+    BezierTriangle result = *triangle;
+    while (result.degree() < degree) result = result.elevated();
+    return result.poles();
+  }
+  const BezierPatch& patch = std::get<BezierPatch>(member);
+  const Poles poles = patch.poles();
+  const Eigen::MatrixXd u = rows::elevation(patch.degreeU(), degree),
+                        v = rows::elevation(patch.degreeV(), degree);
+  Poles result(u.rows() * v.rows(), 3);
+  for (int c = 0; c < 3; ++c) {
+    using Grid = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    const Eigen::VectorXd coordinate = poles.col(c);
+    const Grid grid =
+        u * Eigen::Map<const Grid>(coordinate.data(), patch.degreeU() + 1, patch.degreeV() + 1) *
+        v.transpose();
+    result.col(c) = grid.reshaped<Eigen::RowMajor>();
+  }
+  return result;
+}
+
 }  // namespace
 
 Eigen::RowVectorXd FreeVectors::next() {
@@ -254,6 +256,22 @@ Eigen::MatrixXd linearPart(const Forms& forms, const FreeVectors& free) {
 
 Poles constantPart(const Forms& forms) {
   return forms.rightCols<3>();
+}
+
+Poles raised(const std::vector<UmbrellaMember>& members, int degree) {
+  std::vector<Poles> all;
+  Eigen::Index count = 0;
+  for (const UmbrellaMember& member : members) {
+    all.push_back(raised(member, degree));
+    count += all.back().rows();
+  }
+  Poles result(count, 3);
+  Eigen::Index first = 0;
+  for (const Poles& poles : all) {
+    result.middleRows(first, poles.rows()) = poles;
+    first += poles.rows();
+  }
+  return result;
 }
 
 std::vector<UmbrellaMember> membersOf(const std::vector<Net>& nets, const Poles& poles) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include <seamwright/core/umbrella/forms.hpp>
 #include <seamwright/core/umbrella/twists.hpp>
 #include <seamwright/core/umbrella/umbrella.hpp>
 
@@ -15,10 +16,6 @@
 /// every pole is a fixed combination of a few free vectors and a constant vector. Any choice of the
 /// free vectors gives exact joins.
 namespace seamwright::umbrella {
-
-/// Vectors as combinations, one per row: first the coefficients of the free vectors, then the
-/// constant vector.
-using Forms = Eigen::MatrixXd;
 
 /// Hands out free vectors, at most \p capacity.
 class FreeVectors {
@@ -87,6 +84,8 @@ Eigen::MatrixXd energyRows(const std::vector<Net>& nets);
 Eigen::MatrixXd linearPart(const Forms& forms, const FreeVectors& free);
 Poles constantPart(const Forms& forms);
 
+/// The poles of members in that degree, in the order of their nets.
+Poles raised(const std::vector<UmbrellaMember>& members, int degree);
 /// Members with these poles.
 std::vector<UmbrellaMember> membersOf(const std::vector<Net>& nets, const Poles& poles);
 

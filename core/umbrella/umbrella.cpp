@@ -52,45 +52,6 @@ std::vector<MemberKind> kindsOf(const UmbrellaOptions& options, int members) {
   return kinds;
 }
 
-/// The poles in that degree, in the order of a net.
-Poles raised(const UmbrellaMember& member, int degree) {
-  if (const auto* triangle = std::get_if<BezierTriangle>(&member)) {
-    BezierTriangle result = *triangle;
-    while (result.degree() < degree) result = result.elevated();
-    return result.poles();
-  }
-  const BezierPatch& patch = std::get<BezierPatch>(member);
-  const Poles poles = patch.poles();
-  const Eigen::MatrixXd u = rows::elevation(patch.degreeU(), degree),
-                        v = rows::elevation(patch.degreeV(), degree);
-  Poles result(u.rows() * v.rows(), 3);
-  for (int c = 0; c < 3; ++c) {
-    using Grid = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    const Eigen::VectorXd coordinate = poles.col(c);
-    const Grid grid =
-        u * Eigen::Map<const Grid>(coordinate.data(), patch.degreeU() + 1, patch.degreeV() + 1) *
-        v.transpose();
-    result.col(c) = grid.reshaped<Eigen::RowMajor>();
-  }
-  return result;
-}
-
-Poles raised(const std::vector<UmbrellaMember>& members, int degree) {
-  std::vector<Poles> all;
-  Eigen::Index count = 0;
-  for (const UmbrellaMember& member : members) {
-    all.push_back(raised(member, degree));
-    count += all.back().rows();
-  }
-  Poles result(count, 3);
-  Eigen::Index first = 0;
-  for (const Poles& poles : all) {
-    result.middleRows(first, poles.rows()) = poles;
-    first += poles.rows();
-  }
-  return result;
-}
-
 /// The minimised vector: rows times (poles - target).
 struct Aim {
   Eigen::MatrixXd rows;  ///< empty: the identity
@@ -272,7 +233,7 @@ Umbrella umbrellaAround(const std::vector<BezierCurve>& given, const UmbrellaOpt
   const std::vector<Net> nets = umbrella::netsOf(kinds, degree);
   const Aim aim = options.members.empty()
                       ? Aim{umbrella::energyRows(nets), Poles::Zero(umbrella::polesOf(nets), 3)}
-                      : Aim{{}, raised(options.members, degree)};
+                      : Aim{{}, umbrella::raised(options.members, degree)};
   const Choice choice(vertex, spokes, nets, aim, seconds);
   if (options.lambda)
     result.largest_lambda_change = (seconds.lambda - asked).cwiseAbs().maxCoeff();
