@@ -227,23 +227,22 @@ Forms framed(const FrameInput& input, FreeVectors& free) {
   return Frame(input, free).built();
 }
 
-Eigen::MatrixXd energyRows(const std::vector<Net>& nets) {
+Eigen::MatrixXd energyRows(const std::vector<Net>& nets, int order) {
+  const Eigen::VectorXd& weights = bernstein::binomials(order);
   std::vector<std::vector<std::pair<Eigen::Index, double>>> differences;
   for (const Net& net : nets)
-    for (int r = 0; r <= net.degree; ++r)
-      for (int s = 0; s <= net.last(r); ++s) {
-        const auto has = [&](int i, int j) { return i <= net.degree && j <= net.last(i); };
-        if (has(r + 2, s))
-          differences.push_back({{net.at(r, s), 1}, {net.at(r + 1, s), -2}, {net.at(r + 2, s), 1}});
-        if (has(r, s + 2))
-          differences.push_back({{net.at(r, s), 1}, {net.at(r, s + 1), -2}, {net.at(r, s + 2), 1}});
-        const double twice = std::sqrt(2.0);
-        if (has(r + 1, s + 1))
-          differences.push_back({{net.at(r, s), twice},
-                                 {net.at(r + 1, s), -twice},
-                                 {net.at(r, s + 1), -twice},
-                                 {net.at(r + 1, s + 1), twice}});
-      }
+    for (int v = 0; v <= order; ++v) {
+      const int u = order - v;
+      for (int r = 0; r + u <= net.degree; ++r)
+        for (int s = 0; s + v <= net.last(r + u); ++s) {
+          auto& difference = differences.emplace_back();
+          for (int i = 0; i <= u; ++i)
+            for (int j = 0; j <= v; ++j)
+              difference.emplace_back(net.at(r + i, s + j),
+                                      ((order - i - j) % 2 == 0 ? 1 : -1) * std::sqrt(weights(v)) *
+                                          bernstein::binomials(u)(i) * bernstein::binomials(v)(j));
+        }
+    }
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(std::ssize(differences), polesOf(nets));
   for (Eigen::Index i = 0; i < matrix.rows(); ++i)
     for (const auto& [pole, factor] : differences[i]) matrix(i, pole) += factor;

@@ -76,9 +76,9 @@ struct FrameInput {
 /// Source: docs/theory/fills.md F1.7, F1.8.
 Forms framed(const FrameInput& input, FreeVectors& free);
 
-/// Rows whose products with the poles have the energy as their sum of squares: second derivatives
-/// by u and by v, and twice the mixed ones, as differences of poles.
-Eigen::MatrixXd energyRows(const std::vector<Net>& nets);
+/// Rows whose products with the poles have the energy as their sum of squares: all derivatives of
+/// that order, mixed ones as often as they occur, as differences of poles.
+Eigen::MatrixXd energyRows(const std::vector<Net>& nets, int order = 2);
 
 /// The coefficients of the free vectors in the forms, and the constant part.
 Eigen::MatrixXd linearPart(const Forms& forms, const FreeVectors& free);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 #include <seamwright/core/bernstein/coefficients.hpp>
+#include <seamwright/core/differential/fundamental_forms.hpp>
 #include <seamwright/core/numeric.hpp>
 #include <seamwright/core/umbrella/g2.hpp>
 #include <seamwright/core/umbrella/spokes.hpp>
@@ -28,6 +29,16 @@ Eigen::Matrix3Xd secondsOfOneForm(const UmbrellaVertex& vertex, const Eigen::Mat
                           vertex.isRegular() ? umbrella::continued(vertex, second) : second);
 }
 
+/// The twist along N of member 0. With spokes along two lines only, no spoke determines it.
+Eigen::RowVector3d twistOf(const UmbrellaVertex& vertex, const Eigen::Matrix3d& form) {
+  const Eigen::Vector3d begin = vertex.tangents.col(0), end = vertex.tangents.col(vertex.after(0));
+  return begin.dot(form * end) * vertex.normal.transpose();
+}
+
+Eigen::Matrix3d formAtOrigin(const BezierPatch& member, const UmbrellaVertex& vertex) {
+  return curvatureTensor(member.jet(0, 0), vertex.normal);
+}
+
 int degreeOf(const G2UmbrellaOptions& options, int spoke_degree) {
   int lowest = std::max(3, spoke_degree);
   for (const BezierPatch& member : options.members)
@@ -49,7 +60,8 @@ std::vector<Eigen::MatrixXd> polesAbout(const std::vector<BezierCurve>& spokes,
 
 umbrella::LeastSum aimOf(const std::vector<BezierPatch>& members,
                          const std::vector<umbrella::Net>& nets, const Eigen::RowVector3d& origin) {
-  if (members.empty()) return {umbrella::energyRows(nets), Poles::Zero(umbrella::polesOf(nets), 3)};
+  if (members.empty())
+    return {umbrella::energyRows(nets, 3), Poles::Zero(umbrella::polesOf(nets), 3)};
   return {{}, umbrella::raised(asMembers(members), nets.front().degree).rowwise() - origin};
 }
 
@@ -102,6 +114,9 @@ G2Umbrella g2Umbrella(const std::vector<BezierCurve>& given, const G2UmbrellaOpt
   umbrella::System system =
       umbrella::systemOf(vertex, nets, poles, laws, umbrella::spokePoles(vertex, nets, poles));
   umbrella::freeSlopesOfQ(system, vertex, poles, laws);
+  const bool twist_is_free = vertex.alpha.isZero(0);
+  if (twist_is_free && (options.form || options.members.empty()))
+    umbrella::fixTwist(system, nets.front(), twistOf(vertex, result.form));
   const umbrella::SystemSolution solution = umbrella::solved(system, aim);
   if (!(solution.defect <= kContradiction))
     refuse("the equations of G2 leave a defect of " + text(solution.defect) +
@@ -110,6 +125,7 @@ G2Umbrella g2Umbrella(const std::vector<BezierCurve>& given, const G2UmbrellaOpt
 
   for (const UmbrellaMember& member : umbrella::membersOf(nets, solution.poles.rowwise() + origin))
     result.members.push_back(std::get<BezierPatch>(member));
+  if (twist_is_free && !options.form) result.form = formAtOrigin(result.members.front(), vertex);
   result.functions = functionsOf(vertex, laws, solution.parameters);
   result.third_order_condition = order.condition;
   result.largest_spoke_move_mm = umbrella::largestMove(given, spokes);

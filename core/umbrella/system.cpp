@@ -232,6 +232,19 @@ void freeSlopesOfQ(System& system, const UmbrellaVertex& vertex,
   }
 }
 
+void fixTwist(System& system, const Net& net, const Eigen::RowVectorXd& twist) {
+  const auto pole = [&](int r, int s) { return system.poles.row(net.at(r, s)); };
+  const Eigen::Index row = system.equations.rows();
+  system.equations.conservativeResize(row + 1, Eigen::NoChange);
+  system.equations.row(row) =
+      net.degree * net.crossDegree() * ((pole(1, 1) - pole(1, 0)) - (pole(0, 1) - pole(0, 0)));
+  system.equations.row(row).tail(twist.size()) -= twist;
+  for (Eigen::MatrixXd& change : system.changes) {
+    change.conservativeResize(row + 1, Eigen::NoChange);
+    change.row(row).setZero();
+  }
+}
+
 SystemSolution solved(const System& system, const LeastSum& aim) {
   return Solver(system, aim).solution();
 }

@@ -40,6 +40,9 @@ System systemOf(const UmbrellaVertex& vertex, const std::vector<Net>& nets,
 void freeSlopesOfQ(System& system, const UmbrellaVertex& vertex,
                    const std::vector<Eigen::MatrixXd>& spokes, const std::vector<SpokeLaw>& laws);
 
+/// Prescribes the mixed second derivative of a member at O.
+void fixTwist(System& system, const Net& net, const Eigen::RowVectorXd& twist);
+
 /// What to make least: the sum of the squares of rows times (poles - target).
 struct LeastSum {
   Eigen::MatrixXd rows;  ///< empty: the identity

@@ -201,11 +201,6 @@ TEST(G2Umbrella, VerdictIsCertain) {
       const SeamFigures figures = encloseSeam(before, after, tolerance);
       ASSERT_TRUE(figures.certified) << count << " " << i << " " << figures.uncertified;
       EXPECT_LE(*figures.curvature_per_mm->upper, 1e-9) << count << " " << i;
-      EXPECT_EQ(joinCondition(test::ribbonBefore(found.members[found.vertex.memberBefore(i)]),
-                              test::ribbonAfter(found.members[i]), {.order = 2})
-                    .verdict,
-                JoinVerdict::G2)
-          << count << " " << i;
     }
     // The umbrella that only joins G1 has jumps.
     const Umbrella plain = umbrellaAround(found.spokes);
@@ -231,7 +226,8 @@ TEST(G2Umbrella, Identity2ComesBackAndDisturbedComesNearer) {
       member = BezierPatch(member.degreeU(), member.degreeV(), poles);
     }
     const G2Umbrella near = g2Umbrella(first.spokes, options);
-    EXPECT_LE(largestJump(near).curvature, 1e-10) << run;
+    const Jump jump = largestJump(near);
+    EXPECT_LE(jump.curvature, 1e-10 * (1 + jump.size)) << run;
     for (std::size_t i = 0; i < near.members.size(); ++i)
       moved += (near.members[i].poles() - options.members[i].poles()).squaredNorm();
     EXPECT_LE(moved, disturbed * (1 + 1e-9)) << run;
@@ -298,11 +294,14 @@ TEST(G2Umbrella, Identity3OrderSenseMotionAndScaleDoNotMatter) {
 
 TEST(G2Umbrella, Identity4ParaboloidComesBack) {
   for (const int m : {3, 4, 5, 6, 7, 9}) {
+    // Spokes along two lines do not know the mixed term.
+    const double mixed = m == 4 ? 0 : -1.0 / 60;
+    const auto height = [&](double x, double y) { return x * x / 40 + mixed * x * y + y * y / 90; };
     std::vector<BezierCurve> spokes;
     for (int i = 0; i < m; ++i) {
       const double x = 9 * std::cos(2 * pi * i / m), y = 9 * std::sin(2 * pi * i / m);
       Poles poles(3, 3);
-      poles << 0, 0, 0, x / 2, y / 2, 0, x, y, x * x / 40 - x * y / 60 + y * y / 90;
+      poles << 0, 0, 0, x / 2, y / 2, 0, x, y, height(x, y);
       spokes.emplace_back(poles);
     }
     const G2Umbrella found = g2Umbrella(spokes);
@@ -312,11 +311,9 @@ TEST(G2Umbrella, Identity4ParaboloidComesBack) {
       for (int i = 0; i <= 8; ++i)
         for (int j = 0; j <= 8; ++j) {
           const Eigen::Vector3d p = member.point(i / 8.0, j / 8.0);
-          worst = std::max(worst, std::abs(p.z() - (p.x() * p.x() / 40 - p.x() * p.y() / 60 +
-                                                    p.y() * p.y() / 90)));
+          worst = std::max(worst, std::abs(p.z() - height(p.x(), p.y())));
         }
-    std::cout << m << " " << worst << "\n";
-    EXPECT_LE(worst, 1e-9) << m;
+    EXPECT_LE(worst, 1e-11) << m;
   }
 }
 
@@ -353,6 +350,12 @@ TEST(G2Umbrella, RegularVertexContinuesOppositeSpokes) {
   ASSERT_TRUE(found.vertex.isRegular());
   EXPECT_LE(largestJump(found).curvature, 1e-12);
   EXPECT_GT(found.largest_second_change, 0);
+  EXPECT_LE((shapeAt(found.members[2], 0, 0).tensor.cast<double>() - found.form).norm(), 1e-12);
+  G2UmbrellaOptions options;
+  options.form = formOf(found.vertex, 0.05, -0.02, 0.01);
+  const G2Umbrella shaped = g2Umbrella(spokes, options);
+  EXPECT_LE(largestJump(shaped).curvature, 1e-12);
+  EXPECT_LE((shapeAt(shaped.members[1], 0, 0).tensor.cast<double>() - *options.form).norm(), 1e-12);
   for (int i = 0; i < 2; ++i) {
     const auto relative = [&](int k) {
       const CurveDerivatives d = found.spokes[k].derivatives(0, 2);
@@ -362,24 +365,34 @@ TEST(G2Umbrella, RegularVertexContinuesOppositeSpokes) {
   }
 }
 
-/// Five unit tangents with the angles 1.2, 1.2, 1.2, x and the rest.
-std::vector<BezierCurve> nearlySingular(double x, int degree, double height) {
+/// Five straight spokes with a bend of third order; at x = 1.541583 the fan is singular.
+std::vector<BezierCurve> bentSpokes(double x) {
   std::vector<BezierCurve> spokes;
   const double angles[5] = {0, 1.6, 1.6 + x, 3.2 + x, 4.8 + x / 2};
   for (int i = 0; i < 5; ++i) {
-    Poles poles = Poles::Zero(degree + 1, 3);
-    for (int k = 0; k <= degree; ++k)
-      poles.row(k) << 9.0 * k / degree * std::cos(angles[i]),
-          9.0 * k / degree * std::sin(angles[i]), 0;
-    poles(3, 2) += height * (1 + i * i);
+    Poles poles = Poles::Zero(5, 3);
+    for (int k = 0; k <= 4; ++k)
+      poles.row(k) << 9.0 * k / 4 * std::cos(angles[i]), 9.0 * k / 4 * std::sin(angles[i]), 0;
+    poles(3, 2) = 0.1 * (1 + i * i);
     spokes.emplace_back(poles);
   }
   return spokes;
 }
 
-TEST(G2Umbrella, Scan) {
-  for (double x = 0.2; x < 2.8; x += 0.05)
-    std::cout << x << " " << g2Umbrella(nearlySingular(x, 4, 0.1)).third_order_condition << "\n";
+TEST(G2Umbrella, ThirdDerivativesChangeOnlyInASingularFan) {
+  for (const double x : {1.0, 1.5}) {
+    const G2Umbrella found = g2Umbrella(bentSpokes(x));
+    EXPECT_EQ(found.largest_third_change, 0);
+    EXPECT_LE(largestJump(found).curvature, 1e-11);
+  }
+  // The condition grows towards the singular fan.
+  EXPECT_GT(g2Umbrella(bentSpokes(1.54)).third_order_condition, 1e6);
+  const G2Umbrella singular = g2Umbrella(bentSpokes(1.541583));
+  EXPECT_GT(singular.largest_third_change, 1);
+  EXPECT_EQ(singular.largest_second_change, 0);
+  EXPECT_LE(largestJump(singular).curvature, 1e-10);
+  // Changed once, nothing has to change again.
+  EXPECT_LE(g2Umbrella(singular.spokes).largest_third_change, 1e-9);
 }
 
 TEST(G2Umbrella, RefusalsHaveTheNumbers) {
