@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
+#include <cmath>
+#include <seamwright/core/bernstein/coefficients.hpp>
+#include <seamwright/core/numeric.hpp>
 #include <seamwright/core/umbrella/forms.hpp>
 #include <seamwright/core/umbrella/frame.hpp>
 #include <stdexcept>
@@ -152,30 +155,29 @@ class Frame {
   Forms twists_;
 };
 
-/// The poles in that degree, in the order of a net.
-Poles raised(const UmbrellaMember& member, int degree) {
-  if (const auto* triangle = std::get_if<BezierTriangle>(&member)) {
-    BezierTriangle result = *triangle;
-    while (result.degree() < degree) result = result.elevated();
-    return result.poles();
-  }
-  const BezierPatch& patch = std::get<BezierPatch>(member);
-  const Poles poles = patch.poles();
-  const Eigen::MatrixXd u = rows::elevation(patch.degreeU(), degree),
-                        v = rows::elevation(patch.degreeV(), degree);
-  Poles result(u.rows() * v.rows(), 3);
-  for (int c = 0; c < 3; ++c) {
-    using Grid = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    const Eigen::VectorXd coordinate = poles.col(c);
-    const Grid grid =
-        u * Eigen::Map<const Grid>(coordinate.data(), patch.degreeU() + 1, patch.degreeV() + 1) *
-        v.transpose();
-    result.col(c) = grid.reshaped<Eigen::RowMajor>();
-  }
-  return result;
+MemberKind kindOf(const UmbrellaMember& member) {
+  return std::holds_alternative<BezierPatch>(member) ? MemberKind::Tensor : MemberKind::Triangle;
 }
 
 }  // namespace
+
+std::vector<MemberKind> kindsOf(const UmbrellaOptions& options, int members) {
+  const auto require = [&](const char* what, std::size_t count) {
+    if (count != 0 && count != static_cast<std::size_t>(members))
+      refuse(std::to_string(count) + " " + what + " for " + std::to_string(members) + " sectors");
+  };
+  require("kinds", options.kinds.size());
+  require("members", options.members.size());
+  std::vector<MemberKind> kinds = options.kinds;
+  if (kinds.empty()) kinds.assign(members, MemberKind::Tensor);
+  for (std::size_t i = 0; i < options.members.size(); ++i) {
+    const MemberKind kind = kindOf(options.members[i]);
+    if (!options.kinds.empty() && kind != kinds[i])
+      refuse("member " + std::to_string(i) + " is of another kind than asked for");
+    kinds[i] = kind;
+  }
+  return kinds;
+}
 
 Eigen::RowVectorXd FreeVectors::next() {
   return Eigen::RowVectorXd::Unit(columns(), count_++);
@@ -257,12 +259,41 @@ Poles constantPart(const Forms& forms) {
   return forms.rightCols<3>();
 }
 
+int degreeOf(const UmbrellaMember& member) {
+  if (const auto* patch = std::get_if<BezierPatch>(&member))
+    return std::max(patch->degreeU(), patch->degreeV());
+  return std::get<BezierTriangle>(member).degree();
+}
+
+HomogeneousPoles raisedHomogeneous(const UmbrellaMember& member, int degree) {
+  if (const auto* triangle = std::get_if<BezierTriangle>(&member)) {
+    BezierTriangle result = *triangle;
+    while (result.degree() < degree) result = result.elevated();
+    return result.homogeneousPoles();
+  }
+  const BezierPatch& patch = std::get<BezierPatch>(member);
+  const HomogeneousPoles& poles = patch.homogeneousPoles();
+  const Eigen::MatrixXd u = rows::elevation(patch.degreeU(), degree),
+                        v = rows::elevation(patch.degreeV(), degree);
+  HomogeneousPoles result(u.rows() * v.rows(), 4);
+  for (int c = 0; c < 4; ++c) {
+    using Grid = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    const Eigen::VectorXd coordinate = poles.col(c);
+    const Grid grid =
+        u * Eigen::Map<const Grid>(coordinate.data(), patch.degreeU() + 1, patch.degreeV() + 1) *
+        v.transpose();
+    result.col(c) = grid.reshaped<Eigen::RowMajor>();
+  }
+  return result;
+}
+
 Poles raised(const std::vector<UmbrellaMember>& members, int degree) {
   std::vector<Poles> all;
   Eigen::Index count = 0;
   for (const UmbrellaMember& member : members) {
-    all.push_back(raised(member, degree));
-    count += all.back().rows();
+    const HomogeneousPoles poles = raisedHomogeneous(member, degree);
+    all.push_back(poles.leftCols<3>() / poles(0, 3));
+    count += poles.rows();
   }
   Poles result(count, 3);
   Eigen::Index first = 0;

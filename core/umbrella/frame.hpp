@@ -49,6 +49,9 @@ struct Net {
   int crossDegree() const { return isTriangle() ? degree - 1 : degree; }
 };
 
+/// The kinds that are asked for, or those of the given members; nothing of both: patches.
+std::vector<MemberKind> kindsOf(const UmbrellaOptions& options, int members);
+
 /// \pre the degree of triangles is 2 or more.
 /// \throws std::invalid_argument if they have more than most_umbrella_poles poles.
 std::vector<Net> netsOf(const std::vector<MemberKind>& kinds, int degree);
@@ -84,7 +87,10 @@ Eigen::MatrixXd energyRows(const std::vector<Net>& nets, int order = 2);
 Eigen::MatrixXd linearPart(const Forms& forms, const FreeVectors& free);
 Poles constantPart(const Forms& forms);
 
-/// The poles of members in that degree, in the order of their nets.
+int degreeOf(const UmbrellaMember& member);
+/// The poles of a member in that degree, in the order of its net.
+HomogeneousPoles raisedHomogeneous(const UmbrellaMember& member, int degree);
+/// The poles of polynomial members in that degree, in the order of their nets.
 Poles raised(const std::vector<UmbrellaMember>& members, int degree);
 /// Members with these poles.
 std::vector<UmbrellaMember> membersOf(const std::vector<Net>& nets, const Poles& poles);

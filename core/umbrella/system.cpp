@@ -195,11 +195,12 @@ KnownPoles spokePoles(const UmbrellaVertex& vertex, const std::vector<Net>& nets
 
 System systemOf(const UmbrellaVertex& vertex, const std::vector<Net>& nets,
                 const std::vector<Eigen::MatrixXd>& spokes, const std::vector<SpokeLaw>& laws,
-                const KnownPoles& known) {
+                const KnownPoles& known, std::vector<Eigen::Index>* first_rows) {
   System system{polesAsForms(known), {}, {}};
   std::vector<Forms> equations;
   Eigen::Index count = 0;
   for (int i = 0; i < vertex.spokes(); ++i) {
+    if (first_rows) first_rows->push_back(count);
     if (!vertex.isInner(i)) continue;
     for (Forms& equation : equationsOf(system.poles, nets[vertex.memberBefore(i)], nets[i],
                                        constant(spokes[i], system.poles.cols()), laws[i])) {
@@ -207,6 +208,7 @@ System systemOf(const UmbrellaVertex& vertex, const std::vector<Net>& nets,
       equations.push_back(std::move(equation));
     }
   }
+  if (first_rows) first_rows->push_back(count);
   system.equations.resize(count, system.poles.cols());
   Eigen::Index first = 0;
   for (const Forms& equation : equations) {

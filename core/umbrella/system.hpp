@@ -32,9 +32,10 @@ KnownPoles spokePoles(const UmbrellaVertex& vertex, const std::vector<Net>& nets
                       const std::vector<Eigen::MatrixXd>& spokes);
 
 /// \param spokes their poles, of 3 coordinates or of 4. \param laws one for each spoke.
+/// \param first_rows gets the first row of the equations of each spoke, and the number of all.
 System systemOf(const UmbrellaVertex& vertex, const std::vector<Net>& nets,
                 const std::vector<Eigen::MatrixXd>& spokes, const std::vector<SpokeLaw>& laws,
-                const KnownPoles& known);
+                const KnownPoles& known, std::vector<Eigen::Index>* first_rows = nullptr);
 
 /// Lets the slopes of q be free parameters, one for each spoke of order 2.
 void freeSlopesOfQ(System& system, const UmbrellaVertex& vertex,
