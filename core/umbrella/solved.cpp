@@ -239,6 +239,14 @@ struct OpenLaw {
   Eigen::VectorXd bump;
 };
 
+/// The functions that change are raised to the degree of what changes them.
+OpenLaw raised(OpenLaw open) {
+  const int degree = rows::degree(open.bump);
+  open.law.a = rows::elevated<1>(open.law.a, degree);
+  if (open.law.e.size() > 0) open.law.e = rows::elevated<1>(open.law.e, degree);
+  return open;
+}
+
 /// The law of a spoke from what is given at both ends.
 class LawBetween {
  public:
@@ -432,7 +440,7 @@ Umbrella solvedUmbrella(const std::vector<BezierCurve>& given, const UmbrellaOpt
   const std::vector<LiftedBoundary> edges = liftedBoundary(spokes, kinds, options);
   std::vector<OpenLaw> laws(vertex.spokes());
   for (int i = 0; i < vertex.spokes(); ++i)
-    if (vertex.isInner(i)) laws[i] = LawBetween(spokes, kinds, edges, i).law();
+    if (vertex.isInner(i)) laws[i] = raised(LawBetween(spokes, kinds, edges, i).law());
   const Solved found = solvedInLowestDegree(spokes, kinds, edges, laws, options);
 
   Umbrella result;

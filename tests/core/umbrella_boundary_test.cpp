@@ -187,7 +187,7 @@ std::vector<BezierCurve> weighted(const std::vector<BezierCurve>& spokes, std::m
   std::vector<BezierCurve> result;
   for (const BezierCurve& spoke : spokes) {
     Eigen::VectorXd weights(spoke.degree() + 1);
-    for (double& weight : weights) weight = uniform(0.7, 1.5, random);
+    for (double& weight : weights) weight = uniform(0.9, 1.1, random);
     result.emplace_back(spoke.poles(), weights);
   }
   return result;
