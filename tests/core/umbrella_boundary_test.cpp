@@ -183,39 +183,45 @@ TEST(UmbrellaBoundary, SomeEdgesMayBeFree) {
 
 // Weights.
 
-std::vector<BezierCurve> weighted(const std::vector<BezierCurve>& spokes, std::mt19937_64& random) {
+/// Cubic spokes with weights, at nearly equal angles.
+std::vector<BezierCurve> weightedSpokes(int count, double around, std::mt19937_64& random) {
   std::vector<BezierCurve> result;
-  for (const BezierCurve& spoke : spokes) {
-    Eigen::VectorXd weights(spoke.degree() + 1);
-    for (double& weight : weights) weight = uniform(0.9, 1.1, random);
-    result.emplace_back(spoke.poles(), weights);
+  for (int i = 0; i < count; ++i) {
+    const double angle = (i + uniform(-0.1, 0.1, random)) * around / count;
+    Poles poles(4, 3);
+    Eigen::VectorXd weights(4);
+    for (int k = 0; k < 4; ++k) {
+      poles.row(k) << 3 * k * std::cos(angle), 3 * k * std::sin(angle), -0.1 * k * (k - 1);
+      weights(k) = 1 - 0.03 * k + uniform(-0.01, 0.01, random);
+    }
+    result.emplace_back(poles, weights);
   }
   return result;
 }
 
 TEST(UmbrellaWeights, RationalSpokesJoinWithCertainty) {
   std::mt19937_64 random(testSeed());
-  for (int run = 0; run < 20; ++run) {
+  for (int run = 0; run < 10; ++run) {
     UmbrellaOptions options;
     options.closed = run % 4 != 0;
-    const int count = 4 + run % 4, members = options.closed ? count : count - 1;
-    if (run % 3 == 0) options.kinds = test::randomKinds(members, random);
+    const int count = 3 + run % 5;
     const std::vector<BezierCurve> spokes =
-        weighted(test::randomSpokes(count, options.closed, 3, random), random);
+        weightedSpokes(count, options.closed ? 2 * pi : 3, random);
     const Umbrella found = umbrellaAround(spokes, options);
-    EXPECT_LE(test::certifiedAngle(found), 1e-8) << run;
     for (int i = 0; i < count; ++i) {
-      const double allowed = found.largest_spoke_move_mm + 1e-12;
+      const double allowed = 2 * found.largest_spoke_move_mm + 1e-12;
       for (int k = 0; k <= 8; ++k)
-        EXPECT_LE((found.spokes[i].point(k / 8.0) - spokes[i].point(k / 8.0)).norm(), 2 * allowed)
+        EXPECT_LE((found.spokes[i].point(k / 8.0) - spokes[i].point(k / 8.0)).norm(), allowed)
             << run;
       if (!found.vertex.isInner(i)) continue;
-      EXPECT_EQ(joinCondition(test::ribbonBefore(found.members[found.vertex.memberBefore(i)]),
-                              test::ribbonAfter(found.members[i]))
-                    .verdict,
+      const UmbrellaMember &before = found.members[found.vertex.memberBefore(i)],
+                           &behind = found.members[i];
+      EXPECT_TRUE(std::visit([](const auto& m) { return m.isRational(); }, behind)) << run;
+      EXPECT_EQ(joinCondition(test::ribbonBefore(before), test::ribbonAfter(behind)).verdict,
                 JoinVerdict::G1)
           << run << " " << i;
     }
+    EXPECT_LE(test::certifiedAngle(found), 1e-8) << run;
   }
 }
 
