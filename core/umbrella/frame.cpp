@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seamwright/core/join/bernstein_rows.hpp>
+#include <algorithm>
+#include <cmath>
+#include <seamwright/core/bernstein/coefficients.hpp>
+#include <seamwright/core/numeric.hpp>
+#include <seamwright/core/umbrella/forms.hpp>
 #include <seamwright/core/umbrella/frame.hpp>
 #include <stdexcept>
 #include <string>
@@ -8,28 +12,6 @@
 namespace seamwright::umbrella {
 
 namespace {
-
-/// Multiplication of a polynomial of that degree by a factor, as a matrix.
-Eigen::MatrixXd multiplication(const Eigen::VectorXd& factor, int degree) {
-  Eigen::MatrixXd matrix(degree + factor.size(), degree + 1);
-  for (int j = 0; j <= degree; ++j)
-    matrix.col(j) = rows::times(factor, Eigen::VectorXd::Unit(degree + 1, j));
-  return matrix;
-}
-
-Forms times(const Eigen::VectorXd& factor, const Forms& field) {
-  return multiplication(factor, rows::degree(field)) * field;
-}
-
-Forms elevated(const Forms& field, int degree) {
-  return rows::elevation(rows::degree(field), degree) * field;
-}
-
-Forms derivative(const Forms& field) {
-  const int n = rows::degree(field);
-  if (n == 0) return Forms::Zero(1, field.cols());
-  return n * (field.bottomRows(n) - field.topRows(n));
-}
 
 double slope(const Eigen::VectorXd& linear) {
   return linear(linear.size() - 1) - linear(0);
@@ -173,7 +155,29 @@ class Frame {
   Forms twists_;
 };
 
+MemberKind kindOf(const UmbrellaMember& member) {
+  return std::holds_alternative<BezierPatch>(member) ? MemberKind::Tensor : MemberKind::Triangle;
+}
+
 }  // namespace
+
+std::vector<MemberKind> kindsOf(const UmbrellaOptions& options, int members) {
+  const auto require = [&](const char* what, std::size_t count) {
+    if (count != 0 && count != static_cast<std::size_t>(members))
+      refuse(std::to_string(count) + " " + what + " for " + std::to_string(members) + " sectors");
+  };
+  require("kinds", options.kinds.size());
+  require("members", options.members.size());
+  std::vector<MemberKind> kinds = options.kinds;
+  if (kinds.empty()) kinds.assign(members, MemberKind::Tensor);
+  for (std::size_t i = 0; i < options.members.size(); ++i) {
+    const MemberKind kind = kindOf(options.members[i]);
+    if (!options.kinds.empty() && kind != kinds[i])
+      refuse("member " + std::to_string(i) + " is of another kind than asked for");
+    kinds[i] = kind;
+  }
+  return kinds;
+}
 
 Eigen::RowVectorXd FreeVectors::next() {
   return Eigen::RowVectorXd::Unit(columns(), count_++);
@@ -225,23 +229,22 @@ Forms framed(const FrameInput& input, FreeVectors& free) {
   return Frame(input, free).built();
 }
 
-Eigen::MatrixXd energyRows(const std::vector<Net>& nets) {
+Eigen::MatrixXd energyRows(const std::vector<Net>& nets, int order) {
+  const Eigen::VectorXd& weights = bernstein::binomials(order);
   std::vector<std::vector<std::pair<Eigen::Index, double>>> differences;
   for (const Net& net : nets)
-    for (int r = 0; r <= net.degree; ++r)
-      for (int s = 0; s <= net.last(r); ++s) {
-        const auto has = [&](int i, int j) { return i <= net.degree && j <= net.last(i); };
-        if (has(r + 2, s))
-          differences.push_back({{net.at(r, s), 1}, {net.at(r + 1, s), -2}, {net.at(r + 2, s), 1}});
-        if (has(r, s + 2))
-          differences.push_back({{net.at(r, s), 1}, {net.at(r, s + 1), -2}, {net.at(r, s + 2), 1}});
-        const double twice = std::sqrt(2.0);
-        if (has(r + 1, s + 1))
-          differences.push_back({{net.at(r, s), twice},
-                                 {net.at(r + 1, s), -twice},
-                                 {net.at(r, s + 1), -twice},
-                                 {net.at(r + 1, s + 1), twice}});
-      }
+    for (int v = 0; v <= order; ++v) {
+      const int u = order - v;
+      for (int r = 0; r + u <= net.degree; ++r)
+        for (int s = 0; s + v <= net.last(r + u); ++s) {
+          auto& difference = differences.emplace_back();
+          for (int i = 0; i <= u; ++i)
+            for (int j = 0; j <= v; ++j)
+              difference.emplace_back(net.at(r + i, s + j),
+                                      ((order - i - j) % 2 == 0 ? 1 : -1) * std::sqrt(weights(v)) *
+                                          bernstein::binomials(u)(i) * bernstein::binomials(v)(j));
+        }
+    }
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(std::ssize(differences), polesOf(nets));
   for (Eigen::Index i = 0; i < matrix.rows(); ++i)
     for (const auto& [pole, factor] : differences[i]) matrix(i, pole) += factor;
@@ -254,6 +257,51 @@ Eigen::MatrixXd linearPart(const Forms& forms, const FreeVectors& free) {
 
 Poles constantPart(const Forms& forms) {
   return forms.rightCols<3>();
+}
+
+int degreeOf(const UmbrellaMember& member) {
+  if (const auto* patch = std::get_if<BezierPatch>(&member))
+    return std::max(patch->degreeU(), patch->degreeV());
+  return std::get<BezierTriangle>(member).degree();
+}
+
+HomogeneousPoles raisedHomogeneous(const UmbrellaMember& member, int degree) {
+  if (const auto* triangle = std::get_if<BezierTriangle>(&member)) {
+    BezierTriangle result = *triangle;
+    while (result.degree() < degree) result = result.elevated();
+    return result.homogeneousPoles();
+  }
+  const BezierPatch& patch = std::get<BezierPatch>(member);
+  const HomogeneousPoles& poles = patch.homogeneousPoles();
+  const Eigen::MatrixXd u = rows::elevation(patch.degreeU(), degree),
+                        v = rows::elevation(patch.degreeV(), degree);
+  HomogeneousPoles result(u.rows() * v.rows(), 4);
+  for (int c = 0; c < 4; ++c) {
+    using Grid = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    const Eigen::VectorXd coordinate = poles.col(c);
+    const Grid grid =
+        u * Eigen::Map<const Grid>(coordinate.data(), patch.degreeU() + 1, patch.degreeV() + 1) *
+        v.transpose();
+    result.col(c) = grid.reshaped<Eigen::RowMajor>();
+  }
+  return result;
+}
+
+Poles raised(const std::vector<UmbrellaMember>& members, int degree) {
+  std::vector<Poles> all;
+  Eigen::Index count = 0;
+  for (const UmbrellaMember& member : members) {
+    const HomogeneousPoles poles = raisedHomogeneous(member, degree);
+    all.push_back(poles.leftCols<3>() / poles(0, 3));
+    count += poles.rows();
+  }
+  Poles result(count, 3);
+  Eigen::Index first = 0;
+  for (const Poles& poles : all) {
+    result.middleRows(first, poles.rows()) = poles;
+    first += poles.rows();
+  }
+  return result;
 }
 
 std::vector<UmbrellaMember> membersOf(const std::vector<Net>& nets, const Poles& poles) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include <seamwright/core/umbrella/forms.hpp>
 #include <seamwright/core/umbrella/twists.hpp>
 #include <seamwright/core/umbrella/umbrella.hpp>
 
@@ -15,10 +16,6 @@
 /// every pole is a fixed combination of a few free vectors and a constant vector. Any choice of the
 /// free vectors gives exact joins.
 namespace seamwright::umbrella {
-
-/// Vectors as combinations, one per row: first the coefficients of the free vectors, then the
-/// constant vector.
-using Forms = Eigen::MatrixXd;
 
 /// Hands out free vectors, at most \p capacity.
 class FreeVectors {
@@ -52,6 +49,9 @@ struct Net {
   int crossDegree() const { return isTriangle() ? degree - 1 : degree; }
 };
 
+/// The kinds that are asked for, or those of the given members; nothing of both: patches.
+std::vector<MemberKind> kindsOf(const UmbrellaOptions& options, int members);
+
 /// \pre the degree of triangles is 2 or more.
 /// \throws std::invalid_argument if they have more than most_umbrella_poles poles.
 std::vector<Net> netsOf(const std::vector<MemberKind>& kinds, int degree);
@@ -79,14 +79,19 @@ struct FrameInput {
 /// Source: docs/theory/fills.md F1.7, F1.8.
 Forms framed(const FrameInput& input, FreeVectors& free);
 
-/// Rows whose products with the poles have the energy as their sum of squares: second derivatives
-/// by u and by v, and twice the mixed ones, as differences of poles.
-Eigen::MatrixXd energyRows(const std::vector<Net>& nets);
+/// Rows whose products with the poles have the energy as their sum of squares: all derivatives of
+/// that order, mixed ones as often as they occur, as differences of poles.
+Eigen::MatrixXd energyRows(const std::vector<Net>& nets, int order = 2);
 
 /// The coefficients of the free vectors in the forms, and the constant part.
 Eigen::MatrixXd linearPart(const Forms& forms, const FreeVectors& free);
 Poles constantPart(const Forms& forms);
 
+int degreeOf(const UmbrellaMember& member);
+/// The poles of a member in that degree, in the order of its net.
+HomogeneousPoles raisedHomogeneous(const UmbrellaMember& member, int degree);
+/// The poles of polynomial members in that degree, in the order of their nets.
+Poles raised(const std::vector<UmbrellaMember>& members, int degree);
 /// Members with these poles.
 std::vector<UmbrellaMember> membersOf(const std::vector<Net>& nets, const Poles& poles);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <seamwright/core/bernstein/coefficients.hpp>
 #include <seamwright/core/join/bernstein_rows.hpp>
@@ -13,6 +14,32 @@ namespace seamwright::umbrella {
 namespace {
 
 using bernstein::text;
+
+/// The factor n (n - 1) ... of a derivative of that order.
+double falling(int n, int order) {
+  double factor = 1;
+  for (int k = 0; k < order; ++k) factor *= n - k;
+  return factor;
+}
+
+/// The spokes with changed derivatives of that order at 0, and the same of lower order and the same
+/// ends. A change of the size of rounding changes nothing.
+std::vector<BezierCurve> withDerivatives(const std::vector<BezierCurve>& spokes, int order,
+                                         const Eigen::Matrix3Xd& changes) {
+  const int degree = spokes.front().degree(), n = std::max(order + 1, degree);
+  double size = 0;
+  for (const BezierCurve& spoke : spokes)
+    size = std::max(size, spoke.poles().cwiseAbs().maxCoeff());
+  const double noise = 64 * std::numeric_limits<double>::epsilon() * std::pow(degree, order) * size;
+  if (changes.cwiseAbs().maxCoeff() <= noise) return spokes;
+  std::vector<BezierCurve> result;
+  for (std::size_t i = 0; i < spokes.size(); ++i) {
+    Poles poles = rows::elevated<3>(spokes[i].poles(), n);
+    poles.row(order) += changes.col(static_cast<Eigen::Index>(i)).transpose() / falling(n, order);
+    result.emplace_back(poles);
+  }
+  return result;
+}
 
 }  // namespace
 
@@ -72,6 +99,13 @@ Eigen::Matrix3Xd secondsOf(const std::vector<BezierCurve>& spokes) {
   return seconds;
 }
 
+Eigen::Matrix3Xd thirdsOf(const std::vector<BezierCurve>& spokes) {
+  Eigen::Matrix3Xd thirds(3, std::ssize(spokes));
+  for (std::size_t i = 0; i < spokes.size(); ++i)
+    thirds.col(static_cast<Eigen::Index>(i)) = spokes[i].derivatives(0, 3).row(3).transpose();
+  return thirds;
+}
+
 std::vector<BezierCurve> withTangents(const std::vector<BezierCurve>& spokes,
                                       const Eigen::Matrix3Xd& tangents) {
   const Eigen::Matrix3Xd turns = tangents - tangentsOf(spokes);
@@ -89,20 +123,12 @@ std::vector<BezierCurve> withTangents(const std::vector<BezierCurve>& spokes,
 
 std::vector<BezierCurve> withSeconds(const std::vector<BezierCurve>& spokes,
                                      const Eigen::Matrix3Xd& seconds) {
-  const Eigen::Matrix3Xd changes = seconds - secondsOf(spokes);
-  const int degree = spokes.front().degree(), n = std::max(3, degree);
-  double size = 0;
-  for (const BezierCurve& spoke : spokes)
-    size = std::max(size, spoke.poles().cwiseAbs().maxCoeff());
-  const double noise = 64 * std::numeric_limits<double>::epsilon() * degree * degree * size;
-  if (changes.cwiseAbs().maxCoeff() <= noise) return spokes;
-  std::vector<BezierCurve> result;
-  for (std::size_t i = 0; i < spokes.size(); ++i) {
-    Poles poles = rows::elevated<3>(spokes[i].poles(), n);
-    poles.row(2) += changes.col(static_cast<Eigen::Index>(i)).transpose() / (n * (n - 1));
-    result.emplace_back(poles);
-  }
-  return result;
+  return withDerivatives(spokes, 2, seconds - secondsOf(spokes));
+}
+
+std::vector<BezierCurve> withThirds(const std::vector<BezierCurve>& spokes,
+                                    const Eigen::Matrix3Xd& thirds) {
+  return withDerivatives(spokes, 3, thirds - thirdsOf(spokes));
 }
 
 Eigen::Matrix3Xd shaped(const UmbrellaVertex& vertex, const Eigen::Matrix3d& form,

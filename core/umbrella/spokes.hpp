@@ -14,9 +14,10 @@ namespace seamwright::umbrella {
 /// further from their mean than \p gap_mm and rounding.
 std::vector<BezierCurve> fromOnePoint(const std::vector<BezierCurve>& curves, double gap_mm);
 
-/// First and second derivatives at 0; 3 by #spokes.
+/// First, second and third derivatives at 0; 3 by #spokes.
 Eigen::Matrix3Xd tangentsOf(const std::vector<BezierCurve>& spokes);
 Eigen::Matrix3Xd secondsOf(const std::vector<BezierCurve>& spokes);
+Eigen::Matrix3Xd thirdsOf(const std::vector<BezierCurve>& spokes);
 
 /// The spokes with these tangents. If their degree is 3 or more, the second derivatives stay.
 std::vector<BezierCurve> withTangents(const std::vector<BezierCurve>& spokes,
@@ -25,6 +26,9 @@ std::vector<BezierCurve> withTangents(const std::vector<BezierCurve>& spokes,
 /// derivative differs only by rounding stays.
 std::vector<BezierCurve> withSeconds(const std::vector<BezierCurve>& spokes,
                                      const Eigen::Matrix3Xd& seconds);
+/// The same for third derivatives and degree 4.
+std::vector<BezierCurve> withThirds(const std::vector<BezierCurve>& spokes,
+                                    const Eigen::Matrix3Xd& thirds);
 
 /// shapedBy() with a form that is checked.
 Eigen::Matrix3Xd shaped(const UmbrellaVertex& vertex, const Eigen::Matrix3d& form,

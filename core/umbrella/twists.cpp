@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <seamwright/core/linear/dense.hpp>
+#include <seamwright/core/umbrella/laws.hpp>
 #include <seamwright/core/umbrella/twists.hpp>
 #include <stdexcept>
 #include <string>
@@ -35,14 +35,6 @@ Eigen::Vector3d sumAt(const UmbrellaVertex& vertex, const SpokeSeconds& seconds,
   return vertex.alpha(spoke) * seconds.second.col(spoke) +
          seconds.lambda(spoke) * vertex.tangents.col(spoke) +
          seconds.mu(spoke) * vertex.tangents.col(vertex.before(spoke));
-}
-
-/// Two directions that span the plane across N.
-Eigen::Matrix<double, 2, 3> planeOf(const UmbrellaVertex& vertex) {
-  const Eigen::Vector3d across = vertex.normal.unitOrthogonal();
-  Eigen::Matrix<double, 2, 3> plane;
-  plane << across.transpose(), vertex.normal.cross(across).transpose();
-  return plane;
 }
 
 }  // namespace
@@ -81,7 +73,7 @@ SpokeSeconds closed(const UmbrellaVertex& vertex, const SpokeSeconds& seconds,
           sign(i) * share(i) * vertex.normal.dot(defect) / share.squaredNorm() * vertex.normal;
 
   Eigen::Matrix2Xd influence(2, spokes);
-  const Eigen::Matrix<double, 2, 3> plane = planeOf(vertex);
+  const Eigen::Matrix<double, 2, 3> plane = umbrella::planeOf(vertex);
   for (int i = 0; i < spokes; ++i)
     influence.col(i) =
         sign(i) / (vertex.sectors(i) * std::sqrt(weight(i))) * plane * vertex.tangents.col(i);
@@ -125,7 +117,7 @@ Eigen::Matrix3Xd leastTwists(const UmbrellaVertex& vertex, const SpokeSeconds& s
 }
 
 Eigen::Matrix3d secondForm(const UmbrellaVertex& vertex, const Eigen::Matrix3Xd& second) {
-  const Eigen::Matrix<double, 2, 3> plane = planeOf(vertex);
+  const Eigen::Matrix<double, 2, 3> plane = umbrella::planeOf(vertex);
   Eigen::MatrixXd rows(vertex.spokes(), 3);
   Eigen::VectorXd curvatures(vertex.spokes());
   for (int i = 0; i < vertex.spokes(); ++i) {
@@ -139,7 +131,8 @@ Eigen::Matrix3d secondForm(const UmbrellaVertex& vertex, const Eigen::Matrix3Xd&
   const double mixed = form(1) / std::sqrt(2.0);
   Eigen::Matrix2d matrix;
   matrix << form(0), mixed, mixed, form(2);
-  return plane.transpose() * matrix * plane;
+  const Eigen::Matrix3d in_space = plane.transpose() * matrix * plane;
+  return (in_space + in_space.transpose()) / 2;
 }
 
 Eigen::Matrix3Xd shapedBy(const UmbrellaVertex& vertex, const Eigen::Matrix3d& form,

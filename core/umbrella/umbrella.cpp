@@ -6,6 +6,7 @@
 #include <seamwright/core/linear/dense.hpp>
 #include <seamwright/core/numeric.hpp>
 #include <seamwright/core/umbrella/frame.hpp>
+#include <seamwright/core/umbrella/solved.hpp>
 #include <seamwright/core/umbrella/spokes.hpp>
 #include <stdexcept>
 #include <string>
@@ -18,77 +19,14 @@ using bernstein::text;
 using umbrella::FreeVectors;
 using umbrella::Net;
 
-bool isRational(const UmbrellaMember& member) {
-  return std::visit([](const auto& surface) { return surface.isRational(); }, member);
-}
-
-int degreeOf(const UmbrellaMember& member) {
-  if (const auto* patch = std::get_if<BezierPatch>(&member))
-    return std::max(patch->degreeU(), patch->degreeV());
-  return std::get<BezierTriangle>(member).degree();
-}
-
-MemberKind kindOf(const UmbrellaMember& member) {
-  return std::holds_alternative<BezierPatch>(member) ? MemberKind::Tensor : MemberKind::Triangle;
-}
-
-std::vector<MemberKind> kindsOf(const UmbrellaOptions& options, int members) {
-  const auto require = [&](const char* what, std::size_t count) {
-    if (count != 0 && count != static_cast<std::size_t>(members))
-      refuse(std::to_string(count) + " " + what + " for " + std::to_string(members) + " sectors");
-  };
-  require("kinds", options.kinds.size());
-  require("members", options.members.size());
-  std::vector<MemberKind> kinds = options.kinds;
-  if (kinds.empty()) kinds.assign(members, MemberKind::Tensor);
-  for (std::size_t i = 0; i < options.members.size(); ++i) {
-    if (isRational(options.members[i]))
-      refuse("member " + std::to_string(i) + " is rational: only polynomial ones are built");
-    const MemberKind kind = kindOf(options.members[i]);
-    if (!options.kinds.empty() && kind != kinds[i])
-      refuse("member " + std::to_string(i) + " is of another kind than asked for");
-    kinds[i] = kind;
-  }
-  return kinds;
-}
-
-/// The poles in that degree, in the order of a net.
-Poles raised(const UmbrellaMember& member, int degree) {
-  if (const auto* triangle = std::get_if<BezierTriangle>(&member)) {
-    BezierTriangle result = *triangle;
-    while (result.degree() < degree) result = result.elevated();
-    return result.poles();
-  }
-  const BezierPatch& patch = std::get<BezierPatch>(member);
-  const Poles poles = patch.poles();
-  const Eigen::MatrixXd u = rows::elevation(patch.degreeU(), degree),
-                        v = rows::elevation(patch.degreeV(), degree);
-  Poles result(u.rows() * v.rows(), 3);
-  for (int c = 0; c < 3; ++c) {
-    using Grid = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    const Eigen::VectorXd coordinate = poles.col(c);
-    const Grid grid =
-        u * Eigen::Map<const Grid>(coordinate.data(), patch.degreeU() + 1, patch.degreeV() + 1) *
-        v.transpose();
-    result.col(c) = grid.reshaped<Eigen::RowMajor>();
-  }
-  return result;
-}
-
-Poles raised(const std::vector<UmbrellaMember>& members, int degree) {
-  std::vector<Poles> all;
-  Eigen::Index count = 0;
-  for (const UmbrellaMember& member : members) {
-    all.push_back(raised(member, degree));
-    count += all.back().rows();
-  }
-  Poles result(count, 3);
-  Eigen::Index first = 0;
-  for (const Poles& poles : all) {
-    result.middleRows(first, poles.rows()) = poles;
-    first += poles.rows();
-  }
-  return result;
+/// Whether the poles are no formula of a few free vectors, but must be solved for.
+bool needsSystem(const std::vector<BezierCurve>& spokes, const UmbrellaOptions& options) {
+  return !options.boundary.empty() ||
+         std::any_of(spokes.begin(), spokes.end(),
+                     [](const BezierCurve& spoke) { return spoke.isRational(); }) ||
+         std::any_of(options.members.begin(), options.members.end(), [](const auto& member) {
+           return std::visit([](const auto& surface) { return surface.isRational(); }, member);
+         });
 }
 
 /// The minimised vector: rows times (poles - target).
@@ -212,7 +150,8 @@ int chosenDegree(const UmbrellaOptions& options, const std::vector<MemberKind>& 
   if (std::count(kinds.begin(), kinds.end(), MemberKind::Triangle) > 0)
     lowest = std::max(lowest, 2);
   int degree = options.lambda ? lowest : lowestUmbrellaDegree(kinds, options.closed, spoke_degree);
-  for (const UmbrellaMember& member : options.members) degree = std::max(degree, degreeOf(member));
+  for (const UmbrellaMember& member : options.members)
+    degree = std::max(degree, umbrella::degreeOf(member));
   if (options.mu && !options.mu->isZero(0)) degree = std::max(degree, 2);
   if (!options.degree) return degree;
   if (*options.degree < degree || *options.degree > bernstein::kMaxDegree)
@@ -248,11 +187,12 @@ int lowestUmbrellaDegree(const std::vector<MemberKind>& kinds, bool closed, int 
 }
 
 Umbrella umbrellaAround(const std::vector<BezierCurve>& given, const UmbrellaOptions& options) {
+  if (needsSystem(given, options)) return umbrella::solvedUmbrella(given, options);
   Umbrella result;
   std::vector<BezierCurve> spokes = umbrella::fromOnePoint(given, options.gap_mm);
   result.vertex = umbrellaVertex(umbrella::tangentsOf(spokes), options.closed, options.vertex);
   const UmbrellaVertex& vertex = result.vertex;
-  const std::vector<MemberKind> kinds = kindsOf(options, vertex.members());
+  const std::vector<MemberKind> kinds = umbrella::kindsOf(options, vertex.members());
 
   spokes = umbrella::withTangents(spokes, vertex.tangents);
   const Eigen::Matrix3Xd second = umbrella::secondsOf(spokes);
@@ -272,7 +212,7 @@ Umbrella umbrellaAround(const std::vector<BezierCurve>& given, const UmbrellaOpt
   const std::vector<Net> nets = umbrella::netsOf(kinds, degree);
   const Aim aim = options.members.empty()
                       ? Aim{umbrella::energyRows(nets), Poles::Zero(umbrella::polesOf(nets), 3)}
-                      : Aim{{}, raised(options.members, degree)};
+                      : Aim{{}, umbrella::raised(options.members, degree)};
   const Choice choice(vertex, spokes, nets, aim, seconds);
   if (options.lambda)
     result.largest_lambda_change = (seconds.lambda - asked).cwiseAbs().maxCoeff();

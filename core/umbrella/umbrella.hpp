@@ -24,6 +24,20 @@ enum class MemberKind { Tensor, Triangle };
 /// coefficient for a constant, none on a boundary spoke.
 struct SpokeFunctions {
   Eigen::VectorXd a, b;
+  /// Of a rational umbrella, with homogeneous coordinates: V = a C' + b U + e C. Else empty.
+  Eigen::VectorXd e = {};
+};
+
+/// The outer boundary of a member; what is not given is free.
+struct MemberBoundary {
+  /// From the end of its first spoke: the edge u = 1, by v; of a triangle the edge to the end of
+  /// its second spoke.
+  std::optional<BezierCurve> from_first = std::nullopt;
+  /// From the end of its second spoke: the edge v = 1, by u; none of a triangle.
+  std::optional<BezierCurve> from_second = std::nullopt;
+  /// The derivatives across these edges, by u and by v, as vectors in place of poles. Not of
+  /// triangles, nor of rational umbrellas.
+  std::optional<BezierCurve> across_first = std::nullopt, across_second = std::nullopt;
 };
 
 /// Of all members together; the time grows with the cube.
@@ -35,6 +49,9 @@ struct UmbrellaOptions {
   std::vector<MemberKind> kinds = {};
   /// Members to be moved least, in the sum of squares; empty: the result is the fairest.
   std::vector<UmbrellaMember> members = {};
+  /// One for each member, or empty: all boundaries are free. Given ones are kept; lambda and mu are
+  /// then found.
+  std::vector<MemberBoundary> boundary = {};
   /// Of all members in u and v; nothing: the lowest possible one, and not below given members.
   std::optional<int> degree = std::nullopt;
   /// a'(0) and b'(0) of each spoke; nothing: the best lambda, and mu = 0.
@@ -64,8 +81,9 @@ int lowestUmbrellaDegree(const std::vector<MemberKind>& kinds, bool closed, int 
 ///
 ///     const Umbrella umbrella = umbrellaAround({spoke0, spoke1, spoke2, spoke3, spoke4});
 ///
-/// \param spokes polynomial curves that begin at O, in their order around it. Member i follows
-/// spoke i; an open fan has one member less.
+/// \param spokes curves that begin at O, in their order around it. Member i follows spoke i; an
+/// open fan has one member less. If a spoke, a boundary or a given member is rational, all are
+/// built in homogeneous coordinates.
 ///
 /// Spokes stay, except for their third poles in a closed fan of an even number of members or with a
 /// given form, and for tangents near one plane, which are put into it.
@@ -79,11 +97,16 @@ int lowestUmbrellaDegree(const std::vector<MemberKind>& kinds, bool closed, int 
 ///   (4) Symmetric input gives a symmetric umbrella.
 ///   (5) No other umbrella with these spokes and b constant, a linear has a smaller sum.
 ///
-/// \throws std::invalid_argument as umbrellaVertex() does, and for spokes or members that are
-/// rational, spokes of degree 0 or without a common start, counts that do not match the spokes,
-/// values that are not finite, a degree that is too low, and a nonzero mu where no member allows
-/// it.
-/// Source: docs/theory/fills.md F1.1 to F1.8; [DuSchmitt1990]; [Peters1991].
+///   (6) A given boundary, and derivatives across it, are kept, up to rounding.
+///   (7) A projective map of an umbrella is one, and is returned the same.
+///
+/// \throws std::invalid_argument as umbrellaVertex() does, and for spokes of degree 0 or without a
+/// common start, counts that do not match the spokes, values that are not finite, a degree that is
+/// too low, and a nonzero mu where no member allows it; for boundaries that do not begin at the
+/// ends of spokes, do not meet, or have no common tangent plane with the spoke there, with the
+/// figure; for lambda or mu with a boundary or weights; and for resulting weights that are not
+/// positive.
+/// Source: docs/theory/fills.md F1.1 to F1.8, F1.13, F1.14; [DuSchmitt1990]; [Peters1991].
 Umbrella umbrellaAround(const std::vector<BezierCurve>& spokes,
                         const UmbrellaOptions& options = {});
 

@@ -448,7 +448,7 @@ TEST(Umbrella, RefusesWhatIsNone) {
   fails({spokes[0], spokes[1]}, {}, "2 spokes");
   std::vector<BezierCurve> other = spokes;
   other[3] = BezierCurve(spokes[3].poles(), Eigen::Vector4d(1, 2, 1, 1));
-  fails(other, {}, "spoke 3 is rational");
+  fails(other, {.lambda = Eigen::VectorXd::Zero(5)}, "lambda and mu are found");
   other[3] = BezierCurve(Poles::Zero(1, 3));
   fails(other, {}, "spoke 3 has degree 0");
   other[3] = test::mapped(spokes[3], Eigen::Matrix3d::Identity(), Eigen::RowVector3d(0, 0, 0.1));

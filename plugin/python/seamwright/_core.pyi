@@ -58,11 +58,13 @@ ModelItem = Union[
     BezierTriangle,
     BSplineSurface,
     _r.Umbrella,
+    _r.G2Umbrella,
     _r.RingFill,
     _r.ThreeSidedFill,
     _r.FrameLoft,
 ]
 Betas = Union[Numbers, _r.BetaFit, _r.NearestCurveJoin, _r.BlendedJoint, _r.SplineJoint]
+CurvePair = Sequence[Union[None, BezierCurve, Numbers]]
 FramePair = Union[Tuple[Curve, Curve], List[Curve]]
 Functions = Union[Dict[str, Any], _r.G1Connection, _r.ConnectionFit]
 Shape = Union[Number, _r.AlphaOptimum]
@@ -1310,14 +1312,26 @@ def umbrella(
     *,
     closed: Flag = True,
     kinds: Optional[Sequence[str]] = None,
-    members: Union[None, Sequence[Surface], _r.Umbrella] = None,
+    members: Union[None, Sequence[Surface], _r.Umbrella, _r.G2Umbrella] = None,
     degree: Optional[Whole] = None,
     slopes: Optional[Numbers] = None,
     cross_slopes: Optional[Numbers] = None,
     form: Optional[Numbers] = None,
+    boundary: Optional[Sequence[Optional[CurvePair]]] = None,
+    across: Optional[Sequence[Optional[CurvePair]]] = None,
     gap_mm: Number = ...,
     flat_rad: Number = ...,
 ) -> _r.Umbrella: ...
+def g2_umbrella(
+    spokes: Sequence[Union[Curve, Numbers]],
+    *,
+    closed: Flag = True,
+    members: Union[None, Sequence[BezierPatch], _r.Umbrella, _r.G2Umbrella] = None,
+    degree: Optional[Whole] = None,
+    form: Optional[Numbers] = None,
+    gap_mm: Number = ...,
+    flat_rad: Number = ...,
+) -> _r.G2Umbrella: ...
 def umbrella_twists(
     tangents: Numbers,
     second_derivatives: Numbers,

@@ -320,7 +320,8 @@ class Umbrella(Result):
 
     members           BezierPatches and BezierTriangles
     spokes            BezierCurves
-    connections       of each spoke a G1Connection, None on the boundary
+    connections       of each spoke a G1Connection, None on the boundary; of a rational umbrella
+                      with the item "e1"
     normal            of the vertex, unit vector (3,)
     angles_rad        between neighbouring spokes
     condition         of the equations at the vertex
@@ -347,6 +348,51 @@ class Umbrella(Result):
     spoke_move_mm: float
     second_change_mm: float
     slope_change: float
+    member_move_mm: float
+    free_vectors: int
+
+
+class G2Connection(G1Connection):
+    """Bernstein coefficients of the functions of a join of order 2; see ``join_rows``.
+
+    An argument ``connection`` of others.
+    """
+
+    p: Array
+    q: Array
+
+
+class G2Umbrella(Result):
+    """Patches around a point that join G2; an argument ``members`` of ``umbrella``.
+
+    members                BezierPatches
+    spokes                 BezierCurves
+    connections            of each spoke a G2Connection, None on the boundary
+    normal                 of the vertex, unit vector (3,)
+    angles_rad             between neighbouring spokes
+    form                   (3, 3), the second fundamental form of all members, in 1/mm
+    third_order_condition  of the equations of the third derivatives at the vertex
+    regular_vertex         four spokes, opposite ones continue each other
+    spoke_move_mm          largest move of a pole of a spoke
+    second_change_mm       largest change of a second derivative of a spoke
+    third_change_mm        largest change of a third derivative of a spoke
+    member_move_mm         largest move of a pole of a member
+    free_vectors           how many poles might have been chosen otherwise
+    """
+
+    _kinds = {"connections": G2Connection}
+
+    members: List[BezierPatch]
+    spokes: List[BezierCurve]
+    connections: List[Optional[G2Connection]]
+    normal: Array
+    angles_rad: Array
+    form: Array
+    third_order_condition: float
+    regular_vertex: bool
+    spoke_move_mm: float
+    second_change_mm: float
+    third_change_mm: float
     member_move_mm: float
     free_vectors: int
 

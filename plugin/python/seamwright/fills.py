@@ -2,6 +2,7 @@
 """Fills of holes, and patches around a point."""
 
 from ._core import (
+    g2_umbrella,
     n_sided_fill,
     ring_fill,
     three_sided_fill,
@@ -12,6 +13,8 @@ from ._core import (
 from .results import (
     FillCorner,
     G1Connection,
+    G2Connection,
+    G2Umbrella,
     NSidedFill,
     RingFill,
     ThreeSidedFill,
@@ -22,11 +25,14 @@ from .results import (
 __all__ = [
     "FillCorner",
     "G1Connection",
+    "G2Connection",
+    "G2Umbrella",
     "NSidedFill",
     "RingFill",
     "ThreeSidedFill",
     "Umbrella",
     "UmbrellaTwists",
+    "g2_umbrella",
     "n_sided_fill",
     "ring_fill",
     "three_sided_fill",

@@ -64,6 +64,7 @@ def every_result():
         seamwright.three_sided_fill([sides[0], sides[1], seamwright.BezierCurve(
             np.linspace([3, 3, 0], [0, 0, 0], 4))]),
         seamwright.umbrella(spokes),
+        seamwright.g2_umbrella(spokes),
         *planar_results(),
         *blend_results(),
     ]

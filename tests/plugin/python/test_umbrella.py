@@ -207,8 +207,6 @@ def test_bad_spokes():
         with pytest.raises(ValueError) as error:
             seamwright.umbrella(bad)
         assert words in str(error.value)
-    with pytest.raises(ValueError, match="rational"):
-        seamwright.umbrella([BezierCurve(spokes[0], [1, 2, 1, 1]), *spokes[1:]])
     with pytest.raises(ValueError, match="2 sides"):
         seamwright.umbrella_inside([spokes[0], spokes[0][::-1]])
 
@@ -272,3 +270,47 @@ def test_twists_of_spokes_that_do_not_close():
         seamwright.umbrella_twists(tangents, second[:3])
     with pytest.raises(ValueError, match="values of lambda"):
         seamwright.umbrella_twists(tangents, second, slopes=[1, 2])
+
+
+@pytest.mark.parametrize("count, closed", [(3, True), (4, True), (5, True), (6, True), (5, False)])
+def test_g2_umbrellas_have_no_jump(count, closed):
+    umbrella = seamwright.g2_umbrella(spokes_of(count, closed, bend=0.5), closed=closed)
+    for before, edge, after, edge_after, _, connection in pairs(umbrella, closed):
+        seam = seamwright.enclose_seam(before, edge, after, edge_after, curvature_rel=1e-6)
+        assert seam["certified"] and seam["curvature_per_mm"]["upper"] < 1e-7
+        poles, _ = seamwright.join_rows(
+            before, edge, degree_across=3, degree=3, order=2, **connection
+        )
+        for row in range(3):
+            assert poles[row] == pytest.approx(after.poles[:, row], abs=1e-8)
+    again = seamwright.g2_umbrella(umbrella.spokes, closed=closed, members=umbrella)
+    assert again.member_move_mm < 1e-8
+    with pytest.raises(ValueError, match="is a BezierTriangle"):
+        seamwright.g2_umbrella(umbrella.spokes, members=[BezierTriangle(np.eye(3))] * count)
+
+
+def test_a_given_boundary_is_kept():
+    first = seamwright.umbrella(spokes_of(5))
+    boundary = [(member.poles[-1], member.poles[:, -1]) for member in first.members]
+    across = [
+        (3 * (member.poles[-1] - member.poles[-2]), 3 * (member.poles[:, -1] - member.poles[:, -2]))
+        for member in first.members
+    ]
+    for more in ({}, {"across": across}):
+        umbrella = seamwright.umbrella(first.spokes, boundary=boundary, **more)
+        for member, (u1, v1) in zip(umbrella.members, boundary):
+            for t in np.linspace(0, 1, 5):
+                assert member.point(1, t) == pytest.approx(BezierCurve(u1).point(t), abs=1e-11)
+                assert member.point(t, 1) == pytest.approx(BezierCurve(v1).point(t), abs=1e-11)
+        for a, edge_a, b, edge_b, _, _ in pairs(umbrella):
+            assert seamwright.join_condition(a, edge_a, b, edge_b)["angle_bound_rad"] < 1e-8
+    with pytest.raises(ValueError, match="2 boundaries for 5 sectors"):
+        seamwright.umbrella(first.spokes, boundary=boundary[:2])
+
+
+def test_weights_of_spokes():
+    spokes = [BezierCurve(poles, [1, 0.97, 0.95, 0.92]) for poles in spokes_of(5, bend=0.1)]
+    umbrella = seamwright.umbrella(spokes)
+    for a, edge_a, b, edge_b, _, connection in pairs(umbrella):
+        assert seamwright.join_condition(a, edge_a, b, edge_b)["verdict"] == "G1"
+        assert len(connection["e1"]) > 0
