@@ -101,15 +101,11 @@ struct Registers {
   _mm256_storeu_pd(sum + 4, more.high);
   _mm_storeu_pd(sum_off, more_off);
 }
-#endif
 
 bool hasAvx2() {
-#ifdef SEAMWRIGHT_HAS_AVX2
   return __builtin_cpu_supports("avx2") != 0;
-#else
-  return false;
-#endif
 }
+#endif
 
 }  // namespace
 
