@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Times of Seamwright for the seams of a model, beside what its user would call instead.
 //   bench_seams MODEL... [--benchmark_...]
-// For each model: reading it, finding its seams, analysing them (certified and sampled; on one and
-// on two threads), and the two analyses of OpenCASCADE. Times are those of the whole model; divide
-// by the counter "seams" for the time of a seam. Processor time is that of all threads of this
-// process, without the reading program that readModel() starts.
+// For each model: reading it, finding its seams, analysing them (certified, to certain verdicts
+// only, and sampled; on one and on two threads), and the two analyses of OpenCASCADE. Times are
+// those of the whole model; divide by the counter "seams" for the time of a seam. Processor time is
+// that of all threads of this process, without the reading program that readModel() starts.
 #include <benchmark/benchmark.h>
 
 #include <Message.hxx>
@@ -70,10 +70,8 @@ double threadMicroseconds() {
 }
 
 /// Counts the processor time of the calling thread as "serial_us": other threads measure the seams.
-void analyze(benchmark::State& state, const SubjectPtr& subject, bool certify, int jobs) {
-  occ::AnalyzeOptions options;
-  options.certify = certify;
-  options.jobs = jobs;
+void analyze(benchmark::State& state, const SubjectPtr& subject,
+             const occ::AnalyzeOptions& options) {
   double points = 0;
   const double start_us = threadMicroseconds();
   for (auto _ : state) {
@@ -122,8 +120,15 @@ void registerModel(const std::filesystem::path& path) {
   add("read_seamwright", readSeamwright);
   add("find", find);
   for (const int jobs : {1, 2}) {
-    add("certified:" + std::to_string(jobs), analyze, true, jobs);
-    add("sampled:" + std::to_string(jobs), analyze, false, jobs);
+    const std::string threads = ":" + std::to_string(jobs);
+    occ::AnalyzeOptions certified;
+    certified.jobs = jobs;
+    occ::AnalyzeOptions verdict = certified, sampled = certified;
+    verdict.figures = false;
+    sampled.certify = false;
+    add("certified" + threads, analyze, certified);
+    add("verdict" + threads, analyze, verdict);
+    add("sampled" + threads, analyze, sampled);
   }
   add("local_analysis", localAnalysis);
   add("encode_regularity", encodeRegularity);

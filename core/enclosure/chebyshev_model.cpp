@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include <seamwright/core/enclosure/chebyshev_model.hpp>
+#include <seamwright/core/enclosure/terms.hpp>
 #include <seamwright/core/numeric.hpp>
 
 namespace seamwright {
@@ -111,6 +112,7 @@ ChebyshevModel interpolate(const ChebyshevModel& f, const Function& function) {
 ChebyshevModel ChebyshevModel::linear(double middle, double half, double radius) {
   ChebyshevModel model(middle);
   model.coefficients_[1] = half;
+  model.variation_ = std::abs(half);
   model.degree_ = half == 0 ? 0 : 1;
   model.radius_ = radius;
   return model;
@@ -124,6 +126,7 @@ ChebyshevModel ChebyshevModel::series(std::span<const double> coefficients, doub
   for (const double coefficient : coefficients.subspan(kept)) rest += std::abs(coefficient);
   model.radius_ = rest != 0 ? up(radius + rest) : radius;
   model.degree_ = static_cast<int>(std::max<std::size_t>(kept, 1)) - 1;
+  model.sumUp();
   model.trim();
   return model;
 }
@@ -138,16 +141,16 @@ bool ChebyshevModel::isKnown() const {
   return std::isfinite(magnitude());
 }
 
-double ChebyshevModel::absoluteSum() const {
-  return view(coefficients_).abs().sum();
+void ChebyshevModel::sumUp() {
+  // The first of the terms by itself: packets that begin elsewhere than those stored before wait.
+  variation_ = degree_ == 0 ? 0
+                            : std::abs(coefficients_[1]) +
+                                  view(coefficients_).tail<max_degree - 1>().abs().sum();
 }
 
+/// Expects the variation of the coefficients as they are.
 void ChebyshevModel::trim() {
-  if (degree_ == 0) return;
-  // The first of the terms by itself: packets that begin elsewhere than those stored before wait.
-  const double variation =
-      std::abs(coefficients_[1]) + view(coefficients_).tail<max_degree - 1>().abs().sum();
-  const double least = negligible * variation;
+  const double least = negligible * variation_;
   double rest = 0;
   while (degree_ > 0 && rest + std::abs(coefficients_[degree_]) <= least) {
     rest += std::abs(coefficients_[degree_]);
@@ -207,6 +210,7 @@ ChebyshevModel& ChebyshevModel::operator-=(const ChebyshevModel& other) {
 /// The radius and the degree of the sum, or of the difference, whose coefficients are there.
 ChebyshevModel& ChebyshevModel::summed(const ChebyshevModel& other) {
   degree_ = std::max(degree_, other.degree_);
+  sumUp();
   radius_ = up(radius_ + other.radius_ + machine_epsilon * absoluteSum());
   trim();
   return *this;
@@ -227,12 +231,14 @@ ChebyshevModel combination(const std::array<double, 3>& factors,
     sum.radius_ += std::abs(factor) * model.radius_;
   }
   sum.radius_ = up(sum.radius_ + 2 * machine_epsilon * absolute);
+  sum.sumUp();
   sum.trim();
   return sum;
 }
 
 ChebyshevModel& ChebyshevModel::operator*=(double factor) {
   view(coefficients_) *= factor;
+  sumUp();
   radius_ = up(std::abs(factor) * radius_ + machine_epsilon * absoluteSum());
   trim();
   return *this;
@@ -249,6 +255,7 @@ void ChebyshevModel::widen(double radius) {
 }
 
 ProductSum& ProductSum::add(const ChebyshevModel& a, const ChebyshevModel& b, double factor) {
+  if ((a.isZero() && b.isKnown()) || (b.isZero() && a.isKnown())) return *this;
   const ChebyshevModel& outer = a.degree_ <= b.degree_ ? a : b;
   const ChebyshevModel& inner = a.degree_ <= b.degree_ ? b : a;
   const double absolute_outer = std::abs(factor) * outer.absoluteSum();
@@ -256,7 +263,8 @@ ProductSum& ProductSum::add(const ChebyshevModel& a, const ChebyshevModel& b, do
   if (outer.degree_ == 0)
     view(low_) += 2 * factor * outer.coefficients_[0] * view(inner.coefficients_);
   else
-    addSeries(outer, inner, factor);
+    terms::addProduct(outer.coefficients_.data(), outer.degree_, factor, inner.coefficients_.data(),
+                      inner.degree_, low_.data(), high_.data());
   degree_ = std::max(degree_, outer.degree_ + inner.degree_);
   // A term of the product has the roundings of the factor times a_i, of the sum of two b_k, of
   // their product and of the sum over i; then all terms have one more.
@@ -269,33 +277,13 @@ ProductSum& ProductSum::add(const ChebyshevModel& a, const ChebyshevModel& b, do
   return *this;
 }
 
-/// T_i T_j = (T_(i + j) + T_|i - j|) / 2. With b_-k = b_k, and b_0 twice, twice the coefficient of
-/// T_k in the product is the sum of a_i (b_(k - i) + b_(k + i)) over i; half of that for k = 0.
-void ProductSum::addSeries(const ChebyshevModel& outer, const ChebyshevModel& inner,
-                           double factor) {
-  constexpr int zero = ChebyshevModel::max_degree;  // the place of b_0
-  std::array<double, 3 * model_size> mirrored{};
-  std::ranges::reverse_copy(inner.coefficients_, mirrored.begin());
-  std::ranges::copy(inner.coefficients_, mirrored.begin() + zero);
-  mirrored[zero] *= 2;
-  const auto from = [&](int k) { return ConstTermsView(&mirrored[zero + k]); };
-  Terms low = Terms::Zero(), high = Terms::Zero();
-  for (int i = 0; i <= outer.degree_; ++i)
-    low += (factor * outer.coefficients_[i]) * (from(-i) + from(i));
-  low[0] *= 0.5;
-  view(low_) += low;
-  if (outer.degree_ + inner.degree_ <= ChebyshevModel::max_degree) return;
-  for (int i = 1; i <= outer.degree_; ++i)
-    high += (factor * outer.coefficients_[i]) * from(model_size - i);
-  view(high_) += high;
-}
-
 ChebyshevModel ProductSum::model() const {
   ChebyshevModel result;
   view(result.coefficients_) = 0.5 * view(low_);
   result.degree_ = std::min(degree_, ChebyshevModel::max_degree);
   const double rest = degree_ > ChebyshevModel::max_degree ? view(high_).abs().sum() : 0;
   result.radius_ = up(radius_ + 0.5 * rest + 0.5 * machine_epsilon * roundings_);
+  result.sumUp();
   result.trim();
   return result;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <span>
 #include <utility>
 
@@ -80,11 +81,17 @@ class ChebyshevModel {
   friend class ProductSum;
   friend ChebyshevModel combination(const std::array<double, 3>& factors,
                                     const std::array<const ChebyshevModel*, 3>& models);
-  double absoluteSum() const;
+  /// The sum of the absolute values of all coefficients, or a little more.
+  double absoluteSum() const { return std::abs(coefficients_[0]) + variation_; }
+  bool isZero() const { return degree_ == 0 && coefficients_[0] == 0 && radius_ == 0; }
   ChebyshevModel& summed(const ChebyshevModel& other);
+  void sumUp();
   void trim();
 
   Coefficients coefficients_{};
+  /// The sum of the absolute values of the coefficients except the constant, before the last ones
+  /// went into the radius.
+  double variation_ = 0;
   double radius_ = 0;
   int degree_ = 0;
 };
@@ -97,8 +104,6 @@ class ProductSum {
   ChebyshevModel model() const;
 
  private:
-  void addSeries(const ChebyshevModel& outer, const ChebyshevModel& inner, double factor);
-
   ChebyshevModel::Coefficients low_{};   ///< twice the coefficients
   ChebyshevModel::Coefficients high_{};  ///< the same of the terms above the degree of a model
   double radius_ = 0;

@@ -9,80 +9,24 @@
 #include <string>
 
 #include <seamwright/core/enclosure/spline.hpp>
+#include <seamwright/core/enclosure/spline_matrices.hpp>
+#include <seamwright/core/enclosure/terms.hpp>
 #include <seamwright/core/numeric.hpp>
 
 namespace seamwright {
 
 namespace {
 
-constexpr int max_size = max_spline_degree + 1;
-using SmallMatrix =
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, max_size, max_size>;
-
-/// Column j holds the Chebyshev coefficients on [-1, 1] of the Bernstein polynomial B_j = C(n, j)
-/// (1 + x)^j (1 - x)^(n - j) / 2^n of degree n. Each is rounded once: without C(n, j) the
-/// coefficients are multiples of 4^-n and at most 1, which are exact doubles.
-SmallMatrix bezierToChebyshev(int degree) {
-  SmallMatrix matrix(degree + 1, degree + 1);
-  double binomial = 1;
-  for (int j = 0; j <= degree; ++j) {
-    Eigen::VectorXd product = Eigen::VectorXd::Unit(degree + 1, 0);
-    for (int factor = 0; factor < degree; ++factor) {
-      // x T_0 = T_1, x T_k = (T_(k + 1) + T_(k - 1)) / 2.
-      Eigen::VectorXd by_x = Eigen::VectorXd::Zero(degree + 1);
-      by_x[1] = product[0];
-      for (int k = 1; k <= factor; ++k) {
-        by_x[k + 1] += 0.5 * product[k];
-        by_x[k - 1] += 0.5 * product[k];
-      }
-      product =
-          0.5 * (factor < j ? Eigen::VectorXd(product + by_x) : Eigen::VectorXd(product - by_x));
-    }
-    matrix.col(j) = binomial * product;
-    binomial = binomial * (degree - j) / (j + 1);
-  }
-  return matrix;
-}
-
-/// Row j holds the Bézier point j of the span [knots[s], knots[s + 1]] as a combination of the
-/// degree + 1 poles of the span, by blossoming.
-SmallMatrix splineToBezier(const std::vector<double>& knots, int degree, int s) {
-  const int n = degree + 1;
-  SmallMatrix matrix(n, n);
-  for (int j = 0; j < n; ++j) {
-    SmallMatrix rows = SmallMatrix::Identity(n, n);
-    for (int level = 1; level <= degree; ++level) {
-      const double argument = level <= degree - j ? knots[s] : knots[s + 1];
-      for (int i = 0; i + level <= degree; ++i) {
-        const double left = knots[s - degree + level + i];
-        const double right = knots[s + 1 + i];
-        rows.row(i) = ((right - argument) / (right - left)) * rows.row(i) +
-                      ((argument - left) / (right - left)) * rows.row(i + 1);
-      }
-    }
-    matrix.row(j) = rows.row(0);
-  }
-  return matrix;
-}
-
-/// The factors that turn differences of neighbouring poles into the poles of the derivative on the
-/// span
-/// [knots[s], knots[s + 1]]; none for degree 0.
-Eigen::VectorXd derivativeFactors(const std::vector<double>& knots, int degree, int s) {
-  Eigen::VectorXd factors(degree);
-  for (int i = 0; i < degree; ++i)
-    factors[i] = degree / (knots[s + 1 + i] - knots[s - degree + 1 + i]);
-  return factors;
-}
-
 /// T_0(x), ..., T_degree(x), by T_(i + j) = 2 T_i T_j - T_(j - i). With halved indices the radii
 /// grow with the square of the index k; with steps of one they would grow like 2.4^k.
 std::vector<ChebyshevModel> chebyshevPolynomials(const ChebyshevModel& x, int degree) {
+  const ChebyshevModel one(1);
   std::vector<ChebyshevModel> t;
   t.reserve(std::max(degree + 1, 2));
-  t.push_back(ChebyshevModel(1));
+  t.push_back(one);
   t.push_back(x);
-  for (int k = 2; k <= degree; ++k) t.push_back(2 * (t[k / 2] * t[k - k / 2]) - t[k % 2]);
+  for (int k = 2; k <= degree; ++k)
+    t.push_back(ProductSum().add(one, t[k % 2], -1).add(t[k / 2], t[k - k / 2], 2).model());
   t.resize(degree + 1);
   return t;
 }
@@ -93,17 +37,33 @@ VectorModel space(const HomogeneousModel& h) {
   return {h[0], h[1], h[2]};
 }
 
+/// a - factor * b.
+VectorModel difference(const VectorModel& a, const ChebyshevModel& factor, const VectorModel& b) {
+  static const ChebyshevModel one(1);
+  VectorModel result;
+  for (int d = 0; d < 3; ++d) result[d] = ProductSum().add(one, a[d]).add(factor, b[d], -1).model();
+  return result;
+}
+
 /// Partial derivatives of the quotient of the space part and the weight of h, by the product rule
 /// solved for them.
+/// \param up_to_tangents the second derivatives leave out multiples of the first.
 /// Source: docs/theory/enclosures.md E2.4.
-JetModel projected(const std::array<HomogeneousModel, 10>& h, int order) {
+JetModel projected(const std::vector<HomogeneousModel>& h, int order, bool up_to_tangents) {
   const ChebyshevModel w = inverse(h[0][3]);
   JetModel jet;
   jet.p = w * space(h[0]);
   if (order < 1) return jet;
-  jet.u = w * (space(h[1]) - h[1][3] * jet.p);
-  jet.v = w * (space(h[2]) - h[2][3] * jet.p);
+  const auto without_p = [&](int k) { return w * difference(space(h[k]), h[k][3], jet.p); };
+  jet.u = without_p(1);
+  jet.v = without_p(2);
   if (order < 2) return jet;
+  if (up_to_tangents) {
+    jet.uu = without_p(3);
+    jet.uv = without_p(4);
+    jet.vv = without_p(5);
+    return jet;
+  }
   jet.uu = w * (space(h[3]) - 2 * (h[1][3] * jet.u) - h[3][3] * jet.p);
   jet.uv = w * (space(h[4]) - h[1][3] * jet.v - h[2][3] * jet.u - h[4][3] * jet.p);
   jet.vv = w * (space(h[5]) - 2 * (h[2][3] * jet.v) - h[5][3] * jet.p);
@@ -181,10 +141,16 @@ SplineEvaluator::SpanMatrices SplineEvaluator::makeMatrices(int direction, int s
   for (int order = 0; order <= highest; ++order) {
     const int lower = std::max(degree - order, 0);
     const SmallMatrix to_bezier = splineToBezier(knots, lower, s);
-    matrices.to_chebyshev[order] = bezier_to_chebyshev_[direction][order] * to_bezier;
-    matrices.to_chebyshev_terms[order] =
-        bezier_to_chebyshev_[direction][order].cwiseAbs() * to_bezier;
-    matrices.roundings[order] = to_bezier.isIdentity(0) ? lower + 3 : 8 * lower + 3;
+    const SmallRow terms = bezier_to_chebyshev_[direction][order].cwiseAbs().colwise().sum();
+    const bool is_bezier = to_bezier.isIdentity(0);
+    if (is_bezier) {
+      matrices.to_chebyshev[order] = bezier_to_chebyshev_[direction][order];
+      matrices.to_chebyshev_terms[order] = terms;
+    } else {
+      matrices.to_chebyshev[order] = bezier_to_chebyshev_[direction][order] * to_bezier;
+      matrices.to_chebyshev_terms[order] = terms * to_bezier;
+    }
+    matrices.roundings[order] = is_bezier ? lower + 3 : 8 * lower + 3;
     if (order < highest) matrices.factors[order] = derivativeFactors(knots, lower, s);
   }
   return matrices;
@@ -192,7 +158,8 @@ SplineEvaluator::SpanMatrices SplineEvaluator::makeMatrices(int direction, int s
 
 const SplineEvaluator::SpanMatrices& SplineEvaluator::matrices(int direction, int span,
                                                                int nets) const {
-  const int order = std::max(orderOf(nets), 2);  // lower orders are soon followed by the second
+  // The first order is soon followed by the second. A path needs only positions.
+  const int order = nets == 1 ? 0 : std::max(orderOf(nets), 2);
   const auto known = matrices_[direction].find(span);
   if (known != matrices_[direction].end()) {
     if (known->second.order < order) known->second = makeMatrices(direction, span, order);
@@ -257,7 +224,7 @@ const SplineEvaluator::Cell& SplineEvaluator::cell(int span_u, int span_v, int n
   constexpr std::size_t most_kept = 1000;
   if (cells_.size() >= most_kept) cells_.clear();
   Cell& cell = cells_[{span_u, span_v}];
-  if (cell.count < nets) cell = makeCell(span_u, span_v, nets);
+  if (cell.count < nets) extendCell(span_u, span_v, nets, cell);
   return cell;
 }
 
@@ -269,13 +236,24 @@ struct SplineEvaluator::RoundedNet {
 
   /// The net of the derivative down the rows. Difference, factor and product have 5 roundings
   /// together.
-  RoundedNet derivative(const Eigen::VectorXd& factors) const {
+  RoundedNet derivativeDown(const Eigen::VectorXd& factors) const {
     const Eigen::Index rows = factors.size(), columns = value.cols();
     if (rows == 0) return {SmallMatrix::Zero(1, columns), SmallMatrix::Zero(1, columns)};
     RoundedNet result;
     result.value = factors.asDiagonal() * (value.bottomRows(rows) - value.topRows(rows));
     result.error = factors.asDiagonal() * (error.bottomRows(rows) + error.topRows(rows)) +
                    3 * machine_epsilon * result.value.cwiseAbs();
+    return result;
+  }
+
+  /// The same along the rows.
+  RoundedNet derivativeAcross(const Eigen::VectorXd& factors) const {
+    const Eigen::Index columns = factors.size(), rows = value.rows();
+    if (columns == 0) return {SmallMatrix::Zero(rows, 1), SmallMatrix::Zero(rows, 1)};
+    RoundedNet result;
+    result.value = (value.rightCols(columns) - value.leftCols(columns)) * factors.asDiagonal();
+    result.error = (error.rightCols(columns) + error.leftCols(columns)) * factors.asDiagonal();
+    result.error += 3 * machine_epsilon * result.value.cwiseAbs();
     return result;
   }
 
@@ -303,16 +281,16 @@ struct SplineEvaluator::RoundedNet {
   }
 };
 
-/// The nets of one coordinate in Chebyshev form. Derivatives come from \p poles, positions from \p
-/// local.
+/// The nets of one coordinate in Chebyshev form, from the first one that the cell lacks.
+/// Derivatives come from \p poles, positions from \p local.
 void SplineEvaluator::addNets(const RoundedNet& poles, const RoundedNet& local,
                               const SpanMatrices& mu, const SpanMatrices& mv, int coordinate,
-                              Cell& cell) const {
+                              int first_net, Cell& cell) const {
   const auto along_u = [&](const RoundedNet& net, int order) {
-    return net.derivative(mu.factors[order]);
+    return net.derivativeDown(mu.factors[order]);
   };
   const auto along_v = [&](const RoundedNet& net, int order) {
-    return net.transposed().derivative(mv.factors[order]).transposed();
+    return net.derivativeAcross(mv.factors[order]);
   };
   constexpr std::array<std::array<int, 2>, 10> orders = {
       {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}, {3, 0}, {2, 1}, {1, 2}, {0, 3}}};
@@ -324,18 +302,15 @@ void SplineEvaluator::addNets(const RoundedNet& poles, const RoundedNet& local,
     nets[6] = along_u(nets[3], 2), nets[7] = along_v(nets[3], 0);
     nets[8] = along_v(nets[4], 1), nets[9] = along_v(nets[5], 2);
   }
-  for (int k = 0; k < cell.count; ++k) {
+  for (int k = first_net; k < cell.count; ++k) {
     const auto [du, dv] = orders[k];
     const SmallMatrix& net = nets[k].value;
-    SmallMatrix series = SmallMatrix::Zero(directions_[0].degree + 1, directions_[1].degree + 1);
-    series.topLeftCorner(net.rows(), net.cols()) =
-        mu.to_chebyshev[du] * net * mv.to_chebyshev[dv].transpose();
     cell.nets[k].coefficients[coordinate] =
-        Eigen::Map<Eigen::VectorXd>(series.data(), series.size());
+        mu.to_chebyshev[du] * net * mv.to_chebyshev[dv].transpose();
     // The errors of the poles change the polynomial nowhere by more than the largest of these
     // errors.
     const double of_terms =
-        (mu.to_chebyshev_terms[du] * net.cwiseAbs() * mv.to_chebyshev_terms[dv].transpose()).sum();
+        (mu.to_chebyshev_terms[du] * net.cwiseAbs()).dot(mv.to_chebyshev_terms[dv]);
     // The last factor covers the rounding of this bound itself: a sum of up to some thousand terms.
     cell.nets[k].error[coordinate] =
         (nets[k].error.maxCoeff() +
@@ -362,35 +337,45 @@ SplineEvaluator::RoundedNet SplineEvaluator::localNet(int span_u, int span_v, in
   return net;
 }
 
-SplineEvaluator::Cell SplineEvaluator::makeCell(int span_u, int span_v, int nets) const {
+/// Adds the nets that the cell lacks.
+void SplineEvaluator::extendCell(int span_u, int span_v, int nets, Cell& cell) const {
   const SpanMatrices& mu = matrices(0, span_u, nets);
   const SpanMatrices& mv = matrices(1, span_v, nets);
   const int first_u = spans_[0][span_u].knot - directions_[0].degree;
   const int first_v = spans_[1][span_v].knot - directions_[1].degree;
-  Cell cell;
+  const int first_net = cell.count;
   cell.count = nets;
   cell.origin = poles_[first_u * count_v_ + first_v];
   const int dimension = weights_.empty() ? 3 : 4;
   for (int c = 0; c < dimension; ++c) {
     const RoundedNet local = localNet(span_u, span_v, c, cell.origin);
     if (!weights_.empty()) {
-      addNets(local, local, mu, mv, c, cell);
+      addNets(local, local, mu, mv, c, first_net, cell);
       continue;
     }
     // Differences of the original poles do not depend on the origin and are rounded once.
     RoundedNet poles = localNet(span_u, span_v, c, Eigen::Vector3d::Zero());
     poles.error.setZero();
-    addNets(poles, local, mu, mv, c, cell);
+    addNets(poles, local, mu, mv, c, first_net, cell);
   }
-  return cell;
 }
 
 JetModel SplineEvaluator::jet(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u,
                               double hint_v, int order) const {
+  return jet(u, v, hint_u, hint_v, order, Second::Whole);
+}
+
+JetModel SplineEvaluator::curvatureJet(const ChebyshevModel& u, const ChebyshevModel& v,
+                                       double hint_u, double hint_v) const {
+  return jet(u, v, hint_u, hint_v, 2, Second::UpToTangents);
+}
+
+JetModel SplineEvaluator::jet(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u,
+                              double hint_v, int order, Second second) const {
   const Local x = localize(0, u, hint_u);
   const Local y = localize(1, v, hint_v);
   const Cell& c = cell(x.span, y.span, netCount(order));
-  JetModel jet = evaluated(c, x.x, y.x, order);
+  JetModel jet = evaluated(c, x.x, y.x, order, second);
   jet.p = jet.p + constantModel(c.origin);
   return jet;
 }
@@ -402,58 +387,70 @@ struct SplineEvaluator::PathProducts {
   using Terms = Eigen::Array<double, ChebyshevModel::size, 1>;
 
   PathProducts(const std::vector<ChebyshevModel>& tx, const std::vector<ChebyshevModel>& ty)
-      : series(ChebyshevModel::size, tx.size() * ty.size()), off(2, tx.size() * ty.size()) {
+      : series(ChebyshevModel::size, tx.size() * ty.size()),
+        off(2, tx.size() * ty.size()),
+        count_x(static_cast<Eigen::Index>(tx.size())) {
     int column = 0;
-    for (const ChebyshevModel& t : ty) {
-      const bool is_one = t.degree() == 0 && t.coefficient(0) == 1 && t.radius() == 0;
-      for (const ChebyshevModel& s : tx) {
-        const ChebyshevModel product = is_one ? s : s * t;
-        series.col(column) = Eigen::Map<const Terms>(product.coefficients().data());
-        off.col(column++) << product.radius(), product.magnitude();
-        degree = std::max(degree, product.degree());
-      }
+    const auto add = [&](const ChebyshevModel& product) {
+      series.col(column) = Eigen::Map<const Terms>(product.coefficients().data());
+      off.col(column++) << product.radius(), product.magnitude();
+      degree = std::max(degree, product.degree());
+    };
+    // The first polynomial of both is the constant 1.
+    for (const ChebyshevModel& s : tx) add(s);
+    for (std::size_t j = 1; j < ty.size(); ++j) {
+      add(ty[j]);
+      for (std::size_t i = 1; i < tx.size(); ++i) add(tx[i] * ty[j]);
     }
   }
 
   /// The sum of the products times the coefficients, which are known up to \p error together.
-  ChebyshevModel sum(const Eigen::VectorXd& coefficients, double error) const {
-    Terms terms = Terms::Zero();
-    Eigen::Array2d products = Eigen::Array2d::Zero();  // radius and rounding
-    for (Eigen::Index i = 0; i < coefficients.size(); ++i) {
-      terms += coefficients[i] * series.col(i);
-      products += std::abs(coefficients[i]) * off.col(i);
-    }
+  ChebyshevModel sum(const Eigen::MatrixXd& coefficients, double error) const {
+    ChebyshevModel::Coefficients sum{};
+    std::array<double, 2> sum_off{};  // radius and rounding
+    for (Eigen::Index j = 0; j < coefficients.cols(); ++j)
+      terms::addCombination(coefficients.col(j).data(), static_cast<int>(coefficients.rows()),
+                            series.col(j * count_x).data(), off.col(j * count_x).data(), sum.data(),
+                            sum_off.data());
     // A term has one rounding of its product, and one for each sum.
     const double rounding =
-        0.5 * machine_epsilon * static_cast<double>(coefficients.size() + 4) * products[1];
-    return ChebyshevModel::series({terms.data(), static_cast<std::size_t>(degree + 1)},
+        0.5 * machine_epsilon * static_cast<double>(coefficients.size() + 4) * sum_off[1];
+    return ChebyshevModel::series({sum.data(), static_cast<std::size_t>(degree + 1)},
                                   // The last factor covers the rounding of this bound itself.
-                                  (products[0] + rounding + error) * (1 + 1e-12));
+                                  (sum_off[0] + rounding + error) * (1 + 1e-12));
   }
 
   Eigen::Array<double, ChebyshevModel::size, Eigen::Dynamic, Eigen::ColMajor, ChebyshevModel::size,
                most>
       series;
   Eigen::Array<double, 2, Eigen::Dynamic, Eigen::ColMajor, 2, most> off;
+  Eigen::Index count_x = 0;  ///< columns follow each other along x
   int degree = 0;
 };
 
 /// The jet relative to the origin of the cell.
 JetModel SplineEvaluator::evaluated(const Cell& c, const ChebyshevModel& x, const ChebyshevModel& y,
-                                    int order) const {
+                                    int order, Second second) const {
   const int nets = netCount(order);
-  const int dimension = weights_.empty() ? 3 : 4;
   const PathProducts products(chebyshevPolynomials(x, directions_[0].degree),
                               chebyshevPolynomials(y, directions_[1].degree));
   // Largest factor of the error of a coefficient.
   const double outside = std::max(1.0, products.off.row(1).maxCoeff());
-  std::array<HomogeneousModel, 10> h;
+  const auto sum = [&](int k, int d) {
+    return products.sum(c.nets[k].coefficients[d], c.nets[k].error[d] * outside);
+  };
+  if (!weights_.empty()) {
+    std::vector<HomogeneousModel> h(nets);
+    for (int k = 0; k < nets; ++k)
+      for (int d = 0; d < 4; ++d) h[k][d] = sum(k, d);
+    return projected(h, order, second == Second::UpToTangents);
+  }
+  JetModel jet;
+  const std::array<VectorModel*, 10> fields = {&jet.p,  &jet.u,   &jet.v,   &jet.uu,  &jet.uv,
+                                               &jet.vv, &jet.uuu, &jet.uuv, &jet.uvv, &jet.vvv};
   for (int k = 0; k < nets; ++k)
-    for (int d = 0; d < dimension; ++d)
-      h[k][d] = products.sum(c.nets[k].coefficients[d], c.nets[k].error[d] * outside);
-  if (dimension == 4) return projected(h, order);
-  return {space(h[0]), space(h[1]), space(h[2]), space(h[3]), space(h[4]),
-          space(h[5]), space(h[6]), space(h[7]), space(h[8]), space(h[9])};
+    for (int d = 0; d < 3; ++d) (*fields[k])[d] = sum(k, d);
+  return jet;
 }
 
 /// The common point of all poles of the boundary; nothing if they differ.
@@ -464,9 +461,10 @@ std::optional<Eigen::Vector3d> SplineEvaluator::collapsedPoint(int span_u, int s
   const int degree = directions_[d].degree;
   const int knot = spans_[d][d == 0 ? span_u : span_v].knot;
   const std::vector<double>& knots = directions_[d].knots;
+  if (degree == 0) return std::nullopt;
   const bool clamped =
       at_end ? knots[knot + 1] == knots[knot + degree] : knots[knot + 1 - degree] == knots[knot];
-  if (degree == 0 || !clamped) return std::nullopt;
+  if (!clamped) return std::nullopt;
   const int across = at_end ? knot : knot - degree;
   const int other_degree = directions_[1 - d].degree;
   const int first = spans_[1 - d][d == 0 ? span_v : span_u].knot - other_degree;
@@ -487,7 +485,7 @@ SplineEvaluator::SpanMatrices SplineEvaluator::quotientMatrices(int direction, i
   for (int order = 0; order <= highest; ++order) {
     const int degree = std::max(directions_[direction].degree - 1 - order, 0);
     matrices.to_chebyshev[order] = bezierToChebyshev(degree);
-    matrices.to_chebyshev_terms[order] = matrices.to_chebyshev[order].cwiseAbs();
+    matrices.to_chebyshev_terms[order] = matrices.to_chebyshev[order].cwiseAbs().colwise().sum();
     matrices.roundings[order] = degree + 3;
     if (order < highest)
       matrices.factors[order] = Eigen::VectorXd::Constant(degree, degree / width);
@@ -520,11 +518,11 @@ SplineEvaluator::Cell SplineEvaluator::makeCollapsedCell(const CollapsedKey& key
   for (const int c : {0, 1, 2}) {
     const RoundedNet net =
         quotientNet(localNet(key.span_u, key.span_v, c, point), span, key.boundary);
-    addNets(net, net, d == 0 ? divided : mu, d == 1 ? divided : mv, c, cell);
+    addNets(net, net, d == 0 ? divided : mu, d == 1 ? divided : mv, c, 0, cell);
   }
   if (!weights_.empty()) {
     const RoundedNet weights = localNet(key.span_u, key.span_v, 3, point);
-    addNets(weights, weights, mu, mv, 3, cell);
+    addNets(weights, weights, mu, mv, 3, 0, cell);
   }
   return cell;
 }
@@ -541,6 +539,10 @@ std::optional<CollapsedJetModel> SplineEvaluator::collapsedJet(const ChebyshevMo
   const std::array<Local, 2> local = {localize(0, u, hint_u), localize(1, v, hint_v)};
   for (const int d : {0, 1})
     for (const bool at_end : {false, true}) {
+      const CollapsedKey key{local[0].span, local[1].span, {d, at_end}};
+      const std::optional<Eigen::Vector3d> point =
+          collapsedPoint(key.span_u, key.span_v, key.boundary);
+      if (!point) continue;
       const Span& span = spans_[d][local[d].span];
       const ChebyshevModel from_end =
           at_end ? local[d].x - ChebyshevModel(1) : local[d].x + ChebyshevModel(1);
@@ -551,14 +553,11 @@ std::optional<CollapsedJetModel> SplineEvaluator::collapsedJet(const ChebyshevMo
       const double beyond =
           unknown * half <= rounding * parameterSize(d) ? std::max(rounding, unknown) : rounding;
       if (!(nearest >= -beyond && nearest < near)) continue;
-      const CollapsedKey key{local[0].span, local[1].span, {d, at_end}};
-      const std::optional<Eigen::Vector3d> point =
-          collapsedPoint(key.span_u, key.span_v, key.boundary);
-      if (!point) continue;
       if (collapsed_cells_.size() >= most_kept) collapsed_cells_.clear();
       Cell& cell = collapsed_cells_[key];
       if (cell.count < netCount(order)) cell = makeCollapsedCell(key, *point, netCount(order));
-      return CollapsedJetModel{*point, evaluated(cell, local[0].x, local[1].x, order),
+      return CollapsedJetModel{*point,
+                               evaluated(cell, local[0].x, local[1].x, order, Second::Whole),
                                half * from_end, d, at_end ? -1.0 : 1.0};
     }
   return std::nullopt;

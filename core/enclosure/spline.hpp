@@ -69,6 +69,11 @@ class SplineEvaluator {
   JetModel jet(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u, double hint_v,
                int order) const;
 
+  /// The same of order 2, but the second derivatives are only known up to tangent vectors: their
+  /// products with the normal are right. That is all that the curvature needs.
+  JetModel curvatureJet(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u,
+                        double hint_v) const;
+
   /// The jet divided by the distance from a boundary of the span whose poles all coincide, for a
   /// path that comes near that boundary. On such a boundary the partial derivatives along it
   /// vanish; those of the quotient need not vanish. Nothing if there is no such boundary near the
@@ -80,6 +85,8 @@ class SplineEvaluator {
   /// A matrix for degrees up to 25, OpenCASCADE's largest degree, stored without allocation.
   using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
                                     max_spline_degree + 1, max_spline_degree + 1>;
+  using SmallRow =
+      Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, max_spline_degree + 1>;
   struct Span {
     int knot = 0;  ///< index of the knot at which the span begins
     double lower = 0;
@@ -90,15 +97,15 @@ class SplineEvaluator {
     int order = 0;  ///< highest derivative
     std::array<Eigen::VectorXd, 3>
         factors;  ///< factors that turn differences of poles into poles of the next order
-    std::array<SmallMatrix, 4> to_chebyshev;  ///< from poles to Chebyshev coefficients
-    std::array<SmallMatrix, 4>
-        to_chebyshev_terms;  ///< sums of the absolute values of the terms of each entry
+    std::array<SmallMatrix, 4> to_chebyshev;     ///< from poles to Chebyshev coefficients
+    std::array<SmallRow, 4> to_chebyshev_terms;  ///< sums, over each column, of the absolute values
+                                                 ///< of the terms of its entries
     std::array<int, 4>
         roundings{};  ///< roundings of an entry times a pole, summed up, in units of 2^-53
   };
   struct Net {
-    std::array<Eigen::VectorXd, 4>
-        coefficients;  ///< that of T_i(x) T_j(y) at i + j (degree_u + 1), by coordinate
+    /// By coordinate. They shrink with the order of the derivative.
+    std::array<Eigen::MatrixXd, 4> coefficients;  ///< that of T_i(x) T_j(y) at (i, j)
     std::array<double, 4> error{};  ///< bound of the sum of the errors of the coefficients
   };
   struct Cell {
@@ -115,16 +122,20 @@ class SplineEvaluator {
   SpanMatrices makeMatrices(int direction, int span, int order) const;
   Local localize(int direction, const ChebyshevModel& parameter, double hint) const;
   const Cell& cell(int span_u, int span_v, int nets) const;
-  Cell makeCell(int span_u, int span_v, int nets) const;
+  void extendCell(int span_u, int span_v, int nets, Cell& cell) const;
   struct RoundedNet;
   struct PathProducts;
   void addNets(const RoundedNet& poles, const RoundedNet& local, const SpanMatrices& mu,
-               const SpanMatrices& mv, int coordinate, Cell& cell) const;
+               const SpanMatrices& mv, int coordinate, int first_net, Cell& cell) const;
   /// The poles of a span, relative to a point and multiplied by their weights; coordinate 3 is the
   /// weights.
   RoundedNet localNet(int span_u, int span_v, int coordinate, const Eigen::Vector3d& origin) const;
-  JetModel evaluated(const Cell& cell, const ChebyshevModel& x, const ChebyshevModel& y,
-                     int order) const;
+  /// Whether second derivatives are wanted themselves, or only up to tangent vectors.
+  enum class Second { Whole, UpToTangents };
+  JetModel jet(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u, double hint_v,
+               int order, Second second) const;
+  JetModel evaluated(const Cell& cell, const ChebyshevModel& x, const ChebyshevModel& y, int order,
+                     Second second) const;
 
   /// A boundary of a span.
   struct Boundary {

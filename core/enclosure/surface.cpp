@@ -237,7 +237,9 @@ class Spline : public SurfaceEvaluator {
     if (detail != Detail::Position)
       if (const auto collapsed = spline_->collapsedJet(u, v, hint_u, hint_v, order))
         return collapsedFieldsOf(*collapsed, detail);
-    return fieldsOf(spline_->jet(u, v, hint_u, hint_v, order), detail);
+    return fieldsOf(detail == Detail::Curvature ? spline_->curvatureJet(u, v, hint_u, hint_v)
+                                                : spline_->jet(u, v, hint_u, hint_v, order),
+                    detail);
   }
 
  private:

@@ -79,10 +79,14 @@ class Enclosure {
   // These functions raise lower_, at_ and curvature_norm_.
   void see(const Piece& piece);
   void see(Quantity quantity, const PieceBound& bound, const Piece& piece);
+  void seeCurvatureAgain();
   // These functions add to degenerate_, set curvature_range_, or mark pieces.
   void leaveOut(const Piece& piece, const SideFields& a, const SideFields& b);
   std::optional<double> poleReach(double end);
+  double shortened(double end, double share) const;
   void findPoles();
+  bool hasCurvatureAt(double end) const;
+  void lookAgain(const Interval& part, double at);
   void leaveOutCurvatureNearDegenerate();
   void leaveOutCurvatureBetweenKnots();
 
@@ -370,28 +374,69 @@ std::optional<double> Enclosure::poleReach(double end) {
   return has_plane ? degenerate_reach : scattered_reach;
 }
 
-/// Looks for poles at the ends of the seam, where edges end at poles. Poles elsewhere are found by
-/// pieces that shrink to them.
-void Enclosure::findPoles() {
-  const auto [first, last] = options_.range;
-  const auto reach = [&](int end, double share) {
-    double length = share;
-    while (length > pole_piece && !(end == 0 ? length_a_.isShort(0, length, share)
-                                             : length_a_.isShort(1 - length, 1, share)))
-      length *= 0.5;
-    return length;
-  };
-  const auto poleShare = [&](int end, bool is_left_out) {
-    return is_left_out ? std::optional(scattered_reach) : poleReach(end);
-  };
-  if (const auto share = poleShare(0, first > 0))
-    curvature_range_.lower = std::max(first, reach(0, *share));
-  if (const auto share = poleShare(1, last < 1))
-    curvature_range_.upper = std::min(last, 1 - reach(1, *share));
+/// The share of the parameter at an end that is at most \p share of the length as well.
+double Enclosure::shortened(double end, double share) const {
+  double length = share;
+  while (length > pole_piece && !(end == 0 ? length_a_.isShort(0, length, share)
+                                           : length_a_.isShort(1 - length, 1, share)))
+    length *= 0.5;
+  return length;
 }
 
-/// Points without tangent plane that refine() found are known only now. The lower bounds of
-/// curvature may come from pieces near them, so they are found again from the others.
+/// Whether the piece at that end says that the curvature of both sides is bounded there.
+bool Enclosure::hasCurvatureAt(double end) const {
+  return std::ranges::any_of(pieces_, [&](const Piece& piece) {
+    const auto& curvature = piece.figures.curvature_per_mm;
+    return (end == 0 ? piece.from == 0 : piece.to == 1) && !piece.left_out && curvature &&
+           std::isfinite(curvature->upper);
+  });
+}
+
+/// Measures the pieces that meet the part again, cut at one of its ends.
+void Enclosure::lookAgain(const Interval& part, double at) {
+  const auto first = std::stable_partition(pieces_.begin(), pieces_.end(), [&](const Piece& piece) {
+    return piece.to <= part.lower || piece.from >= part.upper;
+  });
+  const std::vector<Piece> met(first, pieces_.end());
+  pieces_.erase(first, pieces_.end());
+  for (const Piece& piece : met) {
+    const bool is_cut = piece.from < at && at < piece.to;
+    look(piece.from, is_cut ? at : piece.to);
+    if (is_cut) look(at, piece.to);
+  }
+}
+
+/// Looks for poles at the ends of the seam, where edges end at poles. Poles elsewhere are found by
+/// pieces that shrink to them. A first measurement without unbounded curvature shows that there is
+/// none.
+void Enclosure::findPoles() {
+  for (const double end : {0.0, 1.0}) {
+    if (end == 0 ? options_.range.lower > 0 : options_.range.upper < 1) continue;
+    if (hasCurvatureAt(end)) continue;
+    const auto share = poleReach(end);
+    if (!share) continue;
+    const double length = shortened(end, *share);
+    const double at = end == 0 ? length : 1 - length;
+    const Interval part = end == 0 ? Interval{0, at} : Interval{at, 1};
+    (end == 0 ? curvature_range_.lower : curvature_range_.upper) = at;
+    std::erase_if(degenerate_, [&](const DegeneratePoint& point) {
+      return point.at != end && part.contains(point.at);
+    });
+    lookAgain(part, at);
+    seeCurvatureAgain();
+  }
+}
+
+/// The lower bounds of curvature may come from pieces that are left out, so they are found again
+/// from the others.
+void Enclosure::seeCurvatureAgain() {
+  for (const Quantity quantity : {Curvature, RelativeCurvature, Change, RelativeChange})
+    lower_[quantity] = 0;
+  curvature_norm_ = 0;
+  for (const Piece& piece : pieces_) see(piece);
+}
+
+/// Points without tangent plane that refine() found are known only now.
 void Enclosure::leaveOutCurvatureNearDegenerate() {
   bool changed = false;
   for (Piece& piece : pieces_) {
@@ -403,10 +448,7 @@ void Enclosure::leaveOutCurvatureNearDegenerate() {
     });
     changed |= piece.curvature_left_out;
   }
-  if (!changed) return;
-  for (const Quantity quantity : {Curvature, RelativeCurvature, Change, RelativeChange})
-    lower_[quantity] = 0;
-  for (const Piece& piece : pieces_) see(piece);
+  if (changed) seeCurvatureAgain();
 }
 
 /// Where both sides cross a knot line at nearly the same point, a piece that was cut down to the
@@ -430,8 +472,8 @@ void Enclosure::leaveOutCurvatureBetweenKnots() {
 
 /// The order:
 ///   1. The middle, for a first lower bound of the angle.
-///   2. Poles at the ends, which determine curvature_range_.
-///   3. A first measurement between breaks: knots, and the ends of both ranges.
+///   2. A first measurement between breaks: knots, and the ends of the range.
+///   3. Poles at the ends, which determine curvature_range_.
 ///   4. refine(), which needs the lower bounds of the whole seam.
 ///   5. What lies near points without tangent plane, and between knots of both sides that nearly
 ///      coincide, is left out of the curvature.
@@ -445,7 +487,10 @@ SeamPieces Enclosure::run() {
   Piece middle{.from = range.middle(), .to = range.middle()};
   std::optional<double> split;
   if (measure(middle, Detail::TangentPlane, split)) see(middle);
-  findPoles();
+  if (range.lower > 0)
+    curvature_range_.lower = std::max(range.lower, shortened(0, scattered_reach));
+  if (range.upper < 1)
+    curvature_range_.upper = std::min(range.upper, 1 - shortened(1, scattered_reach));
   breaks.insert(breaks.end(), {curvature_range_.lower, curvature_range_.upper});
   std::ranges::sort(breaks);
   double from = 0;
@@ -460,6 +505,7 @@ SeamPieces Enclosure::run() {
       lookAtGap(from, to);
     from = to;
   }
+  findPoles();
   refine();
   leaveOutCurvatureNearDegenerate();
   leaveOutCurvatureBetweenKnots();

@@ -32,8 +32,10 @@ double spectralNorm(const Tensor& k) {
       x * (y * z - k[4] * k[4]) - k[3] * (k[3] * z - k[4] * k[5]) + k[5] * (k[3] * k[4] - y * k[5]);
   const double cosine = std::clamp(determinant / (2 * spread * spread * spread), -1.0, 1.0);
   const double angle = std::acos(cosine) / 3;
-  const double largest = mean + 2 * spread * std::cos(angle);
-  const double smallest = mean + 2 * spread * std::cos(angle + 2 * std::numbers::pi / 3);
+  // The compiler takes both from one call; the third eigenvalue is at angle + 2 pi / 3.
+  const double by_cosine = std::cos(angle), by_sine = std::numbers::sqrt3 * std::sin(angle);
+  const double largest = mean + 2 * spread * by_cosine;
+  const double smallest = mean - spread * (by_cosine + by_sine);
   const bool is_double = std::abs(cosine) > 1 - nearly_double && cosine * (largest + smallest) < 0;
   if (std::isfinite(cosine) && !is_double) return std::max(std::abs(largest), std::abs(smallest));
   // Near a double eigenvalue the angle is known to half the digits only, and cubes may exceed the
@@ -44,7 +46,13 @@ double spectralNorm(const Tensor& k) {
 
 TensorNorm normOf(const SymmetricModel& tensor) {
   TensorNorm norm;
-  norm.at_most = largestNorm(tensor, {0.01, 0}).upper;
+  // The norm of Frobenius, in which entries off the diagonal count twice.
+  double square = 0;
+  for (int k = 0; k < 6; ++k) {
+    const double magnitude = tensor[k].magnitude();
+    square += (k < 3 ? 1 : 2) * magnitude * magnitude;
+  }
+  norm.at_most = std::sqrt(square) * (1 + short_rounding);
   // The function is v.K v. v is the principal direction of largest absolute curvature at the
   // middle.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(matrixOf(seriesValue(tensor, 0)));

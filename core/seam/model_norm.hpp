@@ -140,7 +140,7 @@ PieceBound largestNorm(const std::array<ChebyshevModel, Dimension>& model, const
 /// A curvature tensor over a piece, with bounds of its norm.
 struct TensorNorm {
   double at_least = 0;
-  double at_most = 0;
+  double at_most = 0;    ///< up to sqrt(2) times the largest norm, where the entries are constant
   ChebyshevModel below;  ///< a function that is nowhere above the norm and touches it at the middle
 };
 

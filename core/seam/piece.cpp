@@ -82,10 +82,16 @@ PieceBound largestRelativeAt(std::initializer_list<double> points, const SideTen
   return bound;
 }
 
+/// Whether the norm is below the flat curvature on the whole piece.
+bool isFlat(const SideTensor& side, double flat) {
+  return side.norm.at_most < flat ||
+         (side.norm.at_least < flat && largestNorm(side.tensor, {0.01, 0}).upper < flat);
+}
+
 PieceBound relativeBound(const SideTensor& a, const SideTensor& b, const Difference& difference,
                          double largest_difference, double flat_radius_mm, const Slack& slack) {
   const double flat = 1 / flat_radius_mm;
-  if (a.norm.at_most < flat && b.norm.at_most < flat) return {0, 0, 0};
+  if (isFlat(a, flat) && isFlat(b, flat)) return {0, 0, 0};
   const TensorNorm& larger = a.norm.at_least > b.norm.at_least ? a.norm : b.norm;
   double upper = largest_difference / std::max(larger.at_least, flat);
   double best = 0;

@@ -13,6 +13,7 @@ struct AnalyzeOptions {
                             ///< only for G3
   double match_mm = 0;  ///< free edges within this distance of each other also form seams; 0: none
   bool certify = true;  ///< enclose the figures; false: sample them only
+  bool figures = true;  ///< false: enclosures are of any width, narrow enough for certain verdicts
   int jobs = 0;         ///< threads; 0: one for each processor
   std::vector<int> faces = {};  ///< only seams of these faces, from 1; empty: all seams
 

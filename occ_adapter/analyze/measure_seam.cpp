@@ -161,6 +161,7 @@ SeamFigures enclosed(const Seam& seam, const std::array<Pcurve, 2>& pcurves,
   const PoleIntervals poles = poleIntervals(seam, pcurves);
   EncloseOptions enclose_options;
   enclose_options.range = poles.between;
+  enclose_options.figures = options.figures;
   enclose_options.curvature_change = options.level == Level::G3;
   SeamFigures figures = encloseSeam(a, b, options.tolerance, enclose_options);
   figures.degenerate.insert(figures.degenerate.end(), poles.points.begin(), poles.points.end());

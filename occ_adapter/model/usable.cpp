@@ -9,10 +9,21 @@
 #include <BRep_TEdge.hxx>
 #include <BRep_TVertex.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2d_BSplineCurve.hxx>
+#include <Geom2d_Circle.hxx>
+#include <Geom2d_Line.hxx>
 #include <GeomTools_Curve2dSet.hxx>
 #include <GeomTools_CurveSet.hxx>
 #include <GeomTools_SurfaceSet.hxx>
+#include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
+#include <Geom_Circle.hxx>
+#include <Geom_ConicalSurface.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <Geom_Line.hxx>
+#include <Geom_Plane.hxx>
+#include <Geom_SphericalSurface.hxx>
+#include <Geom_ToroidalSurface.hxx>
 #include <Precision.hxx>
 #include <Standard_Failure.hxx>
 #include <TColStd_Array1OfReal.hxx>
@@ -24,11 +35,13 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
 #include <sstream>
+#include <string_view>
 
 #include <seamwright/occ_adapter/model/not_finite.hpp>
 #include <seamwright/occ_adapter/model/usable.hpp>
@@ -37,8 +50,47 @@ namespace seamwright::occ {
 
 namespace {
 
-std::string faultyNumber(const std::string& what, double number) {
+using opencascade::handle;
+
+std::string faultyNumber(std::string_view what, double number) {
   return fmt::format("{} with the number {:.6g}", what, number);
+}
+
+/// The numbers of a position: origin and directions.
+std::array<gp_XYZ, 4> numbersOf(const gp_Ax3& position) {
+  return {position.Location().XYZ(), position.Direction().XYZ(), position.XDirection().XYZ(),
+          position.YDirection().XYZ()};
+}
+
+std::array<gp_XYZ, 4> numbersOf(const gp_Ax2& position) {
+  return {position.Location().XYZ(), position.Direction().XYZ(), position.XDirection().XYZ(),
+          position.YDirection().XYZ()};
+}
+
+std::array<gp_XY, 3> numbersOf(const gp_Ax22d& position) {
+  return {position.Location().XY(), position.XDirection().XY(), position.YDirection().XY()};
+}
+
+std::array<gp_XYZ, 2> numbersOf(const gp_Ax1& position) {
+  return {position.Location().XYZ(), position.Direction().XYZ()};
+}
+
+std::array<gp_XY, 2> numbersOf(const gp_Ax2d& position) {
+  return {position.Location().XY(), position.Direction().XY()};
+}
+
+gp_XYZ numbersOf(const gp_Pnt& point) {
+  return point.XYZ();
+}
+
+gp_XY numbersOf(const gp_Pnt2d& point) {
+  return point.XY();
+}
+
+/// The object as that type; null if it is of another type or of one that derives from it.
+template <class Type, class Base>
+const Type* exactly(const handle<Base>& object) {
+  return object->IsInstance(STANDARD_TYPE(Type)) ? static_cast<const Type*>(object.get()) : nullptr;
 }
 
 /// The first fault of several, or nothing.
@@ -54,14 +106,27 @@ class FaultFinder {
   explicit FaultFinder(double too_large) : too_large_(too_large) {}
 
   /// What is wrong with numbers, or nothing.
-  std::string faultOf(const std::string& what, std::initializer_list<double> numbers) const {
+  std::string faultOf(std::string_view what, std::initializer_list<double> numbers) const {
     for (const double number : numbers)
       if (!isUsableNumber(number)) return faultyNumber(what, number);
     return {};
   }
 
-  std::string faultOf(const std::string& what, const gp_XYZ& point) const {
+  std::string faultOf(std::string_view what, const gp_XYZ& point) const {
     return faultOf(what, {point.X(), point.Y(), point.Z()});
+  }
+
+  std::string faultOf(std::string_view what, const gp_XY& point) const {
+    return faultOf(what, {point.X(), point.Y()});
+  }
+
+  /// Of a position and other numbers.
+  template <class Vector, std::size_t Count>
+  std::string faultOf(std::string_view what, const std::array<Vector, Count>& position,
+                      std::initializer_list<double> numbers = {}) const {
+    for (const Vector& vector : position)
+      if (std::string fault = faultOf(what, vector); !fault.empty()) return fault;
+    return faultOf(what, numbers);
   }
 
   std::string faultOf(const TopLoc_Location& location) const {
@@ -76,7 +141,7 @@ class FaultFinder {
 
   /// OpenCASCADE writes each kind of curve and surface as its numbers, nested ones too.
   template <class Print>
-  std::string faultInText(const std::string& what, const Print& print) const {
+  std::string faultInText(std::string_view what, const Print& print) const {
     std::ostringstream stream;
     try {
       print(stream);
@@ -95,9 +160,7 @@ class FaultFinder {
     return {};
   }
 
-  /// The kind that most numbers belong to, without writing them.
-  std::string faultOf(const Geom_BSplineSurface& spline) const {
-    const std::string what = "a surface";
+  std::string faultOf(std::string_view what, const Geom_BSplineSurface& spline) const {
     for (const TColStd_Array1OfReal* knots : {&spline.UKnots(), &spline.VKnots()})
       for (const double knot : *knots)
         if (!isUsableNumber(knot)) return faultyNumber(what, knot);
@@ -110,26 +173,64 @@ class FaultFinder {
     return {};
   }
 
-  std::string faultOf(const opencascade::handle<Geom_Surface>& surface) const {
+  template <class Spline>
+  std::string faultOfSplineCurve(std::string_view what, const Spline& spline) const {
+    for (int i = 1; i <= spline.NbPoles(); ++i) {
+      std::string fault = faultOf(what, numbersOf(spline.Pole(i)));
+      if (fault.empty()) fault = faultOf(what, {spline.Weight(i)});
+      if (!fault.empty()) return fault;
+    }
+    for (const double knot : spline.Knots())
+      if (!isUsableNumber(knot)) return faultyNumber(what, knot);
+    return {};
+  }
+
+  // The kinds that most curves and surfaces are of are examined without writing them.
+
+  std::string faultOf(const handle<Geom_Surface>& surface) const {
     if (surface.IsNull()) return {};
-    if (const auto spline = opencascade::handle<Geom_BSplineSurface>::DownCast(surface);
-        !spline.IsNull())
-      return faultOf(*spline);
-    return faultInText("a surface", [&surface](std::ostream& stream) {
+    constexpr std::string_view what = "a surface";
+    if (const auto* spline = exactly<Geom_BSplineSurface>(surface)) return faultOf(what, *spline);
+    if (const auto* plane = exactly<Geom_Plane>(surface))
+      return faultOf(what, numbersOf(plane->Position()));
+    if (const auto* cylinder = exactly<Geom_CylindricalSurface>(surface))
+      return faultOf(what, numbersOf(cylinder->Position()), {cylinder->Radius()});
+    if (const auto* cone = exactly<Geom_ConicalSurface>(surface))
+      return faultOf(what, numbersOf(cone->Position()), {cone->RefRadius(), cone->SemiAngle()});
+    if (const auto* sphere = exactly<Geom_SphericalSurface>(surface))
+      return faultOf(what, numbersOf(sphere->Position()), {sphere->Radius()});
+    if (const auto* torus = exactly<Geom_ToroidalSurface>(surface))
+      return faultOf(what, numbersOf(torus->Position()),
+                     {torus->MajorRadius(), torus->MinorRadius()});
+    return faultInText(what, [&surface](std::ostream& stream) {
       GeomTools_SurfaceSet::PrintSurface(surface, stream, true);
     });
   }
 
-  std::string faultOf(const opencascade::handle<Geom_Curve>& curve) const {
+  std::string faultOf(const handle<Geom_Curve>& curve) const {
     if (curve.IsNull()) return {};
-    return faultInText("a curve", [&curve](std::ostream& stream) {
+    constexpr std::string_view what = "a curve";
+    if (const auto* line = exactly<Geom_Line>(curve))
+      return faultOf(what, numbersOf(line->Position()));
+    if (const auto* circle = exactly<Geom_Circle>(curve))
+      return faultOf(what, numbersOf(circle->Position()), {circle->Radius()});
+    if (const auto* spline = exactly<Geom_BSplineCurve>(curve))
+      return faultOfSplineCurve(what, *spline);
+    return faultInText(what, [&curve](std::ostream& stream) {
       GeomTools_CurveSet::PrintCurve(curve, stream, true);
     });
   }
 
-  std::string faultOf(const opencascade::handle<Geom2d_Curve>& curve) const {
+  std::string faultOf(const handle<Geom2d_Curve>& curve) const {
     if (curve.IsNull()) return {};
-    return faultInText("a path on a face", [&curve](std::ostream& stream) {
+    constexpr std::string_view what = "a path on a face";
+    if (const auto* line = exactly<Geom2d_Line>(curve))
+      return faultOf(what, numbersOf(line->Position()));
+    if (const auto* circle = exactly<Geom2d_Circle>(curve))
+      return faultOf(what, numbersOf(circle->Position()), {circle->Radius()});
+    if (const auto* spline = exactly<Geom2d_BSplineCurve>(curve))
+      return faultOfSplineCurve(what, *spline);
+    return faultInText(what, [&curve](std::ostream& stream) {
       GeomTools_Curve2dSet::PrintCurve2d(curve, stream, true);
     });
   }
@@ -137,14 +238,14 @@ class FaultFinder {
   /// Without a curve the range means nothing: at the pole of a sphere an edge has a path on the
   /// face alone.
   template <class Curve>
-  std::string faultOf(const BRep_GCurve& owner, const opencascade::handle<Curve>& curve) const {
+  std::string faultOf(const BRep_GCurve& owner, const handle<Curve>& curve) const {
     return curve.IsNull()
                ? std::string()
                : firstFaultOf({faultOf("a range", {owner.First(), owner.Last()}), faultOf(curve)});
   }
 
-  std::string faultOf(const opencascade::handle<BRep_CurveRepresentation>& representation) const {
-    const auto owner = opencascade::handle<BRep_GCurve>::DownCast(representation);
+  std::string faultOf(const handle<BRep_CurveRepresentation>& representation) const {
+    const auto owner = handle<BRep_GCurve>::DownCast(representation);
     if (owner.IsNull()) return {};
     std::string fault = faultOf(owner->Location());
     if (fault.empty() && owner->IsCurve3D()) fault = faultOf(*owner, owner->Curve3D());
@@ -154,7 +255,7 @@ class FaultFinder {
   }
 
   std::string faultOf(const TopoDS_Vertex& vertex) const {
-    const auto body = opencascade::handle<BRep_TVertex>::DownCast(vertex.TShape());
+    const auto body = handle<BRep_TVertex>::DownCast(vertex.TShape());
     if (body.IsNull()) return {};
     std::string fault =
         firstFaultOf({faultOf(vertex.Location()), faultOf("a vertex", body->Pnt().XYZ()),
@@ -167,7 +268,7 @@ class FaultFinder {
   }
 
   std::string faultOf(const TopoDS_Edge& edge) const {
-    const auto body = opencascade::handle<BRep_TEdge>::DownCast(edge.TShape());
+    const auto body = handle<BRep_TEdge>::DownCast(edge.TShape());
     if (body.IsNull()) return {};
     std::string fault =
         firstFaultOf({faultOf(edge.Location()), faultOf("a tolerance", {body->Tolerance()})});
@@ -181,7 +282,7 @@ class FaultFinder {
 
   std::string faultOf(const TopoDS_Face& face) const {
     TopLoc_Location location;
-    const opencascade::handle<Geom_Surface> surface = BRep_Tool::Surface(face, location);
+    const handle<Geom_Surface> surface = BRep_Tool::Surface(face, location);
     return firstFaultOf({faultOf(location), faultOf("a tolerance", {BRep_Tool::Tolerance(face)}),
                          faultOf(surface)});
   }

@@ -18,6 +18,7 @@ occ::AnalyzeOptions optionsOf(const AnalyzeArguments& arguments) {
   options.match_mm = arguments.measure.match_mm;
   options.level = levelFromName(arguments.level).value_or(Level::None);
   options.jobs = arguments.measure.jobs;
+  options.figures = !arguments.verdict_only;
   options.validate();
   return options;
 }
@@ -46,6 +47,8 @@ void addAnalyzeOptions(CLI::App& command, AnalyzeArguments& arguments) {
       ->check(CLI::IsMember({"G0", "G1", "G2", "G3"}))
       ->capture_default_str();
   addMeasureOptions(command, arguments.measure);
+  command.add_flag("--verdict-only", arguments.verdict_only,
+                   "Stop at certain verdicts: figures may have wide bounds");
   command
       .add_option("--format", arguments.format,
                   "Output format: table, json (one line per model) or csv")

@@ -14,6 +14,7 @@ struct AnalyzeArguments {
   std::string level = "G1";
   std::string format = "table";
   std::string output;
+  bool verdict_only = false;
 };
 
 /// Adds the options to a command. Parsing stores them in \p arguments.

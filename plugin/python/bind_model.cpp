@@ -43,13 +43,14 @@ occ::Report analyzeModel(const occ::Model& model, const py::object& profile,
                          const py::object& gap_mm, const py::object& angle_deg,
                          const py::object& curvature_rel, const py::object& flat_radius_mm,
                          const py::object& crease_deg, const py::object& level,
-                         const py::object& match_mm, const py::object& jobs,
-                         const py::object& progress) {
+                         const py::object& match_mm, const py::object& verdict_only,
+                         const py::object& jobs, const py::object& progress) {
   occ::AnalyzeOptions options;
   options.tolerance =
       toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg});
   options.level = levelOf(level);
   options.match_mm = optionalNumber("match_mm", match_mm).value_or(options.match_mm);
+  options.figures = !flagOf("verdict_only", verdict_only);
   options.jobs = wholeNumber("jobs", jobs);
   return longCall(
       progress, [&](const occ::Progress& report) { return occ::analyze(model, options, report); });
@@ -218,9 +219,10 @@ constexpr const char* analyze_doc =
 
 gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg: tolerances; None: that of the
 profile, a key of PROFILES. level: what a seam must reach, 'G0' to 'G3'. match_mm: measure also
-between free edges no further apart than this; 0: between none. jobs: threads; 0: one for each
-processor. progress: a callable that gets the share done, 0..1; the call raises Cancelled where it
-returns what is false, other than None. ValueError for bad arguments, with name and value.)";
+between free edges no further apart than this; 0: between none. verdict_only: stop at certain
+verdicts; figures may then have wide bounds. jobs: threads; 0: one for each processor. progress: a
+callable that gets the share done, 0..1; the call raises Cancelled where it returns what is false,
+other than None. ValueError for bad arguments, with name and value.)";
 
 constexpr const char* read_doc =
     R"(Reads a STEP, IGES or BREP file, recognised by its content, in a process of its own: a Model.
@@ -241,7 +243,7 @@ void bindCalls(py::class_<occ::Model>& type) {
            py::arg("gap_mm") = py::none(), py::arg("angle_deg") = py::none(),
            py::arg("curvature_rel") = py::none(), py::arg("flat_radius_mm") = py::none(),
            py::arg("crease_deg") = py::none(), py::arg("level") = "G1", py::arg("match_mm") = 0.0,
-           py::arg("jobs") = 0, py::arg("progress") = py::none())
+           py::arg("verdict_only") = false, py::arg("jobs") = 0, py::arg("progress") = py::none())
       .def("write", &writeFile, write_doc, py::arg("path"), py::kw_only(),
            py::arg("overwrite") = false, py::arg("overwrite_source") = false,
            py::arg("afresh") = false, py::arg("progress") = py::none());

@@ -1410,6 +1410,7 @@ class Model:
         crease_deg: Optional[Number] = None,
         level: str = "G1",
         match_mm: Optional[Number] = 0.0,
+        verdict_only: Flag = False,
         jobs: Whole = 0,
         progress: Progress = None,
     ) -> Report: ...

@@ -433,6 +433,22 @@ def test_names_of_files_may_hold_any_letter(tmp_path):
     assert analysis(path)[0]["model"]["path"] == str(path)
 
 
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.name)
+def test_verdicts_alone_are_those_of_all_figures(path):
+    full, status = analysis(installed(path), "--level", "G2")
+    quick, quick_status = analysis(installed(path), "--level", "G2", "--verdict-only")
+    assert quick_status == status
+    for seam, other in zip(full["seams"], quick["seams"], strict=True):
+        for key in ("level", "class", "certified"):
+            assert other[key] == seam[key]
+        for figure in FIGURES:
+            if not seam[figure] or seam[figure]["upper"] is None:
+                continue
+            # Both enclose the same number.
+            assert other[figure]["lower"] <= seam[figure]["upper"]
+            assert other[figure]["upper"] is None or other[figure]["upper"] >= seam[figure]["lower"]
+
+
 def test_jobs_change_nothing():
     path = installed(OCCT_DATA / "step/linkrods.step")
     reports = []

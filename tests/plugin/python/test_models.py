@@ -285,6 +285,16 @@ def test_ctrl_c_reaches_a_long_call(box, tmp_path, monkeypatch):
     assert time.monotonic() - start < 0.9
 
 
+def test_verdicts_alone_are_those_of_all_figures():
+    model = seamwright.read(installed(OCCT_DATA / "step/linkrods.step"))
+    full, quick = model.analyze(level="G2"), model.analyze(level="G2", verdict_only=True)
+    assert [(s["level"], s["class"], s["certified"]) for s in quick.seams] == [
+        (s["level"], s["class"], s["certified"]) for s in full.seams
+    ]
+    with pytest.raises(ValueError, match="verdict_only"):
+        model.analyze(verdict_only="yes")
+
+
 def test_jobs_change_nothing():
     model = seamwright.read(installed(OCCT_DATA / "step/linkrods.step"))
     one = model.analyze(jobs=1).seams

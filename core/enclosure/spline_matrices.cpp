@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seamwright/core/enclosure/spline_matrices.hpp>
+
+namespace seamwright {
+
+SplineMatrix bezierToChebyshev(int degree) {
+  SplineMatrix matrix(degree + 1, degree + 1);
+  double binomial = 1;
+  for (int j = 0; j <= degree; ++j) {
+    Eigen::VectorXd product = Eigen::VectorXd::Unit(degree + 1, 0);
+    for (int factor = 0; factor < degree; ++factor) {
+      // x T_0 = T_1, x T_k = (T_(k + 1) + T_(k - 1)) / 2.
+      Eigen::VectorXd by_x = Eigen::VectorXd::Zero(degree + 1);
+      by_x[1] = product[0];
+      for (int k = 1; k <= factor; ++k) {
+        by_x[k + 1] += 0.5 * product[k];
+        by_x[k - 1] += 0.5 * product[k];
+      }
+      product =
+          0.5 * (factor < j ? Eigen::VectorXd(product + by_x) : Eigen::VectorXd(product - by_x));
+    }
+    matrix.col(j) = binomial * product;
+    binomial = binomial * (degree - j) / (j + 1);
+  }
+  return matrix;
+}
+
+SplineMatrix splineToBezier(const std::vector<double>& knots, int degree, int s) {
+  const int n = degree + 1;
+  SplineMatrix matrix(n, n);
+  for (int j = 0; j < n; ++j) {
+    // Column i holds the combination i of a level. Of the poles it has i to i + level.
+    SplineMatrix columns = SplineMatrix::Identity(n, n);
+    for (int level = 1; level <= degree; ++level) {
+      const double argument = level <= degree - j ? knots[s] : knots[s + 1];
+      for (int i = 0; i + level <= degree; ++i) {
+        const double left = knots[s - degree + level + i];
+        const double right = knots[s + 1 + i];
+        if (argument == left) continue;  // the factors are 1 and 0
+        const auto own = [&](int column) { return columns.col(column).segment(i, level + 1); };
+        if (argument == right)
+          own(i) = own(i + 1);
+        else
+          own(i) = ((right - argument) / (right - left)) * own(i) +
+                   ((argument - left) / (right - left)) * own(i + 1);
+      }
+    }
+    matrix.row(j) = columns.col(0).transpose();
+  }
+  return matrix;
+}
+
+Eigen::VectorXd derivativeFactors(const std::vector<double>& knots, int degree, int s) {
+  Eigen::VectorXd factors(degree);
+  for (int i = 0; i < degree; ++i)
+    factors[i] = degree / (knots[s + 1 + i] - knots[s - degree + 1 + i]);
+  return factors;
+}
+
+}  // namespace seamwright

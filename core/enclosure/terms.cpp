@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <seamwright/core/enclosure/chebyshev_model.hpp>
+#include <seamwright/core/enclosure/terms.hpp>
+
+#if defined(__GNUC__) && defined(__x86_64__)
+#define SEAMWRIGHT_HAS_AVX2 1
+#include <immintrin.h>
+#endif
+
+namespace seamwright::terms {
+
+namespace {
+
+constexpr int size = ChebyshevModel::size;
+constexpr int middle = ChebyshevModel::max_degree;  ///< the place of b_0 among mirrored numbers
+using Terms = Eigen::Array<double, size, 1>;
+
+Terms at(const double* first) {
+  return Eigen::Map<const Terms>(first);
+}
+
+void add(const Terms& more, double* sum) {
+  Eigen::Map<Terms> view(sum);
+  view += more;
+}
+
+#ifdef SEAMWRIGHT_HAS_AVX2
+static_assert(size == 8, "two registers hold the terms");
+
+/// All terms in two registers. The functions below have an attribute that allows the instructions;
+/// the compiler does not fuse products and sums, because FMA is not allowed.
+struct Registers {
+  __m256d low, high;
+};
+
+[[gnu::target("avx2")]] inline void addTo(double* sum, const Registers& more) {
+  _mm256_storeu_pd(sum, _mm256_add_pd(_mm256_loadu_pd(sum), more.low));
+  _mm256_storeu_pd(sum + 4, _mm256_add_pd(_mm256_loadu_pd(sum + 4), more.high));
+}
+
+/// b, mirrored at its first number, which counts twice, and followed by zeros.
+[[gnu::target("avx2")]] inline void mirrorAvx2(const double* b, double* mirrored) {
+  constexpr int reverse = 0b00011011;
+  const __m256d low = _mm256_loadu_pd(b), high = _mm256_loadu_pd(b + 4);
+  _mm256_storeu_pd(mirrored, _mm256_permute4x64_pd(high, reverse));
+  _mm256_storeu_pd(mirrored + 4, _mm256_permute4x64_pd(low, reverse));
+  _mm256_storeu_pd(mirrored + middle, low);
+  _mm256_storeu_pd(mirrored + middle + 4, high);
+  _mm256_storeu_pd(mirrored + middle + 8, _mm256_setzero_pd());
+  _mm256_storeu_pd(mirrored + middle + 12, _mm256_setzero_pd());
+  mirrored[middle] = 2 * b[0];
+}
+
+[[gnu::target("avx2")]] void addProductAvx2(const double* a, int degree_a, double factor,
+                                            const double* b, int degree_b, double* low,
+                                            double* high) {
+  alignas(32) double mirrored[3 * size];
+  mirrorAvx2(b, mirrored);
+  const double* zero = mirrored + middle;
+  Registers sum{_mm256_setzero_pd(), _mm256_setzero_pd()};
+  for (int i = 0; i <= degree_a; ++i) {
+    const __m256d by = _mm256_set1_pd(factor * a[i]);
+    const __m256d first = _mm256_add_pd(_mm256_loadu_pd(zero - i), _mm256_loadu_pd(zero + i));
+    const __m256d second =
+        _mm256_add_pd(_mm256_loadu_pd(zero + 4 - i), _mm256_loadu_pd(zero + 4 + i));
+    sum.low = _mm256_add_pd(sum.low, _mm256_mul_pd(by, first));
+    sum.high = _mm256_add_pd(sum.high, _mm256_mul_pd(by, second));
+  }
+  sum.low = _mm256_mul_pd(sum.low, _mm256_setr_pd(0.5, 1, 1, 1));
+  addTo(low, sum);
+  if (degree_a + degree_b < size) return;
+  sum = {_mm256_setzero_pd(), _mm256_setzero_pd()};
+  for (int i = size - degree_b; i <= degree_a; ++i) {
+    const __m256d by = _mm256_set1_pd(factor * a[i]);
+    sum.low = _mm256_add_pd(sum.low, _mm256_mul_pd(by, _mm256_loadu_pd(zero + size - i)));
+    sum.high = _mm256_add_pd(sum.high, _mm256_mul_pd(by, _mm256_loadu_pd(zero + size + 4 - i)));
+  }
+  addTo(high, sum);
+}
+
+[[gnu::target("avx2")]] void addCombinationAvx2(const double* factors, int count,
+                                                const double* series, const double* off,
+                                                double* sum, double* sum_off) {
+  Registers more{_mm256_loadu_pd(sum), _mm256_loadu_pd(sum + 4)};
+  __m128d more_off = _mm_loadu_pd(sum_off);
+  const __m128d sign = _mm_set1_pd(-0.0);
+  for (int i = 0; i < count; ++i) {
+    const __m256d factor = _mm256_set1_pd(factors[i]);
+    more.low = _mm256_add_pd(more.low, _mm256_mul_pd(factor, _mm256_loadu_pd(series + 8 * i)));
+    more.high =
+        _mm256_add_pd(more.high, _mm256_mul_pd(factor, _mm256_loadu_pd(series + 8 * i + 4)));
+    const __m128d size_of_factor = _mm_andnot_pd(sign, _mm256_castpd256_pd128(factor));
+    more_off = _mm_add_pd(more_off, _mm_mul_pd(size_of_factor, _mm_loadu_pd(off + 2 * i)));
+  }
+  _mm256_storeu_pd(sum, more.low);
+  _mm256_storeu_pd(sum + 4, more.high);
+  _mm_storeu_pd(sum_off, more_off);
+}
+
+bool hasAvx2() {
+  return __builtin_cpu_supports("avx2") != 0;
+}
+#endif
+
+}  // namespace
+
+void addProduct(const double* a, int degree_a, double factor, const double* b, int degree_b,
+                double* low, double* high) {
+#ifdef SEAMWRIGHT_HAS_AVX2
+  if (hasAvx2()) return addProductAvx2(a, degree_a, factor, b, degree_b, low, high);
+#endif
+  std::array<double, 3 * size> mirrored{};
+  std::reverse_copy(b, b + size, mirrored.begin());
+  std::copy_n(b, size, mirrored.begin() + middle);
+  mirrored[middle] *= 2;
+  const double* zero = &mirrored[middle];
+  Terms sum = Terms::Zero();
+  for (int i = 0; i <= degree_a; ++i) sum += (factor * a[i]) * (at(zero - i) + at(zero + i));
+  sum[0] *= 0.5;
+  add(sum, low);
+  if (degree_a + degree_b < size) return;
+  sum.setZero();
+  for (int i = size - degree_b; i <= degree_a; ++i) sum += (factor * a[i]) * at(zero + size - i);
+  add(sum, high);
+}
+
+void addCombination(const double* factors, int count, const double* series, const double* off,
+                    double* sum, double* sum_off) {
+#ifdef SEAMWRIGHT_HAS_AVX2
+  if (hasAvx2()) return addCombinationAvx2(factors, count, series, off, sum, sum_off);
+#endif
+  Terms more = at(sum);
+  Eigen::Array2d more_off(sum_off[0], sum_off[1]);
+  for (int i = 0; i < count; ++i) {
+    more += factors[i] * at(series + i * size);
+    more_off += std::abs(factors[i]) * Eigen::Map<const Eigen::Array2d>(off + 2 * i);
+  }
+  Eigen::Map<Terms> result(sum);
+  result = more;
+  sum_off[0] = more_off[0];
+  sum_off[1] = more_off[1];
+}
+
+}  // namespace seamwright::terms
