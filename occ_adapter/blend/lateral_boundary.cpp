@@ -203,7 +203,8 @@ void requireBendBeside(const ChosenLateral& lateral, const ChosenEnd& end, int k
   const SideSample of_side = sampleAt(end, lateral.corners[k]);
   const Vector3d tangent = of_side.derivative.normalized(), normal = lateral.normalAt(k);
   const Matrix3d beside = lateral.curvatureAt(k);
-  const double k_side = secondAt(end, lateral.corners[k]).dot(normal) / of_side.derivative.squaredNorm(),
+  const double k_side =
+                   secondAt(end, lateral.corners[k]).dot(normal) / of_side.derivative.squaredNorm(),
                k_beside = tangent.dot(beside * tangent);
   const CurvatureDifference curvature{.difference_per_mm = std::abs(k_side - k_beside),
                                       .norm_a_per_mm = std::abs(k_side),

@@ -222,8 +222,7 @@ class Deformer {
     worst = 0;
     for (const Station& station : stations) {
       const SurfaceJet jet = jetOf(basis.at(station.uv, station.step), poles);
-      const double share =
-          shareOf(jet, station.target, station.order, join_.options.tolerance);
+      const double share = shareOf(jet, station.target, station.order, join_.options.tolerance);
       worst = std::max(worst, share);
       if (share > limit) missed.push_back(station.uv);
     }

@@ -22,9 +22,9 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <gp_Elips.hxx>
 #include <gp_Pln.hxx>
+#include <map>
 #include <numbers>
 #include <string>
 #include <vector>

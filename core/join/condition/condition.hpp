@@ -42,7 +42,7 @@ struct JoinCondition {
   /// parametric_order, which is -1.
   std::optional<SeamParameter> parameter = std::nullopt;
   bool parameter_of_a = true;  ///< the map is the parameter of a; otherwise that of b
-  JoinResidual position;  ///< Q - P, in mm (rational: by both weights)
+  JoinResidual position;       ///< Q - P, in mm (rational: by both weights)
   /// Bound, up to rounding, of the distance of the two sides' points at the same t.
   double gap_bound_mm = 0;
   /// Parametric: Q_s - P_s and Q_ss - P_ss, of points, not homogeneous.

@@ -27,8 +27,7 @@ struct SeamPoint {
 
 SeamPoint pointOf(const HomogeneousPoles& seam, double t) {
   const bernstein::Step step = bernstein::Step::at(t);
-  const Eigen::RowVector4d p =
-      bernstein::casteljau(Field<4>(seam), step).first.bottomRows<1>();
+  const Eigen::RowVector4d p = bernstein::casteljau(Field<4>(seam), step).first.bottomRows<1>();
   const Eigen::RowVector4d d =
       bernstein::casteljau(rows::derivative<4>(seam), step).first.bottomRows<1>();
   const Eigen::Vector3d at = p.head<3>().transpose() / p[3];
@@ -42,8 +41,8 @@ struct MatchedParameters {
 };
 
 /// Corresponding parameters of the same curve. Nothing: the curves differ.
-std::optional<MatchedParameters> corresponding(const HomogeneousPoles& of, const HomogeneousPoles& at,
-                                            double rounding_mm) {
+std::optional<MatchedParameters> corresponding(const HomogeneousPoles& of,
+                                               const HomogeneousPoles& at, double rounding_mm) {
   // More than the unknowns of a map.
   constexpr int points = 64, most_steps = 40;
   MatchedParameters found;
@@ -135,11 +134,9 @@ std::optional<SeamParameter> mapBetween(const Ribbon& of, const Ribbon& at) {
                                at.position.leftCols<3>().cwiseAbs().maxCoeff());
   const double weight = std::min(of.position.col(3).minCoeff(), at.position.col(3).minCoeff());
   if (!(weight > 0)) return std::nullopt;
-  const double rounding_mm =
-      16 * (of.degree() + at.degree() + 1) * machine_epsilon * size / weight;
-  const bool is_rational =
-      of.position.col(3).minCoeff() < of.position.col(3).maxCoeff() ||
-      at.position.col(3).minCoeff() < at.position.col(3).maxCoeff();
+  const double rounding_mm = 16 * (of.degree() + at.degree() + 1) * machine_epsilon * size / weight;
+  const bool is_rational = of.position.col(3).minCoeff() < of.position.col(3).maxCoeff() ||
+                           at.position.col(3).minCoeff() < at.position.col(3).maxCoeff();
   const std::optional<MatchedParameters> pairs =
       corresponding(of.position, at.position, rounding_mm);
   return pairs ? mapOf(*pairs, of.degree(), is_rational) : std::nullopt;
@@ -153,13 +150,13 @@ HomogeneousPoles composed(const HomogeneousPoles& part, const SeamParameter& map
   for (Eigen::Index i = 0; i < part.rows(); ++i) values.emplace_back(part.row(i));
   for (std::size_t left = values.size(); left > 1; --left) {
     for (std::size_t i = 0; i + 1 < left; ++i)
-      values[i] = rows::product<4>(keep, values[i]) + rows::product<4>(map.numerator, values[i + 1]);
+      values[i] =
+          rows::product<4>(keep, values[i]) + rows::product<4>(map.numerator, values[i + 1]);
     --degree;
   }
   const bool is_polynomial = rows::trimmed(map.denominator).size() == 1;
   Field<4> result = values.front();
-  for (; degree > 0 && !is_polynomial; --degree)
-    result = rows::product<4>(map.denominator, result);
+  for (; degree > 0 && !is_polynomial; --degree) result = rows::product<4>(map.denominator, result);
   return result;
 }
 
@@ -196,8 +193,11 @@ std::optional<CommonParameter> commonParameter(const Ribbon& a, const Ribbon& b)
     const double roundings = 2 * degree * static_cast<double>(map->numerator.size()) +
                              2 * degree * map->error / machine_epsilon;
     CommonParameter found{of_a ? changed : a, of_a ? b : changed, roundings, *map, of_a};
-    // Conditions hold powers of the weights.
-    if (!best || unevenness(found) < unevenness(*best)) best = std::move(found);
+    // Conditions hold powers of the weights. A polynomial may be near enough to an inverse of one.
+    const auto cost = [](const CommonParameter& pair) {
+      return std::pair(unevenness(pair), pair.map.numerator.size());
+    };
+    if (!best || cost(found) < cost(*best)) best = std::move(found);
   }
   return best;
 }
