@@ -37,7 +37,7 @@ struct CommonParameter {
 /// have the same parameter, or correspond in another way, such as two sides that were both made
 /// from a third by polynomials.
 ///   (2) A reparametrised side is recognised, and the map is the one used, up to rounding.
-/// Source: docs/theory/surfaces.md S1.7.
+/// Source: docs/theory/surfaces.md S1.8.
 std::optional<CommonParameter> commonParameter(const Ribbon& a, const Ribbon& b);
 
 }  // namespace seamwright
