@@ -212,10 +212,12 @@ TEST(MatchSides, AFaceThatEndsAtAKnotIsJudgedOnItsOwnSide) {
       // The row behind the knot stays: the tangent planes agree there.
       if (pole.X() > 6) sheet->SetPole(i, j, pole.Translated(gp_Vec(0, 0, 5)));
     }
+  SideMatchOptions options;
+  options.fairness = 100;
   for (const int order : {1, 2}) {
     const TopoDS_Shape model = compoundOf({faceOn(sheet, 0, knot, 0, 1), plate(0, 30, 0, 40)});
-    const SideMatchReport report =
-        matchSides(model, 1, {{.side = {{edgeNear(model, 1, {0, 20, 0})}}, .order = order}});
+    const SideMatchReport report = matchSides(
+        model, 1, {{.side = {{edgeNear(model, 1, {0, 20, 0})}}, .order = order}}, options);
     expectMatchedSides(report, model);
     expectJoins(
         face(report.shape, 1), [](double share) { return gp_Pnt2d(knot - 1e-9, share); }, plane_z,
