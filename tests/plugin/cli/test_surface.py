@@ -162,7 +162,11 @@ def test_what_falls_short_is_not_written(gap):
         ("blend", ["--start", RIGHT, "--end", LEFT, "--lateral", "7"], "gap_mm = 20"),
         ("blend", ["--start", RIGHT, "--end", LEFT, "--lateral", "Face1"], "'Face1'"),
         ("blend", ["--start", RIGHT, "--end", LEFT, "--lateral-order", "G3"], "--lateral-order"),
-        ("blend", ["--start", RIGHT, "--end", LEFT, "--lateral-order", "6=G1,G2"], "'G2' is neither"),
+        (
+            "blend",
+            ["--start", RIGHT, "--end", LEFT, "--lateral-order", "6=G1,G2"],
+            "'G2' is neither",
+        ),
         (
             "blend",
             ["--start", RIGHT, "--end", LEFT, "--lateral-faces", "1"],
