@@ -90,8 +90,7 @@ TEST(LateralSheet, Identity2KnotsAcrossChangeNothing) {
 /// All constructions, with what they do at the boundary that they change.
 TEST(LateralSheet, Identities3To6OneBoundaryMovesAndTheOtherStays) {
   std::mt19937_64 random(testSeed());
-  const BSplineSurface sheet =
-      elevated(withKnotsAcross(sheetOf(4, random), 5, clamped(5, inner)), SurfaceDirection::U);
+  const BSplineSurface sheet = withKnotsAcross(sheetOf(4, random), 5, clamped(5, inner));
   Eigen::MatrixXd poles = drawn(sheet.countV(), 3, random);
   poles.topRows(3).setZero();     // up to the second derivative
   poles.bottomRows(2).setZero();  // up to the first
