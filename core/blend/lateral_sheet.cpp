@@ -112,4 +112,13 @@ BSplineSurface turnedBoundary(const BSplineSurface& sheet, LateralSide side,
   });
 }
 
+BSplineSurface bentBoundary(const BSplineSurface& sheet, LateralSide side,
+                            const Eigen::MatrixXd& displacement) {
+  constexpr int degree = 5;
+  return withProduct(sheet, displacement, degree, [&](double u) {
+    const double from = side == LateralSide::First ? u : 1 - u;
+    return 0.5 * from * from * std::pow(1 - from, 3);
+  });
+}
+
 }  // namespace seamwright

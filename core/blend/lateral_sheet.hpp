@@ -57,4 +57,12 @@ BSplineSurface displacedBoundary(const BSplineSurface& sheet, LateralSide side,
 BSplineSurface turnedBoundary(const BSplineSurface& sheet, LateralSide side,
                               const Eigen::MatrixXd& displacement);
 
+/// Adds D(v) u^2 (1 - u)^3 / 2 to a sheet over [0, 1]^2, or D(v) (1 - u)^2 u^3 / 2 at the last
+/// boundary.
+///   (6) The second partial by u changes by D(v) at the boundary, which keeps points and first
+///       partials; the other boundary keeps points and partials up to the second. (4) holds too.
+/// \throws std::invalid_argument as displacedBoundary(), for a degree along below 5.
+BSplineSurface bentBoundary(const BSplineSurface& sheet, LateralSide side,
+                            const Eigen::MatrixXd& displacement);
+
 }  // namespace seamwright

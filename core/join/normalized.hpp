@@ -46,9 +46,11 @@ inline void requireUsable(const Ribbon& ribbon, const char* name) {
 struct NormalizedPair {
   Ribbon a, b;
   double length = 1;    ///< in mm, the unit of length of the ribbons
-  double rounding = 0;  ///< rounding of a pole in that unit: one eps of the original coordinates
+  double rounding = 0;  ///< of a pole in that unit
 
-  NormalizedPair(const Ribbon& given_a, const Ribbon& given_b) : a(given_a), b(given_b) {
+  /// \param roundings of a coefficient, in those of a double of the original coordinates
+  NormalizedPair(const Ribbon& given_a, const Ribbon& given_b, double roundings = 1)
+      : a(given_a), b(given_b) {
     requireUsable(a, "a");
     requireUsable(b, "b");
     const double weight = std::max(a.position.col(3).maxCoeff(), b.position.col(3).maxCoeff());
@@ -59,7 +61,7 @@ struct NormalizedPair {
     length = std::max(size(a), size(b));
     if (!(length > 0)) length = 1;
     forEachPart([&](HomogeneousPoles& part) { part.leftCols<3>() /= length; });
-    rounding = std::numeric_limits<double>::epsilon() * (1 + far / length);
+    rounding = roundings * std::numeric_limits<double>::epsilon() * (1 + far / length);
   }
 
  private:

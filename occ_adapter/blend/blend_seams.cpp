@@ -163,7 +163,7 @@ BlendLateralReport unmeasuredLateral(const ChosenLateral& chosen) {
   BlendLateralReport result;
   result.edges = chosen.edges;
   result.length_mm = chosen.curve->length_mm();
-  result.level = chosen.order == 0 ? Level::G0 : Level::G1;
+  result.level = static_cast<Level>(static_cast<int>(Level::G0) + chosen.order);
   for (const HoleEdge& edge : chosen.uses.edges)
     if (std::ranges::count(result.faces, edge.use.face) == 0) result.faces.push_back(edge.use.face);
   return result;

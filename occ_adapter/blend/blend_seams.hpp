@@ -31,8 +31,12 @@ struct ChosenLateral {
   std::shared_ptr<const SidePath> beside = nullptr;
   bool against = false;  ///< that path runs from the end to the start
 
-  /// The unit normal of the face beside at a share of the curve.
-  Eigen::Vector3d normalAt(double share) const;
+  /// The unit normal of the face beside at a share of the curve, and its curvature tensor.
+  Eigen::Vector3d normalAt(double share) const { return besideAt(share).normal; }
+  Eigen::Matrix3d curvatureAt(double share) const;
+
+ private:
+  SideSample besideAt(double share) const;
 };
 
 /// The sides and the lateral boundaries of a blend.

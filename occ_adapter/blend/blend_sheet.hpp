@@ -27,8 +27,10 @@ struct BlendLateral {
   LateralPace pace;
   double longer_mm = 0;                ///< than the straight line between its ends
   std::array<LineBend, 2> bends = {};  ///< at start and end
-  /// The face beside, for an order of 1: its unit normal at a share of the length.
+  /// The face beside at a share of the length: for an order of 1 and above its unit normal, for 2
+  /// its curvature tensor for that normal.
   std::function<Eigen::Vector3d(double share)> normal = nullptr;
+  std::function<Eigen::Matrix3d(double share)> curvature = nullptr;
 };
 
 /// (1 - u)^3 beside the boundary u = 0, u^3 beside u = 1.

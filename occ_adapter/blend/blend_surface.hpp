@@ -3,6 +3,7 @@
 
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,7 +38,9 @@ struct LateralChoice {
   /// The faces beside them, for edges that bound two faces; empty: the edges are free, or bound
   /// faces that do not matter.
   std::vector<int> faces = {};
-  int order = 0;  ///< 1: the blend is G1 to the faces beside
+  int order = 0;  ///< 0 to 2: how the blend joins the faces beside, G0 to G2
+  /// By an edge of a chain: the order of that boundary in place of the one above.
+  std::map<int, int> orders = {};
 };
 
 struct BlendSurfaceOptions {

@@ -17,6 +17,7 @@ namespace seamwright::occ {
 
 namespace {
 
+using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 std::string pointText(const Vector3d& point) {
@@ -30,6 +31,16 @@ Vector3d endOf(const EdgeChain& chain, int end) {
 
 SideSample sampleAt(const ChosenEnd& end, int corner) {
   return end.path->besidePoleAtShare(corner, corner == 0);
+}
+
+/// The second derivative of a path by the share at its end.
+Vector3d secondAt(const ChosenEnd& end, int corner) {
+  // One-sided differences, exact to the square of the step.
+  const double step = corner == 0 ? 1e-3 : -1e-3;
+  const auto derivative = [&](int steps) {
+    return end.path->besidePoleAtShare(corner + steps * step, corner == 0).derivative;
+  };
+  return (-3 * derivative(0) + 4 * derivative(1) - derivative(2)) / (2 * step);
 }
 
 /// The ends of both sides that a chain joins, and in which direction.
@@ -55,6 +66,19 @@ Corners nearestCorners(const EdgeChain& chain, const std::vector<ChosenEnd>& end
   return nearest;
 }
 
+/// The order of the boundary along these edges.
+int orderOf(const LateralChoice& choice, const std::vector<int>& edges) {
+  std::optional<int> order;
+  for (const auto& [edge, own] : choice.orders) {
+    if (std::ranges::count(edges, edge) == 0) continue;
+    if (order && *order != own)
+      throw std::invalid_argument(
+          fmt::format("lateral orders {} and {} for one boundary", *order, own));
+    order = own;
+  }
+  return order.value_or(choice.order);
+}
+
 /// The faces beside a chain that were chosen; of free edges their own.
 HoleSide edgesWithFaces(const TopoDS_Shape& model, const LateralChoice& choice,
                         const std::vector<int>& edges) {
@@ -71,7 +95,7 @@ HoleSide edgesWithFaces(const TopoDS_Shape& model, const LateralChoice& choice,
              });
     });
   };
-  if (choice.order == 0 && !std::ranges::any_of(edges, isNamed) &&
+  if (orderOf(choice, edges) == 0 && !std::ranges::any_of(edges, isNamed) &&
       !std::ranges::all_of(edges, isFree))
     return {};
   SideChoice side{.edges = edges, .faces = choice.faces, .name = "lateral"};
@@ -82,9 +106,15 @@ HoleSide edgesWithFaces(const TopoDS_Shape& model, const LateralChoice& choice,
 
 void requireChoice(const LateralChoice& choice, const std::vector<EdgeChain>& chains,
                    const std::vector<ChosenEnd>& ends) {
-  if (choice.order < 0 || choice.order > 1)
-    throw std::invalid_argument(
-        fmt::format("lateral order is {}: 0 and 1 are possible", choice.order));
+  std::vector<int> orders = {choice.order};
+  for (const auto& [edge, order] : choice.orders) {
+    if (std::ranges::count(choice.edges, edge) == 0)
+      throw std::invalid_argument(fmt::format("lateral order: edge {} is not in lateral", edge));
+    orders.push_back(order);
+  }
+  for (const int order : orders)
+    if (order < 0 || order > 2)
+      throw std::invalid_argument(fmt::format("lateral order is {}: 0 to 2 are possible", order));
   for (const int edge : choice.edges) {
     if (std::ranges::count(choice.edges, edge) > 1)
       throw std::invalid_argument(fmt::format("lateral: edge {} is given twice", edge));
@@ -111,8 +141,10 @@ ChosenLateral chosenLateral(const TopoDS_Shape& model, const BlendSurfaceOptions
         "it does not run from an end of the start to an end of the end: gap_mm = {:.3g} {}, {:.3g} "
         "is possible",
         corners.gap_mm, pointText(corners.at), options.tolerance.gap_mm));
-  ChosenLateral lateral{.order = options.lateral.order, .corners = corners.of_sides};
+  ChosenLateral lateral;
+  lateral.corners = corners.of_sides;
   for (const ChainedEdge& edge : chain.edges) lateral.edges.push_back(edge.edge.number);
+  lateral.order = orderOf(options.lateral, lateral.edges);
   lateral.uses = edgesWithFaces(model, options.lateral, lateral.edges);
   lateral.curve = std::make_shared<const LateralCurve>(chain, corners.backwards);
   if (!lateral.uses.edges.empty()) {
@@ -162,6 +194,28 @@ void requirePlaneBeside(const ChosenLateral& lateral, const ChosenEnd& end, int 
         "degrees) {}: G1 allows {:.3g}; G0 allows any",
         end.end.side.name, angle_rad, angle_rad / radians_per_degree, pointText(of_side.point),
         tolerance.angle_rad));
+}
+
+/// \throws std::invalid_argument where the side has another normal curvature than the face beside.
+void requireBendBeside(const ChosenLateral& lateral, const ChosenEnd& end, int k,
+                       const ContinuityTolerance& tolerance) {
+  if (lateral.order < 2) return;
+  const SideSample of_side = sampleAt(end, lateral.corners[k]);
+  const Vector3d tangent = of_side.derivative.normalized(), normal = lateral.normalAt(k);
+  const Matrix3d beside = lateral.curvatureAt(k);
+  const double k_side =
+                   secondAt(end, lateral.corners[k]).dot(normal) / of_side.derivative.squaredNorm(),
+               k_beside = tangent.dot(beside * tangent);
+  const CurvatureDifference curvature{.difference_per_mm = std::abs(k_side - k_beside),
+                                      .norm_a_per_mm = std::abs(k_side),
+                                      .norm_b_per_mm = std::max(beside.norm(), std::abs(k_beside))};
+  if (const double rel = relativeDifference(curvature, tolerance.flat_radius_mm);
+      !(rel <= tolerance.curvature_rel))
+    throw std::invalid_argument(fmt::format(
+        "the normal curvature of the {} is {:.3g}/mm, that of the face beside in its direction "
+        "{:.3g}/mm, {}: curvature_rel = {:.3g}, G2 allows {:.3g}; G1 allows any",
+        end.end.side.name, k_side, k_beside, pointText(of_side.point), rel,
+        tolerance.curvature_rel));
 }
 
 /// How a line that runs along the curve bends at a side.
@@ -237,8 +291,13 @@ std::vector<int> numbersOf(const EdgeChain& chain) {
 
 }  // namespace
 
-Vector3d ChosenLateral::normalAt(double share) const {
-  return beside->besidePoleAtShare(against ? 1 - share : share, (share < 1) != against).normal;
+SideSample ChosenLateral::besideAt(double share) const {
+  return beside->besidePoleAtShare(against ? 1 - share : share, (share < 1) != against);
+}
+
+Matrix3d ChosenLateral::curvatureAt(double share) const {
+  const SideSample sample = besideAt(share);
+  return curvatureTensor(sample.jet, sample.normal);
 }
 
 std::vector<ChosenLateral> chosenLaterals(const TopoDS_Shape& model,
@@ -246,7 +305,7 @@ std::vector<ChosenLateral> chosenLaterals(const TopoDS_Shape& model,
                                           const std::vector<ChosenEnd>& ends) {
   const LateralChoice& choice = options.lateral;
   if (choice.edges.empty()) {
-    if (choice.order != 0 || !choice.faces.empty())
+    if (choice.order != 0 || !choice.orders.empty() || !choice.faces.empty())
       throw std::invalid_argument("lateral faces or a lateral order need lateral edges");
     return {};
   }
@@ -259,6 +318,7 @@ std::vector<ChosenLateral> chosenLaterals(const TopoDS_Shape& model,
       for (const int k : {0, 1}) {
         requireTangent(lateral, ends[k], k, options.tolerance);
         requirePlaneBeside(lateral, ends[k], k, options.tolerance);
+        requireBendBeside(lateral, ends[k], k, options.tolerance);
       }
       return lateral;
     }));
@@ -300,6 +360,8 @@ std::vector<BlendLateral> lateralsOf(const std::vector<ChosenLateral>& laterals,
           named(chosen.edges, [&] { return bendOf(chosen, ends[k], at[k], k, tolerance); });
     if (chosen.order > 0)
       lateral.normal = [chosen](double share) { return chosen.normalAt(share); };
+    if (chosen.order > 1)
+      lateral.curvature = [chosen](double share) { return chosen.curvatureAt(share); };
     result.push_back(std::move(lateral));
   }
   return result;

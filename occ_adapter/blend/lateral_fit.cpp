@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 
+#include <seamwright/core/differential/fundamental_forms.hpp>
+#include <seamwright/core/seam/measure.hpp>
 #include <seamwright/occ_adapter/blend/lateral_fit.hpp>
 
 namespace seamwright::occ {
@@ -57,6 +59,15 @@ Vector3d beyondPlane(const BlendLateral& lateral, const BSplineSurface& sheet, d
   return jet(sheet, parameterOf(lateral.side), v).u.dot(normal) * normal;
 }
 
+/// What the second partial by u lacks for the curvature of the face beside. The first one lies in
+/// the tangent plane.
+Vector3d lackOfBend(const BlendLateral& lateral, const BSplineSurface& sheet, double v) {
+  const double share = lateral.pace.shareAt(v);
+  const Vector3d normal = lateral.normal(share);
+  const SurfaceJet there = jet(sheet, parameterOf(lateral.side), v);
+  return (there.u.dot(lateral.curvature(share) * there.u) - there.uu.dot(normal)) * normal;
+}
+
 BSplineSurface movedToLaterals(const BlendTask& task, const BSplineSurface& sheet) {
   BSplineSurface moved = sheet;
   for (const BlendLateral& lateral : task.laterals) {
@@ -71,7 +82,25 @@ BSplineSurface movedToLaterals(const BlendTask& task, const BSplineSurface& shee
       moved = turnedBoundary(moved, lateral.side, interpolated(task, moved, [&](double v) {
                                return Vector3d(-beyondPlane(lateral, moved, v));
                              }));
+  for (const BlendLateral& lateral : task.laterals)
+    if (lateral.curvature)
+      moved = bentBoundary(moved, lateral.side, interpolated(task, moved, [&](double v) {
+                             return lackOfBend(lateral, moved, v);
+                           }));
   return moved;
+}
+
+/// The relative difference of the curvature from that of the face beside.
+double bendBeside(const BlendTask& task, const BlendLateral& lateral, const SurfaceJet& there,
+                  double v) {
+  const double share = lateral.pace.shareAt(v);
+  Vector3d normal = there.u.cross(there.v).normalized();
+  if (normal.dot(lateral.normal(share)) < 0) normal = -normal;
+  const Eigen::Matrix3d own = curvatureTensor(there, normal), wanted = lateral.curvature(share);
+  const CurvatureDifference difference{.difference_per_mm = (own - wanted).norm(),
+                                       .norm_a_per_mm = own.norm(),
+                                       .norm_b_per_mm = wanted.norm()};
+  return relativeDifference(difference, task.tolerance.flat_radius_mm);
 }
 
 /// The largest figure at a point of a lateral boundary over its tolerance.
@@ -79,11 +108,13 @@ double excessBeside(const BlendTask& task, const BSplineSurface& sheet, const La
                     double v) {
   const BlendLateral& lateral = target.lateral();
   const SurfaceJet there = jet(sheet, parameterOf(lateral.side), v);
-  const double excess = (there.p - target.at(v)).norm() / task.tolerance.gap_mm;
+  double excess = (there.p - target.at(v)).norm() / task.tolerance.gap_mm;
   if (!lateral.normal) return excess;
   const Vector3d normal = there.u.cross(there.v), wanted = lateral.normal(lateral.pace.shareAt(v));
   const double angle_rad = std::atan2(normal.cross(wanted).norm(), std::abs(normal.dot(wanted)));
-  return std::max(excess, angle_rad / task.tolerance.angle_rad);
+  excess = std::max(excess, angle_rad / task.tolerance.angle_rad);
+  if (!lateral.curvature) return excess;
+  return std::max(excess, bendBeside(task, lateral, there, v) / task.tolerance.curvature_rel);
 }
 
 /// A span across in which a lateral boundary is beyond its share of the tolerance.

@@ -42,6 +42,12 @@ struct Place {
   bool face_on_left = true;
   MatchTarget target;
   int order = 1;
+
+  /// Points into the face, so that at a knot the polynomials of the face's side count.
+  Eigen::Vector2d into() const {
+    return face_on_left ? Eigen::Vector2d(-along[1], along[0])
+                        : Eigen::Vector2d(along[1], -along[0]);
+  }
 };
 
 /// Parameters of a piece at which a surface has to meet its targets: several in each of its knot
@@ -111,7 +117,7 @@ std::vector<Station> stationsOf(const std::vector<Place>& places,
   const PointRows poles = polesOf(surface);
   std::vector<Station> stations;
   for (const Place& place : places) {
-    const SurfaceJet jet = jetOf(basis.at(place.uv), poles);
+    const SurfaceJet jet = jetOf(basis.at(place.uv, place.into()), poles);
     Station station{place.uv, Eigen::Vector2d::Zero(), place.target, place.order};
     if (degeneracy(jet, noiseOf(jet, basis)) == Degeneracy::None)
       station.step = stepInto(basis, jet, place);
@@ -173,13 +179,14 @@ class Deformer {
           places.push_back(std::move(place));
       const std::size_t own = places.size();
       addHeld(*zone.surface, places);
-      const PoleMoves moved = movedPoles(zone, stationsOf(places, *zone.surface),
-                                         closingPoints(*zone.surface, std::max(1, largestOrder())));
+      std::vector<Station> stations = stationsOf(places, *zone.surface);
+      const PoleMoves moved =
+          movedPoles(zone, stations, closingPoints(*zone.surface, std::max(1, largestOrder())));
       made.after = moved.after;
       made.move_mm = moved.largest_mm;
       made.depth_mm = zone.depth_mm;
-      places.resize(own);
-      const std::vector<Eigen::Vector2d> missed = missedBy(*moved.after, places, limit, worst);
+      stations.resize(own);
+      const std::vector<Eigen::Vector2d> missed = missedBy(*moved.after, stations, limit, worst);
       if (missed.empty()) return made;
       if (refined == most_refinements || !maker.refine(missed)) break;
     }
@@ -207,17 +214,17 @@ class Deformer {
   }
 
   std::vector<Eigen::Vector2d> missedBy(const Geom_BSplineSurface& after,
-                                        const std::vector<Place>& places, double limit,
+                                        const std::vector<Station>& stations, double limit,
                                         double& worst) const {
     const SurfaceBasis basis(after);
     const PointRows poles = polesOf(after);
     std::vector<Eigen::Vector2d> missed;
     worst = 0;
-    for (const Place& place : places) {
-      const double share = shareOf(jetOf(basis.at(place.uv), poles), place.target, place.order,
-                                   join_.options.tolerance);
+    for (const Station& station : stations) {
+      const SurfaceJet jet = jetOf(basis.at(station.uv, station.step), poles);
+      const double share = shareOf(jet, station.target, station.order, join_.options.tolerance);
       worst = std::max(worst, share);
-      if (share > limit) missed.push_back(place.uv);
+      if (share > limit) missed.push_back(station.uv);
     }
     return missed;
   }

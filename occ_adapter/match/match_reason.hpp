@@ -26,7 +26,8 @@ enum class MatchFault {
   SidePartlyMet,    ///< a part of the side has no neighbour
   FaceLessFair,     ///< a moved face varies more than before
   // The common boundary.
-  FaceUnusable,  ///< a face or an edge of it has numbers that are not finite
+  FaceUnusable,   ///< a face or an edge of it has numbers that are not finite
+  FaceInstances,  ///< a face that should move, or an edge of it, stands in the model several times
   NoCommonBoundary,
   SideIsFree,       ///< no edge meets the side
   ClosedBoundary,   ///< a closed loop, or no longer than the gap tolerance

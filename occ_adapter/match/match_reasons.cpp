@@ -28,6 +28,7 @@ constexpr std::array match_codes = {"",
                                     "side_partly_met",
                                     "face_less_fair",
                                     "face_unusable",
+                                    "face_instances",
                                     "no_common_boundary",
                                     "side_is_free",
                                     "closed_boundary",
@@ -89,6 +90,8 @@ std::string remedyOf(MatchFault fault) {
       return "let the other face move, or rebuild the face so that it ends at the boundary";
     case FaceUnusable:
       return "replace the face";
+    case FaceInstances:
+      return "match the part alone, and place it again";
     case BoundaryFolds:
     case PathNotFitted:
       return "repair the edges in the program that made them";
@@ -272,6 +275,12 @@ MatchReason isLessFair(int face, const FaceMove& move) {
 
 MatchReason faceUnusable(int face, const std::string& fault) {
   return onFace(face, {.fault = MatchFault::FaceUnusable, .text = fault});
+}
+
+MatchReason faceInstances(int face, int count) {
+  return onFace(face, {.fault = MatchFault::FaceInstances,
+                       .text = fmt::format("or an edge of it stands in the model {} times", count),
+                       .numbers = {{"count", count}}});
 }
 
 MatchReason noCommonBoundary(double match_mm) {

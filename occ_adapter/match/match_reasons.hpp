@@ -56,6 +56,7 @@ MatchReason faceCouldMove(int face);
 /// The face has invalid numbers.
 /// \param fault what is wrong with its numbers, such as "has a surface with the number inf".
 MatchReason faceUnusable(int face, const std::string& fault);
+MatchReason faceInstances(int face, int count);
 /// No edge is shared, and no free edges are within match_mm.
 MatchReason noCommonBoundary(double match_mm);
 /// \param apart_mm distance of the faces.

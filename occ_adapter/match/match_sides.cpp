@@ -161,12 +161,31 @@ std::vector<int> moversOf(int face, const std::vector<SidePiece>& pieces, bool a
   return {movers.begin(), movers.end()};
 }
 
+/// The largest number of places in the model of a face, or of an edge of it.
+int placesOf(const TopoDS_Shape& model, int face) {
+  int most = 0;
+  for (const TopAbs_ShapeEnum kind : {TopAbs_FACE, TopAbs_EDGE}) {
+    const TopTools_IndexedMapOfShape all = partsOf(model, kind),
+                                     own = partsOf(partsOf(model, TopAbs_FACE)(face), kind);
+    for (int i = 1; i <= own.Extent(); ++i) {
+      int places = 0;
+      for (int k = 1; k <= all.Extent(); ++k)
+        if (all(k).IsPartner(own(i))) ++places;
+      most = std::max(most, places);
+    }
+  }
+  return most;
+}
+
 void match(const TopoDS_Shape& model, int face, const std::vector<SideMatch>& sides,
            const SideMatchOptions& options, const Progress& progress, SideMatchReport& report) {
   Found all = found(model, face, sides, options, partOf(progress, 0, 0.1));
   report.remarks = all.remarks;
   report.failures = all.failures;
   report.seams = all.seams;
+  for (const int mover : moversOf(face, all.pieces, options.average))
+    if (const int places = placesOf(model, mover); places > 1)
+      match_why::add(report.failures, match_why::faceInstances(mover, places));
   if (!report.failures.empty()) return;
   SideJoin join{model, face, {}, all.pieces, options};
   std::vector<MatchReason> converted;

@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <regex>
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
 #include <seamwright/plugin/cli/output.hpp>
 #include <seamwright/plugin/cli/progress_bar.hpp>
 #include <seamwright/plugin/cli/read_back.hpp>
 #include <seamwright/plugin/cli/surface_command.hpp>
 #include <seamwright/plugin/report/blend_surface_json.hpp>
+#include <sstream>
 
 namespace seamwright::cli {
 
 namespace {
 
-int orderOf(const SideArguments& side) {
-  return static_cast<int>(*levelFromName(side.order)) - static_cast<int>(Level::G0);
+int orderOf(const std::string& level) {
+  return static_cast<int>(*levelFromName(level)) - static_cast<int>(Level::G0);
 }
 
 occ::BlendEnd endOf(const SideArguments& side) {
   return {.side = {.edges = side.edges, .faces = side.faces},
-          .order = orderOf(side),
+          .order = orderOf(side.order),
           .tension = side.tension};
 }
 
@@ -42,7 +44,34 @@ void addOrder(CLI::App& command, const std::string& option, SideArguments& side,
       ->capture_default_str();
 }
 
-void addLateral(CLI::App& command, SideArguments& lateral) {
+/// A part of what --lateral-order is given: an edge of a boundary, and its order.
+const std::regex edge_and_order("(?:Edge)?([1-9][0-9]{0,8})=(G[0-2])");
+
+std::string checkLateralOrder(const std::string& text) {
+  static const std::regex one("G[0-2]");
+  if (std::regex_match(text, one)) return "";
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ',');)
+    if (!std::regex_match(part, edge_and_order))
+      return "'" + part + "' is neither G0, G1 or G2 nor EDGE=ORDER";
+  return "";
+}
+
+occ::LateralChoice lateralOf(const BlendSurfaceArguments& arguments) {
+  occ::LateralChoice lateral{.edges = arguments.lateral.edges, .faces = arguments.lateral.faces};
+  const std::string& order = arguments.lateral_order;
+  if (order.find('=') == std::string::npos) {
+    lateral.order = orderOf(order);
+    return lateral;
+  }
+  for (std::sregex_iterator part(order.begin(), order.end(), edge_and_order), end; part != end;
+       ++part)
+    lateral.orders[std::stoi((*part)[1])] = orderOf((*part)[2]);
+  return lateral;
+}
+
+void addLateral(CLI::App& command, BlendSurfaceArguments& arguments) {
+  SideArguments& lateral = arguments.lateral;
   addList(
       command, "--lateral", lateral.edges,
       "Edges that the lateral boundaries run along: one or two chains, from an end of the start "
@@ -53,9 +82,11 @@ void addLateral(CLI::App& command, SideArguments& lateral) {
           "The faces beside lateral boundaries, for edges that bound two faces", numberOf("Face"))
       ->type_name("N[,N...]");
   command
-      .add_option("--lateral-order", lateral.order,
-                  "How the surface joins the faces beside lateral boundaries")
-      ->check(CLI::IsMember({"G0", "G1"}))
+      .add_option("--lateral-order", arguments.lateral_order,
+                  "How the surface joins the faces beside lateral boundaries: G0, G1 or G2, or "
+                  "of each boundary by one of its edges, as 8=G1,20=G2")
+      ->type_name("ORDER|EDGE=ORDER[,EDGE=ORDER]")
+      ->check(CLI::Validator(&checkLateralOrder, ""))
       ->capture_default_str();
 }
 
@@ -123,7 +154,7 @@ void addBlendSurfaceOptions(CLI::App& command, BlendSurfaceArguments& arguments)
   command.add_flag("--flip", arguments.flip,
                    "The end runs in the other direction than that in which the surface is less "
                    "twisted");
-  addLateral(command, arguments.lateral);
+  addLateral(command, arguments);
   addCommonOptions(command, arguments.surface);
 }
 
@@ -149,9 +180,7 @@ int runBlendSurface(const BlendSurfaceArguments& arguments) {
                  const occ::Progress& progress) {
                occ::BlendSurfaceOptions chosen = options;
                chosen.flip = arguments.flip;
-               chosen.lateral = {.edges = arguments.lateral.edges,
-                                 .faces = arguments.lateral.faces,
-                                 .order = orderOf(arguments.lateral)};
+               chosen.lateral = lateralOf(arguments);
                return occ::blendSurface(model.shape, endOf(arguments.start), endOf(arguments.end),
                                         chosen, progress);
              });

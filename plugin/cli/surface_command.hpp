@@ -28,7 +28,8 @@ struct SurfaceArguments {
 struct BlendSurfaceArguments {
   SurfaceArguments surface;
   SideArguments start, end;
-  SideArguments lateral = {.edges = {}, .faces = {}, .order = "G0"};
+  SideArguments lateral;             ///< its order is not used
+  std::string lateral_order = "G0";  ///< of both boundaries, or EDGE=ORDER[,EDGE=ORDER]
   bool flip = false;
 };
 

@@ -48,6 +48,21 @@ occ::BlendEnd endOf(const std::string& name, const EndArguments& given) {
           .order = orderOf((name + "_order").c_str(), given.order)};
 }
 
+/// \param order of both lateral boundaries, or a dict of orders by an edge of each.
+occ::LateralChoice lateralOf(const py::object& edges, const py::object& faces,
+                             const py::object& order) {
+  occ::LateralChoice lateral{.edges = numbersOrOne("lateral", edges),
+                             .faces = numbersOrOne("lateral_faces", faces)};
+  if (!py::isinstance<py::dict>(order)) {
+    lateral.order = orderOf("lateral_order", order);
+    return lateral;
+  }
+  for (const auto& [edge, own] : order.cast<py::dict>())
+    lateral.orders[wholeNumber("lateral_order", py::reinterpret_borrow<py::object>(edge))] =
+        orderOf("lateral_order", py::reinterpret_borrow<py::object>(own));
+  return lateral;
+}
+
 BlendedSurface withModel(occ::BlendSurfaceReport report, const ContinuityTolerance& tolerance) {
   BlendedSurface result{std::move(report), {}, tolerance};
   result.model = occ::modelFromShape(result.report.shape);
@@ -70,9 +85,7 @@ BlendedSurface blendSurface(const occ::Model& model, const py::object& start, co
   second.tension = numberOf("end_tension", end_tension);
   occ::BlendSurfaceOptions options;
   options.flip = flagOf("flip", flip);
-  options.lateral = {.edges = numbersOrOne("lateral", lateral),
-                     .faces = numbersOrOne("lateral_faces", lateral_faces),
-                     .order = orderOf("lateral_order", lateral_order)};
+  options.lateral = lateralOf(lateral, lateral_faces, lateral_order);
   options.tolerance =
       toleranceOf({profile, gap_mm, angle_deg, curvature_rel, flat_radius_mm, crease_deg});
   return longCall(progress, [&](const occ::Progress& report) {
@@ -221,8 +234,9 @@ end_faces name the faces to continue. start_order, end_order: 'G0' to 'G3', how 
 each side. start_tension, end_tension: how far the surface keeps its direction, as multiples of the
 distance between the sides. flip: the end runs in the other direction than that in which the
 surface is less twisted. lateral: the edges of one or two chains, from an end of start to an end of
-end, along which the lateral boundaries run. lateral_order: 'G0', or 'G1' to the faces beside them,
-which lateral_faces names for edges that bound two faces. Tolerances and progress as in analyze().
+end, along which the lateral boundaries run. lateral_order: 'G0', or 'G1' or 'G2' to the faces
+beside them, which lateral_faces names for edges that bound two faces; a dict {edge: order} gives
+each boundary its own, by one of its edges. Tolerances and progress as in analyze().
 ValueError for bad arguments, with name and value. The model is not changed.)";
 
 constexpr const char* extend_surface_doc =

@@ -235,6 +235,16 @@ py::dict connectionDict(const ConnectionFunctions& connection) {
   return dict;
 }
 
+/// None, or the map of the parameter of side "a" or "b".
+py::object parameterDict(const std::optional<SeamParameter>& parameter, bool of_a) {
+  if (!parameter) return py::none();
+  py::dict dict;
+  dict["of"] = of_a ? "a" : "b";
+  dict["numerator"] = parameter->numerator;
+  dict["denominator"] = parameter->denominator;
+  return dict;
+}
+
 struct RibbonPair {
   Ribbon a, b;
 };
@@ -274,6 +284,7 @@ py::object joinConditionOf(const py::object& a, const py::object& edge_a, const 
   dict["curvature_change"] = condition.curvature_change
                                  ? py::object(residualDict(*condition.curvature_change))
                                  : py::none();
+  dict["parameter"] = parameterDict(condition.parameter, condition.parameter_of_a);
   return resultOf("JoinCondition", dict);
 }
 
@@ -301,6 +312,7 @@ py::object fitConnectionOf(const py::object& a, const py::object& edge_a, const 
   dict["noise"] = fit.noise;
   dict["condition"] = fit.condition;
   dict["note"] = fit.note;
+  dict["parameter"] = parameterDict(fit.parameter, fit.parameter_of_a);
   return resultOf("ConnectionFit", dict);
 }
 

@@ -87,8 +87,8 @@ TEST(LateralSheet, Identity2KnotsAcrossChangeNothing) {
   }
 }
 
-/// Both constructions, with what they do at the boundary that they change.
-TEST(LateralSheet, Identities3To5OneBoundaryMovesAndTheOtherStays) {
+/// All constructions, with what they do at the boundary that they change.
+TEST(LateralSheet, Identities3To6OneBoundaryMovesAndTheOtherStays) {
   std::mt19937_64 random(testSeed());
   const BSplineSurface sheet = withKnotsAcross(sheetOf(4, random), 5, clamped(5, inner));
   Eigen::MatrixXd poles = drawn(sheet.countV(), 3, random);
@@ -97,7 +97,8 @@ TEST(LateralSheet, Identities3To5OneBoundaryMovesAndTheOtherStays) {
   for (const LateralSide side : {LateralSide::First, LateralSide::Last}) {
     const double here = side == LateralSide::First ? 0 : 1;
     const BSplineSurface displaced = displacedBoundary(sheet, side, poles),
-                         turned = turnedBoundary(sheet, side, poles);
+                         turned = turnedBoundary(sheet, side, poles),
+                         bent = bentBoundary(sheet, side, poles);
     for (int i = 0; i <= 20; ++i) {
       const double v = i / 20.0;
       const Eigen::Vector3d moved = across(5, sheet.knots_v, poles, v, 0).row(0).transpose();
@@ -105,7 +106,10 @@ TEST(LateralSheet, Identities3To5OneBoundaryMovesAndTheOtherStays) {
       EXPECT_LT((jet(displaced, here, v).p - before.p - moved).norm(), 1e-12);
       EXPECT_LT((jet(turned, here, v).p - before.p).norm(), 1e-12);
       EXPECT_LT((jet(turned, here, v).u - before.u - moved).norm(), 1e-10);
-      for (const BSplineSurface& changed : {displaced, turned}) {
+      EXPECT_LT((jet(bent, here, v).p - before.p).norm(), 1e-12);
+      EXPECT_LT((jet(bent, here, v).u - before.u).norm(), 1e-10);
+      EXPECT_LT((jet(bent, here, v).uu - before.uu - moved).norm(), 1e-8);
+      for (const BSplineSurface& changed : {displaced, turned, bent}) {
         EXPECT_LT(difference(jet(changed, 1 - here, v), jet(sheet, 1 - here, v)), 1e-10);
         // (4) at the ends across, by u everywhere.
         EXPECT_LT(difference(jet(changed, v, 0), jet(sheet, v, 0)), 1e-10);

@@ -19,10 +19,12 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <gp_Elips.hxx>
 #include <gp_Pln.hxx>
+#include <map>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -263,6 +265,47 @@ TEST(LateralBlend, AHoleOfASphereIsClosedSmoothlyOnAllSides) {
     }
 }
 
+/// Largest relative difference of the curvature tensor at a boundary from that of a sphere.
+double fromSphere(const BSplineSurface& surface, double u, double radius) {
+  double largest = 0;
+  for (int i = 0; i <= 200; ++i) {
+    const SurfaceJet there = jet(surface, u, i / 200.0);
+    const Eigen::Vector3d out = there.p.normalized(), a = there.u,
+                          b = there.v - there.v.dot(a) / a.squaredNorm() * a;
+    // The second fundamental form of unit vectors along u and at right angles to it.
+    const double share = there.v.dot(a) / a.squaredNorm();
+    const double aa = there.uu.dot(out) / a.squaredNorm(),
+                 ab = (there.uv - share * there.uu).dot(out) / a.norm() / b.norm(),
+                 bb = (there.vv - 2 * share * there.uv + share * share * there.uu).dot(out) /
+                      b.squaredNorm();
+    for (const double difference : {aa + 1 / radius, ab, bb + 1 / radius})
+      largest = std::max(largest, radius * std::abs(difference));
+  }
+  return largest;
+}
+
+TEST(LateralBlend, EachBoundaryHasItsOwnOrderUpToCurvature) {
+  const Gap gap = sphereHole();
+  for (int m = 1; m <= 3; ++m)
+    for (const std::array<int, 2>& orders :
+         {std::array{2, 2}, std::array{0, 2}, std::array{2, 1}}) {
+      BlendSurfaceOptions options = strictly();
+      for (const int k : {0, 1}) options.lateral.orders[gap.lateral[k]] = orders[k];
+      const BlendSurfaceReport blend = blended(gap, m, 2, options);
+      EXPECT_TRUE(blend.reached) << m << orders[0] << orders[1] << ": " << figuresOf(blend);
+      EXPECT_LT(farthest(blend, gap.curves, {0, 1}), 1e-4);
+      ASSERT_EQ(blend.laterals.size(), 2U);
+      for (const double u : {0.0, 1.0}) {
+        const occ::BlendLateralReport& lateral = blend.laterals[u < 0.5 ? 0 : 1];
+        const int order = orders[lateral.edges[0] == gap.lateral[0] ? 0 : 1];
+        EXPECT_EQ(lateral.level, static_cast<Level>(static_cast<int>(Level::G0) + order));
+        if (order == 2) {
+          EXPECT_LT(fromSphere(blend.surface, u, 50), 3e-3);
+        }
+      }
+    }
+}
+
 /// Two planes beside z = c x y (30 - y), x <= 0, whose tangent plane is theirs at the corners. But
 /// its twist there is 30 c, that of the planes 0.
 Gap twistedBeside(double c) {
@@ -415,8 +458,17 @@ TEST(LateralBlend, BadChoicesAreRefused) {
               refused("lateral: edge " + std::to_string(one) + " is given twice"));
   EXPECT_THAT(with({gap.start}), refused("is in start and in lateral"));
   EXPECT_THAT(with({999}), refused("999"));
-  EXPECT_THAT(with({one}, 2), refused("lateral order is 2"));
+  EXPECT_THAT(with({one}, 3), refused("lateral order is 3: 0 to 2 are possible"));
   EXPECT_THAT(with({one}, 1), refused("bounds no face"));
+  const Gap hole = sphereHole();
+  const auto with_orders = [&](const std::map<int, int>& orders) {
+    BlendSurfaceOptions options = strictly();
+    options.lateral.orders = orders;
+    return [=, &hole] { blended(hole, 1, 1, options); };
+  };
+  EXPECT_THAT(with_orders({{hole.lateral[0], 3}}), refused("lateral order is 3"));
+  EXPECT_THAT(with_orders({{hole.start, 1}}),
+              refused("lateral order: edge " + std::to_string(hole.start) + " is not in lateral"));
   EXPECT_THAT(with({}, 1), refused("need lateral edges"));
   EXPECT_THAT(with({}, 0, 1, false, {1}), refused("need lateral edges"));
   EXPECT_THAT(with({one}, 0, 1, false, {2}), refused("face 2 is beside none of the edges"));

@@ -200,6 +200,31 @@ TEST(MatchSides, AChainOfPlanesInClosedForm) {
   }
 }
 
+/// A face that ends at a knot of its surface, beyond which the curvature is another one.
+TEST(MatchSides, AFaceThatEndsAtAKnotIsJudgedOnItsOwnSide) {
+  constexpr double knot = 0.5;
+  const Spline sheet = mapped(
+      [](double s, double t) { return gp_Pnt(60 * s - 30, 40 * t, 0.02 * (60 * s - 30)); }, 7);
+  sheet->InsertUKnot(knot, 3, 1e-9);
+  for (int i = 1; i <= sheet->NbUPoles(); ++i)
+    for (int j = 1; j <= sheet->NbVPoles(); ++j) {
+      const gp_Pnt pole = sheet->Pole(i, j);
+      // The row behind the knot stays: the tangent planes agree there.
+      if (pole.X() > 6) sheet->SetPole(i, j, pole.Translated(gp_Vec(0, 0, 5)));
+    }
+  SideMatchOptions options;
+  options.fairness = 100;
+  for (const int order : {1, 2}) {
+    const TopoDS_Shape model = compoundOf({faceOn(sheet, 0, knot, 0, 1), plate(0, 30, 0, 40)});
+    const SideMatchReport report = matchSides(
+        model, 1, {{.side = {{edgeNear(model, 1, {0, 20, 0})}}, .order = order}}, options);
+    expectMatchedSides(report, model);
+    expectJoins(
+        face(report.shape, 1), [](double share) { return gp_Pnt2d(knot - 1e-9, share); }, plane_z,
+        order);
+  }
+}
+
 /// Two faces of a surface of revolution about the x axis, up to x = 0, and a spline behind them.
 TEST(MatchSides, ChainsOfACylinderAndOfASphereInClosedForm) {
   std::mt19937 generator(testSeed());
@@ -441,6 +466,21 @@ TEST(MatchSides, APlaneIsConvertedOnlyIfAllowed) {
   const SideMatchReport report = matchSides(model, 1, {side}, options);
   expectMatchedSides(report, model);
   EXPECT_NE(report.text().find("became a spline"), std::string::npos) << report.text();
+}
+
+TEST(MatchSides, AFaceOfAPartWithTwoInstancesIsRefusedWithARemedy) {
+  std::mt19937 generator(testSeed());
+  const TopoDS_Shape part = besidePlates(risingSheet(generator, 0.03, 0), {0, 40});
+  gp_Trsf away;
+  away.SetTranslation(gp_Vec(0, 0, 200));
+  const TopoDS_Shape model = compoundOf({part, part.Moved(TopLoc_Location(away))});
+  const SideMatchReport report =
+      matchSides(model, 1, {{.side = {{edgeNear(model, 1, {0, 20, 0})}}}});
+  EXPECT_FALSE(report.matched);
+  EXPECT_EQ(report.code(), "face_instances");
+  EXPECT_EQ(report.remedy(), "match the part alone, and place it again");
+  EXPECT_TRUE(report.shape.IsSame(model));
+  EXPECT_TRUE(matchSides(part, 1, {{.side = {{edgeNear(part, 1, {0, 20, 0})}}}}).matched);
 }
 
 TEST(MatchSides, BadArgumentsAreNamed) {

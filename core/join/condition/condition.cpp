@@ -358,27 +358,10 @@ void judgeParametric(const PointDerivatives& a, const PointDerivatives& b, doubl
   }
 }
 
-}  // namespace
-
-std::string_view name(JoinVerdict verdict) {
-  switch (verdict) {
-    case JoinVerdict::G1:
-      return "G1";
-    case JoinVerdict::Fold:
-      return "fold";
-    case JoinVerdict::NotG1:
-      return "not G1";
-    case JoinVerdict::Singular:
-      return "singular";
-  }
-  return "";
-}
-
-JoinCondition joinCondition(const Ribbon& a, const Ribbon& b, const JoinConditionOptions& options) {
-  requireTolerance(options.tolerance);
-  std::optional<ConnectionFunctions> connection = options.connection;
-  if (connection) connection = checked(*connection);
-  const NormalizedPair pair(a, b);
+/// Over the same t.
+JoinCondition judged(const Ribbon& a, const Ribbon& b, const JoinConditionOptions& options,
+                     double roundings = 1) {
+  const NormalizedPair pair(a, b, roundings);
   const PointDerivatives of_a = pointDerivativesOf(pair.a, pair.rounding),
                          of_b = pointDerivativesOf(pair.b, pair.rounding);
   JoinCondition result;
@@ -397,13 +380,44 @@ JoinCondition joinCondition(const Ribbon& a, const Ribbon& b, const JoinConditio
   result.verdict = sense > 0 ? JoinVerdict::G1 : JoinVerdict::Fold;
   if (result.verdict != JoinVerdict::G1) return result;
   const Reparametrisation of_b_to_a =
-      connection ? reparametrisation(of_a, of_b, *connection, pair.length)
-                 : reparametrisation(of_a, of_b, planes.normal(), pair.length);
+      options.connection ? reparametrisation(of_a, of_b, *options.connection, pair.length)
+                         : reparametrisation(of_a, of_b, planes.normal(), pair.length);
   result.curvature = curvatureCondition(of_a, of_b, planes.normal(), of_b_to_a, options.tolerance);
   if (result.g2() && changeCanBeJudged(pair, of_a, of_b))
     result.curvature_change =
         curvatureChangeCondition(of_a, of_b, planes.normal(), of_b_to_a, options.tolerance);
   return result;
+}
+
+}  // namespace
+
+std::string_view name(JoinVerdict verdict) {
+  switch (verdict) {
+    case JoinVerdict::G1:
+      return "G1";
+    case JoinVerdict::Fold:
+      return "fold";
+    case JoinVerdict::NotG1:
+      return "not G1";
+    case JoinVerdict::Singular:
+      return "singular";
+  }
+  return "";
+}
+
+JoinCondition joinCondition(const Ribbon& a, const Ribbon& b, const JoinConditionOptions& options) {
+  requireTolerance(options.tolerance);
+  JoinConditionOptions checked_options = options;
+  if (options.connection) checked_options.connection = checked(*options.connection);
+  JoinCondition same = judged(a, b, checked_options);
+  if (same.position.holds || options.connection) return same;
+  const std::optional<CommonParameter> common = commonParameter(a, b);
+  if (!common) return same;
+  JoinCondition moved = judged(common->a, common->b, checked_options, common->roundings);
+  moved.parameter = common->map;
+  moved.parameter_of_a = common->of_a;
+  moved.parametric_order = -1;
+  return moved;
 }
 
 }  // namespace seamwright

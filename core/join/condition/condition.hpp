@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <optional>
 #include <seamwright/core/join/condition/connection.hpp>
+#include <seamwright/core/join/condition/seam_parameter.hpp>
 #include <seamwright/core/join/ribbon.hpp>
 #include <string_view>
 
@@ -36,7 +37,12 @@ enum class JoinVerdict {
 std::string_view name(JoinVerdict verdict);
 
 struct JoinCondition {
-  JoinResidual position;  ///< Q - P, in mm (rational: by both weights)
+  /// Where the sides run along the seam at different speeds: the parameter of one side at which it
+  /// meets the other. All other members are those of this side over the other's parameter, but
+  /// parametric_order, which is -1.
+  std::optional<SeamParameter> parameter = std::nullopt;
+  bool parameter_of_a = true;  ///< the map is the parameter of a; otherwise that of b
+  JoinResidual position;       ///< Q - P, in mm (rational: by both weights)
   /// Bound, up to rounding, of the distance of the two sides' points at the same t.
   double gap_bound_mm = 0;
   /// Parametric: Q_s - P_s and Q_ss - P_ss, of points, not homogeneous.
@@ -63,7 +69,7 @@ struct JoinConditionOptions {
   std::optional<ConnectionFunctions> connection = std::nullopt;
 };
 
-/// Judges the join of two ribbons over the same t. Ribbon a runs out of its patch, ribbon b into
+/// Judges the join of two ribbons. Ribbon a runs out of its patch, ribbon b into
 /// its own. The judgement uses polynomials that vanish iff the join holds, and no samples. Any pair
 /// of patches and triangles is allowed, polynomial or rational.
 ///
@@ -87,6 +93,9 @@ struct JoinConditionOptions {
 /// Its degree is 19 times that of the sides, 42 times if they are rational; it is not judged above
 /// a degree of 800.
 ///
+/// Sides that do not meet at the same t are judged in the common parameter that commonParameter()
+/// finds, if it finds one and no connection is given.
+///
 /// The angle is that of P_s x P_t and Q_s x Q_t, each side with its own seam.
 ///
 /// Identities (each has a test of its number):
@@ -98,6 +107,8 @@ struct JoinConditionOptions {
 ///       rounding.
 ///   (4) angle_bound_rad is at least the angle of the tangent planes at every t, even if the seams
 ///       differ.
+///   (5) The verdict of sides that join does not change if a linear-rational map or a polynomial
+///       replaces the parameter of one side.
 ///
 /// \throws std::invalid_argument for a ribbon with a part that is empty or not finite, a degree
 /// above 30, or weights that are not positive; for a tolerance that is negative or not finite; and

@@ -93,8 +93,9 @@ bool isPolynomial(const Ribbon& ribbon) {
 /// The steps of the fit. Each step needs the previous ones.
 class Recognition {
  public:
-  Recognition(const Ribbon& a, const Ribbon& b, const ConnectionFitOptions& options)
-      : pair_(a, b),
+  Recognition(const Ribbon& a, const Ribbon& b, const ConnectionFitOptions& options,
+              double roundings = 1)
+      : pair_(a, b, roundings),
         options_(options),
         polynomial_(isPolynomial(a) && isPolynomial(b)),
         P_t_(rows::derivative<4>(pair_.a.position)) {
@@ -290,7 +291,14 @@ ConnectionFit fitConnection(const Ribbon& a, const Ribbon& b, const ConnectionFi
   requireConnectionDegree("q", options.q_degree);
   requireConnectionDegree("h", options.h_degree);
   requireConnectionDegree("k", options.k_degree);
-  return Recognition(a, b, options).run();
+  ConnectionFit same = Recognition(a, b, options).run();
+  if (same.found) return same;
+  const std::optional<CommonParameter> common = commonParameter(a, b);
+  if (!common) return same;
+  ConnectionFit moved = Recognition(common->a, common->b, options, common->roundings).run();
+  moved.parameter = common->map;
+  moved.parameter_of_a = common->of_a;
+  return moved;
 }
 
 }  // namespace seamwright

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <seamwright/core/join/condition/seam_parameter.hpp>
 #include <seamwright/core/join/connection_functions.hpp>
 #include <seamwright/core/join/ribbon.hpp>
 #include <string>
@@ -23,6 +24,10 @@ struct ConnectionFitOptions {
 
 /// The connection functions of two ribbons, and how well they fit.
 struct ConnectionFit {
+  /// Where the sides run along the seam at different speeds: see JoinCondition. The functions are
+  /// those of the sides over the common parameter.
+  std::optional<SeamParameter> parameter = std::nullopt;
+  bool parameter_of_a = true;
   bool found = false;  ///< all residuals are within the tolerance, and alpha is positive on [0, 1]
   /// The best of the degrees tried, with gamma = 1; functions of a higher order are 0.
   ConnectionFunctions connection;
@@ -34,7 +39,8 @@ struct ConnectionFit {
   std::string note;  ///< the reason if nothing is found
 };
 
-/// Finds the connection functions of two ribbons over the same t. Ribbon a runs out of its patch,
+/// Finds the connection functions of two ribbons, over the same t or over the common parameter that
+/// commonParameter() finds. Ribbon a runs out of its patch,
 /// ribbon b into its own. The method is linear least squares in Bernstein coefficients: first e0
 /// from Q = e0 P, then alpha and beta (rational: also e1) from Q_s, then p and q (rational: also
 /// e2) from Q_ss, then h and k (rational: also e3) from Q_sss.

@@ -1447,7 +1447,7 @@ class Model:
         flip: Flag = False,
         lateral: Union[Whole, Sequence[Whole]] = (),
         lateral_faces: Union[Whole, Sequence[Whole]] = (),
-        lateral_order: str = "G0",
+        lateral_order: str | dict[int, str] = "G0",
         profile: str = "default",
         gap_mm: Optional[Number] = None,
         angle_deg: Optional[Number] = None,

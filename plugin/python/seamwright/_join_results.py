@@ -101,6 +101,8 @@ class JoinCondition(Result):
     singular_at       0..1, where a side has no tangent plane; or None
     position, first, second, tangent_plane, curvature, curvature_change
                       JoinResiduals; None: not judged
+    parameter         None, or of sides that run along the seam at different speeds the map of
+                      one parameter: a dict of "of" ("a" or "b"), "numerator", "denominator"
     """
 
     _kinds = {
@@ -125,6 +127,7 @@ class JoinCondition(Result):
     tangent_plane: Optional[JoinResidual]
     curvature: Optional[JoinResidual]
     curvature_change: Optional[JoinResidual]
+    parameter: Optional[dict]
 
 
 class ConnectionFit(Result):
@@ -136,6 +139,7 @@ class ConnectionFit(Result):
     noise       what rounding makes of 0
     condition   of the equations
     note        why it is not found, or ""
+    parameter   None, or the map of one parameter as in JoinCondition
     """
 
     _kinds = {"connection": Connection}
@@ -146,6 +150,7 @@ class ConnectionFit(Result):
     noise: float
     condition: float
     note: str
+    parameter: Optional[dict]
 
 
 # Splines

@@ -103,7 +103,7 @@ def across_the_hole(hole, *options):
     )
 
 
-@pytest.mark.parametrize("order", ["G0", "G1"])
+@pytest.mark.parametrize("order", ["G0", "G1", "G2"])
 def test_lateral_boundaries_run_along_edges(hole, order):
     result, report, written = across_the_hole(hole, "--lateral-order", order)
     assert result.returncode == 0, result.stdout + result.stderr
@@ -161,7 +161,12 @@ def test_what_falls_short_is_not_written(gap):
         ("blend", ["--start", RIGHT, "--end", RIGHT], "edge 6 is in start and in end"),
         ("blend", ["--start", RIGHT, "--end", LEFT, "--lateral", "7"], "gap_mm = 20"),
         ("blend", ["--start", RIGHT, "--end", LEFT, "--lateral", "Face1"], "'Face1'"),
-        ("blend", ["--start", RIGHT, "--end", LEFT, "--lateral-order", "G2"], "--lateral-order"),
+        ("blend", ["--start", RIGHT, "--end", LEFT, "--lateral-order", "G3"], "--lateral-order"),
+        (
+            "blend",
+            ["--start", RIGHT, "--end", LEFT, "--lateral-order", "6=G1,G2"],
+            "'G2' is neither",
+        ),
         (
             "blend",
             ["--start", RIGHT, "--end", LEFT, "--lateral-faces", "1"],

@@ -114,7 +114,7 @@ def hole():
     return model, [edge_of(0, 20), edge_of(0, 40), edge_of(1, 20), edge_of(1, 40)]
 
 
-@pytest.mark.parametrize("order", ["G0", "G1"])
+@pytest.mark.parametrize("order", ["G0", "G1", "G2"])
 def test_lateral_boundaries_run_along_edges(hole, order):
     model, (start, end, *lateral) = hole
     result = model.blend_surface(start, end, lateral=lateral, lateral_order=order, angle_deg=1e-2)
@@ -132,6 +132,18 @@ def test_lateral_boundaries_run_along_edges(hole, order):
             assert min(abs(y - 20), abs(y - 40)) < 1e-3 and abs(z - height(x, y)) < 1e-3
     free = model.blend_surface(start, end)
     assert free.laterals == [] and len(free.seams) == 2
+
+
+def test_each_lateral_boundary_has_its_own_order(hole):
+    model, (start, end, first, second) = hole
+    result = model.blend_surface(
+        start, end, lateral=[first, second], lateral_order={second: "G2"}, angle_deg=1e-2
+    )
+    assert result.reached
+    targets = {boundary["edges"][0]: boundary["target"] for boundary in result.laterals}
+    assert targets == {first: "G0", second: "G2"}
+    levels = {seam.edges[0]: seam.level for seam in result.seams}
+    assert levels[second] >= "G2"
 
 
 def test_sides_with_a_common_vertex_are_refused(hole):
@@ -184,7 +196,10 @@ def test_a_face_is_named_where_an_edge_has_two(tmp_path):
         ({"lateral": 99}, "99"),
         ({"lateral": "1"}, "lateral is '1'"),
         ({"lateral_order": "G1"}, "need lateral edges"),
-        ({"lateral_order": "G2"}, "lateral order is 2|need lateral edges"),
+        ({"lateral_order": {3: "G2"}}, "need lateral edges"),
+        ({"lateral_order": {3: 2}}, "lateral_order is 2"),
+        ({"lateral": 3, "lateral_order": {4: "G1"}}, "lateral order: edge 4 is not in lateral"),
+        ({"lateral": 3, "lateral_order": {3: "G3"}}, "lateral order is 3: 0 to 2"),
         ({"gap_mm": -1}, "gap tolerance is -1 mm"),
     ],
 )

@@ -50,7 +50,7 @@ class BlendSurface(Surface):
                "twisted; lateral boundaries say the direction"),
         Option("LateralOrder", "lateral_order", CHOICE, "G0", "Lateral boundaries join",
                "The continuity with the faces beside the lateral boundaries",
-               choices=ORDERS[:2]),
+               choices=ORDERS[:3]),
         *TOLERANCES,
     )  # fmt: skip
     INPUTS = (*(entry[0] for entry in LINKS), *(option.name for option in OPTIONS))
