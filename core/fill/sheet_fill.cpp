@@ -387,22 +387,36 @@ class SheetFilling {
       conditions.push_back({sheet_->row(at, 0, 0), Vector3d::Unit(c), point(c), gap, weight(gap)});
     if (!(options_.angle_rad > 0)) return;
     const bool by_v = directionOf(side) == 0;  // the derivative across the side
-    double accepted = options_.angle_rad;
-    std::optional<double> bend;
+    const SheetRow across = by_v ? sheet_->row(at, 0, 1) : sheet_->row(at, 1, 0);
+    // The derivative of the sheet before across the side. Where it nearly vanished the condition
+    // must not become infinite.
+    constexpr double least_speed = 1e-2;
+    double speed = 1;
     if (before_) {
       const SurfaceJet jet = seamwright::jet(*before_, at.x(), at.y());
-      const Vector3d across = by_v ? jet.v : jet.u;
-      accepted *= across.cross(sample.derivative.normalized()).norm();
-      bend = unit_mm_ * across.dot(sample.bend * across);
+      const Vector3d before = by_v ? jet.v : jet.u;
+      // Into the hole: of parameters that grow for sides 0 and 3.
+      const double sense = side == 0 || side == 3 ? 1 : -1;
+      const Vector3d inward = sense * sample.normal.cross(sample.derivative).normalized();
+      const double inward_speed = inward.dot(before);
+      if (inward_speed < least_speed)  // the sheet turned back
+        sheet_->add({across, inward, 1, 1, length * options_.bend_weight});
+      else
+        addBend(sample, at, by_v, before, length);
+      speed = std::max(least_speed, std::abs(inward_speed));
     }
-    // Where the sheet before had no tangent plane the condition must not become infinite.
-    constexpr double least_speed = 1e-2;
-    accepted = std::max(accepted, least_speed * options_.angle_rad);
-    conditions.push_back({by_v ? sheet_->row(at, 0, 1) : sheet_->row(at, 1, 0), sample.normal, 0,
-                          accepted, weight(accepted)});
-    if (!bend) return;
-    sheet_->add({by_v ? sheet_->row(at, 0, 2) : sheet_->row(at, 2, 0), sample.normal, *bend, 1,
-                 length * options_.bend_weight});
+    const double accepted = speed * options_.angle_rad;
+    conditions.push_back({across, sample.normal, 0, accepted, weight(accepted)});
+  }
+
+  /// Asks for the curvature of the surface beyond across the side, with less weight where it is
+  /// large, as beside a pole.
+  void addBend(const SheetSample& sample, const Vector2d& at, bool by_v, const Vector3d& across,
+               double length) {
+    const double bend = unit_mm_ * across.dot(sample.bend * across);
+    const double wide = range_(by_v ? 1 : 0), turn = wide * bend;
+    sheet_->add({by_v ? sheet_->row(at, 0, 2) : sheet_->row(at, 2, 0), sample.normal, bend, 1,
+                 length * options_.bend_weight / wide / (1 + turn * turn)});
   }
 
   /// \returns the largest miss of a condition, as a share of what is accepted; nothing if the
