@@ -23,7 +23,8 @@ std::vector<EdgeEnds> endsOf(const Hole& hole, double gap_mm) {
   for (const HoleSide& side : hole.sides)
     for (const HoleEdge& edge : side.edges) {
       const SidePath path({{edge}, edge.length_mm}, gap_mm);
-      EdgeEnds& one = ends.emplace_back(EdgeEnds{edge, path.besidePoleAtShare(0, true).point});
+      EdgeEnds& one = ends.emplace_back(
+          EdgeEnds{edge, path.besidePoleAtShare(0, true).point, std::nullopt, std::nullopt});
       if (path.hasTangentPlane(0)) one.begin = path.atShare(0, true).normal;
       if (path.hasTangentPlane(1)) one.end = path.atShare(1, false).normal;
     }
