@@ -9,6 +9,7 @@
 #include <seamwright/occ_adapter/fill/fill.hpp>
 #include <seamwright/occ_adapter/fill/fill_names.hpp>
 #include <seamwright/occ_adapter/fill/filling.hpp>
+#include <seamwright/occ_adapter/fill/hole_contradiction.hpp>
 #include <seamwright/occ_adapter/geometry_error.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
 #include <seamwright/occ_adapter/model/usable.hpp>
@@ -22,13 +23,23 @@ std::optional<int> raiseFor(Level target) {
   return target == Level::G1 ? 1 : 2;
 }
 
+/// Whether the polynomials that stand for the sides miss them by more than a tolerance. Then no
+/// patches along them reach the target.
+bool sidesMiss(const FillHoleReport& report, const FillHoleOptions& options) {
+  return std::ranges::any_of(report.sides, [&](const FilledSide& side) {
+    return side.gap_mm > options.tolerance.gap_mm ||
+           (options.target >= Level::G1 && side.angle_rad > options.tolerance.angle_rad);
+  });
+}
+
 /// Attempts that may give a better fill. Polynomials of lower degree fit the sides less closely and
 /// make fairer faces. A fill that ignores curvature may even have smaller jumps of it.
-std::vector<FillAttempt> othersThan(const FillAttempt& first, const FillHoleReport& report) {
+std::vector<FillAttempt> othersThan(const FillAttempt& first, const FillHoleReport& report,
+                                    const FillHoleOptions& options) {
   // A choice: with ends and their derivatives fixed, degree 5 leaves two poles free.
   constexpr int fairer_degree = 5;
   std::vector<FillAttempt> others;
-  if (report.faces.empty()) return others;
+  if (report.faces.empty() || (!options.keep_anyway && sidesMiss(report, options))) return others;
   if (!isSound(report) && first.most_degree > fairer_degree)
     others.push_back({.most_degree = fairer_degree, .curvature_raise = first.curvature_raise});
   if (first.curvature_raise)
@@ -101,6 +112,15 @@ std::optional<TopoDS_Face> faceThatGoesOn(const Hole& hole, const FillHoleOption
   }
 }
 
+/// Whether another method may give a fill that is kept: not if the neighbours contradict each
+/// other by more than the target allows.
+bool isWorthwhile(const FillTask& task) {
+  const FillHoleOptions& options = task.options;
+  return options.keep_anyway || options.target < Level::G1 ||
+         causesOfContradiction(task.hole, options.tolerance.angle_rad, options.tolerance.gap_mm)
+             .empty();
+}
+
 FillHoleReport bestByPatches(const FillTask& task, const Progress& progress) {
   constexpr double share_of_first = 0.5;  // of the progress bar
   const FillHoleOptions& options = task.options;
@@ -108,7 +128,7 @@ FillHoleReport bestByPatches(const FillTask& task, const Progress& progress) {
                           .curvature_raise = raiseFor(options.target)};
   FillHoleReport best = filledByPatches(task, first, partOf(progress, 0, share_of_first));
   const std::vector<FillAttempt> others =
-      best.reached ? std::vector<FillAttempt>() : othersThan(first, best);
+      best.reached ? std::vector<FillAttempt>() : othersThan(first, best, options);
   double build_s = best.build_s, done = share_of_first;
   for (std::size_t k = 0; k < others.size(); ++k) {
     const double next = done + (1 - done) / static_cast<double>(others.size() - k);
@@ -151,6 +171,8 @@ const char* name(FillMethod method) {
       return "patches";
     case FillMethod::Graph:
       return "graph";
+    case FillMethod::Sheet:
+      return "sheet";
     default:
       return "";
   }
@@ -186,7 +208,8 @@ FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOpti
                         const FaceNames& names, const Progress& progress) {
   options.validate();
   requireEdges(model, hole);
-  constexpr double share_of_face = 0.1, share_of_patches = 0.7;  // of the progress bar
+  // Of the progress bar: where each method ends.
+  constexpr double share_of_face = 0.1, share_of_patches = 0.7, share_of_sheet = 0.8;
   const FillTask task{.model = model, .hole = hole, .options = options, .names = names};
   std::optional<FillHoleReport> by_face;
   if (const std::optional<TopoDS_Face> face = faceThatGoesOn(hole, options))
@@ -198,11 +221,13 @@ FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOpti
   }
   FillHoleReport best = bestByPatches(task, partOf(progress, share_of_face, share_of_patches));
   if (by_face && !isBetter(best, *by_face, options)) best = std::move(*by_face);
-  if (!best.reached && options.graph) {
-    std::optional<FillHoleReport> graph =
-        filledByGraph(task, partOf(progress, share_of_patches, 1));
-    if (graph && isBetter(*graph, best, options)) best = std::move(*graph);
-  }
+  const auto consider = [&](std::optional<FillHoleReport> other) {
+    if (other && isBetter(*other, best, options)) best = std::move(*other);
+  };
+  if (!best.reached && options.sheet && isWorthwhile(task))
+    consider(filledBySheet(task, partOf(progress, share_of_patches, share_of_sheet)));
+  if (!best.reached && options.graph && isWorthwhile(task))
+    consider(filledByGraph(task, partOf(progress, share_of_sheet, 1)));
   if (progress && !progress(1)) throw Cancelled();
   return best;
 }

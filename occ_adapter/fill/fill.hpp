@@ -20,7 +20,9 @@ struct FillHoleOptions {
   bool keep_anyway = false;
   /// A surface beside the hole may continue through it; false: patches or a graph.
   bool continue_surface = true;
-  /// Where patches miss the target one face over a plane may fill the hole.
+  /// Where patches miss the target one face between four sides may fill the hole.
+  bool sheet = true;
+  /// Where this misses it too, one face over a plane may.
   bool graph = true;
   double corner_rad = 0.26;  ///< see HoleOptions::corner_rad
   int most_degree = 9;       ///< largest degree of the polynomials fitted to a side, 3 to 11
@@ -47,10 +49,11 @@ enum class FillMethod {
   None,     ///< nothing was built
   Surface,  ///< one face on a surface beside the hole, or on its plane
   Patches,  ///< patches that meet in the hole
-  Graph     ///< one face on a spline over a plane
+  Graph,    ///< one face on a spline over a plane
+  Sheet     ///< one face on a spline whose four edges are the sides of the hole
 };
 
-/// "", "surface", "patches" or "graph".
+/// "", "surface", "patches", "graph" or "sheet".
 const char* name(FillMethod method);
 
 /// What was repaired around a hole before it was filled.
@@ -112,7 +115,8 @@ struct FillHoleReport {
 /// If one surface continues through the hole, within a twentieth of the tolerance of all edges and,
 /// above G0, of the tangent planes along them, the fill is one face on it. Otherwise a hole of 3 to
 /// 12 corners, none above pi, gets as many patches (nSidedFill()), and one of fewer corners, or of
-/// four with some above pi, five (ringFill()). If these do not reach the target, and the faces
+/// four with some above pi, five (ringFill()). If these do not reach the target, a hole of four
+/// corners gets one face on a spline between its sides (sheetFill()). Otherwise, if the faces
 /// around the hole can all be seen from one direction, the fill is one trimmed face on a spline
 /// over a plane, for any number of corners of any angle (graphFill()). Surfaces, names, colours and
 /// layers of the neighbours stay; their edges are cut at the middles of the sides. A closed shell

@@ -16,8 +16,8 @@ struct FillFaces {
   HoleCut cut;  ///< the sides that the faces meet; empty for a face that is given
   std::vector<FillCorner> corners;
   bool regular = false;
-  bool is_graph = false;  ///< one face of graphFace()
-  double reach = 0;       ///< see FillHoleReport::reach
+  bool is_fitted = false;  ///< one face of graphFace() or sheetFace()
+  double reach = 0;        ///< see FillHoleReport::reach
   std::optional<double> curvature_jump_per_mm;
 };
 

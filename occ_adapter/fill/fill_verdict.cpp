@@ -85,8 +85,8 @@ FillReason misshapen(const FillFaces& made, const SewnFill& fill, const FillSeam
   if (made.reach > most_reach)
     return {.fault = FillFault::ReachesTooFar, .numbers = {{"reach", made.reach}}};
   if (seams.outer.empty()) return {.fault = FillFault::TooSmall};
-  // A graph is tangent to its neighbours: sections find the contact along their common edges.
-  if (const auto touching = touchingFaces(fill.sewn.shape, fill.faces, !made.is_graph)) {
+  // A fitted face is tangent to its neighbours: sections find the contact along their common edges.
+  if (const auto touching = touchingFaces(fill.sewn.shape, fill.faces, !made.is_fitted)) {
     if (fill.isNew(touching->second)) return {.fault = FillFault::RunsIntoItself};
     return {.fault = FillFault::RunsIntoFace,
             .faces = {fill.face_names.at(static_cast<std::size_t>(touching->second) - 1)}};

@@ -7,6 +7,7 @@
 #include <seamwright/occ_adapter/fill/fill_verdict.hpp>
 #include <seamwright/occ_adapter/fill/filling.hpp>
 #include <seamwright/occ_adapter/fill/graph_face.hpp>
+#include <seamwright/occ_adapter/fill/sheet_face.hpp>
 #include <seamwright/occ_adapter/geometry_error.hpp>
 #include <seamwright/occ_adapter/model/failure_text.hpp>
 #include <seamwright/occ_adapter/repair/sew.hpp>
@@ -104,6 +105,24 @@ FillHoleReport run(const FillTask& task, FillMethod method, const Progress& prog
   return report;
 }
 
+/// A fill of one face that is fitted to the surroundings, if \p fit makes one.
+std::optional<FillHoleReport> filledByFit(
+    const FillTask& task, FillMethod method, const char* doing, const Progress& progress,
+    const std::function<std::optional<FillFaces>(const Progress&)>& fit) {
+  constexpr double share_of_fit = 0.5;  // of the progress bar
+  bool is_made = true;
+  FillHoleReport report =
+      run(task, method, partOf(progress, share_of_fit, 1), [&](const Begin& begin) {
+        begin(doing);
+        std::optional<FillFaces> made = fit(partOf(progress, 0, share_of_fit));
+        is_made = made.has_value();
+        if (!is_made) throw NotFilled({});
+        made->is_fitted = true;
+        return std::move(*made);
+      });
+  return is_made ? std::optional(std::move(report)) : std::nullopt;
+}
+
 }  // namespace
 
 FillReason reasonOf(const std::string& doing, const Standard_Failure& failure) {
@@ -136,20 +155,28 @@ FillHoleReport filledByFace(const FillTask& task, const TopoDS_Face& face,
 }
 
 std::optional<FillHoleReport> filledByGraph(const FillTask& task, const Progress& progress) {
-  constexpr double share_of_fit = 0.5;  // of the progress bar
-  bool is_graph = true;
-  FillHoleReport report =
-      run(task, FillMethod::Graph, partOf(progress, share_of_fit, 1), [&](const Begin& begin) {
-        begin("fitting a graph");
-        const std::optional<TopoDS_Face> face = graphFace(task, partOf(progress, 0, share_of_fit));
-        is_graph = face.has_value();
-        if (!is_graph) throw NotFilled({});
-        FillFaces made;
-        made.faces = {*face};
-        made.regular = made.is_graph = true;
-        return made;
-      });
-  return is_graph ? std::optional(std::move(report)) : std::nullopt;
+  return filledByFit(task, FillMethod::Graph, "fitting a graph", progress,
+                     [&](const Progress& fitting) -> std::optional<FillFaces> {
+                       const std::optional<TopoDS_Face> face = graphFace(task, fitting);
+                       if (!face) return std::nullopt;
+                       FillFaces made;
+                       made.faces = {*face};
+                       made.regular = true;
+                       return made;
+                     });
+}
+
+std::optional<FillHoleReport> filledBySheet(const FillTask& task, const Progress& progress) {
+  return filledByFit(task, FillMethod::Sheet, "fitting a sheet", progress,
+                     [&](const Progress& fitting) -> std::optional<FillFaces> {
+                       const std::optional<SheetFace> sheet = sheetFace(task, fitting);
+                       if (!sheet) return std::nullopt;
+                       FillFaces made;
+                       made.faces = {sheet->face};
+                       made.regular = sheet->regular;
+                       made.reach = sheet->reach;
+                       return made;
+                     });
 }
 
 }  // namespace seamwright::occ

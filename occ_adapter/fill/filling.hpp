@@ -71,4 +71,7 @@ FillHoleReport filledByFace(const FillTask& task, const TopoDS_Face& face,
 /// Fills the hole with one face on a spline graph, if graphFace() makes one.
 std::optional<FillHoleReport> filledByGraph(const FillTask& task, const Progress& progress);
 
+/// Fills the hole with one face on a spline between four sides, if sheetFace() makes one.
+std::optional<FillHoleReport> filledBySheet(const FillTask& task, const Progress& progress);
+
 }  // namespace seamwright::occ

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Eigen/Geometry>
-#include <Geom2d_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
-#include <TColStd_Array1OfInteger.hxx>
-#include <TColgp_Array1OfPnt2d.hxx>
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
 #include <vector>
 
-#include <seamwright/core/bspline/collocation.hpp>
 #include <seamwright/core/fill/graph_fill.hpp>
 #include <seamwright/occ_adapter/convert/points.hpp>
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
 #include <seamwright/occ_adapter/fill/bounded_face.hpp>
+#include <seamwright/occ_adapter/fill/fitted_edge.hpp>
 #include <seamwright/occ_adapter/fill/graph_face.hpp>
 #include <seamwright/occ_adapter/fill/side_path.hpp>
 
@@ -163,49 +160,6 @@ GraphSample graphSample(const SideSample& sample, const Sight& sight) {
   return result;
 }
 
-/// The path of an edge in the plane: a quintic spline over the edge's range.
-/// \throws GeometryError if it can't come near enough.
-handle<Geom2d_BSplineCurve> planePath(const SidePath& path, const Sight& sight,
-                                      const BoundaryEdge& edge, double near_mm) {
-  constexpr int degree = 5, most_spans = 256;
-  const auto at = [&](double s) -> Vector2d {
-    const SideSample sample = path.atParameter(edge.edge.reversed ? 1 - s : s);
-    return (sight.transpose() * sample.point).head<2>();
-  };
-  std::vector<double> knots;
-  Eigen::MatrixXd poles;
-  double miss_mm = HUGE_VAL;
-  for (int spans = 4; spans <= most_spans && miss_mm > near_mm; spans *= 2) {
-    knots.assign(degree + 1, 0.0);
-    for (int k = 1; k < spans; ++k) knots.push_back(static_cast<double>(k) / spans);
-    knots.insert(knots.end(), degree + 1, 1.0);
-    const GrevilleInterpolation interpolation(degree, knots);
-    Eigen::MatrixXd values(static_cast<Eigen::Index>(interpolation.parameters().size()), 2);
-    for (Eigen::Index i = 0; i < values.rows(); ++i)
-      values.row(i) = at(interpolation.parameters()[static_cast<std::size_t>(i)]).transpose();
-    poles = interpolation.poles(values);
-    TColgp_Array1OfPnt2d points(1, static_cast<int>(poles.rows()));
-    for (int i = 1; i <= points.Length(); ++i)
-      points(i) = gp_Pnt2d(poles(i - 1, 0), poles(i - 1, 1));
-    TColStd_Array1OfReal places(1, spans + 1);
-    TColStd_Array1OfInteger times(1, spans + 1);
-    for (int k = 0; k <= spans; ++k) {
-      places(k + 1) = edge.first + k * (edge.last - edge.first) / spans;
-      times(k + 1) = k == 0 || k == spans ? degree + 1 : 1;
-    }
-    const handle<Geom2d_BSplineCurve> curve =
-        new Geom2d_BSplineCurve(points, places, times, degree);
-    miss_mm = 0;
-    for (int k = 0; k < 3 * spans; ++k) {
-      const double s = (k + 0.5) / (3 * spans);
-      const gp_Pnt2d found = curve->Value(edge.first + s * (edge.last - edge.first));
-      miss_mm = std::max(miss_mm, (Vector2d(found.X(), found.Y()) - at(s)).norm());
-    }
-    if (miss_mm <= near_mm || 2 * spans > most_spans) return curve;
-  }
-  return {};
-}
-
 handle<Geom_Surface> placed(BSplineSurface surface, const Sight& sight) {
   for (Eigen::Index k = 0; k < surface.poles.rows(); ++k)
     surface.poles.row(k).head<3>() =
@@ -229,9 +183,13 @@ std::optional<TopoDS_Face> graphFace(const FillTask& task, const Progress& progr
       const std::shared_ptr<const SidePath>& path = paths[k++];
       boundary.emplace_back(
           [path, sight](double t) { return graphSample(path->atParameter(t), *sight); });
-      std::optional<BoundaryEdge> edge = boundaryEdge(hole_edge);
+      std::optional<BoundaryEdge> edge = fittedEdge(
+          hole_edge, *path,
+          [&](double parameter) -> Vector2d {
+            return (sight->transpose() * path->atParameter(parameter).point).head<2>();
+          },
+          gap_mm / fit_share, gap_mm);
       if (!edge) return std::nullopt;
-      edge->on_surface = planePath(*path, *sight, *edge, gap_mm / fit_share);
       edges.push_back(*edge);
     }
   const GraphFill fill =

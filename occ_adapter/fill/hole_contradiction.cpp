@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Eigen/Geometry>
+#include <optional>
+
 #include <seamwright/core/angle.hpp>
 #include <seamwright/occ_adapter/fill/fit_corner.hpp>
 #include <seamwright/occ_adapter/fill/hole_contradiction.hpp>
@@ -9,10 +11,11 @@ namespace seamwright::occ {
 
 namespace {
 
-/// An edge of a hole with its ends.
+/// An edge of a hole with the normals of its face at its ends, where it has a tangent plane.
 struct EdgeEnds {
   HoleEdge edge;
-  SideSample begin, end;
+  Eigen::Vector3d point;
+  std::optional<Eigen::Vector3d> begin, end;
 };
 
 std::vector<EdgeEnds> endsOf(const Hole& hole, double gap_mm) {
@@ -20,7 +23,10 @@ std::vector<EdgeEnds> endsOf(const Hole& hole, double gap_mm) {
   for (const HoleSide& side : hole.sides)
     for (const HoleEdge& edge : side.edges) {
       const SidePath path({{edge}, edge.length_mm}, gap_mm);
-      ends.push_back({edge, path.besidePoleAtShare(0, true), path.besidePoleAtShare(1, false)});
+      EdgeEnds& one = ends.emplace_back(
+          EdgeEnds{edge, path.besidePoleAtShare(0, true).point, std::nullopt, std::nullopt});
+      if (path.hasTangentPlane(0)) one.begin = path.atShare(0, true).normal;
+      if (path.hasTangentPlane(1)) one.end = path.atShare(1, false).normal;
     }
   return ends;
 }
@@ -33,12 +39,13 @@ std::vector<FillReason> causesOfContradiction(const Hole& hole, double angle_rad
   double most_rad = 2 * angle_rad;
   for (std::size_t k = 0; k < ends.size(); ++k) {
     const EdgeEnds &in = ends[(k + ends.size() - 1) % ends.size()], &out = ends[k];
-    const double angle = angleBetween(in.end.normal, out.begin.normal);
+    if (!in.end || !out.begin) continue;
+    const double angle = angleBetween(*in.end, *out.begin);
     if (!(angle > most_rad)) continue;
     most_rad = angle;
     worst.numbers = {{"angle_deg", angle * degrees_per_radian}};
     worst.edges = {in.edge.edge, out.edge.edge};
-    worst.point_mm = out.begin.point;
+    worst.point_mm = out.point;
   }
   if (worst.edges.empty()) return {};
   return {worst};

@@ -137,6 +137,11 @@ double SidePath::parameterOf(double share) const {
                       : lengths_[0].parameterAt(share * length_mm_);
 }
 
+double SidePath::shareOf(double parameter) const {
+  return reversed_[0] ? 1 - lengths_[0].lengthTo(1 - parameter) / length_mm_
+                      : lengths_[0].lengthTo(parameter) / length_mm_;
+}
+
 SideSample SidePath::sample(const Place& place) const {
   const std::size_t k = place.edge;
   const SidePoint side = strips_[k]->at(place.parameter);

@@ -64,6 +64,8 @@ class SidePath {
   /// The sample of a path of one edge at a share of the edge's own parameter.
   SideSample atParameter(double parameter) const;
   double parameterOf(double share) const;
+  /// The inverse of parameterOf().
+  double shareOf(double parameter) const;
   /// Whether the face has a tangent plane at a share of the length.
   bool hasTangentPlane(double share) const;
 
