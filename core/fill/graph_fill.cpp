@@ -253,7 +253,11 @@ class Graph {
           const auto rowOf = [&](int span) {
             return row(direction == 0 ? Cell{span, k} : Cell{k, span}, at, std::array{term});
           };
-          add(difference(rowOf(after), rowOf(after - 1)), 0,
+          const Row jump = difference(rowOf(after), rowOf(after - 1));
+          // Beside a very short span rounding leaves factors that would cancel.
+          if (jump.poles.empty() || jump.poles.back() - jump.poles.front() > matrix_.width())
+            continue;
+          add(jump, 0,
               rule.weights[i] * along.width(k) / width * (isInside(hole, at) ? 1 : weight_outside));
         }
     }

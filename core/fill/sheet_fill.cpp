@@ -219,45 +219,13 @@ struct SheetMiss {
   double gap = 0, angle_rad = 0, share = 0;
 };
 
-class SheetFilling {
+/// The four sides, in units of half the diagonal of their box.
+class SheetBorder {
  public:
-  SheetFilling(const std::array<SheetSide, 4>& sides, const SheetFillOptions& options)
-      : sides_(sides), options_(options) {
-    takeScale();
-    constexpr int least_spans = 4;
-    const double span = range_.minCoeff() / least_spans;
-    const auto knots = [&](int direction) {
-      const int spans = std::clamp(static_cast<int>(std::lround(range_(direction) / span)),
-                                   least_spans, 4 * least_spans);
-      return GraphKnots(0, range_(direction), spans, bendsOf(direction));
-    };
-    sheet_.emplace(knots(0), knots(1));
-  }
+  explicit SheetBorder(const std::array<SheetSide, 4>& sides) : sides_(sides) { takeScale(); }
 
-  SheetFill run(const Progress& progress) {
-    // A step counts as one that helps if the largest miss falls by a tenth.
-    constexpr double helps = 0.9;
-    constexpr int most_rounds = 16, patience = 4;
-    std::optional<SheetFill> best;
-    double least = HUGE_VAL;
-    int idle = 0;
-    for (int round = 0; round < most_rounds && idle < patience; ++round) {
-      checkProgress(progress, shareAfter(round));
-      if (!solve()) break;
-      const std::vector<SheetMiss> misses = missesOf();
-      const double worst = std::ranges::max_element(misses, {}, &SheetMiss::share)->share;
-      idle = worst < helps * least ? 0 : idle + 1;
-      if (worst < least || !best) best = result(misses), least = std::min(least, worst);
-      if (worst <= met_enough) break;
-      refine(misses, worst, idle > 0);
-      if (sheet_->poles() > options_.most_poles) break;
-    }
-    if (!best) throw std::invalid_argument("the sides of the sheet do not determine it");
-    best->regular = isRegular(best->surface);
-    return *best;
-  }
-
- private:
+ protected:
+  /// \throws std::invalid_argument for a side without length.
   void takeScale() {
     constexpr int count = 32;
     Eigen::AlignedBox3d box;
@@ -339,6 +307,50 @@ class SheetFilling {
     return bends;
   }
 
+  const std::array<SheetSide, 4>& sides_;
+  Vector3d centre_;
+  double unit_mm_ = 1;
+  Vector2d range_;  ///< of the parameters, in units
+};
+
+class SheetFilling : private SheetBorder {
+ public:
+  SheetFilling(const std::array<SheetSide, 4>& sides, const SheetFillOptions& options)
+      : SheetBorder(sides), options_(options) {
+    constexpr int least_spans = 4;
+    const double span = range_.minCoeff() / least_spans;
+    const auto knots = [&](int direction) {
+      const int spans = std::clamp(static_cast<int>(std::lround(range_(direction) / span)),
+                                   least_spans, 4 * least_spans);
+      return GraphKnots(0, range_(direction), spans, bendsOf(direction));
+    };
+    sheet_.emplace(knots(0), knots(1));
+  }
+
+  SheetFill run(const Progress& progress) {
+    // A step counts as one that helps if the largest miss falls by a tenth.
+    constexpr double helps = 0.9;
+    constexpr int most_rounds = 16, patience = 4;
+    std::optional<SheetFill> best;
+    double least = HUGE_VAL;
+    int idle = 0;
+    for (int round = 0; round < most_rounds && idle < patience; ++round) {
+      checkProgress(progress, shareAfter(round));
+      if (!solve()) break;
+      const std::vector<SheetMiss> misses = missesOf();
+      const double worst = std::ranges::max_element(misses, {}, &SheetMiss::share)->share;
+      idle = worst < helps * least ? 0 : idle + 1;
+      if (worst < least || !best) best = result(misses), least = std::min(least, worst);
+      if (worst <= met_enough) break;
+      refine(misses, worst, idle > 0);
+      if (sheet_->poles() > options_.most_poles) break;
+    }
+    if (!best) throw std::invalid_argument("the sides of the sheet do not determine it");
+    best->regular = isRegular(best->surface);
+    return *best;
+  }
+
+ private:
   /// Shares of a side that bound three pieces in each span.
   std::vector<double> sharesAlong(std::size_t side) const {
     constexpr int pieces = 3;
@@ -498,11 +510,7 @@ class SheetFilling {
     sheet_.emplace(std::move(u), std::move(v));
   }
 
-  const std::array<SheetSide, 4>& sides_;
   SheetFillOptions options_;
-  Vector3d centre_;
-  double unit_mm_ = 1;
-  Vector2d range_;  ///< of the parameters, in units
   std::optional<Sheet> sheet_;
   std::optional<BSplineSurface> before_;  ///< the sheet of the step before, in units
 };
