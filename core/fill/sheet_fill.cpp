@@ -313,6 +313,28 @@ class SheetBorder {
   Vector2d range_;  ///< of the parameters, in units
 };
 
+/// Adds the conditions to the equations of a sheet and solves these.
+/// \returns the largest miss of a condition, as a share of what is accepted; nothing if the
+/// equations determine no sheet.
+std::optional<double> solvedWith(const std::vector<SheetCondition>& conditions, Sheet& sheet) {
+  for (const SheetCondition& one : conditions) sheet.add(one);
+  if (!sheet.factorise() || !sheet.solve()) return std::nullopt;
+  // Each step adds what is missed to the right side, which makes the penalty exact in the limit
+  // (the method of multipliers).
+  constexpr int steps = 12;
+  double missed = 0;
+  for (int step = 0; step <= steps; ++step) {
+    missed = 0;
+    for (const SheetCondition& one : conditions) {
+      const double rest = one.value - one.direction.dot(sheet.valueOf(one.row));
+      missed = std::max(missed, std::abs(rest) / one.accepted);
+      sheet.addRight(one, rest);
+    }
+    if (step < steps && !sheet.solve()) return std::nullopt;
+  }
+  return missed;
+}
+
 class SheetFilling : private SheetBorder {
  public:
   SheetFilling(const std::array<SheetSide, 4>& sides, const SheetFillOptions& options)
@@ -444,22 +466,7 @@ class SheetFilling : private SheetBorder {
                       (shares[k + 1] - shares[k]) * range_(directionOf(side)), met_share,
                       conditions);
     }
-    for (const SheetCondition& one : conditions) sheet_->add(one);
-    if (!sheet_->factorise() || !sheet_->solve()) return std::nullopt;
-    // Each step adds what is missed to the right side, which makes the penalty exact in the limit
-    // (the method of multipliers).
-    constexpr int steps = 12;
-    double missed = 0;
-    for (int step = 0; step <= steps; ++step) {
-      missed = 0;
-      for (const SheetCondition& one : conditions) {
-        const double rest = one.value - one.direction.dot(sheet_->valueOf(one.row));
-        missed = std::max(missed, std::abs(rest) / one.accepted);
-        sheet_->addRight(one, rest);
-      }
-      if (step < steps && !sheet_->solve()) return std::nullopt;
-    }
-    return missed;
+    return solvedWith(conditions, *sheet_);
   }
 
   std::vector<SheetMiss> missesOf() const {
