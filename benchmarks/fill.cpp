@@ -5,6 +5,11 @@
 // the outer seams and, where a fill has several faces, the inner ones. Times are those of building
 // alone, the least of several repetitions. The lower bounds for any fill come from OpenCASCADE's
 // evaluation of the neighbours at the corners of the hole.
+//
+//     bench_fill [--smoke] [--each N] MODEL...
+//
+// Models are STEP, IGES or BREP files. --each takes at most N faces of a model for each number of
+// sides, spread over the model; --smoke measures times once.
 #include <Adaptor3d_CurveOnSurface.hxx>
 #include <BRepAdaptor_Curve2d.hxx>
 #include <BRepAdaptor_Surface.hxx>
@@ -26,16 +31,18 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
-#include <fstream>
 #include <functional>
-#include <iostream>
+#include <limits>
+#include <map>
 #include <numbers>
 #include <string>
 #include <vector>
 
 #include "hole_corners.hpp"
+#include "peers.hpp"
 
 #include <seamwright/occ_adapter/analyze/measure_seam.hpp>
 #include <seamwright/occ_adapter/fill/fill.hpp>
@@ -62,11 +69,23 @@ struct Outcome {
   double angle_deg = -1, gap_mm = -1, curvature_rel = -1;  ///< negative: unknown
   double seconds = -1;
   std::string note;
+  int poles = 0;  ///< of all faces of the fill
   bool reached = false;  ///< fillHole() only: kept even without keep_anyway
 };
 
 double upperOf(const std::optional<Figure>& figure) {
   return figure ? figure->upper.value_or(figure->lower) : -1;
+}
+
+int polesOf(const TopoDS_Shape& shape) {
+  int poles = 0;
+  for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
+    const BRepAdaptor_Surface surface(TopoDS::Face(face.Current()));
+    const GeomAbs_SurfaceType type = surface.GetType();
+    if (type == GeomAbs_BSplineSurface || type == GeomAbs_BezierSurface)
+      poles += surface.NbUPoles() * surface.NbVPoles();
+  }
+  return poles;
 }
 
 void add(const SeamResult& seam, Outcome& outcome) {
@@ -86,6 +105,9 @@ Outcome ours(const TopoDS_Shape& shape, int face, Level target, int times) {
   }
   for (const auto* seams : {&report.outer, &report.inner})
     for (const SeamResult& seam : *seams) add(seam, outcome);
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(report.model.shape, TopAbs_FACE, faces);
+  for (const int number : report.faces) outcome.poles += polesOf(faces(number));
   outcome.note = textOf(report.reason);
   outcome.reached = report.reached;
   return outcome;
@@ -167,6 +189,7 @@ Outcome makeFilling(const Opened& of, GeomAbs_Shape order, int times) {
   if (face.IsNull()) return {-1, -1, -1, seconds, "failed " + failure};
   outcome = measured(of.rest, face, of.hole.length_mm);
   outcome.seconds = seconds;
+  outcome.poles = polesOf(face);
   return outcome;
 }
 
@@ -204,6 +227,7 @@ Outcome constrainedFilling(const Opened& of, int times) {
   if (face.IsNull()) return {-1, -1, -1, seconds, "failed " + failure};
   Outcome outcome = measured(of.rest, face, of.hole.length_mm);
   outcome.seconds = seconds;
+  outcome.poles = polesOf(face);
   return outcome;
 }
 
@@ -242,25 +266,24 @@ bool isClosed(const TopoDS_Shape& face, const Hole& hole) {
   return count == static_cast<std::size_t>(edges.Extent());
 }
 
-/// Adds every face whose removal leaves a hole with \p least to \p most sides and smooth
-/// surroundings.
-void addFaces(const std::string& name, const TopoDS_Shape& shape, std::size_t least,
-              std::size_t most, std::vector<HoleCase>& cases) {
+/// Adds every face whose removal leaves a hole of three sides or more and smooth surroundings.
+/// \param each at most so many faces for each number of sides, spread over the shape
+void addFaces(const std::string& name, const TopoDS_Shape& shape, std::size_t each,
+              std::vector<HoleCase>& cases) {
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  std::map<std::size_t, std::vector<HoleCase>> by_sides;
   for (int face = 1; face <= faces.Extent(); ++face) {
     const HoleCase one{name + " " + std::to_string(face), shape, face};
     const std::optional<Opened> open = opened(one);
     if (open && isClosed(faces(face), open->hole) && open->hole.has_corners &&
-        open->hole.sides.size() >= least && open->hole.sides.size() <= most &&
-        isSmooth(shape, face))
-      cases.push_back(one);
+        open->hole.sides.size() >= 3 && isSmooth(shape, face))
+      by_sides[open->hole.sides.size()].push_back(one);
   }
-}
-
-TopoDS_Shape read(const std::string& path) {
-  std::ifstream stream(path);
-  return stream ? occ::readTextShape(stream) : TopoDS_Shape();
+  for (const auto& [sides, found] : by_sides) {
+    const std::size_t taken = std::min(each, found.size());
+    for (std::size_t i = 0; i < taken; ++i) cases.push_back(found[i * found.size() / taken]);
+  }
 }
 
 struct Compared {
@@ -295,8 +318,8 @@ double median(std::vector<double> values) {
 
 /// Prints the ratios of angles and times over the holes that both methods fill.
 void printRatios(const char* name, std::size_t other, const std::vector<Compared>& all) {
-  std::vector<double> angles, times;
-  int least_a_tenth = 0, no_slower = 0;
+  std::vector<double> angles, times, poles;
+  int least_a_tenth = 0, no_slower = 0, few_poles = 0;
   for (const Compared& one : all) {
     const Outcome& peer = one.others.at(other);
     if (one.ours.angle_deg < 0 || peer.angle_deg < 0) continue;
@@ -304,12 +327,16 @@ void printRatios(const char* name, std::size_t other, const std::vector<Compared
     times.push_back(one.ours.seconds / peer.seconds);
     least_a_tenth += angles.back() <= 0.1 ? 1 : 0;
     no_slower += times.back() <= 1 ? 1 : 0;
+    if (one.ours.reached && peer.poles > 0) {
+      poles.push_back(static_cast<double>(one.ours.poles) / peer.poles);
+      few_poles += poles.back() <= 2 ? 1 : 0;
+    }
   }
   std::printf(
       "%-18s %zu holes: angle ratio median %.3g, at most a tenth on %d; time ratio median %.3g, no "
-      "slower on "
-      "%d\n",
-      name, angles.size(), median(angles), least_a_tenth, median(times), no_slower);
+      "slower on %d; poles ratio median %.3g, at most twice on %d of %zu that are kept\n",
+      name, angles.size(), median(angles), least_a_tenth, median(times), no_slower, median(poles),
+      few_poles, poles.size());
 }
 
 /// Prints the ratios of curvature differences over the holes where both methods have one. Values
@@ -335,10 +362,20 @@ void printCurvature(const char* name, std::size_t other, const std::vector<Compa
   }
 }
 
+constexpr std::array<const char*, 3> peers = {"MakeFilling G1", "MakeFilling G2",
+                                              "ConstrainedFilling"};
+
 /// Prints how many holes are filled within 0.01 degrees, and for how many this is impossible.
 void printReached(const std::vector<Compared>& all) {
   constexpr double wanted_deg = 0.01;
   const auto count = [&all](const auto& holds) { return std::ranges::count_if(all, holds); };
+  for (const std::size_t other : {0, 1, 2})
+    std::printf("%s: %td of %zu holes within %g degrees\n", peers[other],
+                count([&](const Compared& one) {
+                  const double angle = one.others.at(other).angle_deg;
+                  return angle >= 0 && angle <= wanted_deg && one.others.at(other).note.empty();
+                }),
+                all.size(), wanted_deg);
   std::printf(
       "fillHole: %td of %zu holes within %g degrees, %td kept; on %td their neighbours let no fill "
       "be\n",
@@ -351,13 +388,13 @@ void printReached(const std::vector<Compared>& all) {
       }));
 }
 
-int run(int times, const std::vector<std::string>& models) {
+int run(int times, std::size_t each, const std::vector<std::string>& models) {
   std::vector<HoleCase> cases;
-  addFaces("suitcase 5,5,5 face", roundedBox({5, 5, 5}), 3, 6, cases);
-  addFaces("suitcase 3,5,7 face", roundedBox({3, 5, 7}), 3, 6, cases);
+  addFaces("suitcase 5,5,5 face", roundedBox({5, 5, 5}), each, cases);
+  addFaces("suitcase 3,5,7 face", roundedBox({3, 5, 7}), each, cases);
   for (const std::string& path : models)
-    if (const TopoDS_Shape shape = read(path); !shape.IsNull())
-      addFaces(path.substr(path.rfind('/') + 1) + " face", shape, 3, 6, cases);
+    addFaces(path.substr(path.rfind('/') + 1) + " face", bench::readWithOpenCascade(path), each,
+             cases);
   std::printf(
       "angles in degrees, times in ms, and curvature that corners ask for, of fillHole G2 and "
       "MakeFilling "
@@ -378,12 +415,8 @@ int run(int times, const std::vector<std::string>& models) {
     std::fflush(stdout);
   }
   printReached(all);
-  printRatios("MakeFilling G1", 0, all);
-  printRatios("MakeFilling G2", 1, all);
-  printRatios("ConstrainedFilling", 2, all);
-  printCurvature("MakeFilling G1", 0, all);
-  printCurvature("MakeFilling G2", 1, all);
-  printCurvature("ConstrainedFilling", 2, all);
+  for (const std::size_t other : {0, 1, 2}) printRatios(peers[other], other, all);
+  for (const std::size_t other : {0, 1, 2}) printCurvature(peers[other], other, all);
   return 0;
 }
 
@@ -391,11 +424,17 @@ int run(int times, const std::vector<std::string>& models) {
 }  // namespace seamwright
 
 int main(int count, char** arguments) {
-  std::vector<std::string> models(arguments + 1, arguments + count);
+  std::vector<std::string> models;
   int times = 3;
-  if (!models.empty() && models.front() == "--smoke") {
-    times = 1;
-    models.erase(models.begin());
+  std::size_t each = std::numeric_limits<std::size_t>::max();
+  for (int i = 1; i < count; ++i) {
+    const std::string argument = arguments[i];
+    if (argument == "--smoke")
+      times = 1;
+    else if (argument == "--each" && i + 1 < count)
+      each = std::stoul(arguments[++i]);
+    else
+      models.push_back(argument);
   }
-  return seamwright::run(times, models);
+  return seamwright::run(times, each, models);
 }

@@ -222,7 +222,7 @@ struct SheetMiss {
 /// The four sides, in units of half the diagonal of their box.
 class SheetBorder {
  public:
-  explicit SheetBorder(const std::array<SheetSide, 4>& sides) : sides_(sides) { takeScale(); }
+  explicit SheetBorder(const std::array<SheetFillSide, 4>& sides) : sides_(sides) { takeScale(); }
 
  protected:
   /// \throws std::invalid_argument for a side without length.
@@ -307,7 +307,7 @@ class SheetBorder {
     return bends;
   }
 
-  const std::array<SheetSide, 4>& sides_;
+  const std::array<SheetFillSide, 4>& sides_;
   Vector3d centre_;
   double unit_mm_ = 1;
   Vector2d range_;  ///< of the parameters, in units
@@ -337,7 +337,7 @@ std::optional<double> solvedWith(const std::vector<SheetCondition>& conditions, 
 
 class SheetFilling : private SheetBorder {
  public:
-  SheetFilling(const std::array<SheetSide, 4>& sides, const SheetFillOptions& options)
+  SheetFilling(const std::array<SheetFillSide, 4>& sides, const SheetFillOptions& options)
       : SheetBorder(sides), options_(options) {
     constexpr int least_spans = 4;
     const double span = range_.minCoeff() / least_spans;
@@ -524,7 +524,7 @@ class SheetFilling : private SheetBorder {
 
 }  // namespace
 
-SheetFill sheetFill(const std::array<SheetSide, 4>& sides, const SheetFillOptions& options,
+SheetFill sheetFill(const std::array<SheetFillSide, 4>& sides, const SheetFillOptions& options,
                     const Progress& progress) {
   if (!(options.gap_mm > 0) || !(options.angle_rad >= 0) || options.most_poles < 1 ||
       !(options.bend_weight >= 0))

@@ -22,7 +22,7 @@ struct SheetSample {
 };
 
 /// A side of a hole between two corners.
-struct SheetSide {
+struct SheetFillSide {
   /// \param share of the length, in [0, 1].
   std::function<SheetSample(double share)> at;
   /// Shares inside (0, 1) at which the side or the surface beyond may not have a continuous
@@ -62,7 +62,7 @@ struct SheetFill {
 /// \throws std::invalid_argument for tolerances that are not positive, samples that are not finite,
 /// and sides without length; Cancelled.
 /// Source: docs/theory/fills.md F7.1.
-SheetFill sheetFill(const std::array<SheetSide, 4>& sides, const SheetFillOptions& options,
+SheetFill sheetFill(const std::array<SheetFillSide, 4>& sides, const SheetFillOptions& options,
                     const Progress& progress = {});
 
 }  // namespace seamwright

@@ -40,8 +40,8 @@ SheetSample sheetSample(const SideSample& sample) {
           .bend = curvatureTensor(sample.jet, normal)};
 }
 
-SheetSide sheetSide(const std::shared_ptr<const SidePath>& path) {
-  SheetSide side{
+SheetFillSide sheetSide(const std::shared_ptr<const SidePath>& path) {
+  SheetFillSide side{
       .at = [path](double share) { return sheetSample(path->besidePoleAtShare(share, true)); },
       .joints = path->joints()};
   const std::vector<double> breaks = path->breaks();
@@ -66,10 +66,10 @@ Vector2d placeOn(const BSplineSurface& surface, std::size_t side, double share) 
 }
 
 /// The farthest pole from the middle of the sides, over half the diagonal of their box.
-double reachOf(const BSplineSurface& surface, const std::array<SheetSide, sheet_sides>& sides) {
+double reachOf(const BSplineSurface& surface, const std::array<SheetFillSide, sheet_sides>& sides) {
   constexpr int count = 16;
   Eigen::AlignedBox3d box;
-  for (const SheetSide& side : sides)
+  for (const SheetFillSide& side : sides)
     for (int k = 0; k < count; ++k) box.extend(side.at(static_cast<double>(k) / count).point);
   double farthest_mm = 0;
   for (Eigen::Index k = 0; k < surface.poles.rows(); ++k)
@@ -85,7 +85,7 @@ std::optional<SheetFace> sheetFace(const FillTask& task, const Progress& progres
   const double gap_mm = tolerance.gap_mm / fit_share;
   if (!hasFourCorners(task.hole, gap_mm)) return std::nullopt;
   const std::vector<HoleSide> sides = longFirst(task.hole.sides);
-  std::array<SheetSide, sheet_sides> given;
+  std::array<SheetFillSide, sheet_sides> given;
   for (std::size_t k = 0; k < sheet_sides; ++k)
     given[k] = sheetSide(std::make_shared<const SidePath>(sides[k], gap_mm));
   const SheetFill fill =

@@ -80,8 +80,9 @@ Vector2d placeOf(std::size_t side, double share) {
   return (1 - share) * corners.at(side) + share * corners.at(side + 1);
 }
 
-std::array<SheetSide, 4> sidesOf(const Formula& formula, const std::vector<double>& joints_u = {}) {
-  std::array<SheetSide, 4> sides;
+std::array<SheetFillSide, 4> sidesOf(const Formula& formula,
+                                     const std::vector<double>& joints_u = {}) {
+  std::array<SheetFillSide, 4> sides;
   for (std::size_t side = 0; side < 4; ++side) {
     sides[side].at = [=](double share) {
       const Vector2d at = placeOf(side, share);
@@ -101,7 +102,7 @@ Vector3d pointOf(const SheetFill& fill, double u, double v) {
 }
 
 /// The largest distance from the sides, and the largest angle of normals.
-std::array<double, 2> missOf(const SheetFill& fill, const std::array<SheetSide, 4>& sides) {
+std::array<double, 2> missOf(const SheetFill& fill, const std::array<SheetFillSide, 4>& sides) {
   std::array<double, 2> miss{};
   for (std::size_t side = 0; side < 4; ++side)
     for (int k = 0; k <= 400; ++k) {
@@ -117,7 +118,7 @@ std::array<double, 2> missOf(const SheetFill& fill, const std::array<SheetSide, 
   return miss;
 }
 
-void expectMeets(const SheetFill& fill, const std::array<SheetSide, 4>& sides) {
+void expectMeets(const SheetFill& fill, const std::array<SheetFillSide, 4>& sides) {
   const auto [gap_mm, angle_rad] = missOf(fill, sides);
   EXPECT_LT(gap_mm, asked.gap_mm);
   EXPECT_LT(angle_rad, asked.angle_rad);
@@ -144,8 +145,8 @@ TEST(SheetFill, ReproducesABilinearSurface) {
 
 // (2)
 TEST(SheetFill, DoesNotDependOnTheFirstSide) {
-  const std::array<SheetSide, 4> sides = sidesOf(halfTorus(20, 6, 0.2, 1.4));
-  std::array<SheetSide, 4> turned = sides;
+  const std::array<SheetFillSide, 4> sides = sidesOf(halfTorus(20, 6, 0.2, 1.4));
+  std::array<SheetFillSide, 4> turned = sides;
   std::rotate(turned.begin(), turned.begin() + 1, turned.end());
   const SheetFill one = sheetFill(sides, asked), other = sheetFill(turned, asked);
   for (const Vector2d& at : {Vector2d(0.2, 0.3), Vector2d(0.5, 0.5), Vector2d(0.9, 0.6)})
