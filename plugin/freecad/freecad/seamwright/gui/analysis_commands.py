@@ -12,8 +12,7 @@ from freecad.seamwright.document.maps.surface_map import SurfaceMap
 from freecad.seamwright.gui.base.option_panel import sentence
 from freecad.seamwright.gui.base.picked import picked
 from freecad.seamwright.gui.command import Command, begin, open_new
-from freecad.seamwright.gui.commands import with_faces
-from freecad.seamwright.gui.selected import selected_seams
+from freecad.seamwright.gui.selected import picked_seams, visible_with_faces
 from freecad.seamwright.gui.widgets import messages
 from freecad.seamwright.plain import kernel
 
@@ -46,15 +45,10 @@ class UseTool(Command):
         open_new(begin(doc, "Make %s" % self.kind.LABEL.lower(), make))
 
     def _chosen(self, doc):
-        chosen = selected_seams() if self.kind is SeamPlot else picked()
+        chosen = picked_seams(doc) if self.kind is SeamPlot else picked()
         if chosen or not self.kind.TAKES_ALL:
             return chosen
-        visible = [
-            obj
-            for obj in doc.Objects
-            if obj.ViewObject.Visibility and not sources.in_body(obj) and not tool.is_tool(obj)
-        ]
-        return [(obj, "") for obj in with_faces(visible)]
+        return [(obj, "") for obj in visible_with_faces(doc) if not tool.is_tool(obj)]
 
 
 def hide_others(obj):

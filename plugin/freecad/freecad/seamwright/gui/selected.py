@@ -65,6 +65,11 @@ def selected_seams(doc):
     its panel as their edges. Without a selection, these are all that suit. Raises SourceError for
     an object without faces.
     """
+    return picked_seams(doc) or [(obj, "") for obj in sources.everything(doc)]
+
+
+def picked_seams(doc):
+    """Return what ``selected_seams`` does for a selection; without one, nothing."""
     rest = _chosen_rows(doc)
     if rest:
         return rest
@@ -77,7 +82,7 @@ def selected_seams(doc):
             ]
         else:
             found += [(obj, edge) for obj in _parts([chosen.Object]) for edge in edges or [""]]
-    return found or [(obj, "") for obj in sources.everything(doc)]
+    return found
 
 
 def _chosen_rows(doc):
