@@ -75,4 +75,5 @@ class PackageCases(unittest.TestCase):
         lines = [text.splitlines() for text in texts]
         self.assertEqual(len(lines[0]), len(lines[1]))
         changed = [here.strip() for here, there in zip(*lines) if here != there]
-        self.assertEqual([re.match(r"<(\w+)>", line)[1] for line in changed], ["icon", "subdirectory"])
+        names = [re.match(r"<(\w+)>", line)[1] for line in changed]
+        self.assertEqual(names, ["icon", "subdirectory"])

@@ -8,8 +8,9 @@ import importlib
 
 import FreeCADGui as Gui
 
+from freecad.seamwright.document import preferences
 from freecad.seamwright.document.hooks import hooks
-from freecad.seamwright.gui import icon_path
+from freecad.seamwright.gui import ICONS, icon_path
 
 
 class SeamwrightWorkbench(Gui.Workbench):
@@ -88,6 +89,18 @@ def _progress(text):
     return progress.progress_dialog(text)
 
 
+class _PreferencesPage:
+    """FreeCAD makes the page of it when the dialog is opened."""
+
+    def __new__(cls, *_):
+        from freecad.seamwright.gui.preferences_page import PreferencesPage
+
+        return PreferencesPage()
+
+
 hooks.attach_view = _attach_view
 hooks.progress = _progress
+Gui.addIconPath(ICONS)
+Gui.addPreferencePage(_PreferencesPage, "Seamwright")
+preferences.use_colours()
 Gui.addWorkbench(SeamwrightWorkbench())

@@ -11,7 +11,7 @@ import FreeCAD as App
 import Part
 
 from freecad.seamwright import __version__
-from freecad.seamwright.document import feature, properties, sources
+from freecad.seamwright.document import feature, preferences, properties, sources
 from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.document.properties import error_text
 from freecad.seamwright.document.seam_results import SeamResults
@@ -90,15 +90,15 @@ class SeamAnalysis(feature.Feature):
         model, level, given = sources.Model(source_objects(obj)), obj.Level, tolerances(obj)
         names = [source.Name for source in model.objects]
         make = feature.model_maker(module, model.shape, private)
-        size = model.shape.BoundBox.DiagonalLength
+        size, jobs = model.shape.BoundBox.DiagonalLength, preferences.threads()
 
         def run(progress):
             made = make()
-            text = made.analyze(**given, progress=progress).to_json()
+            text = made.analyze(**given, jobs=jobs, progress=progress).to_json()
             report = report_text.read(text)
             facts = owners(model, names, level, report)
             if report["open"] and not report["seams"] and not given["match_mm"]:
-                facts.update(proposal(made, given, size, progress))
+                facts.update(proposal(made, {**given, "jobs": jobs}, size, progress))
             report["freecad"] = facts
             text = report_text.with_entry(text, "freecad", facts)
             # Edges of the model, which nothing else draws or changes if it is private.

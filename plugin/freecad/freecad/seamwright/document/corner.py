@@ -8,7 +8,7 @@ read. The class path is written into documents: neither rename nor move it.
 
 import Part
 
-from freecad.seamwright.document import elements, feature, properties, sources
+from freecad.seamwright.document import elements, feature, preferences, properties, sources
 from freecad.seamwright.document.feature import empty_report, report_of, tolerances
 from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.document.properties import error_text
@@ -124,13 +124,14 @@ def fillet_job(module, obj, private=False):
     setbacks = corner_text.by_edge(obj.Setbacks, edges, "Setbacks") if obj.Setbacks else {}
     setbacks = {edge: value for edge, value in setbacks.items() if value}
     given, make = tolerances(obj), feature.model_maker(module, shape, private)
+    more = {"setbacks_mm": setbacks, "jobs": preferences.threads(), **given}
 
     def finish(result):
         report = corner_text.build_report(result.to_dict(), given)
         return report, result.model.to_freecad() if result.met else Part.Shape(), _names(edges)
 
     def run(progress):
-        return make().corner_fillet(vertex, radii, setbacks_mm=setbacks, progress=progress, **given)
+        return make().corner_fillet(vertex, radii, progress=progress, **more)
 
     return feature.Job("Rounding the corner\u2026", run, finish)
 

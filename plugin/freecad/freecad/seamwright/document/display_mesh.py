@@ -7,6 +7,7 @@ The kernel makes them. Faces share no points, so that a break at a seam stays vi
 import numpy
 import Part
 
+from freecad.seamwright.document import preferences
 from freecad.seamwright.plain import curvature, kernel
 
 
@@ -88,7 +89,9 @@ def display_mesh(shape, progress=None):
         return ShownMesh()
     try:
         return ShownMesh.of(
-            module.Model.from_freecad(shape).display_mesh(curvatures=False, progress=progress)
+            module.Model.from_freecad(shape).display_mesh(
+                curvatures=False, jobs=preferences.threads(), progress=progress
+            )
         )
     except module.Cancelled:
         return None

@@ -12,7 +12,7 @@ from typing import Any, Callable, NamedTuple
 import Part
 
 from freecad.seamwright import __version__
-from freecad.seamwright.document import properties, sources
+from freecad.seamwright.document import preferences, properties, sources
 from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.document.properties import CANCELLED, DONE, OUTCOMES, OUTDATED, WITHOUT
 from freecad.seamwright.plain import kernel
@@ -171,6 +171,7 @@ def add(doc, feature, label):
     obj = doc.addObject("Part::FeaturePython", feature.Type)
     obj.Label = label
     feature(obj)
+    preferences.apply(obj)
     return obj
 
 

@@ -7,7 +7,7 @@ path is written into documents: neither rename nor move it.
 
 import Part
 
-from freecad.seamwright.document import elements, feature, properties, sources
+from freecad.seamwright.document import elements, feature, preferences, properties, sources
 from freecad.seamwright.document.feature import empty_report, report_of, tolerances
 from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.document.properties import error_text
@@ -144,6 +144,7 @@ def fill_job(module, obj, private=False):
         feature.model_maker(module, shape, private),
     )
     given = {"target": obj.Target, "keep_anyway": bool(obj.KeepAnyway), **limits}
+    given["jobs"] = preferences.threads()
     report = empty_report(obj)
 
     def run(progress):

@@ -8,7 +8,7 @@ move it.
 
 import Part
 
-from freecad.seamwright.document import elements, feature, properties
+from freecad.seamwright.document import elements, feature, preferences, properties
 from freecad.seamwright.document.feature import empty_report, report_of, tolerances
 from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.document.properties import error_text
@@ -142,7 +142,8 @@ def repair_job(module, obj, private=False):
     target, make = obj.Target, feature.model_maker(module, shape, private)
     given = {
         "target": target, "edges": edges or None, "fixed_faces": faces,
-        "max_move_mm": properties.number(obj, "MaxMove") or "auto", **tolerances(obj)
+        "max_move_mm": properties.number(obj, "MaxMove") or "auto", **tolerances(obj),
+        "jobs": preferences.threads()
     }  # fmt: skip
 
     def run(progress):
@@ -169,6 +170,7 @@ def candidates_job(module, obj, private=False):
     shape = elements.source_shape(obj)
     edges, _ = (elements.numbers(obj, shape, *entry[:2]) for entry in ELEMENTS)
     target, given, make = obj.Target, tolerances(obj), feature.model_maker(module, shape, private)
+    given["jobs"] = preferences.threads()
 
     def finish(before):
         seams = repair_text.waiting(before, target, set(edges))

@@ -15,7 +15,12 @@ class SeamClass:
 
     key: str
     name: str
-    rgb: tuple  # red, green, blue, each 0..255
+    standard_rgb: tuple  # red, green, blue, each 0..255
+
+    @property
+    def rgb(self):
+        """The colour that the user has chosen, or the standard one."""
+        return _chosen.get(self.key, self.standard_rgb)
 
     @property
     def unit_rgb(self):
@@ -53,6 +58,26 @@ LEVEL_MEANINGS = {
 }
 
 BY_KEY = {seam_class.key: seam_class for seam_class in CLASSES}
+
+#: {key: (red, green, blue)} that the user has chosen for classes and levels.
+_chosen = {}
+
+
+def use(colours):
+    """Use these colours, {key: (red, green, blue)}; all others are the standard ones."""
+    _chosen.clear()
+    _chosen.update(colours)
+
+
+def packed(rgb):
+    """Return a colour as one number, 0xrrggbb00."""
+    red, green, blue = rgb
+    return red << 24 | green << 16 | blue << 8
+
+
+def unpacked(number):
+    """Return (red, green, blue) of a number that ``packed`` returns."""
+    return number >> 24 & 255, number >> 16 & 255, number >> 8 & 255
 
 
 def rank(key):

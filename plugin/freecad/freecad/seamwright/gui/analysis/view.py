@@ -145,7 +145,8 @@ class SeamAnalysisView(PanelView):
         tasks.start(lambda progress: read(), done)
 
     def _draw_lines(self, vobj, results):
-        wanted = (results, vobj.ColourBy, vobj.Show)
+        colours = [entry.unit_rgb for entry in summary.COLOURS[vobj.ColourBy]]
+        wanted = (results, vobj.ColourBy, vobj.Show, colours)
         if self._drawn is not None and all(a is b or a == b for a, b in zip(wanted, self._drawn)):
             return
         if self._drawn is None or self._drawn[0] is not results:
@@ -155,7 +156,6 @@ class SeamAnalysisView(PanelView):
         places = {entry.key: place for place, entry in enumerate(entries)}
         keys = summary.edge_keys(results.report, vobj.ColourBy)
         shown = rows.shown_edges(results.report, filters.of(vobj.Show))
-        colours = [entry.unit_rgb for entry in entries]
         places = [places[key] for key in keys.values()]
         self.lines.paint(colours, places, [number not in shown for number in keys])
         self.lines.set_width(vobj.LineWidth)

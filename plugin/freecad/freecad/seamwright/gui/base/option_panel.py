@@ -14,6 +14,7 @@ from freecad.seamwright.gui.widgets import messages
 from freecad.seamwright.gui.widgets.computation import Computation
 from freecad.seamwright.gui.widgets.fields import OptionForm
 from freecad.seamwright.gui.widgets.forms import make_box, make_form, make_text
+from freecad.seamwright.gui.widgets.live_preview import PreviewTimer
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 from freecad.seamwright.gui.widgets.tasks import documents_rest
 from freecad.seamwright.plain import kernel
@@ -67,16 +68,13 @@ class OptionPanel(ResultPanel):
         self._handles, self._handle_timer = {}, QtCore.QTimer()
         self._handle_timer.setInterval(READ_HANDLES_MS)
         self._handle_timer.timeout.connect(self._read_handles)
-        self._timer = QtCore.QTimer()
-        self._timer.setSingleShot(True)
-        self._timer.setInterval(PREVIEW_AFTER_MS)
-        self._timer.timeout.connect(self._preview_in_time)
+        self._timer = PreviewTimer(PREVIEW_AFTER_MS, self._preview_in_time)
         self._build()
         self.computation = Computation(self.form)
         self.read_fields()
         self._connect()
         self.refresh()
-        if created:
+        if created and self._timer.live:
             self.preview()
 
     # Methods that a subclass defines.
@@ -127,6 +125,8 @@ class OptionPanel(ResultPanel):
             layout.addWidget(self.boxes[name])
         self.options = OptionForm(self.obj, kind.OPTIONS)
         layout.addWidget(make_box("Options", self.options)[0])
+        layout.addWidget(self._timer.button)
+        self._timer.button.setVisible(not self._timer.live)
         layout.addWidget(self.build_result())
         layout.addStretch(1)
 
@@ -224,7 +224,7 @@ class OptionPanel(ResultPanel):
     def changed(self, *_):
         """Compute after a short delay."""
         super().changed()
-        self._timer.start()
+        self._timer.start_if_live()
 
     def _use_selection(self, name):
         try:

@@ -6,7 +6,7 @@ import Part
 
 from freecad.seamwright.document.curves import inputs
 from freecad.seamwright.document.curves.spline import INTERPOLATING, NU
-from freecad.seamwright.gui.scene.comb import EVERY, LONGEST, QUILLS
+from freecad.seamwright.gui.scene.comb import EVERY, LONGEST, quill_count
 from freecad.seamwright.gui.scene.live_curve import POINT, TANGENT, TENSION, LiveCurve
 from freecad.seamwright.plain import kernel, spline_handles
 from freecad.seamwright.plain.options import one_for_each
@@ -54,7 +54,7 @@ class SplineDrawing:
         """Draw the spline, and its comb if the view has one."""
         self.obj.ViewObject.Proxy.drag(True)
         knots = self._spline.knots
-        at = numpy.linspace(knots[0], knots[-1], QUILLS + 1)
+        at = numpy.linspace(knots[0], knots[-1], quill_count() + 1)
         jets = numpy.asarray(self._spline.derivatives(at, 2))
         points = jets[:, 0]
         self._live.show_curve(points)

@@ -13,7 +13,8 @@ from freecad.seamwright.gui.scene import seam_view
 from freecad.seamwright.gui.scene.zebra import zebra
 from freecad.seamwright.gui.widgets.computation import Computation
 from freecad.seamwright.gui.widgets.forms import make_box, make_form, make_text
-from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
+from freecad.seamwright.gui.widgets.live_preview import PreviewTimer
+from freecad.seamwright.gui.widgets.qt import QtWidgets
 from freecad.seamwright.gui.widgets.tasks import documents_rest
 from freecad.seamwright.gui.widgets.tolerance_form import NumberField, ToleranceForm
 from freecad.seamwright.plain import match_text
@@ -33,16 +34,13 @@ class MatchPanel(ResultPanel):
         )
         self._swapped = False
         self._striped = []
-        self._timer = QtCore.QTimer()
-        self._timer.setSingleShot(True)
-        self._timer.setInterval(PREVIEW_AFTER_MS)
-        self._timer.timeout.connect(self._preview_in_time)
+        self._timer = PreviewTimer(PREVIEW_AFTER_MS, self._preview_in_time)
         self._build()
         self.computation = Computation(self.form)
         self.read_fields()
         self._connect()
         self.refresh()
-        if created:
+        if created and self._timer.live:
             self.preview()
 
     def sources(self):
@@ -72,6 +70,8 @@ class MatchPanel(ResultPanel):
         self.form, layout = make_form("Match Surfaces", "seamwright-match")
         for box in (self._build_faces(), self._build_result(), self._build_tolerances()):
             layout.addWidget(box)
+        layout.insertWidget(1, self._timer.button)
+        self._timer.button.setVisible(not self._timer.live)
 
     def _build_faces(self):
         box = QtWidgets.QGroupBox("Faces")
@@ -196,7 +196,7 @@ class MatchPanel(ResultPanel):
     def changed(self, *_):
         """Compute after a short delay."""
         super().changed()
-        self._timer.start()
+        self._timer.start_if_live()
 
     def _swap(self, *_):
         self._swapped = not self._swapped

@@ -112,6 +112,12 @@ class ToleranceForm(QtWidgets.QWidget):
             field.setValue(properties.number(obj, name))
         self._field_changed()
 
+    def show_values(self, values):
+        """Show the tolerances of {property: value}."""
+        for name, field in self.fields.items():
+            field.setValue(values[name])
+        self._field_changed()
+
     def differs_from(self, obj):
         """Return whether the value of a field differs from that of the object."""
         return bool(properties.differing(obj, self.values()))
