@@ -55,7 +55,7 @@ def broken_block():
 
 
 def open_block():
-    """Return the broken block without the rounding of one corner: a shell with a three-sided hole."""
+    """Return the broken block without one rounded corner: a shell with a hole of three sides."""
     faces = broken_block().Faces
     balls = [face for face in faces if face.Surface.TypeId == "Part::GeomSphere"]
     corner = max(balls, key=lambda face: face.CenterOfMass.dot(FreeCAD.Vector(1, -1, 1)))
