@@ -8,6 +8,7 @@ import Part
 
 from freecad.seamwright.gui.base.result_panel import ResultPanel
 from freecad.seamwright.gui.scene import seam_view
+from freecad.seamwright.gui.widgets import ink
 from freecad.seamwright.gui.widgets.computation import Computation
 from freecad.seamwright.gui.widgets.forms import make_form, make_text, show_seams_in
 from freecad.seamwright.gui.widgets.qt import QtGui, QtWidgets
@@ -18,14 +19,14 @@ TABLE_HEIGHT = 190
 PREVIEW, PREVIEW_AGAIN = "Preview", "Update preview"
 
 #: Text colours of the last column, by the state of a row.
-TEXT_COLOURS = {repair_text.REPAIRED: (0, 120, 88), repair_text.NOT_REPAIRED: (190, 80, 0)}
+INKS = {repair_text.REPAIRED: ink.GOOD, repair_text.NOT_REPAIRED: ink.BAD}
 
 
 class PreviewPanel(ResultPanel):
     """Shows and changes one object; a subclass defines its fields and rows.
 
     A row has ``cells``, a text for each of ``COLUMNS``; ``detail``, its tool tip; and ``state``, a
-    key of ``TEXT_COLOURS`` or another state, whose text has the default colour.
+    key of ``INKS`` or another state, whose text has the default colour.
     """
 
     DOCK_WIDTH = 600
@@ -161,7 +162,7 @@ class PreviewPanel(ResultPanel):
         self.table.setRowCount(len(built))
         for line, row in enumerate(built):
             for column, cell in enumerate(row.cells):
-                self.table.setItem(line, column, _item(cell, row, column))
+                self.table.setItem(line, column, _item(cell, row, column, self.table))
         self._fit_columns()
         self.after.setEnabled(self.has_result())
 
@@ -200,9 +201,9 @@ class PreviewPanel(ResultPanel):
         seam_view.show(self.obj, report, seams, size)
 
 
-def _item(text, row, column):
+def _item(text, row, column, table):
     item = QtWidgets.QTableWidgetItem(text)
     item.setToolTip(row.detail)
-    if column == len(row.cells) - 1 and row.state in TEXT_COLOURS:
-        item.setForeground(QtGui.QBrush(QtGui.QColor(*TEXT_COLOURS[row.state])))
+    if column == len(row.cells) - 1 and row.state in INKS:
+        item.setForeground(QtGui.QBrush(ink.ink(INKS[row.state], table)))
     return item

@@ -8,6 +8,7 @@ from freecad.seamwright.plain.ramps import figure
 from freecad.seamwright.plain.ticks import ticks
 
 HEIGHT, LEFT, RIGHT, TOP, BOTTOM = 210, 66, 12, 26, 36
+PAPER, INK = (255, 255, 255), (40, 40, 40)
 CURVE, BOUND, BAND, GRID = (0, 82, 158), (213, 94, 0), (213, 94, 0, 45), (150, 150, 150, 110)
 
 #: Room above the largest value.
@@ -94,7 +95,7 @@ class Plot(QtWidgets.QWidget):
         """Draw axes, bounds and curves."""
         painter = QtGui.QPainter(self)
         painter.setRenderHint(QtGui.QPainter.Antialiasing)
-        painter.fillRect(self.rect(), self.palette().base())
+        painter.fillRect(self.rect(), QtGui.QColor(*PAPER))
         if self.lines:
             self._draw_axes(painter)
             for start, line in zip(self._starts(), self.lines):
@@ -105,7 +106,7 @@ class Plot(QtWidgets.QWidget):
         painter.end()
 
     def _draw_axes(self, painter):
-        area, text = self._area(), self.palette().text().color()
+        area, text = self._area(), QtGui.QColor(*INK)
         grid = QtGui.QPen(QtGui.QColor(*GRID), 1.0, QtCore.Qt.DotLine)
         right = QtCore.Qt.AlignVCenter | QtCore.Qt.AlignRight
         for y in ticks(0.0, self._top(), 4):
@@ -155,7 +156,7 @@ class Plot(QtWidgets.QWidget):
         index, place = self._at
         line, area = self.lines[index], self._area()
         spot = self._place(self._starts()[index] + line.lengths[place], line.values[place] or 0.0)
-        painter.setPen(QtGui.QPen(self.palette().text().color(), 1.0))
+        painter.setPen(QtGui.QPen(QtGui.QColor(*INK), 1.0))
         painter.drawLine(
             QtCore.QPointF(spot.x(), area.top()), QtCore.QPointF(spot.x(), area.bottom())
         )

@@ -8,9 +8,9 @@ from freecad.seamwright.document.surfaces.chain import tangent_chain
 from freecad.seamwright.document.surfaces.extend import UP_TO
 from freecad.seamwright.document.surfaces.surface import Surface
 from freecad.seamwright.gui.base.option_panel import OptionPanel, SourceBox, sentence
-from freecad.seamwright.gui.base.preview_panel import TEXT_COLOURS
+from freecad.seamwright.gui.base.preview_panel import INKS
 from freecad.seamwright.gui.scene.zebra import zebra
-from freecad.seamwright.gui.widgets import messages
+from freecad.seamwright.gui.widgets import ink, messages
 from freecad.seamwright.gui.widgets.forms import make_box, make_text, show_seams_in
 from freecad.seamwright.gui.widgets.qt import QtGui, QtWidgets
 from freecad.seamwright.plain import repair_text, rows, surface_text
@@ -89,7 +89,7 @@ class SurfacePanel(OptionPanel):
                 item = QtWidgets.QTableWidgetItem(text)
                 item.setToolTip(row.detail)
                 self.table.setItem(line, column, item)
-            item.setForeground(QtGui.QBrush(QtGui.QColor(*TEXT_COLOURS[state])))
+            item.setForeground(QtGui.QBrush(ink.ink(INKS[state], self.table)))
         self._show_marks()
 
     def _show_marks(self):

@@ -3,6 +3,7 @@
 
 import FreeCADGui as Gui
 
+from freecad.seamwright.gui.widgets import ink
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 from freecad.seamwright.plain import options
 
@@ -16,7 +17,7 @@ LARGEST = 1e9
 #: Letters of a choice that a narrow panel still shows.
 LEAST_LETTERS = 12
 
-BAD_TEXT = "color: #b03020"
+BAD_TEXT = "color: %s"
 
 
 class Field(QtCore.QObject):
@@ -145,7 +146,7 @@ class NumbersField(Field):
         try:
             numbers = options.parse_numbers(self.widget.text())
         except ValueError:
-            self.widget.setStyleSheet(BAD_TEXT)
+            self.widget.setStyleSheet(BAD_TEXT % ink.ink(ink.WRONG, self.widget).name())
             raise
         self.widget.setStyleSheet("")
         return numbers
