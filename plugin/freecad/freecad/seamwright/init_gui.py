@@ -28,6 +28,7 @@ class SeamwrightWorkbench(Gui.Workbench):
             analysis_commands,
             commands,
             curve_commands,
+            help_window,
             surface_commands,
         )
 
@@ -43,6 +44,7 @@ class SeamwrightWorkbench(Gui.Workbench):
         names = analysis_commands.register()
         self.appendToolbar("Seamwright Analysis", names)
         self.appendMenu(["Seamwright", "Analysis"], names)
+        self.appendMenu("Seamwright", ["Separator", *help_window.register()])
 
     def GetClassName(self):
         """Return the kind of workbench, as FreeCAD names it."""

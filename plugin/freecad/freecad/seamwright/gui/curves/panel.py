@@ -6,7 +6,7 @@ from freecad.seamwright.document.feature import report_of
 from freecad.seamwright.document.properties import error_text
 from freecad.seamwright.gui.base.option_panel import OptionPanel, SourceBox, sentence
 from freecad.seamwright.gui.widgets import messages
-from freecad.seamwright.gui.widgets.forms import make_box, make_text
+from freecad.seamwright.gui.widgets.forms import LEAST_WIDTH, make_box, make_text
 from freecad.seamwright.gui.widgets.qt import QtWidgets
 from freecad.seamwright.gui.widgets.steps import remove
 from freecad.seamwright.plain.summary import counted
@@ -43,6 +43,7 @@ class CurvePanel(OptionPanel):
         self.compare.setToolTip("Also draw the comb of the edges from which the curve is made")
         self.comb_scale = QtWidgets.QDoubleSpinBox()
         self.comb_scale.setRange(0.01, 100.0)
+        self.comb_scale.setMinimumWidth(LEAST_WIDTH // 2)
         self.comb_scale.setStepType(QtWidgets.QAbstractSpinBox.AdaptiveDecimalStepType)
         self.comb_scale.setToolTip("Length of the lines of the comb")
         self.numbers = QtWidgets.QCheckBox("Number the points")

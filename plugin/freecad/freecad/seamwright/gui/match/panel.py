@@ -97,7 +97,7 @@ class MatchPanel(ResultPanel):
         self.hold_sides.setToolTip(
             "Do not move the poles of the two other boundaries that end at the seam"
         )
-        layout.addRow("", self.hold_sides)
+        layout.addRow(self.hold_sides)
         return box
 
     def _build_tolerances(self):

@@ -9,7 +9,7 @@ from freecad.seamwright.gui.base.preview_panel import PreviewPanel
 from freecad.seamwright.gui.scene import seam_view
 from freecad.seamwright.gui.scene.surface_colours import CURVATURE, ZEBRA, SurfaceColours
 from freecad.seamwright.gui.widgets.element_list import ElementList
-from freecad.seamwright.gui.widgets.forms import make_box
+from freecad.seamwright.gui.widgets.forms import make_box, make_text
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 from freecad.seamwright.gui.widgets.tolerance_form import NumberField, ToleranceForm
 from freecad.seamwright.plain import repair_text, rows
@@ -73,8 +73,10 @@ class RepairPanel(PreviewPanel):
             self.colours.setItemData(index, tip, QtCore.Qt.ToolTipRole)
         self.colours.setCurrentText(MOVES)
         self.colours.setToolTip("What the colours of the faces show")
-        for index, widget in enumerate((QtWidgets.QLabel("Colours"), self.colours), 3):
-            self.show_line.insertWidget(index, widget)
+        line = QtWidgets.QHBoxLayout()
+        line.addWidget(QtWidgets.QLabel("Colours"))
+        line.addWidget(self.colours, 1)
+        self.form.layout().addLayout(line)
         return self._build_seams(), self._build_limits()
 
     def _build_seams(self):
@@ -83,7 +85,7 @@ class RepairPanel(PreviewPanel):
         self.lists = {}
         for name, kind, tip in repair.ELEMENTS:
             self.lists[name] = ElementList(lambda kind=kind: self._picked(kind), self._select, tip)
-        self.which = QtWidgets.QLabel()
+        self.which = make_text()
         layout.addRow("Repair", self.which)
         layout.addRow("", self.lists["Edges"])
         layout.addRow("Fixed faces", self.lists["FixedFaces"])

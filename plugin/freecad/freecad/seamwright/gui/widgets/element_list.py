@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A list of faces or edges that the user fills by picking them in the view."""
 
+from freecad.seamwright.gui.widgets.forms import LEAST_WIDTH
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 
 LINES = 1.5
@@ -23,6 +24,7 @@ class ElementList(QtWidgets.QWidget):
         self.list = QtWidgets.QListWidget()
         self.list.setToolTip(tip)
         self.list.setSelectionMode(QtWidgets.QAbstractItemView.ExtendedSelection)
+        self.list.setMinimumWidth(LEAST_WIDTH // 2)
         self.list.setFlow(QtWidgets.QListView.LeftToRight)
         self.list.setWrapping(True)
         self.list.setResizeMode(QtWidgets.QListView.Adjust)

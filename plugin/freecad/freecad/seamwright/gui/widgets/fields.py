@@ -4,6 +4,7 @@
 import FreeCADGui as Gui
 
 from freecad.seamwright.gui.widgets import ink
+from freecad.seamwright.gui.widgets.forms import LEAST_WIDTH
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 from freecad.seamwright.plain import options
 
@@ -15,7 +16,7 @@ DECIMALS = 6
 LARGEST = 1e9
 
 #: Letters of a choice that a narrow panel still shows.
-LEAST_LETTERS = 12
+LEAST_LETTERS = 9
 
 BAD_TEXT = "color: %s"
 
@@ -60,6 +61,7 @@ class QuantityField(Field):
         widget.setProperty("decimals", DECIMALS)
         widget.setProperty("minimum", max(self.option.least, -LARGEST))
         widget.setProperty("maximum", LARGEST)
+        widget.setMinimumWidth(LEAST_WIDTH)
         self._binding = Gui.ExpressionBinding(widget)
         self._binding.bind(obj, self.option.name)
         QtCore.QObject.connect(widget, QtCore.SIGNAL("valueChanged(double)"), self._emit)

@@ -2,6 +2,7 @@
 """The input fields for level and tolerances."""
 
 from freecad.seamwright.document import properties
+from freecad.seamwright.gui.widgets.forms import LEAST_WIDTH
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 from freecad.seamwright.plain import profiles
 
@@ -31,6 +32,7 @@ class NumberField(QtWidgets.QDoubleSpinBox):
         self.setDecimals(9)
         self.setRange(0.0, largest)
         self.setSuffix(unit)
+        self.setMinimumWidth(LEAST_WIDTH)  # a narrow dock cuts off long numbers, not the field
         self.setStepType(QtWidgets.QAbstractSpinBox.AdaptiveDecimalStepType)
 
     def textFromValue(self, value):
@@ -53,6 +55,7 @@ class ToleranceForm(QtWidgets.QWidget):
         self._arguments = {name: argument for name, argument, *_ in table}
         layout = QtWidgets.QFormLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
+        layout.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
         self.level = QtWidgets.QComboBox()
         self.level.addItems(levels)
         self.level.currentIndexChanged.connect(lambda *_: self.changed.emit())
