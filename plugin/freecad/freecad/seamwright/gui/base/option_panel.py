@@ -58,7 +58,7 @@ class OptionPanel(ResultPanel):
     A subclass builds the box of the result, with ``summary``, and checks sources.
     """
 
-    DOCK_WIDTH = 430
+    DOCK_WIDTH = 440
 
     def __init__(self, obj, created):
         kind = obj.Proxy

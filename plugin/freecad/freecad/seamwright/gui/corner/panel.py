@@ -4,8 +4,9 @@
 from freecad.seamwright.document import corner, elements
 from freecad.seamwright.gui.base.new_seams_panel import NewSeamsPanel
 from freecad.seamwright.gui.widgets.forms import make_box
+from freecad.seamwright.gui.widgets.number_field import LENGTH, NumberField
 from freecad.seamwright.gui.widgets.qt import QtWidgets
-from freecad.seamwright.gui.widgets.tolerance_form import NumberField, ToleranceForm
+from freecad.seamwright.gui.widgets.tolerance_form import ToleranceForm
 from freecad.seamwright.plain import corner_text
 
 HEADINGS = ("Edge", "Length mm", "Angle", "Radius", "Setback")
@@ -53,7 +54,7 @@ class CornerPanel(NewSeamsPanel):
 
     def _fields(self, column):
         """Return a field for a length in each line of a column."""
-        fields = [NumberField(" mm", 1e6) for _ in self._edges]
+        fields = [NumberField(LENGTH, 1e6) for _ in self._edges]
         for line, field in enumerate(fields):
             if column == SETBACK:
                 field.setSpecialValueText("auto")

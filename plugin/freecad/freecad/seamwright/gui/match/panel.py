@@ -14,9 +14,10 @@ from freecad.seamwright.gui.scene.zebra import zebra
 from freecad.seamwright.gui.widgets.computation import Computation
 from freecad.seamwright.gui.widgets.forms import make_box, make_form, make_text
 from freecad.seamwright.gui.widgets.live_preview import PreviewTimer
+from freecad.seamwright.gui.widgets.number_field import LENGTH, NumberField
 from freecad.seamwright.gui.widgets.qt import QtWidgets
 from freecad.seamwright.gui.widgets.tasks import documents_rest
-from freecad.seamwright.gui.widgets.tolerance_form import NumberField, ToleranceForm
+from freecad.seamwright.gui.widgets.tolerance_form import ToleranceForm
 from freecad.seamwright.plain import match_text
 
 #: Delay between the last change and the computation of the preview.
@@ -89,7 +90,7 @@ class MatchPanel(ResultPanel):
         line.addWidget(self.moves, 1)
         line.addWidget(self.swap)
         layout.addRow("Moves", line)
-        self.max_move = NumberField(" mm", 1e6)
+        self.max_move = NumberField(LENGTH, 1e6)
         self.max_move.setSpecialValueText("no limit")
         self.max_move.setToolTip("No pole of a surface may move further than this")
         layout.addRow("Largest move", self.max_move)
@@ -144,6 +145,7 @@ class MatchPanel(ResultPanel):
         self._swapped = False
         self.moves.setCurrentText(self.obj.Moves)
         self.max_move.setValue(properties.number(self.obj, "MaxMove"))
+        self.max_move.show_expression(dict(self.obj.ExpressionEngine).get("MaxMove"))
         self.hold_sides.setChecked(self.obj.HoldSides)
         self.tolerances.read_from(self.obj)
         self._timer.stop()

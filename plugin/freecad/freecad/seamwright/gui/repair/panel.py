@@ -10,8 +10,9 @@ from freecad.seamwright.gui.scene import seam_view
 from freecad.seamwright.gui.scene.surface_colours import CURVATURE, ZEBRA, SurfaceColours
 from freecad.seamwright.gui.widgets.element_list import ElementList
 from freecad.seamwright.gui.widgets.forms import make_box, make_text
+from freecad.seamwright.gui.widgets.number_field import LENGTH, NumberField
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
-from freecad.seamwright.gui.widgets.tolerance_form import NumberField, ToleranceForm
+from freecad.seamwright.gui.widgets.tolerance_form import ToleranceForm
 from freecad.seamwright.plain import repair_text, rows
 
 CHOSEN = "The seams at these edges:"
@@ -93,7 +94,7 @@ class RepairPanel(PreviewPanel):
 
     def _build_limits(self):
         self.tolerances = ToleranceForm(repair.TOLERANCES, ("Target", repair.TARGETS))
-        self.max_move = NumberField(" mm", 1e6)
+        self.max_move = NumberField(LENGTH, 1e6)
         self.max_move.setSpecialValueText("by size of face")
         self.max_move.setToolTip(
             "No point of a face may move further than this. By size of face: a hundredth of the "
@@ -122,6 +123,7 @@ class RepairPanel(PreviewPanel):
         for name, each in self.lists.items():
             each.set_names(elements.names(self.obj, name))
         self.max_move.setValue(properties.number(self.obj, "MaxMove"))
+        self.max_move.show_expression(dict(self.obj.ExpressionEngine).get("MaxMove"))
         self.tolerances.read_from(self.obj)
         self._name_seams()
 

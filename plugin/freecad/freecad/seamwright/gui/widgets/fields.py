@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The input fields of a table of options; lengths and angles have units and take expressions."""
 
+import math
+
 import FreeCADGui as Gui
 
 from freecad.seamwright.gui.widgets import ink
@@ -55,6 +57,8 @@ class Field(QtCore.QObject):
 class QuantityField(Field):
     """A length, an angle or a plain number, in a field of FreeCAD: it also takes expressions."""
 
+    _exact = _rounded = math.nan
+
     def _make(self, obj):
         widget = Gui.UiLoader().createWidget("Gui::QuantitySpinBox")
         widget.setProperty("unit", UNITS.get(self.option.kind, ""))
@@ -68,12 +72,15 @@ class QuantityField(Field):
         return widget
 
     def value(self):
-        """Return the number, in mm or degrees."""
-        return float(self.widget.property("rawValue"))
+        """Return the number, in mm or degrees; the exact one as long as it is not changed."""
+        found = float(self.widget.property("rawValue"))
+        return self._exact if found == self._rounded else found
 
     def show_value(self, value):
-        """Show a number."""
-        self.widget.setProperty("rawValue", float(value))
+        """Show a number; FreeCAD rounds it to the digits that the field shows."""
+        self._exact = float(value)
+        self.widget.setProperty("rawValue", self._exact)
+        self._rounded = float(self.widget.property("rawValue"))
 
     def drag(self, value):
         """Show a number that the user drags, or the smallest one that is allowed."""

@@ -2,42 +2,26 @@
 """The input fields for level and tolerances."""
 
 from freecad.seamwright.document import properties
-from freecad.seamwright.gui.widgets.forms import LEAST_WIDTH
+from freecad.seamwright.gui.widgets.number_field import ANGLE, LENGTH, PLAIN, NumberField
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 from freecad.seamwright.plain import profiles
 
-#: property, label, unit shown after the number, largest value
+#: property, label, kind of number, largest value
 FIELDS = (
-    ("GapTolerance", "Gap", " mm", 1e6),
-    ("AngleTolerance", "Angle", "\u00b0", 90.0),
-    ("CurvatureTolerance", "Curvature (relative)", "", 1.0),
-    ("CreaseAngle", "Crease above", "\u00b0", 90.0),
-    ("FlatRadius", "Flat above radius", " mm", 1e12),
-    ("MatchDistance", "Match free edges within", " mm", 1e6),
-    ("CornerAngle", "Corner of a hole above", "\u00b0", 180.0),
-    ("SectionTolerance", "Gap of patch to fillet", " mm", 0.1),
+    ("GapTolerance", "Gap", LENGTH, 1e6),
+    ("AngleTolerance", "Angle", ANGLE, 90.0),
+    ("CurvatureTolerance", "Curvature (relative)", PLAIN, 1.0),
+    ("CreaseAngle", "Crease above", ANGLE, 90.0),
+    ("FlatRadius", "Flat above radius", LENGTH, 1e12),
+    ("MatchDistance", "Match free edges within", LENGTH, 1e6),
+    ("CornerAngle", "Corner of a hole above", ANGLE, 180.0),
+    ("SectionTolerance", "Gap of patch to fillet", LENGTH, 0.1),
 )
 
 #: Fields whose zero switches the function off.
 OFF_AT_ZERO = ("MatchDistance",)
 
 CUSTOM = "Custom"
-
-
-class NumberField(QtWidgets.QDoubleSpinBox):
-    """A number shown with as many digits as it has, not with a fixed number of digits."""
-
-    def __init__(self, unit, largest):
-        super().__init__()
-        self.setDecimals(9)
-        self.setRange(0.0, largest)
-        self.setSuffix(unit)
-        self.setMinimumWidth(LEAST_WIDTH)  # a narrow dock cuts off long numbers, not the field
-        self.setStepType(QtWidgets.QAbstractSpinBox.AdaptiveDecimalStepType)
-
-    def textFromValue(self, value):
-        """Return at most nine significant digits, with the decimal point of the language."""
-        return ("%.9g" % value).replace(".", str(self.locale().decimalPoint()))
 
 
 class ToleranceForm(QtWidgets.QWidget):
@@ -111,8 +95,10 @@ class ToleranceForm(QtWidgets.QWidget):
         """Show the tolerances of an object."""
         if self._level_name:
             self.level.setCurrentText(getattr(obj, self._level_name))
+        expressions = dict(obj.ExpressionEngine)
         for name, field in self.fields.items():
             field.setValue(properties.number(obj, name))
+            field.show_expression(expressions.get(name))
         self._field_changed()
 
     def show_values(self, values):
