@@ -49,6 +49,8 @@ class NumberField(QtWidgets.QDoubleSpinBox):
             pass
         else:
             return number * self._shown_in(self.value())[0]
+        if not text:
+            raise ValueError("no number")
         try:
             found = App.Units.Quantity(text)
         except (ValueError, OSError, SyntaxError, OverflowError) as error:
