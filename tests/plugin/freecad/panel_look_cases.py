@@ -60,6 +60,11 @@ def seen_contrast(screen, widget):
 
 
 class Panels(WindowCase):
+    def setUp(self):
+        super().setUp()
+        style = QtWidgets.QApplication.instance().styleSheet()
+        self.assertEqual(bool(style), bool(os.environ["SEAMWRIGHT_TEST_STYLE"]))
+
     def check(self, form, name):
         """Look at a panel that is open."""
         settle(0.5)

@@ -78,6 +78,7 @@ def environment(options, home):
         "XDG_RUNTIME_DIR": str(home / "run"),
         "LIBGL_ALWAYS_SOFTWARE": "1",
         "QT_SCALE_FACTOR": options.scale,
+        "SEAMWRIGHT_TEST_STYLE": options.style,
         "QTWEBENGINE_DISABLE_SANDBOX": "1",
         "PYTHONDONTWRITEBYTECODE": "1",
         "SEAMWRIGHT_TEST_DIR": str(HERE),
