@@ -7,17 +7,21 @@ FreeCAD imports this module at start, so it loads only what is needed then.
 import importlib
 
 import FreeCADGui as Gui
+from FreeCAD.Qt import QT_TRANSLATE_NOOP, translate
 
 from freecad.seamwright.document.hooks import hooks
-from freecad.seamwright.gui import icon_path
+from freecad.seamwright.gui import icon_path, translations
+
+translations.add()
 
 
 class SeamwrightWorkbench(Gui.Workbench):
     """Menu and toolbar of Seamwright."""
 
     MenuText = "Seamwright"
-    ToolTip = (
-        "Measure and repair the seams of CAD models: gap, angle and curvature where faces meet"
+    ToolTip = translate(
+        "Workbench",
+        "Measure and repair the seams of CAD models: gap, angle and curvature where faces meet",
     )
     Icon = icon_path("seamwright")
 
@@ -34,14 +38,14 @@ class SeamwrightWorkbench(Gui.Workbench):
         self.appendToolbar("Seamwright", names)
         self.appendMenu("Seamwright", names)
         names = curve_commands.register()
-        self.appendToolbar("Seamwright Curves", names)
-        self.appendMenu(["Seamwright", "Curves"], names)
+        self.appendToolbar(QT_TRANSLATE_NOOP("Workbench", "Seamwright Curves"), names)
+        self.appendMenu(["Seamwright", QT_TRANSLATE_NOOP("Workbench", "Curves")], names)
         names = surface_commands.register()
-        self.appendToolbar("Seamwright Surfaces", names)
-        self.appendMenu(["Seamwright", "Surfaces"], names)
+        self.appendToolbar(QT_TRANSLATE_NOOP("Workbench", "Seamwright Surfaces"), names)
+        self.appendMenu(["Seamwright", QT_TRANSLATE_NOOP("Workbench", "Surfaces")], names)
         names = analysis_commands.register()
-        self.appendToolbar("Seamwright Analysis", names)
-        self.appendMenu(["Seamwright", "Analysis"], names)
+        self.appendToolbar(QT_TRANSLATE_NOOP("Workbench", "Seamwright Analysis"), names)
+        self.appendMenu(["Seamwright", QT_TRANSLATE_NOOP("Workbench", "Analysis")], names)
 
     def GetClassName(self):
         """Return the kind of workbench, as FreeCAD names it."""

@@ -16,6 +16,7 @@ from freecad.seamwright.gui.commands import with_faces
 from freecad.seamwright.gui.selected import selected_seams
 from freecad.seamwright.gui.widgets import messages
 from freecad.seamwright.plain import kernel
+from freecad.seamwright.plain.language import inside, tr
 
 
 class UseTool(Command):
@@ -43,7 +44,7 @@ class UseTool(Command):
             hide_others(obj)
             return obj
 
-        open_new(begin(doc, "Make %s" % self.kind.LABEL.lower(), make))
+        open_new(begin(doc, tr("Make {label}").format(label=inside(self.kind.LABEL)), make))
 
     def _chosen(self, doc):
         chosen = selected_seams() if self.kind is SeamPlot else picked()
