@@ -6,8 +6,8 @@ FreeCAD imports this module at start, so it loads only what is needed then.
 
 import importlib
 
+import FreeCAD as App
 import FreeCADGui as Gui
-from FreeCAD.Qt import QT_TRANSLATE_NOOP, translate
 
 from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.gui import icon_path, translations
@@ -19,7 +19,7 @@ class SeamwrightWorkbench(Gui.Workbench):
     """Menu and toolbar of Seamwright."""
 
     MenuText = "Seamwright"
-    ToolTip = translate(
+    ToolTip = App.Qt.translate(
         "Workbench",
         "Measure and repair the seams of CAD models: gap, angle and curvature where faces meet",
     )
@@ -38,14 +38,14 @@ class SeamwrightWorkbench(Gui.Workbench):
         self.appendToolbar("Seamwright", names)
         self.appendMenu("Seamwright", names)
         names = curve_commands.register()
-        self.appendToolbar(QT_TRANSLATE_NOOP("Workbench", "Seamwright Curves"), names)
-        self.appendMenu(["Seamwright", QT_TRANSLATE_NOOP("Workbench", "Curves")], names)
+        self.appendToolbar(App.Qt.QT_TRANSLATE_NOOP("Workbench", "Seamwright Curves"), names)
+        self.appendMenu(["Seamwright", App.Qt.QT_TRANSLATE_NOOP("Workbench", "Curves")], names)
         names = surface_commands.register()
-        self.appendToolbar(QT_TRANSLATE_NOOP("Workbench", "Seamwright Surfaces"), names)
-        self.appendMenu(["Seamwright", QT_TRANSLATE_NOOP("Workbench", "Surfaces")], names)
+        self.appendToolbar(App.Qt.QT_TRANSLATE_NOOP("Workbench", "Seamwright Surfaces"), names)
+        self.appendMenu(["Seamwright", App.Qt.QT_TRANSLATE_NOOP("Workbench", "Surfaces")], names)
         names = analysis_commands.register()
-        self.appendToolbar(QT_TRANSLATE_NOOP("Workbench", "Seamwright Analysis"), names)
-        self.appendMenu(["Seamwright", QT_TRANSLATE_NOOP("Workbench", "Analysis")], names)
+        self.appendToolbar(App.Qt.QT_TRANSLATE_NOOP("Workbench", "Seamwright Analysis"), names)
+        self.appendMenu(["Seamwright", App.Qt.QT_TRANSLATE_NOOP("Workbench", "Analysis")], names)
 
     def GetClassName(self):
         """Return the kind of workbench, as FreeCAD names it."""

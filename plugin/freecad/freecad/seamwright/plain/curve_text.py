@@ -67,10 +67,10 @@ def fair_text(report):
 
 def spline_text(report):
     """Return one line about a spline."""
-    relation = tr("Through") if report["interpolates"] else tr("Near the polygon of")
-    return tr("{relation} {points} points, {figures}.").format(
-        relation=relation, points=report["points"], figures=figures_text(report)
-    )
+    text = tr("Near the polygon of {points} points, {figures}.")
+    if report["interpolates"]:
+        text = tr("Through {points} points, {figures}.")
+    return text.format(points=report["points"], figures=figures_text(report))
 
 
 def clothoid_text(report):

@@ -1920,7 +1920,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Near the polygon of</source>
+        <source>Near the polygon of {points} points, {figures}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2574,10 +2574,6 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Through</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Through inner curves</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2587,6 +2583,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Through points, tension and bias</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Through {points} points, {figures}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4047,10 +4047,6 @@ Shown: {show}</source>
     </message>
     <message>
         <source>{quantity} curvature {range}. {mesh}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{relation} {points} points, {figures}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
