@@ -1706,7 +1706,7 @@ Gezeigt: {show}</translation>
     </message>
     <message>
         <source>Label the worst</source>
-        <translation>Beschriftete</translation>
+        <translation>Beschriften</translation>
     </message>
     <message>
         <source>Lamps lie towards</source>

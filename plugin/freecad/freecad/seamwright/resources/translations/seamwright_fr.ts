@@ -533,7 +533,7 @@
     </message>
     <message>
         <source>Number of seams</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre de coutures</translation>
     </message>
     <message>
         <source>Number of seams of two free edges that lie side by side</source>
@@ -1037,7 +1037,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Add selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajouter la sélection</translation>
     </message>
     <message>
         <source>Add the edges that go on with the tangent of those chosen</source>
@@ -1049,7 +1049,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>After</source>
-        <translation type="unfinished"></translation>
+        <translation>Après</translation>
     </message>
     <message>
         <source>After: each point coloured by how far it moved</source>
@@ -1057,7 +1057,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Aim</source>
-        <translation type="unfinished"></translation>
+        <translation>But</translation>
     </message>
     <message>
         <source>All defects. To choose, select rows or edges and add them:</source>
@@ -1065,7 +1065,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>All seams</source>
-        <translation type="unfinished"></translation>
+        <translation>Toutes les coutures</translation>
     </message>
     <message>
         <source>Alpha</source>
@@ -1077,23 +1077,23 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Analysing seams…</source>
-        <translation type="unfinished"></translation>
+        <translation>Analyse des coutures…</translation>
     </message>
     <message>
         <source>Analysing…</source>
-        <translation type="unfinished"></translation>
+        <translation>Analyse en cours…</translation>
     </message>
     <message>
         <source>Analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>Analyse</translation>
     </message>
     <message>
         <source>Analyze seams</source>
-        <translation type="unfinished"></translation>
+        <translation>Analyser les coutures</translation>
     </message>
     <message>
         <source>Angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Angle</translation>
     </message>
     <message>
         <source>Angle between lines</source>
@@ -1101,19 +1101,19 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Angle tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>Tolérance d'angle</translation>
     </message>
     <message>
         <source>Angle °</source>
-        <translation type="unfinished"></translation>
+        <translation>Angle °</translation>
     </message>
     <message>
         <source>Arc</source>
-        <translation type="unfinished"></translation>
+        <translation>Arc</translation>
     </message>
     <message>
         <source>Arcs</source>
-        <translation type="unfinished"></translation>
+        <translation>Arcs</translation>
     </message>
     <message>
         <source>Arcs of one sweep</source>
@@ -1133,11 +1133,11 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Automatic</source>
-        <translation type="unfinished"></translation>
+        <translation>Automatique</translation>
     </message>
     <message>
         <source>Before</source>
-        <translation type="unfinished"></translation>
+        <translation>Avant</translation>
     </message>
     <message>
         <source>Before and after: each point coloured by its mean curvature, both with the same scale</source>
@@ -1161,19 +1161,19 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Blend Curves</source>
-        <translation type="unfinished"></translation>
+        <translation>Courbes intermédiaires</translation>
     </message>
     <message>
         <source>Blend Surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Surface de raccordement</translation>
     </message>
     <message>
         <source>Both</source>
-        <translation type="unfinished"></translation>
+        <translation>Les deux</translation>
     </message>
     <message>
         <source>Bridge Curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Courbe de pont</translation>
     </message>
     <message>
         <source>By</source>
@@ -1181,11 +1181,11 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Annuler</translation>
     </message>
     <message>
         <source>Cancelled</source>
-        <translation type="unfinished"></translation>
+        <translation>Annulé</translation>
     </message>
     <message>
         <source>Cancelled; the results are those of the last complete run.</source>
@@ -1197,7 +1197,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Certain</source>
-        <translation type="unfinished"></translation>
+        <translation>Certain</translation>
     </message>
     <message>
         <source>Change %</source>
@@ -1205,11 +1205,11 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Class</source>
-        <translation type="unfinished"></translation>
+        <translation>Classe</translation>
     </message>
     <message>
         <source>Class A</source>
-        <translation type="unfinished"></translation>
+        <translation>Classe A</translation>
     </message>
     <message>
         <source>Click adds a point, at a vertex or on the grid; Ctrl: free. Backspace removes the last point, a click on the first one closes, Enter ends, Esc cancels.</source>
@@ -1217,11 +1217,11 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Closed</source>
-        <translation type="unfinished"></translation>
+        <translation>Fermée</translation>
     </message>
     <message>
         <source>Clothoid</source>
-        <translation type="unfinished"></translation>
+        <translation>Clothoïde</translation>
     </message>
     <message>
         <source>Coloured</source>
@@ -1229,7 +1229,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Colours</source>
-        <translation type="unfinished"></translation>
+        <translation>Couleurs</translation>
     </message>
     <message>
         <source>Compared with</source>
@@ -1237,7 +1237,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Computing colours…</source>
-        <translation type="unfinished"></translation>
+        <translation>Calcul des couleurs…</translation>
     </message>
     <message>
         <source>Computing moves…</source>
@@ -1249,7 +1249,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Conic</source>
-        <translation type="unfinished"></translation>
+        <translation>Conique</translation>
     </message>
     <message>
         <source>Continues with</source>
@@ -1257,19 +1257,19 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Continuity</source>
-        <translation type="unfinished"></translation>
+        <translation>Continuité</translation>
     </message>
     <message>
         <source>Copy rows</source>
-        <translation type="unfinished"></translation>
+        <translation>Copier les lignes</translation>
     </message>
     <message>
         <source>Corner Fillet</source>
-        <translation type="unfinished"></translation>
+        <translation>Congé de coin</translation>
     </message>
     <message>
         <source>Corner fillet</source>
-        <translation type="unfinished"></translation>
+        <translation>Congé de coin</translation>
     </message>
     <message>
         <source>Corner of a hole above</source>
@@ -1285,39 +1285,39 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Crease</source>
-        <translation type="unfinished"></translation>
+        <translation>Arête vive</translation>
     </message>
     <message>
         <source>Crease above</source>
-        <translation type="unfinished"></translation>
+        <translation>Arête vive au-dessus de</translation>
     </message>
     <message>
         <source>Curv. %</source>
-        <translation type="unfinished"></translation>
+        <translation>Courb. %</translation>
     </message>
     <message>
         <source>Curvature</source>
-        <translation type="unfinished"></translation>
+        <translation>Courbure</translation>
     </message>
     <message>
         <source>Curvature %</source>
-        <translation type="unfinished"></translation>
+        <translation>Courbure %</translation>
     </message>
     <message>
         <source>Curvature (relative)</source>
-        <translation type="unfinished"></translation>
+        <translation>Courbure (relative)</translation>
     </message>
     <message>
         <source>Curvature Comb</source>
-        <translation type="unfinished"></translation>
+        <translation>Peigne de courbure</translation>
     </message>
     <message>
         <source>Curvature Map</source>
-        <translation type="unfinished"></translation>
+        <translation>Carte de courbure</translation>
     </message>
     <message>
         <source>Curvature comb</source>
-        <translation type="unfinished"></translation>
+        <translation>Peigne de courbure</translation>
     </message>
     <message>
         <source>Curvature extrema {extrema} → {extrema_after}, inflections {inflections} → {inflections_after}; moved at most {moved_mm} mm{kept}.</source>
@@ -1325,15 +1325,15 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Curvature tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>Tolérance de courbure</translation>
     </message>
     <message>
         <source>Curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Courbe</translation>
     </message>
     <message>
         <source>Curves</source>
-        <translation type="unfinished"></translation>
+        <translation>Courbes</translation>
     </message>
     <message>
         <source>Curves within</source>
@@ -1341,31 +1341,31 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Custom</source>
-        <translation type="unfinished"></translation>
+        <translation>Personnalisé</translation>
     </message>
     <message>
         <source>Default</source>
-        <translation type="unfinished"></translation>
+        <translation>Par défaut</translation>
     </message>
     <message>
         <source>Defect</source>
-        <translation type="unfinished"></translation>
+        <translation>Défaut</translation>
     </message>
     <message>
         <source>Defect, crease or smooth</source>
-        <translation type="unfinished"></translation>
+        <translation>Défaut, arête vive ou lisse</translation>
     </message>
     <message>
         <source>Degree</source>
-        <translation type="unfinished"></translation>
+        <translation>Degré</translation>
     </message>
     <message>
         <source>Density</source>
-        <translation type="unfinished"></translation>
+        <translation>Densité</translation>
     </message>
     <message>
         <source>Deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>Écart</translation>
     </message>
     <message>
         <source>Difference of curvature</source>
@@ -1377,7 +1377,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Direction</source>
-        <translation type="unfinished"></translation>
+        <translation>Direction</translation>
     </message>
     <message>
         <source>Direction of pull</source>
@@ -1413,11 +1413,11 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Draft Angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Angle de dépouille</translation>
     </message>
     <message>
         <source>Draft angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Angle de dépouille</translation>
     </message>
     <message>
         <source>Draw lines across the curve, as long as its curvature is large</source>
@@ -1433,7 +1433,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Edge</source>
-        <translation type="unfinished"></translation>
+        <translation>Arête</translation>
     </message>
     <message>
         <source>Edge {number}</source>
@@ -1441,7 +1441,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Edges</source>
-        <translation type="unfinished"></translation>
+        <translation>Arêtes</translation>
     </message>
     <message>
         <source>Edges at {names}</source>
@@ -1509,27 +1509,27 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Export CSV…</source>
-        <translation type="unfinished"></translation>
+        <translation>Exporter en CSV…</translation>
     </message>
     <message>
         <source>Export JSON…</source>
-        <translation type="unfinished"></translation>
+        <translation>Exporter en JSON…</translation>
     </message>
     <message>
         <source>Export seam report</source>
-        <translation type="unfinished"></translation>
+        <translation>Exporter le rapport des coutures</translation>
     </message>
     <message>
         <source>Extend Surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Prolonger la surface</translation>
     </message>
     <message>
         <source>Face</source>
-        <translation type="unfinished"></translation>
+        <translation>Face</translation>
     </message>
     <message>
         <source>Faces</source>
-        <translation type="unfinished"></translation>
+        <translation>Faces</translation>
     </message>
     <message>
         <source>Failed: {error}</source>
@@ -1537,7 +1537,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Fair Curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Lisser la courbe</translation>
     </message>
     <message>
         <source>Family</source>
@@ -1557,11 +1557,11 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Filling holes…</source>
-        <translation type="unfinished"></translation>
+        <translation>Remplissage des trous…</translation>
     </message>
     <message>
         <source>First</source>
-        <translation type="unfinished"></translation>
+        <translation>Première</translation>
     </message>
     <message>
         <source>First direction</source>
@@ -1577,11 +1577,11 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Fixed faces</source>
-        <translation type="unfinished"></translation>
+        <translation>Faces fixes</translation>
     </message>
     <message>
         <source>Flat above radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Plat au-dessus du rayon</translation>
     </message>
     <message>
         <source>Flat within</source>
@@ -1605,11 +1605,11 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Gap</source>
-        <translation type="unfinished"></translation>
+        <translation>Écartement</translation>
     </message>
     <message>
         <source>Gap mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Écartement mm</translation>
     </message>
     <message>
         <source>Gap of patch to fillet</source>
@@ -1617,7 +1617,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Gap tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>Tolérance d'écartement</translation>
     </message>
     <message>
         <source>Gaussian</source>
@@ -1637,7 +1637,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Grid</source>
-        <translation type="unfinished"></translation>
+        <translation>Grille</translation>
     </message>
     <message>
         <source>Handles</source>
@@ -1653,7 +1653,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Highlight lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Lignes de reflet</translation>
     </message>
     <message>
         <source>Hold the boundaries that end at the seam</source>
@@ -1669,11 +1669,11 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Holes</source>
-        <translation type="unfinished"></translation>
+        <translation>Trous</translation>
     </message>
     <message>
         <source>Isophotes</source>
-        <translation type="unfinished"></translation>
+        <translation>Isophotes</translation>
     </message>
     <message>
         <source>It was built for Python {python} and OpenCASCADE {occt}. </source>
@@ -1681,7 +1681,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Join Curves</source>
-        <translation type="unfinished"></translation>
+        <translation>Joindre les courbes</translation>
     </message>
     <message>
         <source>Joined G{order} to both edges, {figures}.</source>
@@ -1701,11 +1701,11 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Keep anyway</source>
-        <translation type="unfinished"></translation>
+        <translation>Garder quand même</translation>
     </message>
     <message>
         <source>Label the worst</source>
-        <translation type="unfinished"></translation>
+        <translation>Étiqueter les pires</translation>
     </message>
     <message>
         <source>Lamps lie towards</source>
@@ -1713,7 +1713,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Largest</source>
-        <translation type="unfinished"></translation>
+        <translation>Plus grande</translation>
     </message>
     <message>
         <source>Largest angle between the tangent planes, before and after, in degrees</source>
@@ -1741,7 +1741,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Largest move</source>
-        <translation type="unfinished"></translation>
+        <translation>Plus grand déplacement</translation>
     </message>
     <message>
         <source>Largest relative difference of curvature, before and after, in %</source>
@@ -1793,11 +1793,11 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Length</source>
-        <translation type="unfinished"></translation>
+        <translation>Longueur</translation>
     </message>
     <message>
         <source>Length mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Longueur mm</translation>
     </message>
     <message>
         <source>Length of the lines of the comb</source>
@@ -1805,15 +1805,15 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Length of the seam, in mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Longueur de la couture, en mm</translation>
     </message>
     <message>
         <source>Level</source>
-        <translation type="unfinished"></translation>
+        <translation>Niveau</translation>
     </message>
     <message>
         <source>Level and tolerances</source>
-        <translation type="unfinished"></translation>
+        <translation>Niveau et tolérances</translation>
     </message>
     <message>
         <source>Line</source>
@@ -1825,11 +1825,11 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Loft through Frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Surface par sections</translation>
     </message>
     <message>
         <source>Log Spiral</source>
-        <translation type="unfinished"></translation>
+        <translation>Spirale logarithmique</translation>
     </message>
     <message>
         <source>Look of seams</source>
@@ -1845,7 +1845,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Made from</source>
-        <translation type="unfinished"></translation>
+        <translation>Fait de</translation>
     </message>
     <message>
         <source>Make</source>
@@ -1861,7 +1861,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Making the surface…</source>
-        <translation type="unfinished"></translation>
+        <translation>Création de la surface…</translation>
     </message>
     <message>
         <source>Making the {group}…</source>
@@ -1869,7 +1869,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Match Surfaces</source>
-        <translation type="unfinished"></translation>
+        <translation>Raccorder les surfaces</translation>
     </message>
     <message>
         <source>Match by</source>
@@ -1877,7 +1877,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Match free edges within</source>
-        <translation type="unfinished"></translation>
+        <translation>Apparier les arêtes libres à moins de</translation>
     </message>
     <message>
         <source>Match free edges within {proposal:g} mm</source>
@@ -1885,7 +1885,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Match surfaces</source>
-        <translation type="unfinished"></translation>
+        <translation>Raccorder les surfaces</translation>
     </message>
     <message>
         <source>Matched: {parts} ({reason}).</source>
@@ -1893,15 +1893,15 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Matching surfaces…</source>
-        <translation type="unfinished"></translation>
+        <translation>Raccordement des surfaces…</translation>
     </message>
     <message>
         <source>Mean</source>
-        <translation type="unfinished"></translation>
+        <translation>Moyenne</translation>
     </message>
     <message>
         <source>Mean curvature</source>
-        <translation type="unfinished"></translation>
+        <translation>Courbure moyenne</translation>
     </message>
     <message>
         <source>Measuring the seams…</source>
@@ -1917,7 +1917,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Moves</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacement</translation>
     </message>
     <message>
         <source>Near the polygon of {points} points, {figures}.</source>
@@ -1929,7 +1929,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>No level</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucun niveau</translation>
     </message>
     <message>
         <source>No point lies over the other shape</source>
@@ -1945,7 +1945,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>No seams: no two faces share an edge.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucune couture : aucune arête n'est commune à deux faces.</translation>
     </message>
     <message>
         <source>No two faces share an edge: free edges are matched within {proposed:g} mm, as proposed. </source>
@@ -1961,7 +1961,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>None</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucune</translation>
     </message>
     <message>
         <source>Not analysed: {reason}</source>
@@ -2001,7 +2001,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Not smooth</source>
-        <translation type="unfinished"></translation>
+        <translation>Non lisse</translation>
     </message>
     <message>
         <source>Nothing</source>
@@ -2057,11 +2057,11 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Only selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Sélection seulement</translation>
     </message>
     <message>
         <source>Options</source>
-        <translation type="unfinished"></translation>
+        <translation>Options</translation>
     </message>
     <message>
         <source>Other end of the first</source>
@@ -2081,11 +2081,11 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Point</source>
-        <translation type="unfinished"></translation>
+        <translation>Point</translation>
     </message>
     <message>
         <source>Points</source>
-        <translation type="unfinished"></translation>
+        <translation>Points</translation>
     </message>
     <message>
         <source>Points are</source>
@@ -2125,11 +2125,11 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Position</source>
-        <translation type="unfinished"></translation>
+        <translation>Position</translation>
     </message>
     <message>
         <source>Preview</source>
-        <translation type="unfinished"></translation>
+        <translation>Aperçu</translation>
     </message>
     <message>
         <source>Quantity</source>
@@ -2137,31 +2137,31 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Rayon</translation>
     </message>
     <message>
         <source>Range</source>
-        <translation type="unfinished"></translation>
+        <translation>Plage</translation>
     </message>
     <message>
         <source>Recompute</source>
-        <translation type="unfinished"></translation>
+        <translation>Recalculer</translation>
     </message>
     <message>
         <source>Recompute (values were changed)</source>
-        <translation type="unfinished"></translation>
+        <translation>Recalculer (des valeurs ont changé)</translation>
     </message>
     <message>
         <source>Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>Rétablir</translation>
     </message>
     <message>
         <source>Reflection Lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Lignes de réflexion</translation>
     </message>
     <message>
         <source>Relative curvature</source>
-        <translation type="unfinished"></translation>
+        <translation>Courbure relative</translation>
     </message>
     <message>
         <source>Relative difference of curvature</source>
@@ -2173,7 +2173,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>Supprimer</translation>
     </message>
     <message>
         <source>Remove the selected names from the list, or all names if none is selected</source>
@@ -2185,11 +2185,11 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Repair</source>
-        <translation type="unfinished"></translation>
+        <translation>Réparer</translation>
     </message>
     <message>
         <source>Repair seams</source>
-        <translation type="unfinished"></translation>
+        <translation>Réparer les coutures</translation>
     </message>
     <message>
         <source>Repair the seams of the selected rows, or all defects if no row is selected</source>
@@ -2201,7 +2201,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Repair these…</source>
-        <translation type="unfinished"></translation>
+        <translation>Réparer celles-ci…</translation>
     </message>
     <message>
         <source>Repaired, or why not</source>
@@ -2209,15 +2209,15 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Repairing seams…</source>
-        <translation type="unfinished"></translation>
+        <translation>Réparation des coutures…</translation>
     </message>
     <message>
         <source>Repair…</source>
-        <translation type="unfinished"></translation>
+        <translation>Réparer…</translation>
     </message>
     <message>
         <source>Report (*.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>Rapport (*.json)</translation>
     </message>
     <message>
         <source>Restore</source>
@@ -2225,7 +2225,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Result</source>
-        <translation type="unfinished"></translation>
+        <translation>Résultat</translation>
     </message>
     <message>
         <source>Round the corner with these values</source>
@@ -2241,23 +2241,23 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Échelle</translation>
     </message>
     <message>
         <source>Seam</source>
-        <translation type="unfinished"></translation>
+        <translation>Couture</translation>
     </message>
     <message>
         <source>Seam Analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>Analyse des coutures</translation>
     </message>
     <message>
         <source>Seam Plot</source>
-        <translation type="unfinished"></translation>
+        <translation>Diagramme de couture</translation>
     </message>
     <message>
         <source>Seam Repair</source>
-        <translation type="unfinished"></translation>
+        <translation>Réparation des coutures</translation>
     </message>
     <message>
         <source>Seam tolerances</source>
@@ -2269,7 +2269,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Seams</source>
-        <translation type="unfinished"></translation>
+        <translation>Coutures</translation>
     </message>
     <message>
         <source>Seamwright was built for OpenCASCADE {built}, but this FreeCAD runs OpenCASCADE {running}. Install the Seamwright that was built for this FreeCAD.</source>
@@ -2287,7 +2287,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Second</source>
-        <translation type="unfinished"></translation>
+        <translation>Seconde</translation>
     </message>
     <message>
         <source>Second continues the first</source>
@@ -2299,11 +2299,11 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Select all</source>
-        <translation type="unfinished"></translation>
+        <translation>Tout sélectionner</translation>
     </message>
     <message>
         <source>Select edges</source>
-        <translation type="unfinished"></translation>
+        <translation>Sélectionner les arêtes</translation>
     </message>
     <message>
         <source>Select either edges of holes or one face to replace. Selected: {faces}, {edges}.</source>
@@ -2327,7 +2327,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Show</source>
-        <translation type="unfinished"></translation>
+        <translation>Afficher</translation>
     </message>
     <message>
         <source>Show handles in the view: circles are points, squares the tangents of the ends, diamonds the tensions. Drag them; Esc takes a drag back.</source>
@@ -2339,7 +2339,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Side</source>
-        <translation type="unfinished"></translation>
+        <translation>Côté</translation>
     </message>
     <message>
         <source>Smallest move</source>
@@ -2347,7 +2347,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Smallest radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Plus petit rayon</translation>
     </message>
     <message>
         <source>Smallest radius of curvature</source>
@@ -2359,7 +2359,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Smooth</source>
-        <translation type="unfinished"></translation>
+        <translation>Lisse</translation>
     </message>
     <message>
         <source>Smooth curve</source>
@@ -2379,7 +2379,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Spline</source>
-        <translation type="unfinished"></translation>
+        <translation>Spline</translation>
     </message>
     <message>
         <source>Spline through points</source>
@@ -2407,7 +2407,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrêter</translation>
     </message>
     <message>
         <source>Stop and keep the earlier results. Esc does the same.</source>
@@ -2415,7 +2415,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Surface</translation>
     </message>
     <message>
         <source>Surface of {faces}</source>
@@ -2423,11 +2423,11 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Swap</source>
-        <translation type="unfinished"></translation>
+        <translation>Échanger</translation>
     </message>
     <message>
         <source>Table (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tableau (*.csv)</translation>
     </message>
     <message>
         <source>Take the last drag or change of a point back (Ctrl+Z)</source>
@@ -2435,7 +2435,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Tangent</source>
-        <translation type="unfinished"></translation>
+        <translation>Tangente</translation>
     </message>
     <message>
         <source>Tangent chain</source>
@@ -2447,19 +2447,19 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Target</source>
-        <translation type="unfinished"></translation>
+        <translation>Cible</translation>
     </message>
     <message>
         <source>Target and limits</source>
-        <translation type="unfinished"></translation>
+        <translation>Cible et limites</translation>
     </message>
     <message>
         <source>Target and tolerances</source>
-        <translation type="unfinished"></translation>
+        <translation>Cible et tolérances</translation>
     </message>
     <message>
         <source>Tension</source>
-        <translation type="unfinished"></translation>
+        <translation>Tension</translation>
     </message>
     <message>
         <source>Tension and bias of each point; a bad number is not taken</source>
@@ -2607,11 +2607,11 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>Tolérance</translation>
     </message>
     <message>
         <source>Tolerances</source>
-        <translation type="unfinished"></translation>
+        <translation>Tolérances</translation>
     </message>
     <message>
         <source>U and V lines</source>
@@ -2623,23 +2623,23 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Umbrella</source>
-        <translation type="unfinished"></translation>
+        <translation>Ombrelle</translation>
     </message>
     <message>
         <source>Umbrella Fill</source>
-        <translation type="unfinished"></translation>
+        <translation>Remplissage en ombrelle</translation>
     </message>
     <message>
         <source>Umbrella fill</source>
-        <translation type="unfinished"></translation>
+        <translation>Remplissage en ombrelle</translation>
     </message>
     <message>
         <source>Uncertain</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertain</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>Annuler</translation>
     </message>
     <message>
         <source>Up to (may be empty)</source>
@@ -2647,11 +2647,11 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Update preview</source>
-        <translation type="unfinished"></translation>
+        <translation>Actualiser l'aperçu</translation>
     </message>
     <message>
         <source>Use selection</source>
-        <translation type="unfinished"></translation>
+        <translation>Utiliser la sélection</translation>
     </message>
     <message>
         <source>Use what is selected now instead: {needs}</source>
@@ -2667,7 +2667,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Weight</source>
-        <translation type="unfinished"></translation>
+        <translation>Poids</translation>
     </message>
     <message>
         <source>What is plotted along the seam</source>
@@ -2707,7 +2707,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Worst first</source>
-        <translation type="unfinished"></translation>
+        <translation>Pires d'abord</translation>
     </message>
     <message>
         <source>Write a table with a line for each seam</source>
@@ -2719,11 +2719,11 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Zebra stripes</source>
-        <translation type="unfinished"></translation>
+        <translation>Rayures zébrées</translation>
     </message>
     <message>
         <source>Zoom to seam</source>
-        <translation type="unfinished"></translation>
+        <translation>Zoomer sur la couture</translation>
     </message>
     <message>
         <source>a closed spline</source>
@@ -2787,11 +2787,11 @@ Shown: {show}</source>
     </message>
     <message>
         <source>angle ≤ {angle_deg:g}°</source>
-        <translation type="unfinished"></translation>
+        <translation>angle ≤ {angle_deg:g}°</translation>
     </message>
     <message>
         <source>apart from creases, largest gap {gap} mm, largest angle {angle}°</source>
-        <translation type="unfinished"></translation>
+        <translation>hors arêtes vives, écartement maximal {gap} mm, angle maximal {angle}°</translation>
     </message>
     <message>
         <source>arcs and rational splines can only be divided for single curves: for a surface, let splines take their place</source>
@@ -2867,7 +2867,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>curvature ≤ {curvature_rel:g} %</source>
-        <translation type="unfinished"></translation>
+        <translation>courbure ≤ {curvature_rel:g} %</translation>
     </message>
     <message>
         <source>defects before {before}, after {after}</source>
@@ -2911,7 +2911,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>falls short of {level}</source>
-        <translation type="unfinished"></translation>
+        <translation>n'atteint pas {level}</translation>
     </message>
     <message>
         <source>fill, {face}</source>
@@ -2955,7 +2955,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>gap ≤ {gap_mm:g} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>écartement ≤ {gap_mm:g} mm</translation>
     </message>
     <message>
         <source>has no points or edges</source>
@@ -3003,7 +3003,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>meets {level}</source>
-        <translation type="unfinished"></translation>
+        <translation>atteint {level}</translation>
     </message>
     <message>
         <source>meets {target}</source>
@@ -3019,7 +3019,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>no</source>
-        <translation type="unfinished"></translation>
+        <translation>non</translation>
     </message>
     <message>
         <source>no arcs</source>
@@ -3039,7 +3039,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>no creases</source>
-        <translation type="unfinished"></translation>
+        <translation>aucune arête vive</translation>
     </message>
     <message>
         <source>no curves</source>
@@ -3047,7 +3047,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>no defects</source>
-        <translation type="unfinished"></translation>
+        <translation>aucun défaut</translation>
     </message>
     <message>
         <source>no edge is a polynomial spline of degree 2 or more: lines, arcs and rational splines stay as they are</source>
@@ -3063,7 +3063,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>no edges</source>
-        <translation type="unfinished"></translation>
+        <translation>aucune arête</translation>
     </message>
     <message>
         <source>no face moved</source>
@@ -3071,7 +3071,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>no faces</source>
-        <translation type="unfinished"></translation>
+        <translation>aucune face</translation>
     </message>
     <message>
         <source>no features</source>
@@ -3079,7 +3079,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>no free edges</source>
-        <translation type="unfinished"></translation>
+        <translation>aucune arête libre</translation>
     </message>
     <message>
         <source>no holes</source>
@@ -3123,7 +3123,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>no seams</source>
-        <translation type="unfinished"></translation>
+        <translation>aucune couture</translation>
     </message>
     <message>
         <source>no sides</source>
@@ -3139,7 +3139,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>no verdicts</source>
-        <translation type="unfinished"></translation>
+        <translation>aucun verdict</translation>
     </message>
     <message>
         <source>no vertex</source>
@@ -3147,7 +3147,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>aucune</translation>
     </message>
     <message>
         <source>not chosen</source>
@@ -3183,7 +3183,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>off</source>
-        <translation type="unfinished"></translation>
+        <translation>désactivé</translation>
     </message>
     <message>
         <source>outside</source>
@@ -3315,7 +3315,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>sharper than {crease_deg:g}°, taken as intended</source>
-        <translation type="unfinished"></translation>
+        <translation>plus vive que {crease_deg:g}°, considérée comme voulue</translation>
     </message>
     <message>
         <source>sides</source>
@@ -3491,7 +3491,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>yes</source>
-        <translation type="unfinished"></translation>
+        <translation>oui</translation>
     </message>
     <message>
         <source>{along} x {across} poles</source>
@@ -3507,7 +3507,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>{certain} of {verdicts} certain</source>
-        <translation type="unfinished"></translation>
+        <translation>{verdicts}, dont {certain} certains</translation>
     </message>
     <message>
         <source>{conics}, {length_mm} mm long, weights {least_weight} to {largest_weight}{jumps}.</source>
@@ -3539,11 +3539,11 @@ Shown: {show}</source>
     </message>
     <message>
         <source>{count} crease</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} arête vive</translation>
     </message>
     <message>
         <source>{count} creases</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} arêtes vives</translation>
     </message>
     <message>
         <source>{count} curve</source>
@@ -3555,19 +3555,19 @@ Shown: {show}</source>
     </message>
     <message>
         <source>{count} defect</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} défaut</translation>
     </message>
     <message>
         <source>{count} defects</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} défauts</translation>
     </message>
     <message>
         <source>{count} edge</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} arête</translation>
     </message>
     <message>
         <source>{count} edges</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} arêtes</translation>
     </message>
     <message>
         <source>{count} extrema</source>
@@ -3579,11 +3579,11 @@ Shown: {show}</source>
     </message>
     <message>
         <source>{count} face</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} face</translation>
     </message>
     <message>
         <source>{count} faces</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} faces</translation>
     </message>
     <message>
         <source>{count} feature</source>
@@ -3595,11 +3595,11 @@ Shown: {show}</source>
     </message>
     <message>
         <source>{count} free edge</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} arête libre</translation>
     </message>
     <message>
         <source>{count} free edges</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} arêtes libres</translation>
     </message>
     <message>
         <source>{count} hole</source>
@@ -3679,11 +3679,11 @@ Shown: {show}</source>
     </message>
     <message>
         <source>{count} seam</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} couture</translation>
     </message>
     <message>
         <source>{count} seams</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} coutures</translation>
     </message>
     <message>
         <source>{count} side</source>
@@ -3703,11 +3703,11 @@ Shown: {show}</source>
     </message>
     <message>
         <source>{count} verdict</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} verdict</translation>
     </message>
     <message>
         <source>{count} verdicts</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} verdicts</translation>
     </message>
     <message>
         <source>{count}; largest gap seen {gap_mm} mm, largest angle {angle_deg}°.</source>
@@ -3907,11 +3907,11 @@ Shown: {show}</source>
     </message>
     <message>
         <source>{level} is met</source>
-        <translation type="unfinished"></translation>
+        <translation>{level} est atteint</translation>
     </message>
     <message>
         <source>{level} is not met</source>
-        <translation type="unfinished"></translation>
+        <translation>{level} n'est pas atteint</translation>
     </message>
     <message>
         <source>{level} is not met, kept anyway</source>
@@ -4084,7 +4084,7 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     </message>
     <message>
         <source>{total}: {defect}, {crease}, {smooth} smooth</source>
-        <translation type="unfinished"></translation>
+        <translation>{total} : {defect}, {crease}, {smooth} lisses</translation>
     </message>
     <message>
         <source>{wanted} to repair to {target}.</source>
@@ -4115,7 +4115,7 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     <name>Seamwright_AnalyzeSeams</name>
     <message>
         <source>Analyze Seams</source>
-        <translation type="unfinished"></translation>
+        <translation>Analyser les coutures</translation>
     </message>
     <message>
         <source>Measure gap, angle and curvature where faces of the selected objects meet, and colour the seams by the result. With nothing selected, all solids and shells of the document are analysed, or where it has none, all faces.</source>
@@ -4126,7 +4126,7 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     <name>Seamwright_Arcs</name>
     <message>
         <source>Arcs</source>
-        <translation type="unfinished"></translation>
+        <translation>Arcs</translation>
     </message>
     <message>
         <source>Make arcs and lines within a tolerance of the selected edges, wires, sketch or points of a plane. The distance is proven; few arcs are searched for.</source>
@@ -4137,7 +4137,7 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     <name>Seamwright_BlendCurves</name>
     <message>
         <source>Blend Curves</source>
-        <translation type="unfinished"></translation>
+        <translation>Courbes intermédiaires</translation>
     </message>
     <message>
         <source>Make curves between two or more selected curves, or the surface through them. Every joint of a curve between is as smooth as those of the selected ones.</source>
@@ -4148,7 +4148,7 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     <name>Seamwright_BlendSurface</name>
     <message>
         <source>Blend Surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Surface de raccordement</translation>
     </message>
     <message>
         <source>Make a surface between two sides, edges or chains of edges of faces. It joins each with its own order: position (G0), tangent planes (G1), curvature (G2) or its change (G3).</source>
@@ -4159,7 +4159,7 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     <name>Seamwright_BridgeCurve</name>
     <message>
         <source>Bridge Curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Courbe de pont</translation>
     </message>
     <message>
         <source>Make a curve from an end of one selected edge to an end of another one. It continues both with their tangents (G1), their curvatures (G2) and the change of these (G3).</source>
@@ -4170,7 +4170,7 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     <name>Seamwright_Clothoid</name>
     <message>
         <source>Clothoid</source>
-        <translation type="unfinished"></translation>
+        <translation>Clothoïde</translation>
     </message>
     <message>
         <source>Lay clothoids through the selected points, or within a tolerance of the selected edges, wires or sketch of a plane: their curvature is continuous and linear in the length. Lines and arcs stay, with a clothoid between them.</source>
@@ -4181,7 +4181,7 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     <name>Seamwright_Conic</name>
     <message>
         <source>Conic</source>
-        <translation type="unfinished"></translation>
+        <translation>Conique</translation>
     </message>
     <message>
         <source>Make a conic from three selected points: start, corner of the tangents, end. Or lay a spline of conics with continuous curvature through points of a plane.</source>
@@ -4192,7 +4192,7 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     <name>Seamwright_CornerFillet</name>
     <message>
         <source>Corner Fillet</source>
-        <translation type="unfinished"></translation>
+        <translation>Congé de coin</translation>
     </message>
     <message>
         <source>Round the 3 to 6 edges at the selected vertex of a solid, each with its own radius. Patches close the corner between the fillets without a kink.</source>
@@ -4203,7 +4203,7 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     <name>Seamwright_CurvatureComb</name>
     <message>
         <source>Curvature Comb</source>
-        <translation type="unfinished"></translation>
+        <translation>Peigne de courbure</translation>
     </message>
     <message>
         <source>Draw a curvature comb on the selected edges and wires, and on iso-curves of the selected faces. The lines of the comb are as long as the curvature is large: a jump is a step of curvature, a kink of the comb a step of its change.</source>
@@ -4218,7 +4218,7 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     </message>
     <message>
         <source>Curvature Map</source>
-        <translation type="unfinished"></translation>
+        <translation>Carte de courbure</translation>
     </message>
 </context>
 <context>
@@ -4229,7 +4229,7 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     </message>
     <message>
         <source>Deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>Écart</translation>
     </message>
 </context>
 <context>
@@ -4240,14 +4240,14 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     </message>
     <message>
         <source>Draft Angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Angle de dépouille</translation>
     </message>
 </context>
 <context>
     <name>Seamwright_ExportReport</name>
     <message>
         <source>Export Seam Report…</source>
-        <translation type="unfinished"></translation>
+        <translation>Exporter le rapport des coutures…</translation>
     </message>
     <message>
         <source>Write the results of the selected seam analysis to a file, as a table (CSV) or as a report (JSON). With nothing selected, the newest analysis is written.</source>
@@ -4262,14 +4262,14 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     </message>
     <message>
         <source>Extend Surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Prolonger la surface</translation>
     </message>
 </context>
 <context>
     <name>Seamwright_FairCurve</name>
     <message>
         <source>Fair Curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Lisser la courbe</translation>
     </message>
     <message>
         <source>Make the selected edges fair: splines whose curvature has few extrema and that move by no more than a tolerance. Points of a plane are moved, and a smooth curve goes through them.</source>
@@ -4280,7 +4280,7 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     <name>Seamwright_FrameLoft</name>
     <message>
         <source>Loft through Frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Surface par sections</translation>
     </message>
     <message>
         <source>Make the surface through two or more selected curves. Across the lines that join corresponding joints of the curves it is as smooth as the curves are: G1, G2 or more.</source>
@@ -4291,7 +4291,7 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     <name>Seamwright_JoinCurves</name>
     <message>
         <source>Join Curves</source>
-        <translation type="unfinished"></translation>
+        <translation>Joindre les courbes</translation>
     </message>
     <message>
         <source>Join two selected edges at their nearest ends with a common tangent (G1), curvature (G2) or change of the curvature (G3), by the smallest move of their poles there. Or let the second continue the first, which stays.</source>
@@ -4302,7 +4302,7 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     <name>Seamwright_LogSpiral</name>
     <message>
         <source>Log Spiral</source>
-        <translation type="unfinished"></translation>
+        <translation>Spirale logarithmique</translation>
     </message>
     <message>
         <source>Make a logarithmic spiral, whose radius grows by the same factor with each degree of turn, from three selected points: start, corner of the tangents, end. Or let it continue two edges of a plane from end to end.</source>
@@ -4313,7 +4313,7 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     <name>Seamwright_MatchSurfaces</name>
     <message>
         <source>Match Surfaces</source>
-        <translation type="unfinished"></translation>
+        <translation>Raccorder les surfaces</translation>
     </message>
     <message>
         <source>Move the second of two selected faces, or both, until they join without a kink (G1) or with equal curvature (G2). If they share several edges, also select the edge to match.</source>
@@ -4328,7 +4328,7 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     </message>
     <message>
         <source>Reflection Lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Lignes de réflexion</translation>
     </message>
 </context>
 <context>
@@ -4339,7 +4339,7 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     </message>
     <message>
         <source>Repair Seams</source>
-        <translation type="unfinished"></translation>
+        <translation>Réparer les coutures</translation>
     </message>
 </context>
 <context>
@@ -4350,7 +4350,7 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     </message>
     <message>
         <source>Seam Plot</source>
-        <translation type="unfinished"></translation>
+        <translation>Diagramme de couture</translation>
     </message>
 </context>
 <context>
@@ -4361,7 +4361,7 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     </message>
     <message>
         <source>Spline</source>
-        <translation type="unfinished"></translation>
+        <translation>Spline</translation>
     </message>
 </context>
 <context>
@@ -4372,7 +4372,7 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     </message>
     <message>
         <source>Umbrella</source>
-        <translation type="unfinished"></translation>
+        <translation>Ombrelle</translation>
     </message>
 </context>
 <context>
@@ -4383,7 +4383,7 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     </message>
     <message>
         <source>Umbrella Fill</source>
-        <translation type="unfinished"></translation>
+        <translation>Remplissage en ombrelle</translation>
     </message>
 </context>
 <context>
@@ -4394,18 +4394,18 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     </message>
     <message>
         <source>Zebra Stripes</source>
-        <translation type="unfinished"></translation>
+        <translation>Rayures zébrées</translation>
     </message>
 </context>
 <context>
     <name>Workbench</name>
     <message>
         <source>Analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>Analyse</translation>
     </message>
     <message>
         <source>Curves</source>
-        <translation type="unfinished"></translation>
+        <translation>Courbes</translation>
     </message>
     <message>
         <source>Measure and repair the seams of CAD models: gap, angle and curvature where faces meet</source>
@@ -4413,19 +4413,19 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     </message>
     <message>
         <source>Seamwright Analysis</source>
-        <translation type="unfinished"></translation>
+        <translation>Seamwright Analyse</translation>
     </message>
     <message>
         <source>Seamwright Curves</source>
-        <translation type="unfinished"></translation>
+        <translation>Seamwright Courbes</translation>
     </message>
     <message>
         <source>Seamwright Surfaces</source>
-        <translation type="unfinished"></translation>
+        <translation>Seamwright Surfaces</translation>
     </message>
     <message>
         <source>Surfaces</source>
-        <translation type="unfinished"></translation>
+        <translation>Surfaces</translation>
     </message>
 </context>
 </TS>
