@@ -195,13 +195,14 @@ def match_job(module, obj, private=False):
 def _links(obj):
     """Return the links to the two faces and, where one is chosen, to the common edge."""
     links = [link(obj, name) for name, _ in LINKS]
-    for target, name in zip(links, ("FirstFace", "SecondFace")):
-        if target is None:
-            raise sources.SourceError(
-                tr("A face was deleted: choose another one in the property {name}").format(
-                    name=name
-                )
-            )
+    if links[0] is None:
+        raise sources.SourceError(
+            tr("The first face was deleted: choose another one in the property FirstFace")
+        )
+    if links[1] is None:
+        raise sources.SourceError(
+            tr("The second face was deleted: choose another one in the property SecondFace")
+        )
     if links[0] == links[1]:
         raise sources.SourceError(
             tr("{link} is chosen twice: choose two different faces").format(

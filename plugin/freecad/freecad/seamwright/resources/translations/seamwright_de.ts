@@ -1029,10 +1029,6 @@ Gezeigt: {show}</translation>
         <translation>; {least_mm} bis {most_mm} mm lang</translation>
     </message>
     <message>
-        <source>A face was deleted: choose another one in the property {name}</source>
-        <translation>Eine Fläche wurde gelöscht: Wählen Sie eine andere in der Eigenschaft {name}</translation>
-    </message>
-    <message>
         <source>Add a sketch of arcs and lines near the planar curve as it is now; the sketch does not follow the sources</source>
         <translation>Fügt eine Skizze aus Bögen und Strecken nahe der ebenen Kurve hinzu, wie sie jetzt ist; die Skizze folgt den Quellen nicht</translation>
     </message>
@@ -2517,6 +2513,10 @@ Gezeigt: {show}</translation>
         <translation>Die Flächen, die sich an der Naht treffen</translation>
     </message>
     <message>
+        <source>The first face was deleted: choose another one in the property FirstFace</source>
+        <translation>Die erste Fläche wurde gelöscht: Wählen Sie eine andere in der Eigenschaft FirstFace</translation>
+    </message>
+    <message>
         <source>The largest value on the whole seam, proven where an upper bound is known. The curve is sampled.</source>
         <translation>Der größte Wert auf der ganzen Naht, bewiesen, wo eine obere Schranke bekannt ist. Die Kurve ist an Punkten gemessen.</translation>
     </message>
@@ -2539,6 +2539,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>The seams in the table and in the view</source>
         <translation>Die Nähte in der Tabelle und in der Ansicht</translation>
+    </message>
+    <message>
+        <source>The second face was deleted: choose another one in the property SecondFace</source>
+        <translation>Die zweite Fläche wurde gelöscht: Wählen Sie eine andere in der Eigenschaft SecondFace</translation>
     </message>
     <message>
         <source>The side of the surface</source>

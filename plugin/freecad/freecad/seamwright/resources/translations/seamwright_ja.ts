@@ -1028,10 +1028,6 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A face was deleted: choose another one in the property {name}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Add a sketch of arcs and lines near the planar curve as it is now; the sketch does not follow the sources</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2514,6 +2510,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The first face was deleted: choose another one in the property FirstFace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The largest value on the whole seam, proven where an upper bound is known. The curve is sampled.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2535,6 +2535,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>The seams in the table and in the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The second face was deleted: choose another one in the property SecondFace</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -1029,10 +1029,6 @@ Shown: {show}</source>
         <translation>；长度 {least_mm} 至 {most_mm} mm</translation>
     </message>
     <message>
-        <source>A face was deleted: choose another one in the property {name}</source>
-        <translation>一个面已被删除：请在属性 {name} 中另选一个</translation>
-    </message>
-    <message>
         <source>Add a sketch of arcs and lines near the planar curve as it is now; the sketch does not follow the sources</source>
         <translation>添加一个由圆弧和直线组成的草图，贴近当前的平面曲线；草图不跟随来源</translation>
     </message>
@@ -2517,6 +2513,10 @@ Shown: {show}</source>
         <translation>在接缝处相接的面</translation>
     </message>
     <message>
+        <source>The first face was deleted: choose another one in the property FirstFace</source>
+        <translation>第一个面已被删除：请在属性 FirstFace 中另选一个</translation>
+    </message>
+    <message>
         <source>The largest value on the whole seam, proven where an upper bound is known. The curve is sampled.</source>
         <translation>整条接缝上的最大值，在已知上界处经过证明。曲线为采样所得。</translation>
     </message>
@@ -2539,6 +2539,10 @@ Shown: {show}</source>
     <message>
         <source>The seams in the table and in the view</source>
         <translation>表格和视图中的接缝</translation>
+    </message>
+    <message>
+        <source>The second face was deleted: choose another one in the property SecondFace</source>
+        <translation>第二个面已被删除：请在属性 SecondFace 中另选一个</translation>
     </message>
     <message>
         <source>The side of the surface</source>
