@@ -6,19 +6,23 @@ FreeCAD imports this module at start, so it loads only what is needed then.
 
 import importlib
 
+import FreeCAD as App
 import FreeCADGui as Gui
 
 from freecad.seamwright.document import preferences
 from freecad.seamwright.document.hooks import hooks
-from freecad.seamwright.gui import ICONS, icon_path
+from freecad.seamwright.gui import ICONS, icon_path, translations
+
+translations.add()
 
 
 class SeamwrightWorkbench(Gui.Workbench):
     """Menu and toolbar of Seamwright."""
 
     MenuText = "Seamwright"
-    ToolTip = (
-        "Measure and repair the seams of CAD models: gap, angle and curvature where faces meet"
+    ToolTip = App.Qt.translate(
+        "Workbench",
+        "Measure and repair the seams of CAD models: gap, angle and curvature where faces meet",
     )
     Icon = icon_path("seamwright")
 
@@ -36,14 +40,14 @@ class SeamwrightWorkbench(Gui.Workbench):
         self.appendToolbar("Seamwright", names)
         self.appendMenu("Seamwright", names)
         names = curve_commands.register()
-        self.appendToolbar("Seamwright Curves", names)
-        self.appendMenu(["Seamwright", "Curves"], names)
+        self.appendToolbar(App.Qt.QT_TRANSLATE_NOOP("Workbench", "Seamwright Curves"), names)
+        self.appendMenu(["Seamwright", App.Qt.QT_TRANSLATE_NOOP("Workbench", "Curves")], names)
         names = surface_commands.register()
-        self.appendToolbar("Seamwright Surfaces", names)
-        self.appendMenu(["Seamwright", "Surfaces"], names)
+        self.appendToolbar(App.Qt.QT_TRANSLATE_NOOP("Workbench", "Seamwright Surfaces"), names)
+        self.appendMenu(["Seamwright", App.Qt.QT_TRANSLATE_NOOP("Workbench", "Surfaces")], names)
         names = analysis_commands.register()
-        self.appendToolbar("Seamwright Analysis", names)
-        self.appendMenu(["Seamwright", "Analysis"], names)
+        self.appendToolbar(App.Qt.QT_TRANSLATE_NOOP("Workbench", "Seamwright Analysis"), names)
+        self.appendMenu(["Seamwright", App.Qt.QT_TRANSLATE_NOOP("Workbench", "Analysis")], names)
         self.appendMenu("Seamwright", ["Separator", *help_window.register()])
 
     def GetClassName(self):

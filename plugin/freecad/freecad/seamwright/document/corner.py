@@ -13,6 +13,7 @@ from freecad.seamwright.document.feature import empty_report, report_of, toleran
 from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.document.properties import error_text
 from freecad.seamwright.plain import corner_text, kernel, new_seams, repair_text
+from freecad.seamwright.plain.language import mark, tr
 
 __all__ = ["CornerFillet", "corner_of", "create", "error_text", "is_corner", "report_of"]
 
@@ -133,7 +134,7 @@ def fillet_job(module, obj, private=False):
     def run(progress):
         return make().corner_fillet(vertex, radii, progress=progress, **more)
 
-    return feature.Job("Rounding the corner\u2026", run, finish)
+    return feature.Job(tr("Rounding the corner\u2026"), run, finish)
 
 
 def _corner(module, obj):
@@ -142,7 +143,9 @@ def _corner(module, obj):
     vertices = elements.numbers(obj, shape, "Vertex", "Vertex")
     if len(vertices) != 1:
         raise sources.SourceError(
-            "The property Vertex names %d vertices: name exactly one" % len(vertices)
+            tr("The property Vertex names {vertices} vertices: name exactly one").format(
+                vertices=len(vertices)
+            )
         )
     model = module.Model.from_freecad(shape)
     edges = model.corner_edges(vertices[0])
@@ -163,7 +166,9 @@ def corner_of(obj):
     try:
         _, _, edges, lengths = _corner(module, obj)
     except (sources.SourceError, module.ModelError, ValueError) as error:
-        return [], [], "Not rounded: %s." % repair_text.named(str(error)).rstrip(".")
+        return [], [], tr("Not rounded: {error}.").format(
+            error=repair_text.named(str(error)).rstrip(".")
+        )
     return _names(edges), lengths, ""
 
 
@@ -190,7 +195,7 @@ def prepare(source, vertex, radii_mm=None, *, setbacks_mm=None, **tolerances):
     values["Radii"] = properties.checked_numbers("radii_mm", radii_mm)
     values["Setbacks"] = properties.checked_numbers("setbacks_mm", setbacks_mm)
     name = elements.checked_name("vertex", vertex, "Vertex")
-    obj = feature.add(source.Document, CornerFillet, "Corner Fillet")
+    obj = feature.add(source.Document, CornerFillet, mark("Corner Fillet"))
     obj.Source = source
     elements.set_names(obj, "Vertex", [name])
     for name, value in values.items():

@@ -9,6 +9,7 @@ import Part
 
 from freecad.seamwright.document import preferences
 from freecad.seamwright.plain import curvature, kernel
+from freecad.seamwright.plain.language import tr
 
 
 class ShownMesh:
@@ -100,6 +101,8 @@ def display_mesh(shape, progress=None):
 def fault_lines(label, faults):
     """Return a line for the user for each fault."""
     return [
-        "%s: Face%d is not drawn correctly: %s" % (label, fault["face"], fault["reason"])
+        tr("{label}: Face{face} is not drawn correctly: {reason}").format(
+            label=label, face=fault["face"], reason=fault["reason"]
+        )
         for fault in faults
     ]

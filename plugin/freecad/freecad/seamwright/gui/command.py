@@ -8,6 +8,7 @@ from freecad.seamwright.document import sources
 from freecad.seamwright.gui import icon_path
 from freecad.seamwright.gui.widgets import messages
 from freecad.seamwright.plain import help_pages, kernel
+from freecad.seamwright.plain.language import description, tr
 
 
 class Command:
@@ -17,11 +18,12 @@ class Command:
 
     def GetResources(self):
         """Return menu text, tool tip, texts of help and icon."""
+        tip = description(self.tip)
         return {
             "MenuText": self.menu,
             "ToolTip": self.tip,
-            "StatusTip": help_pages.first_sentence(self.tip),
-            "WhatsThis": '%s <a href="%s">Help</a>' % (self.tip, self.CmdHelpURL()),
+            "StatusTip": help_pages.first_sentence(tip),
+            "WhatsThis": '%s <a href="%s">%s</a>' % (tip, self.CmdHelpURL(), tr("Help")),
             "Pixmap": icon_path(self.icon),
         }
 

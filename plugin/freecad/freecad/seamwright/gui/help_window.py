@@ -7,6 +7,7 @@ from freecad.seamwright.gui.command import Command
 from freecad.seamwright.gui.widgets import messages
 from freecad.seamwright.gui.widgets.qt import QtCore, QtGui, QtWidgets
 from freecad.seamwright.plain import help_pages
+from freecad.seamwright.plain.language import tr
 
 SIZE = 820, 760
 
@@ -39,7 +40,7 @@ class Pages(QtWidgets.QTextBrowser):
         if not url.isLocalFile():
             QtGui.QDesktopServices.openUrl(url)
         elif not QtCore.QFileInfo(path).exists():
-            messages.say("%s is not installed; the repository has it." % path)
+            messages.say(tr("{path} is not installed; the repository has it.").format(path=path))
         elif path.endswith(".md"):
             self.setSource(url)
             self.show_section(url.fragment())
@@ -63,11 +64,11 @@ class HelpWindow(QtWidgets.QDialog):
 
     def __init__(self, parent):
         super().__init__(parent)
-        self.setWindowTitle("Seamwright: help")
+        self.setWindowTitle(tr("Seamwright: help"))
         self.resize(*SIZE)
         self.pages = Pages()
-        self.back = QtWidgets.QPushButton("Back")
-        self.back.setToolTip("Show the page before")
+        self.back = QtWidgets.QPushButton(tr("Back"))
+        self.back.setToolTip(tr("Show the page before"))
         self.back.setEnabled(False)
         self.back.clicked.connect(self.pages.backward)
         self.pages.backwardAvailable.connect(self.back.setEnabled)

@@ -10,6 +10,7 @@ from freecad.seamwright.gui.widgets.qt import QtGui, QtWidgets
 from freecad.seamwright.gui.widgets.tolerance_form import ToleranceForm
 from freecad.seamwright.plain import palette
 from freecad.seamwright.plain import preferences as table
+from freecad.seamwright.plain.language import tr
 
 COLOURED = tuple(zip((*palette.CLASSES, *palette.LEVELS), table.COLOURS))
 
@@ -21,7 +22,7 @@ class ColourButton(QtWidgets.QPushButton):
         super().__init__()
         self._name = name
         self.rgb = (0, 0, 0)
-        self.setToolTip("Colour of %s; click to choose another one" % name)
+        self.setToolTip(tr("Colour of {name}; click to choose another one").format(name=name))
         self.clicked.connect(lambda *_: self._ask())
 
     def show_rgb(self, rgb):
@@ -43,12 +44,12 @@ class PreferencesPage:
 
     def __init__(self, parent=None):
         self.form = QtWidgets.QWidget()
-        self.form.setWindowTitle("General")
+        self.form.setWindowTitle(tr("General"))
         layout = QtWidgets.QVBoxLayout(self.form)
         for box in (self._tolerances(), self._colours(), self._computing()):
             layout.addWidget(box)
-        self.reset_button = QtWidgets.QPushButton("Reset")
-        self.reset_button.setToolTip("Show the values that Seamwright has at first")
+        self.reset_button = QtWidgets.QPushButton(tr("Reset"))
+        self.reset_button.setToolTip(tr("Show the values that Seamwright has at first"))
         self.reset_button.clicked.connect(lambda *_: self._show(table.defaults()))
         line = QtWidgets.QHBoxLayout()
         line.addStretch(1)
@@ -58,44 +59,46 @@ class PreferencesPage:
 
     def _tolerances(self):
         self.tolerances = ToleranceForm(properties.TOLERANCES)
-        box, layout = make_box("Tolerances of new objects", self.tolerances)
+        box, layout = make_box(tr("Tolerances of new objects"), self.tolerances)
         note = QtWidgets.QLabel(
-            "Objects that exist keep theirs. The new faces of Umbrella Fill have tolerances of "
-            "their own."
+            tr(
+                "Objects that exist keep theirs. The new faces of Umbrella Fill have tolerances of "
+                "their own."
+            )
         )
         note.setWordWrap(True)
         layout.addWidget(note)
         return box
 
     def _colours(self):
-        box = QtWidgets.QGroupBox("Colours of seams")
+        box = QtWidgets.QGroupBox(tr("Colours of seams"))
         grid = QtWidgets.QGridLayout(box)
         self.colours = {}
-        rows = (("By class", palette.CLASSES), ("By level", palette.LEVELS))
+        rows = ((tr("By class"), palette.CLASSES), (tr("By level"), palette.LEVELS))
         names = {entry.key: preference.name for entry, preference in COLOURED}
         for row, (title, entries) in enumerate(rows):
             grid.addWidget(QtWidgets.QLabel(title), 2 * row, 0)
             for column, entry in enumerate(entries, 1):
-                button = ColourButton(entry.name)
+                button = ColourButton(tr(entry.name))
                 self.colours[names[entry.key]] = button
-                grid.addWidget(QtWidgets.QLabel(entry.name), 2 * row, column)
+                grid.addWidget(QtWidgets.QLabel(tr(entry.name)), 2 * row, column)
                 grid.addWidget(button, 2 * row + 1, column)
         return box
 
     def _computing(self):
-        box = QtWidgets.QGroupBox("Computing and drawing")
+        box = QtWidgets.QGroupBox(tr("Computing and drawing"))
         layout = QtWidgets.QFormLayout(box)
         self.threads = _whole_number(table.THREADS)
-        self.threads.setSpecialValueText("one for each processor")
-        self.threads.setToolTip("How many threads a computation uses")
+        self.threads.setSpecialValueText(tr("one for each processor"))
+        self.threads.setToolTip(tr("How many threads a computation uses"))
         self.comb_lines = _whole_number(table.COMB_LINES)
-        self.comb_lines.setToolTip("How dense the lines of new curvature combs are on each curve")
-        self.live = QtWidgets.QCheckBox(table.LIVE_PREVIEW.label)
+        self.comb_lines.setToolTip(tr("How dense the lines of new curvature combs are on each curve"))
+        self.live = QtWidgets.QCheckBox(tr(table.LIVE_PREVIEW.label))
         self.live.setToolTip(
-            "Compute shortly after each change of a field; otherwise when Preview is pressed"
+            tr("Compute shortly after each change of a field; otherwise when Preview is pressed")
         )
-        layout.addRow(table.THREADS.label, self.threads)
-        layout.addRow(table.COMB_LINES.label, self.comb_lines)
+        layout.addRow(tr(table.THREADS.label), self.threads)
+        layout.addRow(tr(table.COMB_LINES.label), self.comb_lines)
         layout.addRow(self.live)
         return box
 
@@ -110,7 +113,7 @@ class PreferencesPage:
         try:
             preferences.store(self.values())
         except ValueError as error:
-            messages.show_error("The preferences are not stored: %s." % error)
+            messages.show_error(tr("The preferences are not stored: {error}.").format(error=error))
             return
         preferences.use_colours()
         redraw()

@@ -5,6 +5,7 @@ import math
 from typing import Any, NamedTuple
 
 from freecad.seamwright.plain import palette, profiles
+from freecad.seamwright.plain.language import mark, tr
 
 STANDARD = profiles.PROFILES["default"]
 
@@ -27,18 +28,18 @@ class Preference(NamedTuple):
 
 
 TOLERANCES = (
-    Preference("GapTolerance", STANDARD["gap_mm"], "Gap tolerance", 1e-9, 1e6, "gap_mm"),
-    Preference("AngleTolerance", STANDARD["angle_deg"], "Angle tolerance", 1e-9, 90.0, "angle_deg"),
-    Preference("CurvatureTolerance", STANDARD["curvature_rel"], "Curvature tolerance",
+    Preference("GapTolerance", STANDARD["gap_mm"], mark("Gap tolerance"), 1e-9, 1e6, "gap_mm"),
+    Preference("AngleTolerance", STANDARD["angle_deg"], mark("Angle tolerance"), 1e-9, 90.0, "angle_deg"),
+    Preference("CurvatureTolerance", STANDARD["curvature_rel"], mark("Curvature tolerance"),
                1e-9, 1.0, "curvature_rel"),
-    Preference("FlatRadius", STANDARD["flat_radius_mm"], "Flat above radius",
+    Preference("FlatRadius", STANDARD["flat_radius_mm"], mark("Flat above radius"),
                1e-3, 1e12, "flat_radius_mm"),
-    Preference("CreaseAngle", STANDARD["crease_deg"], "Crease angle", 1e-9, 90.0, "crease_deg"),
+    Preference("CreaseAngle", STANDARD["crease_deg"], mark("Crease angle"), 1e-9, 90.0, "crease_deg"),
 )  # fmt: skip
 
-THREADS = Preference("Threads", 0, "Threads", 0, 256)
-COMB_LINES = Preference("CombLines", 40, "Lines of a comb", 2, 1000)
-LIVE_PREVIEW = Preference("LivePreview", True, "Preview while fields are changed")
+THREADS = Preference("Threads", 0, mark("Threads"), 0, 256)
+COMB_LINES = Preference("CombLines", 40, mark("Lines of a comb"), 2, 1000)
+LIVE_PREVIEW = Preference("LivePreview", True, mark("Preview while fields are changed"))
 
 #: Red, green and blue in one number, as FreeCAD stores colours: 0xrrggbb00.
 COLOURS = tuple(
@@ -73,13 +74,19 @@ def check(values):
     for name, value in values.items():
         if not is_allowed(known[name], value):
             raise ValueError(
-                "%s cannot be %g: choose from %g to %g"
-                % (known[name].label, value, known[name].least, known[name].largest)
+                tr("{name} cannot be {value:g}: choose from {least:g} to {largest:g}").format(
+                    name=tr(known[name].label),
+                    value=value,
+                    least=known[name].least,
+                    largest=known[name].largest,
+                )
             )
     if values["CreaseAngle"] <= values["AngleTolerance"]:
         raise ValueError(
-            "The crease angle, %g\u00b0, must be larger than the angle tolerance, %g\u00b0"
-            % (values["CreaseAngle"], values["AngleTolerance"])
+            tr(
+                "The crease angle, {crease:g}\u00b0, must be larger than the angle tolerance, "
+                "{angle:g}\u00b0"
+            ).format(crease=values["CreaseAngle"], angle=values["AngleTolerance"])
         )
 
 

@@ -17,6 +17,7 @@ from freecad.seamwright.gui.scene.seam_lines import SeamLines
 from freecad.seamwright.gui.widgets.later import find, later
 from freecad.seamwright.gui.widgets.tasks import tasks
 from freecad.seamwright.plain import filters, rows, summary
+from freecad.seamwright.plain.language import inside, tr
 
 LINE_WIDTH = 6.0
 POINT_SIZE = 1.0
@@ -175,7 +176,7 @@ class SeamAnalysisView(PanelView):
             return
         footer = summary.tolerance_text(report)
         if filters.of(vobj.Show) is not None:
-            footer += "\nShown: %s" % vobj.Show.lower()
+            footer += tr("\nShown: {show}").format(show=inside(vobj.Show))
         self.legend.update(
             vobj.Object.Label,
             summary.legend_entries(report, vobj.ColourBy),

@@ -18,6 +18,7 @@ from freecad.seamwright.gui.widgets.live_preview import PreviewTimer
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 from freecad.seamwright.gui.widgets.tasks import documents_rest
 from freecad.seamwright.plain import kernel
+from freecad.seamwright.plain.language import description, inside, tr
 from freecad.seamwright.plain.summary import counted
 
 #: Delay between the last change and the computation of the preview.
@@ -36,7 +37,7 @@ class SourceBox(QtWidgets.QGroupBox):
     def __init__(self, title, tip):
         super().__init__(title)
         self.chosen = make_text()
-        self.use = QtWidgets.QPushButton("Use selection")
+        self.use = QtWidgets.QPushButton(tr("Use selection"))
         self.use.setToolTip(tip)
         self.line = QtWidgets.QHBoxLayout(self)
         self.line.setContentsMargins(9, 3, 9, 3)
@@ -46,9 +47,9 @@ class SourceBox(QtWidgets.QGroupBox):
     def show_links(self, chosen):
         """Show the names of [(object, "Edge3" or ""), ...]."""
         names = [".".join(filter(None, (obj.Label, name))) for obj, name in chosen]
-        text = ", ".join(names[:LISTED]) or "nothing"
+        text = ", ".join(names[:LISTED]) or tr("nothing")
         more = len(names) - LISTED
-        self.chosen.setText(text + (" and %d more" % more if more > 0 else ""))
+        self.chosen.setText(text + (tr(" and {more} more").format(more=more) if more > 0 else ""))
         self.chosen.setToolTip("%s: %s" % (counted(len(names), "source"), ", ".join(names)))
 
 
@@ -63,7 +64,7 @@ class OptionPanel(ResultPanel):
     def __init__(self, obj, created):
         kind = obj.Proxy
         names = [entry[0] for entry in kind.LINKS] + [option.name for option in kind.OPTIONS]
-        super().__init__(obj, created, "Edit %s" % kind.LABEL.lower(), names)
+        super().__init__(obj, created, tr("Edit {label}").format(label=inside(kind.LABEL)), names)
         self._links = {}
         self._handles, self._handle_timer = {}, QtCore.QTimer()
         self._handle_timer.setInterval(READ_HANDLES_MS)
@@ -118,13 +119,13 @@ class OptionPanel(ResultPanel):
 
     def _build(self):
         kind = self.obj.Proxy
-        self.form, layout = make_form(kind.LABEL, kind.ICON)
+        self.form, layout = make_form(tr(kind.LABEL), kind.ICON)
         self.boxes = {}
         for name, title, tip in kind.LINKS:
-            self.boxes[name] = self.build_sources(name, title, tip)
+            self.boxes[name] = self.build_sources(name, tr(title), description(tip))
             layout.addWidget(self.boxes[name])
         self.options = OptionForm(self.obj, kind.OPTIONS)
-        layout.addWidget(make_box("Options", self.options)[0])
+        layout.addWidget(make_box(tr("Options"), self.options)[0])
         layout.addWidget(self._timer.button)
         self._timer.button.setVisible(not self._timer.live)
         layout.addWidget(self.build_result())
@@ -242,8 +243,9 @@ class OptionPanel(ResultPanel):
             loops = [each for each, _ in chosen if self.obj in each.OutListRecursive]
             if loops:
                 raise ValueError(
-                    "%s is made from this %s: choose others"
-                    % (loops[0].Label, self.obj.Proxy.GROUP.lower())
+                    tr("{label} is made from this {group}: choose others").format(
+                        label=loops[0].Label, group=inside(self.obj.Proxy.GROUP)
+                    )
                 )
         except (sources.SourceError, ValueError, kernel.KernelUnavailable) as error:
             messages.show_error(sentence(error))

@@ -13,10 +13,11 @@ from freecad.seamwright.gui.widgets.computation import Computation
 from freecad.seamwright.gui.widgets.forms import make_form, make_text, show_seams_in
 from freecad.seamwright.gui.widgets.qt import QtGui, QtWidgets
 from freecad.seamwright.plain import repair_text
+from freecad.seamwright.plain.language import mark, tr
 
 TABLE_HEIGHT = 190
 
-PREVIEW, PREVIEW_AGAIN = "Preview", "Update preview"
+PREVIEW, PREVIEW_AGAIN = mark("Preview"), mark("Update preview")
 
 #: Text colours of the last column, by the state of a row.
 INKS = {repair_text.REPAIRED: ink.GOOD, repair_text.NOT_REPAIRED: ink.BAD}
@@ -78,7 +79,7 @@ class PreviewPanel(ResultPanel):
     # The window.
 
     def _build(self):
-        self.form, layout = make_form(self.TITLE, self.ICON)
+        self.form, layout = make_form(tr(self.TITLE), self.ICON)
         self.summary, self.remark = make_text(), make_text()
         self.remark.hide()
         for widget in (self.summary, self._build_table(), self.remark):
@@ -89,9 +90,9 @@ class PreviewPanel(ResultPanel):
 
     def _build_table(self):
         self.table = QtWidgets.QTableWidget(0, len(self.COLUMNS))
-        self.table.setHorizontalHeaderLabels([heading for heading, _ in self.COLUMNS])
+        self.table.setHorizontalHeaderLabels([tr(heading) for heading, _ in self.COLUMNS])
         for column, (_, tip) in enumerate(self.COLUMNS):
-            self.table.horizontalHeaderItem(column).setToolTip(tip)
+            self.table.horizontalHeaderItem(column).setToolTip(tr(tip))
         self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
         show_seams_in(self.table, TABLE_HEIGHT)
         self._fit_columns()
@@ -106,15 +107,18 @@ class PreviewPanel(ResultPanel):
 
     def _build_show(self):
         self.show_line = QtWidgets.QHBoxLayout()
-        self.show_line.addWidget(QtWidgets.QLabel("Show"))
-        self.before, self.after = QtWidgets.QRadioButton("Before"), QtWidgets.QRadioButton("After")
+        self.show_line.addWidget(QtWidgets.QLabel(tr("Show")))
+        self.before = QtWidgets.QRadioButton(tr("Before"))
+        self.after = QtWidgets.QRadioButton(tr("After"))
         self.after.setChecked(True)
         for widget in (self.before, self.after):
             self.show_line.addWidget(widget)
         self.show_line.addStretch(1)
-        self.preview_button = QtWidgets.QPushButton(PREVIEW)
+        self.preview_button = QtWidgets.QPushButton(tr(PREVIEW))
         self.preview_button.setToolTip(
-            "%s; nothing is kept until OK is pressed" % self.PREVIEW_TIP
+            tr("{preview_tip}; nothing is kept until OK is pressed").format(
+                preview_tip=tr(self.PREVIEW_TIP)
+            )
         )
         self.show_line.addWidget(self.preview_button)
         return self.show_line
@@ -178,7 +182,7 @@ class PreviewPanel(ResultPanel):
 
     def _name_preview(self):
         self.preview_button.setText(
-            PREVIEW_AGAIN if self.is_due() and self.has_result() else PREVIEW
+            tr(PREVIEW_AGAIN if self.is_due() and self.has_result() else PREVIEW)
         )
 
     def shown_object(self):

@@ -9,6 +9,7 @@ from freecad.seamwright.document.curves.spline import INTERPOLATING, NU
 from freecad.seamwright.gui.scene.comb import EVERY, LONGEST, quill_count
 from freecad.seamwright.gui.scene.live_curve import POINT, TANGENT, TENSION, LiveCurve
 from freecad.seamwright.plain import kernel, spline_handles
+from freecad.seamwright.plain.language import mark
 from freecad.seamwright.plain.options import one_for_each
 
 
@@ -107,5 +108,5 @@ class SplineDrawing:
 
     def tension(self, values):
         """Return the tensions of all points, an array. Raises ValueError for a wrong number."""
-        numbers = one_for_each("Tension", values["tension"], len(self.points), "points")
+        numbers = one_for_each("Tension", values["tension"], len(self.points), mark("points"))
         return numpy.array(numbers)

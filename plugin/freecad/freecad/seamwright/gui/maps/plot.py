@@ -4,6 +4,7 @@
 from typing import Any, NamedTuple
 
 from freecad.seamwright.gui.widgets.qt import QtCore, QtGui, QtWidgets
+from freecad.seamwright.plain.language import tr
 from freecad.seamwright.plain.ramps import figure
 from freecad.seamwright.plain.ticks import ticks
 
@@ -35,7 +36,7 @@ class Plot(QtWidgets.QWidget):
         super().__init__()
         self.setMinimumHeight(HEIGHT)
         self.setMouseTracking(True)
-        self.setToolTip("Move the mouse: the point is marked on the seam in the view")
+        self.setToolTip(tr("Move the mouse: the point is marked on the seam in the view"))
         self.lines, self._title, self._unit, self._at = [], "", "", None
 
     def show_lines(self, lines, title, unit):
@@ -126,7 +127,7 @@ class Plot(QtWidgets.QWidget):
         title = "%s%s" % (self._title, ", %s" % self._unit if self._unit else "")
         painter.drawText(QtCore.QPointF(8, TOP - 9), title)
         box = QtCore.QRectF(area.left(), self.height() - 17, area.width(), 16)
-        painter.drawText(box.toRect(), right, "along the seam, mm")
+        painter.drawText(box.toRect(), right, tr("along the seam, mm"))
         painter.drawRect(area)
 
     def _draw_bounds(self, painter, start, line):

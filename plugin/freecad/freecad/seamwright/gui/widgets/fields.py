@@ -9,6 +9,7 @@ from freecad.seamwright.gui.widgets import ink
 from freecad.seamwright.gui.widgets.forms import LEAST_WIDTH
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 from freecad.seamwright.plain import options
+from freecad.seamwright.plain.language import description, tr
 
 UNITS = {options.LENGTH: "mm", options.ANGLE: "deg"}
 
@@ -34,10 +35,10 @@ class Field(QtCore.QObject):
     def __init__(self, obj, option):
         super().__init__()
         self.option = option
-        self.label = QtWidgets.QLabel(option.label)
+        self.label = QtWidgets.QLabel(tr(option.label))
         self.widget = self._make(obj)
         for each in (self.label, self.widget):
-            each.setToolTip(option.tip)
+            each.setToolTip(description(option.tip))
 
     def _make(self, obj):
         raise NotImplementedError
@@ -127,7 +128,8 @@ class ChoiceField(Field):
 
     def _make(self, obj):
         widget = QtWidgets.QComboBox()
-        widget.addItems(self.option.choices)
+        for choice in self.option.choices:
+            widget.addItem(tr(choice), choice)
         widget.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLength)
         widget.setMinimumContentsLength(LEAST_LETTERS)
         widget.currentIndexChanged.connect(self._emit)
@@ -135,11 +137,11 @@ class ChoiceField(Field):
 
     def value(self):
         """Return the text."""
-        return self.widget.currentText()
+        return self.widget.currentData()
 
     def show_value(self, value):
         """Show a text."""
-        self.widget.setCurrentText(value)
+        self.widget.setCurrentIndex(self.widget.findData(value))
 
 
 class NumbersField(Field):

@@ -6,6 +6,7 @@ The user chooses it in the preferences.
 
 from freecad.seamwright.document import preferences
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
+from freecad.seamwright.plain.language import tr
 
 
 class PreviewTimer(QtCore.QTimer):
@@ -18,8 +19,8 @@ class PreviewTimer(QtCore.QTimer):
     def __init__(self, after_ms, compute):
         super().__init__()
         self.live = preferences.live_preview()
-        self.button = QtWidgets.QPushButton("Preview")
-        self.button.setToolTip("Compute with the values of the fields")
+        self.button = QtWidgets.QPushButton(tr("Preview"))
+        self.button.setToolTip(tr("Compute with the values of the fields"))
         self.button.setVisible(False)
         self.button.clicked.connect(lambda *_: compute())
         self.setSingleShot(True)

@@ -9,6 +9,7 @@ import FreeCAD as App
 
 from freecad.seamwright.gui.widgets.forms import LEAST_WIDTH
 from freecad.seamwright.gui.widgets.qt import QtGui, QtWidgets
+from freecad.seamwright.plain.language import tr
 
 #: The kinds of numbers: a length in mm, an angle in degrees, a number without a unit.
 LENGTH, ANGLE, PLAIN = "mm", "deg", ""
@@ -89,5 +90,6 @@ class NumberField(QtWidgets.QDoubleSpinBox):
             self.setToolTip(self._tip)
         else:
             self._tip = self.toolTip()
-            self.setToolTip("%s\nSet by the expression %s" % (self._tip, expression))
+            said = tr("Set by the expression {expression}").format(expression=expression)
+            self.setToolTip("%s\n%s" % (self._tip, said))
         self.setReadOnly(expression is not None)
