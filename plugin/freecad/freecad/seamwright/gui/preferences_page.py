@@ -92,7 +92,9 @@ class PreferencesPage:
         self.threads.setSpecialValueText(tr("one for each processor"))
         self.threads.setToolTip(tr("How many threads a computation uses"))
         self.comb_lines = _whole_number(table.COMB_LINES)
-        self.comb_lines.setToolTip(tr("How dense the lines of new curvature combs are on each curve"))
+        self.comb_lines.setToolTip(
+            tr("How dense the lines of new curvature combs are on each curve")
+        )
         self.live = QtWidgets.QCheckBox(tr(table.LIVE_PREVIEW.label))
         self.live.setToolTip(
             tr("Compute shortly after each change of a field; otherwise when Preview is pressed")

@@ -29,12 +29,14 @@ class Preference(NamedTuple):
 
 TOLERANCES = (
     Preference("GapTolerance", STANDARD["gap_mm"], mark("Gap tolerance"), 1e-9, 1e6, "gap_mm"),
-    Preference("AngleTolerance", STANDARD["angle_deg"], mark("Angle tolerance"), 1e-9, 90.0, "angle_deg"),
+    Preference("AngleTolerance", STANDARD["angle_deg"], mark("Angle tolerance"),
+               1e-9, 90.0, "angle_deg"),
     Preference("CurvatureTolerance", STANDARD["curvature_rel"], mark("Curvature tolerance"),
                1e-9, 1.0, "curvature_rel"),
     Preference("FlatRadius", STANDARD["flat_radius_mm"], mark("Flat above radius"),
                1e-3, 1e12, "flat_radius_mm"),
-    Preference("CreaseAngle", STANDARD["crease_deg"], mark("Crease angle"), 1e-9, 90.0, "crease_deg"),
+    Preference("CreaseAngle", STANDARD["crease_deg"], mark("Crease angle"),
+               1e-9, 90.0, "crease_deg"),
 )  # fmt: skip
 
 THREADS = Preference("Threads", 0, mark("Threads"), 0, 256)
