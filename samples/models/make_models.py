@@ -54,6 +54,16 @@ def broken_block():
     return Part.Solid(Part.Shell(shell.Faces))
 
 
+def open_block():
+    """Return the broken block without one rounded corner: a shell with a hole of three sides."""
+    faces = broken_block().Faces
+    balls = [face for face in faces if face.Surface.TypeId == "Part::GeomSphere"]
+    corner = max(balls, key=lambda face: face.CenterOfMass.dot(FreeCAD.Vector(1, -1, 1)))
+    shell = Part.makeShell([face for face in faces if not face.isSame(corner)])
+    shell.sewShape()
+    return shell
+
+
 def sheet():
     """Return a wavy bicubic sheet of 120 by 80 mm, cut into 3 by 2 faces that share their edges.
 
@@ -89,6 +99,7 @@ def sheet():
 MODELS = {
     "rounded_block.step": rounded_block,
     "broken_block.step": broken_block,
+    "open_block.step": open_block,
     "sheet.step": sheet,
 }
 

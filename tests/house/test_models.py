@@ -36,6 +36,13 @@ def test_broken_block_has_one_defect_of_two_degrees():
     assert abs(defect["angle_deg"]["at"] - 0.5) < 0.01
 
 
+def test_the_open_block_lacks_a_corner():
+    report = seamwright.read(MODELS / "open_block.step").analyze().to_dict()
+    assert len(report["seams"]) == 48 - 3
+    assert len(report["open"]) == 3
+    assert [seam["class"] for seam in report["seams"]].count("defect") == 1
+
+
 def test_the_sheet_is_curvature_continuous_everywhere():
     report = seamwright.read(MODELS / "sheet.step").analyze(level="G2")
     assert report.passed

@@ -87,6 +87,7 @@ OTHERWISE = {
         "plugin/freecad/freecad/seamwright/document/maps/draft.py": MOULD,
         "plugin/freecad/freecad/seamwright/plain/map": MOULD,
         "plugin/freecad/freecad/seamwright/plain/ramps.py": MOULD,
+        "plugin/freecad/freecad/seamwright/resources/translations/": MOULD,
         "tests/plugin/freecad/map_": MOULD,
         "tests/plugin/freecad/test_maps.py": MOULD,
         "samples/35_analysis.FCMacro": MOULD,

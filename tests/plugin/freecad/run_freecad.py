@@ -15,7 +15,14 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 SETTINGS = HERE.parents[2] / "plugin" / "freecad" / "tools" / "picture.user.cfg"
-SCREEN = "-screen 0 1600x1000x24 +extension GLX +render -noreset"
+SCREEN = "-screen 0 %sx24 +extension GLX +render -noreset"
+
+#: What is added to the settings for a style sheet.
+PREFERENCES = '<FCParamGroup Name="Preferences">\n'
+STYLE = """        <FCParamGroup Name="MainWindow">
+          <FCText Name="StyleSheet">%s.qss</FCText>
+        </FCParamGroup>
+"""
 
 
 def arguments():
@@ -24,6 +31,9 @@ def arguments():
     parser.add_argument("--mod", required=True, help="the addon folder")
     parser.add_argument("--out", required=True, help="folder for pictures and files")
     parser.add_argument("--timeout", type=int, default=240, help="seconds")
+    parser.add_argument("--screen", default="1600x1000", help="pixels of the invisible screen")
+    parser.add_argument("--scale", default="1", help="pixels of the screen for one of the window")
+    parser.add_argument("--style", default="", help="a style sheet of FreeCAD, such as Dark-blue")
     parser.add_argument("modules", nargs="+", help="unittest modules beside this file")
     return parser.parse_args()
 
@@ -43,14 +53,17 @@ def command(options):
         return [find("freecadcmd", "FreeCADCmd"), macro, "-M", options.mod]
     freecad = [find("freecad", "FreeCAD"), macro, "-M", options.mod]
     limit = ["timeout", "-k", "10", str(options.timeout)]
-    return [find("xvfb-run"), "-a", "-s", SCREEN, *limit, *freecad]
+    return [find("xvfb-run"), "-a", "-s", SCREEN % options.screen, *limit, *freecad]
 
 
 def environment(options, home):
     """Variables for a run that neither reads nor writes the user's settings."""
     (home / "home" / ".config" / "FreeCAD").mkdir(parents=True)
     (home / "run").mkdir(mode=0o700)
-    shutil.copy(SETTINGS, home / "home" / ".config" / "FreeCAD" / "user.cfg")
+    settings = SETTINGS.read_text(encoding="utf-8")
+    if options.style:
+        settings = settings.replace(PREFERENCES, PREFERENCES + STYLE % options.style, 1)
+    (home / "home" / ".config" / "FreeCAD" / "user.cfg").write_text(settings, encoding="utf-8")
     dropped = (
         "XDG_CONFIG_HOME",
         "XDG_DATA_HOME",
@@ -64,6 +77,8 @@ def environment(options, home):
         "HOME": str(home / "home"),
         "XDG_RUNTIME_DIR": str(home / "run"),
         "LIBGL_ALWAYS_SOFTWARE": "1",
+        "QT_SCALE_FACTOR": options.scale,
+        "SEAMWRIGHT_TEST_STYLE": options.style,
         "QTWEBENGINE_DISABLE_SANDBOX": "1",
         "PYTHONDONTWRITEBYTECODE": "1",
         "SEAMWRIGHT_TEST_DIR": str(HERE),

@@ -6,18 +6,23 @@ FreeCAD imports this module at start, so it loads only what is needed then.
 
 import importlib
 
+import FreeCAD as App
 import FreeCADGui as Gui
 
+from freecad.seamwright.document import preferences
 from freecad.seamwright.document.hooks import hooks
-from freecad.seamwright.gui import icon_path
+from freecad.seamwright.gui import ICONS, icon_path, translations
+
+translations.add()
 
 
 class SeamwrightWorkbench(Gui.Workbench):
     """Menu and toolbar of Seamwright."""
 
     MenuText = "Seamwright"
-    ToolTip = (
-        "Measure and repair the seams of CAD models: gap, angle and curvature where faces meet"
+    ToolTip = App.Qt.translate(
+        "Workbench",
+        "Measure and repair the seams of CAD models: gap, angle and curvature where faces meet",
     )
     Icon = icon_path("seamwright")
 
@@ -27,6 +32,7 @@ class SeamwrightWorkbench(Gui.Workbench):
             analysis_commands,
             commands,
             curve_commands,
+            help_window,
             surface_commands,
         )
 
@@ -34,14 +40,15 @@ class SeamwrightWorkbench(Gui.Workbench):
         self.appendToolbar("Seamwright", names)
         self.appendMenu("Seamwright", names)
         names = curve_commands.register()
-        self.appendToolbar("Seamwright Curves", names)
-        self.appendMenu(["Seamwright", "Curves"], names)
+        self.appendToolbar(App.Qt.QT_TRANSLATE_NOOP("Workbench", "Seamwright Curves"), names)
+        self.appendMenu(["Seamwright", App.Qt.QT_TRANSLATE_NOOP("Workbench", "Curves")], names)
         names = surface_commands.register()
-        self.appendToolbar("Seamwright Surfaces", names)
-        self.appendMenu(["Seamwright", "Surfaces"], names)
+        self.appendToolbar(App.Qt.QT_TRANSLATE_NOOP("Workbench", "Seamwright Surfaces"), names)
+        self.appendMenu(["Seamwright", App.Qt.QT_TRANSLATE_NOOP("Workbench", "Surfaces")], names)
         names = analysis_commands.register()
-        self.appendToolbar("Seamwright Analysis", names)
-        self.appendMenu(["Seamwright", "Analysis"], names)
+        self.appendToolbar(App.Qt.QT_TRANSLATE_NOOP("Workbench", "Seamwright Analysis"), names)
+        self.appendMenu(["Seamwright", App.Qt.QT_TRANSLATE_NOOP("Workbench", "Analysis")], names)
+        self.appendMenu("Seamwright", ["Separator", *help_window.register()])
 
     def GetClassName(self):
         """Return the kind of workbench, as FreeCAD names it."""
@@ -88,6 +95,18 @@ def _progress(text):
     return progress.progress_dialog(text)
 
 
+class _PreferencesPage:
+    """FreeCAD makes the page of it when the dialog is opened."""
+
+    def __new__(cls, *_):
+        from freecad.seamwright.gui.preferences_page import PreferencesPage
+
+        return PreferencesPage()
+
+
 hooks.attach_view = _attach_view
 hooks.progress = _progress
+Gui.addIconPath(ICONS)
+Gui.addPreferencePage(_PreferencesPage, "Seamwright")
+preferences.use_colours()
 Gui.addWorkbench(SeamwrightWorkbench())

@@ -11,11 +11,12 @@ import FreeCAD as App
 import Part
 
 from freecad.seamwright import __version__
-from freecad.seamwright.document import feature, properties, sources
+from freecad.seamwright.document import feature, preferences, properties, sources
 from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.document.properties import error_text
 from freecad.seamwright.document.seam_results import SeamResults
 from freecad.seamwright.plain import kernel, match_distance, report_text, summary
+from freecad.seamwright.plain.language import mark, tr
 
 #: property, argument of the kernel, property type, default, help
 TOLERANCES = properties.TOLERANCES + (
@@ -47,7 +48,7 @@ __all__ = ["SeamAnalysis", "create", "error_text", "is_analysis", "report_of"]
 
 EMPTY_REPORT = {"seams": [], "open": []}
 
-WORKING = "Analysing seams\u2026"
+WORKING = mark("Analysing seams\u2026")
 
 #: Results of this many reports are kept, so that undo and redo show them at once.
 KEPT = 3
@@ -90,15 +91,15 @@ class SeamAnalysis(feature.Feature):
         model, level, given = sources.Model(source_objects(obj)), obj.Level, tolerances(obj)
         names = [source.Name for source in model.objects]
         make = feature.model_maker(module, model.shape, private)
-        size = model.shape.BoundBox.DiagonalLength
+        size, jobs = model.shape.BoundBox.DiagonalLength, preferences.threads()
 
         def run(progress):
             made = make()
-            text = made.analyze(**given, progress=progress).to_json()
+            text = made.analyze(**given, jobs=jobs, progress=progress).to_json()
             report = report_text.read(text)
             facts = owners(model, names, level, report)
             if report["open"] and not report["seams"] and not given["match_mm"]:
-                facts.update(proposal(made, given, size, progress))
+                facts.update(proposal(made, {**given, "jobs": jobs}, size, progress))
             report["freecad"] = facts
             text = report_text.with_entry(text, "freecad", facts)
             # Edges of the model, which nothing else draws or changes if it is private.
@@ -109,7 +110,7 @@ class SeamAnalysis(feature.Feature):
             results, shape = found
             return results.report, shape, model.objects, results
 
-        return feature.Job(WORKING, run, finish)
+        return feature.Job(tr(WORKING), run, finish)
 
     @staticmethod
     def store(obj, report, shape, objects, results=None):
@@ -133,7 +134,7 @@ class SeamAnalysis(feature.Feature):
     def store_failure(obj, reason):
         """Store an empty report and the reason."""
         SeamAnalysis.store(obj, EMPTY_REPORT, Part.Shape(), [])
-        obj.Summary = "Not analysed: %s" % reason
+        obj.Summary = tr("Not analysed: {reason}").format(reason=reason)
         return reason
 
 
@@ -267,7 +268,7 @@ def prepare(sources, doc, **tolerances):
     """Add a Seam Analysis as ``create`` does, but compute nothing yet."""
     kernel.load(Part.OCC_VERSION)
     values = properties.checked(tolerances, TOLERANCES, {"level": ("Level", LEVELS)})
-    obj = feature.add(doc, SeamAnalysis, "Seam Analysis")
+    obj = feature.add(doc, SeamAnalysis, mark("Seam Analysis"))
     obj.Sources = list(sources or [])
     for name, value in values.items():
         setattr(obj, name, value)

@@ -8,11 +8,12 @@ read. The class path is written into documents: neither rename nor move it.
 
 import Part
 
-from freecad.seamwright.document import elements, feature, properties, sources
+from freecad.seamwright.document import elements, feature, preferences, properties, sources
 from freecad.seamwright.document.feature import empty_report, report_of, tolerances
 from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.document.properties import error_text
 from freecad.seamwright.plain import corner_text, kernel, new_seams, repair_text
+from freecad.seamwright.plain.language import mark, tr
 
 __all__ = ["CornerFillet", "corner_of", "create", "error_text", "is_corner", "report_of"]
 
@@ -124,15 +125,16 @@ def fillet_job(module, obj, private=False):
     setbacks = corner_text.by_edge(obj.Setbacks, edges, "Setbacks") if obj.Setbacks else {}
     setbacks = {edge: value for edge, value in setbacks.items() if value}
     given, make = tolerances(obj), feature.model_maker(module, shape, private)
+    more = {"setbacks_mm": setbacks, "jobs": preferences.threads(), **given}
 
     def finish(result):
         report = corner_text.build_report(result.to_dict(), given)
         return report, result.model.to_freecad() if result.met else Part.Shape(), _names(edges)
 
     def run(progress):
-        return make().corner_fillet(vertex, radii, setbacks_mm=setbacks, progress=progress, **given)
+        return make().corner_fillet(vertex, radii, progress=progress, **more)
 
-    return feature.Job("Rounding the corner\u2026", run, finish)
+    return feature.Job(tr("Rounding the corner\u2026"), run, finish)
 
 
 def _corner(module, obj):
@@ -141,7 +143,9 @@ def _corner(module, obj):
     vertices = elements.numbers(obj, shape, "Vertex", "Vertex")
     if len(vertices) != 1:
         raise sources.SourceError(
-            "The property Vertex names %d vertices: name exactly one" % len(vertices)
+            tr("The property Vertex names {vertices} vertices: name exactly one").format(
+                vertices=len(vertices)
+            )
         )
     model = module.Model.from_freecad(shape)
     edges = model.corner_edges(vertices[0])
@@ -162,7 +166,9 @@ def corner_of(obj):
     try:
         _, _, edges, lengths = _corner(module, obj)
     except (sources.SourceError, module.ModelError, ValueError) as error:
-        return [], [], "Not rounded: %s." % repair_text.named(str(error)).rstrip(".")
+        return [], [], tr("Not rounded: {error}.").format(
+            error=repair_text.named(str(error)).rstrip(".")
+        )
     return _names(edges), lengths, ""
 
 
@@ -189,7 +195,7 @@ def prepare(source, vertex, radii_mm=None, *, setbacks_mm=None, **tolerances):
     values["Radii"] = properties.checked_numbers("radii_mm", radii_mm)
     values["Setbacks"] = properties.checked_numbers("setbacks_mm", setbacks_mm)
     name = elements.checked_name("vertex", vertex, "Vertex")
-    obj = feature.add(source.Document, CornerFillet, "Corner Fillet")
+    obj = feature.add(source.Document, CornerFillet, mark("Corner Fillet"))
     obj.Source = source
     elements.set_names(obj, "Vertex", [name])
     for name, value in values.items():

@@ -7,6 +7,7 @@ to either side; here those of smooth neighbours are made consistent.
 
 import Part
 
+from freecad.seamwright.document import preferences
 from freecad.seamwright.document.display_mesh import ShownMesh
 from freecad.seamwright.plain import kernel, orientation
 
@@ -33,7 +34,7 @@ def curvature_map_later(shape, constant=CONSTANT):
     if shape.isNull() or not shape.Faces:
         return lambda progress=None: ShownMesh()
     make = module.bridge.model_later(shape)
-    groups = _groups(shape)
+    groups, jobs = _groups(shape), preferences.threads()
     large = LARGE * shape.BoundBox.DiagonalLength
     curved = [
         number
@@ -44,10 +45,11 @@ def curvature_map_later(shape, constant=CONSTANT):
     def run(progress=None):
         model = make()
         try:
-            mesh = _mesh(model, curved, progress)
+            mesh = _mesh(model, curved, jobs, progress)
             faulty = {fault["face"] for fault in mesh.faults} & set(curved)
             if faulty:
-                mesh = _mesh(model, [number for number in curved if number not in faulty], progress)
+                sound = [number for number in curved if number not in faulty]
+                mesh = _mesh(model, sound, jobs, progress)
         except module.Cancelled:
             return None
         shown = ShownMesh.of(mesh)
@@ -79,11 +81,16 @@ def align(mesh, other):
         )
 
 
-def _mesh(model, small, progress):
+def _mesh(model, small, jobs, progress):
     """Return the triangles of a Model, with small triangles on these faces.
 
     Small triangles fail on some closed faces, where large triangles succeed.
     """
     return model.display_mesh(
-        curvatures=True, before=model, moved_faces=small, rough_mm=ROUGH_MM, progress=progress
+        curvatures=True,
+        before=model,
+        moved_faces=small,
+        rough_mm=ROUGH_MM,
+        jobs=jobs,
+        progress=progress,
     )

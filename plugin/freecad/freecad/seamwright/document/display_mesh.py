@@ -7,7 +7,9 @@ The kernel makes them. Faces share no points, so that a break at a seam stays vi
 import numpy
 import Part
 
+from freecad.seamwright.document import preferences
 from freecad.seamwright.plain import curvature, kernel
+from freecad.seamwright.plain.language import tr
 
 
 class ShownMesh:
@@ -88,7 +90,9 @@ def display_mesh(shape, progress=None):
         return ShownMesh()
     try:
         return ShownMesh.of(
-            module.Model.from_freecad(shape).display_mesh(curvatures=False, progress=progress)
+            module.Model.from_freecad(shape).display_mesh(
+                curvatures=False, jobs=preferences.threads(), progress=progress
+            )
         )
     except module.Cancelled:
         return None
@@ -97,6 +101,8 @@ def display_mesh(shape, progress=None):
 def fault_lines(label, faults):
     """Return a line for the user for each fault."""
     return [
-        "%s: Face%d is not drawn correctly: %s" % (label, fault["face"], fault["reason"])
+        tr("{label}: Face{face} is not drawn correctly: {reason}").format(
+            label=label, face=fault["face"], reason=fault["reason"]
+        )
         for fault in faults
     ]

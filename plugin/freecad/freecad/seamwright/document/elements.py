@@ -4,9 +4,10 @@
 import operator
 
 from freecad.seamwright.document import sources
+from freecad.seamwright.plain.language import mark, tr
 
 KINDS = {"Face": "Faces", "Edge": "Edges", "Vertex": "Vertexes"}
-WORDS = {"Face": "a face", "Edge": "an edge", "Vertex": "a vertex"}
+WORDS = {"Face": mark("a face"), "Edge": mark("an edge"), "Vertex": mark("a vertex")}
 
 
 def source_objects(obj):
@@ -18,7 +19,7 @@ def source_shape(obj):
     """Return the shape of the source at its position in the model. Raises SourceError."""
     if obj.Source is None:
         raise sources.SourceError(
-            "The source was deleted: choose another one in the property Source"
+            tr("The source was deleted: choose another one in the property Source")
         )
     return sources.world_shape(obj.Source)
 
@@ -82,7 +83,9 @@ def numbers(obj, shape, name, kind):
         return []
     if link[0] != obj.Source:
         raise sources.SourceError(
-            "%s names %s, which is not the source %s" % (name, link[0].Label, obj.Source.Label)
+            tr("{name} names {label}, which is not the source {source}").format(
+                name=name, label=link[0].Label, source=obj.Source.Label
+            )
         )
     count = len(getattr(shape, KINDS[kind]))
     return [_number(obj.Source, element, kind, count) for element in names(obj, name)]
@@ -92,8 +95,12 @@ def _number(source, element, kind, count):
     digits = element[len(kind) :] if element.startswith(kind) else ""
     if any(element.startswith(other) for other in KINDS if other != kind):
         raise sources.SourceError(
-            "%s is not %s: name one, such as %s1." % (element, WORDS[kind], kind)
+            tr("{element} is not {what}: name one, such as {kind}1.").format(
+                element=element, what=tr(WORDS[kind]), kind=kind
+            )
         )
     if not digits.isdecimal() or not 0 < int(digits) <= count:
-        raise sources.SourceError("%s has no %s: choose another one." % (source.Label, element))
+        raise sources.SourceError(tr("{label} has no {element}: choose another one.").format(
+            label=source.Label, element=element
+        ))
     return int(digits)

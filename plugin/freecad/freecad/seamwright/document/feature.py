@@ -12,10 +12,11 @@ from typing import Any, Callable, NamedTuple
 import Part
 
 from freecad.seamwright import __version__
-from freecad.seamwright.document import properties, sources
+from freecad.seamwright.document import preferences, properties, sources
 from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.document.properties import CANCELLED, DONE, OUTCOMES, OUTDATED, WITHOUT
 from freecad.seamwright.plain import kernel
+from freecad.seamwright.plain.language import tr
 
 #: property, property type, help; not shown to the user
 INTERNAL = (
@@ -147,7 +148,7 @@ class Feature:
         """Keep the results of an earlier computation, if there are any."""
         obj.Outcome = OUTDATED if obj.Report else CANCELLED
         if not obj.Report:
-            obj.Summary = properties.OUTCOMES[CANCELLED]
+            obj.Summary = tr(properties.OUTCOMES[CANCELLED])
 
     def dumps(self):
         """Return None: the properties keep all state."""
@@ -169,8 +170,9 @@ def is_of(obj, feature):
 def add(doc, feature, label):
     """Return a new document object of that kind, not computed yet."""
     obj = doc.addObject("Part::FeaturePython", feature.Type)
-    obj.Label = label
+    obj.Label = tr(label)
     feature(obj)
+    preferences.apply(obj)
     return obj
 
 

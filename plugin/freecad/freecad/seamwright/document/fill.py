@@ -7,11 +7,12 @@ path is written into documents: neither rename nor move it.
 
 import Part
 
-from freecad.seamwright.document import elements, feature, properties, sources
+from freecad.seamwright.document import elements, feature, preferences, properties, sources
 from freecad.seamwright.document.feature import empty_report, report_of, tolerances
 from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.document.properties import error_text
 from freecad.seamwright.plain import fill_text, kernel, new_seams, repair_text
+from freecad.seamwright.plain.language import mark, tr
 
 __all__ = ["UmbrellaFill", "create", "error_text", "holes_of", "is_fill", "report_of"]
 
@@ -117,7 +118,7 @@ class UmbrellaFill(feature.Feature):
         """Store an empty report and the reason."""
         reason = repair_text.named(reason)
         UmbrellaFill.store(obj, empty_report(obj), Part.Shape())
-        obj.Summary = "Not filled: %s" % reason
+        obj.Summary = tr("Not filled: {reason}").format(reason=reason)
         return reason
 
 
@@ -136,7 +137,9 @@ def fill_job(module, obj, private=False):
     edges, faces = (elements.numbers(obj, shape, *entry[:2]) for entry in ELEMENTS)
     if len(faces) > 1:
         raise sources.SourceError(
-            "%d faces are chosen: only one can be replaced at a time" % len(faces)
+            tr("{faces} faces are chosen: only one can be replaced at a time").format(
+                faces=len(faces)
+            )
         )
     limits, label, make = (
         tolerances(obj),
@@ -144,6 +147,7 @@ def fill_job(module, obj, private=False):
         feature.model_maker(module, shape, private),
     )
     given = {"target": obj.Target, "keep_anyway": bool(obj.KeepAnyway), **limits}
+    given["jobs"] = preferences.threads()
     report = empty_report(obj)
 
     def run(progress):
@@ -160,7 +164,7 @@ def fill_job(module, obj, private=False):
         )
         return {**report, "fills": entries}, last
 
-    return feature.Job("Filling holes\u2026", run, finish)
+    return feature.Job(tr("Filling holes\u2026"), run, finish)
 
 
 def _fill_each(model, given, wanted, progress):
@@ -196,7 +200,9 @@ def _holes(model, limits, label, edges):
     """
     holes = model.holes(corner_deg=limits["corner_deg"], gap_mm=limits["gap_mm"])
     if not holes:
-        raise ValueError("%s has no hole: no free edges form a closed loop." % label)
+        raise ValueError(tr("{label} has no hole: no free edges form a closed loop.").format(
+            label=label
+        ))
     return holes, fill_text.chosen_holes(holes, edges) if edges else fill_text.default_holes(holes)
 
 
@@ -278,7 +284,7 @@ def prepare(source, *, edges=(), face=None, target="G1", keep_anyway=False, **to
     values = properties.checked(
         {**tolerances, "target": target}, TOLERANCES, {"target": ("Target", TARGETS)}
     )
-    obj = feature.add(source.Document, UmbrellaFill, "Umbrella Fill")
+    obj = feature.add(source.Document, UmbrellaFill, mark("Umbrella Fill"))
     obj.Source = source
     elements.set_names(obj, "Edges", edges)
     elements.set_names(obj, "Face", faces)

@@ -12,6 +12,7 @@ from freecad.seamwright.document.feature import report_of, tolerances
 from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.document.properties import error_text
 from freecad.seamwright.plain import kernel, match_text
+from freecad.seamwright.plain.language import mark, tr
 
 __all__ = ["MatchSurfaces", "create", "error_text", "is_match", "report_of"]
 
@@ -22,7 +23,7 @@ TOLERANCES = properties.TOLERANCES + (
 )  # fmt: skip
 
 TARGETS = ["G1", "G2"]
-MOVES = ["First", "Second", "Both"]
+MOVES = [mark("First"), mark("Second"), mark("Both")]
 DEFAULT_MOVES = "Second"
 
 LINKS = (
@@ -146,7 +147,7 @@ def link(obj, name):
 def link_text(obj, name):
     """Return a link as the user reads it: "Plate.Face3"."""
     target = link(obj, name)
-    return "not chosen" if target is None else "%s.%s" % (target[0].Label, target[1])
+    return tr("not chosen") if target is None else "%s.%s" % (target[0].Label, target[1])
 
 
 def source_objects(obj):
@@ -162,7 +163,7 @@ def match_job(module, obj, private=False):
     """
     found = sources.Elements(_links(obj))
     if any(face.ShapeType != "Face" for face in found.shapes[:2]):
-        raise sources.SourceError("FirstFace and SecondFace must be faces")
+        raise sources.SourceError(tr("FirstFace and SecondFace must be faces"))
     shape = Part.Compound(found.shapes[:2])
     faces = [link_text(obj, name) for name in ("FirstFace", "SecondFace")]
 
@@ -188,20 +189,25 @@ def match_job(module, obj, private=False):
         report["reason"] = named(report["reason"])
         return report, result.model.to_freecad() if result.matched else Part.Shape()
 
-    return feature.Job("Matching surfaces\u2026", run, finish)
+    return feature.Job(tr("Matching surfaces\u2026"), run, finish)
 
 
 def _links(obj):
     """Return the links to the two faces and, where one is chosen, to the common edge."""
     links = [link(obj, name) for name, _ in LINKS]
-    for target, word, name in zip(links, ("first", "second"), ("FirstFace", "SecondFace")):
-        if target is None:
-            raise sources.SourceError(
-                "The %s face was deleted: choose another one in the property %s" % (word, name)
-            )
+    if links[0] is None:
+        raise sources.SourceError(
+            tr("The first face was deleted: choose another one in the property FirstFace")
+        )
+    if links[1] is None:
+        raise sources.SourceError(
+            tr("The second face was deleted: choose another one in the property SecondFace")
+        )
     if links[0] == links[1]:
         raise sources.SourceError(
-            "%s is chosen twice: choose two different faces" % link_text(obj, "FirstFace")
+            tr("{link} is chosen twice: choose two different faces").format(
+                link=link_text(obj, "FirstFace")
+            )
         )
     return [target for target in links if target is not None]
 
@@ -216,7 +222,7 @@ def _edge_number(obj, shape, chosen):
             if other.isSame(edge):
                 return number
         raise sources.SourceError(
-            "%s is not an edge of the two faces" % link_text(obj, "CommonEdge")
+            tr("{link} is not an edge of the two faces").format(link=link_text(obj, "CommonEdge"))
         )
     return 0
 
@@ -276,7 +282,7 @@ def prepare(
     )
     values["Moves"] = values["Moves"].capitalize()
     doc = first[0].Document
-    obj = feature.add(doc, MatchSurfaces, "Match Surfaces")
+    obj = feature.add(doc, MatchSurfaces, mark("Match Surfaces"))
     for name, target_link in (("FirstFace", first), ("SecondFace", second), ("CommonEdge", edge)):
         if target_link is not None:
             setattr(obj, name, (target_link[0], [target_link[1]]))

@@ -10,6 +10,7 @@ import Part
 
 from freecad.seamwright.document import feature, properties, sources
 from freecad.seamwright.plain import curve_text, kernel_words, options
+from freecad.seamwright.plain.language import tr
 
 LINKED = (
     "Linked", "App::PropertyStringList", "The sources as they were chosen: property, object, name"
@@ -102,10 +103,12 @@ class OptionFeature(feature.Feature):
             if chosen[name] != links_of(obj.Document.getObject(obj.Name), name):
                 continue
             for _, label in _lost(obj, name):
-                advice = "choose others in the property %s" % name
+                advice = tr("choose others in the property {name}").format(name=name)
                 if name not in cls.REQUIRED:
-                    advice += ", or set it to none"
-                raise sources.SourceError("%s was deleted: %s" % (label, advice))
+                    advice += tr(", or set it to none")
+                raise sources.SourceError(tr("{label} was deleted: {advice}").format(
+                    label=label, advice=advice
+                ))
 
     @classmethod
     def store(cls, obj, report, shape):

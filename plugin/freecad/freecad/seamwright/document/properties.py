@@ -6,6 +6,7 @@ import math
 import FreeCAD as App
 
 from freecad.seamwright.plain import profiles
+from freecad.seamwright.plain.language import mark, tr
 
 #: property, argument of the kernel, property type, default, help
 TOLERANCES = (
@@ -28,8 +29,8 @@ DONE, WITHOUT, CANCELLED, OUTDATED = "done", "without result", "cancelled", "out
 OUTCOMES = {
     DONE: "",
     WITHOUT: "",
-    CANCELLED: "Cancelled; there are no results yet.",
-    OUTDATED: "Cancelled; the results are those of the last complete run.",
+    CANCELLED: mark("Cancelled; there are no results yet."),
+    OUTDATED: mark("Cancelled; the results are those of the last complete run."),
 }
 
 # Attributes of App::DocumentObject.addProperty.
@@ -154,7 +155,10 @@ def error_text(obj):
     if "Invalid" in obj.State:
         return obj.getStatusString()
     outcome = getattr(obj, "Outcome", "")
-    return obj.Summary if outcome == WITHOUT else OUTCOMES.get(outcome, "")
+    if outcome == WITHOUT:
+        return obj.Summary
+    meaning = OUTCOMES.get(outcome, "")
+    return tr(meaning) if meaning else ""
 
 
 def plain(value):

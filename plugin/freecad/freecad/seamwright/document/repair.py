@@ -8,11 +8,12 @@ move it.
 
 import Part
 
-from freecad.seamwright.document import elements, feature, properties
+from freecad.seamwright.document import elements, feature, preferences, properties
 from freecad.seamwright.document.feature import empty_report, report_of, tolerances
 from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.document.properties import error_text
 from freecad.seamwright.plain import kernel, repair_text
+from freecad.seamwright.plain.language import mark, tr
 
 __all__ = ["SeamRepair", "candidates_job", "create", "error_text", "is_repair", "report_of"]
 
@@ -123,7 +124,7 @@ class SeamRepair(feature.Feature):
         """Store an empty report and the reason."""
         reason = repair_text.named(reason)
         SeamRepair.store(obj, empty_report(obj), Part.Shape())
-        obj.Summary = "Not repaired: %s" % reason
+        obj.Summary = tr("Not repaired: {reason}").format(reason=reason)
         return reason
 
 
@@ -142,7 +143,8 @@ def repair_job(module, obj, private=False):
     target, make = obj.Target, feature.model_maker(module, shape, private)
     given = {
         "target": target, "edges": edges or None, "fixed_faces": faces,
-        "max_move_mm": properties.number(obj, "MaxMove") or "auto", **tolerances(obj)
+        "max_move_mm": properties.number(obj, "MaxMove") or "auto", **tolerances(obj),
+        "jobs": preferences.threads()
     }  # fmt: skip
 
     def run(progress):
@@ -157,7 +159,7 @@ def repair_job(module, obj, private=False):
         report, result = found
         return report, result.model.to_freecad() if result.changed else shape
 
-    return feature.Job("Repairing seams\u2026", run, finish)
+    return feature.Job(tr("Repairing seams\u2026"), run, finish)
 
 
 def candidates_job(module, obj, private=False):
@@ -169,6 +171,7 @@ def candidates_job(module, obj, private=False):
     shape = elements.source_shape(obj)
     edges, _ = (elements.numbers(obj, shape, *entry[:2]) for entry in ELEMENTS)
     target, given, make = obj.Target, tolerances(obj), feature.model_maker(module, shape, private)
+    given["jobs"] = preferences.threads()
 
     def finish(before):
         seams = repair_text.waiting(before, target, set(edges))
@@ -178,7 +181,7 @@ def candidates_job(module, obj, private=False):
     def run(progress):
         return make().analyze(level=target, progress=progress, **given).to_dict()
 
-    return feature.Job("Analysing seams\u2026", run, finish)
+    return feature.Job(tr("Analysing seams\u2026"), run, finish)
 
 
 def create(source, *, edges=(), fixed_faces=(), target="G1", max_move_mm=0.0, **tolerances):
@@ -215,7 +218,7 @@ def prepare(source, *, edges=(), fixed_faces=(), target="G1", max_move_mm=0.0, *
         elements.checked_names(*each)
         for each in (("edges", edges, "Edge"), ("fixed_faces", fixed_faces, "Face"))
     )
-    obj = feature.add(source.Document, SeamRepair, "Seam Repair")
+    obj = feature.add(source.Document, SeamRepair, mark("Seam Repair"))
     obj.Source = source
     elements.set_names(obj, "Edges", edges)
     elements.set_names(obj, "FixedFaces", fixed_faces)

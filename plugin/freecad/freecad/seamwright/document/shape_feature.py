@@ -9,6 +9,7 @@ from freecad.seamwright.document import feature, sources
 from freecad.seamwright.document.curves import inputs
 from freecad.seamwright.document.option_feature import OptionFeature, links_of, values_of
 from freecad.seamwright.plain import kernel, options
+from freecad.seamwright.plain.language import inside, tr
 
 
 class Made(NamedTuple):
@@ -71,13 +72,13 @@ class ShapeFeature(OptionFeature):
         chosen, values = links_of(obj), values_of(obj)
         if not chosen and cls.needs_sources(values):
             raise sources.SourceError(
-                "The sources were deleted: choose others in the property Sources"
+                tr("The sources were deleted: choose others in the property Sources")
             )
         cls.check_links(obj, {name: chosen for name, *_ in cls.LINKS})
         options.checked(cls.OPTIONS, values)
         gathered = cls.gather(module, inputs.shapes_of(chosen), values)
         return feature.Job(
-            "Making the %s\u2026" % cls.GROUP.lower(),
+            tr("Making the {group}\u2026").format(group=inside(cls.GROUP)),
             lambda progress: cls.compute(module, gathered, values, progress),
             lambda found: cls.build(module, found, values),
         )

@@ -8,6 +8,8 @@ faces and edges as the sources, not copies.
 import FreeCAD as App
 import Part
 
+from freecad.seamwright.plain.language import tr
+
 
 class SourceError(Exception):
     """The sources cannot be analysed; the text names the object and says what is missing."""
@@ -84,8 +86,10 @@ def world_shape(obj):
     check_kind(obj)
     shape = placed_shape(obj)
     if not shape.countElement("Face"):
-        what = "is a sketch and has" if obj.isDerivedFrom("Sketcher::SketchObject") else "has"
-        raise SourceError("%s %s no faces: choose an object with faces." % (obj.Label, what))
+        text = tr("{label} has no faces: choose an object with faces.")
+        if obj.isDerivedFrom("Sketcher::SketchObject"):
+            text = tr("{label} is a sketch and has no faces: choose an object with faces.")
+        raise SourceError(text.format(label=obj.Label))
     return shape
 
 
@@ -93,18 +97,24 @@ def check_kind(obj):
     """Raise SourceError for an object of a kind that cannot hold a shape."""
     if obj.isDerivedFrom("Mesh::Feature"):
         raise SourceError(
-            "%s is a mesh: make a shape of it first, with Create shape from mesh of the workbench "
-            "Part." % obj.Label
+            tr(
+                "{label} is a mesh: make a shape of it first, with Create shape from mesh of the "
+                "workbench Part."
+            ).format(label=obj.Label)
         )
     if not has_shape(obj):
-        raise SourceError("%s has no shape: choose another object." % obj.Label)
+        raise SourceError(tr("{label} has no shape: choose another object.").format(
+            label=obj.Label
+        ))
 
 
 def placed_shape(obj):
     """Return the shape of one object at its position in the model. Raises SourceError."""
     shape = Part.getShape(obj)
     if shape.isNull():
-        raise SourceError("%s has no shape: recompute it or choose another object." % obj.Label)
+        raise SourceError(tr("{label} has no shape: recompute it or choose another object.").format(
+            label=obj.Label
+        ))
     placement = parent_placement(obj)
     if placement.isIdentity():
         return shape
@@ -135,7 +145,9 @@ class Elements:
         found = {"Face": shape.Faces, "Edge": shape.Edges}.get(kind, [])
         if not digits or not 0 < int(digits) <= len(found):
             raise SourceError(
-                "%s has no %s: choose another one." % (obj.Label, name or "such face")
+                tr("{label} has no {name}: choose another one.").format(
+                    label=obj.Label, name=name or tr("such face")
+                )
             )
         return found[int(digits) - 1]
 
@@ -157,7 +169,7 @@ class Model:
         Raises SourceError without objects, or for an object without faces.
         """
         if not objects:
-            raise SourceError("There is nothing to analyse: the document has no faces.")
+            raise SourceError(tr("There is nothing to analyse: the document has no faces."))
         self.objects = list(objects)
         self.parts = [world_shape(obj) for obj in self.objects]
         if len(self.parts) == 1:

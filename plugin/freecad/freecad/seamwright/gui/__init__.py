@@ -11,7 +11,8 @@ A folder imports only from those before it in this list:
 * ``maps``      panel and view of all analysis tools.
 
 The commands in ``commands.py``, ``curve_commands.py``, ``surface_commands.py`` and
-``analysis_commands.py`` use all of them.
+``analysis_commands.py``, the help in ``help_window.py`` and the page of the preferences in
+``preferences_page.py`` use all of them.
 """
 
 import os

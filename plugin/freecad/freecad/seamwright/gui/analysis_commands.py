@@ -15,6 +15,7 @@ from freecad.seamwright.gui.command import Command, begin, open_new
 from freecad.seamwright.gui.selected import picked_seams, visible_with_faces
 from freecad.seamwright.gui.widgets import messages
 from freecad.seamwright.plain import kernel
+from freecad.seamwright.plain.language import inside, tr
 
 
 class UseTool(Command):
@@ -42,7 +43,7 @@ class UseTool(Command):
             hide_others(obj)
             return obj
 
-        open_new(begin(doc, "Make %s" % self.kind.LABEL.lower(), make))
+        open_new(begin(doc, tr("Make {label}").format(label=inside(self.kind.LABEL)), make))
 
     def _chosen(self, doc):
         chosen = picked_seams(doc) if self.kind is SeamPlot else picked()

@@ -7,7 +7,8 @@ import FreeCADGui as Gui
 from freecad.seamwright.document import sources
 from freecad.seamwright.gui import icon_path
 from freecad.seamwright.gui.widgets import messages
-from freecad.seamwright.plain import kernel
+from freecad.seamwright.plain import help_pages, kernel
+from freecad.seamwright.plain.language import description, tr
 
 
 class Command:
@@ -16,8 +17,19 @@ class Command:
     name = menu = tip = icon = ""
 
     def GetResources(self):
-        """Return menu text, tool tip and icon."""
-        return {"MenuText": self.menu, "ToolTip": self.tip, "Pixmap": icon_path(self.icon)}
+        """Return menu text, tool tip, texts of help and icon."""
+        tip = description(self.tip)
+        return {
+            "MenuText": self.menu,
+            "ToolTip": self.tip,
+            "StatusTip": help_pages.first_sentence(tip),
+            "WhatsThis": '%s <a href="%s">%s</a>' % (tip, self.CmdHelpURL(), tr("Help")),
+            "Pixmap": icon_path(self.icon),
+        }
+
+    def CmdHelpURL(self):
+        """Return the address of the section about the command."""
+        return help_pages.address(help_pages.section_of(self.name))
 
     def IsActive(self):
         """Return whether there is a document."""

@@ -19,6 +19,7 @@ from freecad.seamwright.gui.selected import (
 )
 from freecad.seamwright.gui.widgets import messages
 from freecad.seamwright.plain import summary
+from freecad.seamwright.plain.language import tr
 
 
 class AnalyzeSeams(Command):
@@ -37,7 +38,7 @@ class AnalyzeSeams(Command):
         """Create the analysis as one undoable step, and open its panel, which measures."""
         doc.recompute()  # without a selection, objects are found by their shapes
         chosen = selected_sources(doc)
-        open_new(begin(doc, "Analyze seams", lambda: analysis.prepare(chosen, doc)))
+        open_new(begin(doc, tr("Analyze seams"), lambda: analysis.prepare(chosen, doc)))
 
 
 class ExportReport(Command):
@@ -76,14 +77,18 @@ class MatchSurfaces(Command):
         faces, edges = selected_elements("Face"), selected_elements("Edge")
         if len(faces) != 2 or len(edges) > 1:
             messages.show_error(
-                "Select two faces: first the one that stays, then the one that moves. You may also "
-                "select one common edge. Selected: %s, %s."
-                % (summary.counted(len(faces), "face"), summary.counted(len(edges), "edge"))
+                tr(
+                    "Select two faces: first the one that stays, then the one that moves. You may "
+                    "also select one common edge. Selected: {faces}, {edges}."
+                ).format(
+                    faces=summary.counted(len(faces), "face"),
+                    edges=summary.counted(len(edges), "edge"),
+                )
             )
             return
         edge = edges[0] if edges else None
         open_new(
-            begin(doc, "Match surfaces", lambda: match.prepare(*faces, edge=edge))
+            begin(doc, tr("Match surfaces"), lambda: match.prepare(*faces, edge=edge))
         )
 
 
@@ -105,13 +110,16 @@ class RepairSeams(Command):
         objects = list(dict.fromkeys(obj for obj, _ in chosen))
         if len(objects) != 1:
             messages.show_error(
-                "To repair seams, select one object or some of its edges. Found: %s."
-                % (", ".join(obj.Label for obj in objects) or "none")
+                tr(
+                    "To repair seams, select one object or some of its edges. Found: {objects}."
+                ).format(objects=", ".join(obj.Label for obj in objects) or tr("none"))
             )
             return
         (source,), edges = objects, [edge for _, edge in chosen if edge]
         limits = limits_of_analysis(source)
-        open_new(begin(doc, "Repair seams", lambda: repair.prepare(source, edges=edges, **limits)))
+        open_new(
+            begin(doc, tr("Repair seams"), lambda: repair.prepare(source, edges=edges, **limits))
+        )
 
 
 def limits_of_analysis(source):
@@ -147,8 +155,10 @@ class UmbrellaFill(Command):
         chosen = selected_parts(doc)
         if len(chosen) != 1:
             messages.show_error(
-                "To fill holes, select one object or some of its edges. To replace a face, select "
-                "it. Found: %s." % (", ".join(obj.Label for obj in chosen) or "none")
+                tr(
+                    "To fill holes, select one object or some of its edges. To replace a face, "
+                    "select it. Found: {chosen}."
+                ).format(chosen=", ".join(obj.Label for obj in chosen) or tr("none"))
             )
             return
         ((source, names),) = chosen.items()
@@ -157,12 +167,19 @@ class UmbrellaFill(Command):
         )
         if len(faces) > 1 or (faces and edges):
             messages.show_error(
-                "Select either edges of holes or one face to replace. Selected: %s, %s."
-                % (summary.counted(len(faces), "face"), summary.counted(len(edges), "edge"))
+                tr(
+                    "Select either edges of holes or one face to replace. Selected: {faces}, "
+                    "{edges}."
+                ).format(
+                    faces=summary.counted(len(faces), "face"),
+                    edges=summary.counted(len(edges), "edge"),
+                )
             )
             return
         face = faces[0] if faces else None
-        open_new(begin(doc, "Umbrella fill", lambda: fill.prepare(source, edges=edges, face=face)))
+        open_new(
+            begin(doc, tr("Umbrella fill"), lambda: fill.prepare(source, edges=edges, face=face))
+        )
 
 
 class CornerFillet(Command):
@@ -181,11 +198,15 @@ class CornerFillet(Command):
         vertices = selected_elements("Vertex")
         if len(vertices) != 1:
             messages.show_error(
-                "Select one vertex of a solid at which 3 to 6 edges meet. Selected: %s."
-                % (", ".join("%s.%s" % (obj.Label, name) for obj, name in vertices) or "no vertex")
+                tr(
+                    "Select one vertex of a solid at which 3 to 6 edges meet. Selected: {vertices}."
+                ).format(
+                    vertices=", ".join("%s.%s" % (obj.Label, name) for obj, name in vertices)
+                    or tr("no vertex")
+                )
             )
             return
-        open_new(begin(doc, "Corner fillet", lambda: corner.prepare(*vertices[0])))
+        open_new(begin(doc, tr("Corner fillet"), lambda: corner.prepare(*vertices[0])))
 
 
 class ZebraStripes(Command):
@@ -219,7 +240,7 @@ class ZebraStripes(Command):
             zebra.show(objects)
             Gui.Selection.clearSelection()  # the colour of a selection would cover the stripes
         else:
-            messages.show_error("No visible object has faces to draw zebra stripes on.")
+            messages.show_error(tr("No visible object has faces to draw zebra stripes on."))
 
 
 COMMANDS = (

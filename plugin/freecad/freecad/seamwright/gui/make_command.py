@@ -10,6 +10,7 @@ from freecad.seamwright.gui.base.picked import picked
 from freecad.seamwright.gui.command import Command, begin, open_new
 from freecad.seamwright.gui.widgets import messages
 from freecad.seamwright.plain import kernel
+from freecad.seamwright.plain.language import inside, tr
 
 
 class Make(Command):
@@ -38,7 +39,7 @@ class Make(Command):
         except (sources.SourceError, ValueError, kernel.KernelUnavailable) as error:
             messages.show_error(sentence(error))
             return
-        open_new(begin(doc, "Make %s" % self.kind.LABEL.lower(), make))
+        open_new(begin(doc, tr("Make {label}").format(label=inside(self.kind.LABEL)), make))
 
 
 def register(commands):

@@ -11,6 +11,7 @@ numbers of edges are those of the source.
 import math
 
 from freecad.seamwright.plain import enclosure, new_seams, repair_text, summary
+from freecad.seamwright.plain.language import mark, tr
 
 TARGET = "G1"
 
@@ -27,11 +28,11 @@ EMPTY_REPORT = {
 
 #: The faces that meet at a new seam, by the kernel's word for the seam.
 BETWEEN = {
-    "spoke": "two patches",
-    "section": "patch, fillet",
-    "spring": "patch, face",
-    "contact": "fillet, face",
-    "fillets": "two fillets",
+    "spoke": mark("two patches"),
+    "section": mark("patch, fillet"),
+    "spring": mark("patch, face"),
+    "contact": mark("fillet, face"),
+    "fillets": mark("two fillets"),
 }
 
 #: A suggested radius is this part of the length of the shortest edge, rounded down to one digit.
@@ -61,11 +62,13 @@ def build_report(found, tolerance):
 def summary_text(report):
     """Return one line: the radii and the new seams, or the reason why nothing was rounded."""
     if not report["met"]:
-        return "Not rounded: %s." % report["reason"].rstrip(".")
+        return tr("Not rounded: {reason}.").format(reason=report["reason"].rstrip("."))
     radii = ", ".join(enclosure.number(edge["radius_mm"]) for edge in report["edges"])
     seams = new_seams.largest_text(report["seams"], report["tolerance"])
     rounded = summary.counted(len(report["edges"]), "edge")
-    made = "Corner of %s rounded with radii %s mm; %s; %s is met." % (rounded, radii, seams, TARGET)
+    made = tr(
+        "Corner of {rounded} rounded with radii {radii} mm; {seams}; {target} is met."
+    ).format(rounded=rounded, radii=radii, seams=seams, target=TARGET)
     return made + filled_text(report)
 
 
@@ -76,12 +79,14 @@ def filled_text(report):
     """
     if report.get("filled_by", "patches") == "patches":
         return ""
-    return " Filled by OpenCASCADE; not by patches: %s." % report["patches_reason"].rstrip(".")
+    return tr(" Filled by OpenCASCADE; not by patches: {patches_reason}.").format(
+        patches_reason=report["patches_reason"].rstrip(".")
+    )
 
 
 def waiting_text(edges):
     """Say how many edges a computation would round."""
-    return "%s to round." % summary.counted(len(edges), "edge")
+    return tr("{edges} to round.").format(edges=summary.counted(len(edges), "edge"))
 
 
 def new_faces(report):
@@ -106,7 +111,7 @@ def _faces(report, *words):
 
 def edge_text(edge):
     """ "convex, 90°": the kind of an edge of the report and the angle between its faces."""
-    return "%s, %.4g\u00b0" % ("convex" if edge["convex"] else "concave", edge["angle_deg"])
+    return "%s, %.4g\u00b0" % (tr("convex") if edge["convex"] else tr("concave"), edge["angle_deg"])
 
 
 def suggested_radius_mm(lengths_mm):
@@ -125,12 +130,14 @@ def by_edge(numbers, edges, name):
         numbers = list(numbers) * len(edges)
     if len(numbers) != len(edges):
         raise ValueError(
-            "%s has %s for the %d edges of the corner (%s): give one for each, or one for all"
-            % (
-                name,
-                summary.counted(len(numbers), "number"),
-                len(edges),
-                repair_text.edges_text({"edges": edges}),
+            tr(
+                "{name} has {numbers} for the {edges} edges of the corner ({names}): give one for "
+                "each, or one for all"
+            ).format(
+                name=name,
+                numbers=summary.counted(len(numbers), "number"),
+                edges=len(edges),
+                names=repair_text.edges_text({"edges": edges}),
             )
         )
     return dict(zip(edges, numbers))

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy
 
 from freecad.seamwright.plain import enclosure
+from freecad.seamwright.plain.language import mark, tr
 
 #: (share of the limit, colour); a colour is (red, green, blue), each 0..255. Colours between the
 #: entries are interpolated.
@@ -45,7 +46,7 @@ ROUND, ROUNDED_DOWN = (1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10), 1e-3
 #: The shares of the limit for which the legend has a line.
 LEGEND_SHARES = (1.0, 0.75, 0.5, 0.25, 0.0, -0.25, -0.5, -0.75, -1.0)
 
-TITLE = "Mean curvature"
+TITLE = mark("Mean curvature")
 MINUS = "\u2212"
 
 
@@ -116,7 +117,7 @@ def colours(values, limit_per_mm):
 
 def legend(limit_per_mm):
     """Return title, entries and footer."""
-    return TITLE, legend_entries(limit_per_mm), legend_footer(limit_per_mm)
+    return tr(TITLE), legend_entries(limit_per_mm), legend_footer(limit_per_mm)
 
 
 def legend_entries(limit_per_mm):
@@ -132,9 +133,9 @@ def legend_entries(limit_per_mm):
 def _entry(value, limit_per_mm):
     rgb = colours(numpy.array([value]), limit_per_mm)[0] * 255
     meaning = (
-        "as a sphere of radius %s mm" % enclosure.number(1 / abs(value))
+        tr("as a sphere of radius {radius} mm").format(radius=enclosure.number(1 / abs(value)))
         if value
-        else "flat, or a saddle"
+        else tr("flat, or a saddle")
     )
     return Sample(tuple(int(round(channel)) for channel in rgb)), "%s 1/mm" % signed(value), meaning
 
@@ -147,10 +148,9 @@ def signed(value):
 
 def legend_footer(limit_per_mm):
     """Say what the signs mean and which colours curvatures beyond the limit have."""
-    signs = "+ concave, %s convex, seen from the side of the normals" % MINUS
+    signs = tr("+ concave, {minus} convex, seen from the side of the normals").format(minus=MINUS)
     if limit_per_mm <= 0:
         return signs
-    return "%s\nvalues beyond \u00b1%s 1/mm have the end colours" % (
-        signs,
-        enclosure.number(limit_per_mm),
+    return tr("{signs}\nvalues beyond \u00b1{limit_per_mm} 1/mm have the end colours").format(
+        signs=signs, limit_per_mm=enclosure.number(limit_per_mm)
     )

@@ -12,6 +12,7 @@ import os
 import tempfile
 
 from freecad.seamwright.plain import rows
+from freecad.seamwright.plain.language import tr
 
 HEAD = ("id", "kind", "class", "level", "edges", "faces", "length_mm")
 TAIL = ("certified", "worst", "worst_at", "worst_x_mm", "worst_y_mm", "worst_z_mm", "note")
@@ -65,14 +66,18 @@ def write(report, path):
     ending = os.path.splitext(path)[1].lower()
     makers = {".csv": csv_text, ".json": json_text}
     if ending not in makers:
-        raise ExportError("%s: the name must end in .csv or .json." % path)
+        raise ExportError(tr("{path}: the name must end in .csv or .json.").format(path=path))
     folder = os.path.dirname(os.path.abspath(path))
     if not os.path.isdir(folder):
-        raise ExportError("%s: the folder %s does not exist; create it first." % (path, folder))
+        raise ExportError(tr("{path}: the folder {folder} does not exist; create it first.").format(
+            path=path, folder=folder
+        ))
     try:
         _replace(path, folder, makers[ending](report))
     except OSError as error:
-        raise ExportError("%s: cannot be written: %s." % (path, error.strerror)) from error
+        raise ExportError(tr("{path}: cannot be written: {strerror}.").format(
+            path=path, strerror=error.strerror
+        )) from error
 
 
 def _replace(path, folder, text):

@@ -8,8 +8,10 @@ The numbers of faces and edges are those of the result; in reasons they are thos
 """
 
 from freecad.seamwright.plain import new_seams, repair_text, summary
+from freecad.seamwright.plain.language import mark, tr
 
-INSIDE = "the fill itself"
+#: What a report says about the faces at a seam: two new ones, or a new one and a face by its name.
+BESIDE, INSIDE = new_seams.BESIDE, mark("the fill itself")
 
 EMPTY_REPORT = {"target": "G1", "tolerance": {}, "fills": []}
 
@@ -37,8 +39,10 @@ def chosen_holes(holes, edges):
     for number in edges:
         if number not in owners:
             raise ValueError(
-                "edge %d does not belong to a hole: it is not free, or not part of a closed loop"
-                % number
+                tr(
+                    "edge {number} does not belong to a hole: it is not free, or not part of a "
+                    "closed loop"
+                ).format(number=number)
             )
     wanted = {owners[number]["id"] for number in edges}
     return [hole for hole in holes if hole["id"] in wanted]
@@ -49,11 +53,15 @@ def hole_text(hole, holes):
 
     A hole that is not filled by default has a remark.
     """
-    sides = summary.counted(len(hole["sides"]), "side") if hole["has_corners"] else "no corner"
+    sides = summary.counted(len(hole["sides"]), "side") if hole["has_corners"] else tr("no corner")
     centre = ", ".join("%.4g" % (round(coordinate, 9) + 0.0) for coordinate in hole["centre_mm"])
     length = "%.4g mm" % hole["length_mm"]
-    text = "Hole %d: %s, length %s, centre (%s)" % (hole["id"], sides, length, centre)
-    return text if hole in default_holes(holes) else text + ", the longest loop: an outer boundary?"
+    text = tr("Hole {id}: {sides}, length {length}, centre ({centre})").format(
+        id=hole["id"], sides=sides, length=length, centre=centre
+    )
+    return text if hole in default_holes(holes) else text + tr(
+        ", the longest loop: an outer boundary?"
+    )
 
 
 def hole_tip(hole):
@@ -94,7 +102,7 @@ def old_number(number, new, replaced):
 def _between(seam, new, replaced):
     old = [old_number(number, new, replaced) for number in seam["faces"]]
     kept = ["Face%d" % number for number in old if number is not None]
-    return "fill, " + kept[0] if kept else INSIDE
+    return BESIDE + kept[0] if kept else INSIDE
 
 
 def every_seam(report):
@@ -126,15 +134,17 @@ def waiting_text(faces, holes):
     ``faces``: the name of the face that is replaced, or none; ``holes``: the numbers of the holes.
     """
     return (
-        "%s to replace." % faces[0]
+        tr("{faces} to replace.").format(faces=faces[0])
         if faces
-        else "%s to fill." % summary.counted(len(holes), "hole")
+        else tr("{holes} to fill.").format(holes=summary.counted(len(holes), "hole"))
     )
 
 
 def name_of(fill):
     """ "Hole 2" or "Face16"."""
-    return "Hole %d" % fill["hole"] if fill["face"] is None else "Face%d" % fill["face"]
+    return tr("Hole {hole}").format(
+        hole=fill["hole"]
+    ) if fill["face"] is None else "Face%d" % fill["face"]
 
 
 def reasons(report):
@@ -149,10 +159,12 @@ def summary_text(report):
     """
     fills, done, target = report["fills"], kept(report), report["target"]
     if len(fills) == 1 and not done:
-        return "Not filled: %s" % reasons(report)[0]
+        return tr("Not filled: {reasons}").format(reasons=reasons(report)[0])
     replaced = fills[0]["face"] is not None if fills else False
-    text = "%s replaced" % name_of(fills[0]) if replaced else "%d of %s filled" % (
-        len(done), summary.counted(len(fills), "hole")
+    text = tr("{fills} replaced").format(
+        fills=name_of(fills[0])
+    ) if replaced else tr("{done} of {fills} filled").format(
+        done=len(done), fills=summary.counted(len(fills), "hole")
     )  # fmt: skip
     if not done:
         return "%s: %s" % (text, " ".join(reasons(report)))
@@ -160,5 +172,8 @@ def summary_text(report):
     seams = new_seams.largest_text(
         [seam for fill in done for seam in fill["seams"]], report["tolerance"]
     )
-    verdict = "%s is met" if all(fill["reached"] for fill in done) else "%s is not met, kept anyway"
-    return "%s with %s; %s; %s." % (text, made, seams, verdict % target)
+    met = all(fill["reached"] for fill in done)
+    verdict = tr("{level} is met") if met else tr("{level} is not met, kept anyway")
+    return tr("{holes} with {faces}; {seams}; {verdict}.").format(
+        holes=text, faces=made, seams=seams, verdict=verdict.format(level=target)
+    )

@@ -2,13 +2,14 @@
 """The choices of *Show*: which seams are in the table and in the view."""
 
 from freecad.seamwright.plain import palette, rows, summary
+from freecad.seamwright.plain.language import mark
 
 #: {name of the choice: argument of rows.filter_rows}
 FILTERS = {
-    "All seams": None,
-    "Not smooth": rows.NOT_SMOOTH,
+    mark("All seams"): None,
+    mark("Not smooth"): rows.NOT_SMOOTH,
     **{seam_class.name: seam_class.key for seam_class in palette.CLASSES},
-    "Uncertain": rows.UNCERTAIN,
+    mark("Uncertain"): rows.UNCERTAIN,
 }
 
 NAMES = list(FILTERS)

@@ -5,6 +5,8 @@ import json
 import os
 import sys
 
+from freecad.seamwright.plain.language import tr
+
 BUILT_FOR = os.path.join(os.path.dirname(os.path.dirname(__file__)), "built_for.json")
 
 
@@ -39,17 +41,23 @@ def built_for():
 def _check_occt(built, running):
     if built and built.split(".")[:2] != running.split(".")[:2]:
         raise KernelUnavailable(
-            "Seamwright was built for OpenCASCADE %s, but this FreeCAD runs OpenCASCADE %s. "
-            "Install the Seamwright that was built for this FreeCAD." % (built, running)
+            tr(
+                "Seamwright was built for OpenCASCADE {built}, but this FreeCAD runs OpenCASCADE "
+                "{running}. Install the Seamwright that was built for this FreeCAD."
+            ).format(built=built, running=running)
         )
 
 
 def _message(built, occt_version, reason):
     built_text = ""
     if built:
-        built_text = "It was built for Python %(python)s and OpenCASCADE %(occt)s. " % built
-    return (
-        "The compiled part of Seamwright cannot be loaded (%s). %s"
-        "This FreeCAD runs Python %d.%d and OpenCASCADE %s: install the Seamwright that was "
-        "built for it." % (reason, built_text, *sys.version_info[:2], occt_version)
+        built_text = tr("It was built for Python {python} and OpenCASCADE {occt}. ").format(**built)
+    return tr(
+        "The compiled part of Seamwright cannot be loaded ({reason}). {built}This FreeCAD runs "
+        "Python {python} and OpenCASCADE {occt}: install the Seamwright that was built for it."
+    ).format(
+        reason=reason,
+        built=built_text,
+        python="%d.%d" % sys.version_info[:2],
+        occt=occt_version,
     )

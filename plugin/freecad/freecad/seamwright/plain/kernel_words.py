@@ -4,13 +4,15 @@
 import math
 import re
 
+from freecad.seamwright.plain.language import mark, tr
+
 NUMBER = r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
 
 #: Numbers that a sentence compares with the one that it names: "G1 allows 0.0017".
 LIMIT = r"(allows|at least|at most) (%s)(?! ?mm)" % NUMBER
 
 #: Arguments of the kernel that the panels have no field for.
-WORDS = {"gap_mm": "gap", "flat_rad": "tangents in one plane within"}
+WORDS = {"gap_mm": mark("gap"), "flat_rad": mark("tangents in one plane within")}
 
 
 def in_words(text, labels=None):
@@ -35,7 +37,7 @@ def in_words(text, labels=None):
     named = {**WORDS, **(labels or {})}
     return re.sub(
         r"\b(\w+) (?=is %s)" % NUMBER,
-        lambda found: "\u201c%s\u201d " % named[found[1]] if found[1] in named else found[0],
+        lambda found: "\u201c%s\u201d " % tr(named[found[1]]) if found[1] in named else found[0],
         text,
     )
 

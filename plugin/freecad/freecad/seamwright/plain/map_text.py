@@ -1,87 +1,91 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The summaries of the analysis tools."""
 
+from freecad.seamwright.plain.language import tr
 from freecad.seamwright.plain.ramps import figure
 from freecad.seamwright.plain.summary import counted
 
 
 def _at(point):
-    return "at (%s)" % ", ".join(figure(round(each, 6)) for each in point)
+    return tr("at ({point})").format(point=", ".join(figure(round(each, 6)) for each in point))
 
 
 def _range(report, unit):
     if report["undefined"]:
-        return "No value is defined"
-    return "%s to %s %s, the largest %s" % (
-        figure(report["least"]),
-        figure(report["largest"]),
-        unit,
-        _at(report["largest_at"]),
+        return tr("No value is defined")
+    return tr("{least} to {largest} {unit}, the largest {largest_at}").format(
+        least=figure(report["least"]),
+        largest=figure(report["largest"]),
+        unit=unit,
+        largest_at=_at(report["largest_at"]),
     )
 
 
 def _mesh(report):
     faults = len(report["faults"])
     text = "%s, %s" % (counted(report["faces"], "face"), counted(report["points"], "point"))
-    return text + (", %s not drawn correctly" % counted(faults, "face") if faults else "")
+    return text + (tr(", {faults} not drawn correctly").format(
+        faults=counted(faults, "face")
+    ) if faults else "")
 
 
 def curvature_text(report):
     """Return the summary of a Curvature Map."""
     if report["quantity"] == "Smallest radius" and not report["undefined"]:
-        return "Smallest radius %s mm %s. %s." % (
-            figure(report["least"]),
-            _at(report["least_at"]),
-            _mesh(report),
+        return tr("Smallest radius {least} mm {least_at}. {mesh}.").format(
+            least=figure(report["least"]), least_at=_at(report["least_at"]), mesh=_mesh(report)
         )
-    return "%s curvature %s. %s." % (
-        report["quantity"],
-        _range(report, report["unit"]),
-        _mesh(report),
+    return tr("{quantity} curvature {range}. {mesh}.").format(
+        quantity=tr(report["quantity"]), range=_range(report, report["unit"]), mesh=_mesh(report)
     )
 
 
 def draft_text(report):
     """Return the summary of a Draft Angle."""
     shares = report["shares"]
-    return "Of the area, %s %% drafts towards the pull, %s %% away, %s %% is too steep. %s." % (
-        *(figure(round(100 * shares[key], 1)) for key in ("towards", "away", "steep")),
-        _mesh(report),
+    percent = {key: figure(round(100 * share, 1)) for key, share in shares.items()}
+    return tr(
+        "Of the area, {towards} % drafts towards the pull, {away} % away, {steep} % is too steep. "
+        "{mesh}."
+    ).format(
+        towards=percent["towards"], away=percent["away"], steep=percent["steep"], mesh=_mesh(report)
     )
 
 
 def reflection_text(report):
     """Return the summary of Reflection Lines."""
-    return "%s. %s." % (report["lines"], _mesh(report))
+    return "%s. %s." % (tr(report["lines"]), _mesh(report))
 
 
 def deviation_text(report):
     """Return the summary of a Deviation."""
     if report["undefined"]:
-        return "No point lies over the other shape"
-    parts = "Largest deviation %s mm %s; %s to %s mm" % (
-        figure(report["furthest_mm"]),
-        _at(report["furthest_at"]),
-        figure(report["least"]),
-        figure(report["largest"]),
+        return tr("No point lies over the other shape")
+    parts = tr("Largest deviation {furthest_mm} mm {furthest_at}; {least} to {largest} mm").format(
+        furthest_mm=figure(report["furthest_mm"]),
+        furthest_at=_at(report["furthest_at"]),
+        least=figure(report["least"]),
+        largest=figure(report["largest"]),
     )
     if report["beyond"]:
-        parts += "; %s beyond the edges of the other shape left out" % counted(
-            report["beyond"], "point"
+        parts += tr("; {beyond} beyond the edges of the other shape left out").format(
+            beyond=counted(report["beyond"], "point")
         )
-    return "%s. Sampled at %s: between them it may be larger." % (
-        parts,
-        counted(report["points"], "point"),
+    return tr("{parts}. Sampled at {points}: between them it may be larger.").format(
+        parts=parts, points=counted(report["points"], "point")
     )
 
 
 def comb_text(report):
     """Return the summary of a Curvature Comb."""
     if not report["largest_per_mm"]:
-        return "%s; all are straight." % counted(report["lines"], "curve")
-    return "%s; largest curvature %s 1/mm, radius %s mm, %s. Sampled." % (
-        counted(report["lines"], "curve"),
-        figure(report["largest_per_mm"]),
-        figure(1 / report["largest_per_mm"]),
-        _at(report["largest_at"]),
+        return tr("{lines}; all are straight.").format(lines=counted(report["lines"], "curve"))
+    return tr(
+        "{lines}; largest curvature {largest_per_mm} 1/mm, radius {radius} mm, "
+        "{largest_at}. Sampled."
+    ).format(
+        lines=counted(report["lines"], "curve"),
+        largest_per_mm=figure(report["largest_per_mm"]),
+        radius=figure(1 / report["largest_per_mm"]),
+        largest_at=_at(report["largest_at"]),
     )

@@ -7,7 +7,10 @@ Points, normals and directions have the shape (n, 3). Principal curvatures are (
 
 import numpy
 
-MEAN, GAUSSIAN, LARGEST, RADIUS = "Mean", "Gaussian", "Largest", "Smallest radius"
+from freecad.seamwright.plain.language import mark, tr
+
+MEAN, GAUSSIAN = mark("Mean"), mark("Gaussian")
+LARGEST, RADIUS = mark("Largest"), mark("Smallest radius")
 
 QUANTITIES = (MEAN, GAUSSIAN, LARGEST, RADIUS)
 
@@ -38,7 +41,9 @@ def unit(direction, what="direction"):
     found = numpy.asarray(direction, float)
     if found.shape != (3,) or not numpy.isfinite(found).all() or not found.any():
         raise ValueError(
-            "%s = %s: three numbers are needed, not all zero" % (what, list(direction))
+            tr("{what} = {direction}: three numbers are needed, not all zero").format(
+                what=what, direction=list(direction)
+            )
         )
     return found / numpy.linalg.norm(found)
 
@@ -75,7 +80,9 @@ def highlight_positions(points, normals, along, towards, distance_mm, spacing_mm
     towards = unit(towards, "towards")
     towards = towards - along * (towards @ along)
     if numpy.linalg.norm(towards) < 1e-9:
-        raise ValueError("the lights run in the direction in which they lie: choose another one")
+        raise ValueError(tr(
+            "the lights run in the direction in which they lie: choose another one"
+        ))
     towards = unit(towards)
     side = numpy.cross(towards, along)
     # The normal line P + s N reaches the plane of the lights where its height is the distance.

@@ -9,10 +9,21 @@ report also has the ``target``, the ``tolerance`` and the names of the ``faces``
 import re
 
 from freecad.seamwright.plain import enclosure, rows
+from freecad.seamwright.plain.language import mark, tr
 
 #: The figures for which the table has a row.
 FIGURES = ("gap_mm", "angle_deg", "curvature_rel")
-HEADINGS = {"gap_mm": "Gap mm", "angle_deg": "Angle \u00b0", "curvature_rel": "Curvature %"}
+HEADINGS = {
+    "gap_mm": mark("Gap mm"),
+    "angle_deg": mark("Angle \u00b0"),
+    "curvature_rel": mark("Curvature %"),
+}
+#: What the summary says about a figure.
+PARTS = {
+    "gap_mm": mark("gap {figure} mm"),
+    "angle_deg": mark("angle {figure}\u00b0"),
+    "curvature_rel": mark("curvature {figure} %"),
+}
 UNKNOWN = "\u2013"
 
 EMPTY_REPORT = {
@@ -28,9 +39,11 @@ EMPTY_REPORT = {
 def table(report):
     """Return [(heading, before, after)] as the panel shows them."""
     sides = (report["before"], report["after"] if report["matched"] else None)
-    lines = [(HEADINGS[name], *(_figure(seam, name, report) for seam in sides)) for name in FIGURES]
-    lines.append(("Level", *(UNKNOWN if seam is None else seam["level"] for seam in sides)))
-    lines.append(("Certain", *(_certain(seam) for seam in sides)))
+    lines = [
+        (tr(HEADINGS[name]), *(_figure(seam, name, report) for seam in sides)) for name in FIGURES
+    ]
+    lines.append((tr("Level"), *(UNKNOWN if seam is None else seam["level"] for seam in sides)))
+    lines.append((tr("Certain"), *(_certain(seam) for seam in sides)))
     return lines
 
 
@@ -41,21 +54,24 @@ def _figure(seam, name, report):
 def _certain(seam):
     if seam is None:
         return UNKNOWN
-    return "yes" if seam["certified"] else "no"
+    return tr("yes") if seam["certified"] else tr("no")
 
 
 def summary(report):
     """Return one line: the seam and the largest move, or the reason why the faces do not match."""
     if not report["matched"]:
-        return "Not matched: %s." % report["reason"].rstrip(".")
-    parts = ["%s is met" % report["target"]]
+        return tr("Not matched: {reason}.").format(reason=report["reason"].rstrip("."))
+    parts = [tr("{target} is met").format(target=report["target"])]
     for name in FIGURES:
         if report["after"].get(name) is not None:
-            quantity = rows.QUANTITIES[name]
             text = rows.figure_text(report["after"], name, report["tolerance"])
-            parts.append("%s %s%s" % (quantity.label.split()[-1].lower(), text, quantity.unit))
-    parts.append("poles moved by up to %s mm" % enclosure.number(report["largest_move_mm"]))
-    return "Matched: %s (%s)." % ("; ".join(parts), report["reason"])
+            parts.append(tr(PARTS[name]).format(figure=text))
+    parts.append(tr("poles moved by up to {largest_move_mm} mm").format(
+        largest_move_mm=enclosure.number(report["largest_move_mm"])
+    ))
+    return tr("Matched: {parts} ({reason}).").format(
+        parts="; ".join(parts), reason=report["reason"]
+    )
 
 
 def named(text, faces, edge_name):

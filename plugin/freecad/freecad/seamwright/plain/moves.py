@@ -8,6 +8,7 @@ lightness alone.
 from dataclasses import dataclass
 
 from freecad.seamwright.plain import enclosure
+from freecad.seamwright.plain.language import tr
 
 #: (share of the largest move, colour); a colour is (red, green, blue), each 0..255. Colours between
 #: the entries are interpolated.
@@ -69,10 +70,8 @@ def legend_footer(moves, faces):
     ``moves``: dicts of face and largest_move_mm.
     """
     if not moves:
-        return "no face moved"
+        return tr("no face moved")
     largest = max(move["largest_move_mm"] for move in moves)
-    return "%d of %d faces moved, poles by up to %s mm" % (
-        len(moves),
-        faces,
-        enclosure.number(largest),
+    return tr("{moves} of {faces} faces moved, poles by up to {largest} mm").format(
+        moves=len(moves), faces=faces, largest=enclosure.number(largest)
     )

@@ -9,16 +9,28 @@ numbers refer does not exist any more.
 from dataclasses import dataclass
 
 from freecad.seamwright.plain import enclosure, repair_text, rows, summary
+from freecad.seamwright.plain.language import mark, tr
 
 #: heading, tool tip
 COLUMNS = (
-    ("Edge", "The edge of the seam in the result"),
-    ("Between", "The faces that meet at the seam"),
-    ("Angle \u00b0", "Largest angle between the tangent planes, in degrees"),
-    ("Gap mm", "Largest distance between the two sides, in mm"),
-    ("Curvature %", "Largest relative difference of curvature, in %"),
-    ("Result", "Whether the seam certainly meets the target"),
+    (mark("Edge"), mark("The edge of the seam in the result")),
+    (mark("Between"), mark("The faces that meet at the seam")),
+    (mark("Angle \u00b0"), mark("Largest angle between the tangent planes, in degrees")),
+    (mark("Gap mm"), mark("Largest distance between the two sides, in mm")),
+    (mark("Curvature %"), mark("Largest relative difference of curvature, in %")),
+    (mark("Result"), mark("Whether the seam certainly meets the target")),
 )
+
+
+#: In a report, what stands before the name of the face beside a new one.
+BESIDE = "fill, "
+
+#: What is said about the largest of each figure, and where it is unknown.
+LARGEST = {
+    "gap_mm": (mark("gap at most {figure} mm"), mark("gap unknown")),
+    "angle_deg": (mark("angle at most {figure}\u00b0"), mark("angle unknown")),
+    "curvature_rel": (mark("curvature at most {figure} %"), mark("curvature unknown")),
+}
 
 
 @dataclass(frozen=True)
@@ -72,12 +84,18 @@ def _row(index, seam, tolerance, target):
         state=repair_text.REPAIRED if met else repair_text.NOT_REPAIRED,
         cells=(
             repair_text.edges_text(seam) or "\u2013",
-            seam["between"],
+            _between_text(seam["between"]),
             *figures,
             _verdict(seam, tolerance, target),
         ),
         detail=rows.detail_text(seam, tolerance),
     )
+
+
+def _between_text(between):
+    if between.startswith(BESIDE):
+        return tr("fill, {face}").format(face=between[len(BESIDE) :])
+    return tr(between)
 
 
 def certainly_misses(seam, tolerance, target):
@@ -94,8 +112,9 @@ def certainly_misses(seam, tolerance, target):
 
 def _verdict(seam, tolerance, target):
     if certainly_meets(seam, tolerance, target):
-        return "meets %s" % target
-    return ("misses %s" if certainly_misses(seam, tolerance, target) else "%s uncertain") % target
+        return tr("meets {target}").format(target=target)
+    misses = certainly_misses(seam, tolerance, target)
+    return (tr("misses {target}") if misses else tr("{target} uncertain")).format(target=target)
 
 
 def largest(seams, name):
@@ -122,16 +141,16 @@ def largest_text(seams, tolerance):
     A figure is unknown where a seam lacks it or has no upper bound.
     """
     parts = [summary.counted(len(seams), "seam")]
-    for name, word in (("gap_mm", "gap"), ("angle_deg", "angle"), ("curvature_rel", "curvature")):
+    for name, (known, unknown) in LARGEST.items():
         figure = largest(seams, name)
         if figure is None:
             continue
         if figure["upper"] is None or not all(seam.get(name) for seam in seams):
-            parts.append("%s unknown" % word)
+            parts.append(tr(unknown))
         else:
             quantity = rows.QUANTITIES[name]
             text = enclosure.number(quantity.factor * figure["upper"])
-            parts.append("%s at most %s%s" % (word, text, quantity.unit))
+            parts.append(tr(known).format(figure=text))
     return ", ".join(parts)
 
 

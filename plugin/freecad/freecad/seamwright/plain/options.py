@@ -4,6 +4,8 @@
 import math
 from typing import Any, Callable, NamedTuple, Optional, Tuple
 
+from freecad.seamwright.plain.language import tr
+
 LENGTH, ANGLE, FLOAT = "App::PropertyLength", "App::PropertyAngle", "App::PropertyFloat"
 COUNT, FLAG, CHOICE = "App::PropertyInteger", "App::PropertyBool", "App::PropertyEnumeration"
 NUMBERS = "App::PropertyFloatList"
@@ -69,14 +71,18 @@ def _checked(option, value):
 def _vector(option, value):
     numbers = tuple(_number(option, number) for number in value)
     if len(numbers) != 3:
-        raise ValueError("%s has %d coordinates: give three" % (option.argument, len(numbers)))
+        raise ValueError(tr("{argument} has {numbers} coordinates: give three").format(
+            argument=option.argument, numbers=len(numbers)
+        ))
     return numbers
 
 
 def _number(option, value):
     number = float(value)
     if not (math.isfinite(number) and number >= option.least):
-        wanted = "must be finite" if option.least == -math.inf else "at least %g" % option.least
+        wanted = tr("must be finite")
+        if option.least != -math.inf:
+            wanted = tr("at least {least:g}").format(least=option.least)
         raise ValueError("%s = %r: %s" % (option.argument, value, wanted))
     return number
 
@@ -90,8 +96,10 @@ def parse_numbers(text):
         numbers = []
     if len(numbers) != len(words) or not numbers or not all(map(math.isfinite, numbers)):
         raise ValueError(
-            "\u201c%s\u201d is not a list of numbers: write them with blanks or semicolons, "
-            "such as 0; 0; 50." % text.strip()
+            tr(
+                "\u201c{text}\u201d is not a list of numbers: write them with blanks or "
+                "semicolons, such as 0; 0; 50."
+            ).format(text=text.strip())
         )
     return numbers
 
@@ -110,7 +118,9 @@ def one_for_each(label, numbers, count, what):
         return list(numbers) * count
     if len(numbers) != count:
         raise ValueError(
-            "%s has %d numbers for %d %s: give one for each, or one for all"
-            % (label, len(numbers), count, what)
+            tr(
+                "{label} has {numbers} numbers for {count} {what}: give one for each, or one for "
+                "all"
+            ).format(label=tr(label), numbers=len(numbers), count=count, what=tr(what))
         )
     return list(numbers)

@@ -8,6 +8,8 @@ tritanopia can tell them apart. The legend also names classes and levels in word
 
 from dataclasses import dataclass
 
+from freecad.seamwright.plain.language import mark, tr
+
 
 @dataclass(frozen=True)
 class SeamClass:
@@ -15,7 +17,12 @@ class SeamClass:
 
     key: str
     name: str
-    rgb: tuple  # red, green, blue, each 0..255
+    standard_rgb: tuple  # red, green, blue, each 0..255
+
+    @property
+    def rgb(self):
+        """The colour that the user has chosen, or the standard one."""
+        return _chosen.get(self.key, self.standard_rgb)
 
     @property
     def unit_rgb(self):
@@ -28,15 +35,15 @@ class SeamClass:
         return "#%02x%02x%02x" % self.rgb
 
 
-DEFECT = SeamClass("defect", "Defect", (213, 94, 0))
-CREASE = SeamClass("crease", "Crease", (40, 70, 160))
-SMOOTH = SeamClass("smooth", "Smooth", (0, 158, 115))
+DEFECT = SeamClass("defect", mark("Defect"), (213, 94, 0))
+CREASE = SeamClass("crease", mark("Crease"), (40, 70, 160))
+SMOOTH = SeamClass("smooth", mark("Smooth"), (0, 158, 115))
 
 #: Worst first: the order of the legend, of the filter and of the default sorting.
 CLASSES = (DEFECT, CREASE, SMOOTH)
 #: The levels of continuity, worst first.
 LEVELS = (
-    SeamClass("none", "No level", (110, 0, 30)),
+    SeamClass("none", mark("No level"), (110, 0, 30)),
     SeamClass("G0", "G0", (213, 94, 0)),
     SeamClass("G1", "G1", (240, 180, 60)),
     SeamClass("G2", "G2", (70, 150, 220)),
@@ -45,14 +52,34 @@ LEVELS = (
 
 #: What each level says about the faces at a seam.
 LEVEL_MEANINGS = {
-    "none": "gap larger than the tolerance",
-    "G0": "meet with an angle",
-    "G1": "meet without a kink",
-    "G2": "equal curvature",
-    "G3": "equal change of curvature",
+    "none": mark("gap larger than the tolerance"),
+    "G0": mark("meet with an angle"),
+    "G1": mark("meet without a kink"),
+    "G2": mark("equal curvature"),
+    "G3": mark("equal change of curvature"),
 }
 
 BY_KEY = {seam_class.key: seam_class for seam_class in CLASSES}
+
+#: {key: (red, green, blue)} that the user has chosen for classes and levels.
+_chosen = {}
+
+
+def use(colours):
+    """Use these colours, {key: (red, green, blue)}; all others are the standard ones."""
+    _chosen.clear()
+    _chosen.update(colours)
+
+
+def packed(rgb):
+    """Return a colour as one number, 0xrrggbb00."""
+    red, green, blue = rgb
+    return red << 24 | green << 16 | blue << 8
+
+
+def unpacked(number):
+    """Return (red, green, blue) of a number that ``packed`` returns."""
+    return number >> 24 & 255, number >> 16 & 255, number >> 8 & 255
 
 
 def rank(key):
@@ -66,7 +93,9 @@ def rank(key):
 def meaning(key, level, crease_deg):
     """Return what the class says about a seam, for example "meets G1"."""
     return {
-        "smooth": "meets %s" % level,
-        "defect": "falls short of %s" % level,
-        "crease": "sharper than %g\u00b0, taken as intended" % crease_deg,
+        "smooth": tr("meets {level}").format(level=level),
+        "defect": tr("falls short of {level}").format(level=level),
+        "crease": tr("sharper than {crease_deg:g}\u00b0, taken as intended").format(
+            crease_deg=crease_deg
+        ),
     }[key]

@@ -5,6 +5,8 @@ docs/seams.md explains them. They are repeated here because the panel works with
 module.
 """
 
+from freecad.seamwright.plain.language import mark, tr
+
 PROFILES = {
     "default": {
         "gap_mm": 0.01, "angle_deg": 0.1, "curvature_rel": 0.02,
@@ -22,9 +24,9 @@ PROFILES = {
 
 #: (name for the user, purpose of the profile).
 LABELS = {
-    "default": ("Default", "mechanical parts"),
-    "class-a": ("Class A", "visible surfaces, judged by their reflections"),
-    "vda": ("VDA", "exchange of surfaces between CAD systems"),
+    "default": (mark("Default"), mark("mechanical parts")),
+    "class-a": (mark("Class A"), mark("visible surfaces, judged by their reflections")),
+    "vda": ("VDA", mark("exchange of surfaces between CAD systems")),
 }
 
 
@@ -43,6 +45,11 @@ def name_of(tolerances):
 def tip(name):
     """Return the purpose of a profile and what it accepts, in one line."""
     figures = PROFILES[name]
-    return "%s: gap %g mm, angle %g\u00b0, curvature %g %%" % (
-        LABELS[name][1], figures["gap_mm"], figures["angle_deg"], 100 * figures["curvature_rel"]
+    return tr(
+        "{purpose}: gap {gap_mm:g} mm, angle {angle_deg:g}\u00b0, curvature {curvature_rel:g} %"
+    ).format(
+        purpose=tr(LABELS[name][1]),
+        gap_mm=figures["gap_mm"],
+        angle_deg=figures["angle_deg"],
+        curvature_rel=100 * figures["curvature_rel"],
     )  # fmt: skip

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 import numpy
 
 from freecad.seamwright.plain import curvature, enclosure
+from freecad.seamwright.plain.language import mark, tr
 from freecad.seamwright.plain.maps import GAUSSIAN, LARGEST, RADIUS, UNITS
 
 #: Orange for large values, white for none, blue for negative ones; see curvature.RAMP.
@@ -94,22 +95,22 @@ def curvature_look(quantity, values, weights, given):
     Mean and Gaussian curvatures without a given range go from -limit to limit, where at most 2 % of
     the area lies beyond.
     """
-    title, unit = "%s curvature" % quantity, UNITS[quantity]
+    title, unit = tr("{quantity} curvature").format(quantity=tr(quantity)), UNITS[quantity]
     if quantity == RADIUS:
         return _radius_look(values, weights, given)
     if given is not None:
         # White stays 0 where the range contains it.
         stops = SEQUENTIAL if quantity == LARGEST else stops_between(*given)
-        return range_look(values, *given, title, unit, lambda value: "", stops, BEYOND)
+        return range_look(values, *given, title, unit, lambda value: "", stops, tr(BEYOND))
     limit = _limit(quantity, values, weights)
     if quantity == LARGEST:
-        return range_look(values, 0.0, limit, title, unit, _as_radius, footer=BEYOND)
+        return range_look(values, 0.0, limit, title, unit, _as_radius, footer=tr(BEYOND))
     meanings = {
-        "Mean": ("concave", "convex"),
-        "Gaussian": ("as a bowl or a dome", "as a saddle"),
+        "Mean": (tr("concave"), tr("convex")),
+        "Gaussian": (tr("as a bowl or a dome"), tr("as a saddle")),
     }[quantity]
-    footer = "seen from the side of the normals" if quantity == "Mean" else ""
-    return signed_look(values, limit, title, unit, meanings, _lines(footer, BEYOND))
+    footer = tr("seen from the side of the normals") if quantity == "Mean" else ""
+    return signed_look(values, limit, title, unit, meanings, _lines(footer, tr(BEYOND)))
 
 
 def _limit(quantity, values, weights):
@@ -119,7 +120,7 @@ def _limit(quantity, values, weights):
     return curvature.limit(values, weights)
 
 
-BEYOND = "values beyond have the end colours"
+BEYOND = mark("values beyond have the end colours")
 
 
 def stops_between(low, high):
@@ -141,16 +142,20 @@ def _radius_look(values, weights, given):
     else:
         least, largest = given
         if least <= 0:
-            raise ValueError("Lowest = %g: a radius is larger than 0" % least)
+            raise ValueError(tr("Lowest = {least:g}: a radius is larger than 0").format(
+                least=least
+            ))
         low, high = 1 / largest, 1 / least
-    look = range_look(curvatures, low, high, "Smallest radius of curvature", "1/mm", _as_radius)
+    look = range_look(curvatures, low, high, tr("Smallest radius of curvature"), "1/mm", _as_radius)
     title, entries, _ = look.legend
     entries = [(sample, meaning, text) for sample, text, meaning in entries]
-    return look._replace(legend=(title, entries, BEYOND))
+    return look._replace(legend=(title, entries, tr(BEYOND)))
 
 
 def _as_radius(value):
-    return "radius %s mm" % enclosure.number(1 / value) if value > 0 else "flat"
+    if value <= 0:
+        return tr("flat")
+    return tr("radius {radius} mm").format(radius=enclosure.number(1 / value))
 
 
 def draft_look(angles_deg, towards_deg, away_deg):
@@ -166,11 +171,11 @@ def draft_look(angles_deg, towards_deg, away_deg):
         for sign, limit in (("\u2265", towards_deg), ("\u2264", -away_deg))
     )
     entries = [
-        (curvature.Sample(TOWARDS), at_least, "drafts towards the pull"),
-        (curvature.Sample(STEEP), "between", "too steep"),
-        (curvature.Sample(AWAY), at_most, "drafts away from the pull"),
+        (curvature.Sample(TOWARDS), at_least, tr("drafts towards the pull")),
+        (curvature.Sample(STEEP), tr("between"), tr("too steep")),
+        (curvature.Sample(AWAY), at_most, tr("drafts away from the pull")),
     ]
-    return Look(row, places, False, False, ("Draft angle", entries, ""))
+    return Look(row, places, False, False, (tr("Draft angle"), entries, ""))
 
 
 #: Colours of stripes.

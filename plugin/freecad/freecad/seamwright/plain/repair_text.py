@@ -21,10 +21,11 @@ import re
 from dataclasses import dataclass
 
 from freecad.seamwright.plain import enclosure, rows, summary
+from freecad.seamwright.plain.language import mark, tr
 
 ARROW = " \u2192 "
 
-REPAIRED, NOT_REPAIRED, WAITING = "repaired", "not repaired", "waiting"
+REPAIRED, NOT_REPAIRED, WAITING = mark("repaired"), "not repaired", "waiting"
 
 EMPTY_REPORT = {
     "target": "G1",
@@ -52,12 +53,15 @@ class Row:
 
 #: heading, tool tip
 COLUMNS = (
-    ("Edge", "The edge or edges of the seam"),
-    ("Faces", "Numbers of the two faces that meet"),
-    ("Angle \u00b0", "Largest angle between the tangent planes, before and after, in degrees"),
-    ("Gap mm", "Largest distance between the two sides, before and after, in mm"),
-    ("Curvature %", "Largest relative difference of curvature, before and after, in %"),
-    ("Result", "Repaired, or why not"),
+    (mark("Edge"), mark("The edge or edges of the seam")),
+    (mark("Faces"), mark("Numbers of the two faces that meet")),
+    (
+        mark("Angle \u00b0"),
+        mark("Largest angle between the tangent planes, before and after, in degrees"),
+    ),
+    (mark("Gap mm"), mark("Largest distance between the two sides, before and after, in mm")),
+    (mark("Curvature %"), mark("Largest relative difference of curvature, before and after, in %")),
+    (mark("Result"), mark("Repaired, or why not")),
 )
 
 #: The column that is shown only for the target G2.
@@ -142,27 +146,39 @@ def summary_text(report):
     if not wanted and not has_changed(report):
         return _nothing_text(report)
     if not is_done(report):
-        return "%s to repair to %s." % (summary.counted(wanted, "seam"), target)
+        return tr("{wanted} to repair to {target}.").format(
+            wanted=summary.counted(wanted, "seam"), target=target
+        )
     done = repaired_count(report)
-    parts = ["%d of %s repaired to %s" % (done, summary.counted(wanted, "seam"), target)]
+    parts = [tr("{done} of {wanted} repaired to {target}").format(
+        done=done, wanted=summary.counted(wanted, "seam"), target=target
+    )]
     if report["moves"]:
         moved = summary.counted(len(report["moves"]), "face")
-        parts.append("%s moved by up to %s mm" % (moved, enclosure.number(largest_move_mm(report))))
+        parts.append(tr("{moved} moved by up to {largest_move_mm} mm").format(
+            moved=moved, largest_move_mm=enclosure.number(largest_move_mm(report))
+        ))
     if report["edges_led"]:
-        parts.append("%s got new pcurves" % summary.counted(report["edges_led"], "edge"))
+        parts.append(tr("{edges_led} got new pcurves").format(
+            edges_led=summary.counted(report["edges_led"], "edge")
+        ))
     if report["sewn"]:
-        parts.append("%s sewn" % summary.counted(report["sewn"], "seam"))
+        parts.append(tr("{sewn} sewn").format(sewn=summary.counted(report["sewn"], "seam")))
     if not has_changed(report):
-        parts.append("nothing moved")
-    parts.append("defects before %d, after %d" % tuple(report["defects"]))
+        parts.append(tr("nothing moved"))
+    before, after = report["defects"]
+    parts.append(tr("defects before {before}, after {after}").format(before=before, after=after))
     return "; ".join(parts) + "."
 
 
 def _nothing_text(report):
     if not report["total"]:
-        return "Nothing to repair: no two faces share an edge, and none are matched."
-    seams = "the chosen seams meet" if report["chosen"] else "no seam falls short of"
-    return "Nothing to repair: %s %s; the model is unchanged." % (seams, report["target"])
+        return tr("Nothing to repair: no two faces share an edge, and none are matched.")
+    if report["chosen"]:
+        text = tr("Nothing to repair: the chosen seams meet {target}; the model is unchanged.")
+    else:
+        text = tr("Nothing to repair: no seam falls short of {target}; the model is unchanged.")
+    return text.format(target=report["target"])
 
 
 def build_rows(report):
@@ -188,7 +204,7 @@ def _row(seam, tolerance, done):
         for name in ("angle_deg", "gap_mm", "curvature_rel")
     )
     reason = named(seam["reason"])
-    result = {WAITING: "", REPAIRED: "repaired", NOT_REPAIRED: reason}[state]
+    result = {WAITING: "", REPAIRED: tr(REPAIRED), NOT_REPAIRED: reason}[state]
     faces = ", ".join(str(number) for number in before["faces"])
     return Row(
         seam=before["id"],
@@ -220,6 +236,6 @@ def _change_text(before, after, name, tolerance):
 
 
 def _detail(before, after, reason, tolerance):
-    parts = [("Before", before)] + ([("After", after)] if after is not None else [])
+    parts = [(tr("Before"), before)] + ([(tr("After"), after)] if after is not None else [])
     texts = ["%s: %s" % (when, rows.detail_text(seam, tolerance)) for when, seam in parts]
     return "\n\n".join(texts + ([reason] if reason else []))

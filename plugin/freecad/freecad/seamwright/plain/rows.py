@@ -10,6 +10,7 @@ import math
 from dataclasses import dataclass
 
 from freecad.seamwright.plain import enclosure, palette
+from freecad.seamwright.plain.language import mark, tr
 
 LEVELS = ("none", "G0", "G1", "G2", "G3")
 
@@ -25,6 +26,10 @@ DECIDING = {
 TOLERANCE_OF = {"curvature_change_rel": "curvature_rel"}
 
 
+#: The kernel's words for kinds of seams: of two faces, of one closed face, of two free edges.
+KINDS = (mark("shared"), mark("closed"), mark("matched"))
+
+
 @dataclass(frozen=True)
 class Quantity:
     """How a figure of the report is shown: label, unit and the factor to that unit."""
@@ -35,12 +40,16 @@ class Quantity:
 
 
 QUANTITIES = {
-    "gap_mm": Quantity("Gap", " mm"),
-    "angle_deg": Quantity("Angle", "\u00b0"),
-    "curvature_per_mm": Quantity("Difference of curvature", " /mm"),
-    "curvature_rel": Quantity("Relative difference of curvature", " %", 100.0),
-    "curvature_change_per_mm2": Quantity("Difference of the change of curvature", " /mm\u00b2"),
-    "curvature_change_rel": Quantity("Relative difference of the change of curvature", " %", 100.0),
+    "gap_mm": Quantity(mark("Gap"), " mm"),
+    "angle_deg": Quantity(mark("Angle"), "\u00b0"),
+    "curvature_per_mm": Quantity(mark("Difference of curvature"), " /mm"),
+    "curvature_rel": Quantity(mark("Relative difference of curvature"), " %", 100.0),
+    "curvature_change_per_mm2": Quantity(
+        mark("Difference of the change of curvature"), " /mm\u00b2"
+    ),
+    "curvature_change_rel": Quantity(
+        mark("Relative difference of the change of curvature"), " %", 100.0
+    ),
 }
 
 #: The figure behind each word of the report's "worst".
@@ -111,19 +120,23 @@ class Column:
 SHOWN = ("gap_mm", "angle_deg", "curvature_rel", "curvature_change_rel")
 
 COLUMNS = (
-    Column("seam", "Seam", "Number of the seam in the report"),
-    Column("seam_class", "Class", "Defect, crease or smooth", numeric=False),
-    Column("angle_deg", "Angle \u00b0", "Largest angle between the tangent planes, in degrees"),
-    Column("gap_mm", "Gap mm", "Largest distance between the two sides, in mm"),
-    Column("curvature_rel", "Curv. %", "Largest relative difference of curvature, in %"),
-    Column("curvature_change_rel", "Change %",
-           "Largest relative difference of the change of curvature, in % (measured for G3)"),
-    Column("level", "Level", "Highest level of continuity the seam meets", numeric=False),
-    Column("certain", "Certain",
-           "Whether class and level are the same for every value within the bounds", numeric=False),
-    Column("edge_text", "Edge", "The edge or edges of the seam", numeric=False),
-    Column("face_text", "Faces", "The two faces that meet", numeric=False),
-    Column("length_mm", "Length mm", "Length of the seam, in mm"),
+    Column("seam", mark("Seam"), mark("Number of the seam in the report")),
+    Column("seam_class", mark("Class"), mark("Defect, crease or smooth"), numeric=False),
+    Column("angle_deg", mark("Angle \u00b0"),
+           mark("Largest angle between the tangent planes, in degrees")),
+    Column("gap_mm", mark("Gap mm"), mark("Largest distance between the two sides, in mm")),
+    Column("curvature_rel", mark("Curv. %"),
+           mark("Largest relative difference of curvature, in %")),
+    Column("curvature_change_rel", mark("Change %"),
+           mark("Largest relative difference of the change of curvature, in % (measured for G3)")),
+    Column("level", mark("Level"), mark("Highest level of continuity the seam meets"),
+           numeric=False),
+    Column("certain", mark("Certain"),
+           mark("Whether class and level are the same for every value within the bounds"),
+           numeric=False),
+    Column("edge_text", mark("Edge"), mark("The edge or edges of the seam"), numeric=False),
+    Column("face_text", mark("Faces"), mark("The two faces that meet"), numeric=False),
+    Column("length_mm", mark("Length mm"), mark("Length of the seam, in mm")),
 )  # fmt: skip
 
 
@@ -234,14 +247,14 @@ def detail_text(seam, tolerance):
 
     It has each figure with its position, the certainty of the verdict, and the note of the kernel.
     """
-    lines = ["Seam %d (%s)" % (seam["id"], seam["kind"])]
+    lines = [tr("Seam {id} ({kind})").format(id=seam["id"], kind=tr(seam["kind"]))]
     for name, quantity in QUANTITIES.items():
         if seam.get(name) is not None or name in DECIDING["G2"]:
-            lines.append("%s: %s" % (quantity.label, _placed_text(seam, name, tolerance)))
+            lines.append("%s: %s" % (tr(quantity.label), _placed_text(seam, name, tolerance)))
     if seam["certified"]:
-        lines.append("The verdict is certain: it is the same for every value within the bounds")
+        lines.append(tr("The verdict is certain: it is the same for every value within the bounds"))
     else:
-        lines.append("The verdict is not certain")
+        lines.append(tr("The verdict is not certain"))
     if seam.get("note"):
         lines.append(seam["note"])
     return "\n".join(lines)
@@ -250,14 +263,14 @@ def detail_text(seam, tolerance):
 def _placed_text(seam, name, tolerance):
     figure = seam.get(name)
     if figure is None:
-        return "not measured"
+        return tr("not measured")
     text = figure_text(seam, name, tolerance) + QUANTITIES[name].unit
     if figure.get("at") is not None:
-        text += ", largest at %.3g of the edge" % figure["at"]
+        text += tr(", largest at {at:.3g} of the edge").format(at=figure["at"])
     # Results of earlier versions have no left_out.
     intervals = seam.get("left_out", {}).get(name, [])
     if intervals:
-        text += ", excluding %s of it" % _intervals_text(intervals)
+        text += tr(", excluding {intervals} of it").format(intervals=_intervals_text(intervals))
     return text
 
 
@@ -266,18 +279,18 @@ def _intervals_text(intervals):
     shown = intervals if len(intervals) <= most else intervals[: most - 1]
     text = ", ".join(_interval_text(*interval) for interval in shown)
     if len(shown) < len(intervals):
-        text += " and %d more intervals" % (len(intervals) - len(shown))
+        text += tr(" and {intervals} more intervals").format(intervals=len(intervals) - len(shown))
     return text
 
 
 def _interval_text(first, last):
     if first <= 0:
-        return "the first %.3g" % last
+        return tr("the first {last:.3g}").format(last=last)
     if last >= 1:
-        return "the last %.3g" % (1 - first)
+        return tr("the last {first:.3g}").format(first=1 - first)
     if "%.6g" % first == "%.6g" % last:
-        return "%.3g at %.6g" % (last - first, first)
-    return "%.6g to %.6g" % (first, last)
+        return tr("{last:.3g} at {first:.6g}").format(last=last - first, first=first)
+    return tr("{first:.6g} to {last:.6g}").format(first=first, last=last)
 
 
 def worst_label(seam, tolerance):
@@ -348,7 +361,7 @@ def shown_edges(report, wanted):
 
 def cells(rows):
     """Return the rows as a table of text: headings and rows, cells separated by tabs."""
-    lines = [[column.title for column in COLUMNS]]
+    lines = [[tr(column.title) for column in COLUMNS]]
     lines += [[cell_text(row, column) for column in COLUMNS] for row in rows]
     return "\n".join("\t".join(line) for line in lines)
 
@@ -359,11 +372,11 @@ def cell_text(row, column):
     if column.field in ("edge_text", "face_text") and "." not in value:
         return value.replace("Edge", "").replace("Face", "")
     if column.field == "seam_class":
-        return palette.BY_KEY[value].name + ("" if row.certain else "?")
+        return tr(palette.BY_KEY[value].name) + ("" if row.certain else "?")
     if column.field == "seam":
         return str(value)
     if column.field == "certain":
-        return "yes" if value else "no"
+        return tr("yes") if value else tr("no")
     if column.field in SHOWN:
         return row.figure_text(column.field)
     if column.numeric:

@@ -2,14 +2,15 @@
 """The texts of a Seam Plot."""
 
 from freecad.seamwright.plain import enclosure
+from freecad.seamwright.plain.language import mark, tr
 from freecad.seamwright.plain.summary import counted
 
 #: key, name, unit, accepted value of the default profile
 FIGURES = (
-    ("gap_mm", "Gap", "mm", 0.01),
-    ("angle_deg", "Angle", "\u00b0", 0.1),
-    ("curvature_per_mm", "Curvature", "1/mm", None),
-    ("curvature_rel", "Relative curvature", "", 0.02),
+    ("gap_mm", mark("Gap"), "mm", 0.01),
+    ("angle_deg", mark("Angle"), "\u00b0", 0.1),
+    ("curvature_per_mm", mark("Curvature"), "1/mm", None),
+    ("curvature_rel", mark("Relative curvature"), "", 0.02),
 )
 
 
@@ -24,8 +25,8 @@ def bounds_text(seam, key):
         if known == key:
             bounds = seam["bounds"][key]
             if bounds is None:
-                return "%s: not measured" % name
-            return "%s %s" % (name, with_unit(enclosure.text(bounds, limit=limit), unit))
+                return tr("{name}: not measured").format(name=tr(name))
+            return "%s %s" % (tr(name), with_unit(enclosure.text(bounds, limit=limit), unit))
     raise KeyError(key)
 
 
@@ -33,17 +34,17 @@ def bound_line(seam, key):
     """Return what is known about the largest value of a figure on a seam, as a sentence."""
     bounds = seam["bounds"][key]
     if bounds is None:
-        return "%s: not measured where the angle is that of a crease." % seam["name"]
-    known = "proven" if bounds["upper"] is not None else "seen, without an upper bound"
-    return "%s: the largest value is %s, %s." % (
-        seam["name"],
-        bounds_text(seam, key)[len(_name(key)) + 1 :],
-        known,
+        return tr("{name}: not measured where the angle is that of a crease.").format(
+            name=seam["name"]
+        )
+    known = tr("proven") if bounds["upper"] is not None else tr("seen, without an upper bound")
+    return tr("{name}: the largest value is {seam}, {known}.").format(
+        name=seam["name"], seam=bounds_text(seam, key)[len(_name(key)) + 1 :], known=known
     )
 
 
 def _name(key):
-    return next(name for known, name, *_ in FIGURES if known == key)
+    return tr(next(name for known, name, *_ in FIGURES if known == key))
 
 
 def plot_text(report):
@@ -53,9 +54,9 @@ def plot_text(report):
         bounds_text(first, key) for key in ("gap_mm", "angle_deg", "curvature_rel")
     ]
     if report["count"] > 1:
-        return "%s; largest gap seen %s mm, largest angle %s\u00b0." % (
-            counted(report["count"], "seam"),
-            enclosure.number(report["gap_mm"]),
-            enclosure.number(report["angle_deg"]),
+        return tr("{count}; largest gap seen {gap_mm} mm, largest angle {angle_deg}\u00b0.").format(
+            count=counted(report["count"], "seam"),
+            gap_mm=enclosure.number(report["gap_mm"]),
+            angle_deg=enclosure.number(report["angle_deg"]),
         )
     return "%s: %s, %s." % (first["name"], first["level"], ", ".join(parts))

@@ -2,6 +2,7 @@
 """Counts and sentences about a report: summary line, legend and tolerance line."""
 
 from freecad.seamwright.plain import enclosure, palette
+from freecad.seamwright.plain.language import mark, tr
 
 
 def class_counts(report):
@@ -21,7 +22,7 @@ def edge_classes(report):
 
 
 #: What the colours of seams show, with the palette of each.
-CLASS, LEVEL = "Class", "Level"
+CLASS, LEVEL = mark("Class"), mark("Level")
 COLOURS = {CLASS: palette.CLASSES, LEVEL: palette.LEVELS}
 
 
@@ -72,9 +73,45 @@ def passed(report):
     return sum(counts.values()) > 0 and counts["defect"] == 0
 
 
+#: Of each noun that is counted: none of it, one, several.
+NOUNS = {
+    "arc": (mark("no arcs"), mark("{count} arc"), mark("{count} arcs")),
+    "chain": (mark("no chains"), mark("{count} chain"), mark("{count} chains")),
+    "conic": (mark("no conics"), mark("{count} conic"), mark("{count} conics")),
+    "crease": (mark("no creases"), mark("{count} crease"), mark("{count} creases")),
+    "curve": (mark("no curves"), mark("{count} curve"), mark("{count} curves")),
+    "defect": (mark("no defects"), mark("{count} defect"), mark("{count} defects")),
+    "edge": (mark("no edges"), mark("{count} edge"), mark("{count} edges")),
+    "extremum": (mark("0 extrema"), mark("{count} extremum"), mark("{count} extrema")),
+    "face": (mark("no faces"), mark("{count} face"), mark("{count} faces")),
+    "feature": (mark("no features"), mark("{count} feature"), mark("{count} features")),
+    "free edge": (mark("no free edges"), mark("{count} free edge"), mark("{count} free edges")),
+    "hole": (mark("no holes"), mark("{count} hole"), mark("{count} holes")),
+    "inflection": (
+        mark("no inflections"), mark("{count} inflection"), mark("{count} inflections")
+    ),
+    "joint": (mark("no joints"), mark("{count} joint"), mark("{count} joints")),
+    "line": (mark("no lines"), mark("{count} line"), mark("{count} lines")),
+    "line of joints": (
+        mark("no lines of joints"),
+        mark("{count} line of joints"),
+        mark("{count} lines of joints"),
+    ),
+    "number": (mark("no numbers"), mark("{count} number"), mark("{count} numbers")),
+    "object": (mark("no objects"), mark("{count} object"), mark("{count} objects")),
+    "piece": (mark("no pieces"), mark("{count} piece"), mark("{count} pieces")),
+    "point": (mark("no points"), mark("{count} point"), mark("{count} points")),
+    "seam": (mark("no seams"), mark("{count} seam"), mark("{count} seams")),
+    "side": (mark("no sides"), mark("{count} side"), mark("{count} sides")),
+    "source": (mark("no sources"), mark("{count} source"), mark("{count} sources")),
+    "verdict": (mark("no verdicts"), mark("{count} verdict"), mark("{count} verdicts")),
+}  # fmt: skip
+
+
 def counted(number, noun):
     """ "1 seam", "2 seams", "no seams"."""
-    return "%s %s%s" % (number or "no", noun, "" if number == 1 else "s")
+    none, one, several = NOUNS[noun]
+    return tr(none if not number else one if number == 1 else several).format(count=number)
 
 
 def facts(report):
@@ -99,26 +136,27 @@ def summary_text(report):
     counts = class_counts(report)
     total = sum(counts.values())
     if total == 0:
-        text = "No seams: no two faces share an edge."
+        text = tr("No seams: no two faces share an edge.")
         if report.get("open"):
             text += " " + free_edges_text(report)
         return text
     parts = [
-        "%s: %s, %s, %d smooth"
-        % (
-            _total_text(report, total),
-            counted(counts["defect"], "defect"),
-            counted(counts["crease"], "crease"),
-            counts["smooth"],
+        tr("{total}: {defect}, {crease}, {smooth} smooth").format(
+            total=_total_text(report, total),
+            defect=counted(counts["defect"], "defect"),
+            crease=counted(counts["crease"], "crease"),
+            smooth=counts["smooth"],
         )
     ]
     open_edges = len(report.get("open", ()))
     if open_edges:
         parts.append(counted(open_edges, "free edge"))
     parts.append(_largest_text(report))
-    parts.append("%d of %s certain" % (total - uncertain(report), counted(total, "verdict")))
-    verdict = "%s is met" if passed(report) else "%s is not met"
-    parts.append(verdict % level_of(report))
+    parts.append(tr("{certain} of {verdicts} certain").format(
+        certain=total - uncertain(report), verdicts=counted(total, "verdict")
+    ))
+    verdict = tr("{level} is met") if passed(report) else tr("{level} is not met")
+    parts.append(verdict.format(level=level_of(report)))
     return "; ".join(part for part in parts if part) + "."
 
 
@@ -132,22 +170,30 @@ def free_edges_text(report):
     edges, proposed = counted(len(report["open"]), "free edge"), proposed_match_mm(report)
     tried = report.get("freecad", {}).get("tried_match_mm")
     if proposed is not None:
-        return "%s; edges lie side by side: match them within %g mm." % (edges, proposed)
+        return tr("{edges}; edges lie side by side: match them within {proposed:g} mm.").format(
+            edges=edges, proposed=proposed
+        )
     if tried is not None:
-        return "%s; none lie side by side within %g mm." % (edges, tried)
-    return "%s can be matched: see Tolerances." % edges
+        return tr("{edges}; none lie side by side within {tried:g} mm.").format(
+            edges=edges, tried=tried
+        )
+    return tr("{edges} can be matched: see Tolerances.").format(edges=edges)
 
 
 def _total_text(report, total):
     text = counted(total, "seam")
-    return text + ", %d of them matched" % matched(report) if matched(report) else text
+    return text + tr(", {matched} of them matched").format(
+        matched=matched(report)
+    ) if matched(report) else text
 
 
 def _largest_text(report):
     gap, angle = _largest_enclosed(report, "gap_mm"), _largest_enclosed(report, "angle_deg")
     if not gap or not angle:
         return ""
-    return "apart from creases, largest gap %s mm, largest angle %s\u00b0" % (gap, angle)
+    return tr("apart from creases, largest gap {gap} mm, largest angle {angle}\u00b0").format(
+        gap=gap, angle=angle
+    )
 
 
 def _largest_enclosed(report, name):
@@ -166,11 +212,15 @@ def _largest_enclosed(report, name):
 def tolerance_text(report):
     """The tolerances that decide the report's level, for example "G1: gap ≤ 0.01 mm, ..."."""
     tolerance, level = report["tolerance"], level_of(report)
-    parts = ["gap \u2264 %g mm" % tolerance["gap_mm"]]
+    parts = [tr("gap \u2264 {gap_mm:g} mm").format(gap_mm=tolerance["gap_mm"])]
     if level != "G0":
-        parts.append("angle \u2264 %g\u00b0" % tolerance["angle_deg"])
+        parts.append(tr("angle \u2264 {angle_deg:g}\u00b0").format(
+            angle_deg=tolerance["angle_deg"]
+        ))
     if level in ("G2", "G3"):
-        parts.append("curvature \u2264 %g %%" % (100 * tolerance["curvature_rel"]))
+        parts.append(tr("curvature \u2264 {curvature_rel:g} %").format(
+            curvature_rel=100 * tolerance["curvature_rel"]
+        ))
     return "%s: %s" % (level, ", ".join(parts))
 
 
@@ -180,12 +230,14 @@ def legend_entries(report, colours=CLASS):
     ``colours``: a key of ``COLOURS``.
     """
     if colours == LEVEL:
-        counts, meanings = level_counts(report), palette.LEVEL_MEANINGS
+        counts, meanings = level_counts(report), {}
+        for key, meaning in palette.LEVEL_MEANINGS.items():
+            meanings[key] = tr(meaning)
     else:
         counts = class_counts(report)
         level, crease = level_of(report), report["tolerance"]["crease_deg"]
         meanings = {key: palette.meaning(key, level, crease) for key in counts}
     return [
-        (entry, "%s: %d" % (entry.name, counts[entry.key]), meanings[entry.key])
+        (entry, "%s: %d" % (tr(entry.name), counts[entry.key]), meanings[entry.key])
         for entry in COLOURS[colours]
     ]

@@ -12,20 +12,24 @@ from dataclasses import dataclass
 
 from freecad.seamwright.plain import enclosure, new_seams, rows
 from freecad.seamwright.plain.curve_text import bound
+from freecad.seamwright.plain.language import mark, tr
 from freecad.seamwright.plain.summary import counted
 
 #: heading, tool tip
 COLUMNS = (
-    ("Side", "The side of the surface"),
-    ("Edge", "The edge of the model along which the surface runs"),
-    ("Gap mm", "Largest distance between the two sides, in mm"),
-    ("Angle \u00b0", "Largest angle between the tangent planes, in degrees"),
-    ("Curvature %", "Largest relative difference of curvature, in %"),
-    ("Result", "Whether the seam certainly has its level"),
+    (mark("Side"), mark("The side of the surface")),
+    (mark("Edge"), mark("The edge of the model along which the surface runs")),
+    (mark("Gap mm"), mark("Largest distance between the two sides, in mm")),
+    (mark("Angle \u00b0"), mark("Largest angle between the tangent planes, in degrees")),
+    (mark("Curvature %"), mark("Largest relative difference of curvature, in %")),
+    (mark("Result"), mark("Whether the seam certainly has its level")),
 )
 
 #: Poles that move by less are those of an edge that stays, up to rounding.
 UNMOVED_MM = 1e-9
+
+#: The kernel's words for sides of a surface.
+SIDES = (mark("start"), mark("end"))
 
 FIGURES = ("gap_mm", "angle_deg", "curvature_rel")
 
@@ -47,15 +51,16 @@ def build_rows(report):
 def _row(seam, tolerance):
     met = new_seams.certainly_meets(seam, tolerance, seam["target"])
     figures = (rows.figure_text(seam, name, tolerance) for name in FIGURES)
-    cells = (seam["side"], seam["name"], *figures, _verdict(seam, tolerance, met))
+    cells = (tr(seam["side"]), tr(seam["name"]), *figures, _verdict(seam, tolerance, met))
     return Row(met, cells, rows.detail_text(seam, tolerance))
 
 
 def _verdict(seam, tolerance, met):
     if met:
-        return "%s is met" % seam["target"]
+        return tr("{target} is met").format(target=seam["target"])
     missed = new_seams.certainly_misses(seam, tolerance, seam["target"])
-    return ("misses %s" if missed else "%s is uncertain") % seam["target"]
+    text = tr("misses {target}") if missed else tr("{target} is uncertain")
+    return text.format(target=seam["target"])
 
 
 def largest(seams):
@@ -68,74 +73,85 @@ def largest(seams):
 
 def summary(report):
     """Return one line: the seams, or what falls short."""
-    poles = "%d x %d poles" % tuple(report["poles"])
+    along, across = report["poles"]
+    poles = tr("{along} x {across} poles").format(along=along, across=across)
     found = largest(report["seams"])
-    figures = "gap at most %s mm, angle at most %s\u00b0, curvature at most %s %%" % (
-        bound(found["gap_mm"]),
-        bound(found["angle_deg"]),
-        bound(100 * found["curvature_rel"]),
+    figures = tr(
+        "gap at most {gap_mm} mm, angle at most {angle_deg}\u00b0, curvature at most "
+        "{curvature_rel} %"
+    ).format(
+        gap_mm=bound(found["gap_mm"]),
+        angle_deg=bound(found["angle_deg"]),
+        curvature_rel=bound(100 * found["curvature_rel"]),
     )
-    state = "Every seam has its level" if report["reached"] else _shortcomings(report)
+    state = tr("Every seam has its level") if report["reached"] else _shortcomings(report)
     length = ""
     if report["to"]:
-        length = "; %s to %s mm long" % (
-            enclosure.number(report["to"]["least_mm"]),
-            enclosure.number(report["to"]["most_mm"]),
+        length = tr("; {least_mm} to {most_mm} mm long").format(
+            least_mm=enclosure.number(report["to"]["least_mm"]),
+            most_mm=enclosure.number(report["to"]["most_mm"]),
         )
     return "%s: %s; %s%s." % (state, figures, poles, length)
 
 
 def umbrella_summary(report):
     """Return one line about faces around a point."""
-    state = "every seam is G1" if report["reached"] else "not every seam is certainly G1"
-    return "%s around the point: %s, gap at most %s mm, angle at most %s\u00b0; %s." % (
-        counted(report["members"], "face"),
-        state,
-        bound(report["gap_mm"]),
-        bound(report["angle_deg"]),
-        _followed(report),
+    state = tr("every seam is G1") if report["reached"] else tr("not every seam is certainly G1")
+    return tr(
+        "{members} around the point: {state}, gap at most {gap_mm} mm, angle at most "
+        "{angle_deg}\u00b0; {followed}."
+    ).format(
+        members=counted(report["members"], "face"),
+        state=state,
+        gap_mm=bound(report["gap_mm"]),
+        angle_deg=bound(report["angle_deg"]),
+        followed=_followed(report),
     )
 
 
 def _followed(report):
     moved, fit = report["moved_mm"], report["fit_mm"]
-    text = "no edge moved"
+    text = tr("no edge moved")
     if moved > UNMOVED_MM:
-        text = "edges moved by at most %s mm" % bound(moved)
-    return text + (", curves within %s mm of them" % bound(fit) if fit else "")
+        text = tr("edges moved by at most {moved} mm").format(moved=bound(moved))
+    return text + (tr(", curves within {fit} mm of them").format(fit=bound(fit)) if fit else "")
 
 
 def loft_summary(report):
     """Return one line about the surface through curves."""
-    text = "%s through %d curves, within %s mm" % (
-        counted(report["faces"], "face"),
-        report["keys"],
-        bound(report["distance_mm"]),
+    text = tr("{faces} through {keys} curves, within {distance_mm} mm").format(
+        faces=counted(report["faces"], "face"),
+        keys=report["keys"],
+        distance_mm=bound(report["distance_mm"]),
     )
     if not report["seams"]:
         return text + "."
-    return "%s; across %s: angle at most %s\u00b0, curvature at most %s %%." % (
-        text,
-        counted(len(report["seams"]), "line") + " of joints",
-        bound(report["angle_deg"]),
-        bound(100 * report["curvature_rel"]),
+    return tr(
+        "{surface}; across {seams}: angle at most {angle_deg}\u00b0, curvature at most "
+        "{curvature_rel} %."
+    ).format(
+        surface=text,
+        seams=counted(len(report["seams"]), "line of joints"),
+        angle_deg=bound(report["angle_deg"]),
+        curvature_rel=bound(100 * report["curvature_rel"]),
     )
 
 
 def _shortcomings(report):
     parts = [
-        "%s, %s" % (each.get("side", "lateral boundary"), each["reason"].rstrip("."))
+        "%s, %s" % (tr(each.get("side", mark("lateral boundary"))), each["reason"].rstrip("."))
         for each in report["sides"] + report["laterals"]
         if each["reason"]
     ]
     if report["fold"]:
         parts.append(
-            "the surface folds %s mm from the side"
-            % enclosure.number(report["fold"]["distance_mm"])
+            tr("the surface folds {distance_mm} mm from the side").format(
+                distance_mm=enclosure.number(report["fold"]["distance_mm"])
+            )
         )
     missed = [
-        "%s is not certain at %s" % (seam["target"], seam["name"])
+        tr("{target} is not certain at {name}").format(target=seam["target"], name=seam["name"])
         for seam in report["seams"]
         if not new_seams.certainly_meets(seam, report["tolerance"], seam["target"])
     ]
-    return "Not reached (%s)" % "; ".join(missed + parts)
+    return tr("Not reached ({missed})").format(missed="; ".join(missed + parts))

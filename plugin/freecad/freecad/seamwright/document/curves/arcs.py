@@ -17,9 +17,10 @@ from freecad.seamwright.document.curves.plane import Plane, plane_of
 from freecad.seamwright.document.curves.samples import end_directions, runs_of
 from freecad.seamwright.document.feature import report_of
 from freecad.seamwright.plain import curve_text
+from freecad.seamwright.plain.language import mark, tr
 from freecad.seamwright.plain.options import CHOICE, LENGTH, Option
 
-SMOOTH, POLYGON = "Smooth curve", "Polygon"
+SMOOTH, POLYGON = mark("Smooth curve"), mark("Polygon")
 
 #: The part of the tolerance that is left to a spline near clothoids.
 SPLINE_SHARE = 0.1
@@ -138,7 +139,7 @@ def gather_planar(module, shapes, flatness_mm):
     if not chains:
         return gather_points(shapes, flatness_mm)
     if any(not shape.Edges for shape in shapes):
-        raise ValueError("points and edges are chosen: choose either")
+        raise ValueError(tr("points and edges are chosen: choose either"))
     splines = [inputs.spline_of(module, chain) for chain in chains]
     plane = plane_of(numpy.vstack([spline.poles for spline in splines]), flatness_mm)
     flat = [results.flattened(module, spline, plane) for spline in splines]
@@ -209,12 +210,14 @@ def add_sketch(obj, tolerance_mm=SKETCH_MM):
     planar.
     """
     if obj.Shape.isNull():
-        raise ValueError("%s has no curve: %s" % (obj.Label, obj.Summary))
+        raise ValueError(tr("{label} has no curve: {summary}").format(
+            label=obj.Label, summary=obj.Summary
+        ))
     if obj.Shape.Faces:
-        raise ValueError("%s has faces: choose curves" % obj.Label)
+        raise ValueError(tr("{label} has faces: choose curves").format(label=obj.Label))
     shape, plane = _flat_arcs(obj, tolerance_mm)
     sketch = obj.Document.addObject("Sketcher::SketchObject", obj.Name + "Sketch")
-    sketch.Label = "%s sketch" % obj.Label
+    sketch.Label = tr("{label} sketch").format(label=obj.Label)
     sketch.Placement = plane.placement()
     inverse = sketch.Placement.inverse()
     for wire in shape.Wires:

@@ -9,10 +9,11 @@ from typing import Any, List, NamedTuple
 from freecad.seamwright.document.curves import inputs, results
 from freecad.seamwright.document.curves.curve import Curve
 from freecad.seamwright.plain import curve_text
+from freecad.seamwright.plain.language import mark, tr
 from freecad.seamwright.plain.options import CHOICE, COUNT, FLAG, LENGTH, Option
 
-FEATURES, BY_LENGTH = "Corners and extrema", "Equal lengths"
-CURVES, SURFACE = "Curves", "Surface"
+FEATURES, BY_LENGTH = mark("Corners and extrema"), mark("Equal lengths")
+CURVES, SURFACE = mark("Curves"), mark("Surface")
 BETWEEN = ("C1", "C2")
 ORDERS = ("G1", "G2", "G3", "G4")
 
@@ -77,11 +78,13 @@ class BlendCurves(Curve):
             for chain in inputs.chains_of([shape])
         ]
         if any(not shape.Edges for shape in shapes):
-            raise ValueError("a point is chosen: choose edges, wires or sketches")
+            raise ValueError(tr("a point is chosen: choose edges, wires or sketches"))
         if len(splines) < 2:
-            raise ValueError("there is only one curve: choose two or more")
+            raise ValueError(tr("there is only one curve: choose two or more"))
         if len({spline.closed for spline in splines}) > 1:
-            raise ValueError("some curves are closed and some are open: choose curves of one kind")
+            raise ValueError(tr(
+                "some curves are closed and some are open: choose curves of one kind"
+            ))
         return splines
 
     @classmethod
@@ -97,16 +100,20 @@ class BlendCurves(Curve):
             matched, keys_mm = module.match_pieces(gathered, **how), 0.0
             if values["result"] == SURFACE and any(each.is_rational for each in matched.curves):
                 raise ValueError(
-                    "arcs and rational splines can only be divided for single curves: for a "
-                    "surface, let splines take their place"
+                    tr(
+                        "arcs and rational splines can only be divided for single curves: for a "
+                        "surface, let splines take their place"
+                    )
                 )
         else:
             matched = module.common_knots(gathered, tolerance_mm=tolerance, **how)
             keys_mm = max(matched.distance_mm)
             if not matched.reached:
                 raise ValueError(
-                    "no splines within %g mm of the curves were found: take a larger tolerance"
-                    % tolerance
+                    tr(
+                        "no splines within {tolerance:g} mm of the curves were found: take a "
+                        "larger tolerance"
+                    ).format(tolerance=tolerance)
                 )
         order = 1 + ORDERS.index(values["order"])
         blend = module.SplineBlend(
@@ -169,8 +176,10 @@ def _lofts(module, blend, order, tolerance_mm, progress):
         )
         if not lofts[-1].reached:
             raise ValueError(
-                "the surface is %.3g mm from the curves between: take a tolerance larger than %g mm"
-                % (lofts[-1].distance_mm, tolerance_mm)
+                tr(
+                    "the surface is {distance_mm:.3g} mm from the curves between: take a tolerance "
+                    "larger than {tolerance_mm:g} mm"
+                ).format(distance_mm=lofts[-1].distance_mm, tolerance_mm=tolerance_mm)
             )
     return lofts
 

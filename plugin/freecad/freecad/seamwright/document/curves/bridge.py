@@ -11,6 +11,7 @@ import numpy
 from freecad.seamwright.document.curves import inputs, results
 from freecad.seamwright.document.curves.curve import Curve
 from freecad.seamwright.plain import curve_text
+from freecad.seamwright.plain.language import tr
 from freecad.seamwright.plain.options import CHOICE, FLAG, FLOAT, Option
 
 ORDERS = ("G1", "G2", "G3")
@@ -59,7 +60,7 @@ class BridgeCurve(Curve):
         first, second = (inputs.ends_of(edge) for edge in edges)
         distance = first[at_first].distanceToPoint(second[at_second])
         if distance <= inputs.GAP_MM:
-            raise ValueError("the edges meet where the curve would be: choose other ends")
+            raise ValueError(tr("the edges meet where the curve would be: choose other ends"))
         one, other = (inputs.curve_of(module, edge).bezier_spline() for edge in edges)
         arriving, to_second = _out_of(one, at_first), _out_of(other, at_second)
         return arriving, to_second.reversed(), distance
@@ -73,7 +74,7 @@ class BridgeCurve(Curve):
         after = numpy.asarray(leaving.derivatives(0.0, order))
         speeds = numpy.linalg.norm(before[1]), numpy.linalg.norm(after[1])
         if min(speeds) == 0:
-            raise ValueError("an edge has no tangent at its end: choose another end")
+            raise ValueError(tr("an edge has no tangent at its end: choose another end"))
         back = before * (-1.0) ** numpy.arange(order + 1)[:, None]
         sides = _from_derivatives(module, back).reversed(), _from_derivatives(module, after)
         rest = [0.0] * (order - 1)

@@ -13,9 +13,10 @@ from freecad.seamwright.document.curves.curve import Curve
 from freecad.seamwright.document.curves.plane import Plane
 from freecad.seamwright.document.curves.samples import end_directions, runs_of
 from freecad.seamwright.plain import curve_text
+from freecad.seamwright.plain.language import mark, tr
 from freecad.seamwright.plain.options import ANGLE, CHOICE, LENGTH, Option
 
-ARC, NO_CURVATURE, DIRECTIONS = "Arc", "No curvature", "Given directions"
+ARC, NO_CURVATURE, DIRECTIONS = mark("Arc"), mark("No curvature"), mark("Given directions")
 
 #: The part of the tolerance that is left to the splines that hold the clothoids.
 SPLINE_SHARE = 0.1
@@ -81,7 +82,9 @@ class Clothoid(Curve):
         """Return the Clothoids."""
         tolerance = values["tolerance_mm"]
         if tolerance <= 0:
-            raise ValueError("the tolerance is 0: splines hold clothoids within a tolerance only")
+            raise ValueError(tr(
+                "the tolerance is 0: splines hold clothoids within a tolerance only"
+            ))
         spline_mm = SPLINE_SHARE * tolerance
         if gathered.splines:
             fits = [

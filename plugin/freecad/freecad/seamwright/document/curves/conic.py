@@ -15,9 +15,10 @@ from freecad.seamwright.document.curves.plane import Plane, plane_of
 from freecad.seamwright.document.curves.samples import end_directions, runs_of
 from freecad.seamwright.document.curves.spline import SAMPLES
 from freecad.seamwright.plain import curve_text
+from freecad.seamwright.plain.language import mark, tr
 from freecad.seamwright.plain.options import CHOICE, FLOAT, Option
 
-ONE, CHAIN = "Start, corner and end", "Spline through points"
+ONE, CHAIN = mark("Start, corner and end"), mark("Spline through points")
 
 
 class Conics(NamedTuple):
@@ -59,7 +60,7 @@ class Conic(Curve):
         """Return (plane, points in it, whether they are closed)."""
         points, closed = inputs.points_of(shapes, values["samples"])
         if len(points) < 3:
-            raise ValueError("there are two points: a conic needs three or more")
+            raise ValueError(tr("there are two points: a conic needs three or more"))
         plane = plane_of(points, values["flatness_mm"])
         return plane, plane.coordinates(points)[0], closed
 
@@ -84,14 +85,16 @@ class Conic(Curve):
             return Conics(plane, conics, sum(len(found.g1_joints) for found in runs))
         if len(points) != 3:
             raise ValueError(
-                "there are %d points: one conic has three, its start, the corner of its tangents "
-                "and its end" % len(points)
+                tr(
+                    "there are {points} points: one conic has three, its start, the corner of its "
+                    "tangents and its end"
+                ).format(points=len(points))
             )
         sides = points[1] - points[0], points[2] - points[1]
         if abs(sides[0][0] * sides[1][1] - sides[0][1] * sides[1][0]) <= 1e-12 * numpy.prod(
             [numpy.linalg.norm(side) for side in sides]
         ):
-            raise ValueError("the three points are on a line: move the corner off it")
+            raise ValueError(tr("the three points are on a line: move the corner off it"))
         return Conics(plane, [module.PlanarConic(*points, values["weight"])], 0)
 
     @classmethod

@@ -14,6 +14,7 @@ from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.document.option_feature import links, links_of, set_values
 from freecad.seamwright.document.shape_feature import ShapeFeature
 from freecad.seamwright.plain import kernel, options
+from freecad.seamwright.plain.language import tr
 
 
 class Curve(ShapeFeature):
@@ -54,7 +55,7 @@ def suggested(kind, chosen):
 def _some(kind, chosen):
     found = links(chosen)
     if not found:
-        raise ValueError("nothing is selected: %s" % kind.NEEDS)
+        raise ValueError(tr("nothing is selected: {needs}").format(needs=tr(kind.NEEDS)))
     return found
 
 

@@ -12,10 +12,12 @@ from freecad.seamwright.document.curves.curve import Curve
 from freecad.seamwright.document.curves.plane import Plane
 from freecad.seamwright.document.curves.samples import end_directions, runs_of
 from freecad.seamwright.plain import curve_text
+from freecad.seamwright.plain.language import mark, tr
 from freecad.seamwright.plain.options import CHOICE, LENGTH, Option
 
-ENERGY, VARIATION = "Least energy", "Least variation of curvature"
-NOTHING, POSITION, TANGENT, CURVATURE = "Nothing", "Position", "Tangent", "Curvature"
+ENERGY, VARIATION = mark("Least energy"), mark("Least variation of curvature")
+NOTHING, POSITION, TANGENT = mark("Nothing"), mark("Position"), mark("Tangent")
+CURVATURE = mark("Curvature")
 
 
 #: Distance of the splines that hold clothoids, where the tolerance is 0.
@@ -76,7 +78,9 @@ class FairCurve(Curve):
             gathered = gather_points(shapes, values["flatness_mm"])
             if len(gathered.points) < 4:
                 raise ValueError(
-                    "there are %d points: four or more can be made fair" % len(gathered.points)
+                    tr("there are {points} points: four or more can be made fair").format(
+                        points=len(gathered.points)
+                    )
                 )
             return gathered
         curves = [
@@ -84,8 +88,10 @@ class FairCurve(Curve):
         ]
         if not any(_can_be_faired(curve) for chain in curves for _, curve in chain):
             raise ValueError(
-                "no edge is a polynomial spline of degree 2 or more: lines, arcs and rational "
-                "splines stay as they are"
+                tr(
+                    "no edge is a polynomial spline of degree 2 or more: lines, arcs and rational "
+                    "splines stay as they are"
+                )
             )
         return [(chain.closed, edges) for chain, edges in zip(chains, curves)]
 

@@ -9,6 +9,7 @@ import Part
 
 from freecad.seamwright.document import sources
 from freecad.seamwright.document.elements import KINDS
+from freecad.seamwright.plain.language import tr
 
 #: Ends of edges no further apart than this are one point: the tolerance of FreeCAD's wires.
 GAP_MM = 1e-7
@@ -31,22 +32,28 @@ def shapes_of(links):
 
 def _shape_of(obj, name):
     if not sources.has_shape(obj):
-        what = "is a mesh" if obj.isDerivedFrom("Mesh::Feature") else "has no points or edges"
+        is_mesh = obj.isDerivedFrom("Mesh::Feature")
+        what = tr("is a mesh") if is_mesh else tr("has no points or edges")
         raise sources.SourceError(
-            "%s %s: choose points, edges, wires or sketches." % (obj.Label, what)
+            tr("{label} {what}: choose points, edges, wires or sketches.").format(
+                label=obj.Label, what=what
+            )
         )
     shape = _points_of_sketch(obj) or sources.placed_shape(obj)
     if not name:
         if len(shape.Faces) > 1:
             raise sources.SourceError(
-                "%s has %d faces: choose some of its edges, or one face."
-                % (obj.Label, len(shape.Faces))
+                tr("{label} has {faces} faces: choose some of its edges, or one face.").format(
+                    label=obj.Label, faces=len(shape.Faces)
+                )
             )
         return shape
     kind = name.rstrip("0123456789")
     found, digits = getattr(shape, KINDS[kind]) if kind in KINDS else [], name[len(kind) :]
     if not digits or not 0 < int(digits) <= len(found):
-        raise sources.SourceError("%s has no %s: choose another one." % (obj.Label, name))
+        raise sources.SourceError(tr("{label} has no {name}: choose another one.").format(
+            label=obj.Label, name=name
+        ))
     return found[int(digits) - 1]
 
 
@@ -132,7 +139,7 @@ def nearest_ends(edges, flips=(False, False)):
     edges.
     """
     if len(edges) != 2:
-        raise ValueError("%d edges are chosen: choose two" % len(edges))
+        raise ValueError(tr("{edges} edges are chosen: choose two").format(edges=len(edges)))
     first, second = (ends_of(edge) for edge in edges)
     nearest = min(
         ((one, other) for one in (0, 1) for other in (0, 1)),
@@ -179,9 +186,11 @@ def points_of(shapes, samples):
         points = [tuple(vertex.Point) for shape in alone for vertex in shape.Vertexes]
         return checked_points(points, closed=False)
     if alone:
-        raise ValueError("points and edges are chosen: choose either")
+        raise ValueError(tr("points and edges are chosen: choose either"))
     if len(chains) > 1:
-        raise ValueError("the edges are %d separate curves: choose one" % len(chains))
+        raise ValueError(tr("the edges are {chains} separate curves: choose one").format(
+            chains=len(chains)
+        ))
     points = []
     for edge, backwards in chains[0].edges:
         points += _points_on(edge, backwards, samples)
@@ -211,12 +220,15 @@ def checked_points(points, closed):
         points, closed = points[:-1], True
     if len(points) < 2:
         raise ValueError(
-            "there is only one point: choose two or more" if points else "there are no points"
+            tr("there is only one point: choose two or more")
+            if points
+            else tr("there are no points")
         )
     for place, (one, other) in enumerate(zip(points, points[1:]), 1):
         if numpy.abs(numpy.subtract(one, other)).max() <= GAP_MM:
             raise ValueError(
-                "points %d and %d are the same, (%g, %g, %g): leave one of them out"
-                % (place, place + 1, *one)
+                tr(
+                    "points {first} and {second} are the same, ({point}): leave one of them out"
+                ).format(first=place, second=place + 1, point="%g, %g, %g" % tuple(one))
             )
     return numpy.array(points, float), closed

@@ -11,12 +11,13 @@ import numpy
 from freecad.seamwright.document.curves import inputs, results
 from freecad.seamwright.document.curves.curve import Curve
 from freecad.seamwright.plain import curve_text
+from freecad.seamwright.plain.language import mark, tr
 from freecad.seamwright.plain.options import CHOICE, LENGTH, Option
 
-BOTH, FIRST, SECOND = "Both", "First", "Second"
+BOTH, FIRST, SECOND = mark("Both"), mark("First"), mark("Second")
 MOVES = {BOTH: "both", FIRST: "a", SECOND: "b"}
 ORDERS = ("G1", "G2", "G3")
-SMALLEST, CONTINUATION = "Smallest move", "Second continues the first"
+SMALLEST, CONTINUATION = mark("Smallest move"), mark("Second continues the first")
 
 #: Points at which a continued curve is compared with the edge.
 COMPARED = 200
@@ -84,12 +85,20 @@ class JoinCurves(Curve):
         else:
             join = module.curve_nearest_join(one, other, order, moves=MOVES[values["moves"]])
             if join.status == "infeasible":
-                raise ValueError("the edges cannot be joined so: %s" % join.reason)
+                raise ValueError(tr("the edges cannot be joined so: {reason}").format(
+                    reason=join.reason
+                ))
             found = Joined([join.a, join.b], join.largest_move_mm)
         if 0 < values["most_mm"] < found.moved_mm:
             raise ValueError(
-                "%s would move by %.4g mm, further than the %g mm that are allowed"
-                % ("a pole" if _moves(values) else "a point", found.moved_mm, values["most_mm"])
+                tr(
+                    "{what} would move by {moved_mm:.4g} mm, further than the {most_mm:g} mm that "
+                    "are allowed"
+                ).format(
+                    what=tr("a pole") if _moves(values) else tr("a point"),
+                    moved_mm=found.moved_mm,
+                    most_mm=values["most_mm"],
+                )
             )
         return found, gap
 

@@ -14,9 +14,10 @@ from freecad.seamwright.document.curves.arcs import FLATNESS
 from freecad.seamwright.document.curves.curve import Curve
 from freecad.seamwright.document.curves.plane import Plane, plane_of
 from freecad.seamwright.plain import curve_text
+from freecad.seamwright.plain.language import mark, tr
 from freecad.seamwright.plain.options import CHOICE, COUNT, FLAG, LENGTH, Option
 
-SPIRAL, ARCS = "Spiral", "Arcs of one sweep"
+SPIRAL, ARCS = mark("Spiral"), mark("Arcs of one sweep")
 
 
 class Ends(NamedTuple):
@@ -81,8 +82,10 @@ class LogSpiral(Curve):
         points, closed = inputs.points_of(shapes, samples=0)
         if len(points) != 3 or closed:
             raise ValueError(
-                "there are %d points: a spiral has three, its start, the corner of its tangents "
-                "and its end" % len(points)
+                tr(
+                    "there are {points} points: a spiral has three, its start, the corner of its "
+                    "tangents and its end"
+                ).format(points=len(points))
             )
         plane = plane_of(points, values["flatness_mm"])
         start, corner, end = plane.coordinates(points)[0]

@@ -4,6 +4,8 @@
 import FreeCAD as App
 import numpy
 
+from freecad.seamwright.plain.language import tr
+
 #: A normal this near to an axis is that axis; rounding of rotated coordinates is smaller.
 AXIS_SLACK = 1e-12
 
@@ -91,7 +93,9 @@ def plane_of(points, flatness_mm):
     _, distance = plane.coordinates(points)
     if distance > flatness_mm:
         raise ValueError(
-            "the points or edges are not in one plane: they are up to %.3g mm off it, and %g mm "
-            "are allowed" % (distance, flatness_mm)
+            tr(
+                "the points or edges are not in one plane: they are up to {distance:.3g} mm off "
+                "it, and {flatness_mm:g} mm are allowed"
+            ).format(distance=distance, flatness_mm=flatness_mm)
         )
     return plane

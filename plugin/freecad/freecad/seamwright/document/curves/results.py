@@ -8,6 +8,7 @@ import numpy
 import Part
 
 from freecad.seamwright.document.curves.inputs import GAP_MM
+from freecad.seamwright.plain.language import tr
 
 #: Arcs that turn by less than this are drawn as lines if these are within a tenth of the tolerance:
 #: their centre is far away, and has few digits left.
@@ -21,7 +22,7 @@ def wire_of(edges):
     """Return the wire of edges that are in order."""
     wire = Part.Wire(edges)
     if len(wire.Edges) != len(edges):
-        raise ValueError("the %d edges do not join to one curve" % len(edges))
+        raise ValueError(tr("the {edges} edges do not join to one curve").format(edges=len(edges)))
     return wire
 
 

@@ -9,12 +9,14 @@ import numpy
 from freecad.seamwright.document.curves import inputs, results
 from freecad.seamwright.document.curves.curve import Curve
 from freecad.seamwright.plain import curve_text
+from freecad.seamwright.plain.language import mark, tr
 from freecad.seamwright.plain.options import (
     CHOICE, COUNT, FLAG, NUMBERS, VECTOR, VECTORS, Option, one_for_each
 )  # fmt: skip
 
-NU, BETA = "Through points, tension", "Through points, tension and bias"
-GAMMA, DIRECT, ALPHA = "Polygon, gamma", "Polygon, direct G2", "Polygon, alpha curves"
+NU, BETA = mark("Through points, tension"), mark("Through points, tension and bias")
+GAMMA, DIRECT = mark("Polygon, gamma"), mark("Polygon, direct G2")
+ALPHA = mark("Polygon, alpha curves")
 
 #: The families whose spline passes through the points.
 INTERPOLATING = (NU, BETA)
@@ -107,8 +109,11 @@ class Spline(Curve):
         least = _least(values["family"], closed)
         if len(points) < least:
             raise ValueError(
-                "there are %d points: %s needs %d or more"
-                % (len(points), "a closed spline" if closed else "such a spline", least)
+                tr("there are {points} points: {what} needs {least} or more").format(
+                    points=len(points),
+                    what=tr("a closed spline") if closed else tr("such a spline"),
+                    least=least,
+                )
             )
         return points, closed
 
@@ -160,8 +165,9 @@ def _moved(points, closed, moves):
         return points, closed
     if len(moves) != len(points):
         raise ValueError(
-            "%d points were moved, but the sources have %d: empty the property Moves"
-            % (len(moves), len(points))
+            tr(
+                "{moves} points were moved, but the sources have {points}: empty the property Moves"
+            ).format(moves=len(moves), points=len(points))
         )
     return inputs.checked_points(points + numpy.array(moves), closed)
 
@@ -171,7 +177,7 @@ def _ring(points):
 
 
 def _nu(module, points, closed, values):
-    tension = one_for_each("Tension", values["tension"], len(points), "points")
+    tension = one_for_each("Tension", values["tension"], len(points), mark("points"))
     if not closed:
         return _with_ends(lambda **ends: module.nu_spline(points, nu=tension, **ends).curve, values)
     # The tensions at both ends of a ring add up.
@@ -181,8 +187,8 @@ def _nu(module, points, closed, values):
 
 def _beta(module, points, closed, values):
     count = len(points)
-    tension = one_for_each("Tension", values["tension"], count, "points")
-    bias = one_for_each("Bias", values["bias"], count, "points")
+    tension = one_for_each("Tension", values["tension"], count, mark("points"))
+    bias = one_for_each("Bias", values["bias"], count, mark("points"))
     if not closed:
         return _with_ends(
             lambda **ends: module.beta_spline(points, bias, tension, **ends).curve, values
@@ -248,14 +254,14 @@ def _segments(points, closed):
 
 
 def _gamma(module, points, closed, values):
-    gamma = one_for_each("Gamma", values["gamma"], _segments(points, closed), "segments")
+    gamma = one_for_each("Gamma", values["gamma"], _segments(points, closed), mark("segments"))
     return module.gamma_spline(points, gamma=gamma, closed=closed)
 
 
 def _direct(module, points, closed, values):
     sides = len(points) if closed else len(points) - 1
     shares = [
-        one_for_each(label, values[argument], sides, "sides")
+        one_for_each(label, values[argument], sides, mark("sides"))
         for label, argument in (
             ("First pole at", "first_share"),
             ("Second pole at", "second_share"),
@@ -265,7 +271,7 @@ def _direct(module, points, closed, values):
 
 
 def _alpha(module, points, closed, values):
-    shape = one_for_each("Alpha", values["alpha"], _segments(points, closed), "segments")
+    shape = one_for_each("Alpha", values["alpha"], _segments(points, closed), mark("segments"))
     return module.alpha_spline(points, shape, closed=closed)
 
 

@@ -11,9 +11,11 @@ import numpy
 from freecad.seamwright.document import sources
 from freecad.seamwright.document.maps.tool import Tool, element_shape
 from freecad.seamwright.plain import map_text
+from freecad.seamwright.plain.language import mark, tr
 from freecad.seamwright.plain.options import CHOICE, COUNT, FLOAT, Option
 
-EDGES, U_LINES, V_LINES, BOTH = "Edges", "U lines", "V lines", "U and V lines"
+EDGES, U_LINES = mark("Edges"), mark("U lines")
+V_LINES, BOTH = mark("V lines"), mark("U and V lines")
 
 #: The length of the longest line with the scale 1, as a part of the size of all curves.
 LONGEST = 0.15
@@ -68,12 +70,16 @@ class CurvatureComb(Tool):
     def check(cls, name, chosen):
         """Raise SourceError or ValueError where there is no curve."""
         if not chosen:
-            raise ValueError("nothing is selected: %s" % cls.NEEDS)
+            raise ValueError(tr("nothing is selected: {needs}").format(needs=tr(cls.NEEDS)))
         for obj, element in chosen:
             if not sources.has_shape(obj) or not sources.placed_shape(obj).Edges:
-                raise sources.SourceError("%s has no edges: %s" % (obj.Label, cls.NEEDS))
+                raise sources.SourceError(tr("{label} has no edges: {needs}").format(
+                    label=obj.Label, needs=tr(cls.NEEDS)
+                ))
             if element.startswith("Vertex"):
-                raise ValueError("%s.%s is a point: %s" % (obj.Label, element, cls.NEEDS))
+                raise ValueError(tr("{label}.{element} is a point: {needs}").format(
+                    label=obj.Label, element=element, needs=tr(cls.NEEDS)
+                ))
 
     @classmethod
     def work(cls, inputs, values):
@@ -86,7 +92,7 @@ class CurvatureComb(Tool):
     def report(cls, found, values):
         """Return the number of curves, and the largest curvature with its place."""
         if not found:
-            raise ValueError("there are no curves: %s" % cls.NEEDS)
+            raise ValueError(tr("there are no curves: {needs}").format(needs=tr(cls.NEEDS)))
         points = numpy.concatenate([each.points for each in found])
         sizes = numpy.linalg.norm(numpy.concatenate([each.curvatures for each in found]), axis=1)
         at = sizes.argmax()

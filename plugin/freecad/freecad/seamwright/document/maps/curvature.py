@@ -6,9 +6,10 @@ The class path is written into documents: neither rename nor move it.
 
 from freecad.seamwright.document.maps.surface_map import SurfaceMap, joined, weights
 from freecad.seamwright.plain import map_text, maps, ramps
+from freecad.seamwright.plain.language import mark, tr
 from freecad.seamwright.plain.options import CHOICE, FLOAT, Option
 
-AUTOMATIC, GIVEN = "Automatic", "Given"
+AUTOMATIC, GIVEN = mark("Automatic"), mark("Given")
 
 
 def given_range(values):
@@ -17,7 +18,9 @@ def given_range(values):
         return None
     low, high = values["low"], values["high"]
     if not low < high:
-        raise ValueError("the range goes from %g to %g: give a larger upper end" % (low, high))
+        raise ValueError(tr(
+            "the range goes from {low:g} to {high:g}: give a larger upper end"
+        ).format(low=low, high=high))
     return low, high
 
 

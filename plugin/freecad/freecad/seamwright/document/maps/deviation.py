@@ -20,6 +20,7 @@ from freecad.seamwright.document.maps.surface_map import (
     run_meshes,
 )
 from freecad.seamwright.plain import curvature, map_text, ramps
+from freecad.seamwright.plain.language import tr
 from freecad.seamwright.plain.options import FLAG, Option
 from freecad.seamwright.plain.summary import counted
 
@@ -60,7 +61,9 @@ class Deviation(SurfaceMap):
         whole = list(dict.fromkeys(obj for obj, _ in chosen))
         if len(whole) != 2:
             raise ValueError(
-                "%s selected: %s" % (counted(len(whole), "object"), cls.NEEDS)
+                tr("{objects} selected: {needs}").format(
+                    objects=counted(len(whole), "object"), needs=tr(cls.NEEDS)
+                )
             )
         found = {"Sources": [(whole[0], "")], "Reference": [(whole[1], "")]}
         for name, links in found.items():
@@ -70,7 +73,7 @@ class Deviation(SurfaceMap):
     @classmethod
     def check(cls, name, chosen):
         """Raise SourceError where an object has no faces."""
-        check_faces(chosen, "select objects with faces")
+        check_faces(chosen, tr("select objects with faces"))
 
     @classmethod
     def work(cls, inputs, values):
@@ -82,7 +85,9 @@ class Deviation(SurfaceMap):
             placed.Placement = given.parent * given.shape.Placement
             faces += placed.Faces
         if not faces:
-            raise sources.SourceError("the shape to compare with has no faces: choose another one")
+            raise sources.SourceError(tr(
+                "the shape to compare with has no faces: choose another one"
+            ))
         return lambda progress: _run(works, others, faces, values, progress)
 
     @classmethod
@@ -92,13 +97,18 @@ class Deviation(SurfaceMap):
         if given is not None:
             stops = ramps.stops_between(*given)
             return ramps.range_look(
-                deviations, *given, "Deviation", "mm", lambda value: "", stops, ramps.BEYOND
+                deviations, *given, tr("Deviation"), "mm", lambda value: "", stops, ramps.BEYOND
             )
         known = deviations[numpy.isfinite(deviations)]
         limit = curvature.round_up(float(abs(known).max())) if known.any() else 0.0
-        meanings = "outside", "inside"
+        meanings = tr("outside"), tr("inside")
         return ramps.signed_look(
-            deviations, limit, "Deviation", "mm", meanings, "sampled at the points of the mesh"
+            deviations,
+            limit,
+            tr("Deviation"),
+            "mm",
+            meanings,
+            tr("sampled at the points of the mesh"),
         )
 
     @classmethod

@@ -5,6 +5,7 @@ import FreeCAD as App
 import numpy
 import Part
 
+from freecad.seamwright.plain.language import tr
 from freecad.seamwright.plain.nearest import nearest
 
 #: Steps on a surface towards the foot of a point, and the step that counts as none, as a share of
@@ -33,7 +34,7 @@ def distances(points, meshes, faces, beyond_edges, progress=None):
     """
     triangles, first_nodes, mesh = _joined(meshes)
     if not len(triangles):
-        raise ValueError("the shape to compare with has no triangles")
+        raise ValueError(tr("the shape to compare with has no triangles"))
     corners = mesh["points"][triangles]
     found = nearest(points, corners, progress and (lambda share: progress(TRIANGLES * share)))
     if found is None:

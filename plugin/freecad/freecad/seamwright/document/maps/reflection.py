@@ -8,9 +8,11 @@ import numpy
 
 from freecad.seamwright.document.maps.surface_map import SurfaceMap, joined
 from freecad.seamwright.plain import map_text, maps, ramps
+from freecad.seamwright.plain.language import mark, tr
 from freecad.seamwright.plain.options import ANGLE, CHOICE, COUNT, FLOAT, LENGTH, NUMBERS, Option
 
-ZEBRA, ISOPHOTES, HIGHLIGHTS = "Zebra stripes", "Isophotes", "Highlight lines"
+ZEBRA, ISOPHOTES = mark("Zebra stripes"), mark("Isophotes")
+HIGHLIGHTS = mark("Highlight lines")
 
 #: Without a given spacing, this many light lines lie over the model.
 LIGHTS = 12
@@ -57,7 +59,7 @@ class ReflectionLines(SurfaceMap):
                "From the middle of the model; 0: half of the size of the model", least=0.0,
                used=_is(HIGHLIGHTS)),
         Option("Spacing", "spacing_mm", LENGTH, 0.0, "Spacing of the lamps",
-               "Distance from one lamp to the next; 0: %d lamps over the model" % LIGHTS,
+               "Distance from one lamp to the next; 0: 12 lamps over the model",
                least=0.0, used=_is(HIGHLIGHTS)),
         Option("Width", "width", FLOAT, 0.5, "Width of the stripes",
                "Width of a light stripe, as a part of a light and a dark one", least=0.01,
@@ -125,7 +127,7 @@ class ReflectionLines(SurfaceMap):
 def check_width(width):
     """Raise ValueError where stripes would cover everything."""
     if not width < 1:
-        raise ValueError("Width = %g: less than 1 is needed" % width)
+        raise ValueError(tr("Width = {width:g}: less than 1 is needed").format(width=width))
 
 
 def highlights(found, values):

@@ -14,6 +14,7 @@ import Part
 from freecad.seamwright.document import feature, sources
 from freecad.seamwright.document.maps.tool import Input, Tool, element_shape
 from freecad.seamwright.plain import kernel, seam_profile, seam_text
+from freecad.seamwright.plain.language import tr
 from freecad.seamwright.plain.options import COUNT, Option
 from freecad.seamwright.plain.summary import counted
 
@@ -65,11 +66,13 @@ class SeamPlot(Tool):
     def check(cls, name, chosen):
         """Raise SourceError or ValueError where an element is no seam."""
         if not chosen:
-            raise ValueError("nothing is selected: %s" % cls.NEEDS)
+            raise ValueError(tr("nothing is selected: {needs}").format(needs=tr(cls.NEEDS)))
         for obj, element in chosen:
             if not element.startswith("Edge"):
                 raise ValueError(
-                    "%s is no edge: %s" % (".".join(filter(None, (obj.Label, element))), cls.NEEDS)
+                    tr("{name} is no edge: {needs}").format(
+                        name=".".join(filter(None, (obj.Label, element))), needs=tr(cls.NEEDS)
+                    )
                 )
             sources.world_shape(obj)
             given = Input(obj.Label, Part.getShape(obj), sources.parent_placement(obj), element)
@@ -103,7 +106,7 @@ class SeamPlot(Tool):
         def finish(found):
             return cls.report(found, values), Part.Shape()
 
-        return feature.Job("Measuring the seams\u2026", work, finish)
+        return feature.Job(tr("Measuring the seams\u2026"), work, finish)
 
     @classmethod
     def report(cls, found, values):
@@ -136,7 +139,9 @@ def _edge_and_faces(given):
     closes = len(found) == 1 and edge.isSeam(found[0])
     if len(found) != 2 and not closes:
         raise sources.SourceError(
-            "%s bounds %s: %s" % (place_name(given), counted(len(found), "face"), SeamPlot.NEEDS)
+            tr("{edge} bounds {faces}: {needs}").format(
+                edge=place_name(given), faces=counted(len(found), "face"), needs=tr(SeamPlot.NEEDS)
+            )
         )
     return edge, found
 
@@ -153,7 +158,7 @@ def _prepared(module, edge, faces, name):
         report = make().analyze(level="G2", jobs=1, progress=progress).to_dict()
         seam = next((each for each in report["seams"] if number in each["edges"]), None)
         if seam is None:
-            raise ValueError("%s is no seam: its faces do not meet there" % name)
+            raise ValueError(tr("{name} is no seam: its faces do not meet there").format(name=name))
         lengths, points, figures = sampled(part.Edges[number - 1], part.Faces, samples)
         bounds = {key: seam[key] for key in FIGURES}
         return Seam(name, lengths, points, figures, bounds, seam["level"], seam["note"])
@@ -184,7 +189,7 @@ def sampled(edge, faces, samples):
 def _parameter_curve(face, edge, uses):
     found = face.curveOnSurface(edge)
     if found is None:
-        raise ValueError("a face has no curve in its parameters along the seam")
+        raise ValueError(tr("a face has no curve in its parameters along the seam"))
     return found[0]
 
 

@@ -9,6 +9,7 @@ from freecad.seamwright.document import sources
 from freecad.seamwright.document.maps import meshes
 from freecad.seamwright.document.maps.tool import Tool
 from freecad.seamwright.plain import maps, orientation
+from freecad.seamwright.plain.language import tr
 
 
 class Values(NamedTuple):
@@ -51,7 +52,7 @@ class SurfaceMap(Tool):
     @classmethod
     def check(cls, name, chosen):
         """Raise SourceError where an object has no faces."""
-        check_faces(chosen, cls.NEEDS)
+        check_faces(chosen, tr(cls.NEEDS))
 
     @classmethod
     def arranged(cls, chosen):
@@ -79,7 +80,7 @@ class SurfaceMap(Tool):
         all_values = numpy.concatenate([each.values for each in found])
         points = numpy.concatenate([each.mesh.points for each in found])
         if not len(points):
-            raise ValueError("there are no faces to draw on")
+            raise ValueError(tr("there are no faces to draw on"))
         report = maps.extremes(all_values, points)
         report["undefined"] = report["least"] is None
         for key in ("least", "largest"):
@@ -97,12 +98,16 @@ class SurfaceMap(Tool):
 def check_faces(chosen, needs):
     """Raise SourceError or ValueError where links do not name objects with faces."""
     if not chosen:
-        raise ValueError("nothing is selected: %s" % needs)
+        raise ValueError(tr("nothing is selected: {needs}").format(needs=needs))
     for obj, _ in chosen:
         if not sources.has_shape(obj):
-            raise sources.SourceError("%s has no shape: %s" % (obj.Label, needs))
+            raise sources.SourceError(tr("{label} has no shape: {needs}").format(
+                label=obj.Label, needs=needs
+            ))
         if not sources.placed_shape(obj).Faces:
-            raise sources.SourceError("%s has no faces: %s" % (obj.Label, needs))
+            raise sources.SourceError(tr("{label} has no faces: {needs}").format(
+                label=obj.Label, needs=needs
+            ))
 
 
 class MeshWork(NamedTuple):

@@ -20,6 +20,7 @@ from freecad.seamwright.document.option_feature import (
     values_of,
 )
 from freecad.seamwright.plain import kernel, options
+from freecad.seamwright.plain.language import tr
 
 
 class Made(NamedTuple):
@@ -113,7 +114,7 @@ class Tool(OptionFeature):
             return found
 
         return feature.Job(
-            "Analysing\u2026", run, lambda found: (cls.report(found, values), Part.Shape())
+            tr("Analysing\u2026"), run, lambda found: (cls.report(found, values), Part.Shape())
         )
 
     @classmethod
@@ -125,7 +126,9 @@ class Tool(OptionFeature):
         for name, title, _ in cls.LINKS:
             if not inputs[name]:
                 raise sources.SourceError(
-                    "The objects of \u201c%s\u201d were deleted: choose others" % title
+                    tr("The objects of \u201c{title}\u201d were deleted: choose others").format(
+                        title=tr(title)
+                    )
                 )
         return cls.work(inputs, values), values
 
@@ -145,7 +148,9 @@ def _given_inputs(shapes):
 
 def _input(obj, element):
     if not sources.has_shape(obj) or Part.getShape(obj).isNull():
-        raise sources.SourceError("%s has no shape: choose another object" % obj.Label)
+        raise sources.SourceError(tr("{label} has no shape: choose another object").format(
+            label=obj.Label
+        ))
     return Input(obj.Name, Part.getShape(obj), sources.parent_placement(obj), element)
 
 
@@ -161,7 +166,9 @@ def element_shape(given):
         return shape.getElement(given.element)
     except (Part.OCCError, ValueError, IndexError):
         raise sources.SourceError(
-            "%s has no %s: choose another one" % (given.name, given.element)
+            tr("{name} has no {element}: choose another one").format(
+                name=given.name, element=given.element
+            )
         ) from None
 
 
@@ -185,7 +192,9 @@ def prepare(kind, chosen, **given):
     found = {name: links(each) for name, each in chosen.items()}
     for name, title, _ in kind.LINKS:
         if not found.get(name):
-            raise ValueError("nothing is chosen for \u201c%s\u201d: %s" % (title, kind.NEEDS))
+            raise ValueError(tr("nothing is chosen for \u201c{title}\u201d: {needs}").format(
+                title=tr(title), needs=tr(kind.NEEDS)
+            ))
     obj = feature.add(found[known[0]][0][0].Document, kind, kind.LABEL)
     for name, chosen_links in found.items():
         setattr(obj, name, chosen_links)

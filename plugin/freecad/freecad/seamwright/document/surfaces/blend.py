@@ -6,10 +6,11 @@ The class path is written into documents: neither rename nor move it.
 
 from freecad.seamwright.document.surfaces import sides
 from freecad.seamwright.document.surfaces.surface import HANDLE_SHARE, ORDERS, TOLERANCES, Surface
+from freecad.seamwright.plain.language import mark, tr
 from freecad.seamwright.plain.options import CHOICE, FLAG, FLOAT, Option
 from freecad.seamwright.plain.summary import counted
 
-START, END, LATERAL = "Start", "End", "Lateral"
+START, END, LATERAL = mark("Start"), mark("End"), mark("Lateral")
 
 
 class BlendSurface(Surface):
@@ -85,8 +86,11 @@ class BlendSurface(Surface):
         groups = _groups([edge for _, edge in edges])
         if len(groups) not in (2, 3):
             raise ValueError(
-                "the selection has %s, in %s: %s"
-                % (counted(len(edges), "edge"), counted(len(groups), "chain"), cls.NEEDS)
+                tr("the selection has {edges}, in {groups}: {needs}").format(
+                    edges=counted(len(edges), "edge"),
+                    groups=counted(len(groups), "chain"),
+                    needs=tr(cls.NEEDS),
+                )
             )
         found = {}
         for name, group in zip((START, END, LATERAL), [*groups, []]):

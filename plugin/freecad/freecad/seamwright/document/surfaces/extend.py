@@ -8,10 +8,11 @@ import numpy
 
 from freecad.seamwright.document.surfaces import sides
 from freecad.seamwright.document.surfaces.surface import ORDERS, TOLERANCES, Surface
+from freecad.seamwright.plain.language import mark, tr
 from freecad.seamwright.plain.options import CHOICE, LENGTH, Option
 
-SIDE, UP_TO = "Side", "UpTo"
-BY_LENGTH, BY_FACE = "Length", "Face"
+SIDE, UP_TO = mark("Side"), "UpTo"
+BY_LENGTH, BY_FACE = mark("Length"), mark("Face")
 
 
 class ExtendSurface(Surface):
@@ -50,7 +51,7 @@ class ExtendSurface(Surface):
         found = {SIDE: parts.side(chosen[SIDE])}
         if values["until"] == BY_FACE:
             if not chosen[UP_TO]:
-                raise ValueError("there is no face at which the surface ends: choose one")
+                raise ValueError(tr("there is no face at which the surface ends: choose one"))
             found[UP_TO] = sides.Side([], [parts.face(chosen[UP_TO])])
         return found
 

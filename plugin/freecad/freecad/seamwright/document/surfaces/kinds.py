@@ -12,6 +12,7 @@ from freecad.seamwright.document.surfaces.extend import ExtendSurface
 from freecad.seamwright.document.surfaces.loft import FrameLoft
 from freecad.seamwright.document.surfaces.umbrella import Umbrella
 from freecad.seamwright.plain import kernel, options
+from freecad.seamwright.plain.language import tr
 
 __all__ = ["KINDS", "arranged", "create", "error_text", "prepare"]
 
@@ -27,7 +28,7 @@ def arranged(kind, chosen):
     kernel.load(Part.OCC_VERSION)
     found = links(chosen)
     if not found:
-        raise ValueError("nothing is selected: %s" % kind.NEEDS)
+        raise ValueError(tr("nothing is selected: {needs}").format(needs=tr(kind.NEEDS)))
     return kind.arranged(found)
 
 
@@ -63,7 +64,9 @@ def prepare(kind, sources, **given):
     found = {name: links(chosen) for name, chosen in sources.items()}
     for name in kind.REQUIRED:
         if not found.get(name):
-            raise ValueError("%s has no edge: %s" % (name, kind.NEEDS))
+            raise ValueError(tr("{name} has no edge: {needs}").format(
+                name=name, needs=tr(kind.NEEDS)
+            ))
     obj = feature.add(found[known[0]][0][0].Document, kind, kind.LABEL)
     for name, chosen in found.items():
         setattr(obj, name, chosen)

@@ -9,6 +9,7 @@ from freecad.seamwright.document.curves.blend import ORDERS, BlendCurves
 from freecad.seamwright.document.surfaces.free import FreeSurface
 from freecad.seamwright.document.surfaces.surface import TOLERANCES
 from freecad.seamwright.plain import surface_text
+from freecad.seamwright.plain.language import mark
 
 #: What the curves between are made for.
 FIXED = {"result": blend.SURFACE, "frames": 2}
@@ -59,7 +60,7 @@ class FrameLoft(FreeSurface):
                 "edges": [],
                 "worst": None,
                 **seam.to_dict(),
-                "side": "Line",
+                "side": mark("Line"),
                 "name": str(number),
                 "target": target,
             }

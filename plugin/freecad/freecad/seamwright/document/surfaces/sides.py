@@ -7,6 +7,7 @@ from typing import Any, Dict, List, NamedTuple, Tuple
 import Part
 
 from freecad.seamwright.document import sources
+from freecad.seamwright.plain.language import tr
 
 
 class Element(NamedTuple):
@@ -64,13 +65,17 @@ class Parts:
             return [self._element(obj, "Edge", place) for place in range(len(part.Edges))]
         kind = name.rstrip("0123456789")
         if kind not in ("Edge", "Face"):
-            what = "is not an edge or a face" if name else "is chosen as a whole"
+            what = tr("is not an edge or a face") if name else tr("is chosen as a whole")
             raise sources.SourceError(
-                "%s %s: choose edges" % (".".join(filter(None, (obj.Label, name))), what)
+                tr("{name} {what}: choose edges").format(
+                    name=".".join(filter(None, (obj.Label, name))), what=what
+                )
             )
         count, digits = len(part.Edges if kind == "Edge" else part.Faces), name[len(kind) :]
         if not digits or not 0 < int(digits) <= count:
-            raise sources.SourceError("%s has no %s: choose another one" % (obj.Label, name))
+            raise sources.SourceError(tr("{label} has no {name}: choose another one").format(
+                label=obj.Label, name=name
+            ))
         return [self._element(obj, kind, int(digits) - 1)]
 
     def _element(self, obj, kind, place):
@@ -110,7 +115,7 @@ class Parts:
                 is_face = element.shape.ShapeType == "Face"
                 (faces if is_face else edges).append((obj, element))
         if not edges:
-            raise ValueError("no edge is chosen: choose the edges of a side")
+            raise ValueError(tr("no edge is chosen: choose the edges of a side"))
         continued = []
         for obj, edge in edges:
             beside = self.faces_of(obj, edge.shape)
@@ -121,20 +126,24 @@ class Parts:
                 raise ValueError(_doubt(edge, meant))
         for _, face in faces:
             if not any(face.shape.isSame(each.shape) for each in continued):
-                raise ValueError("%s bounds none of the edges: leave it out" % face.name)
+                raise ValueError(tr("{name} bounds none of the edges: leave it out").format(
+                    name=face.name
+                ))
         return Side([edge for _, edge in edges], _without_repeats(continued))
 
     def face(self, chosen):
         """Return the Element of the one face that links name. Raises SourceError or ValueError."""
         found = [each for obj, name in chosen for each in self.elements(obj, name)]
         if len(found) != 1 or found[0].shape.ShapeType != "Face":
-            raise ValueError("choose one face")
+            raise ValueError(tr("choose one face"))
         return found[0]
 
 
 def _part(obj):
     if not sources.has_shape(obj):
-        raise sources.SourceError("%s has no edges: choose edges of faces" % obj.Label)
+        raise sources.SourceError(tr("{label} has no edges: choose edges of faces").format(
+            label=obj.Label
+        ))
     return sources.placed_shape(obj)
 
 
@@ -144,10 +153,9 @@ def _holds(faces, face):
 
 def _doubt(edge, faces):
     if not faces:
-        return "%s bounds no face: choose an edge of a face" % edge.name
-    return "%s lies between %s: select the face to continue, too" % (
-        edge.name,
-        " and ".join(face.name for face in faces),
+        return tr("{name} bounds no face: choose an edge of a face").format(name=edge.name)
+    return tr("{name} lies between {faces}: select the face to continue, too").format(
+        name=edge.name, faces=tr(" and ").join(face.name for face in faces)
     )
 
 

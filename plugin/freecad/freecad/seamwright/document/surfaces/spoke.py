@@ -4,6 +4,7 @@
 import numpy
 
 from freecad.seamwright.document.curves import inputs
+from freecad.seamwright.plain.language import tr
 
 #: Degrees of curves that are tried, and points of the edge for each.
 DEGREES, SAMPLES = (3, 5, 7, 9), 200
@@ -32,8 +33,10 @@ def fitted(module, edge, from_last, tolerance_mm):
         if distance <= tolerance_mm:
             return curve, float(distance)
     raise ValueError(
-        "a curve of degree %d is %.3g mm from an edge, and %g mm are allowed: divide the edge, or "
-        "allow more" % (DEGREES[-1], distance, tolerance_mm)
+        tr(
+            "a curve of degree {degree} is {distance:.3g} mm from an edge, and {tolerance_mm:g} "
+            "mm are allowed: divide the edge, or allow more"
+        ).format(degree=DEGREES[-1], distance=distance, tolerance_mm=tolerance_mm)
     )
 
 

@@ -8,6 +8,7 @@ from freecad.seamwright.document import feature, sources
 from freecad.seamwright.document.option_feature import OptionFeature, links_of, values_of
 from freecad.seamwright.document.surfaces import sides
 from freecad.seamwright.plain import options, surface_text
+from freecad.seamwright.plain.language import tr
 from freecad.seamwright.plain.options import ANGLE, FLOAT, LENGTH, Option
 
 ORDERS = ("G0", "G1", "G2", "G3")
@@ -95,7 +96,9 @@ class Surface(OptionFeature):
         for name in cls.REQUIRED:
             if not chosen[name]:
                 raise sources.SourceError(
-                    "The edges of %s were deleted: choose others in this property" % name
+                    tr("The edges of {name} were deleted: choose others in this property").format(
+                        name=name
+                    )
                 )
         cls.check_links(obj, chosen)
         values = values_of(obj)
@@ -113,7 +116,7 @@ class Surface(OptionFeature):
         def finish(found):
             return cls.report(found, gathered, values), found.model.to_freecad().Faces[-1]
 
-        return feature.Job("Making the surface\u2026", run, finish)
+        return feature.Job(tr("Making the surface\u2026"), run, finish)
 
     @classmethod
     def report(cls, found, gathered, values):

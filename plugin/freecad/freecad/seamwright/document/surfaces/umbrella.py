@@ -15,9 +15,10 @@ from freecad.seamwright.document.surfaces.free import FreeSurface
 from freecad.seamwright.document.surfaces.spoke import fitted
 from freecad.seamwright.document.surfaces.surface import TOLERANCES
 from freecad.seamwright.plain import surface_text
+from freecad.seamwright.plain.language import mark, tr
 from freecad.seamwright.plain.options import ANGLE, CHOICE, COUNT, FLAG, LENGTH, Option
 
-PATCHES, TRIANGLES = "Four-sided", "Three-sided"
+PATCHES, TRIANGLES = mark("Four-sided"), mark("Three-sided")
 KINDS = {PATCHES: "patch", TRIANGLES: "triangle"}
 
 #: A sector from which on edges are suggested to be an open fan: faces need less than 180 degrees.
@@ -92,7 +93,9 @@ class Umbrella(FreeSurface):
         """Return the Spokes."""
         edges = inputs.edges_of(shapes)
         if len(edges) < 3:
-            raise ValueError("%d edges are chosen: choose three or more" % len(edges))
+            raise ValueError(tr("{edges} edges are chosen: choose three or more").format(
+                edges=len(edges)
+            ))
         found = [
             fitted(module, edge, at_last, values["fit_mm"])
             for edge, at_last in zip(edges, _common_ends(edges, values["meet_mm"]))
@@ -141,7 +144,8 @@ class Umbrella(FreeSurface):
             "fit_mm": found.spokes.fit_mm,
             "condition": umbrella.condition,
             "marks": [
-                (points[1].tolist(), "Edge %d" % number) for points, number in zip(spokes, numbers)
+                (points[1].tolist(), tr("Edge {number}").format(number=number))
+                for points, number in zip(spokes, numbers)
             ],
         }
         return report, shape
@@ -171,7 +175,9 @@ def _common_ends(edges, gap_mm):
         if max(map(min, distances)) <= 2 * max(gap_mm, inputs.GAP_MM):
             return [own[1] < own[0] for own in distances]
     raise ValueError(
-        "the %d edges do not end in one point: choose edges that meet in a vertex" % len(edges)
+        tr("the {edges} edges do not end in one point: choose edges that meet in a vertex").format(
+            edges=len(edges)
+        )
     )
 
 
@@ -180,7 +186,7 @@ def _around(curves, fit_mm):
     tangents = numpy.array([numpy.asarray(curve.derivatives(0.0, 1))[1] for curve in curves])
     sizes = numpy.linalg.norm(tangents, axis=1)
     if sizes.min() == 0:
-        raise ValueError("an edge has no tangent at the point: choose other edges")
+        raise ValueError(tr("an edge has no tangent at the point: choose other edges"))
     tangents = tangents / sizes[:, None]
     axes = numpy.linalg.svd(tangents)[2][:2]
     angles = numpy.arctan2(tangents @ axes[1], tangents @ axes[0]) % (2 * math.pi)
@@ -213,5 +219,5 @@ def _named(seam, shape, spokes, numbers):
     distances = numpy.linalg.norm(numpy.array(spokes) - middle, axis=2).min(axis=1)
     place = int(numpy.argmin(distances))
     along = distances[place] <= 1e-6 * max(1.0, edge.Length)
-    name = "Edge %d" % numbers[place] if along else "inside a face"
-    return {**seam, "side": "Spoke" if along else "Face", "name": name, "target": "G1"}
+    name = "Edge %d" % numbers[place] if along else mark("inside a face")
+    return {**seam, "side": mark("Spoke") if along else mark("Face"), "name": name, "target": "G1"}

@@ -7,20 +7,21 @@ from freecad.seamwright.document import analysis
 from freecad.seamwright.gui.widgets import messages
 from freecad.seamwright.gui.widgets.qt import QtWidgets
 from freecad.seamwright.plain import export
+from freecad.seamwright.plain.language import mark, tr
 
-FILTERS = {"csv": "Table (*.csv)", "json": "Report (*.json)"}
+FILTERS = {"csv": mark("Table (*.csv)"), "json": mark("Report (*.json)")}
 
 
 def ask_and_export(obj, kinds=("csv", "json")):
     """Let the user choose a file of one of the kinds and export the report of an analysis."""
-    filters = ";;".join(FILTERS[kind] for kind in kinds)
+    filters = ";;".join(tr(FILTERS[kind]) for kind in kinds)
     path, chosen = QtWidgets.QFileDialog.getSaveFileName(
-        Gui.getMainWindow(), "Export seam report", obj.Label + "." + kinds[0], filters
+        Gui.getMainWindow(), tr("Export seam report"), obj.Label + "." + kinds[0], filters
     )
     if not path:
         return
     if not path.lower().endswith((".csv", ".json")):
-        path += ".json" if chosen == FILTERS["json"] else ".csv"
+        path += ".json" if chosen == tr(FILTERS["json"]) else ".csv"
     export_to(obj, path)
 
 

@@ -4,6 +4,7 @@
 from freecad.seamwright.gui.scene import seam_view
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 from freecad.seamwright.plain import summary
+from freecad.seamwright.plain.language import tr
 
 
 class LookForm(QtWidgets.QWidget):
@@ -14,25 +15,28 @@ class LookForm(QtWidgets.QWidget):
     def __init__(self):
         super().__init__()
         self.colours, self.labels = QtWidgets.QComboBox(), QtWidgets.QSpinBox()
-        self.colours.addItems(list(summary.COLOURS))
-        self.colours.setToolTip("What the colours of the seams in the view show")
+        for name in summary.COLOURS:
+            self.colours.addItem(tr(name), name)
+        self.colours.setToolTip(tr("What the colours of the seams in the view show"))
         self.colours.activated.connect(
-            lambda *_: self.changed.emit("ColourBy", self.colours.currentText())
+            lambda *_: self.changed.emit("ColourBy", self.colours.currentData())
         )
         self.labels.setRange(0, seam_view.LABELLED_MOST)
-        self.labels.setSpecialValueText("none")
+        self.labels.setSpecialValueText(tr("none"))
         self.labels.setToolTip(
-            "At how many of the worst seams that are shown the largest figure is written. "
-            "It is always written at the seams of the selected rows."
+            tr(
+                "At how many of the worst seams that are shown the largest figure is written. It "
+                "is always written at the seams of the selected rows."
+            )
         )
         self.labels.valueChanged.connect(lambda number: self.changed.emit("WorstLabels", number))
         line = QtWidgets.QHBoxLayout(self)
         line.setContentsMargins(0, 0, 0, 0)
-        for text, widget in (("Colours", self.colours), ("Label the worst", self.labels)):
+        for text, widget in ((tr("Colours"), self.colours), (tr("Label the worst"), self.labels)):
             line.addWidget(QtWidgets.QLabel(text))
             line.addWidget(widget, 1)
 
     def show_look(self, vobj):
         """Show the properties of a view."""
-        self.colours.setCurrentText(vobj.ColourBy)
+        self.colours.setCurrentIndex(self.colours.findData(vobj.ColourBy))
         self.labels.setValue(vobj.WorstLabels)

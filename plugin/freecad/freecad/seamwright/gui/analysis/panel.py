@@ -22,12 +22,15 @@ from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 from freecad.seamwright.gui.widgets.steps import abort, remove, step
 from freecad.seamwright.gui.widgets.tolerance_form import ToleranceForm
 from freecad.seamwright.plain import kernel, summary
+from freecad.seamwright.plain.language import mark, tr
 
 DOCK_WIDTH = 700
 
-PROPOSED = "No two faces share an edge: free edges are matched within %g mm, as proposed. "
+PROPOSED = mark(
+    "No two faces share an edge: free edges are matched within {proposed:g} mm, as proposed. "
+)
 
-MANY = "%d seams are marked; only the edges of the first %d are selected."
+MANY = mark("{seams} seams are marked; only the edges of the first {selected} are selected.")
 
 
 class AnalysisPanel:
@@ -79,7 +82,7 @@ class AnalysisPanel:
     # The window.
 
     def _build(self):
-        self.form, layout = make_form("Seam Analysis", "seamwright-analyze")
+        self.form, layout = make_form(tr("Seam Analysis"), "seamwright-analyze")
         self.summary = make_text()
         layout.addWidget(self.summary)
         self.match_button = QtWidgets.QPushButton()
@@ -98,8 +101,8 @@ class AnalysisPanel:
 
     def _build_tolerances(self):
         self.tolerances = ToleranceForm(analysis.TOLERANCES, ("Level", analysis.LEVELS))
-        box, layout = make_box("Level and tolerances", self.tolerances)
-        self.recompute_button = QtWidgets.QPushButton("Recompute")
+        box, layout = make_box(tr("Level and tolerances"), self.tolerances)
+        self.recompute_button = QtWidgets.QPushButton(tr("Recompute"))
         self.recompute_button.clicked.connect(self.recompute)
         layout.addWidget(self.recompute_button)
         return box
@@ -119,7 +122,9 @@ class AnalysisPanel:
         self.summary.setText(self._summary())
         proposal = self._proposal()
         self.match_button.setVisible(proposal is not None)
-        self.match_button.setText("Match free edges within %g mm" % (proposal or 0.0))
+        self.match_button.setText(tr("Match free edges within {proposal:g} mm").format(
+            proposal=proposal or 0.0
+        ))
         self.look_changed()
         self._tolerances_changed()
 
@@ -131,7 +136,7 @@ class AnalysisPanel:
     def _summary(self):
         text = analysis.error_text(self.obj) or self.obj.Summary
         if self._proposed is not None and self.obj.MatchDistance.Value == self._proposed:
-            text = PROPOSED % self._proposed + text
+            text = tr(PROPOSED).format(proposed=self._proposed) + text
         return text
 
     def _proposal(self):
@@ -141,7 +146,7 @@ class AnalysisPanel:
         """Change a property of the view, as a step that can be undone."""
         vobj = self.obj.ViewObject
         if getattr(vobj, name) != value:
-            with step(self._doc, "Look of seams"):
+            with step(self._doc, tr("Look of seams")):
                 setattr(vobj, name, value)
 
     def _match(self, distance_mm):
@@ -184,7 +189,7 @@ class AnalysisPanel:
                 messages.show_error(str(error))
                 return
             if not self._in_step:
-                self._doc.openTransaction("Seam tolerances")
+                self._doc.openTransaction(tr("Seam tolerances"))
             plan.apply(found, error)
             proposal = summary.proposed_match_mm(analysis.report_of(self.obj))
             again = self._created and proposal is not None
@@ -203,9 +208,9 @@ class AnalysisPanel:
         """Say why a computation has no result; the object of the first computation is removed."""
         if self._created:
             self._withdraw()
-            messages.say("%s; nothing was analysed." % why)
+            messages.say(tr("{why}; nothing was analysed.").format(why=why))
         else:
-            self.summary.setText(why + OLD_RESULTS)
+            self.summary.setText(why + tr(OLD_RESULTS))
             self._end_step()
 
     def _end_step(self):
@@ -231,7 +236,7 @@ class AnalysisPanel:
 
     def _tolerances_changed(self):
         stale = self.tolerances.differs_from(self.obj)
-        text = "Recompute (values were changed)" if stale else "Recompute"
+        text = tr("Recompute (values were changed)") if stale else tr("Recompute")
         self.recompute_button.setText(text)
 
     def chosen_elements(self):
@@ -251,7 +256,9 @@ class AnalysisPanel:
                 self.obj, self.results.report, chosen, size, look, self.results.lines
             )
         if not self._all_selected:
-            messages.say(MANY % (len(chosen), seam_view.SELECTED_MOST))
+            messages.say(
+                tr(MANY).format(seams=len(chosen), selected=seam_view.SELECTED_MOST)
+            )
 
     def _asked(self, key):
         """Do what a button or an entry of the context menu says."""
@@ -272,10 +279,10 @@ def _buttons(asked):
     """Return the line of buttons at the end of the panel; each calls ``asked`` with its key."""
     line = QtWidgets.QHBoxLayout()
     for key, text, tip in (
-        ("repair", "Repair\u2026",
-         "Repair the seams of the selected rows, or all defects if no row is selected"),
-        ("csv", "Export CSV\u2026", "Write a table with a line for each seam"),
-        ("json", "Export JSON\u2026", "Write the report as the command seamwright does"),
+        ("repair", tr("Repair\u2026"),
+         tr("Repair the seams of the selected rows, or all defects if no row is selected")),
+        ("csv", tr("Export CSV\u2026"), tr("Write a table with a line for each seam")),
+        ("json", tr("Export JSON\u2026"), tr("Write the report as the command seamwright does")),
     ):  # fmt: skip
         button = QtWidgets.QPushButton(text)
         button.setToolTip(tip)

@@ -5,6 +5,7 @@ from freecad.seamwright.gui.analysis.table_model import SeamTableModel
 from freecad.seamwright.gui.analysis.table_view import SeamTableView
 from freecad.seamwright.gui.widgets.qt import QtCore, QtGui, QtWidgets
 from freecad.seamwright.plain import filters, palette, rows
+from freecad.seamwright.plain.language import tr
 
 
 class SeamTable(QtWidgets.QWidget):
@@ -32,19 +33,19 @@ class SeamTable(QtWidgets.QWidget):
 
     def _build_filter(self):
         line = QtWidgets.QHBoxLayout()
-        line.addWidget(QtWidgets.QLabel("Show"))
+        line.addWidget(QtWidgets.QLabel(tr("Show")))
         self.filter = QtWidgets.QComboBox()
-        self.filter.setToolTip("The seams in the table and in the view")
+        self.filter.setToolTip(tr("The seams in the table and in the view"))
         for name, wanted in filters.FILTERS.items():
-            self.filter.addItem(name, wanted)
+            self.filter.addItem(tr(name), wanted)
             if wanted in palette.BY_KEY:
                 self.filter.setItemIcon(
                     self.filter.count() - 1, _swatch(palette.BY_KEY[wanted].rgb)
                 )
         self.filter.currentIndexChanged.connect(self._filter_changed)
         line.addWidget(self.filter, 1)
-        worst = QtWidgets.QPushButton("Worst first")
-        worst.setToolTip("Sort by class, then by how much the figures exceed the tolerances")
+        worst = QtWidgets.QPushButton(tr("Worst first"))
+        worst.setToolTip(tr("Sort by class, then by how much the figures exceed the tolerances"))
         worst.clicked.connect(self.sort_worst_first)
         line.addWidget(worst)
         return line
@@ -68,7 +69,7 @@ class SeamTable(QtWidgets.QWidget):
                 known = rows.has_values(results.rows, column.field)
                 self.table.setColumnHidden(index, not known)
         for index, count in enumerate(filters.counts(results.report)):
-            self.filter.setItemText(index, "%s (%d)" % (filters.NAMES[index], count))
+            self.filter.setItemText(index, "%s (%d)" % (tr(filters.NAMES[index]), count))
         self.table.fit_columns(new_texts=True)
 
     def show_filter(self, name):

@@ -3,6 +3,7 @@
 
 from freecad.seamwright.gui.widgets.qt import QtCore, QtGui
 from freecad.seamwright.plain import palette, rows
+from freecad.seamwright.plain.language import tr
 
 Qt = QtCore.Qt
 
@@ -71,7 +72,7 @@ class SeamTableModel(QtCore.QAbstractTableModel):
         if orientation != Qt.Horizontal:
             return None
         column = rows.COLUMNS[section]
-        return {Qt.DisplayRole: column.title, Qt.ToolTipRole: column.tip}.get(role)
+        return {Qt.DisplayRole: tr(column.title), Qt.ToolTipRole: tr(column.tip)}.get(role)
 
     def sort(self, column, order=Qt.AscendingOrder):
         """Sort by a column; column -1 means worst first."""

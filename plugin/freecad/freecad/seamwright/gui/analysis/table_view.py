@@ -4,6 +4,7 @@
 from freecad.seamwright.gui.widgets.forms import show_seams_in
 from freecad.seamwright.gui.widgets.qt import QtCore, QtGui, QtWidgets
 from freecad.seamwright.plain import rows
+from freecad.seamwright.plain.language import mark, tr
 
 HEIGHT = 260
 
@@ -22,15 +23,15 @@ MEASURED_ROWS = 50
 
 #: key, text, keys that do the same; None: a line
 MENU = (
-    ("copy", "Copy rows", QtGui.QKeySequence.Copy),
-    ("all", "Select all", QtGui.QKeySequence.SelectAll),
+    ("copy", mark("Copy rows"), QtGui.QKeySequence.Copy),
+    ("all", mark("Select all"), QtGui.QKeySequence.SelectAll),
     None,
-    ("zoom", "Zoom to seam", QtCore.Qt.Key_Return),
-    ("select", "Select edges", None),
-    ("repair", "Repair these\u2026", None),
+    ("zoom", mark("Zoom to seam"), QtCore.Qt.Key_Return),
+    ("select", mark("Select edges"), None),
+    ("repair", mark("Repair these\u2026"), None),
     None,
-    ("csv", "Export CSV\u2026", None),
-    ("json", "Export JSON\u2026", None),
+    ("csv", mark("Export CSV\u2026"), None),
+    ("json", mark("Export JSON\u2026"), None),
 )
 
 #: The entries for which a row must be selected.
@@ -87,10 +88,11 @@ class SeamTableView(QtWidgets.QTableView):
     def _widths_of(self, column):
         """Return (least width, width of the whole texts) of a column."""
         texts, shown = self.sizeHintForColumn(column) + 1, rows.COLUMNS[column]
-        heading = self.horizontalHeader().fontMetrics().boundingRect(shown.title).width() + MARGIN
+        title = tr(shown.title)
+        heading = self.horizontalHeader().fontMetrics().boundingRect(title).width() + MARGIN
         whole = max(texts, heading)
         least = ELASTIC.get(shown.field, max(texts, SMALLEST))
-        if len(shown.title) <= SHORT and shown.field not in ELASTIC:
+        if len(title) <= SHORT and shown.field not in ELASTIC:
             least = max(least, heading)
         return min(least, whole), whole
 
@@ -144,7 +146,7 @@ class SeamTableView(QtWidgets.QTableView):
                 menu.addSeparator()
                 continue
             key, text, keys = entry
-            action = menu.addAction(text)
+            action = menu.addAction(tr(text))
             action.setObjectName(key)
             action.setEnabled(has_rows or key not in OF_ROWS)
             if keys is not None:

@@ -17,6 +17,7 @@ from freecad.seamwright.gui.scene.seam_lines import SeamLines
 from freecad.seamwright.gui.widgets.later import find, later
 from freecad.seamwright.gui.widgets.tasks import tasks
 from freecad.seamwright.plain import filters, rows, summary
+from freecad.seamwright.plain.language import inside, tr
 
 LINE_WIDTH = 6.0
 POINT_SIZE = 1.0
@@ -145,7 +146,8 @@ class SeamAnalysisView(PanelView):
         tasks.start(lambda progress: read(), done)
 
     def _draw_lines(self, vobj, results):
-        wanted = (results, vobj.ColourBy, vobj.Show)
+        colours = [entry.unit_rgb for entry in summary.COLOURS[vobj.ColourBy]]
+        wanted = (results, vobj.ColourBy, vobj.Show, colours)
         if self._drawn is not None and all(a is b or a == b for a, b in zip(wanted, self._drawn)):
             return
         if self._drawn is None or self._drawn[0] is not results:
@@ -155,7 +157,6 @@ class SeamAnalysisView(PanelView):
         places = {entry.key: place for place, entry in enumerate(entries)}
         keys = summary.edge_keys(results.report, vobj.ColourBy)
         shown = rows.shown_edges(results.report, filters.of(vobj.Show))
-        colours = [entry.unit_rgb for entry in entries]
         places = [places[key] for key in keys.values()]
         self.lines.paint(colours, places, [number not in shown for number in keys])
         self.lines.set_width(vobj.LineWidth)
@@ -175,7 +176,7 @@ class SeamAnalysisView(PanelView):
             return
         footer = summary.tolerance_text(report)
         if filters.of(vobj.Show) is not None:
-            footer += "\nShown: %s" % vobj.Show.lower()
+            footer += tr("\nShown: {show}").format(show=inside(vobj.Show))
         self.legend.update(
             vobj.Object.Label,
             summary.legend_entries(report, vobj.ColourBy),

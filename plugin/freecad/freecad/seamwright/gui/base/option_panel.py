@@ -14,9 +14,11 @@ from freecad.seamwright.gui.widgets import messages
 from freecad.seamwright.gui.widgets.computation import Computation
 from freecad.seamwright.gui.widgets.fields import OptionForm
 from freecad.seamwright.gui.widgets.forms import make_box, make_form, make_text
+from freecad.seamwright.gui.widgets.live_preview import PreviewTimer
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 from freecad.seamwright.gui.widgets.tasks import documents_rest
 from freecad.seamwright.plain import kernel
+from freecad.seamwright.plain.language import description, inside, tr
 from freecad.seamwright.plain.summary import counted
 
 #: Delay between the last change and the computation of the preview.
@@ -35,7 +37,7 @@ class SourceBox(QtWidgets.QGroupBox):
     def __init__(self, title, tip):
         super().__init__(title)
         self.chosen = make_text()
-        self.use = QtWidgets.QPushButton("Use selection")
+        self.use = QtWidgets.QPushButton(tr("Use selection"))
         self.use.setToolTip(tip)
         self.line = QtWidgets.QHBoxLayout(self)
         self.line.setContentsMargins(9, 3, 9, 3)
@@ -45,9 +47,9 @@ class SourceBox(QtWidgets.QGroupBox):
     def show_links(self, chosen):
         """Show the names of [(object, "Edge3" or ""), ...]."""
         names = [".".join(filter(None, (obj.Label, name))) for obj, name in chosen]
-        text = ", ".join(names[:LISTED]) or "nothing"
+        text = ", ".join(names[:LISTED]) or tr("nothing")
         more = len(names) - LISTED
-        self.chosen.setText(text + (" and %d more" % more if more > 0 else ""))
+        self.chosen.setText(text + (tr(" and {more} more").format(more=more) if more > 0 else ""))
         self.chosen.setToolTip("%s: %s" % (counted(len(names), "source"), ", ".join(names)))
 
 
@@ -57,26 +59,23 @@ class OptionPanel(ResultPanel):
     A subclass builds the box of the result, with ``summary``, and checks sources.
     """
 
-    DOCK_WIDTH = 430
+    DOCK_WIDTH = 440
 
     def __init__(self, obj, created):
         kind = obj.Proxy
         names = [entry[0] for entry in kind.LINKS] + [option.name for option in kind.OPTIONS]
-        super().__init__(obj, created, "Edit %s" % kind.LABEL.lower(), names)
+        super().__init__(obj, created, tr("Edit {label}").format(label=inside(kind.LABEL)), names)
         self._links = {}
         self._handles, self._handle_timer = {}, QtCore.QTimer()
         self._handle_timer.setInterval(READ_HANDLES_MS)
         self._handle_timer.timeout.connect(self._read_handles)
-        self._timer = QtCore.QTimer()
-        self._timer.setSingleShot(True)
-        self._timer.setInterval(PREVIEW_AFTER_MS)
-        self._timer.timeout.connect(self._preview_in_time)
+        self._timer = PreviewTimer(PREVIEW_AFTER_MS, self._preview_in_time)
         self._build()
         self.computation = Computation(self.form)
         self.read_fields()
         self._connect()
         self.refresh()
-        if created:
+        if created and self._timer.live:
             self.preview()
 
     # Methods that a subclass defines.
@@ -120,13 +119,15 @@ class OptionPanel(ResultPanel):
 
     def _build(self):
         kind = self.obj.Proxy
-        self.form, layout = make_form(kind.LABEL, kind.ICON)
+        self.form, layout = make_form(tr(kind.LABEL), kind.ICON)
         self.boxes = {}
         for name, title, tip in kind.LINKS:
-            self.boxes[name] = self.build_sources(name, title, tip)
+            self.boxes[name] = self.build_sources(name, tr(title), description(tip))
             layout.addWidget(self.boxes[name])
         self.options = OptionForm(self.obj, kind.OPTIONS)
-        layout.addWidget(make_box("Options", self.options)[0])
+        layout.addWidget(make_box(tr("Options"), self.options)[0])
+        layout.addWidget(self._timer.button)
+        self._timer.button.setVisible(not self._timer.live)
         layout.addWidget(self.build_result())
         layout.addStretch(1)
 
@@ -224,7 +225,7 @@ class OptionPanel(ResultPanel):
     def changed(self, *_):
         """Compute after a short delay."""
         super().changed()
-        self._timer.start()
+        self._timer.start_if_live()
 
     def _use_selection(self, name):
         try:
@@ -242,8 +243,9 @@ class OptionPanel(ResultPanel):
             loops = [each for each, _ in chosen if self.obj in each.OutListRecursive]
             if loops:
                 raise ValueError(
-                    "%s is made from this %s: choose others"
-                    % (loops[0].Label, self.obj.Proxy.GROUP.lower())
+                    tr("{label} is made from this {group}: choose others").format(
+                        label=loops[0].Label, group=inside(self.obj.Proxy.GROUP)
+                    )
                 )
         except (sources.SourceError, ValueError, kernel.KernelUnavailable) as error:
             messages.show_error(sentence(error))

@@ -8,24 +8,26 @@ import Part
 
 from freecad.seamwright.gui.base.result_panel import ResultPanel
 from freecad.seamwright.gui.scene import seam_view
+from freecad.seamwright.gui.widgets import ink
 from freecad.seamwright.gui.widgets.computation import Computation
 from freecad.seamwright.gui.widgets.forms import make_form, make_text, show_seams_in
 from freecad.seamwright.gui.widgets.qt import QtGui, QtWidgets
 from freecad.seamwright.plain import repair_text
+from freecad.seamwright.plain.language import mark, tr
 
 TABLE_HEIGHT = 190
 
-PREVIEW, PREVIEW_AGAIN = "Preview", "Update preview"
+PREVIEW, PREVIEW_AGAIN = mark("Preview"), mark("Update preview")
 
 #: Text colours of the last column, by the state of a row.
-TEXT_COLOURS = {repair_text.REPAIRED: (0, 120, 88), repair_text.NOT_REPAIRED: (190, 80, 0)}
+INKS = {repair_text.REPAIRED: ink.GOOD, repair_text.NOT_REPAIRED: ink.BAD}
 
 
 class PreviewPanel(ResultPanel):
     """Shows and changes one object; a subclass defines its fields and rows.
 
     A row has ``cells``, a text for each of ``COLUMNS``; ``detail``, its tool tip; and ``state``, a
-    key of ``TEXT_COLOURS`` or another state, whose text has the default colour.
+    key of ``INKS`` or another state, whose text has the default colour.
     """
 
     DOCK_WIDTH = 600
@@ -77,7 +79,7 @@ class PreviewPanel(ResultPanel):
     # The window.
 
     def _build(self):
-        self.form, layout = make_form(self.TITLE, self.ICON)
+        self.form, layout = make_form(tr(self.TITLE), self.ICON)
         self.summary, self.remark = make_text(), make_text()
         self.remark.hide()
         for widget in (self.summary, self._build_table(), self.remark):
@@ -88,9 +90,9 @@ class PreviewPanel(ResultPanel):
 
     def _build_table(self):
         self.table = QtWidgets.QTableWidget(0, len(self.COLUMNS))
-        self.table.setHorizontalHeaderLabels([heading for heading, _ in self.COLUMNS])
+        self.table.setHorizontalHeaderLabels([tr(heading) for heading, _ in self.COLUMNS])
         for column, (_, tip) in enumerate(self.COLUMNS):
-            self.table.horizontalHeaderItem(column).setToolTip(tip)
+            self.table.horizontalHeaderItem(column).setToolTip(tr(tip))
         self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
         show_seams_in(self.table, TABLE_HEIGHT)
         self._fit_columns()
@@ -105,15 +107,18 @@ class PreviewPanel(ResultPanel):
 
     def _build_show(self):
         self.show_line = QtWidgets.QHBoxLayout()
-        self.show_line.addWidget(QtWidgets.QLabel("Show"))
-        self.before, self.after = QtWidgets.QRadioButton("Before"), QtWidgets.QRadioButton("After")
+        self.show_line.addWidget(QtWidgets.QLabel(tr("Show")))
+        self.before = QtWidgets.QRadioButton(tr("Before"))
+        self.after = QtWidgets.QRadioButton(tr("After"))
         self.after.setChecked(True)
         for widget in (self.before, self.after):
             self.show_line.addWidget(widget)
         self.show_line.addStretch(1)
-        self.preview_button = QtWidgets.QPushButton(PREVIEW)
+        self.preview_button = QtWidgets.QPushButton(tr(PREVIEW))
         self.preview_button.setToolTip(
-            "%s; nothing is kept until OK is pressed" % self.PREVIEW_TIP
+            tr("{preview_tip}; nothing is kept until OK is pressed").format(
+                preview_tip=tr(self.PREVIEW_TIP)
+            )
         )
         self.show_line.addWidget(self.preview_button)
         return self.show_line
@@ -161,7 +166,7 @@ class PreviewPanel(ResultPanel):
         self.table.setRowCount(len(built))
         for line, row in enumerate(built):
             for column, cell in enumerate(row.cells):
-                self.table.setItem(line, column, _item(cell, row, column))
+                self.table.setItem(line, column, _item(cell, row, column, self.table))
         self._fit_columns()
         self.after.setEnabled(self.has_result())
 
@@ -177,7 +182,7 @@ class PreviewPanel(ResultPanel):
 
     def _name_preview(self):
         self.preview_button.setText(
-            PREVIEW_AGAIN if self.is_due() and self.has_result() else PREVIEW
+            tr(PREVIEW_AGAIN if self.is_due() and self.has_result() else PREVIEW)
         )
 
     def shown_object(self):
@@ -200,9 +205,9 @@ class PreviewPanel(ResultPanel):
         seam_view.show(self.obj, report, seams, size)
 
 
-def _item(text, row, column):
+def _item(text, row, column, table):
     item = QtWidgets.QTableWidgetItem(text)
     item.setToolTip(row.detail)
-    if column == len(row.cells) - 1 and row.state in TEXT_COLOURS:
-        item.setForeground(QtGui.QBrush(QtGui.QColor(*TEXT_COLOURS[row.state])))
+    if column == len(row.cells) - 1 and row.state in INKS:
+        item.setForeground(QtGui.QBrush(ink.ink(INKS[row.state], table)))
     return item

@@ -15,11 +15,12 @@ from freecad.seamwright.gui.widgets.forms import buttons
 from freecad.seamwright.gui.widgets.later import later
 from freecad.seamwright.gui.widgets.steps import remove, step
 from freecad.seamwright.plain import kernel
+from freecad.seamwright.plain.language import mark, tr
 
 #: Endings of the text that says why a computation has no result.
 NO_RESULTS, OLD_RESULTS = (
-    "; there are no results yet.",
-    "; the results are those of the last complete run.",
+    mark("; there are no results yet."),
+    mark("; the results are those of the last complete run."),
 )
 
 
@@ -133,7 +134,7 @@ class ResultPanel:
         if self._doc.HasPendingTransaction:
             self._doc.abortTransaction()
         elif not self._created:
-            with step(self._doc, "Restore"):
+            with step(self._doc, tr("Restore")):
                 for name, value in self._kept.items():
                     setattr(self.obj, name, value)
                 self._doc.recompute()
@@ -197,7 +198,7 @@ class ResultPanel:
 
     def abandoned(self, why):
         """Say why a computation has no result."""
-        self.say(why + (OLD_RESULTS if self.obj.Report else NO_RESULTS))
+        self.say(why + tr(OLD_RESULTS if self.obj.Report else NO_RESULTS))
 
     def reload(self):
         """Show the object as it is now, after a change from outside such as an undo."""

@@ -4,11 +4,15 @@
 from freecad.seamwright.document import corner, elements
 from freecad.seamwright.gui.base.new_seams_panel import NewSeamsPanel
 from freecad.seamwright.gui.widgets.forms import make_box
+from freecad.seamwright.gui.widgets.number_field import LENGTH, NumberField
 from freecad.seamwright.gui.widgets.qt import QtWidgets
-from freecad.seamwright.gui.widgets.tolerance_form import NumberField, ToleranceForm
+from freecad.seamwright.gui.widgets.tolerance_form import ToleranceForm
 from freecad.seamwright.plain import corner_text
+from freecad.seamwright.plain.language import mark, tr
 
-HEADINGS = ("Edge", "Length mm", "Angle", "Radius", "Setback")
+HEADINGS = (
+    mark("Edge"), mark("Length mm"), mark("Angle"), mark("Radius"), mark("Setback")
+)  # fmt: skip
 RADIUS, SETBACK = 3, 4
 
 LINES = 4
@@ -23,7 +27,7 @@ class CornerPanel(NewSeamsPanel):
     def __init__(self, obj, created):
         self._edges, self._lengths, self._problem = corner.corner_of(obj)
         changeable = ["Vertex", "Radii", "Setbacks", *(name for name, *_ in corner.TOLERANCES)]
-        super().__init__(obj, created, "Edit corner fillet", changeable)
+        super().__init__(obj, created, tr("Edit corner fillet"), changeable)
 
     # The window.
 
@@ -32,9 +36,11 @@ class CornerPanel(NewSeamsPanel):
         return self._build_edges(), self._build_limits()
 
     def _build_edges(self):
-        box, layout = make_box("Edges at %s" % ", ".join(elements.names(self.obj, "Vertex")))
+        box, layout = make_box(tr("Edges at {names}").format(
+            names=", ".join(elements.names(self.obj, "Vertex"))
+        ))
         self.edges = QtWidgets.QTableWidget(len(self._edges), len(HEADINGS))
-        self.edges.setHorizontalHeaderLabels(HEADINGS)
+        self.edges.setHorizontalHeaderLabels([tr(heading) for heading in HEADINGS])
         self.edges.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
         self.edges.setSelectionMode(QtWidgets.QAbstractItemView.NoSelection)
         self.edges.verticalHeader().hide()
@@ -46,24 +52,24 @@ class CornerPanel(NewSeamsPanel):
         height = self.edges.verticalHeader().defaultSectionSize()
         self.edges.setFixedHeight((1 + min(LINES, max(1, len(self._edges)))) * height + 4)
         layout.addWidget(self.edges)
-        self.same = QtWidgets.QPushButton("Same radius for all")
-        self.same.setToolTip("Give all edges the radius of the first one")
+        self.same = QtWidgets.QPushButton(tr("Same radius for all"))
+        self.same.setToolTip(tr("Give all edges the radius of the first one"))
         layout.addWidget(self.same)
         return box
 
     def _fields(self, column):
         """Return a field for a length in each line of a column."""
-        fields = [NumberField(" mm", 1e6) for _ in self._edges]
+        fields = [NumberField(LENGTH, 1e6) for _ in self._edges]
         for line, field in enumerate(fields):
             if column == SETBACK:
-                field.setSpecialValueText("auto")
-                field.setToolTip("Distance from the vertex at which the fillet ends")
+                field.setSpecialValueText(tr("auto"))
+                field.setToolTip(tr("Distance from the vertex at which the fillet ends"))
             self.edges.setCellWidget(line, column, field)
         return fields
 
     def _build_limits(self):
         self.tolerances = ToleranceForm(corner.TOLERANCES)
-        return make_box("Tolerances", self.tolerances)[0]
+        return make_box(tr("Tolerances"), self.tolerances)[0]
 
     def connect_fields(self):
         """React to changes of the fields."""
@@ -95,7 +101,9 @@ class CornerPanel(NewSeamsPanel):
             for column, text in enumerate((name, "%.6g" % length, angle)):
                 self.edges.setItem(line, column, QtWidgets.QTableWidgetItem(text))
             setback = known[name]["setback_mm"] if name in known else None
-            automatic = "auto" if setback is None else "auto: %.4g mm" % setback
+            automatic = tr("auto") if setback is None else tr("auto: {setback:.4g} mm").format(
+                setback=setback
+            )
             self.fields[SETBACK][line].setSpecialValueText(automatic)
 
     def wanted(self):

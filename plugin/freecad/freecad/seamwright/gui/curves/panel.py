@@ -6,9 +6,10 @@ from freecad.seamwright.document.feature import report_of
 from freecad.seamwright.document.properties import error_text
 from freecad.seamwright.gui.base.option_panel import OptionPanel, SourceBox, sentence
 from freecad.seamwright.gui.widgets import messages
-from freecad.seamwright.gui.widgets.forms import make_box, make_text
+from freecad.seamwright.gui.widgets.forms import LEAST_WIDTH, make_box, make_text
 from freecad.seamwright.gui.widgets.qt import QtWidgets
 from freecad.seamwright.gui.widgets.steps import remove
+from freecad.seamwright.plain.language import tr
 from freecad.seamwright.plain.summary import counted
 
 
@@ -30,23 +31,26 @@ class CurvePanel(OptionPanel):
     def build_sources(self, name, title, tip):
         """Return the SourceBox of a property."""
         needs = self.obj.Proxy.NEEDS
-        return SourceBox(title, "Make the curve from what is selected now: %s" % needs)
+        return SourceBox(title, tr("Make the curve from what is selected now: {needs}").format(
+            needs=tr(needs)
+        ))
 
     def build_result(self):
         """Return the box of the result; it has ``summary``."""
-        box, layout = make_box("Result")
+        box, layout = make_box(tr("Result"))
         self.summary = make_text()
         layout.addWidget(self.summary)
-        self.comb = QtWidgets.QCheckBox("Curvature comb")
-        self.comb.setToolTip("Draw lines across the curve, as long as its curvature is large")
-        self.compare = QtWidgets.QCheckBox("of the input too")
-        self.compare.setToolTip("Also draw the comb of the edges from which the curve is made")
+        self.comb = QtWidgets.QCheckBox(tr("Curvature comb"))
+        self.comb.setToolTip(tr("Draw lines across the curve, as long as its curvature is large"))
+        self.compare = QtWidgets.QCheckBox(tr("of the input too"))
+        self.compare.setToolTip(tr("Also draw the comb of the edges from which the curve is made"))
         self.comb_scale = QtWidgets.QDoubleSpinBox()
         self.comb_scale.setRange(0.01, 100.0)
+        self.comb_scale.setMinimumWidth(LEAST_WIDTH // 2)
         self.comb_scale.setStepType(QtWidgets.QAbstractSpinBox.AdaptiveDecimalStepType)
-        self.comb_scale.setToolTip("Length of the lines of the comb")
-        self.numbers = QtWidgets.QCheckBox("Number the points")
-        self.numbers.setToolTip("Show which number of a list belongs to which point")
+        self.comb_scale.setToolTip(tr("Length of the lines of the comb"))
+        self.numbers = QtWidgets.QCheckBox(tr("Number the points"))
+        self.numbers.setToolTip(tr("Show which number of a list belongs to which point"))
         self.numbers.setVisible(bool(self._points()))
         layout.addWidget(self.numbers)
         line = QtWidgets.QHBoxLayout()
@@ -59,10 +63,12 @@ class CurvePanel(OptionPanel):
 
     def _sketch_line(self):
         line = QtWidgets.QHBoxLayout()
-        self.sketch = QtWidgets.QPushButton("To Sketch")
+        self.sketch = QtWidgets.QPushButton(tr("To Sketch"))
         self.sketch.setToolTip(
-            "Add a sketch of arcs and lines near the planar curve as it is now; the sketch does "
-            "not follow the sources"
+            tr(
+                "Add a sketch of arcs and lines near the planar curve as it is now; the sketch "
+                "does not follow the sources"
+            )
         )
         self.sketch_mm = QtWidgets.QDoubleSpinBox()
         self.sketch_mm.setDecimals(5)
@@ -70,7 +76,7 @@ class CurvePanel(OptionPanel):
         self.sketch_mm.setValue(arcs.SKETCH_MM)
         self.sketch_mm.setSuffix(" mm")
         self.sketch_mm.setStepType(QtWidgets.QAbstractSpinBox.AdaptiveDecimalStepType)
-        self.sketch_mm.setToolTip("Largest distance of the arcs from the curve")
+        self.sketch_mm.setToolTip(tr("Largest distance of the arcs from the curve"))
         self.sketch_text = make_text()
         for widget, stretch in ((self.sketch, 0), (self.sketch_mm, 0), (self.sketch_text, 1)):
             line.addWidget(widget, stretch)
@@ -134,7 +140,9 @@ class CurvePanel(OptionPanel):
         self._sketches.append(sketch.Name)
         self._doc.recompute()
         self.sketch_text.setText(
-            "%s has %s" % (sketch.Label, counted(sketch.GeometryCount, "curve"))
+            tr("{label} has {curves}").format(
+                label=sketch.Label, curves=counted(sketch.GeometryCount, "curve")
+            )
         )
 
     def reject(self):

@@ -7,8 +7,9 @@ from freecad.seamwright.gui.scene.projection import Projection
 from freecad.seamwright.gui.widgets.forms import make_text
 from freecad.seamwright.gui.widgets.qt import QtWidgets
 from freecad.seamwright.plain import spline_handles
+from freecad.seamwright.plain.language import mark, tr
 
-HOW_TO_PICK = (
+HOW_TO_PICK = mark(
     "Click adds a point, at a vertex or on the grid; Ctrl: free. Backspace removes the last point, "
     "a click on the first one closes, Enter ends, Esc cancels."
 )
@@ -25,16 +26,17 @@ class PointBox(QtWidgets.QGroupBox):
     ``table``, and the fields ``handles``, ``snaps`` and ``grid``."""
 
     def __init__(self):
-        super().__init__("Points")
+        super().__init__(tr("Points"))
         self.pick = _button(
-            "Pick points",
-            HOW_TO_PICK + " The points are the spline's own: it no longer follows its sources.",
+            tr("Pick points"),
+            tr(HOW_TO_PICK)
+            + tr(" The points are the spline's own: it no longer follows its sources."),
         )
         self.pick.setCheckable(True)
-        self.undo = _button("Undo", "Take the last drag or change of a point back (Ctrl+Z)")
-        self.redo = _button("Redo", "Do it again (Ctrl+Shift+Z)")
-        self.free = _button("Free ends", "Remove the tangents that were given to the ends")
-        self.back = _button("As in sources", "Move all points back to those of the sources")
+        self.undo = _button(tr("Undo"), tr("Take the last drag or change of a point back (Ctrl+Z)"))
+        self.redo = _button(tr("Redo"), tr("Do it again (Ctrl+Shift+Z)"))
+        self.free = _button(tr("Free ends"), tr("Remove the tangents that were given to the ends"))
+        self.back = _button(tr("As in sources"), tr("Move all points back to those of the sources"))
         buttons = QtWidgets.QGridLayout()
         for place, each in enumerate((self.pick, self.undo, self.redo, self.free, self.back)):
             buttons.addWidget(each, *divmod(place, ROW))
@@ -49,14 +51,16 @@ class PointBox(QtWidgets.QGroupBox):
 
     def _fields(self):
         line = QtWidgets.QHBoxLayout()
-        self.handles = QtWidgets.QCheckBox("Handles")
+        self.handles = QtWidgets.QCheckBox(tr("Handles"))
         self.handles.setChecked(True)
         self.handles.setToolTip(
-            "Show handles in the view: circles are points, squares the tangents of the ends, "
-            "diamonds the tensions. Drag them; Esc takes a drag back."
+            tr(
+                "Show handles in the view: circles are points, squares the tangents of the ends, "
+                "diamonds the tensions. Drag them; Esc takes a drag back."
+            )
         )
-        self.snaps = QtWidgets.QCheckBox("Grid")
-        self.snaps.setToolTip("Points that are picked or dragged snap to a grid; Ctrl: free")
+        self.snaps = QtWidgets.QCheckBox(tr("Grid"))
+        self.snaps.setToolTip(tr("Points that are picked or dragged snap to a grid; Ctrl: free"))
         self.grid = QtWidgets.QDoubleSpinBox()
         self.grid.setRange(1e-4, 1e6)
         self.grid.setDecimals(4)
@@ -91,7 +95,9 @@ class PointBox(QtWidgets.QGroupBox):
         place = ""
         if point is not None:
             place = ": (%s) %s" % (", ".join("%.6g" % each for each in point), what)
-        self.picked.setText("%d points%s. %s" % (count, place.rstrip(), HOW_TO_PICK))
+        self.picked.setText(tr("{count} points{place}. {how}").format(
+            count=count, place=place.rstrip(), how=tr(HOW_TO_PICK)
+        ))
 
 
 def _button(text, tip):

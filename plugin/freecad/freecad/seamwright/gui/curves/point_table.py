@@ -3,9 +3,10 @@
 
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 from freecad.seamwright.plain import options
+from freecad.seamwright.plain.language import mark, tr
 
 #: The arguments of the columns after that of the number of the point, with their headings.
-COLUMNS = (("tension", "Tension"), ("bias", "Bias"))
+COLUMNS = (("tension", mark("Tension")), ("bias", mark("Bias")))
 
 HEIGHT = 130
 
@@ -17,11 +18,11 @@ class PointTable(QtWidgets.QTableWidget):
 
     def __init__(self):
         super().__init__(0, 1 + len(COLUMNS))
-        self.setHorizontalHeaderLabels(["Point", *(heading for _, heading in COLUMNS)])
+        self.setHorizontalHeaderLabels([tr("Point"), *(tr(heading) for _, heading in COLUMNS)])
         self.verticalHeader().hide()
         self.horizontalHeader().setSectionResizeMode(QtWidgets.QHeaderView.Stretch)
         self.setFixedHeight(HEIGHT)
-        self.setToolTip("Tension and bias of each point; a bad number is not taken")
+        self.setToolTip(tr("Tension and bias of each point; a bad number is not taken"))
         self._numbers, self._shows = [], False
         self.cellChanged.connect(self._change)
 

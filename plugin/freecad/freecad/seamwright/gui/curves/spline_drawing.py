@@ -6,9 +6,10 @@ import Part
 
 from freecad.seamwright.document.curves import inputs
 from freecad.seamwright.document.curves.spline import INTERPOLATING, NU
-from freecad.seamwright.gui.scene.comb import EVERY, LONGEST, QUILLS
+from freecad.seamwright.gui.scene.comb import EVERY, LONGEST, quill_count
 from freecad.seamwright.gui.scene.live_curve import POINT, TANGENT, TENSION, LiveCurve
 from freecad.seamwright.plain import kernel, spline_handles
+from freecad.seamwright.plain.language import mark
 from freecad.seamwright.plain.options import one_for_each
 
 
@@ -54,7 +55,7 @@ class SplineDrawing:
         """Draw the spline, and its comb if the view has one."""
         self.obj.ViewObject.Proxy.drag(True)
         knots = self._spline.knots
-        at = numpy.linspace(knots[0], knots[-1], QUILLS + 1)
+        at = numpy.linspace(knots[0], knots[-1], quill_count() + 1)
         jets = numpy.asarray(self._spline.derivatives(at, 2))
         points = jets[:, 0]
         self._live.show_curve(points)
@@ -107,5 +108,5 @@ class SplineDrawing:
 
     def tension(self, values):
         """Return the tensions of all points, an array. Raises ValueError for a wrong number."""
-        numbers = one_for_each("Tension", values["tension"], len(self.points), "points")
+        numbers = one_for_each("Tension", values["tension"], len(self.points), mark("points"))
         return numpy.array(numbers)

@@ -6,8 +6,11 @@ from freecad.seamwright.gui.curves.panel import CurvePanel
 from freecad.seamwright.gui.curves.point_box import PointBox
 from freecad.seamwright.gui.curves.spline_editor import SplineEditor
 from freecad.seamwright.gui.curves.value_steps import ValueSteps
+from freecad.seamwright.plain.language import mark, tr
 
-NO_POINTS = "There are no points: pick some, or select points or edges and press Use selection."
+NO_POINTS = mark(
+    "There are no points: pick some, or select points or edges and press Use selection."
+)
 
 
 class SplinePanel(CurvePanel):
@@ -74,7 +77,7 @@ class SplinePanel(CurvePanel):
             super().preview(then)
         else:
             self._timer.stop()
-            self.say(NO_POINTS)
+            self.say(tr(NO_POINTS))
 
     def changed(self, *_):
         """Show the handles of the fields, and compute after a short delay."""

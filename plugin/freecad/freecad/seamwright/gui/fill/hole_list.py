@@ -3,6 +3,7 @@
 
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 from freecad.seamwright.plain import fill_text
+from freecad.seamwright.plain.language import tr
 
 LINES = 4
 
@@ -20,7 +21,7 @@ class HoleList(QtWidgets.QListWidget):
     def __init__(self):
         super().__init__()
         self.holes = []
-        self.setToolTip("Ticked holes are filled. Click a hole to select its edges.")
+        self.setToolTip(tr("Ticked holes are filled. Click a hole to select its edges."))
         self.setFixedHeight(LINES * (self.fontMetrics().height() + 6))
         self.itemChanged.connect(self._ticked)
         self.itemClicked.connect(

@@ -10,6 +10,7 @@ from freecad.seamwright.gui.widgets.forms import make_box
 from freecad.seamwright.gui.widgets.qt import QtWidgets
 from freecad.seamwright.gui.widgets.tolerance_form import ToleranceForm
 from freecad.seamwright.plain import fill_text
+from freecad.seamwright.plain.language import tr
 
 
 class FillPanel(NewSeamsPanel):
@@ -24,7 +25,7 @@ class FillPanel(NewSeamsPanel):
             "KeepAnyway",
             *(name for name, *_ in fill.ELEMENTS + fill.TOLERANCES),
         ]
-        super().__init__(obj, created, "Edit umbrella fill", changeable)
+        super().__init__(obj, created, tr("Edit umbrella fill"), changeable)
 
     # The window.
 
@@ -33,11 +34,11 @@ class FillPanel(NewSeamsPanel):
         return self._build_holes(), self._build_limits()
 
     def _build_holes(self):
-        box, layout = make_box("Holes")
+        box, layout = make_box(tr("Holes"))
         self.which = QtWidgets.QLabel()
         self.holes = HoleList()
-        self.pick = QtWidgets.QPushButton("Only selected")
-        self.pick.setToolTip("Fill only the holes whose edges are selected in the view")
+        self.pick = QtWidgets.QPushButton(tr("Only selected"))
+        self.pick.setToolTip(tr("Fill only the holes whose edges are selected in the view"))
         for widget in (self.which, self.holes, self.pick):
             layout.addWidget(widget)
         return box
@@ -45,14 +46,14 @@ class FillPanel(NewSeamsPanel):
     def _build_limits(self):
         self.tolerances = ToleranceForm(fill.TOLERANCES, ("Target", fill.TARGETS))
         self.tolerances.level.setToolTip(
-            "G0: position only; G1: without a kink; G2: with the same curvature"
+            tr("G0: position only; G1: without a kink; G2: with the same curvature")
         )
-        self.keep_anyway = QtWidgets.QCheckBox("Keep anyway")
+        self.keep_anyway = QtWidgets.QCheckBox(tr("Keep anyway"))
         self.keep_anyway.setToolTip(
-            "Keep a fill even if it misses the target; otherwise the hole stays open"
+            tr("Keep a fill even if it misses the target; otherwise the hole stays open")
         )
         self.tolerances.layout().addRow("", self.keep_anyway)
-        return make_box("Target and tolerances", self.tolerances)[0]
+        return make_box(tr("Target and tolerances"), self.tolerances)[0]
 
     def connect_fields(self):
         """React to changes of the fields."""
@@ -73,7 +74,7 @@ class FillPanel(NewSeamsPanel):
         face = ", ".join(elements.names(self.obj, "Face"))
         holes, wanted, text = ([], [], "") if face else fill.holes_of(self.obj)
         self.holes.set_holes(holes, wanted)
-        self.which.setText("%s will be replaced" % face)
+        self.which.setText(tr("{face} will be replaced").format(face=face))
         self.which.setVisible(bool(face))
         for widget in (self.holes, self.pick):
             widget.setVisible(not face)

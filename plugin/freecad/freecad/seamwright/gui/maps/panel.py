@@ -13,6 +13,7 @@ from freecad.seamwright.gui.maps.plot import Line, Plot
 from freecad.seamwright.gui.widgets.forms import make_box, make_text
 from freecad.seamwright.gui.widgets.qt import QtWidgets
 from freecad.seamwright.plain import seam_text
+from freecad.seamwright.plain.language import tr
 from freecad.seamwright.plain.ramps import figure
 
 #: Delay between the last change and the drawing; maps are quick where the mesh is there.
@@ -38,11 +39,13 @@ class ToolPanel(OptionPanel):
 
     def build_sources(self, name, title, tip):
         """Return the SourceBox of a property."""
-        return SourceBox(title, "Use what is selected now instead: %s" % self.obj.Proxy.NEEDS)
+        return SourceBox(title, tr("Use what is selected now instead: {needs}").format(
+            needs=tr(self.obj.Proxy.NEEDS)
+        ))
 
     def build_result(self):
         """Return the box of the result; it has ``summary``, and for a Seam Plot the plot."""
-        box, layout = make_box("Result")
+        box, layout = make_box(tr("Result"))
         self.summary = make_text()
         layout.addWidget(self.summary)
         if isinstance(self.obj.Proxy, SeamPlot):
@@ -51,13 +54,15 @@ class ToolPanel(OptionPanel):
 
     def _build_plot(self, layout):
         self.figure, self.plot, self.reading = QtWidgets.QComboBox(), Plot(), make_text()
-        self.figure.addItems([name for _, name, *_ in seam_text.FIGURES])
+        self.figure.addItems([tr(name) for _, name, *_ in seam_text.FIGURES])
         self.figure.setCurrentIndex(1)
-        self.figure.setToolTip("What is plotted along the seam")
+        self.figure.setToolTip(tr("What is plotted along the seam"))
         self.bounds = make_text()
         self.bounds.setToolTip(
-            "The largest value on the whole seam, proven where an upper bound is known. The curve "
-            "is sampled."
+            tr(
+                "The largest value on the whole seam, proven where an upper bound is known. The "
+                "curve is sampled."
+            )
         )
         for widget in (self.figure, self.plot, self.bounds, self.reading):
             layout.addWidget(widget)
@@ -89,7 +94,7 @@ class ToolPanel(OptionPanel):
             lines.append(
                 Line(seam["lengths_mm"], seam["figures"][key], bounds["lower"], bounds["upper"])
             )
-        self.plot.show_lines(lines, name, unit)
+        self.plot.show_lines(lines, tr(name), unit)
         self.bounds.setText("\n".join(seam_text.bound_line(seam, key) for seam in seams))
         self.reading.setText("")
 
@@ -103,8 +108,10 @@ class ToolPanel(OptionPanel):
         seam = seams[index]
         key, name, unit, _ = seam_text.FIGURES[self.figure.currentIndex()]
         value = seam["figures"][key][place]
-        text = "undefined" if value is None else seam_text.with_unit(figure(value), unit)
+        text = tr("undefined") if value is None else seam_text.with_unit(figure(value), unit)
         view.mark([], [], [(seam["points"][place], text)])
         self.reading.setText(
-            "%s, %s mm along: %s" % (seam["name"], figure(seam["lengths_mm"][place]), text)
+            tr("{name}, {length_mm} mm along: {figure}").format(
+                name=seam["name"], length_mm=figure(seam["lengths_mm"][place]), figure=text
+            )
         )

@@ -4,10 +4,12 @@
 from typing import Any, NamedTuple
 
 from freecad.seamwright.gui.widgets.qt import QtCore, QtGui, QtWidgets
+from freecad.seamwright.plain.language import tr
 from freecad.seamwright.plain.ramps import figure
 from freecad.seamwright.plain.ticks import ticks
 
 HEIGHT, LEFT, RIGHT, TOP, BOTTOM = 210, 66, 12, 26, 36
+PAPER, INK = (255, 255, 255), (40, 40, 40)
 CURVE, BOUND, BAND, GRID = (0, 82, 158), (213, 94, 0), (213, 94, 0, 45), (150, 150, 150, 110)
 
 #: Room above the largest value.
@@ -34,7 +36,7 @@ class Plot(QtWidgets.QWidget):
         super().__init__()
         self.setMinimumHeight(HEIGHT)
         self.setMouseTracking(True)
-        self.setToolTip("Move the mouse: the point is marked on the seam in the view")
+        self.setToolTip(tr("Move the mouse: the point is marked on the seam in the view"))
         self.lines, self._title, self._unit, self._at = [], "", "", None
 
     def show_lines(self, lines, title, unit):
@@ -94,7 +96,7 @@ class Plot(QtWidgets.QWidget):
         """Draw axes, bounds and curves."""
         painter = QtGui.QPainter(self)
         painter.setRenderHint(QtGui.QPainter.Antialiasing)
-        painter.fillRect(self.rect(), self.palette().base())
+        painter.fillRect(self.rect(), QtGui.QColor(*PAPER))
         if self.lines:
             self._draw_axes(painter)
             for start, line in zip(self._starts(), self.lines):
@@ -105,7 +107,7 @@ class Plot(QtWidgets.QWidget):
         painter.end()
 
     def _draw_axes(self, painter):
-        area, text = self._area(), self.palette().text().color()
+        area, text = self._area(), QtGui.QColor(*INK)
         grid = QtGui.QPen(QtGui.QColor(*GRID), 1.0, QtCore.Qt.DotLine)
         right = QtCore.Qt.AlignVCenter | QtCore.Qt.AlignRight
         for y in ticks(0.0, self._top(), 4):
@@ -125,7 +127,7 @@ class Plot(QtWidgets.QWidget):
         title = "%s%s" % (self._title, ", %s" % self._unit if self._unit else "")
         painter.drawText(QtCore.QPointF(8, TOP - 9), title)
         box = QtCore.QRectF(area.left(), self.height() - 17, area.width(), 16)
-        painter.drawText(box.toRect(), right, "along the seam, mm")
+        painter.drawText(box.toRect(), right, tr("along the seam, mm"))
         painter.drawRect(area)
 
     def _draw_bounds(self, painter, start, line):
@@ -155,7 +157,7 @@ class Plot(QtWidgets.QWidget):
         index, place = self._at
         line, area = self.lines[index], self._area()
         spot = self._place(self._starts()[index] + line.lengths[place], line.values[place] or 0.0)
-        painter.setPen(QtGui.QPen(self.palette().text().color(), 1.0))
+        painter.setPen(QtGui.QPen(QtGui.QColor(*INK), 1.0))
         painter.drawLine(
             QtCore.QPointF(spot.x(), area.top()), QtCore.QPointF(spot.x(), area.bottom())
         )

@@ -13,10 +13,13 @@ from freecad.seamwright.gui.scene import seam_view
 from freecad.seamwright.gui.scene.zebra import zebra
 from freecad.seamwright.gui.widgets.computation import Computation
 from freecad.seamwright.gui.widgets.forms import make_box, make_form, make_text
-from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
+from freecad.seamwright.gui.widgets.live_preview import PreviewTimer
+from freecad.seamwright.gui.widgets.number_field import LENGTH, NumberField
+from freecad.seamwright.gui.widgets.qt import QtWidgets
 from freecad.seamwright.gui.widgets.tasks import documents_rest
-from freecad.seamwright.gui.widgets.tolerance_form import NumberField, ToleranceForm
+from freecad.seamwright.gui.widgets.tolerance_form import ToleranceForm
 from freecad.seamwright.plain import match_text
+from freecad.seamwright.plain.language import tr
 
 #: Delay between the last change and the computation of the preview.
 PREVIEW_AFTER_MS = 400
@@ -29,20 +32,20 @@ class MatchPanel(ResultPanel):
 
     def __init__(self, obj, created):
         super().__init__(
-            obj, created, "Edit match surfaces", KEPT + tuple(name for name, *_ in match.TOLERANCES)
+            obj,
+            created,
+            tr("Edit match surfaces"),
+            KEPT + tuple(name for name, *_ in match.TOLERANCES),
         )
         self._swapped = False
         self._striped = []
-        self._timer = QtCore.QTimer()
-        self._timer.setSingleShot(True)
-        self._timer.setInterval(PREVIEW_AFTER_MS)
-        self._timer.timeout.connect(self._preview_in_time)
+        self._timer = PreviewTimer(PREVIEW_AFTER_MS, self._preview_in_time)
         self._build()
         self.computation = Computation(self.form)
         self.read_fields()
         self._connect()
         self.refresh()
-        if created:
+        if created and self._timer.live:
             self.preview()
 
     def sources(self):
@@ -69,48 +72,53 @@ class MatchPanel(ResultPanel):
     # The window.
 
     def _build(self):
-        self.form, layout = make_form("Match Surfaces", "seamwright-match")
+        self.form, layout = make_form(tr("Match Surfaces"), "seamwright-match")
         for box in (self._build_faces(), self._build_result(), self._build_tolerances()):
             layout.addWidget(box)
+        layout.insertWidget(1, self._timer.button)
+        self._timer.button.setVisible(not self._timer.live)
 
     def _build_faces(self):
-        box = QtWidgets.QGroupBox("Faces")
+        box = QtWidgets.QGroupBox(tr("Faces"))
         layout = QtWidgets.QFormLayout(box)
         self.first, self.second = QtWidgets.QPushButton(), QtWidgets.QPushButton()
-        for button, word in ((self.first, "First"), (self.second, "Second")):
-            button.setToolTip("Select this face in the view")
+        for button, word in ((self.first, tr("First")), (self.second, tr("Second"))):
+            button.setToolTip(tr("Select this face in the view"))
             layout.addRow(word, button)
         line = QtWidgets.QHBoxLayout()
         self.moves = QtWidgets.QComboBox()
-        self.moves.addItems(match.MOVES)
-        self.moves.setToolTip("The face that moves; away from the seam it keeps its shape")
-        self.swap = QtWidgets.QPushButton("Swap")
-        self.swap.setToolTip("Exchange the first and the second face, so that the other one moves")
+        for name in match.MOVES:
+            self.moves.addItem(tr(name), name)
+        self.moves.setToolTip(tr("The face that moves; away from the seam it keeps its shape"))
+        self.swap = QtWidgets.QPushButton(tr("Swap"))
+        self.swap.setToolTip(tr(
+            "Exchange the first and the second face, so that the other one moves"
+        ))
         line.addWidget(self.moves, 1)
         line.addWidget(self.swap)
-        layout.addRow("Moves", line)
-        self.max_move = NumberField(" mm", 1e6)
-        self.max_move.setSpecialValueText("no limit")
-        self.max_move.setToolTip("No pole of a surface may move further than this")
-        layout.addRow("Largest move", self.max_move)
-        self.hold_sides = QtWidgets.QCheckBox("Hold the boundaries that end at the seam")
+        layout.addRow(tr("Moves"), line)
+        self.max_move = NumberField(LENGTH, 1e6)
+        self.max_move.setSpecialValueText(tr("no limit"))
+        self.max_move.setToolTip(tr("No pole of a surface may move further than this"))
+        layout.addRow(tr("Largest move"), self.max_move)
+        self.hold_sides = QtWidgets.QCheckBox(tr("Hold the boundaries that end at the seam"))
         self.hold_sides.setToolTip(
-            "Do not move the poles of the two other boundaries that end at the seam"
+            tr("Do not move the poles of the two other boundaries that end at the seam")
         )
-        layout.addRow("", self.hold_sides)
+        layout.addRow(self.hold_sides)
         return box
 
     def _build_tolerances(self):
         self.tolerances = ToleranceForm(match.TOLERANCES, ("Target", match.TARGETS))
-        return make_box("Target and tolerances", self.tolerances)[0]
+        return make_box(tr("Target and tolerances"), self.tolerances)[0]
 
     def _build_result(self):
-        box, layout = make_box("Result")
+        box, layout = make_box(tr("Result"))
         self.summary = make_text()
         layout.addWidget(self.summary)
         headings = [heading for heading, *_ in match_text.table(match.report_of(self.obj))]
         self.table = QtWidgets.QTableWidget(len(headings), 2)
-        self.table.setHorizontalHeaderLabels(["Before", "After"])
+        self.table.setHorizontalHeaderLabels([tr("Before"), tr("After")])
         self.table.setVerticalHeaderLabels(headings)
         self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
         self.table.setSelectionMode(QtWidgets.QAbstractItemView.NoSelection)
@@ -120,9 +128,10 @@ class MatchPanel(ResultPanel):
         self.table.setFixedHeight((len(headings) + 1) * height + 8)
         layout.addWidget(self.table)
         line = QtWidgets.QHBoxLayout()
-        line.addWidget(QtWidgets.QLabel("Show"))
-        self.before, self.after = QtWidgets.QRadioButton("Before"), QtWidgets.QRadioButton("After")
-        self.zebra = QtWidgets.QCheckBox("Zebra stripes")
+        line.addWidget(QtWidgets.QLabel(tr("Show")))
+        self.before = QtWidgets.QRadioButton(tr("Before"))
+        self.after = QtWidgets.QRadioButton(tr("After"))
+        self.zebra = QtWidgets.QCheckBox(tr("Zebra stripes"))
         for widget in (self.before, self.after, self.zebra):
             line.addWidget(widget)
         layout.addLayout(line)
@@ -142,8 +151,9 @@ class MatchPanel(ResultPanel):
     def read_fields(self):
         """Show the values of the object."""
         self._swapped = False
-        self.moves.setCurrentText(self.obj.Moves)
+        self.moves.setCurrentIndex(self.moves.findData(self.obj.Moves))
         self.max_move.setValue(properties.number(self.obj, "MaxMove"))
+        self.max_move.show_expression(dict(self.obj.ExpressionEngine).get("MaxMove"))
         self.hold_sides.setChecked(self.obj.HoldSides)
         self.tolerances.read_from(self.obj)
         self._timer.stop()
@@ -172,7 +182,7 @@ class MatchPanel(ResultPanel):
         faces = [getattr(self.obj, name) for name in names]
         return {
             **dict(zip(names, reversed(faces) if self._swapped else faces)),
-            "Moves": self.moves.currentText(), "MaxMove": self.max_move.value(),
+            "Moves": self.moves.currentData(), "MaxMove": self.max_move.value(),
             "HoldSides": self.hold_sides.isChecked(), **self.tolerances.values()
         }  # fmt: skip
 
@@ -196,7 +206,7 @@ class MatchPanel(ResultPanel):
     def changed(self, *_):
         """Compute after a short delay."""
         super().changed()
-        self._timer.start()
+        self._timer.start_if_live()
 
     def _swap(self, *_):
         self._swapped = not self._swapped

@@ -9,27 +9,33 @@ from freecad.seamwright.gui.base.preview_panel import PreviewPanel
 from freecad.seamwright.gui.scene import seam_view
 from freecad.seamwright.gui.scene.surface_colours import CURVATURE, ZEBRA, SurfaceColours
 from freecad.seamwright.gui.widgets.element_list import ElementList
-from freecad.seamwright.gui.widgets.forms import make_box
+from freecad.seamwright.gui.widgets.forms import make_box, make_text
+from freecad.seamwright.gui.widgets.number_field import LENGTH, NumberField
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
-from freecad.seamwright.gui.widgets.tolerance_form import NumberField, ToleranceForm
+from freecad.seamwright.gui.widgets.tolerance_form import ToleranceForm
 from freecad.seamwright.plain import repair_text, rows
+from freecad.seamwright.plain.language import mark, tr
 
-CHOSEN = "The seams at these edges:"
-NONE, MOVES = "None", "Moves"
+CHOSEN = mark("The seams at these edges:")
+NONE, MOVES = mark("None"), mark("Moves")
 COLOURS = (
-    (NONE, "The faces as they look in the document"),
-    (MOVES, "After: each point coloured by how far it moved"),
+    (NONE, mark("The faces as they look in the document")),
+    (MOVES, mark("After: each point coloured by how far it moved")),
     (
         CURVATURE,
-        "Before and after: each point coloured by its mean curvature, both with the same scale",
+        mark(
+            "Before and after: each point coloured by its mean curvature, both with the same scale"
+        ),
     ),
     (
         ZEBRA,
-        "Before and after: stripes break where faces meet at an angle, and bend where the "
-        "curvature jumps",
+        mark(
+            "Before and after: stripes break where faces meet at an angle, and bend where the "
+            "curvature jumps"
+        ),
     ),
 )
-ALL_DEFECTS = "All defects. To choose, select rows or edges and add them:"
+ALL_DEFECTS = mark("All defects. To choose, select rows or edges and add them:")
 
 
 class RepairPanel(PreviewPanel):
@@ -46,7 +52,7 @@ class RepairPanel(PreviewPanel):
             "MaxMove",
             *(name for name, *_ in repair.ELEMENTS + repair.TOLERANCES),
         ]
-        super().__init__(obj, created, "Edit seam repair", changeable)
+        super().__init__(obj, created, tr("Edit seam repair"), changeable)
 
     def sources(self):
         """Return the object whose seams are repaired."""
@@ -69,36 +75,43 @@ class RepairPanel(PreviewPanel):
         """Return the boxes of the seams and of target and limits."""
         self.colours = QtWidgets.QComboBox()
         for index, (name, tip) in enumerate(COLOURS):
-            self.colours.addItem(name)
-            self.colours.setItemData(index, tip, QtCore.Qt.ToolTipRole)
-        self.colours.setCurrentText(MOVES)
-        self.colours.setToolTip("What the colours of the faces show")
-        for index, widget in enumerate((QtWidgets.QLabel("Colours"), self.colours), 3):
-            self.show_line.insertWidget(index, widget)
+            self.colours.addItem(tr(name), name)
+            self.colours.setItemData(index, tr(tip), QtCore.Qt.ToolTipRole)
+        self._choose(MOVES)
+        self.colours.setToolTip(tr("What the colours of the faces show"))
+        line = QtWidgets.QHBoxLayout()
+        line.addWidget(QtWidgets.QLabel(tr("Colours")))
+        line.addWidget(self.colours, 1)
+        self.form.layout().addLayout(line)
         return self._build_seams(), self._build_limits()
 
     def _build_seams(self):
-        box = QtWidgets.QGroupBox("Seams")
+        box = QtWidgets.QGroupBox(tr("Seams"))
         layout = QtWidgets.QFormLayout(box)
         self.lists = {}
         for name, kind, tip in repair.ELEMENTS:
             self.lists[name] = ElementList(lambda kind=kind: self._picked(kind), self._select, tip)
-        self.which = QtWidgets.QLabel()
-        layout.addRow("Repair", self.which)
+        self.which = make_text()
+        layout.addRow(tr("Repair"), self.which)
         layout.addRow("", self.lists["Edges"])
-        layout.addRow("Fixed faces", self.lists["FixedFaces"])
+        layout.addRow(tr("Fixed faces"), self.lists["FixedFaces"])
         return box
 
     def _build_limits(self):
         self.tolerances = ToleranceForm(repair.TOLERANCES, ("Target", repair.TARGETS))
-        self.max_move = NumberField(" mm", 1e6)
-        self.max_move.setSpecialValueText("by size of face")
+        self.max_move = NumberField(LENGTH, 1e6)
+        self.max_move.setSpecialValueText(tr("by size of face"))
         self.max_move.setToolTip(
-            "No point of a face may move further than this. By size of face: a hundredth of the "
-            "size of the face plus twice the largest gap of its seams"
+            tr(
+                "No point of a face may move further than this. By size of face: a hundredth of "
+                "the size of the face plus twice the largest gap of its seams"
+            )
         )
-        self.tolerances.layout().insertRow(1, "Largest move", self.max_move)
-        return make_box("Target and limits", self.tolerances)[0]
+        self.tolerances.layout().insertRow(1, tr("Largest move"), self.max_move)
+        return make_box(tr("Target and limits"), self.tolerances)[0]
+
+    def _choose(self, colours):
+        self.colours.setCurrentIndex(self.colours.findData(colours))
 
     def connect_fields(self):
         """React to changes of the fields, and draw on the surfaces what they ask for."""
@@ -106,7 +119,7 @@ class RepairPanel(PreviewPanel):
             self.obj,
             self.computation,
             surfaces=lambda: self.sources() + ([self.obj] if self.has_result() else []),
-            abandoned=lambda: self.colours.setCurrentText(NONE),
+            abandoned=lambda: self._choose(NONE),
             changed=lambda: None if self._ended else self.show(self.after.isChecked()),
         )
         for each in self.lists.values():
@@ -120,6 +133,7 @@ class RepairPanel(PreviewPanel):
         for name, each in self.lists.items():
             each.set_names(elements.names(self.obj, name))
         self.max_move.setValue(properties.number(self.obj, "MaxMove"))
+        self.max_move.show_expression(dict(self.obj.ExpressionEngine).get("MaxMove"))
         self.tolerances.read_from(self.obj)
         self._name_seams()
 
@@ -150,7 +164,9 @@ class RepairPanel(PreviewPanel):
         self.computation.follow(
             plan,
             keep,
-            lambda why: self.say("%s; press Preview to analyse and repair the seams." % why),
+            lambda why: self.say(tr("{why}; press Preview to analyse and repair the seams.").format(
+                why=why
+            )),
         )
 
     def stored(self):
@@ -160,7 +176,7 @@ class RepairPanel(PreviewPanel):
 
     def show(self, after):
         """Show the result or the source, in the wanted colours."""
-        wanted = None if self._ended else self.colours.currentText()
+        wanted = None if self._ended else self.colours.currentData()
         self.obj.ViewObject.ShowMoves = after and self.has_result() and wanted == MOVES
         super().show(after)
         if self._ended:
@@ -192,7 +208,7 @@ class RepairPanel(PreviewPanel):
         self._name_seams()
 
     def _name_seams(self):
-        self.which.setText(CHOSEN if self.lists["Edges"].names() else ALL_DEFECTS)
+        self.which.setText(tr(CHOSEN if self.lists["Edges"].names() else ALL_DEFECTS))
 
     def _picked(self, kind):
         """Return the selected elements of a kind, on the source or on the result.

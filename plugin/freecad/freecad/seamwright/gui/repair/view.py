@@ -15,6 +15,7 @@ from freecad.seamwright.gui.scene.move_colours import MoveColours
 from freecad.seamwright.gui.widgets.later import find, later
 from freecad.seamwright.gui.widgets.tasks import tasks
 from freecad.seamwright.plain import kernel, moves
+from freecad.seamwright.plain.language import tr
 
 LEGEND_TEXT_PX = 13
 
@@ -96,7 +97,9 @@ class SeamRepairView(ResultView):
             if isinstance(error, kernel.KernelUnavailable):
                 self._stopped = report
                 App.Console.PrintWarning(
-                    "Seamwright: the moves of %s are not shown: %s\n" % (names[1], error)
+                    tr("Seamwright: the moves of {names} are not shown: {error}\n").format(
+                        names=names[1], error=error
+                    )
                 )
                 return
             if error is not None:
@@ -119,14 +122,14 @@ class SeamRepairView(ResultView):
             self._stopped = report
 
         return self.panel.computation.start(
-            "Computing moves\u2026", run, done, stopped, locks=False
+            tr("Computing moves\u2026"), run, done, stopped, locks=False
         )
 
     def _show_moves(self, obj, mapped, found, count):
         self.colours.update(mapped, obj.Shape.Edges)
         entries = moves.legend_entries(mapped.largest_mm)
         self.legend.update(
-            "Moves", entries, moves.legend_footer(found, count), LEGEND_TEXT_PX
+            tr("Moves"), entries, moves.legend_footer(found, count), LEGEND_TEXT_PX
         )
         self._drawn = obj.Report
         self._draw(obj.ViewObject)

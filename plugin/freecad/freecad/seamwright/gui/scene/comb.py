@@ -4,8 +4,10 @@
 import FreeCAD as App
 from pivy import coin
 
+from freecad.seamwright.document import preferences
 from freecad.seamwright.gui.scene.halo import nearer
 from freecad.seamwright.gui.scene.overlay import outside_bounding_box, unlit_unpickable
+from freecad.seamwright.plain.preferences import COMB_LINES
 
 #: Colours of the lines and of the curve through their ends.
 COLOURS = (0.84, 0.37, 0.0), (0.55, 0.2, 0.0)
@@ -92,8 +94,14 @@ def _unit_length(edges, combs):
     return LONGEST * box.DiagonalLength / largest
 
 
+def quill_count():
+    """Return the number of places of a comb that has as many lines as the user wants."""
+    standard = COMB_LINES.default
+    return max(LEAST_QUILLS, QUILLS * preferences.comb_lines() // standard)
+
+
 def _all_curvatures(edges):
-    count = max(LEAST_QUILLS, QUILLS // len(edges)) if edges else 0
+    count = max(LEAST_QUILLS, quill_count() // len(edges)) if edges else 0
     return [_curvatures(edge, count) for edge in edges]
 
 

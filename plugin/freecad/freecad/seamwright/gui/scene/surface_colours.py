@@ -16,8 +16,9 @@ from freecad.seamwright.gui.scene.substitutes import Substitutes, local_shape
 from freecad.seamwright.gui.widgets.later import find, later
 from freecad.seamwright.gui.widgets.tasks import tasks
 from freecad.seamwright.plain import curvature, kernel
+from freecad.seamwright.plain.language import mark, tr
 
-CURVATURE, ZEBRA = "Mean curvature", "Zebra stripes"
+CURVATURE, ZEBRA = mark("Mean curvature"), mark("Zebra stripes")
 
 LEGEND_TEXT_PX = 13
 
@@ -117,7 +118,9 @@ class SurfaceColours:
         try:
             work = work_on(self._surfaces())
         except kernel.KernelUnavailable as error:
-            App.Console.PrintWarning("Seamwright: the colours are not shown: %s\n" % error)
+            App.Console.PrintWarning(tr("Seamwright: the colours are not shown: {error}\n").format(
+                error=error
+            ))
             self._tell_abandoned()
             return
 
@@ -137,7 +140,7 @@ class SurfaceColours:
         self._in_panel = not self._computation.busy
         if self._in_panel:
             self._task = self._computation.start(
-                "Computing colours\u2026", run, done, self._tell_abandoned, locks=False
+                tr("Computing colours\u2026"), run, done, self._tell_abandoned, locks=False
             )
         else:
             self._task = tasks.start(run, done)

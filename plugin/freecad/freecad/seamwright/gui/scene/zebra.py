@@ -12,6 +12,7 @@ from freecad.seamwright.gui.scene import stripes
 from freecad.seamwright.gui.scene.substitutes import Substitutes, key, local_shape
 from freecad.seamwright.gui.widgets.progress import progress_dialog
 from freecad.seamwright.gui.widgets.qt import QtCore
+from freecad.seamwright.plain.language import tr
 
 
 class Zebra:
@@ -27,7 +28,7 @@ class Zebra:
 
     def show(self, objects):
         """Draw stripes on the objects as they are now; return False when the user cancelled."""
-        with progress_dialog("Computing zebra stripes\u2026") as progress:
+        with progress_dialog(tr("Computing zebra stripes\u2026")) as progress:
             for index, obj in enumerate(objects):
                 found = display_mesh(
                     local_shape(obj),

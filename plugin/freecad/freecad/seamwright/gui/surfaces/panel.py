@@ -8,12 +8,13 @@ from freecad.seamwright.document.surfaces.chain import tangent_chain
 from freecad.seamwright.document.surfaces.extend import UP_TO
 from freecad.seamwright.document.surfaces.surface import Surface
 from freecad.seamwright.gui.base.option_panel import OptionPanel, SourceBox, sentence
-from freecad.seamwright.gui.base.preview_panel import TEXT_COLOURS
+from freecad.seamwright.gui.base.preview_panel import INKS
 from freecad.seamwright.gui.scene.zebra import zebra
-from freecad.seamwright.gui.widgets import messages
+from freecad.seamwright.gui.widgets import ink, messages
 from freecad.seamwright.gui.widgets.forms import make_box, make_text, show_seams_in
 from freecad.seamwright.gui.widgets.qt import QtGui, QtWidgets
 from freecad.seamwright.plain import repair_text, rows, surface_text
+from freecad.seamwright.plain.language import tr
 
 TABLE_HEIGHT = 110
 
@@ -39,29 +40,31 @@ class SurfacePanel(OptionPanel):
 
     def build_sources(self, name, title, tip):
         """Return the SourceBox of a property."""
-        box = SourceBox(title, "Use what is selected now instead: %s" % _small(tip))
+        box = SourceBox(title, tr("Use what is selected now instead: {tip}").format(
+            tip=_small(tip)
+        ))
         if name != UP_TO and isinstance(self.obj.Proxy, Surface):
-            box.chain = QtWidgets.QPushButton("Tangent chain")
-            box.chain.setToolTip("Add the edges that go on with the tangent of those chosen")
+            box.chain = QtWidgets.QPushButton(tr("Tangent chain"))
+            box.chain.setToolTip(tr("Add the edges that go on with the tangent of those chosen"))
             box.line.addWidget(box.chain)
             box.chain.clicked.connect(lambda *_: self._add_chain(name))
         return box
 
     def build_result(self):
         """Return the box of the result; it has ``summary``."""
-        box, layout = make_box("Result")
+        box, layout = make_box(tr("Result"))
         self.summary = make_text()
         self.table = QtWidgets.QTableWidget(0, len(surface_text.COLUMNS))
-        self.table.setHorizontalHeaderLabels([heading for heading, _ in surface_text.COLUMNS])
+        self.table.setHorizontalHeaderLabels([tr(heading) for heading, _ in surface_text.COLUMNS])
         for column, (_, tip) in enumerate(surface_text.COLUMNS):
-            self.table.horizontalHeaderItem(column).setToolTip(tip)
+            self.table.horizontalHeaderItem(column).setToolTip(tr(tip))
         self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
         show_seams_in(self.table, TABLE_HEIGHT)
         header = self.table.horizontalHeader()
         header.setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
         header.setStretchLastSection(True)
-        self.zebra = QtWidgets.QCheckBox("Zebra stripes")
-        self.zebra.setToolTip("Draw zebra stripes on the surface and on the faces beside it")
+        self.zebra = QtWidgets.QCheckBox(tr("Zebra stripes"))
+        self.zebra.setToolTip(tr("Draw zebra stripes on the surface and on the faces beside it"))
         for widget in (self.summary, self.table, self.zebra):
             layout.addWidget(widget)
         return box
@@ -89,7 +92,7 @@ class SurfacePanel(OptionPanel):
                 item = QtWidgets.QTableWidgetItem(text)
                 item.setToolTip(row.detail)
                 self.table.setItem(line, column, item)
-            item.setForeground(QtGui.QBrush(QtGui.QColor(*TEXT_COLOURS[state])))
+            item.setForeground(QtGui.QBrush(ink.ink(INKS[state], self.table)))
         self._show_marks()
 
     def _show_marks(self):

@@ -12,13 +12,15 @@ import FreeCADGui as Gui
 from freecad.seamwright.gui.widgets.dock import dock_of
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 from freecad.seamwright.gui.widgets.tasks import tasks
+from freecad.seamwright.plain.language import mark, tr
 
 #: Shorter computations do not lock the panel, since it would flicker and a field would lose focus.
 LOCK_AFTER_MS = 300
 
 STEPS = 1000
 
-CANCELLED, CHANGED = "Cancelled", "The model was changed during the computation"
+CANCELLED = mark("Cancelled")
+CHANGED = mark("The model was changed during the computation")
 
 
 class _Escape(QtCore.QObject):
@@ -69,8 +71,8 @@ class Computation:
         layout.setContentsMargins(0, 0, 0, 0)
         self.text, self.bar = QtWidgets.QLabel(), QtWidgets.QProgressBar()
         self.bar.setRange(0, STEPS)
-        self.stop_button = QtWidgets.QPushButton("Stop")
-        self.stop_button.setToolTip("Stop and keep the earlier results. Esc does the same.")
+        self.stop_button = QtWidgets.QPushButton(tr("Stop"))
+        self.stop_button.setToolTip(tr("Stop and keep the earlier results. Esc does the same."))
         self.stop_button.clicked.connect(lambda *_: self.stop())
         for widget, stretch in ((self.text, 0), (self.bar, 1), (self.stop_button, 0)):
             layout.addWidget(widget, stretch)
@@ -116,18 +118,18 @@ class Computation:
             if plan.object() is None:
                 return
             if isinstance(error, plan.cancelled):
-                abandoned(CANCELLED)
+                abandoned(tr(CANCELLED))
             elif error is not None and not isinstance(error, plan.failures):
                 App.Console.PrintError(
                     "".join(traceback.format_exception(type(error), error, error.__traceback__))
                 )
-                abandoned("Failed: %s" % error)
+                abandoned(tr("Failed: {error}").format(error=error))
             elif not plan.is_current():
-                abandoned(CHANGED)
+                abandoned(tr(CHANGED))
             else:
                 keep(found, error)
 
-        self.start(plan.text, plan.run, done, lambda: abandoned(CANCELLED))
+        self.start(plan.text, plan.run, done, lambda: abandoned(tr(CANCELLED)))
 
     def stop(self):
         """Stop for the user; return False where nothing is computed."""

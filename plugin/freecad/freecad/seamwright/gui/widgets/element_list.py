@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A list of faces or edges that the user fills by picking them in the view."""
 
+from freecad.seamwright.gui.widgets.forms import LEAST_WIDTH
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
+from freecad.seamwright.plain.language import description, tr
 
 LINES = 1.5
 
@@ -21,19 +23,20 @@ class ElementList(QtWidgets.QWidget):
         layout = QtWidgets.QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         self.list = QtWidgets.QListWidget()
-        self.list.setToolTip(tip)
+        self.list.setToolTip(description(tip))
         self.list.setSelectionMode(QtWidgets.QAbstractItemView.ExtendedSelection)
+        self.list.setMinimumWidth(LEAST_WIDTH // 2)
         self.list.setFlow(QtWidgets.QListView.LeftToRight)
         self.list.setWrapping(True)
         self.list.setResizeMode(QtWidgets.QListView.Adjust)
         self.list.setSpacing(1)
         self.list.setFixedHeight(int(LINES * (self.list.fontMetrics().height() + 6)))
         self.list.itemClicked.connect(lambda item: select(item.text()))
-        self.add = QtWidgets.QPushButton("Add selected")
-        self.remove = QtWidgets.QPushButton("Remove")
-        self.add.setToolTip("Add what is selected in the view to the list")
+        self.add = QtWidgets.QPushButton(tr("Add selected"))
+        self.remove = QtWidgets.QPushButton(tr("Remove"))
+        self.add.setToolTip(tr("Add what is selected in the view to the list"))
         self.remove.setToolTip(
-            "Remove the selected names from the list, or all names if none is selected"
+            tr("Remove the selected names from the list, or all names if none is selected")
         )
         self.add.clicked.connect(self._add)
         self.remove.clicked.connect(self._remove)

@@ -1,10 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The input fields of a table of options; lengths and angles have units and take expressions."""
 
+import math
+
 import FreeCADGui as Gui
 
+from freecad.seamwright.gui.widgets import ink
+from freecad.seamwright.gui.widgets.forms import LEAST_WIDTH
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 from freecad.seamwright.plain import options
+from freecad.seamwright.plain.language import description, tr
 
 UNITS = {options.LENGTH: "mm", options.ANGLE: "deg"}
 
@@ -14,9 +19,9 @@ DECIMALS = 6
 LARGEST = 1e9
 
 #: Letters of a choice that a narrow panel still shows.
-LEAST_LETTERS = 12
+LEAST_LETTERS = 9
 
-BAD_TEXT = "color: #b03020"
+BAD_TEXT = "color: %s"
 
 
 class Field(QtCore.QObject):
@@ -30,10 +35,10 @@ class Field(QtCore.QObject):
     def __init__(self, obj, option):
         super().__init__()
         self.option = option
-        self.label = QtWidgets.QLabel(option.label)
+        self.label = QtWidgets.QLabel(tr(option.label))
         self.widget = self._make(obj)
         for each in (self.label, self.widget):
-            each.setToolTip(option.tip)
+            each.setToolTip(description(option.tip))
 
     def _make(self, obj):
         raise NotImplementedError
@@ -53,24 +58,30 @@ class Field(QtCore.QObject):
 class QuantityField(Field):
     """A length, an angle or a plain number, in a field of FreeCAD: it also takes expressions."""
 
+    _exact = _rounded = math.nan
+
     def _make(self, obj):
         widget = Gui.UiLoader().createWidget("Gui::QuantitySpinBox")
         widget.setProperty("unit", UNITS.get(self.option.kind, ""))
         widget.setProperty("decimals", DECIMALS)
         widget.setProperty("minimum", max(self.option.least, -LARGEST))
         widget.setProperty("maximum", LARGEST)
+        widget.setMinimumWidth(LEAST_WIDTH)
         self._binding = Gui.ExpressionBinding(widget)
         self._binding.bind(obj, self.option.name)
         QtCore.QObject.connect(widget, QtCore.SIGNAL("valueChanged(double)"), self._emit)
         return widget
 
     def value(self):
-        """Return the number, in mm or degrees."""
-        return float(self.widget.property("rawValue"))
+        """Return the number, in mm or degrees; the exact one as long as it is not changed."""
+        found = float(self.widget.property("rawValue"))
+        return self._exact if found == self._rounded else found
 
     def show_value(self, value):
-        """Show a number."""
-        self.widget.setProperty("rawValue", float(value))
+        """Show a number; FreeCAD rounds it to the digits that the field shows."""
+        self._exact = float(value)
+        self.widget.setProperty("rawValue", self._exact)
+        self._rounded = float(self.widget.property("rawValue"))
 
     def drag(self, value):
         """Show a number that the user drags, or the smallest one that is allowed."""
@@ -117,7 +128,8 @@ class ChoiceField(Field):
 
     def _make(self, obj):
         widget = QtWidgets.QComboBox()
-        widget.addItems(self.option.choices)
+        for choice in self.option.choices:
+            widget.addItem(tr(choice), choice)
         widget.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLength)
         widget.setMinimumContentsLength(LEAST_LETTERS)
         widget.currentIndexChanged.connect(self._emit)
@@ -125,11 +137,11 @@ class ChoiceField(Field):
 
     def value(self):
         """Return the text."""
-        return self.widget.currentText()
+        return self.widget.currentData()
 
     def show_value(self, value):
         """Show a text."""
-        self.widget.setCurrentText(value)
+        self.widget.setCurrentIndex(self.widget.findData(value))
 
 
 class NumbersField(Field):
@@ -145,7 +157,7 @@ class NumbersField(Field):
         try:
             numbers = options.parse_numbers(self.widget.text())
         except ValueError:
-            self.widget.setStyleSheet(BAD_TEXT)
+            self.widget.setStyleSheet(BAD_TEXT % ink.ink(ink.WRONG, self.widget).name())
             raise
         self.widget.setStyleSheet("")
         return numbers

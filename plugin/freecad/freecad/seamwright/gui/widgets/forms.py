@@ -4,6 +4,9 @@
 from freecad.seamwright.gui import icon_path
 from freecad.seamwright.gui.widgets.qt import QtGui, QtWidgets
 
+#: Width of a field for a number in a narrow dock.
+LEAST_WIDTH = 90
+
 
 def make_form(title, icon):
     """Return (widget with title and icon of a panel, its vertical layout)."""

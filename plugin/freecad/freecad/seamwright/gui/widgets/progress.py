@@ -13,6 +13,7 @@ import FreeCADGui as Gui
 
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 from freecad.seamwright.gui.widgets.tasks import tasks
+from freecad.seamwright.plain.language import tr
 
 STEPS = 1000
 SHOW_AFTER_MS = 700
@@ -31,7 +32,7 @@ INPUT = tuple(
 @contextlib.contextmanager
 def progress_dialog(text):
     """Yield a callable(fraction 0..1) that returns False once the user has cancelled."""
-    dialog = QtWidgets.QProgressDialog(text, "Cancel", 0, STEPS, Gui.getMainWindow())
+    dialog = QtWidgets.QProgressDialog(text, tr("Cancel"), 0, STEPS, Gui.getMainWindow())
     dialog.setWindowTitle("Seamwright")
     dialog.setWindowModality(QtCore.Qt.ApplicationModal)
     dialog.setMinimumDuration(SHOW_AFTER_MS)

@@ -7,6 +7,8 @@ changes would become part of it.
 
 import contextlib
 
+from freecad.seamwright.plain.language import tr
+
 
 @contextlib.contextmanager
 def step(doc, name):
@@ -31,5 +33,5 @@ def abort(doc, name):
 def remove(doc, name):
     """Remove the object of this name if it still exists."""
     if doc.getObject(name) is not None:
-        with step(doc, "Remove"):
+        with step(doc, tr("Remove")):
             doc.removeObject(name)

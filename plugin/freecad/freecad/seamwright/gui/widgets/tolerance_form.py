@@ -2,40 +2,30 @@
 """The input fields for level and tolerances."""
 
 from freecad.seamwright.document import properties
+from freecad.seamwright.gui.widgets.number_field import ANGLE, LENGTH, PLAIN, NumberField
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 from freecad.seamwright.plain import profiles
+from freecad.seamwright.plain.language import description, mark, tr
 
-#: property, label, unit shown after the number, largest value
+#: property, label, kind of number, largest value
 FIELDS = (
-    ("GapTolerance", "Gap", " mm", 1e6),
-    ("AngleTolerance", "Angle", "\u00b0", 90.0),
-    ("CurvatureTolerance", "Curvature (relative)", "", 1.0),
-    ("CreaseAngle", "Crease above", "\u00b0", 90.0),
-    ("FlatRadius", "Flat above radius", " mm", 1e12),
-    ("MatchDistance", "Match free edges within", " mm", 1e6),
-    ("CornerAngle", "Corner of a hole above", "\u00b0", 180.0),
-    ("SectionTolerance", "Gap of patch to fillet", " mm", 0.1),
+    ("GapTolerance", mark("Gap"), LENGTH, 1e6),
+    ("AngleTolerance", mark("Angle"), ANGLE, 90.0),
+    ("CurvatureTolerance", mark("Curvature (relative)"), PLAIN, 1.0),
+    ("CreaseAngle", mark("Crease above"), ANGLE, 90.0),
+    ("FlatRadius", mark("Flat above radius"), LENGTH, 1e12),
+    ("MatchDistance", mark("Match free edges within"), LENGTH, 1e6),
+    ("CornerAngle", mark("Corner of a hole above"), ANGLE, 180.0),
+    ("SectionTolerance", mark("Gap of patch to fillet"), LENGTH, 0.1),
 )
+
+#: The choices beside which the profiles stand.
+CHOICES = (mark("Level"), mark("Target"))
 
 #: Fields whose zero switches the function off.
 OFF_AT_ZERO = ("MatchDistance",)
 
-CUSTOM = "Custom"
-
-
-class NumberField(QtWidgets.QDoubleSpinBox):
-    """A number shown with as many digits as it has, not with a fixed number of digits."""
-
-    def __init__(self, unit, largest):
-        super().__init__()
-        self.setDecimals(9)
-        self.setRange(0.0, largest)
-        self.setSuffix(unit)
-        self.setStepType(QtWidgets.QAbstractSpinBox.AdaptiveDecimalStepType)
-
-    def textFromValue(self, value):
-        """Return at most nine significant digits, with the decimal point of the language."""
-        return ("%.9g" % value).replace(".", str(self.locale().decimalPoint()))
+CUSTOM = mark("Custom")
 
 
 class ToleranceForm(QtWidgets.QWidget):
@@ -53,6 +43,7 @@ class ToleranceForm(QtWidgets.QWidget):
         self._arguments = {name: argument for name, argument, *_ in table}
         layout = QtWidgets.QFormLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
+        layout.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
         self.level = QtWidgets.QComboBox()
         self.level.addItems(levels)
         self.level.currentIndexChanged.connect(lambda *_: self.changed.emit())
@@ -61,32 +52,32 @@ class ToleranceForm(QtWidgets.QWidget):
             first_line = QtWidgets.QHBoxLayout()
             for widget, stretch in (
                 (self.level, 1),
-                (QtWidgets.QLabel("Tolerances"), 0),
+                (QtWidgets.QLabel(tr("Tolerances")), 0),
                 (profile, 2),
             ):
                 first_line.addWidget(widget, stretch)
-            layout.addRow(self._level_name, first_line)
+            layout.addRow(tr(self._level_name), first_line)
         else:
-            layout.addRow("Tolerances", profile)
+            layout.addRow(tr("Tolerances"), profile)
         self.fields = {}
         tips = {name: tip for name, *_, tip in table}
         for name, label, unit, largest in (field for field in FIELDS if field[0] in tips):
             field = NumberField(unit, largest)
-            field.setToolTip(tips[name])
+            field.setToolTip(description(tips[name]))
             if name in OFF_AT_ZERO:
-                field.setSpecialValueText("off")
+                field.setSpecialValueText(tr("off"))
             field.valueChanged.connect(self._field_changed)
             self.fields[name] = field
-            layout.addRow(label, field)
+            layout.addRow(tr(label), field)
 
     def _build_profile(self):
         self.profile = QtWidgets.QComboBox()
         for name in profiles.PROFILES:
-            self.profile.addItem(profiles.LABELS[name][0], name)
+            self.profile.addItem(tr(profiles.LABELS[name][0]), name)
             tip = profiles.tip(name)
             self.profile.setItemData(self.profile.count() - 1, tip, QtCore.Qt.ToolTipRole)
-        self.profile.addItem(CUSTOM, None)
-        self.profile.setToolTip("Fill in the usual tolerances of one kind of work")
+        self.profile.addItem(tr(CUSTOM), None)
+        self.profile.setToolTip(tr("Fill in the usual tolerances of one kind of work"))
         self.profile.activated.connect(self._profile_chosen)
         return self.profile
 
@@ -108,8 +99,16 @@ class ToleranceForm(QtWidgets.QWidget):
         """Show the tolerances of an object."""
         if self._level_name:
             self.level.setCurrentText(getattr(obj, self._level_name))
+        expressions = dict(obj.ExpressionEngine)
         for name, field in self.fields.items():
             field.setValue(properties.number(obj, name))
+            field.show_expression(expressions.get(name))
+        self._field_changed()
+
+    def show_values(self, values):
+        """Show the tolerances of {property: value}."""
+        for name, field in self.fields.items():
+            field.setValue(values[name])
         self._field_changed()
 
     def differs_from(self, obj):

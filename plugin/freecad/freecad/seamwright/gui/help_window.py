@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command Help, and the window that shows the pages of the documentation."""
+
+import FreeCADGui as Gui
+
+from freecad.seamwright.gui.command import Command
+from freecad.seamwright.gui.widgets import messages
+from freecad.seamwright.gui.widgets.qt import QtCore, QtGui, QtWidgets
+from freecad.seamwright.plain import help_pages
+from freecad.seamwright.plain.language import tr
+
+SIZE = 820, 760
+
+#: Room beside a picture, in pixels.
+MARGIN = 40
+
+
+class Pages(QtWidgets.QTextBrowser):
+    """Shows pages in Markdown; pictures are as wide as the window at most."""
+
+    def __init__(self):
+        super().__init__()
+        self.setOpenLinks(False)
+        self.anchorClicked.connect(self.go)
+
+    def loadResource(self, kind, name):
+        """Return a picture that fits, or what Qt loads."""
+        if kind == QtGui.QTextDocument.ImageResource:
+            image = QtGui.QImage(self.source().resolved(name).toLocalFile())
+            width = self.viewport().width() - MARGIN
+            if image.width() > width > 0:
+                return image.scaledToWidth(width, QtCore.Qt.SmoothTransformation)
+            return image
+        return super().loadResource(kind, name)
+
+    def go(self, url):
+        """Follow a link: to a page here, to others in the browser of the system."""
+        url = self.source().resolved(url)
+        path = url.toLocalFile()
+        if not url.isLocalFile():
+            QtGui.QDesktopServices.openUrl(url)
+        elif not QtCore.QFileInfo(path).exists():
+            messages.say(tr("{path} is not installed; the repository has it.").format(path=path))
+        elif path.endswith(".md"):
+            self.setSource(url)
+            self.show_section(url.fragment())
+        else:
+            QtGui.QDesktopServices.openUrl(url)
+
+    def show_section(self, wanted):
+        """Scroll to the heading with this anchor; return whether the page has it."""
+        block = self.document().begin()
+        while block.isValid():
+            if block.blockFormat().headingLevel() and help_pages.anchor(block.text()) == wanted:
+                top = self.document().documentLayout().blockBoundingRect(block).top()
+                self.verticalScrollBar().setValue(int(top))
+                return True
+            block = block.next()
+        return False
+
+
+class HelpWindow(QtWidgets.QDialog):
+    """The pages, with a button to go back."""
+
+    def __init__(self, parent):
+        super().__init__(parent)
+        self.setWindowTitle(tr("Seamwright: help"))
+        self.resize(*SIZE)
+        self.pages = Pages()
+        self.back = QtWidgets.QPushButton(tr("Back"))
+        self.back.setToolTip(tr("Show the page before"))
+        self.back.setEnabled(False)
+        self.back.clicked.connect(self.pages.backward)
+        self.pages.backwardAvailable.connect(self.back.setEnabled)
+        layout = QtWidgets.QVBoxLayout(self)
+        layout.addWidget(self.pages)
+        layout.addWidget(self.back, 0, QtCore.Qt.AlignLeft)
+
+
+class Help(Command):
+    """Open the documentation."""
+
+    name = "Seamwright_Help"
+    menu = "Help"
+    icon = "seamwright"
+    tip = (
+        "Open the documentation of Seamwright. With an object of Seamwright selected, it opens at "
+        "the section about its command."
+    )
+    window = None
+
+    def IsActive(self):
+        """Return True: the pages need no document."""
+        return True
+
+    def Activated(self):
+        """Show the section of the selected object, or the first page."""
+        kinds = [getattr(obj.Proxy, "Type", "") for obj in _selected()]
+        self.show_section(help_pages.section_of_kind(kinds[0]) if kinds else help_pages.START)
+
+    def show_section(self, section):
+        """Show a page and section here, or on the web where no pages are installed."""
+        url = QtCore.QUrl(help_pages.address(section))
+        if not url.isLocalFile():
+            QtGui.QDesktopServices.openUrl(url)
+            return
+        if self.window is None:
+            self.window = HelpWindow(Gui.getMainWindow())
+        self.window.show()
+        self.window.raise_()
+        self.window.pages.go(url)
+
+
+def _selected():
+    chosen = Gui.Selection.getSelection()
+    return [obj for obj in chosen if hasattr(getattr(obj, "Proxy", None), "Type")]
+
+
+def register():
+    """Make the command known to FreeCAD; return its name."""
+    Gui.addCommand(Help.name, Help())
+    return [Help.name]

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Tests of the workbench in other languages."""
+
+import contextlib
+
+import FreeCADGui as Gui
+import models
+from window import WindowCase, settle, whole_window
+
+from freecad.seamwright.plain.language import description, tr
+from freecad.seamwright.plain.summary import counted
+
+
+@contextlib.contextmanager
+def language(name):
+    """Within it, FreeCAD speaks this language; then it speaks English."""
+    Gui.setLocale(name)
+    settle()
+    try:
+        yield
+    finally:
+        Gui.setLocale("English")
+        settle()
+
+
+class Languages(WindowCase):
+    def test_menu_texts_and_tool_tips_follow_the_language_of_freecad(self):
+        (one,) = Gui.Command.get("Seamwright_AnalyzeSeams").getAction()
+        self.assertEqual(one.text().replace("&", ""), "Analyze Seams")
+        with language("German"):
+            self.assertEqual(one.text().replace("&", ""), "Nähte analysieren")
+            self.assertIn("Misst Spalt, Winkel und Krümmung", one.toolTip())
+        self.assertEqual(one.text().replace("&", ""), "Analyze Seams")
+
+    def test_counts_have_singular_and_plural(self):
+        with language("German"):
+            found = [counted(number, "face") for number in (0, 1, 2)]
+            self.assertEqual(found, ["keine Flächen", "1 Fläche", "2 Flächen"])
+        self.assertEqual(counted(2, "face"), "2 faces")
+
+    def test_descriptions_of_properties_are_stored_in_english(self):
+        models.add(self.doc, models.three_classes(), "Prism")
+        with language("German"):
+            obj, panel = self.analyse()
+            text = obj.getDocumentationOfProperty("Passed")
+            self.assertEqual(text, "Whether no seam is a defect")
+            self.assertEqual(description(text), "Ob keine Naht ein Fehler ist")
+            panel.reject()
+            settle()
+
+    def test_choices_are_shown_translated_and_stored_in_english(self):
+        models.add(self.doc, models.three_classes(), "Prism")
+        with language("German"):
+            obj, panel = self.analyse()
+            colours = panel.look.colours
+            self.assertEqual([colours.itemText(k) for k in (0, 1)], ["Klasse", "Stufe"])
+            colours.setCurrentIndex(1)
+            colours.activated.emit(1)
+            panel.seam_table.filter.setCurrentIndex(1)
+            settle()
+            self.assertEqual(obj.ViewObject.ColourBy, "Level")
+            self.assertEqual(obj.ViewObject.Show, "Not smooth")
+            self.assertIn("Nicht glatt", panel.seam_table.filter.currentText())
+            self.assertIn("ist nicht erreicht", obj.Summary)
+            panel.reject()
+            settle()
+
+    def test_files_are_there_for_all_languages(self):
+        for name, word in (("German", "Naht"), ("Chinese Simplified", "接缝")):
+            with self.subTest(name), language(name):
+                self.assertEqual(tr("Seam"), word)
+        self.assertEqual(tr("Seam"), "Seam")
+
+    def test_the_panel_of_an_analysis_opens_in_each_language(self):
+        models.add(self.doc, models.three_classes(), "Prism")
+        for name in ("German", "Chinese Simplified", "French", "Japanese"):
+            with self.subTest(name), language(name):
+                obj, panel = self.analyse()
+                whole_window("language-" + name.split()[0].lower())
+                panel.reject()
+                settle()
+                self.doc.removeObject(obj.Name)
