@@ -526,8 +526,15 @@ SeamFigures encloseSeam(const SeamSide& a, const SeamSide& b, const ContinuityTo
   tolerance.validate();
   Enclosure enclosure(a, b, tolerance, options);
   SeamPieces pieces = enclosure.run();
-  return figuresOf(std::move(pieces), enclosure.length_a(), enclosure.length_b(),
-                   {.tolerance = tolerance, .range = options.range});
+  SeamFigures figures = figuresOf(std::move(pieces), enclosure.length_a(), enclosure.length_b(),
+                                  {.tolerance = tolerance, .range = options.range});
+  const bool leaves_out =
+      !figures.angle_left_out.intervals.empty() || !figures.curvature_left_out.intervals.empty();
+  if (options.figures || !leaves_out) return figures;
+  // What is left out depends on how far the pieces are cut, and so do the values beside it.
+  EncloseOptions all = options;
+  all.figures = true;
+  return encloseSeam(a, b, tolerance, all);
 }
 
 }  // namespace seamwright

@@ -210,7 +210,8 @@ void measureBlend(const TopoDS_Shape& model, const ChosenBlend& chosen, const Bl
     std::ranges::move(found.seams, std::back_inserter(report.seams));
     end.reason = reasonOf(end.covered_mm, end.length_mm, 2 * task.tolerance.gap_mm,
                           farthest_mm(task.sides[k], report.surface, k));
-    report.reached = report.reached && found.reached && end.reason.empty();
+    end.reached = found.reached && end.reason.empty();
+    report.reached = report.reached && end.reached;
     report.ends.push_back(std::move(end));
   }
   for (std::size_t i = 0; i < task.laterals.size(); ++i)

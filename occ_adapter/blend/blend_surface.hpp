@@ -64,7 +64,8 @@ struct BlendEndReport {
   double length_mm = 0;
   double covered_mm = 0;  ///< length of the seams
   Level level = Level::G0;
-  std::string reason;  ///< why the seams do not cover the side; empty: they do
+  std::string reason;    ///< why the seams do not cover the side; empty: they do
+  bool reached = false;  ///< the seams certainly have the level, and cover the side
 };
 
 /// A given lateral boundary of a new face.

@@ -1,5 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <stdexcept>
+
 #include <seamwright/core/bezier/casteljau.hpp>
+#include <seamwright/occ_adapter/blend/blend_sheet.hpp>
 #include <seamwright/occ_adapter/blend/side_ribbon.hpp>
 
 namespace seamwright::occ {
@@ -21,8 +28,20 @@ BSplineSurface before(BSplineSurface surface) {
 
 SideRibbon sideRibbon(const TopoDS_Shape& model, const BlendEnd& side, double depth_mm,
                       const BlendSurfaceOptions& options, const Progress& progress) {
+  if (!(depth_mm > 0) || !std::isfinite(depth_mm))
+    throw std::invalid_argument(
+        fmt::format("depth_mm is {}: it must be positive and finite", depth_mm));
+  if (side.order == 0) throw std::invalid_argument("order is 0: a ribbon is G1, G2 or G3");
   const BlendSurfaceReport beyond = extendSurface(model, side, depth_mm, options, progress);
-  return {before(beyond.surface), beyond.ends[0], beyond.seams, beyond.reached};
+  SideRibbon ribbon{before(beyond.surface), beyond.ends[0], beyond.seams, beyond.ends[0].reached};
+  if (const std::optional<SheetFold> fold = foldOf(ribbon.surface)) {
+    ribbon.reached = false;
+    if (ribbon.side.reason.empty())
+      ribbon.side.reason =
+          fmt::format("the ribbon turns over at ({:.6g}): a smaller depth may help",
+                      fmt::join(fold->point_mm, ", "));
+  }
+  return ribbon;
 }
 
 }  // namespace seamwright::occ

@@ -14,14 +14,14 @@ struct SideRibbon {
   /// How the continuation of the ribbon beyond the side joins the faces, certified. Its jets at the
   /// side are those of the ribbon.
   std::vector<BlendSeam> seams;
-  /// All seams certainly have the level of the order and cover the side, and the continuation does
-  /// not fold over the depth.
+  /// All seams certainly have the level of the order and cover the side, and the ribbon does not
+  /// turn over. The reason of the side says why not.
   bool reached = false;
 };
 
 /// The ribbon of a side of any edges of any faces. Its lines across are the Taylor polynomials of
 /// the geodesics across the side, of the order's degree, over the depth: they stand for the faces
-/// up to that derivative at the side, not inside.
+/// up to that derivative at the side, not inside, and a large depth reaches beyond the faces.
 ///
 ///     const SideRibbon ribbon = sideRibbon(model, {.side = {{3}}, .order = 2}, 5);
 ///

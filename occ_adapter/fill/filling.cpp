@@ -166,10 +166,12 @@ std::optional<FillHoleReport> filledByGraph(const FillTask& task, const Progress
                      });
 }
 
-std::optional<FillHoleReport> filledBySheet(const FillTask& task, const Progress& progress) {
+std::optional<FillHoleReport> filledBySheet(const FillTask& task, double share_of_tolerance,
+                                            const Progress& progress) {
   return filledByFit(task, FillMethod::Sheet, "fitting a sheet", progress,
                      [&](const Progress& fitting) -> std::optional<FillFaces> {
-                       const std::optional<SheetFace> sheet = sheetFace(task, fitting);
+                       const std::optional<SheetFace> sheet =
+                           sheetFace(task, share_of_tolerance, fitting);
                        if (!sheet) return std::nullopt;
                        FillFaces made;
                        made.faces = {sheet->face};

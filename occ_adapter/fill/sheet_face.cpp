@@ -80,7 +80,8 @@ double reachOf(const BSplineSurface& surface, const std::array<SheetFillSide, sh
 
 }  // namespace
 
-std::optional<SheetFace> sheetFace(const FillTask& task, const Progress& progress) {
+std::optional<SheetFace> sheetFace(const FillTask& task, double share_of_tolerance,
+                                   const Progress& progress) {
   const ContinuityTolerance& tolerance = task.options.tolerance;
   const double gap_mm = tolerance.gap_mm / fit_share;
   if (!hasFourCorners(task.hole, gap_mm)) return std::nullopt;
@@ -88,11 +89,12 @@ std::optional<SheetFace> sheetFace(const FillTask& task, const Progress& progres
   std::array<SheetFillSide, sheet_sides> given;
   for (std::size_t k = 0; k < sheet_sides; ++k)
     given[k] = sheetSide(std::make_shared<const SidePath>(sides[k], gap_mm));
-  const SheetFill fill =
-      sheetFill(given,
-                {.gap_mm = tolerance.gap_mm,
-                 .angle_rad = task.options.target == Level::G0 ? 0 : tolerance.angle_rad},
-                progress);
+  const SheetFill fill = sheetFill(
+      given,
+      {.gap_mm = share_of_tolerance * tolerance.gap_mm,
+       .angle_rad =
+           task.options.target == Level::G0 ? 0 : share_of_tolerance * tolerance.angle_rad},
+      progress);
   std::vector<BoundaryEdge> boundary;
   for (std::size_t k = 0; k < sheet_sides; ++k) {
     double begin_mm = 0;

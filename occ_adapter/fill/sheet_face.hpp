@@ -19,7 +19,9 @@ struct SheetFace {
 
 /// A face on a sheetFill(), bounded by copies of the hole's edges; nothing if the hole has not four
 /// corners, all below 180 degrees.
+/// \param share_of_tolerance how near the spline is to come to the sides
 /// \throws std::invalid_argument as sheetFill(), GeometryError, Cancelled, Standard_Failure.
-std::optional<SheetFace> sheetFace(const FillTask& task, const Progress& progress);
+std::optional<SheetFace> sheetFace(const FillTask& task, double share_of_tolerance,
+                                   const Progress& progress);
 
 }  // namespace seamwright::occ

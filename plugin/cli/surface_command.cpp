@@ -8,6 +8,7 @@
 #include <seamwright/plugin/cli/read_back.hpp>
 #include <seamwright/plugin/cli/surface_command.hpp>
 #include <seamwright/plugin/report/blend_surface_json.hpp>
+#include <set>
 #include <sstream>
 
 namespace seamwright::cli {
@@ -51,10 +52,15 @@ std::string checkLateralOrder(const std::string& text) {
   static const std::regex one("G[0-2]");
   if (std::regex_match(text, one)) return "";
   std::istringstream parts(text);
-  for (std::string part; std::getline(parts, part, ',');)
-    if (!std::regex_match(part, edge_and_order))
+  std::set<int> edges;
+  std::smatch match;
+  for (std::string part; std::getline(parts, part, ',');) {
+    if (!std::regex_match(part, match, edge_and_order))
       return "'" + part + "' is neither G0, G1 or G2 nor EDGE=ORDER";
-  return "";
+    if (!edges.insert(std::stoi(match[1])).second)
+      return "edge " + match[1].str() + " has two orders";
+  }
+  return edges.empty() ? "an order is needed: G0, G1 or G2, or EDGE=ORDER,..." : "";
 }
 
 occ::LateralChoice lateralOf(const BlendSurfaceArguments& arguments) {

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <gmock/gmock.h>
 
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <Eigen/Geometry>
 #include <GeomLProp_SLProps.hxx>
 #include <Geom_CylindricalSurface.hxx>
+#include <TopoDS.hxx>
 #include <cmath>
+#include <gp_Circ.hxx>
+#include <gp_Pln.hxx>
 #include <stdexcept>
 
 #include "match_pairs.hpp"
@@ -33,8 +38,7 @@ TEST(SideRibbon, OfACylinderIsTheParabolaOfTheCircleInside) {
       BRepBuilderAPI_MakeFace(new Geom_CylindricalSurface(gp::XOY(), radius), 0, 1, 0, 30, 1e-7);
   const int edge = edgeNear(model, gp_Pnt(radius * std::cos(1), radius * std::sin(1), 15));
   for (int order = 1; order <= 3; ++order) {
-    const SideRibbon ribbon =
-        sideRibbon(model, {.side = {{edge}}, .order = order}, depth, fine());
+    const SideRibbon ribbon = sideRibbon(model, {.side = {{edge}}, .order = order}, depth, fine());
     EXPECT_TRUE(ribbon.reached);
     EXPECT_EQ(ribbon.seams.size(), 1U);
     EXPECT_EQ(ribbon.surface.degree_v, order);
@@ -77,18 +81,38 @@ TEST(SideRibbon, HasTheCurvatureOfATrimmedFaceAtTheSide) {
       const Eigen::Matrix3d tensor =
           curvatureTensor(of_ribbon, its_normal.dot(normal) > 0 ? its_normal : -its_normal);
       const double sum = props.MaxCurvature() + props.MinCurvature();
-      EXPECT_NEAR(tensor.trace(), sum, 1e-3 * (1e-3 + std::abs(props.MaxCurvature()) +
-                                               std::abs(props.MinCurvature())))
+      EXPECT_NEAR(tensor.trace(), sum,
+                  1e-3 * (1e-3 + std::abs(props.MaxCurvature()) + std::abs(props.MinCurvature())))
           << kind.name;
     }
   }
+}
+
+TEST(SideRibbon, TurnsOverBeyondTheCentreOfADisc) {
+  // Between circles of radius 2 and 30. The ribbon of the outer one meets itself in the centre;
+  // that of the inner one can be as deep as one likes.
+  BRepBuilderAPI_MakeFace disc(
+      gp_Pln(gp::XOY()), BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(gp_Circ(gp::XOY(), 30))));
+  disc.Add(TopoDS::Wire(
+      BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(gp_Circ(gp::XOY(), 2))).Wire().Reversed()));
+  const TopoDS_Shape model = disc.Face();
+  const int outer = edgeNear(model, gp_Pnt(-30, 0, 0)), inner = edgeNear(model, gp_Pnt(-2, 0, 0));
+  ASSERT_NE(outer, inner);
+  for (const double depth : {1.0, 5.0, 20.0})
+    EXPECT_TRUE(sideRibbon(model, {.side = {{inner}}}, depth, fine()).reached) << depth;
+  EXPECT_TRUE(sideRibbon(model, {.side = {{outer}}}, 25, fine()).reached);
+  const SideRibbon deep = sideRibbon(model, {.side = {{outer}}}, 45, fine());
+  EXPECT_FALSE(deep.reached);
+  EXPECT_THAT(deep.side.reason, testing::HasSubstr("turns over"));
 }
 
 TEST(SideRibbon, BadDepthsAndSidesAreRefused) {
   const TopoDS_Shape model =
       BRepBuilderAPI_MakeFace(new Geom_CylindricalSurface(gp::XOY(), 5), 0, 1, 0, 30, 1e-7);
   for (const double depth : {0.0, -1.0, HUGE_VAL, std::nan("")})
-    EXPECT_THROW(sideRibbon(model, {.side = {{1}}}, depth), std::invalid_argument) << depth;
+    EXPECT_THAT([&] { sideRibbon(model, {.side = {{1}}}, depth); },
+                testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("depth_mm")))
+        << depth;
   EXPECT_THROW(sideRibbon(model, {.side = {{99}}}, 1), std::invalid_argument);
 }
 

@@ -308,8 +308,8 @@ class SideRibbon(Result):
     faces      numbers of the faces that it stands for
     length_mm  of the side
     seams      Seams between these and the continuation of the ribbon beyond the side, face 0
-    reached    all seams certainly have the order asked for, and the continuation does not fold
-    reason     why seams do not cover the side; empty if they do
+    reached    all seams certainly have the order asked for, and the ribbon does not turn over
+    reason     why seams do not cover the side, or where the ribbon turns over; or empty
     """
 
     surface: BSplineSurface

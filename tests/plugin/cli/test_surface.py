@@ -162,6 +162,12 @@ def test_what_falls_short_is_not_written(gap):
         ("blend", ["--start", RIGHT, "--end", LEFT, "--lateral", "7"], "gap_mm = 20"),
         ("blend", ["--start", RIGHT, "--end", LEFT, "--lateral", "Face1"], "'Face1'"),
         ("blend", ["--start", RIGHT, "--end", LEFT, "--lateral-order", "G3"], "--lateral-order"),
+        ("blend", ["--start", RIGHT, "--end", LEFT, "--lateral-order", ""], "an order is needed"),
+        (
+            "blend",
+            ["--start", RIGHT, "--end", LEFT, "--lateral-order", "6=G1,Edge6=G1"],
+            "edge 6 has two orders",
+        ),
         (
             "blend",
             ["--start", RIGHT, "--end", LEFT, "--lateral-order", "6=G1,G2"],

@@ -78,4 +78,4 @@ def anchor(heading):
 
 def first_sentence(text):
     """Return the first sentence of a tool tip, for the status bar."""
-    return re.split(r"(?<=[.!?]) ", text, maxsplit=1)[0]
+    return re.split(r"(?<=[.!?]) |(?<=\u3002)", text, maxsplit=1)[0]
