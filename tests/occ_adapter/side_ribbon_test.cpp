@@ -8,6 +8,7 @@
 #include <GeomLProp_SLProps.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Wire.hxx>
 #include <cmath>
 #include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
