@@ -83,8 +83,8 @@ class Selecting(CurveWindow):
         self.doc.clearUndos()
         for kind, chosen, text in (
             ("JoinCurves", [], "Nothing is selected: select two edges."),
-            ("Arcs", [mesh], "Scan is a mesh: make a shape of it first, with Create shape from mesh of "
-             "the workbench Part."),
+            ("Arcs", [mesh], "Scan is a mesh: make a shape of it first, "
+             "with Create shape from mesh of the workbench Part."),
             ("Spline", [(self.points, "Vertex1")], "There is only one point: choose two or more."),
             ("BridgeCurve", [self.points], "0 edges are chosen: choose two."),
         ):
