@@ -11,6 +11,8 @@ import struct
 
 import pytest
 
+from freecad.seamwright.plain import help_pages
+
 SOURCE = pathlib.Path(
     os.environ.get("SEAMWRIGHT_SOURCE", pathlib.Path(__file__).resolve().parents[3])
 )
@@ -96,6 +98,16 @@ def test_a_text_has_one_translation_in_all_contexts(path):
     for (_, text), translation in tool.read(path).items():
         found.setdefault(text, set()).add(translation)
     assert {text: each for text, each in found.items() if len(each) > 1} == {}
+
+
+def test_chinese_texts_have_chinese_commas():
+    found = tool.read(tool.FILES / "seamwright_zh-CN.ts").values()
+    assert [text for text in found if re.search("[\u4e00-\u9fff][,;:]", text)] == []
+
+
+@pytest.mark.parametrize("text", ["Open it. Then go.", "Is it? Then go.", "打开。然后继续。"])
+def test_the_status_bar_shows_one_sentence(text):
+    assert help_pages.first_sentence(text) == re.match("[^.?。]+[.?。]", text).group()
 
 
 def test_files_are_written_as_they_are_read(tmp_path):

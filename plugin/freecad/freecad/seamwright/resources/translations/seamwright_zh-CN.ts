@@ -589,7 +589,7 @@
     </message>
     <message>
         <source>Open the documentation of Seamwright. With an object of Seamwright selected, it opens at the section about its command.</source>
-        <translation>打开 Seamwright 的文档。如果选择了 Seamwright 的对象,则打开关于其命令的章节。</translation>
+        <translation>打开 Seamwright 的文档。如果选择了 Seamwright 的对象，则打开关于其命令的章节。</translation>
     </message>
     <message>
         <source>Points and edges may be off their common plane by no more, in mm</source>
@@ -1238,7 +1238,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Colour of {name}; click to choose another one</source>
-        <translation>{name}的颜色;点击可选择其他颜色</translation>
+        <translation>{name}的颜色；点击可选择其他颜色</translation>
     </message>
     <message>
         <source>Coloured</source>
@@ -1258,7 +1258,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Compute shortly after each change of a field; otherwise when Preview is pressed</source>
-        <translation>每次更改字段后不久即计算;否则在按下“预览”时计算</translation>
+        <translation>每次更改字段后不久即计算；否则在按下“预览”时计算</translation>
     </message>
     <message>
         <source>Compute with the values of the fields</source>
@@ -2346,7 +2346,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Seamwright: help</source>
-        <translation>Seamwright:帮助</translation>
+        <translation>Seamwright：帮助</translation>
     </message>
     <message>
         <source>Seamwright: the colours are not shown: {error}
@@ -2622,7 +2622,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>The preferences are not stored: {error}.</source>
-        <translation>首选项未保存:{error}。</translation>
+        <translation>首选项未保存：{error}。</translation>
     </message>
     <message>
         <source>The property Vertex names {vertices} vertices: name exactly one</source>
@@ -4078,7 +4078,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>{name} cannot be {value:g}: choose from {least:g} to {largest:g}</source>
-        <translation>{name}不能是 {value:g}:请选择 {least:g} 到 {largest:g}</translation>
+        <translation>{name}不能是 {value:g}：请选择 {least:g} 到 {largest:g}</translation>
     </message>
     <message>
         <source>{name} has no edge: {needs}</source>
@@ -4138,7 +4138,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>{path} is not installed; the repository has it.</source>
-        <translation>{path} 未安装;代码仓库中有。</translation>
+        <translation>{path} 未安装；代码仓库中有。</translation>
     </message>
     <message>
         <source>{path}: cannot be written: {strerror}.</source>
@@ -4419,7 +4419,7 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     </message>
     <message>
         <source>Open the documentation of Seamwright. With an object of Seamwright selected, it opens at the section about its command.</source>
-        <translation>打开 Seamwright 的文档。如果选择了 Seamwright 的对象,则打开关于其命令的章节。</translation>
+        <translation>打开 Seamwright 的文档。如果选择了 Seamwright 的对象，则打开关于其命令的章节。</translation>
     </message>
 </context>
 <context>
