@@ -225,7 +225,7 @@ FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOpti
     if (other && isBetter(*other, best, options)) best = std::move(*other);
   };
   // The knots of a sheet depend on what is asked for: a closer one may reach what another misses.
-  for (const double share : {1.0, 0.25, 0.0625})
+  for (const double share : {1.0, 0.5, 0.2, 0.05})
     if (!best.reached && options.sheet && isWorthwhile(task))
       consider(filledBySheet(task, share, partOf(progress, share_of_patches, share_of_sheet)));
   if (!best.reached && options.graph && isWorthwhile(task))
