@@ -69,7 +69,7 @@ struct Outcome {
   double angle_deg = -1, gap_mm = -1, curvature_rel = -1;  ///< negative: unknown
   double seconds = -1;
   std::string note;
-  int poles = 0;  ///< of all faces of the fill
+  int poles = 0;         ///< of all faces of the fill
   bool reached = false;  ///< fillHole() only: kept even without keep_anyway
 };
 

@@ -51,10 +51,10 @@ BezierPatch patchOf(const BSplineSurface& surface, std::size_t span_u, std::size
   const int m = surface.degree_u, n = surface.degree_v;
   HomogeneousPoles poles((m + 1) * (n + 1), 4);
   for (int i = 0; i <= m; ++i)
-    poles.middleRows(i * (n + 1), n + 1) = surface.poles.middleRows(
-        (static_cast<Eigen::Index>(span_u) * m + i) * surface.countV() +
-            static_cast<Eigen::Index>(span_v) * n,
-        n + 1);
+    poles.middleRows(i * (n + 1), n + 1) =
+        surface.poles.middleRows((static_cast<Eigen::Index>(span_u) * m + i) * surface.countV() +
+                                     static_cast<Eigen::Index>(span_v) * n,
+                                 n + 1);
   return {m, n, affinePoles(poles), poles.col(3)};
 }
 

@@ -25,10 +25,14 @@ BSplineSurface example(std::mt19937_64& random, bool rational) {
 /// The point at a share along an edge and a share of the span beside it.
 Vec ofSurface(const BSplineSurface& s, PatchEdge edge, double share, double across) {
   switch (edge) {
-    case PatchEdge::U0: return jet(s, 0.25 * across, share).p;
-    case PatchEdge::U1: return jet(s, 0.75 + 0.25 * across, share).p;
-    case PatchEdge::V0: return jet(s, share, 0.2 * across).p;
-    case PatchEdge::V1: return jet(s, share, 0.9 + 0.1 * across).p;
+    case PatchEdge::U0:
+      return jet(s, 0.25 * across, share).p;
+    case PatchEdge::U1:
+      return jet(s, 0.75 + 0.25 * across, share).p;
+    case PatchEdge::V0:
+      return jet(s, share, 0.2 * across).p;
+    case PatchEdge::V1:
+      return jet(s, share, 0.9 + 0.1 * across).p;
   }
   return {};
 }
@@ -75,8 +79,8 @@ TEST(EdgePatches, OfPairsEqualSharesCorrespond) {  // (2)
                        b = strip({2, 4, {0.1, 0.5}, true}, 1, 0.5, random);
   for (const bool reversed : {false, true}) {
     // 0.1 is 0.9 of the other one if it runs the other way.
-    const std::vector<double> ends = withEnds(
-        reversed ? std::vector<double>{0.2, 0.5, 0.9} : std::vector<double>{0.1, 0.2, 0.5, 0.9});
+    const std::vector<double> ends = withEnds(reversed ? std::vector<double>{0.2, 0.5, 0.9}
+                                                       : std::vector<double>{0.1, 0.2, 0.5, 0.9});
     const auto pairs = edgePairs(a, PatchEdge::U1, b, PatchEdge::U0, reversed);
     ASSERT_EQ(pairs.size(), ends.size() - 1);
     for (std::size_t i = 0; i < pairs.size(); ++i)
