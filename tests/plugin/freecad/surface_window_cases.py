@@ -10,6 +10,7 @@ import models
 import Part
 from curve_cases import slot
 from free_surface_cases import spoke
+from PySide import QtCore, QtGui
 from surface_cases import at_x, sheet
 from window import (
     PanelWindow,
@@ -17,17 +18,23 @@ from window import (
     click_row,
     count,
     messages,
+    pause,
     picture,
+    press_escape,
+    press_key,
     settle,
     whole_window,
 )
 
+from freecad.seamwright.document.feature import report_of
 from freecad.seamwright.document.surfaces import surface
 from freecad.seamwright.document.surfaces.kinds import KINDS
 from freecad.seamwright.gui.base.option_panel import PREVIEW_AFTER_MS
 from freecad.seamwright.gui.scene.marker import INK
+from freecad.seamwright.gui.scene.projection import Projection
 from freecad.seamwright.gui.scene.zebra import zebra
 from freecad.seamwright.gui.surfaces.view import COLOUR
+from freecad.seamwright.gui.widgets.qt import QtWidgets
 
 
 class SurfaceWindow(PanelWindow):
@@ -228,6 +235,94 @@ class Panel(SurfaceWindow):
         panel.zebra.setChecked(True)
         self.ok()
         self.assertEqual(zebra.objects(self.doc), [])
+
+
+class Keys(SurfaceWindow):
+    def press(self, key, *modifiers):
+        held = QtCore.Qt.KeyboardModifiers()
+        for each in modifiers:
+            held |= each
+        press_key(key, held)
+        settle(0.1 + PREVIEW_AFTER_MS / 1000)
+
+    def undo(self):
+        self.press(QtCore.Qt.Key_Z, QtCore.Qt.ControlModifier)
+
+    def redo(self):
+        self.press(QtCore.Qt.Key_Z, QtCore.Qt.ControlModifier, QtCore.Qt.ShiftModifier)
+
+    def slide(self, panel, value):
+        handle = panel._handles["start_tension"]
+        handle.dragger.translation = (value * handle._unit, 0.0, 0.0)
+        settle(0.2 + PREVIEW_AFTER_MS / 1000)
+
+    def mouse(self, kind, place, button, held):
+        view = Gui.activeDocument().activeView()
+        target = view.graphicsView().viewport()
+        local = QtCore.QPointF(*place)
+        everywhere = QtCore.QPointF(target.mapToGlobal(local.toPoint()))
+        event = QtGui.QMouseEvent(kind, local, everywhere, button, held, QtCore.Qt.NoModifier)
+        QtWidgets.QApplication.sendEvent(target, event)
+        pause(0.03)
+
+    def test_undo_takes_the_last_change_back_and_the_panel_stays(self):
+        obj, panel = self.blend()
+        first = obj.StartTension
+        self.undo()  # nothing to take back
+        self.slide(panel, 2.0)
+        self.slide(panel, 1.5)
+        self.set_field(panel, "end_order", "G1")
+        self.select((self.high, at_x(self.high, 90)))
+        self.use(panel, "End")
+        self.undo()
+        self.assertEqual(obj.End, [(self.high, (self.end_edge[1],))])
+        self.assertEqual(panel.boxes["End"].chosen.text(), "High." + self.end_edge[1])
+        panel.options.fields["gap_mm"].widget.setFocus()  # wherever the key is pressed
+        self.undo()
+        self.assertEqual((obj.EndOrder, round(obj.StartTension, 6)), ("G2", 1.5))
+        self.undo()
+        self.assertAlmostEqual(obj.StartTension, 2, delta=1e-6)
+        self.undo()
+        self.undo()  # no step is left
+        self.assertEqual(obj.StartTension, first)
+        for _ in range(4):
+            self.redo()
+        self.assertEqual((obj.EndOrder, round(obj.StartTension, 6)), ("G1", 1.5))
+        self.assertEqual(obj.End, [(self.high, (at_x(self.high, 90),))])
+        self.assertEqual(obj.ViewObject.Proxy.panel, panel)
+        self.ok()
+        self.assertEqual(self.doc.UndoCount, 1)
+
+    def test_escape_takes_a_drag_back_and_then_is_cancel(self):
+        obj, panel = self.blend()
+        self.slide(panel, 1.5)
+        origin, step = (App.Vector(*each) for each in report_of(obj)["handles"]["start_tension"])
+        projection = Projection(Gui.activeDocument().activeView())
+        start, end = projection.pixels([tuple(origin + step * share) for share in (1.5, 3)])
+        left, none = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
+        self.mouse(QtCore.QEvent.MouseMove, start, none, none)
+        self.mouse(QtCore.QEvent.MouseButtonPress, start, left, left)
+        for share in (0.25, 0.5, 0.75):
+            self.mouse(QtCore.QEvent.MouseMove, start + share * (end - start), none, left)
+        settle(0.2 + PREVIEW_AFTER_MS / 1000)
+        self.assertGreater(obj.StartTension, 2)
+        press_escape()
+        settle()
+        self.mouse(QtCore.QEvent.MouseMove, end, none, left)
+        self.mouse(QtCore.QEvent.MouseButtonRelease, end, left, none)
+        settle(0.2 + PREVIEW_AFTER_MS / 1000)
+        self.assertEqual(obj.ViewObject.Proxy.panel, panel)
+        self.assertAlmostEqual(obj.StartTension, 1.5, delta=1e-6)
+        self.assertAlmostEqual(panel._handles["start_tension"].number(), 1.5, delta=1e-6)
+        for focus in (panel.options.fields["gap_mm"].widget, None):
+            if focus is not None:
+                focus.setFocus()
+            else:
+                _, panel = self.blend()
+                Gui.activeDocument().activeView().graphicsView().setFocus()
+            press_escape()
+            settle(0.5)
+            self.assertEqual((self.made(), self.doc.UndoCount), ([], 0))
 
 
 class Picking(SurfaceWindow):

@@ -66,12 +66,17 @@ def held():
     settle()
 
 
-def press_escape():
-    """Press Esc: the window gives it to what has the focus."""
+def press_key(key, modifiers=QtCore.Qt.NoModifier):
+    """Press a key: the window gives it to what has the focus."""
     target = Gui.getMainWindow().windowHandle()
     for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
-        event = QtGui.QKeyEvent(kind, QtCore.Qt.Key_Escape, QtCore.Qt.NoModifier)
+        event = QtGui.QKeyEvent(kind, key, modifiers)
         QtWidgets.QApplication.postEvent(target, event)
+
+
+def press_escape():
+    """Press Esc."""
+    press_key(QtCore.Qt.Key_Escape)
 
 
 def report_view():

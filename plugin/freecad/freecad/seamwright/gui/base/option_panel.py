@@ -7,6 +7,7 @@ The document follows the fields: each change is computed at once.
 from freecad.seamwright.document import option_feature, sources
 from freecad.seamwright.document.feature import report_of
 from freecad.seamwright.document.properties import error_text
+from freecad.seamwright.gui.base.panel_steps import PanelSteps
 from freecad.seamwright.gui.base.picked import picked
 from freecad.seamwright.gui.base.result_panel import ResultPanel
 from freecad.seamwright.gui.scene.handle import Handle
@@ -65,7 +66,7 @@ class OptionPanel(ResultPanel):
         kind = obj.Proxy
         names = [entry[0] for entry in kind.LINKS] + [option.name for option in kind.OPTIONS]
         super().__init__(obj, created, tr("Edit {label}").format(label=inside(kind.LABEL)), names)
-        self._links = {}
+        self._links, self.steps = {}, PanelSteps(self)
         self._handles, self._handle_timer = {}, QtCore.QTimer()
         self._handle_timer.setInterval(READ_HANDLES_MS)
         self._handle_timer.timeout.connect(self._read_handles)
@@ -142,6 +143,7 @@ class OptionPanel(ResultPanel):
         self.options.show_values(option_feature.values_of(self.obj))
         self._list_sources()
         self._timer.stop()
+        self.steps.start()
 
     def links(self, name):
         """Return the [(object, "Edge3" or ""), ...] of a property as the panel shows them."""
@@ -198,6 +200,41 @@ class OptionPanel(ResultPanel):
             if value is not None:
                 self.options.fields[argument].drag(value)
 
+    def held_handles(self):
+        """Return the {argument: handle} that the user is dragging."""
+        return {name: handle for name, handle in self._handles.items() if handle.held}
+
+    # Steps.
+
+    def key(self, name):
+        """Esc takes a drag back, else it is Cancel; undo and redo are those of the panel."""
+        held = self.held_handles()
+        if name == "escape" and held:
+            for argument, handle in held.items():
+                handle.drop(self.steps.shown[0][argument])
+            self.put(*self.steps.shown)
+        else:
+            super().key(name)
+
+    def step(self, back):
+        """Take the last change of a field, of sources or by a drag back, or do it again."""
+        found = self.steps.step(back)
+        if found is not None and not self.computation.busy:
+            self.put(*found)
+
+    def put(self, values, names):
+        """Show these values of fields and sources, as PanelSteps has them; compute."""
+        find = self._doc.getObject
+        for name, chosen in names.items():
+            self._links[name] = [(find(each), element) for each, element in chosen if find(each)]
+        for argument, value in values.items():
+            self.options.fields[argument].show_value(value)
+        self._list_sources()
+        self._edits += 1
+        self.preview()
+
+    # Computing.
+
     def _preview_in_time(self):
         """Compute now, or retry while FreeCAD changes documents."""
         if documents_rest():
@@ -215,6 +252,7 @@ class OptionPanel(ResultPanel):
             if then is not None:
                 messages.show_notice(str(error))
             return
+        self.steps.note()
         super().preview(then)
 
     def computed(self):

@@ -12,7 +12,9 @@ from freecad.seamwright.document.properties import error_text, plain
 from freecad.seamwright.gui.widgets import messages
 from freecad.seamwright.gui.widgets.dock import widen_dock
 from freecad.seamwright.gui.widgets.forms import buttons
+from freecad.seamwright.gui.widgets.keys import PanelKeys
 from freecad.seamwright.gui.widgets.later import later
+from freecad.seamwright.gui.widgets.qt import QtWidgets
 from freecad.seamwright.gui.widgets.steps import remove, step
 from freecad.seamwright.plain import kernel
 from freecad.seamwright.plain.language import mark, tr
@@ -99,8 +101,9 @@ class ResultPanel:
         return buttons("Ok", "Cancel")
 
     def open(self):
-        """Make the dock that holds the panel wide enough for it."""
+        """Make the dock that holds the panel wide enough for it, and take its keys."""
         widen_dock(self.form, self.DOCK_WIDTH)
+        PanelKeys(self)
 
     def accept(self):
         """Keep the result; compute it first where that is due.
@@ -163,6 +166,24 @@ class ResultPanel:
         self._ended = True
         self.computation.drop()
         self.release()
+
+    # Keys.
+
+    @property
+    def ended(self):
+        """Whether OK or Cancel was pressed, or FreeCAD ended the editing."""
+        return self._ended
+
+    def key(self, name):
+        """Esc is Cancel; undo and redo are those of the panel, which stays."""
+        if name == "escape":
+            if not QtWidgets.QApplication.mouseButtons():
+                self.reject()
+        else:
+            self.step(back=name == "undo")
+
+    def step(self, back):
+        """Take the last change in the panel back, or do it again."""
 
     # Actions.
 

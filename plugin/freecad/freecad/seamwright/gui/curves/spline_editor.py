@@ -172,7 +172,7 @@ class SplineEditor:
             self.drawing.show_snap(None)
             self.load()
         elif self._drag is None:
-            (self.panel.undo_drag if name == "undo" else self.panel.redo_drag)()
+            self.panel.step(back=name == "undo")
         return True
 
     def _dragged(self, projection, pixel):

@@ -5,7 +5,6 @@ from freecad.seamwright.document.curves.spline import BETA, FREE, NU
 from freecad.seamwright.gui.curves.panel import CurvePanel
 from freecad.seamwright.gui.curves.point_box import PointBox
 from freecad.seamwright.gui.curves.spline_editor import SplineEditor
-from freecad.seamwright.gui.curves.value_steps import ValueSteps
 from freecad.seamwright.plain.language import mark, tr
 
 NO_POINTS = mark(
@@ -18,10 +17,9 @@ class SplinePanel(CurvePanel):
 
     def __init__(self, obj, created):
         self.editor = None
-        self._steps = ValueSteps()
         super().__init__(obj, created)
         self.editor = SplineEditor(self, obj)
-        self.box.enable(self._steps, self.options.fields)
+        self.box.enable(self.steps, self.options.fields)
 
     # The window.
 
@@ -35,8 +33,8 @@ class SplinePanel(CurvePanel):
     def _connect(self):
         super()._connect()
         self.pick.toggled.connect(self._toggle_pick)
-        self.box.undo.clicked.connect(lambda *_: self.undo_drag())
-        self.box.redo.clicked.connect(lambda *_: self.redo_drag())
+        self.box.undo.clicked.connect(lambda *_: self.step(back=True))
+        self.box.redo.clicked.connect(lambda *_: self.step(back=False))
         free = {"start_tangent_mm": FREE, "end_tangent_mm": FREE}
         self.box.free.clicked.connect(lambda *_: self._change(free))
         self.box.back.clicked.connect(lambda *_: self._change({"moves_mm": []}))
@@ -89,7 +87,6 @@ class SplinePanel(CurvePanel):
         self._end_pick()
         for argument in ("points_mm", "moves_mm"):
             self.options.fields[argument].show_value([])
-        self._steps.clear()
         super().take(name, chosen)
         self._load()
 
@@ -117,44 +114,26 @@ class SplinePanel(CurvePanel):
         return values
 
     def keep_values(self, values, sources=None):
-        """Compute with these values of fields, as one step that ``undo_drag`` takes back.
+        """Compute with these values of fields, as one step that can be taken back.
 
         ``sources``: links instead of those that there are.
         """
         before, chosen = self.spline_values(), self.links("Sources")
         changed = {name: value for name, value in values.items() if value != before[name]}
         if changed:
-            self._steps.add(({name: before[name] for name in changed}, chosen))
             self._links["Sources"] = chosen if sources is None else sources
             self._list_sources()
-            self._put(changed)
+            for name, value in changed.items():
+                self.options.fields[name].show_value(value)
+            self.preview()
+            self.box.enable(self.steps, self.options.fields)
 
-    def undo_drag(self):
-        """Take the last change of a point, tangent or tension back."""
-        self._move(back=True)
-
-    def redo_drag(self):
-        """Do the last change again that was taken back."""
-        self._move(back=False)
+    def put(self, values, names):
+        """Show these values of fields and sources, as PanelSteps has them; compute."""
+        super().put(values, names)
+        self._load()
 
     # Actions.
-
-    def _put(self, values):
-        for name, value in values.items():
-            self.options.fields[name].show_value(value)
-        self.box.enable(self._steps, self.options.fields)
-        self.preview()
-
-    def _move(self, back):
-        def now(step):
-            fields = self.options.fields
-            return {name: fields[name].value() for name in step[0]}, self.links("Sources")
-
-        found = self._steps.move(back, now)
-        if found is not None:
-            values, self._links["Sources"] = found
-            self._list_sources()
-            self._put(values)
 
     def _has_points(self):
         return bool(self.options.fields["points_mm"].value() or self.links("Sources"))
@@ -163,7 +142,7 @@ class SplinePanel(CurvePanel):
         if self.editor is None or self._ended:
             return
         self.editor.load()
-        self.box.enable(self._steps, self.options.fields)
+        self.box.enable(self.steps, self.options.fields)
         self._show_table()
 
     def _show_table(self):

@@ -20,7 +20,7 @@ class Handle:
     """A ball on a line; add ``node`` to the root of a view provider."""
 
     def __init__(self):
-        self._unit, self._seen = 1.0, 0.0
+        self._unit, self._seen, self._dropped = 1.0, 0.0, False
         self._stand = coin.SoTransform()
         self.dragger = coin.SoTranslate1Dragger()
         for part, colour in (("translator", COLOUR), ("translatorActive", ACTIVE_COLOUR)):
@@ -41,16 +41,37 @@ class Handle:
         self._stand.rotation = rotation.Q
         self._stand.scaleFactor = (radius, radius, radius)
         self._unit = step.Length / radius
-        self.dragger.translation = (value * self._unit, 0.0, 0.0)
-        self._seen = self._place()
+        self._put(value)
+
+    @property
+    def held(self):
+        """Whether the user is dragging it."""
+        return self.dragger.isActive.getValue() and not self._dropped
+
+    def drop(self, value):
+        """Take the drag back to this number: what the mouse does until it is released is ignored."""
+        self._put(value)
+        self._dropped = True
 
     def dragged_to(self):
         """Return the number to which the user dragged it since the last call, or None."""
+        if self._dropped:
+            self._put(self.number())
+            self._dropped = self.dragger.isActive.getValue()
+            return None
         place = self._place()
         if place == self._seen:
             return None
         self._seen = place
-        return place / self._unit
+        return self.number()
+
+    def number(self):
+        """Return the number that was shown or read last."""
+        return self._seen / self._unit
+
+    def _put(self, value):
+        self.dragger.translation = (value * self._unit, 0.0, 0.0)
+        self._seen = self._place()
 
     def _place(self):
         return self.dragger.translation.getValue()[0]

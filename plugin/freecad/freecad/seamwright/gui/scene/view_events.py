@@ -8,12 +8,8 @@ the window, which gets them whatever has the focus.
 
 import FreeCADGui as Gui
 
-from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
-
-#: Fields that use keys themselves.
-TYPING = (QtWidgets.QLineEdit, QtWidgets.QAbstractSpinBox, QtWidgets.QTextEdit)
-
-KEYS = (QtCore.QEvent.ShortcutOverride, QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease)
+from freecad.seamwright.gui.widgets.keys import KEYS, is_typing, name_of
+from freecad.seamwright.gui.widgets.qt import QtCore
 
 
 class ViewEvents(QtCore.QObject):
@@ -70,8 +66,8 @@ class ViewEvents(QtCore.QObject):
         return False
 
     def _key(self, event):
-        name = _name_of(event)
-        if name is None or (name != "escape" and _is_typing()):
+        name = name_of(event)
+        if name is None or (name != "escape" and is_typing()):
             return False
         if event.type() == QtCore.QEvent.ShortcutOverride:
             wanted = self._tool.wants(name)
@@ -91,25 +87,3 @@ class ViewEvents(QtCore.QObject):
 def _pixel(event):
     place = event.pos()
     return place.x(), place.y()
-
-
-def _is_typing():
-    return isinstance(QtWidgets.QApplication.focusWidget(), TYPING)
-
-
-def _name_of(event):
-    qt = QtCore.Qt
-    plain = {
-        qt.Key_Escape: "escape",
-        qt.Key_Return: "enter",
-        qt.Key_Enter: "enter",
-        qt.Key_Backspace: "backspace",
-    }
-    if event.key() in plain:
-        return plain[event.key()]
-    modifiers = event.modifiers()
-    if not modifiers & qt.ControlModifier:
-        return None
-    if event.key() == qt.Key_Z:
-        return "redo" if modifiers & qt.ShiftModifier else "undo"
-    return "redo" if event.key() == qt.Key_Y else None
