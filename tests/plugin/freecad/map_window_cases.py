@@ -16,6 +16,7 @@ from window import PanelWindow, click, count, held, messages, picture, settle, w
 
 from freecad.seamwright.document.feature import report_of
 from freecad.seamwright.document.maps import kinds, tool
+from freecad.seamwright.gui import selected
 from freecad.seamwright.gui.maps.panel import DRAW_AFTER_MS
 from freecad.seamwright.gui.scene import shaders
 from freecad.seamwright.gui.scene.comb import COLOURS
@@ -180,6 +181,49 @@ class Panel(MapWindow):
                 self.assertTrue(found.startswith(text), found)
                 self.assertEqual((self.made(), self.doc.UndoCount), ([], 0))
                 self.assertFalse(self.doc.HasPendingTransaction)
+
+    def test_a_part_and_a_group_count_as_their_contents_and_a_link_has_its_own_place(self):
+        part = self.doc.addObject("App::Part", "Part")
+        part.addObject(self.block)
+        part.Placement.Base.z = 100
+        group = self.doc.addObject("App::DocumentObjectGroup", "Group")
+        for sheet in self.sheets:
+            group.addObject(sheet)
+        link = self.doc.addObject("App::Link", "Link")
+        link.LinkedObject = part
+        link.Placement.Base.z = 300
+        self.doc.recompute()
+        for kind in ("CurvatureMap", "ReflectionLines", "DraftAngle"):
+            obj, _ = self.start(kind, (part, ""))
+            self.assertEqual(tool.links_of(obj), [(self.block, "")])
+            self.cancel()
+        obj, _ = self.start("Deviation", (group, ""))
+        self.assertEqual(obj.Proxy.source_objects(obj), self.sheets)
+        self.cancel()
+        self.select((group, ""))
+        faces = [(sheet, "Face1") for sheet in self.sheets]
+        self.assertEqual(selected.selected_elements("Face"), faces)
+        self.select((part, "Block.Vertex2"))
+        self.assertEqual(selected.selected_elements("Vertex"), [(self.block, "Vertex2")])
+        obj, _ = self.start("CurvatureComb", (link, "Block.Edge3"))
+        ((source, name),) = tool.links_of(obj)
+        self.assertEqual(source, link)
+        meant = self.block.Shape.Edges[2].CenterOfMass + App.Vector(0, 0, 300)
+        found = Part.getShape(link).Edges[int(name[4:]) - 1].CenterOfMass
+        self.assertLess((found - meant).Length, 1e-9)
+        self.cancel()
+
+    def test_a_mesh_beside_an_object_is_one_sentence(self):
+        mesh = self.doc.addObject("Mesh::Feature", "Scan")
+        self.doc.recompute()
+        for command in ("AnalyzeSeams", "RepairSeams", "ZebraStripes", "CurvatureMap"):
+            self.select((self.block, ""), (mesh, ""))
+            before = self.doc.Objects
+            Gui.runCommand("Seamwright_" + command)
+            settle()
+            (text,) = messages()
+            self.assertTrue(text.startswith("Scan is a mesh: "), text)
+            self.assertEqual(self.doc.Objects, before)
 
     def test_other_sources_are_taken_or_refused(self):
         obj, panel = self.start("CurvatureMap", (self.block, ""))

@@ -65,6 +65,21 @@ def expand(objects):
     return found
 
 
+def element_of_link(link, path):
+    """Return the name that an element has in the shape of a link: "Face7" for "Box.Face1"."""
+    element = Part.getShape(link, path, needSubElement=True)
+    kind = element.ShapeType
+    several = {"Vertex": "Vertexes"}.get(kind, kind + "s")
+    every = enumerate(getattr(Part.getShape(link), several), 1)
+    centre = element.BoundBox.Center
+    _, number = min(
+        ((each.BoundBox.Center - centre).Length, number)
+        for number, each in every
+        if each.isPartner(element)
+    )
+    return "%s%d" % (kind, number)
+
+
 def parent_placement(obj):
     """Return the placement of the parts that contain an object.
 

@@ -12,6 +12,7 @@ import FreeCADGui as Gui
 import Part
 
 from freecad.seamwright.document import analysis, sources
+from freecad.seamwright.gui.base.picked import picked
 from freecad.seamwright.plain import rows
 
 
@@ -22,8 +23,7 @@ def selected_sources(doc):
     has no faces, or the document has none.
     """
     chosen = _with_analysed(Gui.Selection.getSelection())
-    for obj in sources.expand(chosen) or chosen:
-        sources.world_shape(obj)
+    _parts(chosen)
     if not chosen and not sources.everything(doc):
         sources.Model([])
     return chosen
@@ -42,20 +42,16 @@ def selected_elements(kind):
     ``kind``: "Face", "Edge" or "Vertex". An object that is selected as a whole counts as its face
     if it has just one. Raises SourceError for an object without faces.
     """
-    chosen = Gui.Selection.getSelectionEx()
-    for each in chosen:
-        if not analysis.is_analysis(each.Object):
-            sources.world_shape(each.Object)
-    return [
-        (each.Object, name)
-        for each in chosen
-        for name in each.SubElementNames or _only_face(each.Object)
-        if name.startswith(kind)
-    ]
+    chosen = picked()
+    for obj, _ in chosen:
+        if not analysis.is_analysis(obj):
+            sources.world_shape(obj)
+    chosen = [(obj, name or _only_face(obj)) for obj, name in chosen]
+    return [(obj, name) for obj, name in chosen if name.startswith(kind)]
 
 
 def _only_face(obj):
-    return ("Face1",) if len(Part.getShape(obj).Faces) == 1 else ()
+    return "Face1" if len(Part.getShape(obj).Faces) == 1 else ""
 
 
 def selected_seams(doc):
@@ -74,14 +70,21 @@ def picked_seams(doc):
     if rest:
         return rest
     found = []
-    for chosen in Gui.Selection.getSelectionEx():
-        edges = [name for name in chosen.SubElementNames if name.startswith("Edge")]
-        if analysis.is_analysis(chosen.Object):
-            found += _edges_of_lines(chosen.Object, edges) or [
-                (obj, "") for obj in chosen.Object.Analysed
-            ]
+    for obj, names in _picked_names().items():
+        edges = [name for name in names if name.startswith("Edge")]
+        if analysis.is_analysis(obj):
+            found += _edges_of_lines(obj, edges) or [(each, "") for each in obj.Analysed]
         else:
-            found += [(obj, edge) for obj in _parts([chosen.Object]) for edge in edges or [""]]
+            sources.world_shape(obj)
+            found += [(obj, edge) for edge in edges or [""]]
+    return found
+
+
+def _picked_names():
+    """Return {object: [names of its selected elements]} of the selection."""
+    found = {}
+    for obj, name in picked():
+        found.setdefault(obj, []).extend([name] if name else [])
     return found
 
 
@@ -111,12 +114,11 @@ def selected_parts(doc):
     Raises SourceError for an object without faces.
     """
     found = {}
-    for chosen in Gui.Selection.getSelectionEx():
-        if analysis.is_analysis(chosen.Object):
-            parts = {obj: () for obj in chosen.Object.Analysed}
+    for obj, names in _picked_names().items():
+        if analysis.is_analysis(obj):
+            found.update({each: found.get(each, []) for each in obj.Analysed})
         else:
-            parts = {obj: chosen.SubElementNames for obj in _parts([chosen.Object])}
-        for obj, names in parts.items():
+            sources.world_shape(obj)
             found.setdefault(obj, []).extend(names)
     return found or {obj: [] for obj in sources.everything(doc)}
 
@@ -148,7 +150,7 @@ def _with_analysed(objects):
 
 def _parts(objects):
     """Return the objects with faces that the objects contain. Raises SourceError without faces."""
-    found = sources.expand(objects)
-    for obj in found or objects:
+    found = [part for obj in objects for part in sources.expand([obj]) or [obj]]
+    for obj in found:
         sources.world_shape(obj)
-    return found
+    return list(dict.fromkeys(found))
