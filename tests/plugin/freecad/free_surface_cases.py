@@ -197,7 +197,7 @@ class Objects(FreeSurfaceCase):
             label = gone.Label
             self.doc.removeObject(gone.Name)
             self.doc.recompute()
-            self.assertFailed(obj, "%s was deleted: choose others in the property Sources" % label)
+            self.assertFailed(obj, "%s was deleted: select others and press" % label)
             self.assertTrue(obj.Shape.isNull())
             self.doc.removeObject(obj.Name)
 

@@ -2,6 +2,7 @@
 """The analysis tools in FreeCAD's window; run by run_freecad.py --window."""
 
 import os
+import sys
 import tempfile
 import time
 from unittest import mock
@@ -12,7 +13,17 @@ import models
 import numpy
 import Part
 from PySide import QtCore, QtGui
-from window import PanelWindow, click, count, held, messages, picture, settle, whole_window
+from window import (
+    PanelWindow,
+    click,
+    count,
+    held,
+    messages,
+    picture,
+    report_view,
+    settle,
+    whole_window,
+)
 
 from freecad.seamwright.document.feature import report_of
 from freecad.seamwright.document.maps import kinds, tool
@@ -205,6 +216,11 @@ class Panel(MapWindow):
         self.assertEqual(selected.selected_elements("Face"), faces)
         self.select((part, "Block.Vertex2"))
         self.assertEqual(selected.selected_elements("Vertex"), [(self.block, "Vertex2")])
+        body = self.doc.addObject("PartDesign::Body", "Body")
+        first, last = (body.newObject("PartDesign::Additive" + kind) for kind in ("Box", "Sphere"))
+        self.doc.recompute()
+        self.select((body, last.Name + ".Face1"), (body, first.Name + ".Face2"))
+        self.assertEqual(selected.selected_elements("Face"), [(body, "Face1"), (first, "Face2")])
         obj, _ = self.start("CurvatureComb", (link, "Block.Edge3"))
         ((source, name),) = tool.links_of(obj)
         self.assertEqual(source, link)
@@ -337,9 +353,13 @@ class Drawing(MapWindow):
         self.assertTrue(self.drawn(self.block))
         self.doc.removeObject("Block")
         obj.touch()
+        said = report_view()
         self.doc.recompute()
         settle(0.5)
         self.assertIn("Invalid", obj.State)
+        self.assertIn("The sources were deleted: select others", report_view()[len(said) :])
+        self.assertNotIn("Traceback", report_view()[len(said) :])
+        self.assertFalse(hasattr(sys, "tracebacklimit"))
         self.assertLess(self.legend("draft-deleted"), FEW)
 
     def test_a_document_opens_with_what_was_drawn(self):

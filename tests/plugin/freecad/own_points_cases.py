@@ -245,7 +245,7 @@ class DeletedSources(SurfaceCase):
         self.doc.removeObject(wall.Name)
         self.doc.commitTransaction()
         self.doc.recompute()
-        self.assertFailed(obj, "Wall was deleted: choose others in the property Lateral")
+        self.assertFailed(obj, "Wall was deleted: select others and press")
         self.doc.undo()
         self.doc.recompute()
         self.assertMade(obj)
@@ -277,7 +277,7 @@ class DeletedSources(SurfaceCase):
         obj = curves.create("Spline", [one, two])
         self.doc.removeObject(two.Name)
         self.doc.recompute()
-        self.assertFailed(obj, "Two was deleted: choose others in the property Sources")
+        self.assertFailed(obj, "Two was deleted: select others and press \u201cUse selection\u201d")
         obj.Sources = [(one, "")]
         self.doc.recompute()
         self.assertEqual(curves.error_text(obj), "")

@@ -6,7 +6,8 @@ import models
 import Part
 from document_cases import DocumentCase
 
-from freecad.seamwright.document import analysis, sources
+from freecad.seamwright.document import analysis, repair, sources
+from freecad.seamwright.document.maps import kinds as maps
 
 
 class Errors(DocumentCase):
@@ -134,6 +135,29 @@ class Mapping(DocumentCase):
         self.assertAlmostEqual(bounds.XMax, 110, delta=1e-6)
         self.assertAlmostEqual(bounds.YMax, 60, delta=1e-6)
         self.assertEqual(self.owners(obj, "edges")["12"], ["Box", "Edge12"])
+
+    def test_results_follow_a_part_that_is_moved(self):
+        outer, part = (self.doc.addObject("App::Part", name) for name in ("Outer", "Part"))
+        outer.addObject(part)
+        block = models.add(self.doc, models.broken_block(), "Block")
+        part.addObject(block)
+        self.doc.recompute()
+        made = [
+            analysis.create([block]),
+            repair.create(block),
+            maps.create("DraftAngle", block),
+        ]
+        before = [(obj.Report, obj.Shape.BoundBox.XMin) for obj in made]
+        self.doc.recompute()
+        self.assertEqual([obj.Proxy.mustExecute(obj) for obj in made], [False] * 3)
+        outer.Placement = App.Placement(App.Vector(300, 0, 0), App.Rotation())
+        self.doc.recompute()
+        for obj, (_, left) in zip(made[:2], before):
+            self.assertAlmostEqual(obj.Shape.BoundBox.XMin, left + 300, delta=1e-6)
+        part.Placement.Rotation = App.Rotation(App.Vector(1, 0, 0), 40)
+        self.doc.recompute()
+        self.assertNotEqual(made[2].Report, before[2][0])
+        self.assertEqual([obj.Proxy.mustExecute(obj) for obj in made], [False] * 3)
 
     def test_the_same_shape_in_two_places(self):
         box = self.doc.addObject("Part::Box", "Box")

@@ -86,6 +86,11 @@ class SeamAnalysis(feature.Feature):
         return source_objects(obj)
 
     @staticmethod
+    def placed_objects(obj):
+        """Return the objects whose places count: those that were analysed."""
+        return obj.Analysed
+
+    @staticmethod
     def job(module, obj, private=False):
         """Return the Job that finds (report, compound of the seam edges, objects, SeamResults)."""
         model, level, given = sources.Model(source_objects(obj)), obj.Level, tolerances(obj)

@@ -7,6 +7,7 @@ recompute that follows takes over the results.
 """
 
 import json
+import sys
 from typing import Any, Callable, NamedTuple
 
 import Part
@@ -22,6 +23,7 @@ from freecad.seamwright.plain.language import tr
 INTERNAL = (
     ("Report", "App::PropertyString", "The report of the kernel, as JSON"),
     ("SeamwrightVersion", "App::PropertyString", "Version of Seamwright that wrote the results"),
+    ("PlacedAt", "App::PropertyString", "Where the parts lie that contain the sources, as JSON"),
     ("Outcome", "App::PropertyString", "How the last computation ended: %s" % ", ".join(OUTCOMES)),
 )
 
@@ -37,6 +39,24 @@ class Job(NamedTuple):
     text: str
     run: Callable[[Any], Any]
     finish: Callable[[Any], tuple]
+
+
+class Unusable(RuntimeError):
+    """Tells FreeCAD that an object is in error; the report view shows the text alone.
+
+    FreeCAD writes the text and then a traceback, which says nothing to the user: it is cut off from
+    the moment when the text is asked for until FreeCAD forgets the error.
+    """
+
+    __module__ = "Seamwright"  # the report view names the class
+
+    def __str__(self):
+        sys.tracebacklimit = 0
+        return super().__str__()
+
+    def __del__(self):
+        if getattr(sys, "tracebacklimit", None) == 0:
+            del sys.tracebacklimit
 
 
 class Feature:
@@ -105,11 +125,27 @@ class Feature:
         hooks.attach_view(obj)
 
     def mustExecute(self, obj):
-        """Return whether the last computation was cancelled.
+        """Return whether the last computation was cancelled, or a part with a source was moved.
 
         Then the object is computed although no property changed.
         """
-        return getattr(obj, "Outcome", "") in (CANCELLED, OUTDATED)
+        if getattr(obj, "Outcome", "") in (CANCELLED, OUTDATED):
+            return True
+        return getattr(obj, "PlacedAt", "") != self._placed_at(obj)
+
+    @classmethod
+    def placed_objects(cls, obj):
+        """Return the objects whose places count."""
+        return cls.source_objects(obj)
+
+    @classmethod
+    def _placed_at(cls, obj):
+        """Return where the parts lie that contain sources; FreeCAD tells no one that they move."""
+        places = {each.Name: sources.parent_placement(each) for each in cls.placed_objects(obj)}
+        moved = {
+            name: place.toMatrix().A for name, place in places.items() if not place.isIdentity()
+        }
+        return json.dumps(moved) if moved else ""
 
     def execute(self, obj):
         """Compute, or take over what was computed; ``Outcome`` and Summary tell how it ended.
@@ -125,10 +161,12 @@ class Feature:
         except ValueError as error:
             self._store_none(obj, error)
         except (sources.SourceError, module.ModelError) as error:
-            raise RuntimeError(self._store_none(obj, error)) from None
+            raise Unusable(self._store_none(obj, error)) from None
         else:
             obj.Outcome = DONE if self.has_result(report) else WITHOUT
             self.store(obj, report, *rest)
+        finally:
+            obj.PlacedAt = self._placed_at(obj)
 
     def _results(self, module, obj):
         ready, self.ready = self.ready, None

@@ -103,12 +103,19 @@ class OptionFeature(feature.Feature):
             if chosen[name] != links_of(obj.Document.getObject(obj.Name), name):
                 continue
             for _, label in _lost(obj, name):
-                advice = tr("choose others in the property {name}").format(name=name)
-                if name not in cls.REQUIRED:
-                    advice += tr(", or set it to none")
                 raise sources.SourceError(tr("{label} was deleted: {advice}").format(
-                    label=label, advice=advice
+                    label=label, advice=cls.advice(name)
                 ))
+
+    @classmethod
+    def advice(cls, name):
+        """Return how the user chooses other links for a property."""
+        (title,) = [title for own, title, _ in cls.LINKS if own == name]
+        advice = tr(
+            "select others and press \u201cUse selection\u201d at \u201c{title}\u201d in the panel"
+        ).format(title=tr(title))
+        optional = cls.REQUIRED and name not in cls.REQUIRED
+        return advice + (tr(", or select nothing") if optional else "")
 
     @classmethod
     def store(cls, obj, report, shape):

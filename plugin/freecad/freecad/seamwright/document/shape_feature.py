@@ -72,7 +72,7 @@ class ShapeFeature(OptionFeature):
         chosen, values = links_of(obj), values_of(obj)
         if not chosen and cls.needs_sources(values):
             raise sources.SourceError(
-                tr("The sources were deleted: choose others in the property Sources")
+                tr("The sources were deleted: {advice}").format(advice=cls.advice("Sources"))
             )
         cls.check_links(obj, {name: chosen for name, *_ in cls.LINKS})
         options.checked(cls.OPTIONS, values)

@@ -123,12 +123,10 @@ class Tool(OptionFeature):
         values = values_of(obj)
         options.checked(cls.OPTIONS, values)
         inputs = {name: [_input(*link) for link in links_of(obj, name)] for name, *_ in cls.LINKS}
-        for name, title, _ in cls.LINKS:
+        for name in inputs:
             if not inputs[name]:
                 raise sources.SourceError(
-                    tr("The objects of \u201c{title}\u201d were deleted: choose others").format(
-                        title=tr(title)
-                    )
+                    tr("The sources were deleted: {advice}").format(advice=cls.advice(name))
                 )
         return cls.work(inputs, values), values
 

@@ -96,8 +96,8 @@ class Surface(OptionFeature):
         for name in cls.REQUIRED:
             if not chosen[name]:
                 raise sources.SourceError(
-                    tr("The edges of {name} were deleted: choose others in this property").format(
-                        name=name
+                    tr("The edges of {name} were deleted: {advice}").format(
+                        name=tr(name), advice=cls.advice(name)
                     )
                 )
         cls.check_links(obj, chosen)
