@@ -31,6 +31,11 @@ def sheet(x, z, tilt):
     return surface.toShape()
 
 
+def halved(surface):
+    """The two faces of a surface before and after the middle of its second parameter."""
+    return [surface.toShape(0, 1, low, low + 0.5) for low in (0, 0.5)]
+
+
 def stadium():
     """A plane face with two straight and two round edges, which are tangent."""
     return Part.Face(slot())
@@ -251,6 +256,21 @@ class Selections(SurfaceCase):
             kinds.create("BlendSurface", [start, end], radius=3)
         with self.assertRaisesRegex(ValueError, "start_order 'G4': choose one of G0, G1, G2, G3"):
             kinds.create("BlendSurface", [start, end], start_order="G4")
+
+    def test_edges_of_two_objects_that_meet_are_one_chain(self):
+        whole = sheet(0, 0, 0.3)
+        halves = [
+            models.add(self.doc, half, "Half%d" % number)
+            for number, half in enumerate(halved(whole.Surface), 1)
+        ]
+        high = models.add(self.doc, sheet(60, 8, -0.2), "High")
+        self.doc.recompute()
+        chain, end = [(half, at_x(half, 30)) for half in halves], (high, at_x(high, 60))
+        obj = kinds.create("BlendSurface", [*chain, end])
+        self.assertEqual(obj.Proxy.source_objects(obj), [*halves, high])
+        self.assertEqual([each for each, _ in obj.Start], halves)
+        self.assertEqual([each for each, _ in obj.End], [high])
+        self.assertMade(obj)
 
     def test_a_chain_goes_on_with_its_tangent(self):
         low, _ = self.sheets()

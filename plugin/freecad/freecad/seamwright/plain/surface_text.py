@@ -75,14 +75,10 @@ def summary(report):
     """Return one line: the seams, or what falls short."""
     along, across = report["poles"]
     poles = tr("{along} x {across} poles").format(along=along, across=across)
-    found = largest(report["seams"])
-    figures = tr(
-        "gap at most {gap_mm} mm, angle at most {angle_deg}\u00b0, curvature at most "
-        "{curvature_rel} %"
-    ).format(
-        gap_mm=bound(found["gap_mm"]),
-        angle_deg=bound(found["angle_deg"]),
-        curvature_rel=bound(100 * found["curvature_rel"]),
+    figures = ", ".join(
+        tr(new_seams.LARGEST[name][0]).format(figure=bound(rows.QUANTITIES[name].factor * figure))
+        for name, figure in largest(report["seams"]).items()
+        if any(name in rows.DECIDING[seam["target"]] for seam in report["seams"])
     )
     state = tr("Every seam has its level") if report["reached"] else _shortcomings(report)
     length = ""

@@ -164,5 +164,12 @@ def _groups(edges):
 
 
 def _touch(one, other):
-    """Return whether two edges have a vertex in common; an edge touches itself."""
-    return any(a.isSame(b) for a in one.Vertexes for b in other.Vertexes)
+    """Return whether vertices of two edges are one point, also those of two objects.
+
+    An edge touches itself.
+    """
+    return any(
+        a.distToShape(b)[0] <= max(a.Tolerance, b.Tolerance)
+        for a in one.Vertexes
+        for b in other.Vertexes
+    )

@@ -864,6 +864,10 @@
         <translation>Was die Punkte bedeuten</translation>
     </message>
     <message>
+        <source>Where the parts lie that contain the sources, as JSON</source>
+        <translation>Lage der Parts, in denen die Quellen liegen, als JSON</translation>
+    </message>
+    <message>
         <source>Whether every new seam certainly meets the target</source>
         <translation>Ob jede neue Naht die Zielstufe sicher erreicht</translation>
     </message>
@@ -985,8 +989,8 @@ Gezeigt: {show}</translation>
         <translation>, am größten bei {at:.3g} der Kante</translation>
     </message>
     <message>
-        <source>, or set it to none</source>
-        <translation>, oder leeren Sie sie</translation>
+        <source>, or select nothing</source>
+        <translation> oder wählen Sie nichts aus</translation>
     </message>
     <message>
         <source>, the longest loop: an outer boundary?</source>
@@ -2589,8 +2593,8 @@ Gezeigt: {show}</translation>
         <translation>Die Kante oder die Kanten der Naht</translation>
     </message>
     <message>
-        <source>The edges of {name} were deleted: choose others in this property</source>
-        <translation>Die Kanten von {name} wurden gelöscht: Wählen Sie andere in dieser Eigenschaft</translation>
+        <source>The edges of {name} were deleted: {advice}</source>
+        <translation>Die Kanten von {name} wurden gelöscht: {advice}</translation>
     </message>
     <message>
         <source>The face that moves; away from the seam it keeps its shape</source>
@@ -2615,10 +2619,6 @@ Gezeigt: {show}</translation>
     <message>
         <source>The model was changed during the computation</source>
         <translation>Das Modell wurde während der Berechnung geändert</translation>
-    </message>
-    <message>
-        <source>The objects of “{title}” were deleted: choose others</source>
-        <translation>Die Objekte von „{title}“ wurden gelöscht: Wählen Sie andere</translation>
     </message>
     <message>
         <source>The preferences are not stored: {error}.</source>
@@ -2649,8 +2649,8 @@ Gezeigt: {show}</translation>
         <translation>Die Quelle wurde gelöscht: Wählen Sie eine andere in der Eigenschaft Source</translation>
     </message>
     <message>
-        <source>The sources were deleted: choose others in the property Sources</source>
-        <translation>Die Quellen wurden gelöscht: Wählen Sie andere in der Eigenschaft Sources</translation>
+        <source>The sources were deleted: {advice}</source>
+        <translation>Die Quellen wurden gelöscht: {advice}</translation>
     </message>
     <message>
         <source>The two faces that meet</source>
@@ -2949,10 +2949,6 @@ Gezeigt: {show}</translation>
         <translation>wählen Sie eine Fläche</translation>
     </message>
     <message>
-        <source>choose others in the property {name}</source>
-        <translation>wählen Sie andere in der Eigenschaft {name}</translation>
-    </message>
-    <message>
         <source>closed</source>
         <translation>geschlossen</translation>
     </message>
@@ -3047,10 +3043,6 @@ Gezeigt: {show}</translation>
     <message>
         <source>gap at most {figure} mm</source>
         <translation>Spalt höchstens {figure} mm</translation>
-    </message>
-    <message>
-        <source>gap at most {gap_mm} mm, angle at most {angle_deg}°, curvature at most {curvature_rel} %</source>
-        <translation>Spalt höchstens {gap_mm} mm, Winkel höchstens {angle_deg}°, Krümmung höchstens {curvature_rel} %</translation>
     </message>
     <message>
         <source>gap larger than the tolerance</source>
@@ -3383,6 +3375,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>select objects with faces</source>
         <translation>wählen Sie Objekte mit Flächen aus</translation>
+    </message>
+    <message>
+        <source>select others and press “Use selection” at “{title}” in the panel</source>
+        <translation>Wählen Sie andere aus, und drücken Sie im Panel bei „{title}“ auf „Auswahl verwenden“</translation>
     </message>
     <message>
         <source>select points, edges, a wire or a sketch</source>

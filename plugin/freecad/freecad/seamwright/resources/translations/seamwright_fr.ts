@@ -864,6 +864,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Where the parts lie that contain the sources, as JSON</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Whether every new seam certainly meets the target</source>
         <translation type="unfinished"></translation>
     </message>
@@ -984,7 +988,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>, or set it to none</source>
+        <source>, or select nothing</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2586,7 +2590,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The edges of {name} were deleted: choose others in this property</source>
+        <source>The edges of {name} were deleted: {advice}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2611,10 +2615,6 @@ Shown: {show}</source>
     </message>
     <message>
         <source>The model was changed during the computation</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The objects of “{title}” were deleted: choose others</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2646,7 +2646,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The sources were deleted: choose others in the property Sources</source>
+        <source>The sources were deleted: {advice}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2946,10 +2946,6 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>choose others in the property {name}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>closed</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3043,10 +3039,6 @@ Shown: {show}</source>
     </message>
     <message>
         <source>gap at most {figure} mm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>gap at most {gap_mm} mm, angle at most {angle_deg}°, curvature at most {curvature_rel} %</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3379,6 +3371,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>select objects with faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>select others and press “Use selection” at “{title}” in the panel</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -864,6 +864,10 @@
         <translation>点的含义</translation>
     </message>
     <message>
+        <source>Where the parts lie that contain the sources, as JSON</source>
+        <translation>包含源对象的零件的位置，JSON 格式</translation>
+    </message>
+    <message>
         <source>Whether every new seam certainly meets the target</source>
         <translation>每条新接缝是否确定达到目标</translation>
     </message>
@@ -985,8 +989,8 @@ Shown: {show}</source>
         <translation>，最大值位于边的 {at:.3g} 处</translation>
     </message>
     <message>
-        <source>, or set it to none</source>
-        <translation>，或将其清空</translation>
+        <source>, or select nothing</source>
+        <translation>，或不选择任何对象</translation>
     </message>
     <message>
         <source>, the longest loop: an outer boundary?</source>
@@ -2589,8 +2593,8 @@ Shown: {show}</source>
         <translation>接缝的一条或多条边</translation>
     </message>
     <message>
-        <source>The edges of {name} were deleted: choose others in this property</source>
-        <translation>{name} 的边已被删除：请在此属性中另选</translation>
+        <source>The edges of {name} were deleted: {advice}</source>
+        <translation>{name} 的边已被删除：{advice}</translation>
     </message>
     <message>
         <source>The face that moves; away from the seam it keeps its shape</source>
@@ -2615,10 +2619,6 @@ Shown: {show}</source>
     <message>
         <source>The model was changed during the computation</source>
         <translation>计算期间模型已更改</translation>
-    </message>
-    <message>
-        <source>The objects of “{title}” were deleted: choose others</source>
-        <translation>“{title}”的对象已被删除：请另选</translation>
     </message>
     <message>
         <source>The preferences are not stored: {error}.</source>
@@ -2649,8 +2649,8 @@ Shown: {show}</source>
         <translation>来源已被删除：请在属性 Source 中另选一个</translation>
     </message>
     <message>
-        <source>The sources were deleted: choose others in the property Sources</source>
-        <translation>来源已被删除：请在属性 Sources 中另选</translation>
+        <source>The sources were deleted: {advice}</source>
+        <translation>来源已被删除：{advice}</translation>
     </message>
     <message>
         <source>The two faces that meet</source>
@@ -2949,10 +2949,6 @@ Shown: {show}</source>
         <translation>请选择一个面</translation>
     </message>
     <message>
-        <source>choose others in the property {name}</source>
-        <translation>请在属性 {name} 中另选</translation>
-    </message>
-    <message>
         <source>closed</source>
         <translation>闭合</translation>
     </message>
@@ -3047,10 +3043,6 @@ Shown: {show}</source>
     <message>
         <source>gap at most {figure} mm</source>
         <translation>间隙最大 {figure} mm</translation>
-    </message>
-    <message>
-        <source>gap at most {gap_mm} mm, angle at most {angle_deg}°, curvature at most {curvature_rel} %</source>
-        <translation>间隙最大 {gap_mm} mm，角度最大 {angle_deg}°，曲率最大 {curvature_rel} %</translation>
     </message>
     <message>
         <source>gap larger than the tolerance</source>
@@ -3383,6 +3375,10 @@ Shown: {show}</source>
     <message>
         <source>select objects with faces</source>
         <translation>请选择带面的对象</translation>
+    </message>
+    <message>
+        <source>select others and press “Use selection” at “{title}” in the panel</source>
+        <translation>请选择其他对象，并在面板的“{title}”处按“使用所选”</translation>
     </message>
     <message>
         <source>select points, edges, a wire or a sketch</source>
