@@ -25,12 +25,14 @@ from window import (
     whole_window,
 )
 
+from freecad.seamwright.document import analysis
 from freecad.seamwright.document.feature import report_of
 from freecad.seamwright.document.maps import kinds, tool
 from freecad.seamwright.gui import selected
 from freecad.seamwright.gui.maps.panel import DRAW_AFTER_MS
 from freecad.seamwright.gui.scene import shaders
 from freecad.seamwright.gui.scene.comb import COLOURS
+from freecad.seamwright.gui.scene.legend import BORDER
 from freecad.seamwright.gui.scene.marker import INK
 from freecad.seamwright.gui.scene.substitutes import NAME
 from freecad.seamwright.gui.widgets.qt import QtWidgets
@@ -361,6 +363,28 @@ class Drawing(MapWindow):
         self.assertNotIn("Traceback", report_view()[len(said) :])
         self.assertFalse(hasattr(sys, "tracebacklimit"))
         self.assertLess(self.legend("draft-deleted"), FEW)
+
+    def test_two_legends_stand_below_each_other(self):
+        found = analysis.create([self.block])
+        obj, _ = self.start("DraftAngle", (self.block, ""))
+        self.ok()
+        corner = QtCore.QRect(0, 0, 420, 400)
+
+        def borders(name):
+            return count(picture(name), BORDER, corner, reach=2)
+
+        both = borders("legends-both")
+        found.ViewObject.Visibility = False
+        settle(0.3)
+        lower = borders("legends-map")
+        found.ViewObject.Visibility, obj.ViewObject.Visibility = True, False
+        settle(0.3)
+        upper = borders("legends-analysis")
+        found.ViewObject.Visibility = False
+        settle(0.3)
+        none = borders("legends-none")
+        self.assertGreater(min(lower, upper), none + MANY)
+        self.assertAlmostEqual(both - none, lower - none + upper - none, delta=FEW)
 
     def test_a_document_opens_with_what_was_drawn(self):
         for kind in ("CurvatureComb", "DraftAngle"):

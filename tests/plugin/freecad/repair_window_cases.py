@@ -298,6 +298,18 @@ class Choosing(RepairWindow):
         settle()
         self.assertEqual(self.visible(), ["Panel", found.Name])
 
+    def test_what_is_made_from_the_result_is_hidden_while_the_panel_is_open(self):
+        obj = repair.create(self.source)
+        found = analysis.create([obj])
+        found.ViewObject.Visibility = True
+        for end in (self.ok, self.cancel):
+            obj.ViewObject.Proxy.doubleClicked(obj.ViewObject)
+            settle()
+            self.assertFalse(found.ViewObject.Visibility)
+            end()
+            self.assertTrue(found.ViewObject.Visibility and obj.ViewObject.Visibility)
+            self.assertFalse(self.doc.HasPendingTransaction)
+
     def test_lines_of_an_analysis_stand_for_their_edges(self):
         found = analysis.create([self.source], level="G2")
         numbers = [seam["edges"][0] for seam in analysis.report_of(found)["seams"]]

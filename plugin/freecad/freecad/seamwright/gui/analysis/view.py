@@ -50,7 +50,8 @@ class SeamAnalysisView(PanelView):
         """Build the scene; FreeCAD calls this for a new view and for a restored one."""
         super().attach(vobj)
         add_properties(vobj)
-        self.legend, self.lines, self.labels = Legend(), SeamLines(), Marker()
+        self.legend = Legend(vobj.Object)
+        self.lines, self.labels = SeamLines(), Marker()
         self._drawn = self._reading = None
         self.line_width = vobj.LineWidth
         vobj.addDisplayMode(self.lines.node, SEAMS)

@@ -55,6 +55,21 @@ class ResultPanel:
         ]
         if not created:
             self._doc.openTransaction(title)
+        self._covering = self._uncover()
+
+    def _uncover(self):
+        """Hide what is made from the result and lies over it; return the names."""
+        over = [
+            each
+            for each in self.obj.InListRecursive
+            if self.replaced()
+            and each.isDerivedFrom("Part::Feature")
+            and each.ViewObject.Visibility
+            and self.obj not in getattr(each, "Group", ())
+        ]
+        for each in over:
+            each.ViewObject.Visibility = False
+        return [each.Name for each in over]
 
     # Methods that a subclass defines.
 
@@ -166,6 +181,9 @@ class ResultPanel:
         self._ended = True
         self.computation.drop()
         self.release()
+        for name in self._covering:
+            if self._doc.getObject(name) is not None:
+                self._doc.getObject(name).ViewObject.Visibility = True
 
     # Keys.
 

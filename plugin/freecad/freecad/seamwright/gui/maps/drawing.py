@@ -76,7 +76,7 @@ class FaceColours(Drawing):
     def __init__(self, obj):
         super().__init__(obj)
         self._substitutes = Substitutes(lambda _: None)
-        self.legend = Legend()
+        self.legend = Legend(obj)
         obj.ViewObject.RootNode.insertChild(self.legend.node, 0)
         self._groups = {}  # {name of a source: (ShownMesh, Placement, groups)}
         self._told = set()

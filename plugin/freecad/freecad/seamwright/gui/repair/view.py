@@ -33,7 +33,7 @@ class SeamRepairView(ResultView):
         """FreeCAD calls this for a new view and for a restored one."""
         super().attach(vobj)
         add_properties(vobj)
-        self.legend, self.colours = Legend(), MoveColours()
+        self.legend, self.colours = Legend(vobj.Object), MoveColours()
         root = vobj.RootNode
         # The colours hide all nodes after them.
         root.insertChild(self.colours.node, root.findChild(self.halo.node) + 1)

@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The legend in the 3D view: an image of fixed size in the top left corner.
 
-It belongs to the scene, so that pictures saved from the view contain it.
+It belongs to the scene, so that pictures saved from the view contain it. Several legends of a
+document stand below each other.
 """
+
+import weakref
 
 from pivy import coin
 
 from freecad.seamwright.gui.scene.overlay import outside_bounding_box, set_image, unlit_unpickable
+from freecad.seamwright.gui.widgets.later import find
 from freecad.seamwright.gui.widgets.qt import QtCore, QtGui
 
 MARGIN = 0.02  # of the view's width and height
@@ -14,11 +18,19 @@ PANEL = (255, 255, 255, 235)
 BORDER = (120, 120, 120)
 TEXT = (25, 25, 25)
 
+#: Pixels between two legends.
+GAP_PX = 6
+
+#: References to the legends that are shown, the uppermost first.
+_shown = []
+
 
 class Legend:
-    """Scene nodes that draw the legend; add ``node`` to the root of a view provider."""
+    """Scene nodes that draw the legend of an object; add ``node`` to the root of its view."""
 
-    def __init__(self):
+    def __init__(self, obj):
+        self.names = obj.Document.Name, obj.Name
+        self._picture, self._place = None, None
         self._image = coin.SoImage()
         self._image.horAlignment = coin.SoImage.LEFT
         self._image.vertAlignment = coin.SoImage.TOP
@@ -29,13 +41,60 @@ class Legend:
     def show(self, visible):
         """Show or hide the legend."""
         self._switch.whichChild = coin.SO_SWITCH_ALL if visible else coin.SO_SWITCH_NONE
+        before = [each() for each in _shown]
+        if visible and self not in before:
+            _shown.append(weakref.ref(self))
+        elif not visible and self in before:
+            del _shown[before.index(self)]
+        _stack(self.names[0])
 
     def update(self, title, entries, footer, text_px):
         """Redraw the legend.
 
         It has a title, lines of (SeamClass, name, meaning), and the lines of the footer below them.
         """
-        set_image(self._image, draw(title, entries, footer, text_px))
+        self._picture, self._place = draw(title, entries, footer, text_px), None
+        _stack(self.names[0])
+
+    def is_seen(self):
+        """Return whether the object exists with this legend; a deleted view may be kept for undo."""
+        obj = find(*self.names)
+        return (
+            obj is not None
+            and self._picture is not None
+            and obj.ViewObject.RootNode.findChild(self.node) >= 0
+        )
+
+    def put(self, top):
+        """Draw the legend this many pixels lower; return where the next one begins."""
+        if self._place != top:
+            self._place = top
+            set_image(self._image, _lowered(self._picture, top))
+        return top + self._picture.height() + GAP_PX
+
+
+def _stack(doc_name):
+    """Put the legends of a document below each other."""
+    _shown[:] = [each for each in _shown if each() is not None]
+    top = 0
+    for legend in [each() for each in _shown]:
+        if legend.names[0] == doc_name and legend.is_seen():
+            top = legend.put(top)
+
+
+def _lowered(picture, top):
+    """Return a picture with this many transparent lines above it."""
+    if not top:
+        return picture
+    lowered = QtGui.QImage(
+        picture.width(), picture.height() + top, QtGui.QImage.Format_ARGB32
+    )
+    lowered.fill(QtCore.Qt.transparent)
+    painter = QtGui.QPainter(lowered)
+    painter.setCompositionMode(QtGui.QPainter.CompositionMode_Source)
+    painter.drawImage(0, top, picture)
+    painter.end()
+    return lowered
 
 
 def _overlay(child):

@@ -56,7 +56,7 @@ class SurfaceColours:
         self._names = obj.Document.Name, obj.Name
         self._computation, self._surfaces = computation, surfaces
         self._tell_abandoned, self._tell_changed = abandoned, changed
-        self._substitutes, self._legend = Substitutes(self._drop), Legend()
+        self._substitutes, self._legend = Substitutes(self._drop), Legend(obj)
         self._root = obj.ViewObject.RootNode
         self._root.insertChild(self._legend.node, 0)
         self._kind = self._found = None
