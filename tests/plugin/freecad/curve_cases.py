@@ -2,6 +2,7 @@
 """Curves of shapes, on FreeCAD's console; run by run_freecad.py."""
 
 import math
+import re
 
 import FreeCAD as App
 import models
@@ -274,6 +275,18 @@ class Conics(DocumentCase):
             self.assertLess(point.distToShape(made.shape)[0], 1e-9)
         self.assertLess(max(kinks(made.shape)), 1e-5)
         self.assertEqual(len(made.shape.Edges), made.report["conics"])
+
+    def test_how_far_a_spline_of_conics_is_from_an_edge_is_told(self):
+        ellipse = Part.Ellipse(App.Vector(), 30, 12).toShape()
+        made = curves.make("Conic", ellipse, points=CHAIN)
+        found = re.search(r"seen up to (\S+) mm from the edges\.$", made.summary)
+        off = max(
+            abs((p.x / 30) ** 2 + (p.y / 12) ** 2 - 1) / math.hypot(2 * p.x / 900, 2 * p.y / 144)
+            for p in made.shape.discretize(2000)
+        )  # the distance from the ellipse, to first order
+        self.assertAlmostEqual(float(found.group(1)), off, delta=0.1 * off)
+        made = curves.make("Conic", vertices(WAVE), points=CHAIN)
+        self.assertNotIn("seen up to", made.summary)
 
 
 class Blends(DocumentCase):

@@ -110,10 +110,14 @@ def log_spiral_text(report):
 
 def conic_text(report):
     """Return one line about conics."""
-    joints = report["g1_joints"]
+    joints, distance_mm = report["g1_joints"], report.get("distance_mm")
+    near = "" if distance_mm is None else tr("; seen up to {distance_mm} mm from the edges").format(
+        distance_mm=bound(distance_mm)
+    )
     return tr(
-        "{conics}, {length_mm} mm long, weights {least_weight} to {largest_weight}{jumps}."
+        "{conics}, {length_mm} mm long, weights {least_weight} to {largest_weight}{jumps}{near}."
     ).format(
+        near=near,
         conics=counted(report["conics"], "conic"),
         length_mm=number(report["length_mm"]),
         least_weight=number(report["least_weight"]),

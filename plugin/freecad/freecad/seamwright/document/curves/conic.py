@@ -4,9 +4,10 @@
 The class path is written into documents: neither rename nor move it.
 """
 
-from typing import Any, NamedTuple
+from typing import Any, List, NamedTuple
 
 import numpy
+import Part
 
 from freecad.seamwright.document.curves import inputs, results
 from freecad.seamwright.document.curves.arcs import FLATNESS
@@ -21,12 +22,20 @@ from freecad.seamwright.plain.options import CHOICE, FLOAT, Option
 ONE, CHAIN = mark("Start, corner and end"), mark("Spline through points")
 
 
+#: Points of each bent edge at which its distance from the conics is measured.
+COMPARED = 50
+
+
 class Conics(NamedTuple):
-    """Conics in a plane, and how many joints between corners have a jump of the curvature."""
+    """Conics in a plane, and how many joints between corners have a jump of the curvature.
+
+    ``near``: the bent edges of which the points are samples.
+    """
 
     plane: Plane
     conics: Any
     g1_joints: int
+    near: List[Any]
 
 
 class Conic(Curve):
@@ -57,23 +66,24 @@ class Conic(Curve):
 
     @classmethod
     def gather(cls, module, shapes, values):
-        """Return (plane, points in it, whether they are closed)."""
+        """Return (plane, points in it, whether they are closed, the bent edges through them)."""
         points, closed = inputs.points_of(shapes, values["samples"])
         if len(points) < 3:
             raise ValueError(tr("there are two points: a conic needs three or more"))
         plane = plane_of(points, values["flatness_mm"])
-        return plane, plane.coordinates(points)[0], closed
+        bent = [edge for edge in inputs.edges_of(shapes) if not inputs.is_straight(edge)]
+        return plane, plane.coordinates(points)[0], closed, bent
 
     @classmethod
     def suggested(cls, gathered):
         """Return that more than three points are those of a spline."""
-        _, points, closed = gathered
+        _, points, closed, _ = gathered
         return {"points": CHAIN} if closed or len(points) > 3 else {}
 
     @classmethod
     def compute(cls, module, gathered, values, progress):
         """Return the Conics."""
-        plane, points, closed = gathered
+        plane, points, closed, bent = gathered
         if values["points"] == CHAIN:
             runs = [
                 module.g2_conics(
@@ -82,7 +92,7 @@ class Conic(Curve):
                 for run, is_ring in runs_of(module, points, closed)
             ]
             conics = [conic for found in runs for conic in found.conics]
-            return Conics(plane, conics, sum(len(found.g1_joints) for found in runs))
+            return Conics(plane, conics, sum(len(found.g1_joints) for found in runs), bent)
         if len(points) != 3:
             raise ValueError(
                 tr(
@@ -95,7 +105,7 @@ class Conic(Curve):
             [numpy.linalg.norm(side) for side in sides]
         ):
             raise ValueError(tr("the three points are on a line: move the corner off it"))
-        return Conics(plane, [module.PlanarConic(*points, values["weight"])], 0)
+        return Conics(plane, [module.PlanarConic(*points, values["weight"])], 0, [])
 
     @classmethod
     def build(cls, module, found, values):
@@ -109,12 +119,21 @@ class Conic(Curve):
             "largest_weight": max(weights),
             "g1_joints": found.g1_joints,
         }
-        return report, results.wire_of(edges)
+        wire = results.wire_of(edges)
+        if found.near:
+            report["distance_mm"] = max(_distance(edge, wire) for edge in found.near)
+        return report, wire
 
     @classmethod
     def text(cls, report):
         """Return the summary of a report."""
         return curve_text.conic_text(report)
+
+
+def _distance(edge, wire):
+    """Return the largest distance of points of an edge from a wire, in mm."""
+    points = edge.discretize(COMPARED)
+    return max(wire.distToShape(Part.Vertex(point))[0] for point in points)
 
 
 def _edge(module, conic, plane):
