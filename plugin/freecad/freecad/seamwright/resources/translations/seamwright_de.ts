@@ -965,6 +965,10 @@ Gezeigt: {show}</translation>
         <translation> für {curves} Kurven</translation>
     </message>
     <message>
+        <source> instead of {along} x {across}</source>
+        <translation> statt {along} x {across}</translation>
+    </message>
+    <message>
         <source>+ concave, {minus} convex, seen from the side of the normals</source>
         <translation>+ konkav, {minus} konvex, von der Seite der Normalen aus gesehen</translation>
     </message>
@@ -1011,6 +1015,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>: the points are samples of these.</source>
         <translation>: Die Punkte sind Stützpunkte von diesen.</translation>
+    </message>
+    <message>
+        <source>; seen up to {distance_mm} mm from the edges</source>
+        <translation>; an gemessenen Punkten bis zu {distance_mm} mm von den Kanten entfernt</translation>
     </message>
     <message>
         <source>; the results are those of the last complete run.</source>
@@ -2585,8 +2593,8 @@ Gezeigt: {show}</translation>
         <translation>Die Kante des Modells, an der die Fläche verläuft</translation>
     </message>
     <message>
-        <source>The edge of the seam in the result</source>
-        <translation>Die Kante der Naht im Ergebnis</translation>
+        <source>The edge of the seam in the result; where nothing is kept, the edges in the source</source>
+        <translation>Die Kante der Naht im Ergebnis; wo nichts behalten wird, die Kanten in der Quelle</translation>
     </message>
     <message>
         <source>The edge or edges of the seam</source>
@@ -3601,6 +3609,10 @@ Gezeigt: {show}</translation>
         <translation>sichtbare Flächen, nach ihren Spiegelungen beurteilt</translation>
     </message>
     <message>
+        <source>within the tolerances; the shape changes up to {depth} mm away from the seam</source>
+        <translation>innerhalb der Toleranzen; die Form ändert sich bis zu {depth} mm von der Naht entfernt</translation>
+    </message>
+    <message>
         <source>yes</source>
         <translation>ja</translation>
     </message>
@@ -3621,8 +3633,8 @@ Gezeigt: {show}</translation>
         <translation>{verdicts}, davon {certain} sicher</translation>
     </message>
     <message>
-        <source>{conics}, {length_mm} mm long, weights {least_weight} to {largest_weight}{jumps}.</source>
-        <translation>{conics}, {length_mm} mm lang, Gewichte {least_weight} bis {largest_weight}{jumps}.</translation>
+        <source>{conics}, {length_mm} mm long, weights {least_weight} to {largest_weight}{jumps}{near}.</source>
+        <translation>{conics}, {length_mm} mm lang, Gewichte {least_weight} bis {largest_weight}{jumps}{near}.</translation>
     </message>
     <message>
         <source>{count} arc</source>
@@ -3879,6 +3891,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>{faces} to replace.</source>
         <translation>{faces} zu ersetzen.</translation>
+    </message>
+    <message>
+        <source>{face} has {along} x {across} poles</source>
+        <translation>{face} hat {along} x {across} Kontrollpunkte</translation>
     </message>
     <message>
         <source>{face} will be replaced</source>
@@ -4181,6 +4197,10 @@ Gezeigt: {show}</translation>
 values beyond ±{limit_per_mm} 1/mm have the end colours</source>
         <translation>{signs}
 Werte jenseits von ±{limit_per_mm} 1/mm haben die Endfarben</translation>
+    </message>
+    <message>
+        <source>{summary} Not seen, since they are hidden: {labels}.</source>
+        <translation>{summary} Nicht zu sehen, da ausgeblendet: {labels}.</translation>
     </message>
     <message>
         <source>{surface}; across {seams}: angle at most {angle_deg}°, curvature at most {curvature_rel} %.</source>

@@ -964,6 +964,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source> instead of {along} x {across}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>+ concave, {minus} convex, seen from the side of the normals</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1009,6 +1013,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>: the points are samples of these.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; seen up to {distance_mm} mm from the edges</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2582,7 +2590,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The edge of the seam in the result</source>
+        <source>The edge of the seam in the result; where nothing is kept, the edges in the source</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3598,6 +3606,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>within the tolerances; the shape changes up to {depth} mm away from the seam</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>yes</source>
         <translation>はい</translation>
     </message>
@@ -3618,7 +3630,7 @@ Shown: {show}</source>
         <translation>{verdicts}のうち {certain} 件が確実</translation>
     </message>
     <message>
-        <source>{conics}, {length_mm} mm long, weights {least_weight} to {largest_weight}{jumps}.</source>
+        <source>{conics}, {length_mm} mm long, weights {least_weight} to {largest_weight}{jumps}{near}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3875,6 +3887,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>{faces} to replace.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{face} has {along} x {across} poles</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4176,6 +4192,10 @@ Shown: {show}</source>
     <message>
         <source>{signs}
 values beyond ±{limit_per_mm} 1/mm have the end colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{summary} Not seen, since they are hidden: {labels}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -965,6 +965,10 @@ Shown: {show}</source>
         <translation>(共 {curves} 条曲线)</translation>
     </message>
     <message>
+        <source> instead of {along} x {across}</source>
+        <translation>，原为 {along} x {across}</translation>
+    </message>
+    <message>
         <source>+ concave, {minus} convex, seen from the side of the normals</source>
         <translation>+ 为凹，{minus} 为凸，从法线一侧看</translation>
     </message>
@@ -1011,6 +1015,10 @@ Shown: {show}</source>
     <message>
         <source>: the points are samples of these.</source>
         <translation>：这些点是它们的采样点。</translation>
+    </message>
+    <message>
+        <source>; seen up to {distance_mm} mm from the edges</source>
+        <translation>；在测量点处与边最多相距 {distance_mm} mm</translation>
     </message>
     <message>
         <source>; the results are those of the last complete run.</source>
@@ -2585,8 +2593,8 @@ Shown: {show}</source>
         <translation>曲面所沿的模型边</translation>
     </message>
     <message>
-        <source>The edge of the seam in the result</source>
-        <translation>结果中接缝的边</translation>
+        <source>The edge of the seam in the result; where nothing is kept, the edges in the source</source>
+        <translation>结果中接缝的边；未保留任何结果时，为来源中的边</translation>
     </message>
     <message>
         <source>The edge or edges of the seam</source>
@@ -3601,6 +3609,10 @@ Shown: {show}</source>
         <translation>可见曲面，按反射评判</translation>
     </message>
     <message>
+        <source>within the tolerances; the shape changes up to {depth} mm away from the seam</source>
+        <translation>在公差内；形状的变化延伸到距接缝 {depth} mm 处</translation>
+    </message>
+    <message>
         <source>yes</source>
         <translation>是</translation>
     </message>
@@ -3621,8 +3633,8 @@ Shown: {show}</source>
         <translation>{verdicts}中 {certain} 个确定</translation>
     </message>
     <message>
-        <source>{conics}, {length_mm} mm long, weights {least_weight} to {largest_weight}{jumps}.</source>
-        <translation>{conics}，长 {length_mm} mm，权重 {least_weight} 至 {largest_weight}{jumps}。</translation>
+        <source>{conics}, {length_mm} mm long, weights {least_weight} to {largest_weight}{jumps}{near}.</source>
+        <translation>{conics}，长 {length_mm} mm，权重 {least_weight} 至 {largest_weight}{jumps}{near}。</translation>
     </message>
     <message>
         <source>{count} arc</source>
@@ -3879,6 +3891,10 @@ Shown: {show}</source>
     <message>
         <source>{faces} to replace.</source>
         <translation>{faces} 待替换。</translation>
+    </message>
+    <message>
+        <source>{face} has {along} x {across} poles</source>
+        <translation>{face} 有 {along} x {across} 个控制点</translation>
     </message>
     <message>
         <source>{face} will be replaced</source>
@@ -4181,6 +4197,10 @@ Shown: {show}</source>
 values beyond ±{limit_per_mm} 1/mm have the end colours</source>
         <translation>{signs}
 超出 ±{limit_per_mm} 1/mm 的值使用两端的颜色</translation>
+    </message>
+    <message>
+        <source>{summary} Not seen, since they are hidden: {labels}.</source>
+        <translation>{summary} 由于已隐藏而看不到：{labels}。</translation>
     </message>
     <message>
         <source>{surface}; across {seams}: angle at most {angle_deg}°, curvature at most {curvature_rel} %.</source>
