@@ -170,10 +170,11 @@ def fill_job(module, obj, private=False):
 def _fill_each(model, given, wanted, progress):
     """Return (an entry for each of the wanted holes or faces, the model after each fill or None).
 
-    ``wanted``: (arguments of the kernel, sides of the hole in the source) of each. The last of the wanted holes comes first, so that the numbers of the others stay valid.
+    ``wanted``: (arguments of the kernel, sides of the hole in the source) of each. The last of the
+    wanted holes comes first, so that the numbers of the others stay valid.
     """
     entries, models = [], []
-    for index, (which, sides) in enumerate(reversed(wanted)):  # the numbers of the others stay valid
+    for index, (which, sides) in enumerate(reversed(wanted)):
         found = model.fill(**which, progress=_part(progress, index, len(wanted)), **given)
         model = found.model
         entries.append(fill_text.entry(found.to_dict(), **which, sides=sides))

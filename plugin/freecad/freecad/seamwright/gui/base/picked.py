@@ -10,8 +10,8 @@ def picked():
     """Return [(object, "Edge3" or ""), ...] of the selection, in the order of picking.
 
     A group or part that is selected as a whole counts as its contents. What is picked on a body is
-    an element of the body, and what is picked in a link to a part one of the link. Raises SourceError for a mesh, and
-    for what else has no shape.
+    an element of the body, and what is picked in a link to a part one of the link. Raises
+    SourceError for a mesh, and for what else has no shape.
     """
     found = []
     for chosen, path in _selected():

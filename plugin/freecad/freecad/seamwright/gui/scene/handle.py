@@ -49,7 +49,7 @@ class Handle:
         return self.dragger.isActive.getValue() and not self._dropped
 
     def drop(self, value):
-        """Take the drag back to this number: what the mouse does until it is released is ignored."""
+        """Take the drag back to this number, and ignore the mouse until it is released."""
         self._put(value)
         self._dropped = True
 
