@@ -9,7 +9,7 @@ report also has the ``target``, the ``tolerance``, the names of the ``faces``, a
 
 import re
 
-from freecad.seamwright.plain import enclosure, rows
+from freecad.seamwright.plain import enclosure, kernel_words, rows
 from freecad.seamwright.plain.language import mark, tr
 
 #: The figures for which the table has a row.
@@ -95,7 +95,7 @@ def _changed_poles(report):
 def _in_words(reason):
     """Return how the faces were joined, in the words of the panel."""
     return re.sub(
-        r"joined to the tolerance by a change up to (\S+) mm from the side",
+        kernel_words.JOINED_NEAR_THE_SEAM,
         lambda found: tr(
             "within the tolerances; the shape changes up to {depth} mm away from the seam"
         ).format(depth=found[1]),
