@@ -183,7 +183,7 @@ class Panel(MapWindow):
         for kind, chosen, text in (
             ("CurvatureComb", [], "Nothing is selected: select edges, wires or faces."),
             ("CurvatureMap", [(line, "")], "Line has no faces: "),
-            ("DraftAngle", [(group, "")], "Group has no shape: "),
+            ("DraftAngle", [(group, "")], "Group contains nothing with a shape: "),
             ("Deviation", [(self.block, "")], "1 object selected: select two objects"),
             ("SeamPlot", [(self.sheets[0], "Edge1")], "Left.Edge1 bounds 1 face: "),
             ("SeamPlot", [(self.block, "")], "Block is no edge: "),

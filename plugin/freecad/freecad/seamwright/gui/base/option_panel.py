@@ -4,6 +4,8 @@
 The document follows the fields: each change is computed at once.
 """
 
+import FreeCAD as App
+
 from freecad.seamwright.document import option_feature, sources
 from freecad.seamwright.document.feature import report_of
 from freecad.seamwright.document.properties import error_text
@@ -312,6 +314,9 @@ def _grouped(links):
 
 
 def sentence(error):
-    """Return the text of an error as a sentence."""
-    text = str(error).rstrip(".")
-    return "%s%s." % (text[:1].upper(), text[1:])
+    """Return the text of an error as a sentence; a label at its beginning stays as it is."""
+    text, doc = str(error).rstrip("."), App.ActiveDocument
+    labels = [obj.Label for obj in doc.Objects] if doc is not None else []
+    if not text.startswith(tuple(label for label in labels if label)):
+        text = text[:1].upper() + text[1:]
+    return text + "."

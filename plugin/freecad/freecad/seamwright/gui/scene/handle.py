@@ -27,8 +27,9 @@ class Handle:
             self.dragger.setPart(part, _ball(colour))
         for part in ("feedback", "feedbackActive"):
             self.dragger.setPart(part, coin.SoSeparator())
-        whole = coin.SoSeparator()
-        for node in (self._stand, self.dragger):
+        whole, pick = coin.SoAnnotation(), coin.SoPickStyle()  # seen through faces
+        pick.style = coin.SoPickStyle.SHAPE_ON_TOP
+        for node in (pick, self._stand, self.dragger):
             whole.addChild(node)
         self.node = outside_bounding_box(whole)
 

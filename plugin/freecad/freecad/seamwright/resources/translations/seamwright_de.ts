@@ -3853,12 +3853,12 @@ Gezeigt: {show}</translation>
         <translation>{edges} können zugeordnet werden: siehe Toleranzen.</translation>
     </message>
     <message>
-        <source>{edges} edges are chosen: choose three or more</source>
-        <translation>{edges} Kanten sind gewählt: Wählen Sie drei oder mehr</translation>
+        <source>{edges} chosen: choose three or more</source>
+        <translation>{edges} gewählt: Wählen Sie drei oder mehr</translation>
     </message>
     <message>
-        <source>{edges} edges are chosen: choose two</source>
-        <translation>{edges} Kanten sind gewählt: Wählen Sie zwei</translation>
+        <source>{edges} chosen: choose two</source>
+        <translation>{edges} gewählt: Wählen Sie zwei</translation>
     </message>
     <message>
         <source>{edges} to round.</source>
@@ -3915,6 +3915,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>{holes} with {faces}; {seams}; {verdict}.</source>
         <translation>{holes} mit {faces}; {seams}; {verdict}.</translation>
+    </message>
+    <message>
+        <source>{label} contains nothing with a shape: choose another object.</source>
+        <translation>{label} enthält nichts mit einer Form: Wählen Sie ein anderes Objekt.</translation>
     </message>
     <message>
         <source>{label} has faces: choose curves</source>

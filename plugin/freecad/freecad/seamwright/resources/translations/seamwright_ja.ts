@@ -3850,11 +3850,11 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{edges} edges are chosen: choose three or more</source>
+        <source>{edges} chosen: choose three or more</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{edges} edges are chosen: choose two</source>
+        <source>{edges} chosen: choose two</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3911,6 +3911,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>{holes} with {faces}; {seams}; {verdict}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{label} contains nothing with a shape: choose another object.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -3853,12 +3853,12 @@ Shown: {show}</source>
         <translation>{edges}可以配对：见公差。</translation>
     </message>
     <message>
-        <source>{edges} edges are chosen: choose three or more</source>
-        <translation>选择了 {edges} 条边：请选择三条或更多</translation>
+        <source>{edges} chosen: choose three or more</source>
+        <translation>已选择 {edges}：请选择三条或更多</translation>
     </message>
     <message>
-        <source>{edges} edges are chosen: choose two</source>
-        <translation>选择了 {edges} 条边：请选择两条</translation>
+        <source>{edges} chosen: choose two</source>
+        <translation>已选择 {edges}：请选择两条</translation>
     </message>
     <message>
         <source>{edges} to round.</source>
@@ -3915,6 +3915,10 @@ Shown: {show}</source>
     <message>
         <source>{holes} with {faces}; {seams}; {verdict}.</source>
         <translation>{holes}，用{faces}；{seams}；{verdict}。</translation>
+    </message>
+    <message>
+        <source>{label} contains nothing with a shape: choose another object.</source>
+        <translation>{label} 中没有带形状的对象：请选择其他对象。</translation>
     </message>
     <message>
         <source>{label} has faces: choose curves</source>
