@@ -9,6 +9,7 @@ import tempfile
 from unittest import mock
 
 import FreeCAD as App
+import FreeCADGui as Gui
 import models
 from window import WindowCase, analyses, count, picture, settle
 from window_cases import FEW, LEGEND, MODEL
@@ -55,6 +56,7 @@ class Reopened(WindowCase):
         with mock.patch.dict(sys.modules, seamwright=None):
             obj = self.open()
             self.assertNotIn("Touched", obj.State)
+            self.assertFalse(Gui.getDocument(self.doc.Name).Modified)
             self.assertColoured("reopened")
 
     def test_what_was_made_without_a_window_gets_its_view(self):

@@ -161,8 +161,9 @@ class SeamAnalysisView(PanelView):
         places = [places[key] for key in keys.values()]
         self.lines.paint(colours, places, [number not in shown for number in keys])
         self.lines.set_width(vobj.LineWidth)
-        if places:  # for a FreeCAD without this workbench
-            vobj.LineColorArray = [colours[place] for place in places]
+        own = [colours[place] for place in places]  # for a FreeCAD without this workbench
+        if places and _bytes(own) != _bytes(vobj.LineColorArray):
+            vobj.LineColorArray = own  # the document counts as changed
 
     def _draw_labels(self, vobj, results):
         count = vobj.WorstLabels
@@ -184,6 +185,11 @@ class SeamAnalysisView(PanelView):
             footer,
             vobj.LegendTextSize,
         )
+
+
+def _bytes(colours):
+    """Return colours as documents store them."""
+    return [tuple(round(255 * part) for part in colour[:3]) for colour in colours]
 
 
 def _is_long(obj):
