@@ -143,6 +143,10 @@ class OptionPanel(ResultPanel):
         self._list_sources()
         self._timer.stop()
 
+    def show_expressions(self):
+        """Show the expressions of fields; return whether one is another than before."""
+        return self.options.show_expressions()
+
     def links(self, name):
         """Return the [(object, "Edge3" or ""), ...] of a property as the panel shows them."""
         return self._links.get(name, option_feature.links_of(self.obj, name))
@@ -193,10 +197,10 @@ class OptionPanel(ResultPanel):
 
     def _read_handles(self):
         """Give the fields the numbers to which their handles were dragged."""
-        for argument, handle in self._handles.items():
+        for argument, handle in list(self._handles.items()):
             value = handle.dragged_to()
-            if value is not None:
-                self.options.fields[argument].drag(value)
+            if value is not None and not self.options.fields[argument].drag(value):
+                self._show_handles()  # back to the number that the expression gives
 
     def _preview_in_time(self):
         """Compute now, or retry while FreeCAD changes documents."""

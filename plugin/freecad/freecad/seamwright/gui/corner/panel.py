@@ -59,7 +59,7 @@ class CornerPanel(NewSeamsPanel):
 
     def _fields(self, column):
         """Return a field for a length in each line of a column."""
-        fields = [NumberField(LENGTH, 1e6) for _ in self._edges]
+        fields = [NumberField(LENGTH, 1e6, refer_to=self.obj) for _ in self._edges]
         for line, field in enumerate(fields):
             if column == SETBACK:
                 field.setSpecialValueText(tr("auto"))
@@ -68,7 +68,7 @@ class CornerPanel(NewSeamsPanel):
         return fields
 
     def _build_limits(self):
-        self.tolerances = ToleranceForm(corner.TOLERANCES)
+        self.tolerances = ToleranceForm(corner.TOLERANCES, obj=self.obj)
         return make_box(tr("Tolerances"), self.tolerances)[0]
 
     def connect_fields(self):
@@ -78,7 +78,7 @@ class CornerPanel(NewSeamsPanel):
         self.tolerances.changed.connect(self.changed)
         self.edges.cellClicked.connect(lambda line, _: self.select_in_source([self._edges[line]]))
         self.same.clicked.connect(
-            lambda *_: [each.setValue(self._values(RADIUS)[0]) for each in self.fields[RADIUS]]
+            lambda *_: [each.show_number(self._values(RADIUS)[0]) for each in self.fields[RADIUS]]
         )
 
     def read_fields(self):
@@ -87,8 +87,12 @@ class CornerPanel(NewSeamsPanel):
         for column, numbers in ((RADIUS, self.obj.Radii), (SETBACK, self.obj.Setbacks)):
             numbers = list(numbers) * len(self._edges) if len(numbers) == 1 else list(numbers)
             for field, value in zip(self.fields[column], numbers):
-                field.setValue(value)
+                field.show_number(value)
         self._describe_edges()
+
+    def show_expressions(self):
+        """Show the expressions of fields; return whether one is another than before."""
+        return self.tolerances.show_expressions()
 
     def _describe_edges(self):
         """Write what is known about the edges.
@@ -116,7 +120,7 @@ class CornerPanel(NewSeamsPanel):
         return values
 
     def _values(self, column):
-        return [field.value() for field in self.fields[column]]
+        return [field.number() for field in self.fields[column]]
 
     # Actions.
 

@@ -44,7 +44,7 @@ class FillPanel(NewSeamsPanel):
         return box
 
     def _build_limits(self):
-        self.tolerances = ToleranceForm(fill.TOLERANCES, ("Target", fill.TARGETS))
+        self.tolerances = ToleranceForm(fill.TOLERANCES, ("Target", fill.TARGETS), self.obj)
         self.tolerances.level.setToolTip(
             tr("G0: position only; G1: without a kink; G2: with the same curvature")
         )
@@ -68,6 +68,10 @@ class FillPanel(NewSeamsPanel):
         self.tolerances.read_from(self.obj)
         self.keep_anyway.setChecked(self.obj.KeepAnyway)
         self._list_holes()
+
+    def show_expressions(self):
+        """Show the expressions of fields; return whether one is another than before."""
+        return self.tolerances.show_expressions()
 
     def _list_holes(self):
         """List the holes, with a tick at those that are filled; return why there are none."""

@@ -100,6 +100,7 @@ class MatchPanel(ResultPanel):
         self.max_move = NumberField(LENGTH, 1e6)
         self.max_move.setSpecialValueText(tr("no limit"))
         self.max_move.setToolTip(tr("No pole of a surface may move further than this"))
+        self.max_move.bind(self.obj, "MaxMove")
         layout.addRow(tr("Largest move"), self.max_move)
         self.hold_sides = QtWidgets.QCheckBox(tr("Hold the boundaries that end at the seam"))
         self.hold_sides.setToolTip(
@@ -109,7 +110,7 @@ class MatchPanel(ResultPanel):
         return box
 
     def _build_tolerances(self):
-        self.tolerances = ToleranceForm(match.TOLERANCES, ("Target", match.TARGETS))
+        self.tolerances = ToleranceForm(match.TOLERANCES, ("Target", match.TARGETS), self.obj)
         return make_box(tr("Target and tolerances"), self.tolerances)[0]
 
     def _build_result(self):
@@ -152,12 +153,16 @@ class MatchPanel(ResultPanel):
         """Show the values of the object."""
         self._swapped = False
         self.moves.setCurrentIndex(self.moves.findData(self.obj.Moves))
-        self.max_move.setValue(properties.number(self.obj, "MaxMove"))
-        self.max_move.show_expression(dict(self.obj.ExpressionEngine).get("MaxMove"))
+        self.max_move.show_number(properties.number(self.obj, "MaxMove"))
+        self.max_move.show_expression()
         self.hold_sides.setChecked(self.obj.HoldSides)
         self.tolerances.read_from(self.obj)
         self._timer.stop()
         self.after.setChecked(True)
+
+    def show_expressions(self):
+        """Show the expressions of fields; return whether one is another than before."""
+        return any([self.max_move.show_expression(), self.tolerances.show_expressions()])
 
     # Actions.
 
@@ -182,7 +187,7 @@ class MatchPanel(ResultPanel):
         faces = [getattr(self.obj, name) for name in names]
         return {
             **dict(zip(names, reversed(faces) if self._swapped else faces)),
-            "Moves": self.moves.currentData(), "MaxMove": self.max_move.value(),
+            "Moves": self.moves.currentData(), "MaxMove": self.max_move.number(),
             "HoldSides": self.hold_sides.isChecked(), **self.tolerances.values()
         }  # fmt: skip
 

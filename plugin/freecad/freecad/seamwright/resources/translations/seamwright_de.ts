@@ -1165,6 +1165,10 @@ Gezeigt: {show}</translation>
         <translation>Bias</translation>
     </message>
     <message>
+        <source>Bind to an expression (=)</source>
+        <translation>An einen Ausdruck binden (=)</translation>
+    </message>
+    <message>
         <source>Blend Curves</source>
         <translation>Zwischenkurven</translation>
     </message>

@@ -1164,6 +1164,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Bind to an expression (=)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Blend Curves</source>
         <translation>中間曲線</translation>
     </message>

@@ -1165,6 +1165,10 @@ Shown: {show}</source>
         <translation>偏斜</translation>
     </message>
     <message>
+        <source>Bind to an expression (=)</source>
+        <translation>绑定到表达式（=）</translation>
+    </message>
+    <message>
         <source>Blend Curves</source>
         <translation>混合曲线</translation>
     </message>
