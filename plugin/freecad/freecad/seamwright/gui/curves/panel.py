@@ -4,7 +4,8 @@
 from freecad.seamwright.document.curves import arcs, curve
 from freecad.seamwright.document.feature import report_of
 from freecad.seamwright.document.properties import error_text
-from freecad.seamwright.gui.base.option_panel import OptionPanel, SourceBox, sentence
+from freecad.seamwright.gui.base.option_panel import OptionPanel, sentence
+from freecad.seamwright.gui.base.source_box import SourceBox
 from freecad.seamwright.gui.widgets import messages
 from freecad.seamwright.gui.widgets.forms import LEAST_WIDTH, make_box, make_text
 from freecad.seamwright.gui.widgets.number_field import LENGTH, PLAIN, NumberField

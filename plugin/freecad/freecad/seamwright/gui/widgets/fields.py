@@ -58,6 +58,7 @@ class QuantityField(Field):
     def _make(self, obj):
         least = max(self.option.least, -LARGEST)
         widget = NumberField(UNITS.get(self.option.kind, PLAIN), LARGEST, least)
+        widget.setSpecialValueText(tr(self.option.zero) if self.option.zero else "")
         return self._bound(widget, obj)
 
     def _bound(self, widget, obj):
