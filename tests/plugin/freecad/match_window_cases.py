@@ -306,43 +306,29 @@ class Matching(MatchWindow):
 
 
     def test_faces_and_edge_are_picked_again(self):
-        (shell,) = models.two_sheets()[:1]
-        other = models.add(self.doc, shell, "Other")
+        other = models.add(self.doc, models.two_sheets()[0], "Other")
         other.Placement = App.Placement(App.Vector(0, 0, 0.02), App.Rotation())
         other.ViewObject.Visibility = False
         self.doc.recompute()
         obj, panel = self.start()
-        box = panel.boxes["FirstFace"]
         for chosen, said in (
-            ((obj, "Face1"), "show Before|Show Before"),
+            ((obj, "Face1"), "Show Before"),
             ((self.left, "Edge1"), "Choose one face"),
         ):
-            Gui.Selection.clearSelection()
-            Gui.Selection.addSelection(self.doc.Name, chosen[0].Name, chosen[1])
-            click(box.use, box.use.rect().center())
+            self.use(panel, "FirstFace", chosen)
             (text,) = messages()
             self.assertRegex(text, said)
         self.assertEqual(match.link(obj, "FirstFace"), (self.left, "Face1"))
-        Gui.Selection.clearSelection()
-        Gui.Selection.addSelection(self.doc.Name, other.Name)  # as a whole: it has one face
-        click(box.use, box.use.rect().center())
+        self.use(panel, "FirstFace", (other, ""))  # as a whole: it has one face
         self.assertEqual(self.faces(panel), ["Other.Face1", "Right.Face1"])
         self.assertEqual((match.link(obj, "FirstFace"), obj.Matched), ((other, "Face1"), True))
         self.assertEqual(self.visible(), ["Left", obj.Name])
-        edge = panel.boxes["CommonEdge"]
-        shared = obj.Shape.Edges  # the edge at which the sheets meet, of the first face
-        names = ["Edge%d" % n for n in range(1, len(shared) + 1)]
-        found = [
-            name
-            for name, each in zip(names, other.Shape.Edges)
-            if abs(each.CenterOfMass.x) < 1e-6
-        ]
-        Gui.Selection.clearSelection()
-        Gui.Selection.addSelection(self.doc.Name, other.Name, found[0])
-        click(edge.use, edge.use.rect().center())
-        self.assertEqual((match.link(obj, "CommonEdge"), obj.Matched), ((other, found[0]), True))
+        at_seam = [abs(each.CenterOfMass.x) < 1e-6 for each in other.Shape.Edges]
+        edge = other, "Edge%d" % (1 + at_seam.index(True))
+        self.use(panel, "CommonEdge", edge)
+        self.assertEqual((match.link(obj, "CommonEdge"), obj.Matched), (edge, True))
         click(panel.swap, panel.swap.rect().center())
-        self.assertEqual((match.link(obj, "CommonEdge"), obj.Matched), ((other, found[0]), True))
+        self.assertEqual((match.link(obj, "CommonEdge"), obj.Matched), (edge, True))
         whole_window("match-picked")
         self.cancel()
         self.assertEqual(self.made(), [])

@@ -65,7 +65,6 @@ class OptionPanel(ResultPanel):
 
     def build_options(self):
         """Return the boxes of what can be chosen besides sources and tolerances."""
-        self.options = OptionForm(self.obj, self.obj.Proxy.OPTIONS)
         return [make_box(tr("Options"), self.options)[0]]
 
     def build_sources(self, name, title, tip):
@@ -112,6 +111,7 @@ class OptionPanel(ResultPanel):
         for name, title, tip in kind.LINKS:
             self.boxes[name] = self.build_sources(name, tr(title), description(tip))
             layout.addWidget(self.boxes[name])
+        self.options = OptionForm(self.obj, kind.OPTIONS)
         for widget in (*self.build_options(), self._timer.button, self.build_result()):
             layout.addWidget(widget)
         self._timer.button.setVisible(not self._timer.live)
