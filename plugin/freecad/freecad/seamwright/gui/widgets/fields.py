@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The input fields of a table of options; numbers may be given by expressions."""
 
+import re
+
+from freecad.seamwright.document import expressions
 from freecad.seamwright.gui.widgets import ink
 from freecad.seamwright.gui.widgets.number_field import ANGLE, LENGTH, PLAIN, CountBox, NumberField
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
@@ -132,22 +135,54 @@ class ChoiceField(Field):
 
 
 class NumbersField(Field):
-    """Numbers in one line, such as 0; 0; 50. A text that is no list of numbers is red."""
+    """Numbers in one line, such as 0; 0; 50. A text that is no list of numbers is red.
+
+    Between semicolons there may be expressions; they are computed once.
+    """
 
     def _make(self, obj):
+        self._obj = obj
         widget = QtWidgets.QLineEdit()
         widget.textChanged.connect(self._emit)
+        widget.editingFinished.connect(self._show_computed)
         return widget
 
     def value(self):
         """Return the numbers."""
         try:
-            numbers = options.parse_numbers(self.widget.text())
+            numbers = self._numbers()
         except ValueError:
             self.widget.setStyleSheet(BAD_TEXT % ink.ink(ink.WRONG, self.widget).name())
             raise
         self.widget.setStyleSheet("")
         return numbers
+
+    def _numbers(self):
+        text = self.widget.text()
+        try:
+            return options.parse_numbers(text)
+        except ValueError:
+            found = [self._computed(each) for each in text.split(";")]
+            if None in found:
+                raise
+            return found
+
+    def _computed(self, text):
+        """Return the number of an expression in mm, in degrees or without a unit, or None."""
+        for unit in (LENGTH, ANGLE):
+            try:
+                return expressions.evaluated(self._obj, text.strip().lstrip("="), unit)
+            except ValueError:
+                pass
+        return None
+
+    def _show_computed(self):
+        """Show the numbers instead of expressions."""
+        if re.search(r"[^\W\d]|[*/()]", self.widget.text()):
+            try:
+                self.show_value(self._numbers())
+            except ValueError:
+                pass  # the text is red
 
     def show_value(self, value):
         """Show numbers."""
