@@ -17,7 +17,8 @@ class Option(NamedTuple):
 
     ``name``: of the property. ``argument``: of functions. ``kind``: the type of the property.
     ``choices``: the values of a CHOICE. ``least``: the smallest number that is allowed.
-    ``zero``: what a field shows for 0. ``used(values)``: whether the option has an effect with these {argument: value}; None: always.
+    ``used(values)``: whether the option has an effect with these {argument: value}; None: always.
+    ``zero``: what a field shows for 0.
     """
 
     name: str

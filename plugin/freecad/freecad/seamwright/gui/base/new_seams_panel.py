@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The option panel of an object whose shape is its source with new faces: a table of their seams."""
+"""The option panel of an object whose shape is its source with new faces.
+
+Its result is a table of the new seams.
+"""
 
 import FreeCADGui as Gui
 

@@ -263,11 +263,10 @@ class OptionPanel(ResultPanel):
             self.check(name, chosen)
             loops = [each for each, _ in chosen if self.obj in each.OutListRecursive]
             if loops:
-                raise ValueError(
-                    tr("{label} is made from this {group}: choose others").format(
-                        label=loops[0].Label, group=inside(self.obj.Proxy.GROUP or self.obj.Proxy.LABEL)
-                    )
-                )
+                group = inside(self.obj.Proxy.GROUP or self.obj.Proxy.LABEL)
+                raise ValueError(tr("{label} is made from this {group}: choose others").format(
+                    label=loops[0].Label, group=group
+                ))
         except (sources.SourceError, ValueError, kernel.KernelUnavailable) as error:
             messages.show_error(sentence(error))
             return

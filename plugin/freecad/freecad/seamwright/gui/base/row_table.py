@@ -26,9 +26,9 @@ class RowTable(QtWidgets.QTableWidget):
             self.horizontalHeaderItem(column).setToolTip(tr(tip))
         self.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
         show_seams_in(self, height)
-        self._fit_columns()
+        self.fit_columns()
 
-    def _fit_columns(self):
+    def fit_columns(self):
         """Fit the widths of columns to their texts; the last column fills the remaining width."""
         header, last = self.horizontalHeader(), self.columnCount() - 1
         header.setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
@@ -47,7 +47,7 @@ class RowTable(QtWidgets.QTableWidget):
                 if column == len(row.cells) - 1 and row.state in INKS:
                     item.setForeground(QtGui.QBrush(ink.ink(INKS[row.state], self)))
                 self.setItem(line, column, item)
-        self._fit_columns()
+        self.fit_columns()
 
     def chosen(self):
         """Return the selected rows, from top to bottom."""

@@ -205,7 +205,7 @@ class RepairPanel(PreviewPanel):
         """Show these rows, and the text above them."""
         super().fill(built, text)
         self.table.setColumnHidden(repair_text.CURVATURE_COLUMN, self._report["target"] != "G2")
-        self._fit_columns()
+        self.table.fit_columns()
 
     def changed(self, *_):
         """A field differs from what was computed."""
