@@ -5,9 +5,10 @@ import FreeCAD as App
 import models
 from PySide import QtCore, QtGui
 from surface_cases import at_x, sheet
-from window import PanelWindow, click, settle, whole_window
+from window import PanelWindow, click, messages, settle, whole_window
 
 from freecad.seamwright.document import analysis
+from freecad.seamwright.document.maps import kinds as maps
 from freecad.seamwright.document.surfaces import surface
 from freecad.seamwright.gui.widgets.number_field import ANGLE, LENGTH, PLAIN, NumberField
 from freecad.seamwright.gui.widgets.qt import QtWidgets
@@ -94,7 +95,7 @@ class Fields(PanelWindow):
         line.setText(text) if hasattr(line, "setText") else line.setPlainText(text)
         settle()
         whole_window("expression-editor")
-        editor.findChild(QtWidgets.QPushButton, "okBtn").click()
+        self.press_key(line, QtCore.Qt.Key_Return)
         settle(0.8)
 
     def click_button(self, field):
@@ -102,13 +103,16 @@ class Fields(PanelWindow):
         (button,) = field.lineEdit().findChildren(QtWidgets.QToolButton)
         click(button, button.rect().center())
 
+    def press_key(self, widget, key, text=""):
+        """Press and release a key."""
+        for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
+            event = QtGui.QKeyEvent(kind, key, QtCore.Qt.NoModifier, text)
+            QtWidgets.QApplication.sendEvent(widget, event)
+        settle()
+
     def type_equals(self, field):
         field.setFocus()
-        press = QtGui.QKeyEvent(
-            QtCore.QEvent.KeyPress, QtCore.Qt.Key_Equal, QtCore.Qt.NoModifier, "="
-        )
-        QtWidgets.QApplication.sendEvent(field, press)
-        settle()
+        self.press_key(field, QtCore.Qt.Key_Equal, "=")
 
     def test_a_text_that_names_a_cell_is_computed_once(self):
         cells = self.sheet_with(tol="0.02 mm", lean="30 deg", plain="4")
@@ -159,9 +163,14 @@ class Fields(PanelWindow):
         panel.reject()
 
     def test_live_changes_do_not_overwrite_an_expression(self):
-        cells = self.sheet_with(tension="1.2", count="7")
+        cells = self.sheet_with(tension="1.2")
         obj, panel = self.blend()
         field = panel.options.fields["start_tension"]
+        self.type_equals(field.widget)
+        _, line = self.editor()
+        self.press_key(line, QtCore.Qt.Key_Escape)
+        self.assertEqual((obj.ExpressionEngine, field.value()), ([], 1.0))
+        self.assertIs(obj.ViewObject.Proxy.panel, panel)
         self.type_equals(field.widget)
         self.write("Sheet.tension / 1.1")
         self.assertEqual(obj.StartTension, 1.2 / 1.1)
@@ -175,8 +184,35 @@ class Fields(PanelWindow):
         settle(0.8)
         self.assertAlmostEqual(field.value(), 1.3 / 1.1, delta=1e-12)
         self.assertNotIn("Touched", obj.State)
+        cells.clear("A1")
+        self.doc.recompute()
+        self.ok()
+        (text,) = messages()  # FreeCAD's words about the reference
+        self.assertIn("tension", text)
+        self.assertIs(obj.ViewObject.Proxy.panel, panel)
+        cells.set("A1", "1.3")
+        cells.setAlias("A1", "tension")
+        self.doc.recompute()
+        settle(0.8)
         self.ok()
         self.assertEqual(dict(obj.ExpressionEngine), {"StartTension": "Sheet.tension / 1.1"})
+
+    def test_a_whole_number_follows_an_expression(self):
+        cells = self.sheet_with(count="7")
+        block = models.add(self.doc, models.rounded_block(), "Block")
+        self.doc.recompute()
+        comb = maps.create("CurvatureComb", [(block, "Face1")])
+        comb.ViewObject.Proxy.doubleClicked(comb.ViewObject)
+        settle()
+        box = comb.ViewObject.Proxy.panel.options.fields["count"].widget
+        self.click_button(box)
+        self.write("Sheet.count + 1")
+        self.assertEqual((comb.Count, box.value(), box.isReadOnly()), (8, 8, True))
+        cells.set("A1", "4")
+        self.doc.recompute()
+        settle(0.8)
+        self.assertEqual((comb.Count, box.value()), (5, 5))
+        self.ok()
 
     def test_cancel_takes_an_expression_back(self):
         self.sheet_with(tension="1.2")
