@@ -15,7 +15,7 @@ import Part
 from curve_cases import wavy
 from curve_window_cases import CurveWindow
 from PySide import QtCore, QtGui
-from window import count, messages, pause, picture, settle, whole_window
+from window import count, messages, mouse_event, pause, picture, settle, whole_window
 
 from freecad.seamwright.document.curves import curve
 from freecad.seamwright.document.feature import report_of
@@ -51,10 +51,7 @@ def drag(start, end, steps=8):
         (QtCore.QEvent.MouseButtonRelease, 1, left, none),
     ]
     for kind, share, button, held in events:
-        local = at(share)
-        everywhere = QtCore.QPointF(place.mapToGlobal(local.toPoint()))
-        event = QtGui.QMouseEvent(kind, local, everywhere, button, held, QtCore.Qt.NoModifier)
-        QtWidgets.QApplication.sendEvent(place, event)
+        mouse_event(place, at(share), kind, button, held)
         pause(0.03)
 
 

@@ -12,7 +12,7 @@ import Part
 from curve_cases import WAVE, vertices
 from curve_window_cases import CurveWindow
 from PySide import QtCore, QtGui
-from window import click, count, messages, pause, picture, settle, whole_window
+from window import click, count, messages, mouse_event, pause, picture, settle, whole_window
 
 from freecad.seamwright.document.curves import kinds
 from freecad.seamwright.document.curves.spline import BETA
@@ -37,9 +37,7 @@ def mouse(kind, point, button=QtCore.Qt.NoButton, held=QtCore.Qt.NoButton, aside
     """Send one event of the mouse at a point of the model, some pixels aside."""
     ((x, y),) = Projection(view()).pixels([point])
     local = QtCore.QPointF(x + aside[0], y + aside[1])
-    everywhere = QtCore.QPointF(viewport().mapToGlobal(local.toPoint()))
-    event = QtGui.QMouseEvent(kind, local, everywhere, button, held, QtCore.Qt.NoModifier)
-    QtWidgets.QApplication.sendEvent(viewport(), event)
+    mouse_event(viewport(), local, kind, button, held)
     pause(0.02)
 
 
@@ -384,6 +382,15 @@ class Picks(SplineWindow):
         self.assertEqual(len(obj.Points), 4)
         self.assertFalse(panel.pick.isChecked())
         self.cancel()
+        self.assertEqual((self.made(), self.doc.UndoCount), ([], 0))
+
+    def test_buttons_work_while_points_are_picked(self):
+        _, panel = self.begin()
+        click_at(self.CLICKS[0])
+        click(panel.comb, QtCore.QPoint(8, panel.comb.height() // 2))
+        self.assertTrue(panel.comb.isChecked())
+        self.assertEqual(len(panel.editor.picker.points), 1)
+        self.press(QtWidgets.QDialogButtonBox.Cancel)
         self.assertEqual((self.made(), self.doc.UndoCount), ([], 0))
 
     def test_escape_takes_the_points_back_and_the_panel_stays(self):

@@ -80,17 +80,23 @@ def report_view():
     return Gui.getMainWindow().findChild(QtWidgets.QTextEdit, "Report view").toPlainText()
 
 
+def mouse_event(widget, position, kind, button=QtCore.Qt.NoButton, held=QtCore.Qt.NoButton):
+    """Send one event of the mouse at a position of a widget.
+
+    The window gets it, as from a real mouse, and gives it to what lies under the pointer.
+    """
+    window = widget.window()
+    place = QtCore.QPointF(widget.mapTo(window, QtCore.QPointF(position).toPoint()))
+    everywhere = QtCore.QPointF(window.mapToGlobal(place.toPoint()))
+    event = QtGui.QMouseEvent(kind, place, everywhere, button, held, QtCore.Qt.NoModifier)
+    QtWidgets.QApplication.sendEvent(window.windowHandle(), event)
+
+
 def mouse(widget, position):
-    """Press and release the left button at a position of a widget, as a mouse does."""
-    local = QtCore.QPointF(position)
-    everywhere = QtCore.QPointF(widget.mapToGlobal(position))
-    left, none = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
-    for kind, held in (
-        (QtCore.QEvent.MouseButtonPress, left),
-        (QtCore.QEvent.MouseButtonRelease, none),
-    ):
-        event = QtGui.QMouseEvent(kind, local, everywhere, left, held, QtCore.Qt.NoModifier)
-        QtWidgets.QApplication.sendEvent(widget, event)
+    """Press and release the left button at a position of a widget."""
+    left = QtCore.Qt.LeftButton
+    mouse_event(widget, position, QtCore.QEvent.MouseButtonPress, left, left)
+    mouse_event(widget, position, QtCore.QEvent.MouseButtonRelease, left)
 
 
 def click(widget, position):

@@ -2,7 +2,8 @@
 """Mouse and keys over a 3D view, before FreeCAD gets them.
 
 Callbacks of Coin's draggers end FreeCAD when they are written in Python, and the styles of
-navigation use different buttons. So the events are taken from the widget of the view.
+navigation use different buttons. So the mouse is taken from the widget of the view, and keys from
+the window, which gets them whatever has the focus.
 """
 
 import FreeCADGui as Gui
@@ -53,8 +54,8 @@ class ViewEvents(QtCore.QObject):
     def eventFilter(self, target, event):
         """Return whether the event ends here."""
         kind = event.type()
-        if kind in KEYS:
-            return target is self._window and self._key(event)
+        if target is self._window:
+            return kind in KEYS and self._key(event)
         if kind == QtCore.QEvent.MouseMove:
             return bool(self._tool.move(_pixel(event), self._is_down)) or self._is_down
         if kind in (QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonDblClick):
