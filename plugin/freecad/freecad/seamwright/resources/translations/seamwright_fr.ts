@@ -712,7 +712,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The face that is moved</source>
+        <source>The face that moves; away from the seam it keeps its shape</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -733,6 +733,10 @@
     </message>
     <message>
         <source>The object whose holes are filled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The object whose holes are filled, or one of its faces</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1044,6 +1048,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>A click selects them in the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Add a sketch of arcs and lines near the planar curve as it is now; the sketch does not follow the sources</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1176,6 +1184,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Bind to an expression (=)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Blend Curves</source>
         <translation>Courbes intermédiaires</translation>
     </message>
@@ -1261,6 +1273,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Colours of seams</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Common edge (may be empty)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1456,10 +1472,6 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Do not move the poles of the two other boundaries that end at the seam</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Draft Angle</source>
         <translation>Angle de dépouille</translation>
     </message>
@@ -1492,27 +1504,11 @@ Shown: {show}</source>
         <translation>Arêtes</translation>
     </message>
     <message>
-        <source>Edges at {names}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Edges meet within</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Edit corner fillet</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Edit match surfaces</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Edit seam repair</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Edit umbrella fill</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1600,10 +1596,6 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fill the holes with these values</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Filling holes…</source>
         <translation>Remplissage des trous…</translation>
     </message>
@@ -1613,6 +1605,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>First direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First face</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1712,7 +1708,7 @@ Shown: {show}</source>
         <translation>Lignes de reflet</translation>
     </message>
     <message>
-        <source>Hold the boundaries that end at the seam</source>
+        <source>Hold side boundaries</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1757,10 +1753,6 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Joints keep</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Keep a fill even if it misses the target; otherwise the hole stays open</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1976,6 +1968,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Move all points back to those of the sources</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2005,10 +2001,6 @@ Shown: {show}</source>
     </message>
     <message>
         <source>No point of a face may move further than this. By size of face: a hundredth of the size of the face plus twice the largest gap of its seams</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No pole of a surface may move further than this</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2308,10 +2300,6 @@ Shown: {show}</source>
         <translation>Résultat</translation>
     </message>
     <message>
-        <source>Round the corner with these values</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Rounding the corner…</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2378,6 +2366,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Second face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Second pole at</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2395,10 +2387,6 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Select one vertex of a solid at which 3 to 6 edges meet. Selected: {vertices}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Select this face in the view</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2602,10 +2590,6 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The face that moves; away from the seam it keeps its shape</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The faces as they look in the document</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2631,6 +2615,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>The property Vertex names {vertices} vertices: name exactly one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The result itself is selected. Show Before, and select in the model.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2779,6 +2767,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>V lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vertex</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2950,7 +2942,15 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>choose one edge of both faces, or nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>choose one face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose one vertex</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
