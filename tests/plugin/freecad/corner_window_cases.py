@@ -16,7 +16,7 @@ from window import (
     CANCELLED, PanelWindow, camera, click, click_row, count, messages, picture, settle, whole_window
 )  # fmt: skip
 
-from freecad.seamwright.document import corner
+from freecad.seamwright.document import corner, elements
 from freecad.seamwright.gui.corner.panel import RADIUS, SETBACK
 from freecad.seamwright.plain import corner_text
 
@@ -217,6 +217,13 @@ class Rounding(CornerWindow):
         settle(0.8)
         self.assertAlmostEqual(obj.Radii[0], 1.5875, delta=1e-9)
         self.assertIs(panel.fields[RADIUS][0], field)  # typing goes on
+        self.press_undo()
+        self.assertEqual((list(obj.Radii), elements.names(obj, "Vertex")), ([1.0], [other]))
+        self.press_undo()
+        self.assertEqual(elements.names(obj, "Vertex"), [self.vertex])
+        self.assertEqual(list(obj.Radii), [1.0, 2.0, 3.0])
+        self.press_undo()
+        self.assertEqual((list(obj.Radii), obj.ViewObject.Proxy.panel), ([1.0], panel))
         self.cancel()
         self.assertEqual(self.made(), [])
 

@@ -242,6 +242,11 @@ class PanelWindow(WindowCase):
     def made(self):
         return [obj for obj in self.doc.Objects if self.is_made(obj)]
 
+    def press_undo(self):
+        """Press Ctrl+Z, and wait for the panel."""
+        press_key(QtCore.Qt.Key_Z, QtCore.Qt.ControlModifier)
+        settle(0.8)
+
     def preview(self, panel):
         """Press the button Preview; a live panel is awaited."""
         if hasattr(panel, "preview_button"):

@@ -81,6 +81,7 @@ class NewSeamsPanel(ReplacingPanel):
         """Show the values of the object."""
         super().read_fields()
         self.list_parts()
+        self.steps.start()
 
     # Actions.
 
@@ -90,6 +91,15 @@ class NewSeamsPanel(ReplacingPanel):
         self.list_parts()
         self.suit_parts()
         super().take(SOURCE, self._links[SOURCE])
+
+    def link_names(self):
+        """Return the names of the properties with sources that the panel changes."""
+        return [SOURCE, *self.elements_of([])]
+
+    def show_field_values(self, values):
+        """Show the values of fields, for the parts of the source that is chosen."""
+        self.list_parts()
+        super().show_field_values(values)
 
     def computed(self):
         """Show new results, and the parts of the source as they are found now.

@@ -233,7 +233,7 @@ class OptionPanel(ResultPanel):
         held = self.held_handles()
         if name == "escape" and held:
             for argument, handle in held.items():
-                handle.drop(self.steps.shown[0][argument])
+                handle.drop(self.steps.shown[0]["options"][argument])
             self.put(*self.steps.shown)
         else:
             super().key(name)
@@ -241,16 +241,35 @@ class OptionPanel(ResultPanel):
     def step(self, back):
         """Take the last change of a field, of sources or by a drag back, or do it again."""
         found = self.steps.step(back)
-        if found is not None and not self.computation.busy:
+        if found is not None:
             self.put(*found)
+
+    def link_names(self):
+        """Return the names of the properties with sources that the panel changes."""
+        return list(self.boxes)
+
+    def field_values(self):
+        """Return the values of the fields as ``show_field_values`` takes them.
+
+        Raises ValueError for a bad text.
+        """
+        options = {argument: field.value() for argument, field in self.options.fields.items()}
+        limits = self.tolerances.values() if self.tolerances is not None else {}
+        return {"options": options, "tolerances": limits}
+
+    def show_field_values(self, values):
+        """Show the values of fields."""
+        for argument, value in values["options"].items():
+            self.options.fields[argument].show_value(value)
+        if self.tolerances is not None:
+            self.tolerances.show_values(values["tolerances"])
 
     def put(self, values, names):
         """Show these values of fields and sources, as PanelSteps has them; compute."""
         find = self._doc.getObject
         for name, chosen in names.items():
             self._links[name] = [(find(each), element) for each, element in chosen if find(each)]
-        for argument, value in values.items():
-            self.options.fields[argument].show_value(value)
+        self.show_field_values(values)
         self._list_sources()
         self._edits += 1
         self.preview()
@@ -280,6 +299,8 @@ class OptionPanel(ResultPanel):
     def computed(self):
         """Show new results."""
         self._links = {}
+        if not self.is_due() and not self.held_handles():
+            self.steps.settle()
         super().computed()
 
     def changed(self, *_):

@@ -55,6 +55,18 @@ class CornerPanel(NewSeamsPanel):
         super().read_fields()
         self._show_numbers(list(self.obj.Radii), list(self.obj.Setbacks))
         self._timer.stop()
+        self.steps.start()
+
+    def field_values(self):
+        """Return the values of the fields as ``show_field_values`` takes them."""
+        numbers = [self._values(column) for column in (RADIUS, SETBACK)] if self._edges else []
+        return {**super().field_values(), "numbers": numbers}
+
+    def show_field_values(self, values):
+        """Show the values of fields, for the edges at the vertex that is chosen."""
+        super().show_field_values(values)
+        if values["numbers"]:
+            self._show_numbers(*values["numbers"])
 
     def list_parts(self):
         """List the edges at the vertex; their fields stay where the edges are the same."""

@@ -51,6 +51,15 @@ class FillPanel(NewSeamsPanel):
         for widget in (self.holes, self.pick):
             widget.setVisible(not face)
 
+    def field_values(self):
+        """Return the values of the fields as ``show_field_values`` takes them."""
+        return {**super().field_values(), "holes": self.holes.chosen()}
+
+    def show_field_values(self, values):
+        """Show the values of fields, for the holes of the model that is chosen."""
+        super().show_field_values(values)
+        self.holes.set_holes(self.holes.holes, values["holes"])
+
     def listed(self, name):
         """Return the links that the box of a property lists: the face to replace, or the model."""
         return self.links(FACE) or self.links(SOURCE)

@@ -111,7 +111,9 @@ class ToleranceForm(QtWidgets.QWidget):
         return any([field.show_expression() for field in self.fields.values()])
 
     def show_values(self, values):
-        """Show the tolerances of {property: value}."""
+        """Show the tolerances of {property: value}, and the level if it is among them."""
+        if self._level_name in values:
+            self.level.setCurrentText(values[self._level_name])
         for name, field in self.fields.items():
             field.show_number(values[name])
         self._field_changed()
