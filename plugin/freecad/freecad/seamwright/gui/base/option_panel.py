@@ -69,7 +69,7 @@ class OptionPanel(ResultPanel):
         names = [entry[0] for entry in kind.LINKS] + [option.name for option in kind.OPTIONS]
         super().__init__(obj, created, tr("Edit {label}").format(label=inside(kind.LABEL)), names)
         self._links, self.steps = {}, PanelSteps(self)
-        self._handles, self._handle_timer = {}, QtCore.QTimer()
+        self._handles, self._held, self._handle_timer = {}, False, QtCore.QTimer()
         self._handle_timer.setInterval(READ_HANDLES_MS)
         self._handle_timer.timeout.connect(self._read_handles)
         self._timer = PreviewTimer(PREVIEW_AFTER_MS, self._preview_in_time)
@@ -201,6 +201,9 @@ class OptionPanel(ResultPanel):
             value = handle.dragged_to()
             if value is not None:
                 self.options.fields[argument].drag(value)
+        held, self._held = self._held, bool(self.held_handles())
+        if held and not self._held:
+            self.steps.note()  # a drag that has ended is a step
 
     def held_handles(self):
         """Return the {argument: handle} that the user is dragging."""
@@ -221,7 +224,7 @@ class OptionPanel(ResultPanel):
     def step(self, back):
         """Take the last change of a field, of sources or by a drag back, or do it again."""
         found = self.steps.step(back)
-        if found is not None and not self.computation.busy:
+        if found is not None:
             self.put(*found)
 
     def put(self, values, names):
