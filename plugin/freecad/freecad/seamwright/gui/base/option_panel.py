@@ -47,7 +47,7 @@ class OptionPanel(ResultPanel):
         names = [*kind.INPUTS, *(name for name, *_ in kind.TOLERANCES)]
         super().__init__(obj, created, tr("Edit {label}").format(label=inside(kind.LABEL)), names)
         self._links, self.steps = {}, PanelSteps(self)
-        self._handles, self._handle_timer = {}, QtCore.QTimer()
+        self._handles, self._held, self._handle_timer = {}, False, QtCore.QTimer()
         self._handle_timer.setInterval(READ_HANDLES_MS)
         self._handle_timer.timeout.connect(self._read_handles)
         self._timer = PreviewTimer(PREVIEW_AFTER_MS, self._preview_in_time)
@@ -221,6 +221,9 @@ class OptionPanel(ResultPanel):
             value = handle.dragged_to()
             if value is not None and not self.options.fields[argument].drag(value):
                 self._show_handles()  # back to the number that the expression gives
+        held, self._held = self._held, bool(self.held_handles())
+        if held and not self._held:
+            self.steps.note()  # a drag that has ended is a step
 
     def held_handles(self):
         """Return the {argument: handle} that the user is dragging."""
