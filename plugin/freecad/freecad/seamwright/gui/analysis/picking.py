@@ -5,6 +5,8 @@ import contextlib
 
 import FreeCADGui as Gui
 
+from freecad.seamwright.gui.base.picked import meant
+from freecad.seamwright.gui.widgets.later import find
 from freecad.seamwright.gui.widgets.qt import QtCore
 
 
@@ -47,8 +49,11 @@ class EdgePicker:
         """FreeCAD calls this when an element is added to the selection."""
         if self._paused or doc_name != self._doc_name:
             return
-        *path, element = element.split(".")
-        number = self.numbers.get((path[-1] if path else name, element))
+        obj = find(doc_name, name)
+        if obj is None or not element:
+            return
+        owner, element = meant(obj, element)
+        number = self.numbers.get((owner.Name, element))
         if number is None:
             return
         if not self._found:

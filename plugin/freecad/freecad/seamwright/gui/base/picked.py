@@ -14,35 +14,42 @@ def picked():
     SourceError for a mesh, and for what else has no shape.
     """
     found = []
-    for chosen, path in _selected():
-        if not chosen.SubElementNames[0]:
-            found += [(obj, "") for obj in sources.expand([chosen.Object]) or [chosen.Object]]
+    for chosen in Gui.Selection.getCompleteSelection(0):  # 0: with the path from the top
+        path = chosen.SubElementNames[0]
+        if path and not path.endswith("."):
+            found.append(meant(chosen.Object, path))
         else:
-            own = _in_link(path.Object, path.SubElementNames[0])
-            found.append(own or (_whole_body(chosen.Object), chosen.SubElementNames[0]))
+            whole = _at_end(chosen.Object, path.split(".")[:-1])
+            found += [(obj, "") for obj in sources.expand([whole]) or [whole]]
     for obj, _ in found:
         sources.check_kind(obj)
     return list(dict.fromkeys(found))
 
 
-def _selected():
-    """Return (what was picked, the same as a path from the top of the document) for each pick."""
-    return zip(Gui.Selection.getCompleteSelection(1), Gui.Selection.getCompleteSelection(0))
+def picked_on(objects):
+    """Return the names of the selected elements of these objects."""
+    try:
+        return [name for obj, name in picked() if obj in objects and name]
+    except sources.SourceError:
+        return []
 
 
-def _whole_body(obj):
-    """Return the body of its last step, which has the same elements; else the object itself."""
-    body = obj.getParentGeoFeatureGroup() if sources.in_body(obj) else None
-    return body if body is not None and body.Tip == obj else obj
-
-
-def _in_link(top, path):
-    """Return (link, "Face3") where the path to an element goes through a link, else None."""
-    owner, names = top, path.split(".")
-    for place, name in enumerate(names[:-1]):
+def meant(top, path):
+    """Return (object, "Face3") for the path to an element from the top of the document."""
+    *names, element = path.split(".")
+    owner = top
+    for place, name in enumerate(names):
         if owner.isDerivedFrom("App::Link"):
-            return owner, sources.element_of_link(owner, ".".join(names[place:]))
-        owner = owner.Document.getObject(name)
-        if owner is None:
-            return None
-    return None
+            return owner, sources.element_of_link(owner, ".".join([*names[place:], element]))
+        owner = owner.Document.getObject(name) or owner  # newer names of elements are no objects
+    body = owner.getParentGeoFeatureGroup() if sources.in_body(owner) else None
+    if body is not None and body.Tip == owner:
+        owner = body  # which has the elements of its last step
+    return owner, element
+
+
+def _at_end(top, names):
+    """Return the object at the end of a path."""
+    for name in names:
+        top = top.Document.getObject(name) or top
+    return top

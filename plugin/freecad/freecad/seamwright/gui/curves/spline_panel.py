@@ -194,4 +194,6 @@ class SplinePanel(CurvePanel):
         if kept and points:
             values = self.values_with(points)
             self.keep_values({**values, "closed": values["closed"] or closed}, sources=[])
+        elif not self._has_points():
+            self.say(tr(NO_POINTS))
         self._load()

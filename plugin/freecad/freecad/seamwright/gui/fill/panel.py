@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The task panel of Umbrella Fill: an option panel with the holes to fill."""
 
-import FreeCADGui as Gui
-
 from freecad.seamwright.document import elements, fill
 from freecad.seamwright.document.plan import Values
 from freecad.seamwright.gui.base.new_seams_panel import SOURCE, NewSeamsPanel
@@ -110,5 +108,4 @@ class FillPanel(NewSeamsPanel):
 
     def _picked(self):
         """Return the names of the selected elements of the source."""
-        chosen = [each for each in Gui.Selection.getSelectionEx() if each.Object in self.sources()]
-        return {name for each in chosen for name in each.SubElementNames}
+        return set(picked_on(self.sources()))

@@ -997,6 +997,10 @@ Gezeigt: {show}</translation>
         <translation>, am größten bei {at:.3g} der Kante</translation>
     </message>
     <message>
+        <source>, on the grid</source>
+        <translation>, auf dem Raster</translation>
+    </message>
+    <message>
         <source>, or select nothing</source>
         <translation> oder wählen Sie nichts aus</translation>
     </message>
@@ -3797,10 +3801,6 @@ Gezeigt: {show}</translation>
         <translation>{count} Punkte</translation>
     </message>
     <message>
-        <source>{count} points{place}. {how}</source>
-        <translation>{count} Punkte{place}. {how}</translation>
-    </message>
-    <message>
         <source>{count} seam</source>
         <translation>{count} Naht</translation>
     </message>
@@ -4025,8 +4025,12 @@ Gezeigt: {show}</translation>
         <translation>{last:.3g} bei {first:.6g}</translation>
     </message>
     <message>
-        <source>{least} to {largest} {unit}, the largest {largest_at}</source>
-        <translation>{least} bis {largest} {unit}, der größte Wert {largest_at}</translation>
+        <source>{least} to {largest} {unit}, the strongest {place}</source>
+        <translation>{least} bis {largest} {unit}, am stärksten {place}</translation>
+    </message>
+    <message>
+        <source>{least} {unit} everywhere</source>
+        <translation>überall {least} {unit}</translation>
     </message>
     <message>
         <source>{length_mm} mm long, turns by {turn_deg}°, radius {first_radius_mm} to {last_radius_mm} mm{near}.</source>
@@ -4171,6 +4175,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>{pieces}, {length_mm} mm long, {sharpest}, at most {distance_mm} mm from the input.</source>
         <translation>{pieces}, {length_mm} mm lang, {sharpest}, höchstens {distance_mm} mm von der Eingabe.</translation>
+    </message>
+    <message>
+        <source>{points}{place}. {how}</source>
+        <translation>{points}{place}. {how}</translation>
     </message>
     <message>
         <source>{preview_tip}; nothing is kept until OK is pressed</source>

@@ -996,6 +996,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>, on the grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>, or select nothing</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3794,10 +3798,6 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{count} points{place}. {how}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>{count} seam</source>
         <translation>{count} couture</translation>
     </message>
@@ -4022,7 +4022,11 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{least} to {largest} {unit}, the largest {largest_at}</source>
+        <source>{least} to {largest} {unit}, the strongest {place}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{least} {unit} everywhere</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4167,6 +4171,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>{pieces}, {length_mm} mm long, {sharpest}, at most {distance_mm} mm from the input.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{points}{place}. {how}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -997,6 +997,10 @@ Shown: {show}</source>
         <translation>，最大值位于边的 {at:.3g} 处</translation>
     </message>
     <message>
+        <source>, on the grid</source>
+        <translation>，在网格上</translation>
+    </message>
+    <message>
         <source>, or select nothing</source>
         <translation>，或不选择任何对象</translation>
     </message>
@@ -3797,10 +3801,6 @@ Shown: {show}</source>
         <translation>{count} 个点</translation>
     </message>
     <message>
-        <source>{count} points{place}. {how}</source>
-        <translation>{count} 个点{place}。{how}</translation>
-    </message>
-    <message>
         <source>{count} seam</source>
         <translation>{count} 条接缝</translation>
     </message>
@@ -4025,8 +4025,12 @@ Shown: {show}</source>
         <translation>{first:.6g} 处 {last:.3g}</translation>
     </message>
     <message>
-        <source>{least} to {largest} {unit}, the largest {largest_at}</source>
-        <translation>{least} 至 {largest} {unit}，最大值{largest_at}</translation>
+        <source>{least} to {largest} {unit}, the strongest {place}</source>
+        <translation>{least} 至 {largest} {unit}，最强处{place}</translation>
+    </message>
+    <message>
+        <source>{least} {unit} everywhere</source>
+        <translation>处处为 {least} {unit}</translation>
     </message>
     <message>
         <source>{length_mm} mm long, turns by {turn_deg}°, radius {first_radius_mm} to {last_radius_mm} mm{near}.</source>
@@ -4171,6 +4175,10 @@ Shown: {show}</source>
     <message>
         <source>{pieces}, {length_mm} mm long, {sharpest}, at most {distance_mm} mm from the input.</source>
         <translation>{pieces}，长 {length_mm} mm，{sharpest}，与输入相距最多 {distance_mm} mm。</translation>
+    </message>
+    <message>
+        <source>{points}{place}. {how}</source>
+        <translation>{points}{place}。{how}</translation>
     </message>
     <message>
         <source>{preview_tip}; nothing is kept until OK is pressed</source>
