@@ -3,6 +3,7 @@
 
 from freecad.seamwright.document import elements, fill
 from freecad.seamwright.gui.base.new_seams_panel import NewSeamsPanel
+from freecad.seamwright.gui.base.picked import picked_on
 from freecad.seamwright.gui.fill.hole_list import HoleList
 from freecad.seamwright.gui.widgets.forms import make_box
 from freecad.seamwright.gui.widgets.qt import QtWidgets
