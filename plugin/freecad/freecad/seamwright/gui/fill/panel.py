@@ -4,6 +4,7 @@
 from freecad.seamwright.document import elements, fill
 from freecad.seamwright.document.plan import Values
 from freecad.seamwright.gui.base.new_seams_panel import SOURCE, NewSeamsPanel
+from freecad.seamwright.gui.base.picked import picked_on
 from freecad.seamwright.gui.fill.hole_list import HoleList
 from freecad.seamwright.gui.widgets.forms import make_box
 from freecad.seamwright.gui.widgets.qt import QtWidgets
