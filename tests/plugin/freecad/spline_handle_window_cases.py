@@ -354,10 +354,10 @@ class Picks(SplineWindow):
         self.assertTrue(panel.pick.isChecked())
         self.assertEqual(panel.summary.text(), "")
         panel.box.grid.setValue(1.0)
-        for count, point in enumerate(self.CLICKS, 1):
+        for number, point in enumerate(self.CLICKS, 1):
             click_at(point, aside=(1, 1))
             said = panel.box.picked.text()
-            self.assertRegex(said, r"^%d points?: \([^)]*\), (on the grid|\S+)\. " % count)
+            self.assertRegex(said, r"^%d points?: \([^)]*\), (on the grid|\S+)\. " % number)
         self.assertNotIn("1 points", said)
         mouse(QtCore.QEvent.MouseMove, (50, 10, 0))
         whole_window("spline-picking")
