@@ -64,6 +64,8 @@ class Panel(CurveWindow):
                 obj, panel = self.start(kind, *chosen.get(kind, [self.points]))
                 self.assertEqual(panel.summary.text(), obj.Summary)
                 self.assertTrue(obj.Summary and not obj.Shape.isNull())
+                if kind == "JoinCurves":
+                    self.assertEqual(panel.options.fields["most_mm"].widget.text(), "no limit")
                 panel.comb.setChecked(True)
                 settle(0.5)
                 whole_window("curve-" + kind)
