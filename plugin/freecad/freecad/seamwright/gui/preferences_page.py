@@ -111,12 +111,21 @@ class PreferencesPage:
         self._show(preferences.values())
 
     def saveSettings(self):
-        """Store the fields, and draw seams in the new colours; say why where that is refused."""
+        """Store the fields, and draw seams in the new colours; say why tolerances are refused.
+
+        FreeCAD closes its dialog in any case, so the other fields are stored.
+        """
         try:
             preferences.store(self.values())
         except ValueError as error:
-            messages.show_error(tr("The preferences are not stored: {error}.").format(error=error))
-            return
+            stored = preferences.values()
+            kept = {name: stored[name] for name in self.tolerances.values()}
+            preferences.store({**self.values(), **kept})
+            messages.show_error(
+                tr("The tolerances are not stored, the other preferences are: {error}.").format(
+                    error=error
+                )
+            )
         preferences.use_colours()
         redraw()
 

@@ -2617,10 +2617,6 @@ Gezeigt: {show}</translation>
         <translation>Das Modell wurde während der Berechnung geändert</translation>
     </message>
     <message>
-        <source>The preferences are not stored: {error}.</source>
-        <translation>Die Einstellungen werden nicht gespeichert: {error}.</translation>
-    </message>
-    <message>
         <source>The property Vertex names {vertices} vertices: name exactly one</source>
         <translation>Die Eigenschaft Vertex nennt {vertices} Eckpunkte: Nennen Sie genau einen</translation>
     </message>
@@ -2651,6 +2647,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>The sources were deleted: {advice}</source>
         <translation>Die Quellen wurden gelöscht: {advice}</translation>
+    </message>
+    <message>
+        <source>The tolerances are not stored, the other preferences are: {error}.</source>
+        <translation>Die Toleranzen werden nicht gespeichert, die übrigen Einstellungen schon: {error}.</translation>
     </message>
     <message>
         <source>The two faces that meet</source>

@@ -2614,10 +2614,6 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The preferences are not stored: {error}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The property Vertex names {vertices} vertices: name exactly one</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2647,6 +2643,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>The sources were deleted: {advice}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tolerances are not stored, the other preferences are: {error}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -2617,10 +2617,6 @@ Shown: {show}</source>
         <translation>计算期间模型已更改</translation>
     </message>
     <message>
-        <source>The preferences are not stored: {error}.</source>
-        <translation>首选项未保存：{error}。</translation>
-    </message>
-    <message>
         <source>The property Vertex names {vertices} vertices: name exactly one</source>
         <translation>属性 Vertex 指定了 {vertices} 个顶点：请恰好指定一个</translation>
     </message>
@@ -2651,6 +2647,10 @@ Shown: {show}</source>
     <message>
         <source>The sources were deleted: {advice}</source>
         <translation>来源已被删除：{advice}</translation>
+    </message>
+    <message>
+        <source>The tolerances are not stored, the other preferences are: {error}.</source>
+        <translation>公差未保存，其他首选项已保存：{error}。</translation>
     </message>
     <message>
         <source>The two faces that meet</source>
