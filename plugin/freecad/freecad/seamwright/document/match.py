@@ -7,11 +7,19 @@ only read. The class path is written into documents: neither rename nor move it.
 
 import Part
 
-from freecad.seamwright.document import feature, properties, sources
+from freecad.seamwright.document import feature, match_chain, properties, sources
 from freecad.seamwright.document.feature import report_of, tolerances
 from freecad.seamwright.document.hooks import hooks
+from freecad.seamwright.document.match_chain import MORE
+from freecad.seamwright.document.option_feature import (
+    LINKED,
+    check_not_deleted,
+    links,
+    links_of,
+    remember_chosen,
+)
 from freecad.seamwright.document.properties import error_text
-from freecad.seamwright.plain import kernel, match_text
+from freecad.seamwright.plain import kernel, match_text, summary
 from freecad.seamwright.plain.language import mark, tr
 
 __all__ = ["MatchSurfaces", "create", "error_text", "is_match", "report_of"]
@@ -59,7 +67,7 @@ class MatchSurfaces(feature.Feature):
     Type = "MatchSurfaces"
     TOLERANCES = TOLERANCES
     EMPTY_REPORT = match_text.EMPTY_REPORT
-    INPUTS = (*(name for name, _ in LINKS), "Target", "Moves", "MaxMove", "HoldSides")
+    INPUTS = (*(name for name, _ in LINKS), MORE, "Target", "Moves", "MaxMove", "HoldSides")
 
     @staticmethod
     def add_properties(obj):
@@ -67,6 +75,12 @@ class MatchSurfaces(feature.Feature):
         adder = properties.Adder(obj)
         for name, tip in LINKS:
             adder.add("App::PropertyLinkSubGlobal", name, "Faces", tip)
+        adder.add(
+            "App::PropertyLinkSubListGlobal",
+            MORE,
+            "Faces",
+            "Further faces that the moving face joins as the other face, or edges of them",
+        )
         adder.add_choice("Target", "Match", "Level of continuity to reach", TARGETS, TARGETS[0])
         adder.add_choice("Moves", "Match", "The face that is moved", MOVES, DEFAULT_MOVES)
         adder.add(
@@ -82,8 +96,13 @@ class MatchSurfaces(feature.Feature):
             "Keep the two other boundaries that end at the seam",
         )
         adder.add_tolerances(TOLERANCES)
-        adder.add_results(RESULTS, feature.INTERNAL)
+        adder.add_results(RESULTS, (*feature.INTERNAL, LINKED))
         obj.setEditorMode("Placement", ["Hidden"])
+
+    def onChanged(self, obj, prop):
+        """Remember the further faces that are chosen: FreeCAD drops those that are deleted."""
+        if prop == MORE:
+            remember_chosen(obj, MORE)
 
     @staticmethod
     def source_objects(obj):
@@ -151,9 +170,10 @@ def link_text(obj, name):
 
 
 def source_objects(obj):
-    """Return the objects to which the two faces belong, without repeats."""
-    links = [link(obj, name) for name in ("FirstFace", "SecondFace")]
-    return list(dict.fromkeys(target[0] for target in links if target is not None))
+    """Return the objects to which the faces belong, without repeats."""
+    chosen = [link(obj, name) for name in ("FirstFace", "SecondFace")]
+    chosen = [target for target in chosen if target is not None] + links_of(obj, MORE)
+    return list(dict.fromkeys(target[0] for target in chosen))
 
 
 def match_job(module, obj, private=False):
@@ -161,7 +181,11 @@ def match_job(module, obj, private=False):
 
     Raises SourceError for broken links; ``run`` of the Job raises ValueError for bad values.
     """
-    found = sources.Elements(_links(obj))
+    chosen = _links(obj)
+    check_not_deleted(obj, MORE, required=False)
+    if links_of(obj, MORE):
+        return _chain_job(module, obj, chosen, private)
+    found = sources.Elements(chosen)
     if any(face.ShapeType != "Face" for face in found.shapes[:2]):
         raise sources.SourceError(tr("FirstFace and SecondFace must be faces"))
     shape = Part.Compound(found.shapes[:2])
@@ -192,24 +216,53 @@ def match_job(module, obj, private=False):
     return feature.Job(tr("Matching surfaces\u2026"), run, finish)
 
 
+def _chain_job(module, obj, chosen, private):
+    """Return the Job that matches one face to the other one and to MoreFaces.
+
+    ``chosen``: the links to the two faces and, where one is chosen, to the common edge.
+    """
+    moves = obj.Moves.lower()
+    other, moving = chosen[:2] if moves != "first" else chosen[1::-1]
+    joined = [other, *chosen[2:], *links_of(obj, MORE)]
+    gathered = match_chain.gather(moving, joined)
+    limits = tolerances(obj)
+    make, target = feature.model_maker(module, gathered.shape, private), obj.Target
+    given = {
+        "target": target, "average": moves == "both",
+        "hold": "position" if obj.HoldSides else "none",
+        "max_move_mm": properties.number(obj, "MaxMove") or None, **limits
+    }  # fmt: skip
+
+    def run(progress):
+        model = make()
+        sides = match_chain.sides_of(model, gathered, limits["match_mm"])
+        return model.match_sides(1, sides, progress=progress, **given)
+
+    def finish(result):
+        report = {**match_chain.report_of(result, gathered), "target": target, "tolerance": limits}
+        return report, result.model.to_freecad() if result.matched else Part.Shape()
+
+    return feature.Job(tr("Matching surfaces\u2026"), run, finish)
+
+
 def _links(obj):
     """Return the links to the two faces and, where one is chosen, to the common edge."""
-    links = [link(obj, name) for name, _ in LINKS]
-    if links[0] is None:
+    chosen = [link(obj, name) for name, _ in LINKS]
+    if chosen[0] is None:
         raise sources.SourceError(
             tr("The first face was deleted: choose another one in the property FirstFace")
         )
-    if links[1] is None:
+    if chosen[1] is None:
         raise sources.SourceError(
             tr("The second face was deleted: choose another one in the property SecondFace")
         )
-    if links[0] == links[1]:
+    if chosen[0] == chosen[1]:
         raise sources.SourceError(
             tr("{link} is chosen twice: choose two different faces").format(
                 link=link_text(obj, "FirstFace")
             )
         )
-    return [target for target in links if target is not None]
+    return [target for target in chosen if target is not None]
 
 
 def _edge_number(obj, shape, chosen):
@@ -227,11 +280,36 @@ def _edge_number(obj, shape, chosen):
     return 0
 
 
+def arranged(chosen):
+    """Return (first, second, {argument: value} of ``create``) for [(object, "Face3"), ...].
+
+    The last face moves. The others stay, and the faces of edges, too. Raises SourceError or
+    ValueError where these are not what is needed.
+    """
+    faces = [each for each in chosen if each[1].startswith("Face")]
+    edges = [each for each in chosen if each[1].startswith("Edge")]
+    if len(faces) == 2 and len(edges) <= 1:
+        return faces[0], faces[1], {"edge": edges[0] if edges else None}
+    if not faces or len(faces) + len(edges) < 2:
+        raise ValueError(
+            tr(
+                "Select two faces: first the one that stays, then the one that moves. You may "
+                "also select one common edge, or more faces that stay, or edges of them. "
+                "Selected: {faces}, {edges}."
+            ).format(
+                faces=summary.counted(len(faces), "face"), edges=summary.counted(len(edges), "edge")
+            )
+        )
+    joined = [*faces[:-1], *edges]
+    return match_chain.first_face(faces[-1], joined), faces[-1], {"more": joined}
+
+
 def create(
     first,
     second,
     *,
     edge=None,
+    more=(),
     target="G1",
     moves="second",
     max_move_mm=0.0,
@@ -241,7 +319,8 @@ def create(
     """Match two faces: add a Match Surfaces to their document, compute it and return it.
 
     ``first``, ``second``: (object, "Face3"). ``edge``: (object, "Edge5"), where the faces have
-    several common edges. ``target``: "G1" or "G2". ``moves``: "first", "second" or "both".
+    several common edges. ``more``: further faces that the moving one joins, or edges of them:
+    [(object, "Face2"), (object, ["Edge3", ...]), ...]. ``target``: "G1" or "G2". ``moves``: "first", "second" or "both".
     ``max_move_mm``: no pole may move further; 0 means no limit. ``hold_sides``: the two other
     boundaries that end at the seam stay. ``tolerances``: gap_mm, angle_deg, curvature_rel,
     flat_radius_mm, crease_deg, match_mm, profile, as for an analysis. Raises TypeError and
@@ -252,6 +331,7 @@ def create(
         first,
         second,
         edge=edge,
+        more=more,
         target=target,
         moves=moves,
         max_move_mm=max_move_mm,
@@ -267,6 +347,7 @@ def prepare(
     second,
     *,
     edge=None,
+    more=(),
     target="G1",
     moves="second",
     max_move_mm=0.0,
@@ -286,6 +367,8 @@ def prepare(
     for name, target_link in (("FirstFace", first), ("SecondFace", second), ("CommonEdge", edge)):
         if target_link is not None:
             setattr(obj, name, (target_link[0], [target_link[1]]))
+    if more:
+        setattr(obj, MORE, links(more))
     obj.HoldSides = bool(hold_sides)
     for name, value in values.items():
         setattr(obj, name, value)
