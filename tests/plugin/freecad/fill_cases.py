@@ -15,7 +15,7 @@ from match_cases import text_of
 
 from freecad.seamwright.document import elements, fill
 from freecad.seamwright.document.hooks import hooks
-from freecad.seamwright.plain import fill_text
+from freecad.seamwright.plain import fill_text, new_seams
 
 
 #: The octant of a ball of 4 mm has 33.5 mm3. The volume under a fill of three sides differs from it
@@ -103,6 +103,22 @@ class Holes(FillCase):
         source, _ = self.open_block()
         obj = fill.create(source, target="G2")
         self.assertNotFilled(obj, "is not G2")
+        self.assertRegex(obj.Summary, r"The best fill needs .*a curvature of [0-9]+ %; Keep anyway")
+        report = fill.report_of(obj)
+        for seam in report["fills"][0]["seams"]:
+            self.assertEqual((seam["edges"], seam["faces"]), ([], []))
+            beside = fill_text.face_beside(seam)
+            if beside is None:
+                self.assertEqual(seam["source_edges"], [])
+                continue
+            (edge,) = (source.Shape.Edges[number - 1] for number in seam["source_edges"])
+            self.assertTrue(
+                any(edge.isSame(each) for each in source.Shape.Faces[beside - 1].Edges)
+            )
+            free = [face for face in source.Shape.Faces if any(map(edge.isSame, face.Edges))]
+            self.assertEqual(len(free), 1)
+        self.assertIn(" (model)", new_seams.build_rows(
+            report["fills"][0]["seams"], report["tolerance"], "G2")[0].cells[0])
         obj.Target = "G1"
         self.doc.recompute()
         self.assertEqual((fill.error_text(obj), obj.Reached), ("", True))

@@ -146,39 +146,65 @@ def fill_job(module, obj, private=False):
         obj.Source.Label,
         feature.model_maker(module, shape, private),
     )
-    given = {"target": obj.Target, "keep_anyway": bool(obj.KeepAnyway), **limits}
-    given["jobs"] = preferences.threads()
-    report = empty_report(obj)
+    given = {"target": obj.Target, **limits, "jobs": preferences.threads()}
+    report, keep = empty_report(obj), bool(obj.KeepAnyway)
 
     def run(progress):
         model = make()
         wanted = [{"face": number} for number in faces] or [
             {"hole": hole["id"]} for hole in _holes(model, limits, label, edges)[1]
         ]
-        return _fill_each(model, given, wanted, progress)
+        return _fill_each(model, given, wanted, keep, progress)
 
     def finish(found):
-        entries, shapes = found
+        entries, models = found
+        shapes = [None if model is None else model.to_freecad() for model in models]
+        for entry, best in zip(entries, shapes):
+            if best is not None and not entry["filled"]:
+                fill_text.forget_numbers(entry, _source_edges(entry, best, shape))
         entries, last = _joined(
-            entries, [None if model is None else model.to_freecad() for model in shapes]
+            entries, [best if entry["filled"] else None for entry, best in zip(entries, shapes)]
         )
         return {**report, "fills": entries}, last
 
     return feature.Job(tr("Filling holes\u2026"), run, finish)
 
 
-def _fill_each(model, given, wanted, progress):
+def _fill_each(model, given, wanted, keep, progress):
     """Return (an entry for each of the wanted holes or faces, the model after each fill or None).
 
-    The last of the wanted holes comes first, so that the numbers of the others stay valid.
+    The last of the wanted holes comes first, so that the numbers of the others stay valid. The
+    kernel always returns its best fill; ``keep``: also keep one that misses the target.
     """
     entries, models = [], []
     for index, which in enumerate(reversed(wanted)):  # the numbers of the others stay valid
-        found = model.fill(**which, progress=_part(progress, index, len(wanted)), **given)
-        model = found.model
-        entries.append(fill_text.entry(found.to_dict(), **which))
-        models.append(model if found.filled else None)
+        found = model.fill(
+            **which, keep_anyway=True, progress=_part(progress, index, len(wanted)), **given
+        )
+        entries.append(fill_text.entry(found.to_dict(), keep=keep, **which))
+        models.append(found.model if found.filled else None)
+        if entries[-1]["filled"]:
+            model = found.model
     return entries, models
+
+
+def _source_edges(entry, best, shape):
+    """Return for each seam of a fill that was not kept the numbers of the edges of the source.
+
+    ``best``: the model with the fill. ``shape``: that of the source.
+    """
+    numbers = sources.Index(enumerate(shape.Edges, 1))
+    found = []
+    for seam in entry["seams"]:
+        face = fill_text.face_beside(seam)
+        if face is None or not seam["edges"]:
+            found.append([])
+            continue
+        middle = Part.Vertex(_middle(best.Edges[seam["edges"][0] - 1]))
+        edges = shape.Faces[face - 1].Edges
+        nearest = min(edges, key=lambda edge, at=middle: edge.distToShape(at)[0])
+        found.append([numbers.find(nearest)])
+    return found
 
 
 def _joined(entries, shapes):

@@ -222,6 +222,11 @@ def edges_text(seam):
 
 def named(text):
     """Return a sentence of the kernel with faces and edges as the user reads them: "Face3"."""
+    text = re.sub(
+        r"\bedges (\d+(?:, \d+)+)\b",
+        lambda found: ", ".join("Edge" + number for number in found.group(1).split(", ")),
+        text,
+    )
     return re.sub(
         r"\b(face|edge) (\d+)\b", lambda found: found.group(1).capitalize() + found.group(2), text
     )

@@ -64,7 +64,8 @@ def _chain(waiting, tips, within):
             (_, edge), from_last = chain[-1]
             end = inputs.ends_of(edge)[0 if from_last else 1]
         return chain, start, _at(tips, end, within)
-    raise ValueError(_apart(waiting[0][0], inputs.ends_of(waiting[0][1]), tips))
+    number, edge = waiting[0]
+    raise ValueError(_apart(number, inputs.ends_of(edge), tips))
 
 
 def _next(waiting, point, within, tips, chain):
@@ -74,7 +75,8 @@ def _next(waiting, point, within, tips, chain):
             if end.distanceToPoint(point) <= within:
                 waiting.remove(each)
                 return each, bool(place)
-    raise ValueError(_apart(chain[-1][0][0], [point], tips))
+    free = [end for _, edge in waiting for end in inputs.ends_of(edge)]
+    raise ValueError(_apart(chain[-1][0][0], [point], tips + free))
 
 
 def _at(tips, point, within):
@@ -83,11 +85,11 @@ def _at(tips, point, within):
     return places[0] if places else None
 
 
-def _apart(number, ends, tips):
-    nearest = min(tip.distanceToPoint(end) for tip in tips for end in ends)
+def _apart(number, ends, points):
+    nearest = min(point.distanceToPoint(end) for point in points for end in ends)
     return tr(
         "edge {number} of the outer boundary does not lead from the end of an edge to that of its "
-        "neighbour: it ends {distance} mm from the nearest one"
+        "neighbour: it ends {distance} mm from the nearest end"
     ).format(number=number, distance="%.3g" % nearest)
 
 
