@@ -78,7 +78,7 @@ class MatchSurfaces(Command):
         chosen = selected_elements("Face") + selected_elements("Edge")
         try:
             first, second, given = match.arranged(chosen)
-        except (sources.SourceError, ValueError) as error:
+        except ValueError as error:
             messages.show_error(str(error))
             return
         open_new(
