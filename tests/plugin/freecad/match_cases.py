@@ -54,9 +54,10 @@ def angle_between(shape):
 
 def tilted(x0, x1, y0, y1, rise=0.0):
     """A face of 4 x 4 poles over a rectangle."""
+    places = [place / 3 for place in range(4)]
     lines = [
-        [V(x0 + (x1 - x0) * i / 3, y0 + (y1 - y0) * j / 3, rise * (x1 - x0) * i / 3) for j in range(4)]
-        for i in range(4)
+        [V(x0 + (x1 - x0) * s, y0 + (y1 - y0) * t, rise * (x1 - x0) * s) for t in places]
+        for s in places
     ]
     surface = Part.BSplineSurface()
     surface.buildFromPolesMultsKnots(lines, [4, 4], [4, 4], [0, 1], [0, 1], False, False, 3, 3)
@@ -179,9 +180,9 @@ class Chains(MatchCase):
     def setUp(self):
         super().setUp()
         self.right = models.add(self.doc, tilted(0, 60, 0, 40, 0.02), "Right")
-        self.low, self.high, self.far = (
-            models.add(self.doc, tilted(-30, end, *ends), name)
-            for name, end, ends in (("Low", 0, (0, 25)), ("High", 0, (25, 40)), ("Far", -3, (25, 40)))
+        self.low, self.high = (
+            models.add(self.doc, tilted(-30, 0, *ends), name)
+            for name, ends in (("Low", (0, 25)), ("High", (25, 40)))
         )
         self.doc.recompute()
 
@@ -202,7 +203,7 @@ class Chains(MatchCase):
             obj = match.create(first, second, more=more, target=target, moves=moves)
             self.assertSmooth(obj, "Right.Face1")
             self.assertIn(obj.LevelAfter, ("G1", "G2")[("G1", "G2").index(target) :])
-            self.assertEqual(obj.CurvatureAfter < 0.02, True)
+            self.assertTrue(target == "G1" or obj.CurvatureAfter < 0.02)
         self.assertSmooth(match.create(second, first, more=more, moves="first"), "Right.Face1")
         self.high.Placement.Base = V(0, 0, 1)
         self.doc.recompute()
@@ -216,7 +217,8 @@ class Chains(MatchCase):
         faces = [(each, "Face1") for each in (self.low, self.high, self.right)]
         self.assertEqual(match.arranged(faces[:2]), (*faces[:2], {"edge": None}))
         self.assertEqual(match.arranged(faces)[:2], (faces[0], faces[2]))
-        edges = [(each, edge_at(each, V(0, y, 0))) for each, y in ((self.low, 12.5), (self.high, 32.5))]
+        places = (self.low, 12.5), (self.high, 32.5)
+        edges = [(each, edge_at(each, V(0, y, 0))) for each, y in places]
         first, second, given = match.arranged([faces[2], *edges])
         self.assertEqual((first, second, given), (faces[0], faces[2], {"more": edges}))
         self.assertSmooth(match.create(first, second, **given), "Right.Face1")

@@ -320,7 +320,8 @@ def create(
 
     ``first``, ``second``: (object, "Face3"). ``edge``: (object, "Edge5"), where the faces have
     several common edges. ``more``: further faces that the moving one joins, or edges of them:
-    [(object, "Face2"), (object, ["Edge3", ...]), ...]. ``target``: "G1" or "G2". ``moves``: "first", "second" or "both".
+    [(object, "Face2"), (object, ["Edge3", ...]), ...]. ``target``: "G1" or "G2". ``moves``:
+    "first", "second" or "both".
     ``max_move_mm``: no pole may move further; 0 means no limit. ``hold_sides``: the two other
     boundaries that end at the seam stay. ``tolerances``: gap_mm, angle_deg, curvature_rel,
     flat_radius_mm, crease_deg, match_mm, profile, as for an analysis. Raises TypeError and

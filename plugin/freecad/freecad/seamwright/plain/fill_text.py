@@ -222,7 +222,7 @@ def name_of(fill):
 
 
 def reasons(report):
-    """Return a line for each fill that misses the target: why, and what would have to be allowed."""
+    """Return a line for each fill that misses the target: why, and what it needs."""
     lines = []
     for fill in missed(report):
         line = "%s: %s." % (name_of(fill), fill["reason"].rstrip("."))

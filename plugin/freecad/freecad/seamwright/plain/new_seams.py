@@ -13,7 +13,10 @@ from freecad.seamwright.plain.language import mark, tr
 
 #: heading, tool tip
 COLUMNS = (
-    (mark("Edge"), mark("The edge of the seam in the result, or in the model where nothing was kept")),
+    (
+        mark("Edge"),
+        mark("The edge of the seam in the result, or in the model where nothing was kept"),
+    ),
     (mark("Between"), mark("The faces that meet at the seam")),
     (mark("Angle \u00b0"), mark("Largest angle between the tangent planes, in degrees")),
     (mark("Gap mm"), mark("Largest distance between the two sides, in mm")),

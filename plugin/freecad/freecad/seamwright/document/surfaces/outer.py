@@ -14,8 +14,8 @@ MOST_EDGES = 2
 def edges_between(module, spokes, edges, values):
     """Return ([[curve, ...] for the sector behind each of the Spokes], largest distance in mm).
 
-    One edge runs from the end of the spoke to that of the next one. Two run from the ends of both to
-    a corner. Raises ValueError where an edge does not lead from one spoke to its neighbour.
+    One edge runs from the end of the spoke to that of the next one. Two run from the ends of both
+    to a corner. Raises ValueError where an edge does not lead from one spoke to its neighbour.
     """
     within = max(values["meet_mm"], inputs.GAP_MM)
     tips = [App.Vector(*curve.point(1.0)) for curve in spokes.curves]

@@ -14,7 +14,8 @@ def fitted(module, edge, from_last, tolerance_mm, rational=False):
     """Return (BezierCurve, its distance from the edge in mm) of an edge from one of its ends.
 
     A polynomial Bezier curve stays as it is, and with ``rational`` a rational one, too. Otherwise a
-    curve with the same ends and the same tangents there takes its place. Its distance is measured between points of equal parameters.
+    curve with the same ends and the same tangents there takes its place. Its distance is measured
+    between points of equal parameters.
     Raises ValueError where it is larger than the tolerance.
     """
     spline = inputs.curve_of(module, edge).bezier_spline()
