@@ -213,6 +213,21 @@ class Chains(MatchCase):
         self.doc.recompute()
         self.assertNotMatched(obj, "High was deleted: choose others in the property MoreFaces")
 
+    def test_a_kink_that_makes_the_face_less_fair_needs_a_depth(self):
+        surface = Part.BSplineSurface()
+        surface.interpolate(
+            [[V(8 * i, 10 * j, -3 * i * i) for j in range(5)] for i in range(6)]
+        )
+        self.right.Shape = surface.toShape()
+        self.doc.recompute()
+        faces = [(each, "Face1") for each in (self.low, self.high, self.right)]
+        first, second, given = match.arranged(faces)
+        obj = match.create(first, second, fairness=1.0, **given)
+        self.assertNotMatched(obj, "allow a change over a larger Depth, or a larger Fairness")
+        obj.Fairness = 1000
+        self.doc.recompute()
+        self.assertSmooth(obj, "Right.Face1")
+
     def test_what_is_selected(self):
         faces = [(each, "Face1") for each in (self.low, self.high, self.right)]
         self.assertEqual(match.arranged(faces[:2]), (*faces[:2], {"edge": None}))
@@ -246,7 +261,7 @@ class Following(MatchCase):
         self.sheets()
         obj = self.match()
         changes = {name: 0.5 for name, *_ in match.TOLERANCES}
-        changes.update(Target="G2", Moves="Both", MaxMove=5, HoldSides=True)
+        changes.update(Target="G2", Moves="Both", MaxMove=5, HoldSides=True, Depth=3, Fairness=2)
         for name, value in changes.items():
             with self.subTest(name):
                 self.doc.recompute()
@@ -329,6 +344,7 @@ class Errors(MatchCase):
             ({"target": "G3"}, "target 'G3'"),
             ({"moves": "none"}, "moves 'none'"),
             ({"max_move_mm": -1.0}, "max_move_mm"),
+            ({"depth_mm": -1.0}, "depth_mm"),
             ({"gap_mm": math.nan}, "gap_mm"),
             ({"profile": "class-b"}, "profile 'class-b'"),
         ):

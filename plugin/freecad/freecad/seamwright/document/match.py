@@ -21,6 +21,7 @@ from freecad.seamwright.document.option_feature import (
 from freecad.seamwright.document.properties import error_text
 from freecad.seamwright.plain import kernel, match_text, summary
 from freecad.seamwright.plain.language import mark, tr
+from freecad.seamwright.plain.options import FLOAT, LENGTH, Option
 
 __all__ = ["MatchSurfaces", "create", "error_text", "is_match", "report_of"]
 
@@ -39,6 +40,15 @@ LINKS = (
     ("SecondFace", "The second face"),
     ("CommonEdge", "The common edge along which the faces are matched; empty: the longest one"),
 )
+
+#: Where the face may change, and how; of the kernel's arguments of these names.
+CHANGES = (
+    Option("Depth", "depth_mm", LENGTH, 0.0, "Depth",
+           "How far from the seam the moved face may change, in mm; 0: as little as needed",
+           least=0.0),
+    Option("Fairness", "fairness", FLOAT, 1.5, "Fairness",
+           "Factor by which the variation of the curvature of a face may grow", least=1.0),
+)  # fmt: skip
 
 RESULTS = (
     ("Summary", "App::PropertyString", "The result in one line, or why there is none"),
@@ -67,7 +77,8 @@ class MatchSurfaces(feature.Feature):
     Type = "MatchSurfaces"
     TOLERANCES = TOLERANCES
     EMPTY_REPORT = match_text.EMPTY_REPORT
-    INPUTS = (*(name for name, _ in LINKS), MORE, "Target", "Moves", "MaxMove", "HoldSides")
+    INPUTS = (*(name for name, _ in LINKS), MORE, "Target", "Moves", "MaxMove", "HoldSides",
+              *(option.name for option in CHANGES))  # fmt: skip
 
     @staticmethod
     def add_properties(obj):
@@ -95,6 +106,8 @@ class MatchSurfaces(feature.Feature):
             "Match",
             "Keep the two other boundaries that end at the seam",
         )
+        for option in CHANGES:
+            adder.add_with(option.kind, option.name, "Match", option.tip, option.default)
         adder.add_tolerances(TOLERANCES)
         adder.add_results(RESULTS, (*feature.INTERNAL, LINKED))
         obj.setEditorMode("Placement", ["Hidden"])
@@ -195,7 +208,7 @@ def match_job(module, obj, private=False):
     target, limits, make = obj.Target, tolerances(obj), feature.model_maker(module, shape, private)
     given = {
         "target": target, "moves": obj.Moves.lower(), "hold_sides": bool(obj.HoldSides),
-        "max_move_mm": properties.number(obj, "MaxMove") or None,
+        "max_move_mm": properties.number(obj, "MaxMove") or None, **_changes(obj),
         "edge": _edge_number(obj, shape, found.shapes[2:]), **limits
     }  # fmt: skip
 
@@ -210,7 +223,7 @@ def match_job(module, obj, private=False):
 
     def finish(result):
         report = {**result.to_dict(), "target": target, "tolerance": limits, "faces": faces}
-        report["reason"] = named(report["reason"])
+        report["reason"] = match_text.advised(named(report["reason"]), result.reason_code)
         return report, result.model.to_freecad() if result.matched else Part.Shape()
 
     return feature.Job(tr("Matching surfaces\u2026"), run, finish)
@@ -230,7 +243,7 @@ def _chain_job(module, obj, chosen, private):
     given = {
         "target": target, "average": moves == "both",
         "hold": "position" if obj.HoldSides else "none",
-        "max_move_mm": properties.number(obj, "MaxMove") or None, **limits
+        "max_move_mm": properties.number(obj, "MaxMove") or None, **_changes(obj), **limits
     }  # fmt: skip
 
     def run(progress):
@@ -243,6 +256,12 @@ def _chain_job(module, obj, chosen, private):
         return report, result.model.to_freecad() if result.matched else Part.Shape()
 
     return feature.Job(tr("Matching surfaces\u2026"), run, finish)
+
+
+def _changes(obj):
+    """Return the {argument: value} of how far the moved face may change."""
+    depth, fairness = (properties.number(obj, option.name) for option in CHANGES)
+    return {"depth_mm": depth or None, "fairness": fairness}
 
 
 def _links(obj):
@@ -314,6 +333,8 @@ def create(
     moves="second",
     max_move_mm=0.0,
     hold_sides=False,
+    depth_mm=0.0,
+    fairness=1.5,
     **tolerances
 ):
     """Match two faces: add a Match Surfaces to their document, compute it and return it.
@@ -323,7 +344,9 @@ def create(
     [(object, "Face2"), (object, ["Edge3", ...]), ...]. ``target``: "G1" or "G2". ``moves``:
     "first", "second" or "both".
     ``max_move_mm``: no pole may move further; 0 means no limit. ``hold_sides``: the two other
-    boundaries that end at the seam stay. ``tolerances``: gap_mm, angle_deg, curvature_rel,
+    boundaries that end at the seam stay. ``depth_mm``: how far from the seam the face may change; 0
+    means as little as needed. ``fairness``: by what factor the variation of its curvature may grow.
+    ``tolerances``: gap_mm, angle_deg, curvature_rel,
     flat_radius_mm, crease_deg, match_mm, profile, as for an analysis. Raises TypeError and
     ValueError for bad arguments, kernel.KernelUnavailable when the compiled part is missing. When
     the faces do not match, the object has no shape and ``error_text`` says why.
@@ -337,6 +360,8 @@ def create(
         moves=moves,
         max_move_mm=max_move_mm,
         hold_sides=hold_sides,
+        depth_mm=depth_mm,
+        fairness=fairness,
         **tolerances
     )
     obj.Document.recompute()
@@ -353,14 +378,25 @@ def prepare(
     moves="second",
     max_move_mm=0.0,
     hold_sides=False,
+    depth_mm=0.0,
+    fairness=1.5,
     **tolerances
 ):
     """Add a Match Surfaces as ``create`` does, but compute nothing yet."""
     kernel.load(Part.OCC_VERSION)
-    table = TOLERANCES + (("MaxMove", "max_move_mm"),)
+    table = (*TOLERANCES, ("MaxMove", "max_move_mm"), *(option[:2] for option in CHANGES))
     choices = {"target": ("Target", TARGETS), "moves": ("Moves", [name.lower() for name in MOVES])}
     values = properties.checked(
-        {**tolerances, "max_move_mm": max_move_mm, "target": target, "moves": moves}, table, choices
+        {
+            **tolerances,
+            "max_move_mm": max_move_mm,
+            "depth_mm": depth_mm,
+            "fairness": fairness,
+            "target": target,
+            "moves": moves,
+        },
+        table,
+        choices,
     )
     values["Moves"] = values["Moves"].capitalize()
     doc = first[0].Document

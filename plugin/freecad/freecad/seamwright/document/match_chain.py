@@ -178,7 +178,9 @@ def report_of(result, gathered):
         reason = match_text.chain_reason(gathered.names, result.depth_mm)
     return {
         "matched": result.matched,
-        "reason": match_text.named(reason, gathered.names, gathered.edge_name),
+        "reason": match_text.advised(
+            match_text.named(reason, gathered.names, gathered.edge_name), result.reason_code
+        ),
         "exact": False,
         "largest_move_mm": max((each["largest_move_mm"] for each in result.moves), default=0.0),
         "before": match_text.worst([seam["before"] for seam in seams]),

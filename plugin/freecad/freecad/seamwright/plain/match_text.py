@@ -74,6 +74,15 @@ def summary(report):
     )
 
 
+def advised(reason, code):
+    """Return why faces do not match, with what helps where the kernel's text does not say it."""
+    if code != "less_fair":
+        return reason
+    return tr("{reason}: allow a change over a larger Depth, or a larger Fairness").format(
+        reason=reason.rstrip(".")
+    )
+
+
 def chain_reason(faces, depth_mm):
     """Return how a face was matched to several; ``faces``: the names, first that of the moved."""
     return tr(

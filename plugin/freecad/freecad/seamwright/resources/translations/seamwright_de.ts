@@ -176,6 +176,10 @@
         <translation>Flächen mit mindestens dieser Formschräge lösen sich aus der anderen Hälfte</translation>
     </message>
     <message>
+        <source>Factor by which the variation of the curvature of a face may grow</source>
+        <translation>Faktor, um den die Änderung der Krümmung einer Fläche wachsen darf</translation>
+    </message>
+    <message>
         <source>Four-sided faces, or three-sided ones, which are three faces each</source>
         <translation>Vierseitige Flächen, oder dreiseitige, die je drei Flächen sind</translation>
     </message>
@@ -218,6 +222,10 @@
     <message>
         <source>Height of the legend's letters, in pixels</source>
         <translation>Höhe der Buchstaben der Legende, in Pixeln</translation>
+    </message>
+    <message>
+        <source>How far from the seam the moved face may change, in mm; 0: as little as needed</source>
+        <translation>Wie weit von der Naht die verschobene Fläche geändert werden darf, in mm; 0: so wenig wie nötig</translation>
     </message>
     <message>
         <source>How far the surface keeps its direction, by the distance of the sides</source>
@@ -1429,6 +1437,10 @@ Gezeigt: {show}</translation>
         <translation>Dichte</translation>
     </message>
     <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
         <source>Deviation</source>
         <translation>Abweichung</translation>
     </message>
@@ -1607,6 +1619,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>Fair Curve</source>
         <translation>Kurve glätten</translation>
+    </message>
+    <message>
+        <source>Fairness</source>
+        <translation>Glätte</translation>
     </message>
     <message>
         <source>Family</source>
@@ -4291,6 +4307,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>{quantity} curvature {range}. {mesh}.</source>
         <translation>{quantity} Krümmung {range}. {mesh}.</translation>
+    </message>
+    <message>
+        <source>{reason}: allow a change over a larger Depth, or a larger Fairness</source>
+        <translation>{reason}: Erlauben Sie eine Änderung über eine größere Tiefe (Depth), oder eine größere Glätte (Fairness)</translation>
     </message>
     <message>
         <source>{seams} seams are marked; only the edges of the first {selected} are selected.</source>

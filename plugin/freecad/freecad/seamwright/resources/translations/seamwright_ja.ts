@@ -176,6 +176,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Factor by which the variation of the curvature of a face may grow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Four-sided faces, or three-sided ones, which are three faces each</source>
         <translation type="unfinished"></translation>
     </message>
@@ -217,6 +221,10 @@
     </message>
     <message>
         <source>Height of the legend's letters, in pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far from the seam the moved face may change, in mm; 0: as little as needed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1428,6 +1436,10 @@ Shown: {show}</source>
         <translation>密度</translation>
     </message>
     <message>
+        <source>Depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Deviation</source>
         <translation>偏差</translation>
     </message>
@@ -1606,6 +1618,10 @@ Shown: {show}</source>
     <message>
         <source>Fair Curve</source>
         <translation>曲線をフェアリング</translation>
+    </message>
+    <message>
+        <source>Fairness</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Family</source>
@@ -4287,6 +4303,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>{quantity} curvature {range}. {mesh}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{reason}: allow a change over a larger Depth, or a larger Fairness</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

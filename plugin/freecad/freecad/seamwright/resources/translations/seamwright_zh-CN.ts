@@ -176,6 +176,10 @@
         <translation>拔模角至少为此值的面可从另一半脱模</translation>
     </message>
     <message>
+        <source>Factor by which the variation of the curvature of a face may grow</source>
+        <translation>面的曲率变化可增大的倍数</translation>
+    </message>
+    <message>
         <source>Four-sided faces, or three-sided ones, which are three faces each</source>
         <translation>四边面，或三边面(每个由三个面组成)</translation>
     </message>
@@ -218,6 +222,10 @@
     <message>
         <source>Height of the legend's letters, in pixels</source>
         <translation>图例文字的高度，单位像素</translation>
+    </message>
+    <message>
+        <source>How far from the seam the moved face may change, in mm; 0: as little as needed</source>
+        <translation>移动的面可在距接缝多远的范围内改变，单位 mm；0：尽可能少</translation>
     </message>
     <message>
         <source>How far the surface keeps its direction, by the distance of the sides</source>
@@ -1429,6 +1437,10 @@ Shown: {show}</source>
         <translation>密度</translation>
     </message>
     <message>
+        <source>Depth</source>
+        <translation>深度</translation>
+    </message>
+    <message>
         <source>Deviation</source>
         <translation>偏差</translation>
     </message>
@@ -1607,6 +1619,10 @@ Shown: {show}</source>
     <message>
         <source>Fair Curve</source>
         <translation>光顺曲线</translation>
+    </message>
+    <message>
+        <source>Fairness</source>
+        <translation>光顺性</translation>
     </message>
     <message>
         <source>Family</source>
@@ -4291,6 +4307,10 @@ Shown: {show}</source>
     <message>
         <source>{quantity} curvature {range}. {mesh}.</source>
         <translation>{quantity}曲率 {range}。{mesh}。</translation>
+    </message>
+    <message>
+        <source>{reason}: allow a change over a larger Depth, or a larger Fairness</source>
+        <translation>{reason}：请允许更大的深度 (Depth)，或更大的光顺性系数 (Fairness)</translation>
     </message>
     <message>
         <source>{seams} seams are marked; only the edges of the first {selected} are selected.</source>
