@@ -198,13 +198,13 @@ def test_a_fill_that_was_not_kept_says_why_in_names_of_the_source():
 
 
 def test_a_fill_that_misses_says_what_it_needs():
-    reason = "a seam misses the target: gap 0.0152998 mm (edges 8, 7)"
-    entry = fill_text.entry(found(reason=reason), hole=2, keep=False)
-    assert (entry["filled"], entry["seams"][0]["edges"]) == (False, [8])
-    fill_text.forget_numbers(entry, [[3], []])
+    reason = "a seam misses the target: gap 0.0152998 mm (edges 8, 7) and 2.1201e-06 mm"
+    entry = fill_text.entry(found(False, reason), hole=2)
+    assert (entry["filled"], entry["seams"][0]["edges"]) == (False, [])
+    entry["seams"][0]["source_edges"] = [3]
     rows = new_seams.build_rows(entry["seams"], LIMITS, "G1")
     assert sorted(row.cells[0] for row in rows) == ["Edge3 (model)", "\u2013"]
-    assert entry["reason"] == "a seam misses the target: gap 0.0153 mm (Edge8, Edge7)"
+    assert entry["reason"] == "a seam misses the target: gap 0.0153 mm (Edge8, Edge7) and 2.1e-6 mm"
     for name, upper in (("gap_mm", 0.0003), ("angle_deg", 0.18359929)):
         entry["seams"][0][name] = {"lower": 0.0, "upper": upper, "at": 0.0}
         entry["seams"][1][name] = {"lower": 0.0, "upper": 1e-9, "at": 0.0}

@@ -32,6 +32,9 @@ TOLERANCES = (
 TARGETS = ["G0", "G1", "G2"]
 DEFAULT_TARGET = "G1"
 
+#: Points no further apart than this are the same, up to rounding.
+POINT_MM = 1e-6
+
 #: property, kind of element, help
 ELEMENTS = (
     ("Edges", "Edge", "One edge of each hole to fill; empty: all holes except outer boundaries"),
@@ -146,65 +149,75 @@ def fill_job(module, obj, private=False):
         obj.Source.Label,
         feature.model_maker(module, shape, private),
     )
-    given = {"target": obj.Target, **limits, "jobs": preferences.threads()}
-    report, keep = empty_report(obj), bool(obj.KeepAnyway)
+    given = {"target": obj.Target, "keep_anyway": bool(obj.KeepAnyway), **limits}
+    given["jobs"] = preferences.threads()
+    report = empty_report(obj)
 
     def run(progress):
         model = make()
-        wanted = [{"face": number} for number in faces] or [
-            {"hole": hole["id"]} for hole in _holes(model, limits, label, edges)[1]
-        ]
-        return _fill_each(model, given, wanted, keep, progress)
+        holes = [] if faces else _holes(model, limits, label, edges)[1]
+        wanted = [{"face": number} for number in faces] or [{"hole": hole["id"]} for hole in holes]
+        rims = {hole["id"]: fill_text.edges_of(hole) for hole in holes}
+        return (*_fill_each(model, given, wanted, progress), rims)
 
     def finish(found):
-        entries, models = found
-        shapes = [None if model is None else model.to_freecad() for model in models]
-        for entry, best in zip(entries, shapes):
-            if best is not None and not entry["filled"]:
-                fill_text.forget_numbers(entry, _source_edges(entry, best, shape))
+        entries, shapes, rims = found
         entries, last = _joined(
-            entries, [best if entry["filled"] else None for entry, best in zip(entries, shapes)]
+            entries, [None if model is None else model.to_freecad() for model in shapes]
         )
+        for entry in entries:
+            _name_source_edges(entry, shape, rims.get(entry["hole"], ()))
         return {**report, "fills": entries}, last
 
     return feature.Job(tr("Filling holes\u2026"), run, finish)
 
 
-def _fill_each(model, given, wanted, keep, progress):
+def _fill_each(model, given, wanted, progress):
     """Return (an entry for each of the wanted holes or faces, the model after each fill or None).
 
-    The last of the wanted holes comes first, so that the numbers of the others stay valid. The
-    kernel always returns its best fill; ``keep``: also keep one that misses the target.
+    The last of the wanted holes comes first, so that the numbers of the others stay valid.
     """
     entries, models = [], []
     for index, which in enumerate(reversed(wanted)):  # the numbers of the others stay valid
-        found = model.fill(
-            **which, keep_anyway=True, progress=_part(progress, index, len(wanted)), **given
-        )
-        entries.append(fill_text.entry(found.to_dict(), keep=keep, **which))
-        models.append(found.model if found.filled else None)
-        if entries[-1]["filled"]:
-            model = found.model
+        found = model.fill(**which, progress=_part(progress, index, len(wanted)), **given)
+        model = found.model
+        entries.append(fill_text.entry(found.to_dict(), **which))
+        models.append(model if found.filled else None)
     return entries, models
 
 
-def _source_edges(entry, best, shape):
-    """Return for each seam of a fill that was not kept the numbers of the edges of the source.
+def _name_source_edges(entry, shape, rim):
+    """Let the seams of a fill name the face of the source that is beside them.
 
-    ``best``: the model with the fill. ``shape``: that of the source.
+    If the fill was not kept, they also name the edges of the hole along which they run. Near a
+    point where two of these meet they are both of them. ``rim``: the numbers of the edges of the
+    hole; none where a face is replaced.
     """
-    numbers = sources.Index(enumerate(shape.Edges, 1))
-    found = []
+    replaced = None if entry["face"] is None else shape.Faces[entry["face"] - 1]
+    edges = [shape.Edges[number - 1] for number in rim] if rim else replaced.Edges
     for seam in entry["seams"]:
-        face = fill_text.face_beside(seam)
-        if face is None or not seam["edges"]:
-            found.append([])
+        beside, at = fill_text.face_beside(seam), seam.pop("point", None)
+        if beside is None or at is None:
             continue
-        middle = Part.Vertex(_middle(best.Edges[seam["edges"][0] - 1]))
-        edges = shape.Faces[face - 1].Edges
-        nearest = min(edges, key=lambda edge, at=middle: edge.distToShape(at)[0])
-        found.append([numbers.find(nearest)])
-    return found
+        distances = [edge.distToShape(Part.Vertex(*at))[0] for edge in edges]
+        within = min(distances) + new_seams.bound([seam], "gap_mm") + POINT_MM
+        near = [edge for edge, distance in zip(edges, distances) if distance <= within]
+        owners = [
+            number
+            for number, face in enumerate(shape.Faces, 1)
+            if (replaced is None or not face.isSame(replaced)) and _has_any(face, near)
+        ]
+        if beside not in owners and len(owners) == 1:
+            (beside,) = owners
+            seam["between"] = fill_text.beside("Face%d" % beside)
+        if not entry["filled"]:
+            numbers = sources.Index(enumerate(shape.Edges, 1))
+            near = [e for e in near if len(near) == 1 or _has_any(shape.Faces[beside - 1], [e])]
+            seam["source_edges"] = [numbers.find(edge) for edge in near]
+
+
+def _has_any(face, edges):
+    return any(edge.isSame(own) for own in face.Edges for edge in edges)
 
 
 def _joined(entries, shapes):

@@ -80,52 +80,51 @@ def hole_tip(hole):
     return repair_text.edges_text({"edges": edges_of(hole)})
 
 
-def entry(found, hole=None, face=None, keep=True):
-    """Return the entry of a fill in the report; ``keep``: also keep one that misses the target.
+def entry(found, hole=None, face=None):
+    """Return the entry of a fill in the report.
 
-    ``found``: the result of the kernel. The numbers are those of the filled model.
+    ``found``: the result of the kernel. The numbers are those of the filled model; seams of a fill
+    that was not kept have none. Each seam has a ``point`` on it, or None.
     """
     new = set(found["faces"])
     seams = [
-        new_seams.deciding({**seam, "between": _between(seam, new, face)}, found["target"])
+        new_seams.deciding(
+            {**seam, "between": _between(seam, new, face), "point": _worst_point(seam)},
+            found["target"],
+        )
         for seam in found["outer"] + found["inner"]
     ]
-    made = {
+    if not found["filled"]:
+        seams = [{**seam, "edges": [], "faces": [], "worst": None} for seam in seams]
+    return {
         "hole": hole,
         "face": face,
-        "filled": found["filled"] and (found["reached"] or keep),
-        **{name: found[name] for name in ("reached", "reason_code")},
+        **{name: found[name] for name in ("filled", "reached", "reason_code")},
         "reason": _readable(found["reason"]),
-        "faces": found["faces"],
+        "faces": found["faces"] if found["filled"] else [],
         "seams": seams,
     }
-    if not found["filled"]:
-        forget_numbers(made, [[]] * len(seams))
-    return made
 
 
-def forget_numbers(fill, source_edges):
-    """Let the entry of a fill that is not kept name no elements of a model that does not exist.
+def _worst_point(seam):
+    return seam["worst"]["point"] if seam.get("worst") else None
 
-    ``source_edges``: for each seam the numbers of edges of the source.
-    """
-    fill["faces"] = []
-    fill["seams"] = [
-        {**seam, "edges": [], "faces": [], "worst": None, "source_edges": edges}
-        for seam, edges in zip(fill["seams"], source_edges)
-    ]
+
+def beside(name):
+    """Return what a report says about a seam of a new face and one of the source."""
+    return BESIDE + name
 
 
 def face_beside(seam):
     """Return the number of the face of the source at a seam; None inside the fill."""
-    beside = re.fullmatch(re.escape(BESIDE) + r"Face(\d+)", seam["between"])
-    return int(beside.group(1)) if beside else None
+    found = re.fullmatch(re.escape(BESIDE) + r"Face(\d+)", seam["between"])
+    return int(found.group(1)) if found else None
 
 
 def _readable(text):
     """Return a sentence of the kernel with names of elements and numbers of three digits."""
     return re.sub(
-        r"\b\d+\.\d{4,}\b", lambda found: enclosure.number(float(found.group())),
+        r"\b\d+\.(\d{4,}|\d+e-?\d+)\b", lambda found: enclosure.number(float(found.group())),
         repair_text.named(text),
     )  # fmt: skip
 
@@ -176,7 +175,7 @@ def old_number(number, new, replaced):
 def _between(seam, new, replaced):
     old = [old_number(number, new, replaced) for number in seam["faces"]]
     kept = ["Face%d" % number for number in old if number is not None]
-    return BESIDE + kept[0] if kept else INSIDE
+    return beside(kept[0]) if kept else INSIDE
 
 
 def every_seam(report):

@@ -106,11 +106,12 @@ def worst(seams):
 
 
 def named(text, faces, edge_name):
-    """Return a sentence of the kernel with the names of its edges and faces.
+    """Return a sentence of the kernel with the names of its edges, and of the faces from 1 on.
 
     ``edge_name`` is a callable(number).
     """
-    text = re.sub(r"\bface (\d+)\b", lambda found: faces[int(found.group(1)) - 1], text)
+    names = {"face %d" % number: name for number, name in enumerate(faces, 1)}
+    text = re.sub(r"\bface \d+\b", lambda found: names.get(found.group(), found.group()), text)
     text = re.sub(r"\bedge (\d+)\b", lambda found: edge_name(int(found.group(1))), text)
     listed = re.compile(r"(?<=these are: )\d+(?:, \d+)*")
     return listed.sub(

@@ -223,8 +223,8 @@ def edges_text(seam):
 def named(text):
     """Return a sentence of the kernel with faces and edges as the user reads them: "Face3"."""
     text = re.sub(
-        r"\bedges (\d+(?:, \d+)+)\b",
-        lambda found: ", ".join("Edge" + number for number in found.group(1).split(", ")),
+        r"\bedges (\d+(?:(?:, | and )\d+)+)\b",
+        lambda found: re.sub(r"\d+", lambda number: "Edge" + number.group(), found.group(1)),
         text,
     )
     return re.sub(
