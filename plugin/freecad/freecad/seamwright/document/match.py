@@ -21,7 +21,7 @@ from freecad.seamwright.document.option_feature import (
 from freecad.seamwright.document.properties import error_text
 from freecad.seamwright.plain import kernel, match_text, summary
 from freecad.seamwright.plain.language import mark, tr
-from freecad.seamwright.plain.options import FLOAT, LENGTH, Option
+from freecad.seamwright.plain.options import CHOICE, FLAG, FLOAT, LENGTH, Option
 
 __all__ = ["MatchSurfaces", "create", "error_text", "is_match", "report_of"]
 
@@ -35,17 +35,27 @@ TARGETS = ["G1", "G2"]
 MOVES = [mark("First"), mark("Second"), mark("Both")]
 DEFAULT_MOVES = "Second"
 
+FACES, EDGE = ("FirstFace", "SecondFace"), "CommonEdge"
 LINKS = (
-    ("FirstFace", "The first face"),
-    ("SecondFace", "The second face"),
-    ("CommonEdge", "The common edge along which the faces are matched; empty: the longest one"),
-)
+    ("FirstFace", "First face", "The first face"),
+    ("SecondFace", "Second face", "The second face"),
+    ("CommonEdge", "Common edge (may be empty)",
+     "The common edge along which the faces are matched; empty: the longest one"),
+    (MORE, "More faces (may be empty)",
+     "Further faces that the moving face joins as the other face, or edges of them"),
+)  # fmt: skip
 
-#: Where the face may change, and how; of the kernel's arguments of these names.
-CHANGES = (
+OPTIONS = (
+    Option("Moves", "moves", CHOICE, DEFAULT_MOVES, "Moves",
+           "The face that moves; away from the seam it keeps its shape", choices=MOVES),
+    Option("MaxMove", "max_move_mm", LENGTH, 0.0, "Largest move",
+           "No pole may move further than this, in mm; 0: no limit", least=0.0,
+           zero=mark("no limit")),
+    Option("HoldSides", "hold_sides", FLAG, False, "Hold side boundaries",
+           "Keep the two other boundaries that end at the seam"),
     Option("Depth", "depth_mm", LENGTH, 0.0, "Depth",
            "How far from the seam the moved face may change, in mm; 0: as little as needed",
-           least=0.0),
+           least=0.0, zero=mark("as little as needed")),
     Option("Fairness", "fairness", FLOAT, 1.5, "Fairness",
            "Factor by which the variation of the curvature of a face may grow", least=1.0),
 )  # fmt: skip
@@ -75,39 +85,22 @@ class MatchSurfaces(feature.Feature):
     """Proxy of a Part::FeaturePython that holds two matched faces."""
 
     Type = "MatchSurfaces"
+    LABEL, ICON = mark("Match Surfaces"), "seamwright-match"
+    LINKS, OPTIONS = LINKS, OPTIONS
+    LEVEL = ("Target", TARGETS)
     TOLERANCES = TOLERANCES
     EMPTY_REPORT = match_text.EMPTY_REPORT
-    INPUTS = (*(name for name, _ in LINKS), MORE, "Target", "Moves", "MaxMove", "HoldSides",
-              *(option.name for option in CHANGES))  # fmt: skip
+    INPUTS = (*(name for name, *_ in LINKS), "Target", *(option.name for option in OPTIONS))
 
     @staticmethod
     def add_properties(obj):
         """Add the properties that an object lacks, with their defaults."""
         adder = properties.Adder(obj)
-        for name, tip in LINKS:
-            adder.add("App::PropertyLinkSubGlobal", name, "Faces", tip)
-        adder.add(
-            "App::PropertyLinkSubListGlobal",
-            MORE,
-            "Faces",
-            "Further faces that the moving face joins as the other face, or edges of them",
-        )
+        for name, _, tip in LINKS:
+            kind = "App::PropertyLinkSub%sGlobal" % ("List" if name == MORE else "")
+            adder.add(kind, name, "Faces", tip)
         adder.add_choice("Target", "Match", "Level of continuity to reach", TARGETS, TARGETS[0])
-        adder.add_choice("Moves", "Match", "The face that is moved", MOVES, DEFAULT_MOVES)
-        adder.add(
-            "App::PropertyLength",
-            "MaxMove",
-            "Match",
-            "No pole may move further than this, in mm; 0: no limit",
-        )
-        adder.add(
-            "App::PropertyBool",
-            "HoldSides",
-            "Match",
-            "Keep the two other boundaries that end at the seam",
-        )
-        for option in CHANGES:
-            adder.add_with(option.kind, option.name, "Match", option.tip, option.default)
+        adder.add_options(OPTIONS, "Match")
         adder.add_tolerances(TOLERANCES)
         adder.add_results(RESULTS, (*feature.INTERNAL, LINKED))
         obj.setEditorMode("Placement", ["Hidden"])
@@ -176,6 +169,24 @@ def link(obj, name):
     return target[0], (list(target[1]) or [""])[0]
 
 
+def completed(chosen):
+    """Return links in which an object as a whole stands for its face, if it has just one."""
+    return [
+        (obj, name or ("Face1" if len(Part.getShape(obj).Faces) == 1 else ""))
+        for obj, name in chosen
+    ]
+
+
+def check(name, chosen):
+    """Raise ValueError where a property cannot have these links."""
+    if name in FACES and [element[:4] for _, element in chosen] != ["Face"]:
+        raise ValueError(tr("choose one face"))
+    if name == MORE and not {element[:4] for _, element in chosen} <= {"Face", "Edge"}:
+        raise ValueError(tr("choose faces or edges of faces, or nothing"))
+    if name == EDGE and [element[:4] for _, element in chosen] not in ([], ["Edge"]):
+        raise ValueError(tr("choose one edge of both faces, or nothing"))
+
+
 def link_text(obj, name):
     """Return a link as the user reads it: "Plate.Face3"."""
     target = link(obj, name)
@@ -184,7 +195,7 @@ def link_text(obj, name):
 
 def source_objects(obj):
     """Return the objects to which the faces belong, without repeats."""
-    chosen = [link(obj, name) for name in ("FirstFace", "SecondFace")]
+    chosen = [link(obj, name) for name in FACES]
     chosen = [target for target in chosen if target is not None] + links_of(obj, MORE)
     return list(dict.fromkeys(target[0] for target in chosen))
 
@@ -202,7 +213,7 @@ def match_job(module, obj, private=False):
     if any(face.ShapeType != "Face" for face in found.shapes[:2]):
         raise sources.SourceError(tr("FirstFace and SecondFace must be faces"))
     shape = Part.Compound(found.shapes[:2])
-    faces = [link_text(obj, name) for name in ("FirstFace", "SecondFace")]
+    faces = [link_text(obj, name) for name in FACES]
 
     names = [found.edge_text(edge) for edge in shape.Edges]
     target, limits, make = obj.Target, tolerances(obj), feature.model_maker(module, shape, private)
@@ -260,13 +271,13 @@ def _chain_job(module, obj, chosen, private):
 
 def _changes(obj):
     """Return the {argument: value} of how far the moved face may change."""
-    depth, fairness = (properties.number(obj, option.name) for option in CHANGES)
+    depth, fairness = (properties.number(obj, name) for name in ("Depth", "Fairness"))
     return {"depth_mm": depth or None, "fairness": fairness}
 
 
 def _links(obj):
     """Return the links to the two faces and, where one is chosen, to the common edge."""
-    chosen = [link(obj, name) for name, _ in LINKS]
+    chosen = [link(obj, name) for name in (*FACES, EDGE)]
     if chosen[0] is None:
         raise sources.SourceError(
             tr("The first face was deleted: choose another one in the property FirstFace")
@@ -384,7 +395,8 @@ def prepare(
 ):
     """Add a Match Surfaces as ``create`` does, but compute nothing yet."""
     kernel.load(Part.OCC_VERSION)
-    table = (*TOLERANCES, ("MaxMove", "max_move_mm"), *(option[:2] for option in CHANGES))
+    numbers = ("MaxMove", "max_move_mm"), ("Depth", "depth_mm"), ("Fairness", "fairness")
+    table = (*TOLERANCES, *numbers)
     choices = {"target": ("Target", TARGETS), "moves": ("Moves", [name.lower() for name in MOVES])}
     values = properties.checked(
         {
@@ -400,7 +412,7 @@ def prepare(
     )
     values["Moves"] = values["Moves"].capitalize()
     doc = first[0].Document
-    obj = feature.add(doc, MatchSurfaces, mark("Match Surfaces"))
+    obj = feature.add(doc, MatchSurfaces, MatchSurfaces.LABEL)
     for name, target_link in (("FirstFace", first), ("SecondFace", second), ("CommonEdge", edge)):
         if target_link is not None:
             setattr(obj, name, (target_link[0], [target_link[1]]))

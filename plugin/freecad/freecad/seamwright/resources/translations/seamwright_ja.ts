@@ -736,7 +736,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The face that is moved</source>
+        <source>The face that moves; away from the seam it keeps its shape</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -757,6 +757,10 @@
     </message>
     <message>
         <source>The object whose holes are filled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The object whose holes are filled, or one of its faces</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1068,6 +1072,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>A click selects them in the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Add a sketch of arcs and lines near the planar curve as it is now; the sketch does not follow the sources</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1200,6 +1208,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Bind to an expression (=)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Blend Curves</source>
         <translation>中間曲線</translation>
     </message>
@@ -1285,6 +1297,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Colours of seams</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Common edge (may be empty)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1484,10 +1500,6 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Do not move the poles of the two other boundaries that end at the seam</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Draft Angle</source>
         <translation>抜き勾配</translation>
     </message>
@@ -1520,27 +1532,11 @@ Shown: {show}</source>
         <translation>エッジ</translation>
     </message>
     <message>
-        <source>Edges at {names}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Edges meet within</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Edit corner fillet</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Edit match surfaces</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Edit seam repair</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Edit umbrella fill</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1636,10 +1632,6 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fill the holes with these values</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Filling holes…</source>
         <translation>穴を埋めています…</translation>
     </message>
@@ -1649,6 +1641,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>First direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First face</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1748,7 +1744,7 @@ Shown: {show}</source>
         <translation>ハイライト線</translation>
     </message>
     <message>
-        <source>Hold the boundaries that end at the seam</source>
+        <source>Hold side boundaries</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1793,10 +1789,6 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Joints keep</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Keep a fill even if it misses the target; otherwise the hole stays open</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2016,6 +2008,14 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More faces (may be empty)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Move all points back to those of the sources</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2045,10 +2045,6 @@ Shown: {show}</source>
     </message>
     <message>
         <source>No point of a face may move further than this. By size of face: a hundredth of the size of the face plus twice the largest gap of its seams</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No pole of a surface may move further than this</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2352,10 +2348,6 @@ Shown: {show}</source>
         <translation>結果</translation>
     </message>
     <message>
-        <source>Round the corner with these values</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Rounding the corner…</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2422,6 +2414,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Second face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Second pole at</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2439,10 +2435,6 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Select one vertex of a solid at which 3 to 6 edges meet. Selected: {vertices}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Select this face in the view</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2650,10 +2642,6 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The face that moves; away from the seam it keeps its shape</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The faces as they look in the document</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2683,6 +2671,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>The property Vertex names {vertices} vertices: name exactly one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The result itself is selected. Show Before, and select in the model.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2831,6 +2823,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>V lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vertex</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2990,6 +2986,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>as little as needed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>at ({point})</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3018,7 +3018,19 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>choose faces or edges of faces, or nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose one edge of both faces, or nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>choose one face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose one vertex</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
