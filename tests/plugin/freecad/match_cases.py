@@ -231,7 +231,7 @@ class Chains(MatchCase):
     def test_what_is_selected(self):
         faces = [(each, "Face1") for each in (self.low, self.high, self.right)]
         self.assertEqual(match.arranged(faces[:2]), (*faces[:2], {"edge": None}))
-        self.assertEqual(match.arranged(faces)[:2], (faces[0], faces[2]))
+        self.assertEqual(match.arranged(faces), (faces[0], faces[2], {"more": [faces[1]]}))
         places = (self.low, 12.5), (self.high, 32.5)
         edges = [(each, edge_at(each, V(0, y, 0))) for each, y in places]
         first, second, given = match.arranged([faces[2], *edges])

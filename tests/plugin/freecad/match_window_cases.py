@@ -114,6 +114,11 @@ class Matching(MatchWindow):
         self.assertTrue(obj.Matched, obj.Summary)
         self.assertIn("Moving.Face1 joins Low.Face1, High.Face1", panel.summary.text())
         self.assertFalse(high.ViewObject.Visibility)
+        self.assertEqual(panel.links("MoreFaces"), [(high, "Face1")])
+        for chosen, faces in (((), 2), (((high, "Face1"),), 3)):
+            self.use(panel, "MoreFaces", *chosen)
+            settle(1.0)
+            self.assertEqual(len(obj.Shape.Faces), faces)
         self.ok()
         self.assertEqual(len(obj.Shape.Faces), 3)
 

@@ -331,7 +331,8 @@ def arranged(chosen):
             )
         )
     joined = [*faces[:-1], *edges]
-    return match_chain.first_face(faces[-1], joined), faces[-1], {"more": joined}
+    first = match_chain.first_face(faces[-1], joined)
+    return first, faces[-1], {"more": [each for each in joined if each != first]}
 
 
 def create(
