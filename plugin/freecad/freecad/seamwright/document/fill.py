@@ -189,16 +189,16 @@ def fill_job(module, obj, private=False):
         model = make()
         holes = [] if faces else _holes(model, limits, label, edges)[1]
         wanted = [{"face": number} for number in faces] or [{"hole": hole["id"]} for hole in holes]
-        rims = {hole["id"]: fill_text.edges_of(hole) for hole in holes}
-        return (*_fill_each(model, given, wanted, progress), rims)
+        outlines = {hole["id"]: fill_text.edges_of(hole) for hole in holes}
+        return (*_fill_each(model, given, wanted, progress), outlines)
 
     def finish(found):
-        entries, shapes, rims = found
+        entries, shapes, outlines = found
         entries, last = _joined(
             entries, [None if model is None else model.to_freecad() for model in shapes]
         )
         for entry in entries:
-            _name_source_edges(entry, shape, rims.get(entry["hole"], ()))
+            _name_source_edges(entry, shape, outlines.get(entry["hole"], ()))
         return {**report, "fills": entries}, last
 
     return feature.Job(tr("Filling holes\u2026"), run, finish)
@@ -218,15 +218,15 @@ def _fill_each(model, given, wanted, progress):
     return entries, models
 
 
-def _name_source_edges(entry, shape, rim):
+def _name_source_edges(entry, shape, outline):
     """Let the seams of a fill name the face of the source that is beside them.
 
     If the fill was not kept, they also name the edges of the hole along which they run. Near a
-    point where two of these meet they are both of them. ``rim``: the numbers of the edges of the
+    point where two of these meet they are both of them. ``outline``: the numbers of the edges of the
     hole; none where a face is replaced.
     """
     replaced = None if entry["face"] is None else shape.Faces[entry["face"] - 1]
-    edges = [shape.Edges[number - 1] for number in rim] if rim else replaced.Edges
+    edges = [shape.Edges[number - 1] for number in outline] if outline else replaced.Edges
     for seam in entry["seams"]:
         beside, at = fill_text.face_beside(seam), seam.pop("point", None)
         if beside is None or at is None:
