@@ -222,8 +222,8 @@ def _name_source_edges(entry, shape, outline):
     """Let the seams of a fill name the face of the source that is beside them.
 
     If the fill was not kept, they also name the edges of the hole along which they run. Near a
-    point where two of these meet they are both of them. ``outline``: the numbers of the edges of the
-    hole; none where a face is replaced.
+    point where two of these meet they are both of them. ``outline``: the numbers of the edges of
+    the hole; none where a face is replaced.
     """
     replaced = None if entry["face"] is None else shape.Faces[entry["face"] - 1]
     edges = [shape.Edges[number - 1] for number in outline] if outline else replaced.Edges
