@@ -27,6 +27,9 @@ constexpr double met_enough = 0.5;
 /// Misses of this angle have the largest weight that leaves digits for the fairness.
 constexpr double least_rad = 1e-6;
 
+/// From one weight to the next, the misses that it belongs to.
+constexpr double finer = 0.1;
+
 /// As near to the ends of sides as samples are taken, because a surface may have no tangent plane
 /// there.
 constexpr double nearest_share = 1e-5;
@@ -383,6 +386,7 @@ class SheetSequence::Filling : private sheet::SheetBorder {
     SheetFill made = result(misses);
     if (!nearest_ || shareOf(made) < shareOf(*nearest_)) nearest_ = made;
     refine(misses, worst, idle_ > 0);
+    level_ = std::max(least_rad, finer * level_);
     ended_ = ++round_ == most_rounds || idle_ == patience || sheet_->poles() > options_.most_poles;
     return made;
   }
@@ -420,7 +424,7 @@ class SheetSequence::Filling : private sheet::SheetBorder {
   bool solve() {
     // Weights grow while that lowers the misses by half. Those far above what the knots can meet
     // would leave no digits for the fairness, and the sheet would turn back.
-    constexpr double finer = 0.1, helps = 0.5, least_share = 2e-3;
+    constexpr double helps = 0.5, least_share = 2e-3;
     double worst = HUGE_VAL;
     for (double level = level_; level >= least_rad; level *= finer) {
       if (!solveOnce(level)) return std::isfinite(worst);
