@@ -25,7 +25,7 @@ constexpr int local = sheet_degree + 1;
 constexpr double met_enough = 0.5;
 
 /// Misses of this angle have the largest weight that leaves digits for the fairness.
-constexpr double least_rad = 1e-6;
+constexpr double least_rad = 1e-7;
 
 /// From one weight to the next, the misses that it belongs to.
 constexpr double finer = 0.1;
@@ -425,15 +425,16 @@ class SheetSequence::Filling : private sheet::SheetBorder {
     // Weights grow while that lowers the misses by half. Those far above what the knots can meet
     // would leave no digits for the fairness, and the sheet would turn back.
     constexpr double helps = 0.5, least_share = 2e-3;
+    constexpr double least_at_once_rad = 5e-7;
     double worst = HUGE_VAL;
-    for (double level = level_; level >= least_rad; level *= finer) {
+    for (double level = level_;; level *= finer) {
       if (!solveOnce(level)) return std::isfinite(worst);
       before_ = sheet_->surface(Vector3d::Zero(), 1);
       const double now = worstOf(missesOf());
       if (!(now < helps * worst)) break;
       worst = now;
       level_ = level;
-      if (level * finer < least_share * worst) break;
+      if (level * finer < std::max(least_at_once_rad, least_share * worst)) break;
     }
     return true;
   }
