@@ -226,6 +226,10 @@ struct SheetMiss {
   double gap = 0, angle_rad = 0, largest_rad = 0;
 };
 
+double worstOf(const std::vector<SheetMiss>& misses) {
+  return std::ranges::max_element(misses, {}, &SheetMiss::largest_rad)->largest_rad;
+}
+
 /// The four sides, in units of half the diagonal of their box.
 class SheetBorder {
  public:
@@ -273,6 +277,23 @@ class SheetBorder {
       default:
         return {0, along * range_.y()};
     }
+  }
+
+  /// Shares of a side that bound three pieces in each span.
+  std::vector<double> sharesAlong(std::size_t side, const GraphKnots& knots) const {
+    constexpr int pieces = 3;
+    std::vector<double> shares;
+    for (int span = 0; span < knots.spans(); ++span)
+      for (int k = 0; k < pieces; ++k)
+        shares.push_back((knots.begin(span) + k * knots.width(span) / pieces) /
+                         range_(directionOf(side)));
+    shares.push_back(1);
+    if (isBackward(side)) {
+      std::ranges::reverse(shares);
+      for (double& share : shares) share = 1 - share;
+    }
+    shares.front() = nearest_share, shares.back() = 1 - nearest_share;
+    return shares;
   }
 
   /// How much the side and its normal turn on a short piece, per unit.
@@ -398,26 +419,8 @@ class SheetSequence::Filling : private sheet::SheetBorder {
   }
   bool isMet(const SheetFill& made) const { return made.regular && shareOf(made) <= met_enough; }
 
-  static double worstOf(const std::vector<SheetMiss>& misses) {
-    return std::ranges::max_element(misses, {}, &SheetMiss::largest_rad)->largest_rad;
-  }
-
-  /// Shares of a side that bound three pieces in each span.
-  std::vector<double> sharesAlong(std::size_t side) const {
-    constexpr int pieces = 3;
-    const GraphKnots& knots = directionOf(side) == 0 ? sheet_->u() : sheet_->v();
-    std::vector<double> shares;
-    for (int span = 0; span < knots.spans(); ++span)
-      for (int k = 0; k < pieces; ++k)
-        shares.push_back((knots.begin(span) + k * knots.width(span) / pieces) /
-                         range_(directionOf(side)));
-    shares.push_back(1);
-    if (isBackward(side)) {
-      std::ranges::reverse(shares);
-      for (double& share : shares) share = 1 - share;
-    }
-    shares.front() = nearest_share, shares.back() = 1 - nearest_share;
-    return shares;
+  const GraphKnots& knotsAlong(std::size_t side) const {
+    return directionOf(side) == 0 ? sheet_->u() : sheet_->v();
   }
 
   /// The sheet with the present knots. \returns false if the equations determine none.
@@ -489,7 +492,7 @@ class SheetSequence::Filling : private sheet::SheetBorder {
     sheet_->addVariation();
     std::vector<SheetCondition> conditions;
     for (std::size_t side = 0; side < 4; ++side) {
-      const std::vector<double> shares = sharesAlong(side);
+      const std::vector<double> shares = sharesAlong(side, knotsAlong(side));
       for (std::size_t k = 0; k + 1 < shares.size(); ++k)
         addConditions(side, 0.5 * (shares[k] + shares[k + 1]),
                       (shares[k + 1] - shares[k]) * range_(directionOf(side)), level, conditions);
@@ -500,7 +503,7 @@ class SheetSequence::Filling : private sheet::SheetBorder {
   std::vector<SheetMiss> missesOf() const {
     std::vector<SheetMiss> misses;
     for (std::size_t side = 0; side < 4; ++side)
-      for (const double share : sharesAlong(side)) {
+      for (const double share : sharesAlong(side, knotsAlong(side))) {
         const SheetSample sample = sampleOf(side, share);
         const Vector2d at = placeOf(side, share);
         const Vector3d u = sheet_->valueOf(sheet_->row(at, 1, 0)),
