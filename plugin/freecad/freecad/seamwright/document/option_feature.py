@@ -62,24 +62,15 @@ class OptionFeature(feature.Feature):
         super().onDocumentRestored(obj)
         if not obj.Linked:
             for name, *_ in self.LINKS:
-                self._remember(obj, name)
+                _remember(obj, name)
 
     def onChanged(self, obj, prop):
         """Remember the sources that are chosen.
 
         FreeCAD removes an object that is deleted from the links: then they are as remembered.
         """
-        if prop not in [name for name, *_ in self.LINKS] or "Linked" not in obj.PropertiesList:
-            return
-        if "Restore" in obj.State or any(_is_going(obj, each) for each in _linked(obj, prop)):
-            return
-        self._remember(obj, prop)
-
-    @staticmethod
-    def _remember(obj, prop):
-        others = [each for each in obj.Linked if each.split("\t")[0] != prop]
-        names = ["\t".join((prop, each.Name, each.Label)) for each, _ in links_of(obj, prop)]
-        obj.Linked = others + list(dict.fromkeys(names))
+        if prop in [name for name, *_ in self.LINKS]:
+            remember_chosen(obj, prop)
 
     @classmethod
     def check_links(cls, obj, chosen):
@@ -90,20 +81,12 @@ class OptionFeature(feature.Feature):
         for name, *_ in cls.LINKS:
             if chosen[name] != links_of(obj.Document.getObject(obj.Name), name):
                 continue
-            for _, label in _lost(obj, name):
-                raise sources.SourceError(tr("{label} was deleted: {advice}").format(
-                    label=label, advice=cls.advice(name)
-                ))
+            check_not_deleted(obj, name, not cls.REQUIRED or name in cls.REQUIRED)
 
     @classmethod
     def advice(cls, name):
         """Return how the user chooses other links for a property."""
-        (title,) = [title for own, title, _ in cls.LINKS if own == name]
-        advice = tr(
-            "select others and press \u201cUse selection\u201d at \u201c{title}\u201d in the panel"
-        ).format(title=tr(title))
-        optional = cls.REQUIRED and name not in cls.REQUIRED
-        return advice + (tr(", or select nothing") if optional else "")
+        return advice(cls, name, not cls.REQUIRED or name in cls.REQUIRED)
 
     @classmethod
     def store(cls, obj, report, shape):
@@ -124,6 +107,37 @@ class OptionFeature(feature.Feature):
         feature.put_shape(obj, Part.Shape())
         obj.Summary = curve_text.failure_text(reason)
         return obj.Summary
+
+
+def remember_chosen(obj, prop):
+    """Remember the objects that a property links to, unless one of them is being deleted."""
+    if "Linked" not in obj.PropertiesList or "Restore" in obj.State:
+        return
+    if not any(_is_going(obj, each) for each in _linked(obj, prop)):
+        _remember(obj, prop)
+
+
+def _remember(obj, prop):
+    others = [each for each in obj.Linked if each.split("\t")[0] != prop]
+    names = ["\t".join((prop, each.Name, each.Label)) for each, _ in links_of(obj, prop)]
+    obj.Linked = others + list(dict.fromkeys(names))
+
+
+def check_not_deleted(obj, prop, required):
+    """Raise SourceError where an object was deleted that a property linked to."""
+    for _, label in _lost(obj, prop):
+        raise sources.SourceError(tr("{label} was deleted: {advice}").format(
+            label=label, advice=advice(obj.Proxy, prop, required)
+        ))
+
+
+def advice(kind, prop, required):
+    """Return how the user chooses other links for a property."""
+    (title,) = [title for own, title, _ in kind.LINKS if own == prop]
+    text = tr(
+        "select others and press \u201cUse selection\u201d at \u201c{title}\u201d in the panel"
+    ).format(title=tr(title))
+    return text if required else text + tr(", or select nothing")
 
 
 def _linked(obj, prop):
