@@ -320,11 +320,17 @@ double weightBeside(LateralSide side, double u) {
 SheetKnots::SheetKnots(const BlendTask& task)
     : multiplicities_{{0, degree_along + 1}, {1, degree_along + 1}} {
   constexpr double end = 1e-6;  // nearer, there is no room for the differences
+  // G3 holds third derivatives, so that every break counts.
+  const bool is_third = std::ranges::any_of(
+      task.ends, [](const BlendEnd& of) { return of.order == most_blend_order; });
   for (const BlendSide& side : task.sides)
     for (const auto& places : {side.joints(), side.breaks()})
       for (const double at : places) {
         if (at < end || at > 1 - end) continue;
-        if (const int multiplicity = multiplicityAt(side, at); multiplicity > 1)
+        const int multiplicity = multiplicityAt(side, at);
+        if (is_third)
+          add(at, std::max(multiplicity, degree_along - 1));
+        else if (multiplicity > 1)
           add(at, multiplicity);
         else
           breaks_.push_back(at);

@@ -255,7 +255,7 @@ BlendSurfaceReport fitted(const TopoDS_Shape& model, const ChosenBlend& chosen, 
     poles = report.surface.poles.rows();
     report.face = target ? trimmedBy(report.surface, *target) : faceOf(report.surface);
     measureBlend(model, chosen, task, report);
-    if (report.reached || sheet.left_excess > 1) break;
+    if (report.reached || knots.spans() >= options.max_spans) break;
   }
   report.shape = compoundOf({model, report.face});
   return report;
