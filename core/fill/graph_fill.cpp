@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <seamwright/core/fill/graph_fill.hpp>
 #include <seamwright/core/fill/graph_knots.hpp>
@@ -103,6 +104,19 @@ class BoundaryPart {
   Scale scale_;
   std::map<double, GraphSample> samples_;
 };
+
+Scale scaleOf(const std::vector<GraphBoundary>& boundary) {
+  constexpr int count = 32;
+  Vector3d low = Vector3d::Constant(HUGE_VAL), high = -low;
+  for (const GraphBoundary& part : boundary)
+    for (int k = 0; k < count; ++k) {
+      const GraphSample sample = part((k + 0.5) / count);
+      const Vector3d point(sample.at.x(), sample.at.y(), sample.height_mm);
+      low = low.cwiseMin(point), high = high.cwiseMax(point);
+    }
+  const Vector3d centre = 0.5 * (low + high);
+  return {centre.head<2>(), centre.z(), 0.5 * (high - low).head<2>().norm()};
+}
 
 /// Whether a point is inside of a closed polygon.
 bool isInside(const std::vector<Vector2d>& polygon, const Vector2d& point) {
@@ -237,6 +251,17 @@ class Graph {
     addJumps(hole, 1);
   }
 
+  /// At a knot of multiplicity 4 the second derivative on one side has three functions. Rounding
+  /// leaves factors of others there.
+  static void keepFrom(int first, int direction, Row& row) {
+    constexpr int local = graph_degree + 1;
+    for (int i = 0; i < local; ++i)
+      for (int j = 0; j < local; ++j) {
+        const int across = direction == 0 ? i : j;
+        if (across < first || across > first + 2) row.factors(local * i + j) = 0;
+      }
+  }
+
   /// Squared jumps of the second derivative across the lines where it may jump, as if it changed
   /// over a quarter of the hole.
   void addJumps(const std::vector<Vector2d>& hole, int direction) {
@@ -250,13 +275,12 @@ class Graph {
         for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
           const double t = along.begin(k) + rule.nodes[i] * along.width(k);
           const Vector2d at = direction == 0 ? Vector2d(bend, t) : Vector2d(t, bend);
-          const auto rowOf = [&](int span) {
-            return row(direction == 0 ? Cell{span, k} : Cell{k, span}, at, std::array{term});
+          const auto bendOn = [&](int span, int first) {
+            Row bend = row(direction == 0 ? Cell{span, k} : Cell{k, span}, at, std::array{term});
+            keepFrom(first, direction, bend);
+            return bend;
           };
-          const Row jump = difference(rowOf(after), rowOf(after - 1));
-          // Beside a very short span rounding leaves factors that would cancel.
-          if (jump.poles.empty() || jump.poles.back() - jump.poles.front() > matrix_.width())
-            continue;
+          const Row jump = difference(bendOn(after, 0), bendOn(after - 1, graph_degree - 2));
           add(jump, 0,
               rule.weights[i] * along.width(k) / width * (isInside(hole, at) ? 1 : weight_outside));
         }
@@ -302,33 +326,92 @@ Vector3d normalOf(const Vector2d& slope) {
 /// By direction.
 using Bends = std::array<std::vector<double>, 2>;
 
-/// By direction, where the slope along the boundary has a kink at a smooth joint of two parts, as
-/// between a line and an arc. No smooth spline follows it closely.
-Bends bendsOf(std::vector<BoundaryPart>& parts, const Vector2d& low, const Vector2d& high) {
-  constexpr double step = 1e-3, least_cosine = 0.9;  // of a part, and of the turn at a joint
-  constexpr double least_kink = 0.01;                // per unit
-  constexpr double least_slant = 0.05;               // of the boundary against the line of the kink
-  constexpr double near = 1e-6;
-  Bends bends;
+/// Where one part of the boundary ends and the next begins.
+struct Joint {
+  Vector2d at, in, out;        ///< unit tangents of the parts there
+  Vector2d rate_in, rate_out;  ///< derivatives of the slope along both
+
+  bool isSmooth() const {
+    constexpr double least_cosine = 0.9;
+    return in.dot(out) > least_cosine;
+  }
+};
+
+std::vector<Joint> jointsOf(std::vector<BoundaryPart>& parts) {
+  constexpr double step = 1e-3;  // of a part
+  std::vector<Joint> joints;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     BoundaryPart &in = parts[(k + parts.size() - 1) % parts.size()], &out = parts[k];
     const auto rate = [&](BoundaryPart& part, double from, double to) -> Vector2d {
       return (part.at(to).slope - part.at(from).slope) / (part.at(to).at - part.at(from).at).norm();
     };
-    const Vector2d before = rate(in, 1 - 2 * step, 1 - step), after = rate(out, step, 2 * step);
-    const Vector2d across = in.at(1 - step).across;
-    if (across.dot(out.at(step).across) < least_cosine) continue;
-    const Vector2d joint = 2 * out.at(least_t).at - out.at(2 * least_t).at,
-                   along(-across.y(), across.x());
+    const auto along = [](const GraphSample& sample) {
+      return Vector2d(-sample.across.y(), sample.across.x());
+    };
+    joints.push_back({.at = 2 * out.at(least_t).at - out.at(2 * least_t).at,
+                      .in = along(in.at(1 - step)),
+                      .out = along(out.at(step)),
+                      .rate_in = rate(in, 1 - 2 * step, 1 - step),
+                      .rate_out = rate(out, step, 2 * step)});
+  }
+  return joints;
+}
+
+/// The jumps of the second derivatives across lines through a joint for which a function has the
+/// slopes of both parts: across the line along y, and across the one along x. Not finite if no such
+/// lines exist; 0 across a line that is not needed.
+Vector2d jumpsAt(const Joint& joint) {
+  constexpr double least_jump = 0.01;   // per unit: less is left to short spans
+  constexpr double least_slant = 0.05;  // of the boundary against a line
+  Vector2d jumps = Vector2d::Zero();
+  if (joint.isSmooth()) {
+    const Vector2d rise = joint.rate_out - joint.rate_in,
+                   along = (joint.in + joint.out).normalized();
+    for (int d = 0; d < 2; ++d)
+      if (std::abs(rise(d)) >= least_jump)
+        jumps(d) = std::abs(along(d)) < least_slant ? HUGE_VAL : rise(d) / along(d);
+    return jumps;
+  }
+  // The mixed second derivative along both tangents, as both parts have it.
+  const double differ = joint.rate_in.dot(joint.out) - joint.rate_out.dot(joint.in);
+  if (std::abs(differ) < least_jump) return jumps;
+  // Lines that have the parts on different sides.
+  Vector2d between = joint.in.cwiseProduct(joint.out);
+  for (int d = 0; d < 2; ++d)
+    if (between(d) < least_slant) between(d) = 0;
+  if (between.isZero()) return Vector2d::Constant(HUGE_VAL);
+  return -differ / between.squaredNorm() * between;
+}
+
+/// By direction, where second derivatives may jump, so that the slopes on both sides of a joint can
+/// be met. No smoother spline follows them closely.
+Bends bendsOf(const std::vector<Joint>& joints, const Vector2d& low, const Vector2d& high) {
+  constexpr double near = 1e-6;
+  Bends bends;
+  for (const Joint& joint : joints) {
+    const Vector2d jumps = jumpsAt(joint);
     for (int d = 0; d < 2; ++d) {
-      if (std::abs(after(d) - before(d)) < least_kink || std::abs(along(d)) < least_slant) continue;
-      if (joint(d) - low(d) < near || high(d) - joint(d) < near) continue;
-      if (std::ranges::none_of(bends[static_cast<std::size_t>(d)],
-                               [&](double other) { return std::abs(other - joint(d)) < near; }))
-        bends[static_cast<std::size_t>(d)].push_back(joint(d));
+      if (jumps(d) == 0 || !std::isfinite(jumps(d))) continue;
+      if (joint.at(d) - low(d) < near || high(d) - joint.at(d) < near) continue;
+      auto& its = bends[static_cast<std::size_t>(d)];
+      if (std::ranges::none_of(its,
+                               [&](double other) { return std::abs(other - joint.at(d)) < near; }))
+        its.push_back(joint.at(d));
     }
   }
   return bends;
+}
+
+/// The largest jump of second derivatives that joints need, if x and y are turned.
+double largestJump(const std::vector<Joint>& joints, double turn_rad) {
+  const Eigen::Matrix2d turn = Eigen::Rotation2Dd(-turn_rad).toRotationMatrix();
+  double most = 0;
+  for (const Joint& joint : joints)
+    most = std::max(most, jumpsAt({turn * joint.at, turn * joint.in, turn * joint.out,
+                                   turn * joint.rate_in, turn * joint.rate_out})
+                              .cwiseAbs()
+                              .maxCoeff());
+  return most;
 }
 
 /// Where the boundary is missed, by which share of what is accepted.
@@ -359,7 +442,7 @@ class GraphFilling {
     const auto spansOf = [&](double range) {
       return std::clamp(static_cast<int>(std::lround(range / span)), least_spans, 4 * least_spans);
     };
-    const Bends bends = bendsOf(parts_, low, high);
+    const Bends bends = bendsOf(jointsOf(parts_), low, high);
     graph_.emplace(GraphKnots(low.x(), high.x(), spansOf(high.x() - low.x()), bends[0]),
                    GraphKnots(low.y(), high.y(), spansOf(high.y() - low.y()), bends[1]));
   }
@@ -387,18 +470,11 @@ class GraphFilling {
   }
 
  private:
-  static Scale scaleOf(const std::vector<GraphBoundary>& boundary) {
-    constexpr int count = 32;
-    Vector3d low = Vector3d::Constant(HUGE_VAL), high = -low;
-    for (const GraphBoundary& part : boundary)
-      for (int k = 0; k < count; ++k) {
-        const GraphSample sample = part((k + 0.5) / count);
-        const Vector3d point(sample.at.x(), sample.at.y(), sample.height_mm);
-        low = low.cwiseMin(point), high = high.cwiseMax(point);
-      }
-    const Vector3d centre = 0.5 * (low + high);
-    return {centre.head<2>(), centre.z(), 0.5 * (high - low).head<2>().norm()};
-  }
+  /// A condition along the boundary.
+  struct Condition {
+    Graph::Row row;
+    double value, accepted, weight;
+  };
 
   /// What is accepted, in units of the scale.
   double gap() const { return options_.gap_mm / scale_.unit_mm; }
@@ -421,29 +497,17 @@ class GraphFilling {
   /// \returns the largest miss of a condition, as a share of what is accepted; nothing if the
   /// equations determine no graph. The graph is then as before.
   std::optional<double> solve(double met_share) {
-    using Term = Graph::Term;
     graph_->clear();
     graph_->addVariation(hole_);
     std::vector<Condition> conditions;
     for (BoundaryPart& part : parts_) {
       const std::vector<double> parameters = part.parameters(graph_->u(), graph_->v());
       for (std::size_t k = 0; k + 1 < parameters.size(); ++k) {
-        const GraphSample sample = part.at(0.5 * (parameters[k] + parameters[k + 1]));
-        const double length = sample.speed_mm * (parameters[k + 1] - parameters[k]);
-        const double steepness = normalOf(sample.slope).z();
-        const auto weight = [&](double accepted) {
-          return length * std::pow(steepness / (met_share * accepted), 2);
-        };
-        conditions.push_back({graph_->row(sample.at, std::array{Term{1, 0, 0}}), sample.height_mm,
-                              gap(), weight(gap())});
-        if (!(options_.angle_rad > 0)) continue;
-        const double a = sample.across.x(), b = sample.across.y();
-        conditions.push_back({graph_->row(sample.at, std::array{Term{a, 1, 0}, Term{b, 0, 1}}),
-                              sample.across.dot(sample.slope), options_.angle_rad,
-                              weight(options_.angle_rad)});
-        graph_->add(graph_->row(sample.at, std::array{Term{a * a, 2, 0}, Term{2 * a * b, 1, 1},
-                                                      Term{b * b, 0, 2}}),
-                    sample.bend_per_mm, length * options_.bend_weight);
+        const double from = parameters[k], to = parameters[k + 1];
+        addConditions(part.at(0.5 * (from + to)), to - from, met_share, conditions);
+        if (k == 0) addConditions(part.at(from), to - from, met_share, conditions);
+        if (k + 2 == parameters.size())
+          addConditions(part.at(to), to - from, met_share, conditions);
       }
     }
     for (const Condition& one : conditions) graph_->add(one.row, one.value, one.weight);
@@ -464,24 +528,54 @@ class GraphFilling {
     return missed;
   }
 
+  /// The conditions at a sample that stands for \p step of the parameter.
+  void addConditions(const GraphSample& sample, double step, double met_share,
+                     std::vector<Condition>& conditions) {
+    using Term = Graph::Term;
+    const double length = sample.speed_mm * step;
+    const double steepness = normalOf(sample.slope).z();
+    const auto weight = [&](double accepted) {
+      return length * std::pow(steepness / (met_share * accepted), 2);
+    };
+    conditions.push_back({graph_->row(sample.at, std::array{Term{1, 0, 0}}), sample.height_mm,
+                          gap(), weight(gap())});
+    if (!(options_.angle_rad > 0)) return;
+    const double a = sample.across.x(), b = sample.across.y();
+    // The slope along the boundary follows from the heights, but on short spans not closely enough.
+    for (const Vector2d& direction : {sample.across, Vector2d(-b, a)})
+      conditions.push_back(
+          {graph_->row(sample.at, std::array{Term{direction.x(), 1, 0}, Term{direction.y(), 0, 1}}),
+           direction.dot(sample.slope), options_.angle_rad, weight(options_.angle_rad)});
+    graph_->add(graph_->row(sample.at, std::array{Term{a * a, 2, 0}, Term{2 * a * b, 1, 1},
+                                                  Term{b * b, 0, 2}}),
+                sample.bend_per_mm, length * options_.bend_weight);
+  }
+
+  /// Between the samples of the conditions, and at the ends.
   std::vector<Miss> missesOf() {
     std::vector<Miss> misses;
-    for (BoundaryPart& part : parts_)
-      for (const double t : part.parameters(graph_->u(), graph_->v())) {
-        const GraphSample& sample = part.at(t);
-        const GraphJet jet = graph_->jet(sample.at);
-        const Vector3d given = normalOf(sample.slope), made = normalOf(jet.slope);
-        Miss miss{.at = sample.at,
-                  .across = sample.across,
-                  .height = sample.height_mm,
-                  .gap = std::abs(jet.height - sample.height_mm) * given.z(),
-                  .angle_rad = std::atan2(given.cross(made).norm(), given.dot(made))};
-        miss.share = miss.gap / gap();
-        if (options_.angle_rad > 0)
-          miss.share = std::max(miss.share, miss.angle_rad / options_.angle_rad);
-        misses.push_back(miss);
-      }
+    for (BoundaryPart& part : parts_) {
+      const std::vector<double> parameters = part.parameters(graph_->u(), graph_->v());
+      for (std::size_t k = 0; k + 1 < parameters.size(); ++k)
+        for (const double share : {0.0, 0.25, 0.75})
+          misses.push_back(missAt(part.at(std::lerp(parameters[k], parameters[k + 1], share))));
+      misses.push_back(missAt(part.at(parameters.back())));
+    }
     return misses;
+  }
+
+  Miss missAt(const GraphSample& sample) const {
+    const GraphJet jet = graph_->jet(sample.at);
+    const Vector3d given = normalOf(sample.slope), made = normalOf(jet.slope);
+    Miss miss{.at = sample.at,
+              .across = sample.across,
+              .height = sample.height_mm,
+              .gap = std::abs(jet.height - sample.height_mm) * given.z(),
+              .angle_rad = std::atan2(given.cross(made).norm(), given.dot(made))};
+    miss.share = miss.gap / gap();
+    if (options_.angle_rad > 0)
+      miss.share = std::max(miss.share, miss.angle_rad / options_.angle_rad);
+    return miss;
   }
 
   GraphFill result(const std::vector<Miss>& misses) const {
@@ -516,12 +610,6 @@ class GraphFilling {
     graph_.emplace(std::move(u), std::move(v));
   }
 
-  /// A condition along the boundary.
-  struct Condition {
-    Graph::Row row;
-    double value, accepted, weight;
-  };
-
   GraphFillOptions options_;
   Scale scale_;
   std::vector<BoundaryPart> parts_;
@@ -530,6 +618,23 @@ class GraphFilling {
 };
 
 }  // namespace
+
+std::optional<double> graphTurn_rad(const std::vector<GraphBoundary>& boundary) {
+  constexpr double much = 2;  // a choice: by less, a turn is not worth it
+  constexpr int steps = 90;   // of a degree
+  const Scale scale = scaleOf(boundary);
+  std::vector<BoundaryPart> parts;
+  for (const GraphBoundary& part : boundary) parts.emplace_back(part, scale);
+  const std::vector<Joint> joints = jointsOf(parts);
+  double best_rad = 0, least = HUGE_VAL;
+  for (int k = 0; k < steps; ++k) {
+    const double turn_rad = k * std::numbers::pi / (2 * steps),
+                 jump = largestJump(joints, turn_rad);
+    if (jump < least) least = jump, best_rad = turn_rad;
+  }
+  if (!(much * least < largestJump(joints, 0))) return std::nullopt;
+  return best_rad;
+}
 
 GraphFill graphFill(const std::vector<GraphBoundary>& boundary, const GraphFillOptions& options,
                     const Progress& progress) {
