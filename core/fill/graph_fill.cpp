@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <optional>
+#include <seamwright/core/fill/graph_boundary.hpp>
 #include <seamwright/core/fill/graph_fill.hpp>
 #include <seamwright/core/fill/graph_knots.hpp>
 #include <seamwright/core/linear/gauss_rule.hpp>
@@ -17,7 +17,7 @@ namespace seamwright {
 namespace {
 
 using Eigen::Index, Eigen::Vector2d, Eigen::Vector3d;
-using fill::graph_degree, fill::GraphKnots;
+using fill::graph_degree, fill::GraphKnots, fill::GraphPart, fill::GraphScale;
 
 /// A choice: with less, cells beside the hole could follow nothing; with more, they would stiffen
 /// the hole.
@@ -32,91 +32,6 @@ struct GraphJet {
   double height = 0;
   Vector2d slope = Vector2d::Zero();
 };
-
-/// The square of the smallest box, in units of half its diagonal, around the origin.
-struct Scale {
-  Vector2d centre = Vector2d::Zero();
-  double middle_mm = 0, unit_mm = 1;
-
-  GraphSample scaled(GraphSample sample) const {
-    sample.at = (sample.at - centre) / unit_mm;
-    sample.height_mm = (sample.height_mm - middle_mm) / unit_mm;
-    sample.bend_per_mm *= unit_mm;
-    sample.speed_mm /= unit_mm;
-    return sample;
-  }
-};
-
-bool isFinite(const GraphSample& sample) {
-  return sample.at.allFinite() && std::isfinite(sample.height_mm) && sample.slope.allFinite() &&
-         sample.across.allFinite() && std::isfinite(sample.bend_per_mm) &&
-         std::isfinite(sample.speed_mm);
-}
-
-/// As near to the ends of parts as samples are taken.
-constexpr double least_t = 1e-5;
-
-/// A part of the boundary, scaled, whose samples are computed once.
-class BoundaryPart {
- public:
-  BoundaryPart(const GraphBoundary& boundary, const Scale& scale)
-      : boundary_(&boundary), scale_(scale) {}
-
-  const GraphSample& at(double t) {
-    const auto found = samples_.find(t);
-    if (found != samples_.end()) return found->second;
-    const GraphSample sample = scale_.scaled((*boundary_)(t));
-    if (!isFinite(sample))
-      throw std::invalid_argument("a sample of the boundary of a graph is not finite");
-    return samples_.emplace(t, sample).first->second;
-  }
-
-  /// Parameters so close that there are several in each span that the part crosses. Ends are left
-  /// out, because a surface may have no tangent plane there.
-  std::vector<double> parameters(const GraphKnots& u, const GraphKnots& v) {
-    std::vector<double> all = {least_t};
-    constexpr int pieces = 8;  // a choice: as a start, so that no arc looks like a chord
-    for (int k = 0; k < pieces; ++k)
-      divide(std::max(least_t, k / double{pieces}), std::min(1 - least_t, (k + 1) / double{pieces}),
-             u, v, all);
-    return all;
-  }
-
- private:
-  void divide(double from, double to, const GraphKnots& u, const GraphKnots& v,
-              std::vector<double>& all) {
-    constexpr double most_share = 0.3;   // of a span: three samples in each
-    constexpr double least_step = 1e-5;  // of the part
-    const double middle = 0.5 * (from + to);
-    const Vector2d here = at(from).at, there = at(to).at, between = at(middle).at;
-    const double wide_u = most_share * u.width(u.spanAt(between.x())),
-                 wide_v = most_share * v.width(v.spanAt(between.y()));
-    if (to - from > least_step &&
-        (std::abs(there.x() - here.x()) > wide_u || std::abs(there.y() - here.y()) > wide_v)) {
-      divide(from, middle, u, v, all);
-      divide(middle, to, u, v, all);
-    } else {
-      all.push_back(to);
-    }
-  }
-
-  const GraphBoundary* boundary_;
-  Scale scale_;
-  std::map<double, GraphSample> samples_;
-};
-
-Scale scaleOf(const std::vector<GraphBoundary>& boundary) {
-  constexpr int count = 32;
-  Vector3d low = Vector3d::Constant(HUGE_VAL), high = -low;
-  for (const GraphBoundary& part : boundary)
-    for (int k = 0; k < count; ++k) {
-      const GraphSample sample = part((k + 0.5) / count);
-      const Vector3d point(sample.at.x(), sample.at.y(), sample.height_mm);
-      low = low.cwiseMin(point), high = high.cwiseMax(point);
-    }
-  const Vector3d centre = 0.5 * (low + high);
-  return {centre.head<2>(), centre.z(), 0.5 * (high - low).head<2>().norm()};
-}
 
 /// Whether a point is inside of a closed polygon.
 bool isInside(const std::vector<Vector2d>& polygon, const Vector2d& point) {
@@ -287,7 +202,7 @@ class Graph {
     }
   }
 
-  BSplineSurface surface(const Scale& scale) const {
+  BSplineSurface surface(const GraphScale& scale) const {
     const auto knots = [&](const GraphKnots& one, double centre) {
       std::vector<double> result = one.flat();
       for (double& knot : result) knot = centre + scale.unit_mm * knot;
@@ -323,97 +238,6 @@ Vector3d normalOf(const Vector2d& slope) {
   return Vector3d(-slope.x(), -slope.y(), 1).normalized();
 }
 
-/// By direction.
-using Bends = std::array<std::vector<double>, 2>;
-
-/// Where one part of the boundary ends and the next begins.
-struct Joint {
-  Vector2d at, in, out;        ///< unit tangents of the parts there
-  Vector2d rate_in, rate_out;  ///< derivatives of the slope along both
-
-  bool isSmooth() const {
-    constexpr double least_cosine = 0.9;
-    return in.dot(out) > least_cosine;
-  }
-};
-
-std::vector<Joint> jointsOf(std::vector<BoundaryPart>& parts) {
-  constexpr double step = 1e-3;  // of a part
-  std::vector<Joint> joints;
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    BoundaryPart &in = parts[(k + parts.size() - 1) % parts.size()], &out = parts[k];
-    const auto rate = [&](BoundaryPart& part, double from, double to) -> Vector2d {
-      return (part.at(to).slope - part.at(from).slope) / (part.at(to).at - part.at(from).at).norm();
-    };
-    const auto along = [](const GraphSample& sample) {
-      return Vector2d(-sample.across.y(), sample.across.x());
-    };
-    joints.push_back({.at = 2 * out.at(least_t).at - out.at(2 * least_t).at,
-                      .in = along(in.at(1 - step)),
-                      .out = along(out.at(step)),
-                      .rate_in = rate(in, 1 - 2 * step, 1 - step),
-                      .rate_out = rate(out, step, 2 * step)});
-  }
-  return joints;
-}
-
-/// The jumps of the second derivatives across lines through a joint for which a function has the
-/// slopes of both parts: across the line along y, and across the one along x. Not finite if no such
-/// lines exist; 0 across a line that is not needed.
-Vector2d jumpsAt(const Joint& joint) {
-  constexpr double least_jump = 0.01;   // per unit: less is left to short spans
-  constexpr double least_slant = 0.05;  // of the boundary against a line
-  Vector2d jumps = Vector2d::Zero();
-  if (joint.isSmooth()) {
-    const Vector2d rise = joint.rate_out - joint.rate_in,
-                   along = (joint.in + joint.out).normalized();
-    for (int d = 0; d < 2; ++d)
-      if (std::abs(rise(d)) >= least_jump)
-        jumps(d) = std::abs(along(d)) < least_slant ? HUGE_VAL : rise(d) / along(d);
-    return jumps;
-  }
-  // The mixed second derivative along both tangents, as both parts have it.
-  const double differ = joint.rate_in.dot(joint.out) - joint.rate_out.dot(joint.in);
-  if (std::abs(differ) < least_jump) return jumps;
-  // Lines that have the parts on different sides.
-  Vector2d between = joint.in.cwiseProduct(joint.out);
-  for (int d = 0; d < 2; ++d)
-    if (between(d) < least_slant) between(d) = 0;
-  if (between.isZero()) return Vector2d::Constant(HUGE_VAL);
-  return -differ / between.squaredNorm() * between;
-}
-
-/// By direction, where second derivatives may jump, so that the slopes on both sides of a joint can
-/// be met. No smoother spline follows them closely.
-Bends bendsOf(const std::vector<Joint>& joints, const Vector2d& low, const Vector2d& high) {
-  constexpr double near = 1e-6;
-  Bends bends;
-  for (const Joint& joint : joints) {
-    const Vector2d jumps = jumpsAt(joint);
-    for (int d = 0; d < 2; ++d) {
-      if (jumps(d) == 0 || !std::isfinite(jumps(d))) continue;
-      if (joint.at(d) - low(d) < near || high(d) - joint.at(d) < near) continue;
-      auto& its = bends[static_cast<std::size_t>(d)];
-      if (std::ranges::none_of(its,
-                               [&](double other) { return std::abs(other - joint.at(d)) < near; }))
-        its.push_back(joint.at(d));
-    }
-  }
-  return bends;
-}
-
-/// The largest jump of second derivatives that joints need, if x and y are turned.
-double largestJump(const std::vector<Joint>& joints, double turn_rad) {
-  const Eigen::Matrix2d turn = Eigen::Rotation2Dd(-turn_rad).toRotationMatrix();
-  double most = 0;
-  for (const Joint& joint : joints)
-    most = std::max(most, jumpsAt({turn * joint.at, turn * joint.in, turn * joint.out,
-                                   turn * joint.rate_in, turn * joint.rate_out})
-                              .cwiseAbs()
-                              .maxCoeff());
-  return most;
-}
-
 /// Where the boundary is missed, by which share of what is accepted.
 struct Miss {
   Vector2d at, across;
@@ -424,11 +248,11 @@ class GraphFilling {
  public:
   GraphFilling(const std::vector<GraphBoundary>& boundary, const GraphFillOptions& options)
       : options_(options) {
-    scale_ = scaleOf(boundary);
+    scale_ = fill::scaleOf(boundary);
     for (const GraphBoundary& part : boundary) parts_.emplace_back(part, scale_);
     constexpr int count = 64;  // a choice: cells across the outline are counted by their middles
     Vector2d low = Vector2d::Constant(HUGE_VAL), high = -low;
-    for (BoundaryPart& part : parts_)
+    for (GraphPart& part : parts_)
       for (int k = 0; k < count; ++k) {
         hole_.push_back(part.at((k + 0.5) / count).at);
         low = low.cwiseMin(hole_.back());
@@ -442,7 +266,7 @@ class GraphFilling {
     const auto spansOf = [&](double range) {
       return std::clamp(static_cast<int>(std::lround(range / span)), least_spans, 4 * least_spans);
     };
-    const Bends bends = bendsOf(jointsOf(parts_), low, high);
+    const fill::GraphBends bends = fill::bendsOf(fill::jointsOf(parts_), low, high);
     graph_.emplace(GraphKnots(low.x(), high.x(), spansOf(high.x() - low.x()), bends[0]),
                    GraphKnots(low.y(), high.y(), spansOf(high.y() - low.y()), bends[1]));
   }
@@ -500,7 +324,7 @@ class GraphFilling {
     graph_->clear();
     graph_->addVariation(hole_);
     std::vector<Condition> conditions;
-    for (BoundaryPart& part : parts_) {
+    for (GraphPart& part : parts_) {
       const std::vector<double> parameters = part.parameters(graph_->u(), graph_->v());
       for (std::size_t k = 0; k + 1 < parameters.size(); ++k) {
         const double from = parameters[k], to = parameters[k + 1];
@@ -554,7 +378,7 @@ class GraphFilling {
   /// Between the samples of the conditions, and at the ends.
   std::vector<Miss> missesOf() {
     std::vector<Miss> misses;
-    for (BoundaryPart& part : parts_) {
+    for (GraphPart& part : parts_) {
       const std::vector<double> parameters = part.parameters(graph_->u(), graph_->v());
       for (std::size_t k = 0; k + 1 < parameters.size(); ++k)
         for (const double share : {0.0, 0.25, 0.75})
@@ -611,31 +435,13 @@ class GraphFilling {
   }
 
   GraphFillOptions options_;
-  Scale scale_;
-  std::vector<BoundaryPart> parts_;
+  GraphScale scale_;
+  std::vector<GraphPart> parts_;
   std::vector<Vector2d> hole_;
   std::optional<Graph> graph_;
 };
 
 }  // namespace
-
-std::optional<double> graphTurn_rad(const std::vector<GraphBoundary>& boundary) {
-  constexpr double much = 2;  // a choice: by less, a turn is not worth it
-  constexpr int steps = 90;   // of a degree
-  const Scale scale = scaleOf(boundary);
-  std::vector<BoundaryPart> parts;
-  for (const GraphBoundary& part : boundary) parts.emplace_back(part, scale);
-  const std::vector<Joint> joints = jointsOf(parts);
-  double best_rad = 0, least = HUGE_VAL;
-  for (int k = 0; k < steps; ++k) {
-    const double turn_rad = k * std::numbers::pi / (2 * steps),
-                 jump = largestJump(joints, turn_rad);
-    if (jump < least) least = jump, best_rad = turn_rad;
-  }
-  if (!(much * least < largestJump(joints, 0))) return std::nullopt;
-  return best_rad;
-}
-
 GraphFill graphFill(const std::vector<GraphBoundary>& boundary, const GraphFillOptions& options,
                     const Progress& progress) {
   if (boundary.empty()) throw std::invalid_argument("a graph needs a boundary");
