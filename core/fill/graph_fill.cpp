@@ -45,6 +45,17 @@ bool isInside(const std::vector<Vector2d>& polygon, const Vector2d& point) {
   return inside;
 }
 
+/// Twice the area over the length of the outline: the width of a long strip.
+double widthOf(const std::vector<Vector2d>& polygon) {
+  double twice_area = 0, length = 0;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vector2d &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+    twice_area += a.x() * b.y() - a.y() * b.x();
+    length += (b - a).norm();
+  }
+  return std::abs(twice_area) / length;
+}
+
 /// A spline graph over a box, and its equations.
 class Graph {
  public:
@@ -191,9 +202,9 @@ class Graph {
           const double t = along.begin(k) + rule.nodes[i] * along.width(k);
           const Vector2d at = direction == 0 ? Vector2d(bend, t) : Vector2d(t, bend);
           const auto bendOn = [&](int span, int first) {
-            Row bend = row(direction == 0 ? Cell{span, k} : Cell{k, span}, at, std::array{term});
-            keepFrom(first, direction, bend);
-            return bend;
+            Row rate = row(direction == 0 ? Cell{span, k} : Cell{k, span}, at, std::array{term});
+            keepFrom(first, direction, rate);
+            return rate;
           };
           const Row jump = difference(bendOn(after, 0), bendOn(after - 1, graph_degree - 2));
           add(jump, 0,
@@ -261,10 +272,11 @@ class GraphFilling {
     // The box is a little larger, because between samples and at ends the outline may be outside.
     constexpr double margin = 0.02;
     low.array() -= margin, high.array() += margin;
-    constexpr int least_spans = 4;
-    const double span = (high - low).minCoeff() / least_spans;
+    // Choices. Spans wider than the hole would leave waves across it.
+    constexpr int least_spans = 4, most_spans = 32;
+    const double span = std::min((high - low).minCoeff() / least_spans, widthOf(hole_));
     const auto spansOf = [&](double range) {
-      return std::clamp(static_cast<int>(std::lround(range / span)), least_spans, 4 * least_spans);
+      return std::clamp(static_cast<int>(std::lround(range / span)), least_spans, most_spans);
     };
     const fill::GraphBends bends = fill::bendsOf(fill::jointsOf(parts_), low, high);
     graph_.emplace(GraphKnots(low.x(), high.x(), spansOf(high.x() - low.x()), bends[0]),
