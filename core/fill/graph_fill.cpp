@@ -292,9 +292,9 @@ class GraphFilling {
     int idle = 0;
     for (int round = 0; round < most_rounds && idle < patience; ++round) {
       checkProgress(progress, shareAfter(round));
-      if (!solve()) break;
-      const std::vector<Miss> misses = missesOf();
-      const double worst = std::ranges::max_element(misses, {}, &Miss::share)->share;
+      const std::vector<Miss> misses = solve();
+      if (misses.empty()) break;
+      const double worst = worstOf(misses);
       idle = worst < helps * least ? 0 : idle + 1;
       if (worst < least || !best) best = result(misses), least = std::min(least, worst);
       if (worst <= enough_share) break;
@@ -315,19 +315,24 @@ class GraphFilling {
   /// What is accepted, in units of the scale.
   double gap() const { return options_.gap_mm / scale_.unit_mm; }
 
-  /// The graph with the present knots. \returns false if the equations determine none.
-  bool solve() {
+  static double worstOf(const std::vector<Miss>& misses) {
+    return std::ranges::max_element(misses, {}, &Miss::share)->share;
+  }
+
+  /// The graph with the present knots. \returns what it misses; nothing if the equations determine
+  /// none.
+  std::vector<Miss> solve() {
     // What is missed weighs as much as these shares of what is accepted. Smaller ones are met more
-    // closely, but leave fewer digits for the fairness.
-    bool solved = false;
+    // closely, but where spans are too long for the boundary the graph would wave between them.
+    std::vector<Miss> misses;
     for (const double share : {0.02, 2e-3, 1e-4}) {
       const std::optional<double> missed = solve(share);
       if (!missed) break;
-      solved = true;
+      misses = missesOf();
       constexpr double near = 0.1;  // so that what lies between the samples decides
-      if (*missed <= near) break;
+      if (worstOf(misses) <= enough_share || *missed <= near) break;
     }
-    return solved;
+    return misses;
   }
 
   /// \returns the largest miss of a condition, as a share of what is accepted; nothing if the
@@ -350,7 +355,7 @@ class GraphFilling {
     if (!graph_->factorise() || !graph_->solve()) return std::nullopt;
     // Each step adds what is missed to the right side, which makes the penalty exact in the limit
     // (the method of multipliers).
-    constexpr int steps = 12;
+    constexpr int steps = 4;
     double missed = 0;
     for (int step = 0; step <= steps; ++step) {
       missed = 0;
