@@ -255,6 +255,10 @@ struct Miss {
   double height = 0, gap = 0, angle_rad = 0, share = 0;
 };
 
+double worstShare(const std::vector<Miss>& misses) {
+  return std::ranges::max_element(misses, {}, &Miss::share)->share;
+}
+
 class GraphFilling {
  public:
   GraphFilling(const std::vector<GraphBoundary>& boundary, const GraphFillOptions& options)
@@ -294,7 +298,7 @@ class GraphFilling {
       checkProgress(progress, shareAfter(round));
       const std::vector<Miss> misses = solve();
       if (misses.empty()) break;
-      const double worst = worstOf(misses);
+      const double worst = worstShare(misses);
       idle = worst < helps * least ? 0 : idle + 1;
       if (worst < least || !best) best = result(misses), least = std::min(least, worst);
       if (worst <= enough_share) break;
@@ -315,10 +319,6 @@ class GraphFilling {
   /// What is accepted, in units of the scale.
   double gap() const { return options_.gap_mm / scale_.unit_mm; }
 
-  static double worstOf(const std::vector<Miss>& misses) {
-    return std::ranges::max_element(misses, {}, &Miss::share)->share;
-  }
-
   /// The graph with the present knots. \returns what it misses; nothing if the equations determine
   /// none.
   std::vector<Miss> solve() {
@@ -330,7 +330,7 @@ class GraphFilling {
       if (!missed) break;
       misses = missesOf();
       constexpr double near = 0.1;  // so that what lies between the samples decides
-      if (worstOf(misses) <= enough_share || *missed <= near) break;
+      if (worstShare(misses) <= enough_share || *missed <= near) break;
     }
     return misses;
   }
