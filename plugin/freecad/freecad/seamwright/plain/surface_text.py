@@ -71,19 +71,22 @@ def largest(seams):
     }
 
 
+def _decided(seams):
+    """Return a text for each figure that decides the level of a seam."""
+    decided = {name for seam in seams for name in rows.DECIDING[seam["target"]]}
+    found = largest(seams)
+    return [
+        tr(known).format(figure=bound(rows.QUANTITIES[name].factor * found[name]))
+        for name, (known, _) in new_seams.LARGEST.items()
+        if name in decided
+    ]
+
+
 def summary(report):
     """Return one line: the seams, or what falls short."""
     along, across = report["poles"]
     poles = tr("{along} x {across} poles").format(along=along, across=across)
-    found = largest(report["seams"])
-    figures = tr(
-        "gap at most {gap_mm} mm, angle at most {angle_deg}\u00b0, curvature at most "
-        "{curvature_rel} %"
-    ).format(
-        gap_mm=bound(found["gap_mm"]),
-        angle_deg=bound(found["angle_deg"]),
-        curvature_rel=bound(100 * found["curvature_rel"]),
-    )
+    figures = ", ".join(_decided(report["seams"]))
     state = tr("Every seam has its level") if report["reached"] else _shortcomings(report)
     length = ""
     if report["to"]:
