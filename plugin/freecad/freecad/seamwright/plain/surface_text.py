@@ -71,15 +71,22 @@ def largest(seams):
     }
 
 
+def _decided(seams):
+    """Return a text for each figure that decides the level of a seam."""
+    decided = {name for seam in seams for name in rows.DECIDING[seam["target"]]}
+    found = largest(seams)
+    return [
+        tr(known).format(figure=bound(rows.QUANTITIES[name].factor * found[name]))
+        for name, (known, _) in new_seams.LARGEST.items()
+        if name in decided
+    ]
+
+
 def summary(report):
     """Return one line: the seams, or what falls short."""
     along, across = report["poles"]
     poles = tr("{along} x {across} poles").format(along=along, across=across)
-    figures = ", ".join(
-        tr(new_seams.LARGEST[name][0]).format(figure=bound(rows.QUANTITIES[name].factor * figure))
-        for name, figure in largest(report["seams"]).items()
-        if any(name in rows.DECIDING[seam["target"]] for seam in report["seams"])
-    )
+    figures = ", ".join(_decided(report["seams"]))
     state = tr("Every seam has its level") if report["reached"] else _shortcomings(report)
     length = ""
     if report["to"]:

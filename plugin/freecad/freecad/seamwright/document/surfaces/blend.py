@@ -164,12 +164,12 @@ def _groups(edges):
 
 
 def _touch(one, other):
-    """Return whether vertices of two edges are one point, also those of two objects.
+    """Return whether two edges end at one place; an edge touches itself.
 
-    An edge touches itself.
+    Edges of different objects have vertices of their own: these are within their tolerances.
     """
     return any(
-        a.distToShape(b)[0] <= max(a.Tolerance, b.Tolerance)
+        a.isSame(b) or a.Point.distanceToPoint(b.Point) <= a.Tolerance + b.Tolerance
         for a in one.Vertexes
         for b in other.Vertexes
     )
