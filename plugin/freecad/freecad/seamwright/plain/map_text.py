@@ -13,11 +13,13 @@ def _at(point):
 def _range(report, unit):
     if report["undefined"]:
         return tr("No value is defined")
-    return tr("{least} to {largest} {unit}, the largest {largest_at}").format(
+    if not report["strongest"]:
+        return "0 %s" % unit
+    return tr("{least} to {largest} {unit}, the strongest {strongest_at}").format(
         least=figure(report["least"]),
         largest=figure(report["largest"]),
         unit=unit,
-        largest_at=_at(report["largest_at"]),
+        strongest_at=_at(report["strongest_at"]),
     )
 
 

@@ -74,6 +74,15 @@ class CurvatureMap(SurfaceMap):
         return {**report, "quantity": values["quantity"], "unit": maps.UNITS[values["quantity"]]}
 
     @classmethod
+    def marks(cls, report):
+        """Return [(point, text)]: the strongest curvature."""
+        name = "least" if report.get("quantity") == maps.RADIUS else "strongest"
+        if not report.get(name) or report.get("%s_at" % name) is None:
+            return []
+        text = "%s %s" % (ramps.figure(report[name]), report["unit"])
+        return [(report["%s_at" % name], text)]
+
+    @classmethod
     def text(cls, report):
         """Return the summary of a report."""
         return map_text.curvature_text(report)

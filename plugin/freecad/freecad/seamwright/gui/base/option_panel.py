@@ -4,6 +4,8 @@
 The document follows the fields: each change is computed at once.
 """
 
+import FreeCAD as App
+
 from freecad.seamwright.document import option_feature, sources
 from freecad.seamwright.document.feature import report_of
 from freecad.seamwright.document.properties import error_text
@@ -274,6 +276,8 @@ def _grouped(links):
 
 
 def sentence(error):
-    """Return the text of an error as a sentence."""
+    """Return the text of an error as a sentence; the name of an object stays as it is."""
     text = str(error).rstrip(".")
-    return "%s%s." % (text[:1].upper(), text[1:])
+    labels = (obj.Label for doc in App.listDocuments().values() for obj in doc.Objects)
+    first = text[:1] if any(map(text.startswith, filter(None, labels))) else text[:1].upper()
+    return "%s%s." % (first, text[1:])

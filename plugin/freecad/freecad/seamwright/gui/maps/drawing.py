@@ -107,7 +107,8 @@ class FaceColours(Drawing):
         self._substitutes.remove(set(self._substitutes.objects(obj.Document)) - kept)
         legend = None if look is None else look.legend
         if legend is not None:
-            self.legend.update(*legend, LEGEND_TEXT_PX)
+            continuous = look.smooth and len(legend[1]) > 1
+            self.legend.update(*legend, LEGEND_TEXT_PX, look.row[::-1] if continuous else ())
         self.legend.show(legend is not None)
 
     def _mesh(self, source, mesh):

@@ -75,6 +75,10 @@ class ToolPanel(OptionPanel):
 
     # Actions.
 
+    def take(self, name, chosen):
+        """Let a property have these links, which are usable; compute."""
+        super().take(name, self.obj.Proxy.completed(chosen))
+
     def refresh(self):
         """Show the results as they are stored now."""
         super().refresh()
@@ -86,14 +90,14 @@ class ToolPanel(OptionPanel):
     def _show_plot(self, *_):
         if self.plot is None:
             return
-        key, name, unit, _ = seam_text.FIGURES[self.figure.currentIndex()]
+        key, name, unit, factor, _ = seam_text.FIGURES[self.figure.currentIndex()]
         seams = self._seams()
         lines = []
         for seam in seams:
             bounds = seam["bounds"][key] or {"lower": None, "upper": None}
-            lines.append(
-                Line(seam["lengths_mm"], seam["figures"][key], bounds["lower"], bounds["upper"])
-            )
+            lower, upper = (_times(factor, bounds[each]) for each in ("lower", "upper"))
+            values = [_times(factor, each) for each in seam["figures"][key]]
+            lines.append(Line(seam["lengths_mm"], values, lower, upper))
         self.plot.show_lines(lines, tr(name), unit)
         self.bounds.setText("\n".join(seam_text.bound_line(seam, key) for seam in seams))
         self.reading.setText("")
@@ -106,8 +110,8 @@ class ToolPanel(OptionPanel):
             self.reading.setText("")
             return
         seam = seams[index]
-        key, name, unit, _ = seam_text.FIGURES[self.figure.currentIndex()]
-        value = seam["figures"][key][place]
+        key, name, unit, factor, _ = seam_text.FIGURES[self.figure.currentIndex()]
+        value = _times(factor, seam["figures"][key][place])
         text = tr("undefined") if value is None else seam_text.with_unit(figure(value), unit)
         view.mark([], [], [(seam["points"][place], text)])
         self.reading.setText(
@@ -115,3 +119,8 @@ class ToolPanel(OptionPanel):
                 name=seam["name"], length_mm=figure(seam["lengths_mm"][place]), figure=text
             )
         )
+
+
+def _times(factor, value):
+    """Return a product; None where the value is unknown."""
+    return None if value is None else factor * value
