@@ -181,6 +181,8 @@ class OptionPanel(ResultPanel):
         root = self.obj.ViewObject.RootNode
         for argument, (origin, step) in places.items():
             field = self.options.fields[argument]
+            if argument in self._handles and self._handles[argument].is_held:
+                continue
             if argument not in self._handles:
                 self._handles[argument] = Handle()
                 root.addChild(self._handles[argument].node)
@@ -194,11 +196,15 @@ class OptionPanel(ResultPanel):
             self._handle_timer.stop()
 
     def _read_handles(self):
-        """Give the fields the numbers to which their handles were dragged."""
+        """Give the fields the numbers to which their handles were dragged; compute meanwhile."""
+        dragged = False
         for argument, handle in self._handles.items():
             value = handle.dragged_to()
             if value is not None:
                 self.options.fields[argument].drag(value)
+                dragged = True
+        if dragged and self._timer.live and not self.computation.busy:
+            self._preview_in_time()
 
     def _preview_in_time(self):
         """Compute now, or retry while FreeCAD changes documents."""
