@@ -161,6 +161,19 @@ class Panel(MapWindow):
         self.cancel()
         self.assertEqual(self.made(), [])
 
+    def test_cancel_stops_a_computation_and_closes_the_panel(self):
+        with held():
+            self.COMMAND = "Seamwright_CurvatureMap"
+            self.select((self.block, ""))
+            Gui.runCommand(self.COMMAND)
+            (obj,) = self.made()
+            self.assertTrue(obj.ViewObject.Proxy.panel.computation.busy)
+            self.cancel()
+            self.assertEqual(self.made(), [])
+        settle(0.3)
+        self.assertFalse(Gui.Control.activeDialog())
+        self.assertEqual(self.doc.UndoCount, 0)
+
     def test_a_bad_selection_is_one_sentence_and_changes_nothing(self):
         line = models.add(self.doc, Part.makeLine(App.Vector(), App.Vector(1, 0, 0)), "Line")
         group = self.doc.addObject("App::DocumentObjectGroup", "Group")

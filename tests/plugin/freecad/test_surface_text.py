@@ -72,7 +72,7 @@ def test_lines_inside_a_surface_that_have_their_level_are_one_row():
     assert (missed.seams, missed.met, missed.cells[:2]) == ((1,), False, ("Inside", "line 2"))
     assert (together.seams, together.met) == ((0, 2), True)
     assert together.cells == (
-        "Inside", "2 lines", "\u22642e-5", "\u22643e-6", "\u22640.02", "G2 is met"
+        "Inside", "2 lines of joints", "\u22642e-5", "\u22643e-6", "\u22640.02", "G2 is met"
     )  # fmt: skip
     (row,) = surface_text.build_rows(report(lines[0]))
     assert row.cells[:2] == ("Inside", "line 1")

@@ -98,7 +98,7 @@ class PreferencesPage:
         )
         self.stripes = _whole_number(table.ZEBRA_STRIPES)
         self.stripes.setToolTip(
-            tr("How many light stripes zebra stripes have, here, in panels and in new maps")
+            tr("How many light stripes zebra stripes have on a whole ball, in panels too")
         )
         self.live = QtWidgets.QCheckBox(tr(table.LIVE_PREVIEW.label))
         self.live.setToolTip(

@@ -84,7 +84,7 @@ def _together(places, report):
     seams = [report["seams"][place] for place in places]
     whole = {name: new_seams.largest(seams, name) for name in FIGURES}
     figures = (rows.figure_text(whole, name, report["tolerance"]) for name in FIGURES)
-    along = counted(len(seams), "line")
+    along = counted(len(seams), LINE)
     verdict = tr("{target} is met").format(target=seams[0]["target"])
     detail = tr("Lines inside the surface at which the curves have their joints")
     return Row(tuple(places), True, (tr(seams[0]["side"]), along, *figures, verdict), detail)

@@ -73,6 +73,13 @@ class ToolPanel(OptionPanel):
         """Raise SourceError or ValueError where a property cannot have these links."""
         self.obj.Proxy.check(name, chosen)
 
+    # Methods that FreeCAD calls.
+
+    def reject(self):
+        """Stop a running computation, and take back all changes made in the panel."""
+        self.computation.stop()
+        return super().reject()
+
     # Actions.
 
     def take(self, name, chosen):

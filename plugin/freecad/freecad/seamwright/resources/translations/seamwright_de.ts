@@ -108,8 +108,8 @@
         <translation>Den Krümmungskamm zeichnen</translation>
     </message>
     <message>
-        <source>Edges at which two faces meet</source>
-        <translation>Kanten, an denen zwei Flächen sich treffen</translation>
+        <source>Edges at which two faces meet, or edges that lie side by side</source>
+        <translation>Kanten, an denen zwei Flächen sich treffen, oder Kanten, die nebeneinander liegen</translation>
     </message>
     <message>
         <source>Edges between the ends of the sides, along which the lateral boundaries run, and the faces beside them</source>
@@ -170,6 +170,10 @@
     <message>
         <source>Four-sided faces, or three-sided ones, which are three faces each</source>
         <translation>Vierseitige Flächen, oder dreiseitige, die je drei Flächen sind</translation>
+    </message>
+    <message>
+        <source>Free edges no further apart than this are a seam, in mm</source>
+        <translation>Freie Kanten, die nicht weiter voneinander entfernt sind, sind eine Naht, in mm</translation>
     </message>
     <message>
         <source>Free edges no further apart than this are measured as seams too, in mm; 0: off</source>
@@ -514,6 +518,10 @@
     <message>
         <source>Number of lines</source>
         <translation>Anzahl der Linien</translation>
+    </message>
+    <message>
+        <source>Number of lines of the comb, on all edges together</source>
+        <translation>Anzahl der Linien des Kamms, auf allen Kanten zusammen</translation>
     </message>
     <message>
         <source>Number of new faces</source>
@@ -937,6 +945,14 @@ Gezeigt: {show}</translation>
         <translation> (bewiesen); keine Folge hat weniger als {least_arcs}.</translation>
     </message>
     <message>
+        <source> ({share} % less)</source>
+        <translation> ({share} % weniger)</translation>
+    </message>
+    <message>
+        <source> ({share} % more)</source>
+        <translation> ({share} % mehr)</translation>
+    </message>
+    <message>
         <source> Filled by OpenCASCADE; not by patches: {patches_reason}.</source>
         <translation> Von OpenCASCADE gefüllt; nicht mit Flächenstücken: {patches_reason}.</translation>
     </message>
@@ -991,6 +1007,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>, the longest loop: an outer boundary?</source>
         <translation>, die längste Schleife: ein äußerer Rand?</translation>
+    </message>
+    <message>
+        <source>, variation of curvature {before} → {after} 1/mm³</source>
+        <translation>, Änderung der Krümmung {before} → {after} 1/mm³</translation>
     </message>
     <message>
         <source>, {faults} not drawn correctly</source>
@@ -1067,6 +1087,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>All seams</source>
         <translation>Alle Nähte</translation>
+    </message>
+    <message>
+        <source>Along</source>
+        <translation>Entlang</translation>
     </message>
     <message>
         <source>Alpha</source>
@@ -1357,8 +1381,8 @@ Gezeigt: {show}</translation>
         <translation>Krümmungskamm</translation>
     </message>
     <message>
-        <source>Curvature extrema {extrema} → {extrema_after}, inflections {inflections} → {inflections_after}; moved at most {moved_mm} mm{kept}.</source>
-        <translation>Extrema der Krümmung {extrema} → {extrema_after}, Wendepunkte {inflections} → {inflections_after}; höchstens {moved_mm} mm verschoben{kept}.</translation>
+        <source>Curvature extrema {extrema} → {extrema_after}, inflections {inflections} → {inflections_after}{variation}; moved at most {moved_mm} mm{kept}.</source>
+        <translation>Extrema der Krümmung {extrema} → {extrema_after}, Wendepunkte {inflections} → {inflections_after}{variation}; höchstens {moved_mm} mm verschoben{kept}.</translation>
     </message>
     <message>
         <source>Curvature tolerance</source>
@@ -1483,6 +1507,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>Edges at {names}</source>
         <translation>Kanten an {names}</translation>
+    </message>
+    <message>
+        <source>Edges lie side by side within</source>
+        <translation>Kanten liegen nebeneinander innerhalb</translation>
     </message>
     <message>
         <source>Edges meet within</source>
@@ -1721,8 +1749,16 @@ Gezeigt: {show}</translation>
         <translation>Wie dicht die Linien neuer Krümmungskämme auf jeder Kurve stehen</translation>
     </message>
     <message>
+        <source>How many light stripes zebra stripes have on a whole ball, in panels too</source>
+        <translation>Wie viele helle Streifen Zebrastreifen auf einer ganzen Kugel haben, auch in den Fenstern</translation>
+    </message>
+    <message>
         <source>How many threads a computation uses</source>
         <translation>Wie viele Threads eine Berechnung benutzt</translation>
+    </message>
+    <message>
+        <source>Inside</source>
+        <translation>Innen</translation>
     </message>
     <message>
         <source>Isophotes</source>
@@ -1869,12 +1905,12 @@ Gezeigt: {show}</translation>
         <translation>Stufe und Toleranzen</translation>
     </message>
     <message>
-        <source>Line</source>
-        <translation>Linie</translation>
-    </message>
-    <message>
         <source>Lines</source>
         <translation>Linien</translation>
+    </message>
+    <message>
+        <source>Lines inside the surface at which the curves have their joints</source>
+        <translation>Linien in der Fläche, an denen die Kurven ihre Verbindungen haben</translation>
     </message>
     <message>
         <source>Lines of a comb</source>
@@ -2089,6 +2125,10 @@ Gezeigt: {show}</translation>
         <translation>Anzahl der Linien</translation>
     </message>
     <message>
+        <source>Number of lines of the comb</source>
+        <translation>Anzahl der Linien des Kamms</translation>
+    </message>
+    <message>
         <source>Number of stripes</source>
         <translation>Anzahl der Streifen</translation>
     </message>
@@ -2139,6 +2179,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>Pick points</source>
         <translation>Punkte setzen</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Stelle</translation>
     </message>
     <message>
         <source>Point</source>
@@ -2577,8 +2621,8 @@ Gezeigt: {show}</translation>
         <translation>Der Winkel der Knickkante, {crease:g}°, muss größer sein als die Winkeltoleranz, {angle:g}°</translation>
     </message>
     <message>
-        <source>The edge of the model along which the surface runs</source>
-        <translation>Die Kante des Modells, an der die Fläche verläuft</translation>
+        <source>The edge of the model, or the lines inside the surface</source>
+        <translation>Die Kante des Modells oder die Linien in der Fläche</translation>
     </message>
     <message>
         <source>The edge of the seam in the result</source>
@@ -2641,8 +2685,8 @@ Gezeigt: {show}</translation>
         <translation>Die zweite Fläche wurde gelöscht: Wählen Sie eine andere in der Eigenschaft SecondFace</translation>
     </message>
     <message>
-        <source>The side of the surface</source>
-        <translation>Die Seite der Fläche</translation>
+        <source>The side of the surface, or inside it</source>
+        <translation>Die Seite der Fläche oder ihr Inneres</translation>
     </message>
     <message>
         <source>The source was deleted: choose another one in the property Source</source>
@@ -2831,6 +2875,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>Zebra stripes</source>
         <translation>Zebrastreifen</translation>
+    </message>
+    <message>
+        <source>Zebra stripes on a ball</source>
+        <translation>Zebrastreifen auf einer Kugel</translation>
     </message>
     <message>
         <source>Zoom to seam</source>
@@ -3097,6 +3145,10 @@ Gezeigt: {show}</translation>
         <translation>seitlicher Rand</translation>
     </message>
     <message>
+        <source>line {number}</source>
+        <translation>Linie {number}</translation>
+    </message>
+    <message>
         <source>matched</source>
         <translation>zugeordnet</translation>
     </message>
@@ -3119,6 +3171,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>meets {target}</source>
         <translation>erreicht {target}</translation>
+    </message>
+    <message>
+        <source>middle of {edge}</source>
+        <translation>Mitte von {edge}</translation>
     </message>
     <message>
         <source>misses {target}</source>
@@ -3297,6 +3353,10 @@ Gezeigt: {show}</translation>
         <translation>aus</translation>
     </message>
     <message>
+        <source>on {edge}</source>
+        <translation>auf {edge}</translation>
+    </message>
+    <message>
         <source>one for each processor</source>
         <translation>einer je Prozessor</translation>
     </message>
@@ -3365,8 +3425,8 @@ Gezeigt: {show}</translation>
         <translation>Segmente</translation>
     </message>
     <message>
-        <source>select edges at which two faces meet</source>
-        <translation>wählen Sie Kanten aus, an denen zwei Flächen sich treffen</translation>
+        <source>select edges at which two faces meet, or edges that lie side by side</source>
+        <translation>wählen Sie Kanten aus, an denen zwei Flächen sich treffen, oder Kanten, die nebeneinander liegen</translation>
     </message>
     <message>
         <source>select edges, a wire or a sketch with splines, or points that lie in a plane</source>
@@ -3471,6 +3531,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>the edges cannot be joined so: {reason}</source>
         <translation>die Kanten können so nicht verbunden werden: {reason}</translation>
+    </message>
+    <message>
+        <source>the edges lie side by side only in a short part</source>
+        <translation>die Kanten liegen nur auf einem kurzen Stück nebeneinander</translation>
     </message>
     <message>
         <source>the edges meet where the curve would be: choose other ends</source>
@@ -4009,8 +4073,8 @@ Gezeigt: {show}</translation>
         <translation>{last:.3g} bei {first:.6g}</translation>
     </message>
     <message>
-        <source>{least} to {largest} {unit}, the largest {largest_at}</source>
-        <translation>{least} bis {largest} {unit}, der größte Wert {largest_at}</translation>
+        <source>{least} to {largest} {unit}, the strongest {strongest_at}</source>
+        <translation>{least} bis {largest} {unit}, am stärksten {strongest_at}</translation>
     </message>
     <message>
         <source>{length_mm} mm long, turns by {turn_deg}°, radius {first_radius_mm} to {last_radius_mm} mm{near}.</source>
@@ -4083,6 +4147,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>{name} has no edge: {needs}</source>
         <translation>{name} hat keine Kante: {needs}</translation>
+    </message>
+    <message>
+        <source>{name} has no other chosen edge beside it within {match_mm:g} mm</source>
+        <translation>neben {name} liegt innerhalb von {match_mm:g} mm keine andere gewählte Kante</translation>
     </message>
     <message>
         <source>{name} has no {element}: choose another one</source>

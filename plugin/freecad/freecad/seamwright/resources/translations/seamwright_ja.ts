@@ -108,7 +108,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Edges at which two faces meet</source>
+        <source>Edges at which two faces meet, or edges that lie side by side</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -169,6 +169,10 @@
     </message>
     <message>
         <source>Four-sided faces, or three-sided ones, which are three faces each</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Free edges no further apart than this are a seam, in mm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -513,6 +517,10 @@
     </message>
     <message>
         <source>Number of lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of lines of the comb, on all edges together</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -936,6 +944,14 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source> ({share} % less)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> ({share} % more)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source> Filled by OpenCASCADE; not by patches: {patches_reason}.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -989,6 +1005,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>, the longest loop: an outer boundary?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, variation of curvature {before} → {after} 1/mm³</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1066,6 +1086,10 @@ Shown: {show}</source>
     <message>
         <source>All seams</source>
         <translation>すべての継ぎ目</translation>
+    </message>
+    <message>
+        <source>Along</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Alpha</source>
@@ -1356,7 +1380,7 @@ Shown: {show}</source>
         <translation>曲率コーム</translation>
     </message>
     <message>
-        <source>Curvature extrema {extrema} → {extrema_after}, inflections {inflections} → {inflections_after}; moved at most {moved_mm} mm{kept}.</source>
+        <source>Curvature extrema {extrema} → {extrema_after}, inflections {inflections} → {inflections_after}{variation}; moved at most {moved_mm} mm{kept}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1481,6 +1505,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Edges at {names}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edges lie side by side within</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1720,7 +1748,15 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>How many light stripes zebra stripes have on a whole ball, in panels too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>How many threads a computation uses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inside</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1868,11 +1904,11 @@ Shown: {show}</source>
         <translation>レベルと公差</translation>
     </message>
     <message>
-        <source>Line</source>
+        <source>Lines</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Lines</source>
+        <source>Lines inside the surface at which the curves have their joints</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2088,6 +2124,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Number of lines of the comb</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Number of stripes</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2137,6 +2177,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Pick points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2574,7 +2618,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The edge of the model along which the surface runs</source>
+        <source>The edge of the model, or the lines inside the surface</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2638,7 +2682,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The side of the surface</source>
+        <source>The side of the surface, or inside it</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2828,6 +2872,10 @@ Shown: {show}</source>
     <message>
         <source>Zebra stripes</source>
         <translation>ゼブラ縞</translation>
+    </message>
+    <message>
+        <source>Zebra stripes on a ball</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Zoom to seam</source>
@@ -3094,6 +3142,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>line {number}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>matched</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3115,6 +3167,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>meets {target}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>middle of {edge}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3294,6 +3350,10 @@ Shown: {show}</source>
         <translation>オフ</translation>
     </message>
     <message>
+        <source>on {edge}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>one for each processor</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3362,7 +3422,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>select edges at which two faces meet</source>
+        <source>select edges at which two faces meet, or edges that lie side by side</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3467,6 +3527,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>the edges cannot be joined so: {reason}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the edges lie side by side only in a short part</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4006,7 +4070,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{least} to {largest} {unit}, the largest {largest_at}</source>
+        <source>{least} to {largest} {unit}, the strongest {strongest_at}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4079,6 +4143,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>{name} has no edge: {needs}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} has no other chosen edge beside it within {match_mm:g} mm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
