@@ -181,7 +181,7 @@ class OptionPanel(ResultPanel):
         root = self.obj.ViewObject.RootNode
         for argument, (origin, step) in places.items():
             field = self.options.fields[argument]
-            if argument in self._handles and self._handles[argument].is_held:
+            if argument in self._handles and self._handles[argument].held:
                 continue
             if argument not in self._handles:
                 self._handles[argument] = Handle()

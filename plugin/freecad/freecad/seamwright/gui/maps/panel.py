@@ -4,7 +4,10 @@
 The panel of a Seam Plot has the plot too.
 """
 
+import Part
+
 from freecad.seamwright.document.feature import report_of
+from freecad.seamwright.document.maps import meshes
 from freecad.seamwright.document.maps.deviation import Deviation
 from freecad.seamwright.document.maps.seam_plot import SeamPlot
 from freecad.seamwright.document.properties import DONE
@@ -18,6 +21,9 @@ from freecad.seamwright.plain.ramps import figure
 
 #: Delay between the last change and the drawing; maps are quick where the mesh is there.
 DRAW_AFTER_MS = 60
+
+#: Faces of sources that take longer than the time after which a panel shows its progress.
+MANY_FACES = 20
 
 
 class ToolPanel(OptionPanel):
@@ -85,6 +91,17 @@ class ToolPanel(OptionPanel):
     def take(self, name, chosen):
         """Let a property have these links, which are usable; compute."""
         super().take(name, self.obj.Proxy.completed(chosen))
+
+    def preview(self, then=None):
+        """Compute as the fields say; a large model shows its progress at once."""
+        super().preview(then)
+        if self.computation.busy and self._takes_long():
+            self.computation.show()
+
+    def _takes_long(self):
+        shapes = [Part.getShape(each) for each in self.sources()]
+        fresh = [each for each in shapes if meshes.kept.find(each) is None]
+        return sum(each.countElement("Face") for each in fresh) >= MANY_FACES
 
     def refresh(self):
         """Show the results as they are stored now."""

@@ -45,7 +45,7 @@ class Handle:
         self._seen = self._place()
 
     @property
-    def is_held(self):
+    def held(self):
         """Whether the user is dragging it."""
         return self.dragger.isActive.getValue()
 

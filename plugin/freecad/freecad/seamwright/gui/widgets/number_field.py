@@ -11,12 +11,16 @@ from freecad.seamwright.gui.widgets.forms import LEAST_WIDTH
 from freecad.seamwright.gui.widgets.qt import QtGui, QtWidgets
 from freecad.seamwright.plain.language import tr
 
-#: The kinds of numbers: a length in mm, an angle in degrees, a number without a unit.
-LENGTH, ANGLE, PLAIN = "mm", "deg", ""
+#: The kinds of numbers: a length in mm, an angle in degrees, a number without a unit, a ratio that is
+#: shown in percent.
+LENGTH, ANGLE, PLAIN, PERCENT = "mm", "deg", "", "%"
 
 
 class NumberField(QtWidgets.QDoubleSpinBox):
-    """``value`` is in mm or degrees; the text has any unit, or a formula such as 2 * 5 um."""
+    """``value`` is in mm or degrees; the text has any unit, or a formula such as 2 * 5 um.
+
+    All lengths are shown in the unit of a length of 1 mm, so that they can be compared.
+    """
 
     def __init__(self, unit, largest):
         super().__init__()
@@ -27,38 +31,41 @@ class NumberField(QtWidgets.QDoubleSpinBox):
         self.setMinimumWidth(LEAST_WIDTH)  # a narrow dock cuts off long numbers, not the field
         self.setStepType(QtWidgets.QAbstractSpinBox.AdaptiveDecimalStepType)
 
-    def _shown_in(self, value):
+    def _shown_in(self):
         """Return (mm or degrees of one shown unit, its name)."""
-        if self._unit == PLAIN:
-            return 1.0, ""
+        if self._unit in (PLAIN, PERCENT):
+            return (0.01, "%") if self._unit == PERCENT else (1.0, "")
         unit = App.Units.Length if self._unit == LENGTH else App.Units.Angle
-        _, factor, name = App.Units.Quantity(value, unit).getUserPreferred()
+        _, factor, name = App.Units.Quantity(1.0, unit).getUserPreferred()
         return factor, name
 
     def textFromValue(self, value):
         """Return at most nine significant digits, with the decimal point of the language."""
-        factor, name = self._shown_in(value)
+        factor, name = self._shown_in()
         number = ("%.9g" % (value / factor)).replace(".", str(self.locale().decimalPoint()))
         return number + (name if name == "\u00b0" else (" " + name).rstrip())
 
     def _parsed(self, text):
         """Return the number of a text. Raises ValueError for anything else."""
         text = text.strip().replace(str(self.locale().decimalPoint()), ".")
+        if self._unit == PERCENT:
+            text = text.removesuffix("%").strip()
         try:
             number = float(text)
         except ValueError:
             pass
         else:
-            return number * self._shown_in(self.value())[0]
+            return number * self._shown_in()[0]
         if not text:
             raise ValueError("no number")
         try:
             found = App.Units.Quantity(text)
         except (ValueError, OSError, SyntaxError, OverflowError) as error:
             raise ValueError(str(error)) from None
-        if found.Unit != App.Units.Quantity("1 " + self._unit if self._unit else "1").Unit:
+        unit = self._unit.removesuffix(PERCENT)
+        if found.Unit != App.Units.Quantity("1 " + unit if unit else "1").Unit:
             raise ValueError("not in %s" % self._unit)
-        return float(found.Value)
+        return float(found.Value) * (1.0 if unit else self._shown_in()[0])
 
     def valueFromText(self, text):
         """Return the number of a text; that of the shown text is exact."""
