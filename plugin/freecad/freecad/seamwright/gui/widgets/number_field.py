@@ -15,12 +15,12 @@ from freecad.seamwright.plain.language import tr
 #: shown in percent.
 LENGTH, ANGLE, PLAIN, PERCENT = "mm", "deg", "", "%"
 
+#: All lengths are shown in the unit of this one in mm, so that they can be compared.
+TYPICAL = 10.0
+
 
 class NumberField(QtWidgets.QDoubleSpinBox):
-    """``value`` is in mm or degrees; the text has any unit, or a formula such as 2 * 5 um.
-
-    All lengths are shown in the unit of a length of 1 mm, so that they can be compared.
-    """
+    """``value`` is in mm or degrees; the text has any unit, or a formula such as 2 * 5 um."""
 
     def __init__(self, unit, largest):
         super().__init__()
@@ -36,7 +36,7 @@ class NumberField(QtWidgets.QDoubleSpinBox):
         if self._unit in (PLAIN, PERCENT):
             return (0.01, "%") if self._unit == PERCENT else (1.0, "")
         unit = App.Units.Length if self._unit == LENGTH else App.Units.Angle
-        _, factor, name = App.Units.Quantity(1.0, unit).getUserPreferred()
+        _, factor, name = App.Units.Quantity(TYPICAL, unit).getUserPreferred()
         return factor, name
 
     def textFromValue(self, value):
