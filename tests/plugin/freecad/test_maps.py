@@ -6,7 +6,16 @@ import math
 import numpy
 import pytest
 
-from freecad.seamwright.plain import curvature, map_text, maps, nearest, ramps, seam_profile, seam_text, ticks
+from freecad.seamwright.plain import (
+    curvature,
+    map_text,
+    maps,
+    nearest,
+    ramps,
+    seam_profile,
+    seam_text,
+    ticks,
+)
 
 DIRECTIONS = numpy.array([(0, 0, 1), (0, 0, -1), (1, 0, 0), (0, 0.6, 0.8)], float)
 

@@ -159,7 +159,7 @@ class Computation:
         self._locked, self._focus = [], None
 
     def show(self):
-        """Lock the panel and show the progress; a timer calls it when the computation takes long."""
+        """Lock the panel and show the progress; a timer calls it when it takes long."""
         if self.line.isHidden():
             if self._locks:
                 self._lock()

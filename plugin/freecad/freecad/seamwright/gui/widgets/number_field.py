@@ -11,8 +11,8 @@ from freecad.seamwright.gui.widgets.forms import LEAST_WIDTH
 from freecad.seamwright.gui.widgets.qt import QtGui, QtWidgets
 from freecad.seamwright.plain.language import tr
 
-#: The kinds of numbers: a length in mm, an angle in degrees, a number without a unit, a ratio that is
-#: shown in percent.
+#: The kinds of numbers: a length in mm, an angle in degrees, a number without a unit, a ratio that
+#: is shown in percent.
 LENGTH, ANGLE, PLAIN, PERCENT = "mm", "deg", "", "%"
 
 #: All lengths are shown in the unit of this one in mm, so that they can be compared.
