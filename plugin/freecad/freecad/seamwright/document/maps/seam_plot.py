@@ -52,9 +52,7 @@ class SeamPlot(Tool):
         "bounds of the largest value. The mouse in the plot marks the point on the seam."
     )
     NEEDS = "select edges at which two faces meet, or edges that lie side by side"
-    LINKS = (
-        ("Sources", "Seams", "Edges at which two faces meet, or edges that lie side by side"),
-    )  # fmt: skip
+    LINKS = (("Sources", "Seams", "Edges at which two faces meet, or edges side by side"),)
     OPTIONS = (
         Option("Samples", "samples", COUNT, 201, "Points on a seam",
                "Number of points at which each seam is sampled", least=3),

@@ -108,7 +108,7 @@
         <translation>Den Krümmungskamm zeichnen</translation>
     </message>
     <message>
-        <source>Edges at which two faces meet, or edges that lie side by side</source>
+        <source>Edges at which two faces meet, or edges side by side</source>
         <translation>Kanten, an denen zwei Flächen sich treffen, oder Kanten, die nebeneinander liegen</translation>
     </message>
     <message>

@@ -108,7 +108,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Edges at which two faces meet, or edges that lie side by side</source>
+        <source>Edges at which two faces meet, or edges side by side</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

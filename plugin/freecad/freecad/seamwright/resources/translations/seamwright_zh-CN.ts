@@ -108,7 +108,7 @@
         <translation>绘制曲率梳</translation>
     </message>
     <message>
-        <source>Edges at which two faces meet, or edges that lie side by side</source>
+        <source>Edges at which two faces meet, or edges side by side</source>
         <translation>两个面相接的边，或并排的边</translation>
     </message>
     <message>
