@@ -13,7 +13,7 @@ import Part
 
 from freecad.seamwright.document import feature, sources
 from freecad.seamwright.document.maps import beside
-from freecad.seamwright.document.maps.beside import Free
+from freecad.seamwright.document.maps.beside import MATCH_MM, Free
 from freecad.seamwright.document.maps.tool import Input, Tool, element_shape
 from freecad.seamwright.plain import kernel, seam_profile, seam_text
 from freecad.seamwright.plain.language import tr
@@ -56,7 +56,7 @@ class SeamPlot(Tool):
     OPTIONS = (
         Option("Samples", "samples", COUNT, 201, "Points on a seam",
                "Number of points at which each seam is sampled", least=3),
-        Option("MatchDistance", "match_mm", LENGTH, beside.MATCH_MM, "Edges lie side by side within",
+        Option("MatchDistance", "match_mm", LENGTH, MATCH_MM, "Edges lie side by side within",
                "Free edges no further apart than this are a seam, in mm", least=1e-9),
     )  # fmt: skip
     RESULTS = (
