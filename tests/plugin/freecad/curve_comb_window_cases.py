@@ -207,14 +207,18 @@ class Combs(CurveWindow):
         self.assertAlmostEqual((App.Vector(*tip) - App.Vector(*foot)).Length, 2 * (longest - 10))
         self.assertEqual(quills(Part.makeLine(App.Vector(), App.Vector(9, 1, 0)).Edges), [])
 
-    def test_so_many_lines_lie_evenly_along_the_curve(self):
+    def test_so_many_lines_lie_along_the_curve_and_in_its_bends(self):
         curve = Part.BezierCurve()
-        curve.setPoles([App.Vector(*pole) for pole in ((0, 0), (1, 0), (2, 0), (40, 9))])
-        (comb,) = quills([curve.toShape()], 25)
+        curve.setPoles([App.Vector(*pole) for pole in ((0, 0), (40, 0), (41, 0), (40, 1), (0, 9))])
+        edge = curve.toShape()
+        (comb,) = quills([edge], 30)
         feet = [App.Vector(*foot) for foot, _ in comb[::EVERY]]
-        self.assertEqual(len(feet), 26)
+        self.assertEqual(len(feet), 31)
         steps = [one.distanceToPoint(other) for one, other in zip(feet, feet[1:])]
-        self.assertAlmostEqual(max(steps), min(steps), delta=0.02 * max(steps))
+        self.assertLess(max(steps), 1.55 * edge.Length / 30)
+        ways = [edge.tangentAt(edge.Curve.parameter(foot)) for foot in feet]
+        turns = [one.getAngle(other) for one, other in zip(ways, ways[1:])]
+        self.assertLess(max(turns), 1.2 * sum(turns) / 10)
 
     def test_the_comb_of_edges_beside_a_sharp_bend_is_seen_on_the_same_scale(self):
         bend, other = (Part.makeCircle(radius).Edges for radius in (0.5, 10))

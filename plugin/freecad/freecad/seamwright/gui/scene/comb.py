@@ -2,6 +2,7 @@
 """The curvature comb of edges: lines across a curve, as long as its curvature is large."""
 
 import FreeCAD as App
+import numpy
 from pivy import coin
 
 from freecad.seamwright.gui.scene.halo import nearer
@@ -15,6 +16,10 @@ INPUT_COLOURS = (0.34, 0.71, 0.91), (0.15, 0.5, 0.75)
 #: Every fourth place of a comb has a line; the curve through the ends goes through all of them. An
 #: edge has at least LEAST_PLACES.
 EVERY, LEAST_PLACES = 4, 12
+
+#: The part of the places that lie where the curve bends, and not evenly along its length; how many
+#: times as many points measure both.
+BENDS, SAMPLES = 1 / 3, 4
 
 #: The length of the longest line of the comb, as a part of the size of the edges.
 LONGEST = 0.15
@@ -73,10 +78,10 @@ class Comb:
 def quills(edges, lines=COMB_LINES.default, scale=1.0, measure=(), beside=()):
     """Return for each edge [(point on it, end of the line of the comb there), ...].
 
-    The lines point away from the centre of curvature; so many ``lines`` of all edges, evenly along
-    their length, are those of every EVERY-th place. With a ``scale`` of 1, the longest one has the
-    part LONGEST of the size of the edges; with edges to ``measure``, the longest one of these.
-    ``beside``: other edges whose comb is to be seen on the same scale.
+    The lines point away from the centre of curvature; so many ``lines`` of all edges are those of
+    every EVERY-th place. With a ``scale`` of 1, the longest one has the part LONGEST of the size of
+    the edges; with edges to ``measure``, the longest one of these. ``beside``: other edges whose
+    comb is to be seen on the same scale.
     """
     if not edges:
         return []
@@ -84,7 +89,7 @@ def quills(edges, lines=COMB_LINES.default, scale=1.0, measure=(), beside=()):
     measured = measure or edges
     factor = scale * _unit_length(
         [*measured, *beside],
-        _all_curvatures(measure, lines) or combs,
+        combs if measured is edges else _all_curvatures(measured, lines),
         _all_curvatures(beside, lines),
     )
     if factor == 0:
@@ -126,12 +131,8 @@ def _all_curvatures(edges, lines):
 
 def _curvatures(edge, count):
     """Return [(point, vector to the centre of curvature, as long as the curvature), ...]."""
-    first, last = edge.ParameterRange
     found = []
-    for place in range(count + 1):
-        at = first if place == 0 else last
-        if 0 < place < count:
-            at = edge.getParameterByLength(edge.Length * place / count)
+    for at in _places(edge, count):
         tangent, second = edge.derivative1At(at), edge.derivative2At(at)
         square = tangent.dot(tangent)
         vector = App.Vector()
@@ -139,3 +140,19 @@ def _curvatures(edge, count):
             vector = (second - tangent * (second.dot(tangent) / square)) / square
         found.append((edge.valueAt(at), vector))
     return found
+
+
+def _places(edge, count):
+    """Return count + 1 parameters of an edge: along its length, and more of them in its bends."""
+    at = numpy.linspace(*edge.ParameterRange, SAMPLES * count + 1)
+    points = numpy.array([tuple(edge.valueAt(each)) for each in at.tolist()])
+    steps = numpy.diff(points, axis=0)
+    lengths = numpy.linalg.norm(steps, axis=1)
+    along = steps / numpy.maximum(lengths, 1e-300)[:, None]
+    turns = numpy.linalg.norm(numpy.diff(along, axis=0, prepend=along[:1]), axis=1)
+    way = numpy.zeros(len(at))
+    for each, share in ((lengths, 1 - BENDS), (turns, BENDS)):
+        whole = each.sum()
+        if whole > 0:
+            way[1:] += share * numpy.cumsum(each) / whole
+    return numpy.interp(numpy.linspace(0, way[-1], count + 1), way, at).tolist()
