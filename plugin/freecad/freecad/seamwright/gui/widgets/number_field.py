@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A field for a number that shows all its digits, in the units that the user set in FreeCAD.
+"""Fields for numbers: with all their digits, in the units that the user set in FreeCAD.
 
 FreeCAD's own field shows as many digits as the preferences say, often two, and rounds to them. A
 tolerance of 0.001 degrees would be lost.
@@ -7,9 +7,10 @@ tolerance of 0.001 degrees would be lost.
 
 import FreeCAD as App
 
+from freecad.seamwright.document import expressions
+from freecad.seamwright.gui.widgets.binding import Binding
 from freecad.seamwright.gui.widgets.forms import LEAST_WIDTH
 from freecad.seamwright.gui.widgets.qt import QtGui, QtWidgets
-from freecad.seamwright.plain.language import tr
 
 #: The kinds of numbers: a length in mm, an angle in degrees, a number without a unit, a ratio that
 #: is shown in percent.
@@ -19,23 +20,98 @@ LENGTH, ANGLE, PLAIN, PERCENT = "mm", "deg", "", "%"
 TYPICAL = 10.0
 
 
-class NumberField(QtWidgets.QDoubleSpinBox):
-    """``value`` is in mm or degrees; the text has any unit, or a formula such as 2 * 5 um."""
+class Bindable:
+    """A spin box whose number may be given by an expression of a property."""
 
-    def __init__(self, unit, largest):
+    _binding = None
+
+    def bind(self, obj, name):
+        """Let the field be that of a property of an object."""
+        self._binding = Binding(self, obj, name, self.unit)
+
+    @property
+    def is_bound(self):
+        """Whether an expression gives the number."""
+        return self._binding is not None and self._binding.shown is not None
+
+    def show_expression(self):
+        """Show the expression of the property, where there is one, and its number.
+
+        Returns whether it is another one than before.
+        """
+        if self._binding is None:
+            return False
+        changed = self._binding.refresh()
+        number = self._binding.number()
+        if number is not None:
+            self.show_number(number)
+        return changed
+
+    def suggest(self, value):
+        """Show a number, unless an expression gives it; return whether it is shown."""
+        if not self.is_bound:
+            self.show_number(value)
+        return not self.is_bound
+
+
+class CountBox(Bindable, QtWidgets.QSpinBox):
+    """A whole number."""
+
+    unit = PLAIN
+
+    def number(self):
+        """Return the number."""
+        return self.value()
+
+    def show_number(self, value):
+        """Show a number."""
+        self.setValue(value)
+
+
+class NumberField(Bindable, QtWidgets.QDoubleSpinBox):
+    """``number`` is in mm or degrees. The text has any unit, or a formula such as 2 * 5 um.
+
+    With an object, it may also be an expression that names what FreeCAD finds from there, such as
+    Spreadsheet.width; it is computed once.
+    """
+
+    _exact = _rounded = float("nan")
+
+    def __init__(self, unit, largest, least=0.0, refer_to=None):
         super().__init__()
-        self._unit = unit
-        self._tip = ""
+        self.unit = PLAIN if unit == PERCENT else unit
+        self._percent = unit == PERCENT
+        self._obj = refer_to
         self.setDecimals(9)
-        self.setRange(0.0, largest)
+        self.setRange(least, largest)
         self.setMinimumWidth(LEAST_WIDTH)  # a narrow dock cuts off long numbers, not the field
         self.setStepType(QtWidgets.QAbstractSpinBox.AdaptiveDecimalStepType)
 
+    def bind(self, obj, name):
+        """Let the field be that of a property of an object."""
+        self._obj = obj
+        super().bind(obj, name)
+
+    def number(self):
+        """Return the number; the one that was shown, with all digits, as long as it is not changed.
+
+        A spin box rounds to its decimals.
+        """
+        found = self.value()
+        return self._exact if found == self._rounded else found
+
+    def show_number(self, value):
+        """Show a number, or the nearest one that is allowed."""
+        self.setValue(value)
+        self._rounded = self.value()
+        inside = self.minimum() <= value <= self.maximum()
+        self._exact = float(value) if inside else self._rounded
+
     def _shown_in(self):
         """Return (mm or degrees of one shown unit, its name)."""
-        if self._unit in (PLAIN, PERCENT):
-            return (0.01, "%") if self._unit == PERCENT else (1.0, "")
-        unit = App.Units.Length if self._unit == LENGTH else App.Units.Angle
+        if self.unit == PLAIN:
+            return (0.01, "%") if self._percent else (1.0, "")
+        unit = App.Units.Length if self.unit == LENGTH else App.Units.Angle
         _, factor, name = App.Units.Quantity(TYPICAL, unit).getUserPreferred()
         return factor, name
 
@@ -48,8 +124,9 @@ class NumberField(QtWidgets.QDoubleSpinBox):
     def _parsed(self, text):
         """Return the number of a text. Raises ValueError for anything else."""
         text = text.strip().replace(str(self.locale().decimalPoint()), ".")
-        if self._unit == PERCENT:
-            text = text.removesuffix("%").strip()
+        factor = 1.0
+        if self._percent:
+            text, factor = text.removesuffix("%").strip(), self._shown_in()[0]
         try:
             number = float(text)
         except ValueError:
@@ -61,11 +138,12 @@ class NumberField(QtWidgets.QDoubleSpinBox):
         try:
             found = App.Units.Quantity(text)
         except (ValueError, OSError, SyntaxError, OverflowError) as error:
-            raise ValueError(str(error)) from None
-        unit = self._unit.removesuffix(PERCENT)
-        if found.Unit != App.Units.Quantity("1 " + unit if unit else "1").Unit:
-            raise ValueError("not in %s" % self._unit)
-        return float(found.Value) * (1.0 if unit else self._shown_in()[0])
+            if self._obj is None:
+                raise ValueError(str(error)) from None
+            return factor * expressions.evaluated(self._obj, text.lstrip("="), self.unit)
+        if found.Unit != App.Units.Quantity("1 " + self.unit if self.unit else "1").Unit:
+            raise ValueError("not in %s" % self.unit)
+        return factor * float(found.Value)
 
     def valueFromText(self, text):
         """Return the number of a text; that of the shown text is exact."""
@@ -88,15 +166,3 @@ class NumberField(QtWidgets.QDoubleSpinBox):
             except ValueError:
                 pass
         return state, text, place
-
-    def show_expression(self, expression):
-        """Let the field be read-only while an expression gives the number; None: it does not."""
-        if self.isReadOnly() == (expression is not None):
-            return
-        if expression is None:
-            self.setToolTip(self._tip)
-        else:
-            self._tip = self.toolTip()
-            said = tr("Set by the expression {expression}").format(expression=expression)
-            self.setToolTip("%s\n%s" % (self._tip, said))
-        self.setReadOnly(expression is not None)
