@@ -12,7 +12,17 @@ import models
 import numpy
 import Part
 from PySide import QtCore, QtGui
-from window import PanelWindow, click, count, held, messages, picture, settle, whole_window
+from window import (
+    PanelWindow,
+    click,
+    count,
+    held,
+    messages,
+    pause,
+    picture,
+    settle,
+    whole_window,
+)
 
 from freecad.seamwright.document.feature import report_of
 from freecad.seamwright.document.maps import kinds, tool
@@ -171,7 +181,7 @@ class Panel(MapWindow):
             Gui.runCommand(self.COMMAND)
             computation = self.made()[0].ViewObject.Proxy.panel.computation
             self.assertFalse(computation.line.isHidden())
-            settle()
+            pause(0.3)
             self.assertTrue(computation.stop_button.isVisible())
             self.cancel()
         self.assertEqual(self.made(), [])
@@ -182,7 +192,7 @@ class Panel(MapWindow):
             self.select((self.block, ""))
             Gui.runCommand(self.COMMAND)
             (obj,) = self.made()
-            settle()
+            pause(0.3)
             self.assertTrue(obj.ViewObject.Proxy.panel.computation.busy)
             self.cancel()
             self.assertEqual(self.made(), [])
