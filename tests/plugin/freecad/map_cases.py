@@ -384,6 +384,9 @@ class Objects(DocumentCase):
         obj.Quantity = "Gaussian"
         self.doc.recompute()
         self.assertAlmostEqual(obj.Largest, 1 / 16)
+        ((point, text),) = obj.Proxy.marks(report_of(obj))
+        self.assertAlmostEqual(App.Vector(*point).Length, 4, delta=1e-6)
+        self.assertEqual(text, "0.0625 1/mm\u00b2")
 
     def test_saved_and_opened_again(self):
         ball = self.doc.addObject("Part::Sphere", "Ball")

@@ -7,15 +7,8 @@ import numpy
 import pytest
 
 from freecad.seamwright.plain import (
-    curvature,
-    map_text,
-    maps,
-    nearest,
-    ramps,
-    seam_profile,
-    seam_text,
-    ticks,
-)
+    curvature, map_text, maps, nearest, ramps, seam_profile, seam_text, ticks
+)  # fmt: skip
 
 DIRECTIONS = numpy.array([(0, 0, 1), (0, 0, -1), (1, 0, 0), (0, 0.6, 0.8)], float)
 
@@ -82,10 +75,22 @@ def test_extremes_leave_out_what_is_undefined():
     found = maps.extremes(numpy.array([math.nan, 3.0, -1.0, math.inf]), points)
     assert (found["least"], found["largest"]) == (-1.0, 3.0)
     assert (found["least_at"], found["largest_at"]) == ([6, 7, 8], [3, 4, 5])
-    assert (found["strongest"], found["strongest_at"]) == (3.0, [3, 4, 5])
-    found = maps.extremes(numpy.array([0.0, 1.0, -2.0, 0.5]), points)
-    assert (found["strongest"], found["strongest_at"]) == (-2.0, [6, 7, 8])
     assert maps.extremes(numpy.array([math.nan]), points)["largest"] is None
+
+
+@pytest.mark.parametrize(
+    "least, largest, text",
+    [
+        (-0.153, 0.0, "\u22120.153 to 0 1/mm, the strongest at (1, 2, 3)"),
+        (-0.1, 0.2, "\u22120.1 to 0.2 1/mm, the strongest at (4, 5, 6)"),
+        (0.0, 0.0, "0 1/mm everywhere"),
+    ],
+)
+def test_the_summary_has_the_place_of_the_strongest_curvature(least, largest, text):
+    report = {"quantity": "Mean", "unit": "1/mm", "undefined": False, "least": least,
+              "largest": largest, "least_at": [1, 2, 3], "largest_at": [4, 5, 6],
+              "faces": 2, "points": 9, "faults": []}  # fmt: skip
+    assert map_text.curvature_text(report) == "Mean curvature %s. 2 faces, 9 points." % text
 
 
 def rgb_at(look, index):
@@ -229,15 +234,3 @@ def test_bounds_say_whether_they_are_proven():
     assert "not measured" in seam_text.bound_line(seen, "curvature_rel")
     bent = seam(curvature_rel={"lower": 0.12, "upper": 0.15, "at": 0.5})
     assert seam_text.bound_line(bent, "curvature_rel").endswith("is 12..15 %, proven.")
-
-
-def test_the_place_of_the_strongest_curvature_is_told():
-    report = {
-        "quantity": "Mean", "unit": "1/mm", "undefined": False, "faces": 2, "points": 9,
-        "faults": [], "least": -0.153, "largest": 0.0, "strongest": -0.153,
-        "strongest_at": [1.0, 2.0, 0.0], "largest_at": [0.0, 0.0, 0.0],
-    }  # fmt: skip
-    text = "Mean curvature \u22120.153 to 0 1/mm, the strongest at (1, 2, 0). 2 faces, 9 points."
-    assert map_text.curvature_text(report) == text
-    flat = {**report, "least": 0.0, "strongest": 0.0}
-    assert map_text.curvature_text(flat).startswith("Mean curvature 0 1/mm. ")

@@ -13,13 +13,12 @@ def _at(point):
 def _range(report, unit):
     if report["undefined"]:
         return tr("No value is defined")
-    if not report["strongest"]:
-        return "0 %s" % unit
-    return tr("{least} to {largest} {unit}, the strongest {strongest_at}").format(
-        least=figure(report["least"]),
-        largest=figure(report["largest"]),
-        unit=unit,
-        strongest_at=_at(report["strongest_at"]),
+    least, largest = figure(report["least"]), figure(report["largest"])
+    if least == largest:
+        return tr("{least} {unit} everywhere").format(least=least, unit=unit)
+    strongest = max(("least", "largest"), key=lambda name: abs(report[name]))
+    return tr("{least} to {largest} {unit}, the strongest {place}").format(
+        least=least, largest=largest, unit=unit, place=_at(report[strongest + "_at"])
     )
 
 

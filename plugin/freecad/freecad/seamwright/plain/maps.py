@@ -94,21 +94,14 @@ def highlight_positions(points, normals, along, towards, distance_mm, spacing_mm
 
 
 def extremes(values, points):
-    """Return the least and the largest value, and the strongest one, with their places.
-
-    The strongest one has the largest absolute value. All are None without a finite value.
-    """
-    names = "least", "largest", "strongest"
+    """Return {"least", "largest", "least_at", "largest_at"}; None without a finite value."""
     known = numpy.flatnonzero(numpy.isfinite(values))
     if not len(known):
-        return dict.fromkeys((*names, *("%s_at" % name for name in names)))
+        return {"least": None, "largest": None, "least_at": None, "largest_at": None}
     low, high = known[values[known].argmin()], known[values[known].argmax()]
-    strong = known[abs(values[known]).argmax()]
     return {
         "least": float(values[low]),
         "largest": float(values[high]),
-        "strongest": float(values[strong]),
         "least_at": points[low].tolist(),
         "largest_at": points[high].tolist(),
-        "strongest_at": points[strong].tolist(),
     }

@@ -76,11 +76,14 @@ class CurvatureMap(SurfaceMap):
     @classmethod
     def marks(cls, report):
         """Return [(point, text)]: the strongest curvature."""
-        name = "least" if report.get("quantity") == maps.RADIUS else "strongest"
-        if not report.get(name) or report.get("%s_at" % name) is None:
+        if report.get("undefined", True):
             return []
-        text = "%s %s" % (ramps.figure(report[name]), report["unit"])
-        return [(report["%s_at" % name], text)]
+        names = ("least",) if report["quantity"] == maps.RADIUS else ("least", "largest")
+        strongest = max(names, key=lambda name: abs(report[name]))
+        if not report[strongest]:
+            return []
+        text = "%s %s" % (ramps.figure(report[strongest]), report["unit"])
+        return [(report["%s_at" % strongest], text)]
 
     @classmethod
     def text(cls, report):

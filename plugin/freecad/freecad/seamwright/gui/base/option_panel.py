@@ -201,8 +201,9 @@ class OptionPanel(ResultPanel):
         root = self.obj.ViewObject.RootNode
         for argument, (origin, step) in places.items():
             field = self.options.fields[argument]
-            if argument in self._handles and self._handles[argument].held:
-                continue
+            handle = self._handles.get(argument)
+            if handle is not None and handle.dragger.isActive.getValue():
+                continue  # the user holds it
             if argument not in self._handles:
                 self._handles[argument] = Handle()
                 root.addChild(self._handles[argument].node)
@@ -294,8 +295,9 @@ class OptionPanel(ResultPanel):
 
 
 def sentence(error):
-    """Return the text of an error as a sentence; the name of an object stays as it is."""
-    text = str(error).rstrip(".")
-    labels = (obj.Label for doc in App.listDocuments().values() for obj in doc.Objects)
-    first = text[:1] if any(map(text.startswith, filter(None, labels))) else text[:1].upper()
-    return "%s%s." % (first, text[1:])
+    """Return the text of an error as a sentence; a label at its beginning stays as it is."""
+    text, doc = str(error).rstrip("."), App.ActiveDocument
+    labels = [obj.Label for obj in doc.Objects] if doc is not None else []
+    if not text.startswith(tuple(label for label in labels if label)):
+        text = text[:1].upper() + text[1:]
+    return text + "."

@@ -44,11 +44,6 @@ class Handle:
         self.dragger.translation = (value * self._unit, 0.0, 0.0)
         self._seen = self._place()
 
-    @property
-    def held(self):
-        """Whether the user is dragging it."""
-        return self.dragger.isActive.getValue()
-
     def dragged_to(self):
         """Return the number to which the user dragged it since the last call, or None."""
         place = self._place()

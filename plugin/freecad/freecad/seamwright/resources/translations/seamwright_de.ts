@@ -4073,8 +4073,12 @@ Gezeigt: {show}</translation>
         <translation>{last:.3g} bei {first:.6g}</translation>
     </message>
     <message>
-        <source>{least} to {largest} {unit}, the strongest {strongest_at}</source>
-        <translation>{least} bis {largest} {unit}, am stärksten {strongest_at}</translation>
+        <source>{least} to {largest} {unit}, the strongest {place}</source>
+        <translation>{least} bis {largest} {unit}, am stärksten {place}</translation>
+    </message>
+    <message>
+        <source>{least} {unit} everywhere</source>
+        <translation>überall {least} {unit}</translation>
     </message>
     <message>
         <source>{length_mm} mm long, turns by {turn_deg}°, radius {first_radius_mm} to {last_radius_mm} mm{near}.</source>

@@ -4070,7 +4070,11 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{least} to {largest} {unit}, the strongest {strongest_at}</source>
+        <source>{least} to {largest} {unit}, the strongest {place}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{least} {unit} everywhere</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -4073,8 +4073,12 @@ Shown: {show}</source>
         <translation>{first:.6g} 处 {last:.3g}</translation>
     </message>
     <message>
-        <source>{least} to {largest} {unit}, the strongest {strongest_at}</source>
-        <translation>{least} 至 {largest} {unit}，最强处{strongest_at}</translation>
+        <source>{least} to {largest} {unit}, the strongest {place}</source>
+        <translation>{least} 至 {largest} {unit}，最强处{place}</translation>
+    </message>
+    <message>
+        <source>{least} {unit} everywhere</source>
+        <translation>处处为 {least} {unit}</translation>
     </message>
     <message>
         <source>{length_mm} mm long, turns by {turn_deg}°, radius {first_radius_mm} to {last_radius_mm} mm{near}.</source>
