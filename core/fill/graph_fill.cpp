@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <seamwright/core/fill/graph_boundary.hpp>
 #include <seamwright/core/fill/graph_fill.hpp>
 #include <seamwright/core/fill/graph_knots.hpp>
 #include <seamwright/core/linear/gauss_rule.hpp>
@@ -16,7 +17,7 @@ namespace seamwright {
 namespace {
 
 using Eigen::Index, Eigen::Vector2d, Eigen::Vector3d;
-using fill::graph_degree, fill::GraphKnots;
+using fill::graph_degree, fill::GraphKnots, fill::GraphPart, fill::GraphScale;
 
 /// A choice: with less, cells beside the hole could follow nothing; with more, they would stiffen
 /// the hole.
@@ -32,78 +33,6 @@ struct GraphJet {
   Vector2d slope = Vector2d::Zero();
 };
 
-/// The square of the smallest box, in units of half its diagonal, around the origin.
-struct Scale {
-  Vector2d centre = Vector2d::Zero();
-  double middle_mm = 0, unit_mm = 1;
-
-  GraphSample scaled(GraphSample sample) const {
-    sample.at = (sample.at - centre) / unit_mm;
-    sample.height_mm = (sample.height_mm - middle_mm) / unit_mm;
-    sample.bend_per_mm *= unit_mm;
-    sample.speed_mm /= unit_mm;
-    return sample;
-  }
-};
-
-bool isFinite(const GraphSample& sample) {
-  return sample.at.allFinite() && std::isfinite(sample.height_mm) && sample.slope.allFinite() &&
-         sample.across.allFinite() && std::isfinite(sample.bend_per_mm) &&
-         std::isfinite(sample.speed_mm);
-}
-
-/// As near to the ends of parts as samples are taken.
-constexpr double least_t = 1e-5;
-
-/// A part of the boundary, scaled, whose samples are computed once.
-class BoundaryPart {
- public:
-  BoundaryPart(const GraphBoundary& boundary, const Scale& scale)
-      : boundary_(&boundary), scale_(scale) {}
-
-  const GraphSample& at(double t) {
-    const auto found = samples_.find(t);
-    if (found != samples_.end()) return found->second;
-    const GraphSample sample = scale_.scaled((*boundary_)(t));
-    if (!isFinite(sample))
-      throw std::invalid_argument("a sample of the boundary of a graph is not finite");
-    return samples_.emplace(t, sample).first->second;
-  }
-
-  /// Parameters so close that there are several in each span that the part crosses. Ends are left
-  /// out, because a surface may have no tangent plane there.
-  std::vector<double> parameters(const GraphKnots& u, const GraphKnots& v) {
-    std::vector<double> all = {least_t};
-    constexpr int pieces = 8;  // a choice: as a start, so that no arc looks like a chord
-    for (int k = 0; k < pieces; ++k)
-      divide(std::max(least_t, k / double{pieces}), std::min(1 - least_t, (k + 1) / double{pieces}),
-             u, v, all);
-    return all;
-  }
-
- private:
-  void divide(double from, double to, const GraphKnots& u, const GraphKnots& v,
-              std::vector<double>& all) {
-    constexpr double most_share = 0.3;   // of a span: three samples in each
-    constexpr double least_step = 1e-5;  // of the part
-    const double middle = 0.5 * (from + to);
-    const Vector2d here = at(from).at, there = at(to).at, between = at(middle).at;
-    const double wide_u = most_share * u.width(u.spanAt(between.x())),
-                 wide_v = most_share * v.width(v.spanAt(between.y()));
-    if (to - from > least_step &&
-        (std::abs(there.x() - here.x()) > wide_u || std::abs(there.y() - here.y()) > wide_v)) {
-      divide(from, middle, u, v, all);
-      divide(middle, to, u, v, all);
-    } else {
-      all.push_back(to);
-    }
-  }
-
-  const GraphBoundary* boundary_;
-  Scale scale_;
-  std::map<double, GraphSample> samples_;
-};
-
 /// Whether a point is inside of a closed polygon.
 bool isInside(const std::vector<Vector2d>& polygon, const Vector2d& point) {
   bool inside = false;
@@ -114,6 +43,17 @@ bool isInside(const std::vector<Vector2d>& polygon, const Vector2d& point) {
       inside = !inside;
   }
   return inside;
+}
+
+/// Twice the area over the length of the outline: the width of a long strip.
+double widthOf(const std::vector<Vector2d>& polygon) {
+  double twice_area = 0, length = 0;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vector2d &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+    twice_area += a.x() * b.y() - a.y() * b.x();
+    length += (b - a).norm();
+  }
+  return std::abs(twice_area) / length;
 }
 
 /// A spline graph over a box, and its equations.
@@ -237,6 +177,17 @@ class Graph {
     addJumps(hole, 1);
   }
 
+  /// At a knot of multiplicity 4 the second derivative on one side has three functions. Rounding
+  /// leaves factors of others there.
+  static void keepFrom(int first, int direction, Row& row) {
+    constexpr int local = graph_degree + 1;
+    for (int i = 0; i < local; ++i)
+      for (int j = 0; j < local; ++j) {
+        const int across = direction == 0 ? i : j;
+        if (across < first || across > first + 2) row.factors(local * i + j) = 0;
+      }
+  }
+
   /// Squared jumps of the second derivative across the lines where it may jump, as if it changed
   /// over a quarter of the hole.
   void addJumps(const std::vector<Vector2d>& hole, int direction) {
@@ -250,20 +201,19 @@ class Graph {
         for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
           const double t = along.begin(k) + rule.nodes[i] * along.width(k);
           const Vector2d at = direction == 0 ? Vector2d(bend, t) : Vector2d(t, bend);
-          const auto rowOf = [&](int span) {
-            return row(direction == 0 ? Cell{span, k} : Cell{k, span}, at, std::array{term});
+          const auto bendOn = [&](int span, int first) {
+            Row rate = row(direction == 0 ? Cell{span, k} : Cell{k, span}, at, std::array{term});
+            keepFrom(first, direction, rate);
+            return rate;
           };
-          const Row jump = difference(rowOf(after), rowOf(after - 1));
-          // Beside a very short span rounding leaves factors that would cancel.
-          if (jump.poles.empty() || jump.poles.back() - jump.poles.front() > matrix_.width())
-            continue;
+          const Row jump = difference(bendOn(after, 0), bendOn(after - 1, graph_degree - 2));
           add(jump, 0,
               rule.weights[i] * along.width(k) / width * (isInside(hole, at) ? 1 : weight_outside));
         }
     }
   }
 
-  BSplineSurface surface(const Scale& scale) const {
+  BSplineSurface surface(const GraphScale& scale) const {
     const auto knots = [&](const GraphKnots& one, double centre) {
       std::vector<double> result = one.flat();
       for (double& knot : result) knot = centre + scale.unit_mm * knot;
@@ -299,53 +249,25 @@ Vector3d normalOf(const Vector2d& slope) {
   return Vector3d(-slope.x(), -slope.y(), 1).normalized();
 }
 
-/// By direction.
-using Bends = std::array<std::vector<double>, 2>;
-
-/// By direction, where the slope along the boundary has a kink at a smooth joint of two parts, as
-/// between a line and an arc. No smooth spline follows it closely.
-Bends bendsOf(std::vector<BoundaryPart>& parts, const Vector2d& low, const Vector2d& high) {
-  constexpr double step = 1e-3, least_cosine = 0.9;  // of a part, and of the turn at a joint
-  constexpr double least_kink = 0.01;                // per unit
-  constexpr double least_slant = 0.05;               // of the boundary against the line of the kink
-  constexpr double near = 1e-6;
-  Bends bends;
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    BoundaryPart &in = parts[(k + parts.size() - 1) % parts.size()], &out = parts[k];
-    const auto rate = [&](BoundaryPart& part, double from, double to) -> Vector2d {
-      return (part.at(to).slope - part.at(from).slope) / (part.at(to).at - part.at(from).at).norm();
-    };
-    const Vector2d before = rate(in, 1 - 2 * step, 1 - step), after = rate(out, step, 2 * step);
-    const Vector2d across = in.at(1 - step).across;
-    if (across.dot(out.at(step).across) < least_cosine) continue;
-    const Vector2d joint = 2 * out.at(least_t).at - out.at(2 * least_t).at,
-                   along(-across.y(), across.x());
-    for (int d = 0; d < 2; ++d) {
-      if (std::abs(after(d) - before(d)) < least_kink || std::abs(along(d)) < least_slant) continue;
-      if (joint(d) - low(d) < near || high(d) - joint(d) < near) continue;
-      if (std::ranges::none_of(bends[static_cast<std::size_t>(d)],
-                               [&](double other) { return std::abs(other - joint(d)) < near; }))
-        bends[static_cast<std::size_t>(d)].push_back(joint(d));
-    }
-  }
-  return bends;
-}
-
 /// Where the boundary is missed, by which share of what is accepted.
 struct Miss {
   Vector2d at, across;
   double height = 0, gap = 0, angle_rad = 0, share = 0;
 };
 
+double worstShare(const std::vector<Miss>& misses) {
+  return std::ranges::max_element(misses, {}, &Miss::share)->share;
+}
+
 class GraphFilling {
  public:
   GraphFilling(const std::vector<GraphBoundary>& boundary, const GraphFillOptions& options)
       : options_(options) {
-    scale_ = scaleOf(boundary);
+    scale_ = fill::scaleOf(boundary);
     for (const GraphBoundary& part : boundary) parts_.emplace_back(part, scale_);
     constexpr int count = 64;  // a choice: cells across the outline are counted by their middles
     Vector2d low = Vector2d::Constant(HUGE_VAL), high = -low;
-    for (BoundaryPart& part : parts_)
+    for (GraphPart& part : parts_)
       for (int k = 0; k < count; ++k) {
         hole_.push_back(part.at((k + 0.5) / count).at);
         low = low.cwiseMin(hole_.back());
@@ -354,12 +276,13 @@ class GraphFilling {
     // The box is a little larger, because between samples and at ends the outline may be outside.
     constexpr double margin = 0.02;
     low.array() -= margin, high.array() += margin;
-    constexpr int least_spans = 4;
-    const double span = (high - low).minCoeff() / least_spans;
+    // Choices. Spans wider than the hole would leave waves across it.
+    constexpr int least_spans = 4, most_spans = 32;
+    const double span = std::min((high - low).minCoeff() / least_spans, widthOf(hole_));
     const auto spansOf = [&](double range) {
-      return std::clamp(static_cast<int>(std::lround(range / span)), least_spans, 4 * least_spans);
+      return std::clamp(static_cast<int>(std::lround(range / span)), least_spans, most_spans);
     };
-    const Bends bends = bendsOf(parts_, low, high);
+    const fill::GraphBends bends = fill::bendsOf(fill::jointsOf(parts_), low, high);
     graph_.emplace(GraphKnots(low.x(), high.x(), spansOf(high.x() - low.x()), bends[0]),
                    GraphKnots(low.y(), high.y(), spansOf(high.y() - low.y()), bends[1]));
   }
@@ -373,9 +296,9 @@ class GraphFilling {
     int idle = 0;
     for (int round = 0; round < most_rounds && idle < patience; ++round) {
       checkProgress(progress, shareAfter(round));
-      if (!solve()) break;
-      const std::vector<Miss> misses = missesOf();
-      const double worst = std::ranges::max_element(misses, {}, &Miss::share)->share;
+      const std::vector<Miss> misses = solve();
+      if (misses.empty()) break;
+      const double worst = worstShare(misses);
       idle = worst < helps * least ? 0 : idle + 1;
       if (worst < least || !best) best = result(misses), least = std::min(least, worst);
       if (worst <= enough_share) break;
@@ -387,70 +310,52 @@ class GraphFilling {
   }
 
  private:
-  static Scale scaleOf(const std::vector<GraphBoundary>& boundary) {
-    constexpr int count = 32;
-    Vector3d low = Vector3d::Constant(HUGE_VAL), high = -low;
-    for (const GraphBoundary& part : boundary)
-      for (int k = 0; k < count; ++k) {
-        const GraphSample sample = part((k + 0.5) / count);
-        const Vector3d point(sample.at.x(), sample.at.y(), sample.height_mm);
-        low = low.cwiseMin(point), high = high.cwiseMax(point);
-      }
-    const Vector3d centre = 0.5 * (low + high);
-    return {centre.head<2>(), centre.z(), 0.5 * (high - low).head<2>().norm()};
-  }
+  /// A condition along the boundary.
+  struct Condition {
+    Graph::Row row;
+    double value, accepted, weight;
+  };
 
   /// What is accepted, in units of the scale.
   double gap() const { return options_.gap_mm / scale_.unit_mm; }
 
-  /// The graph with the present knots. \returns false if the equations determine none.
-  bool solve() {
+  /// The graph with the present knots. \returns what it misses; nothing if the equations determine
+  /// none.
+  std::vector<Miss> solve() {
     // What is missed weighs as much as these shares of what is accepted. Smaller ones are met more
-    // closely, but leave fewer digits for the fairness.
-    bool solved = false;
+    // closely, but where spans are too long for the boundary the graph would wave between them.
+    std::vector<Miss> misses;
     for (const double share : {0.02, 2e-3, 1e-4}) {
       const std::optional<double> missed = solve(share);
       if (!missed) break;
-      solved = true;
+      misses = missesOf();
       constexpr double near = 0.1;  // so that what lies between the samples decides
-      if (*missed <= near) break;
+      if (worstShare(misses) <= enough_share || *missed <= near) break;
     }
-    return solved;
+    return misses;
   }
 
   /// \returns the largest miss of a condition, as a share of what is accepted; nothing if the
   /// equations determine no graph. The graph is then as before.
   std::optional<double> solve(double met_share) {
-    using Term = Graph::Term;
     graph_->clear();
     graph_->addVariation(hole_);
     std::vector<Condition> conditions;
-    for (BoundaryPart& part : parts_) {
+    for (GraphPart& part : parts_) {
       const std::vector<double> parameters = part.parameters(graph_->u(), graph_->v());
       for (std::size_t k = 0; k + 1 < parameters.size(); ++k) {
-        const GraphSample sample = part.at(0.5 * (parameters[k] + parameters[k + 1]));
-        const double length = sample.speed_mm * (parameters[k + 1] - parameters[k]);
-        const double steepness = normalOf(sample.slope).z();
-        const auto weight = [&](double accepted) {
-          return length * std::pow(steepness / (met_share * accepted), 2);
-        };
-        conditions.push_back({graph_->row(sample.at, std::array{Term{1, 0, 0}}), sample.height_mm,
-                              gap(), weight(gap())});
-        if (!(options_.angle_rad > 0)) continue;
-        const double a = sample.across.x(), b = sample.across.y();
-        conditions.push_back({graph_->row(sample.at, std::array{Term{a, 1, 0}, Term{b, 0, 1}}),
-                              sample.across.dot(sample.slope), options_.angle_rad,
-                              weight(options_.angle_rad)});
-        graph_->add(graph_->row(sample.at, std::array{Term{a * a, 2, 0}, Term{2 * a * b, 1, 1},
-                                                      Term{b * b, 0, 2}}),
-                    sample.bend_per_mm, length * options_.bend_weight);
+        const double from = parameters[k], to = parameters[k + 1];
+        addConditions(part.at(0.5 * (from + to)), to - from, met_share, conditions);
+        if (k == 0) addConditions(part.at(from), to - from, met_share, conditions);
+        if (k + 2 == parameters.size())
+          addConditions(part.at(to), to - from, met_share, conditions);
       }
     }
     for (const Condition& one : conditions) graph_->add(one.row, one.value, one.weight);
     if (!graph_->factorise() || !graph_->solve()) return std::nullopt;
     // Each step adds what is missed to the right side, which makes the penalty exact in the limit
     // (the method of multipliers).
-    constexpr int steps = 12;
+    constexpr int steps = 4;
     double missed = 0;
     for (int step = 0; step <= steps; ++step) {
       missed = 0;
@@ -464,24 +369,54 @@ class GraphFilling {
     return missed;
   }
 
+  /// The conditions at a sample that stands for \p step of the parameter.
+  void addConditions(const GraphSample& sample, double step, double met_share,
+                     std::vector<Condition>& conditions) {
+    using Term = Graph::Term;
+    const double length = sample.speed_mm * step;
+    const double steepness = normalOf(sample.slope).z();
+    const auto weight = [&](double accepted) {
+      return length * std::pow(steepness / (met_share * accepted), 2);
+    };
+    conditions.push_back({graph_->row(sample.at, std::array{Term{1, 0, 0}}), sample.height_mm,
+                          gap(), weight(gap())});
+    if (!(options_.angle_rad > 0)) return;
+    const double a = sample.across.x(), b = sample.across.y();
+    // The slope along the boundary follows from the heights, but on short spans not closely enough.
+    for (const Vector2d& direction : {sample.across, Vector2d(-b, a)})
+      conditions.push_back(
+          {graph_->row(sample.at, std::array{Term{direction.x(), 1, 0}, Term{direction.y(), 0, 1}}),
+           direction.dot(sample.slope), options_.angle_rad, weight(options_.angle_rad)});
+    graph_->add(graph_->row(sample.at, std::array{Term{a * a, 2, 0}, Term{2 * a * b, 1, 1},
+                                                  Term{b * b, 0, 2}}),
+                sample.bend_per_mm, length * options_.bend_weight);
+  }
+
+  /// Between the samples of the conditions, and at the ends.
   std::vector<Miss> missesOf() {
     std::vector<Miss> misses;
-    for (BoundaryPart& part : parts_)
-      for (const double t : part.parameters(graph_->u(), graph_->v())) {
-        const GraphSample& sample = part.at(t);
-        const GraphJet jet = graph_->jet(sample.at);
-        const Vector3d given = normalOf(sample.slope), made = normalOf(jet.slope);
-        Miss miss{.at = sample.at,
-                  .across = sample.across,
-                  .height = sample.height_mm,
-                  .gap = std::abs(jet.height - sample.height_mm) * given.z(),
-                  .angle_rad = std::atan2(given.cross(made).norm(), given.dot(made))};
-        miss.share = miss.gap / gap();
-        if (options_.angle_rad > 0)
-          miss.share = std::max(miss.share, miss.angle_rad / options_.angle_rad);
-        misses.push_back(miss);
-      }
+    for (GraphPart& part : parts_) {
+      const std::vector<double> parameters = part.parameters(graph_->u(), graph_->v());
+      for (std::size_t k = 0; k + 1 < parameters.size(); ++k)
+        for (const double share : {0.0, 0.25, 0.75})
+          misses.push_back(missAt(part.at(std::lerp(parameters[k], parameters[k + 1], share))));
+      misses.push_back(missAt(part.at(parameters.back())));
+    }
     return misses;
+  }
+
+  Miss missAt(const GraphSample& sample) const {
+    const GraphJet jet = graph_->jet(sample.at);
+    const Vector3d given = normalOf(sample.slope), made = normalOf(jet.slope);
+    Miss miss{.at = sample.at,
+              .across = sample.across,
+              .height = sample.height_mm,
+              .gap = std::abs(jet.height - sample.height_mm) * given.z(),
+              .angle_rad = std::atan2(given.cross(made).norm(), given.dot(made))};
+    miss.share = miss.gap / gap();
+    if (options_.angle_rad > 0)
+      miss.share = std::max(miss.share, miss.angle_rad / options_.angle_rad);
+    return miss;
   }
 
   GraphFill result(const std::vector<Miss>& misses) const {
@@ -516,21 +451,14 @@ class GraphFilling {
     graph_.emplace(std::move(u), std::move(v));
   }
 
-  /// A condition along the boundary.
-  struct Condition {
-    Graph::Row row;
-    double value, accepted, weight;
-  };
-
   GraphFillOptions options_;
-  Scale scale_;
-  std::vector<BoundaryPart> parts_;
+  GraphScale scale_;
+  std::vector<GraphPart> parts_;
   std::vector<Vector2d> hole_;
   std::optional<Graph> graph_;
 };
 
 }  // namespace
-
 GraphFill graphFill(const std::vector<GraphBoundary>& boundary, const GraphFillOptions& options,
                     const Progress& progress) {
   if (boundary.empty()) throw std::invalid_argument("a graph needs a boundary");

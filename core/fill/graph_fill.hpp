@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include <seamwright/core/bspline/surface.hpp>
@@ -58,5 +59,12 @@ struct GraphFill {
 /// Source: docs/theory/fills.md F6.1, F6.2.
 GraphFill graphFill(const std::vector<GraphBoundary>& boundary, const GraphFillOptions& options,
                     const Progress& progress = {});
+
+/// The angle by which x and y should be turned so that lines of knots can take up what the
+/// surroundings disagree about at the joints of the parts: a kink of the slopes, or another mixed
+/// derivative at a corner. Lines have to run between the two parts, and the jumps of the second
+/// derivatives across them are then least. Nothing if a turn gains little.
+/// Source: docs/theory/fills.md F6.2.
+std::optional<double> graphTurn_rad(const std::vector<GraphBoundary>& boundary);
 
 }  // namespace seamwright

@@ -20,7 +20,8 @@ class GraphKnots {
   /// \param bends knots at which second derivatives may jump.
   GraphKnots(double first, double last, int spans, std::vector<double> bends)
       : bends_(std::move(bends)) {
-    for (int k = 0; k <= spans; ++k) knots_.push_back(first + k * (last - first) / spans);
+    for (int k = 0; k < spans; ++k) knots_.push_back(first + k * (last - first) / spans);
+    knots_.push_back(last);
     // A span much shorter than its neighbours only makes more of them short.
     const double near = 0.3 * (last - first) / spans;
     for (const double bend : bends_)

@@ -12,7 +12,7 @@
 
 namespace seamwright {
 
-namespace {
+namespace sheet {
 
 using Eigen::Index, Eigen::Vector2d, Eigen::Vector3d;
 using fill::GraphKnots;
@@ -23,6 +23,12 @@ constexpr int local = sheet_degree + 1;
 /// Knots are added until the sides are met to this share of what is accepted, so that the sum of
 /// all errors is within it.
 constexpr double met_enough = 0.5;
+
+/// Misses of this angle have the largest weight that leaves digits for the fairness.
+constexpr double least_rad = 1e-7;
+
+/// From one weight to the next, the misses that it belongs to.
+constexpr double finer = 0.1;
 
 /// As near to the ends of sides as samples are taken, because a surface may have no tangent plane
 /// there.
@@ -70,7 +76,7 @@ Eigen::MatrixXd jumps(const GraphKnots& knots) {
 struct SheetCondition {
   SheetRow row;
   Vector3d direction;
-  double value = 0, accepted = 1, weight = 1;
+  double value = 0, weight = 1;
 };
 
 /// A spline sheet over a rectangle, and its equations.
@@ -212,12 +218,17 @@ bool isRegular(const BSplineSurface& surface) {
   return true;
 }
 
-/// Where a side is missed, by which share of what is accepted.
+/// Where a side is missed. What is to be small is one of the largest: an angle, or a gap as an
+/// angle over a short way.
 struct SheetMiss {
   Vector2d at;
   std::size_t side = 0;
-  double gap = 0, angle_rad = 0, share = 0;
+  double gap = 0, angle_rad = 0, largest_rad = 0;
 };
+
+double worstOf(const std::vector<SheetMiss>& misses) {
+  return std::ranges::max_element(misses, {}, &SheetMiss::largest_rad)->largest_rad;
+}
 
 /// The four sides, in units of half the diagonal of their box.
 class SheetBorder {
@@ -268,6 +279,23 @@ class SheetBorder {
     }
   }
 
+  /// Shares of a side that bound three pieces in each span.
+  std::vector<double> sharesAlong(std::size_t side, const GraphKnots& knots) const {
+    constexpr int pieces = 3;
+    std::vector<double> shares;
+    for (int span = 0; span < knots.spans(); ++span)
+      for (int k = 0; k < pieces; ++k)
+        shares.push_back((knots.begin(span) + k * knots.width(span) / pieces) /
+                         range_(directionOf(side)));
+    shares.push_back(1);
+    if (isBackward(side)) {
+      std::ranges::reverse(shares);
+      for (double& share : shares) share = 1 - share;
+    }
+    shares.front() = nearest_share, shares.back() = 1 - nearest_share;
+    return shares;
+  }
+
   /// How much the side and its normal turn on a short piece, per unit.
   using Turn = Eigen::Matrix<double, 6, 1>;
   Turn turnOf(std::size_t side, double from, double to) const {
@@ -307,37 +335,35 @@ class SheetBorder {
     return bends;
   }
 
-  const std::array<SheetFillSide, 4>& sides_;
+  std::array<SheetFillSide, 4> sides_;
   Vector3d centre_;
   double unit_mm_ = 1;
   Vector2d range_;  ///< of the parameters, in units
 };
 
 /// Adds the conditions to the equations of a sheet and solves these.
-/// \returns the largest miss of a condition, as a share of what is accepted; nothing if the
-/// equations determine no sheet.
-std::optional<double> solvedWith(const std::vector<SheetCondition>& conditions, Sheet& sheet) {
+/// \returns false if the equations determine no sheet.
+bool solveWith(const std::vector<SheetCondition>& conditions, Sheet& sheet) {
   for (const SheetCondition& one : conditions) sheet.add(one);
-  if (!sheet.factorise() || !sheet.solve()) return std::nullopt;
+  if (!sheet.factorise() || !sheet.solve()) return false;
   // Each step adds what is missed to the right side, which makes the penalty exact in the limit
   // (the method of multipliers).
   constexpr int steps = 12;
-  double missed = 0;
-  for (int step = 0; step <= steps; ++step) {
-    missed = 0;
-    for (const SheetCondition& one : conditions) {
-      const double rest = one.value - one.direction.dot(sheet.valueOf(one.row));
-      missed = std::max(missed, std::abs(rest) / one.accepted);
-      sheet.addRight(one, rest);
-    }
-    if (step < steps && !sheet.solve()) return std::nullopt;
+  for (int step = 0; step < steps; ++step) {
+    for (const SheetCondition& one : conditions)
+      sheet.addRight(one, one.value - one.direction.dot(sheet.valueOf(one.row)));
+    if (!sheet.solve()) return false;
   }
-  return missed;
+  return true;
 }
 
-class SheetFilling : private SheetBorder {
+}  // namespace sheet
+
+using namespace sheet;
+
+class SheetSequence::Filling : private sheet::SheetBorder {
  public:
-  SheetFilling(const std::array<SheetFillSide, 4>& sides, const SheetFillOptions& options)
+  Filling(const std::array<SheetFillSide, 4>& sides, const SheetFillOptions& options)
       : SheetBorder(sides), options_(options) {
     constexpr int least_spans = 4;
     const double span = range_.minCoeff() / least_spans;
@@ -349,76 +375,83 @@ class SheetFilling : private SheetBorder {
     sheet_.emplace(knots(0), knots(1));
   }
 
-  SheetFill run(const Progress& progress) {
-    // A step counts as one that helps if the largest miss falls by a tenth.
-    constexpr double helps = 0.9;
-    constexpr int most_rounds = 16, patience = 4;
-    std::optional<SheetFill> best;
-    double least = HUGE_VAL;
-    int idle = 0;
-    for (int round = 0; round < most_rounds && idle < patience; ++round) {
-      checkProgress(progress, shareAfter(round));
-      if (!solve()) break;
-      const std::vector<SheetMiss> misses = missesOf();
-      const double worst = std::ranges::max_element(misses, {}, &SheetMiss::share)->share;
-      idle = worst < helps * least ? 0 : idle + 1;
-      if (worst < least || !best) best = result(misses), least = std::min(least, worst);
-      if (worst <= met_enough) break;
-      refine(misses, worst, idle > 0);
-      if (sheet_->poles() > options_.most_poles) break;
+  std::optional<SheetFill> next(const Progress& progress) {
+    while (!ended_) {
+      checkProgress(progress, shareAfter(round_));
+      const std::optional<SheetFill> made = step();
+      if (!made || !isMet(*made)) continue;
+      any_met_ = true;
+      return made;
     }
-    if (!best) throw std::invalid_argument("the sides of the sheet do not determine it");
-    best->regular = isRegular(best->surface);
-    return *best;
+    if (any_met_) return std::nullopt;
+    if (!nearest_) throw std::invalid_argument("the sides of the sheet do not determine it");
+    any_met_ = true;
+    return nearest_;
   }
 
  private:
-  /// Shares of a side that bound three pieces in each span.
-  std::vector<double> sharesAlong(std::size_t side) const {
-    constexpr int pieces = 3;
-    const GraphKnots& knots = directionOf(side) == 0 ? sheet_->u() : sheet_->v();
-    std::vector<double> shares;
-    for (int span = 0; span < knots.spans(); ++span)
-      for (int k = 0; k < pieces; ++k)
-        shares.push_back((knots.begin(span) + k * knots.width(span) / pieces) /
-                         range_(directionOf(side)));
-    shares.push_back(1);
-    if (isBackward(side)) {
-      std::ranges::reverse(shares);
-      for (double& share : shares) share = 1 - share;
+  /// The sheet with the present knots; adds knots for the next. Nothing if the equations determine
+  /// none.
+  std::optional<SheetFill> step() {
+    // A step counts as one that helps if the largest miss falls by a tenth.
+    constexpr double helps = 0.9;
+    constexpr int most_rounds = 16, patience = 4;
+    if (!solve()) {
+      ended_ = true;
+      return std::nullopt;
     }
-    shares.front() = nearest_share, shares.back() = 1 - nearest_share;
-    return shares;
+    const std::vector<SheetMiss> misses = missesOf();
+    const double worst = worstOf(misses);
+    idle_ = worst < helps * least_ ? 0 : idle_ + 1;
+    least_ = std::min(least_, worst);
+    SheetFill made = result(misses);
+    if (!nearest_ || shareOf(made) < shareOf(*nearest_)) nearest_ = made;
+    refine(misses, worst, idle_ > 0);
+    level_ = std::max(least_rad, finer * level_);
+    ended_ = ++round_ == most_rounds || idle_ == patience || sheet_->poles() > options_.most_poles;
+    return made;
+  }
+
+  /// Of what is accepted.
+  double shareOf(const SheetFill& made) const {
+    const double gap = made.gap_mm / options_.gap_mm;
+    return options_.angle_rad > 0 ? std::max(gap, made.angle_rad / options_.angle_rad) : gap;
+  }
+  bool isMet(const SheetFill& made) const { return made.regular && shareOf(made) <= met_enough; }
+
+  const GraphKnots& knotsAlong(std::size_t side) const {
+    return directionOf(side) == 0 ? sheet_->u() : sheet_->v();
   }
 
   /// The sheet with the present knots. \returns false if the equations determine none.
   bool solve() {
-    // What is missed weighs as much as these shares of what is accepted. Smaller ones are met more
-    // closely, but leave fewer digits for the fairness.
-    bool solved = false;
-    for (const double share : {0.02, 2e-3, 1e-4}) {
-      const std::optional<double> missed = solve(share);
-      if (!missed) break;
-      solved = true;
-      constexpr double near = 0.1;  // so that what lies between the samples decides
-      if (*missed <= near) break;
+    // Weights grow while that lowers the misses by half. Those far above what the knots can meet
+    // would leave no digits for the fairness, and the sheet would turn back.
+    constexpr double helps = 0.5, least_share = 2e-3;
+    constexpr double least_at_once_rad = 5e-7;
+    double worst = HUGE_VAL;
+    for (double level = level_;; level *= finer) {
+      if (!solveOnce(level)) return std::isfinite(worst);
+      before_ = sheet_->surface(Vector3d::Zero(), 1);
+      const double now = worstOf(missesOf());
+      if (!(now < helps * worst)) break;
+      worst = now;
+      level_ = level;
+      if (level * finer < std::max(least_at_once_rad, least_share * worst)) break;
     }
-    if (solved) before_ = sheet_->surface(Vector3d::Zero(), 1);
-    return solved;
+    return true;
   }
 
   /// What is asked for at a sample of a side.
-  void addConditions(std::size_t side, double share, double length, double met_share,
+  void addConditions(std::size_t side, double share, double length, double level,
                      std::vector<SheetCondition>& conditions) {
     const SheetSample sample = sampleOf(side, share);
     const Vector2d at = placeOf(side, share);
     const Vector3d point = (sample.point - centre_) / unit_mm_;
-    const auto weight = [&](double accepted) {
-      return length * std::pow(met_share * accepted, -2);
-    };
-    const double gap = options_.gap_mm / unit_mm_;
+    const auto weight = [&](double accepted) { return length * std::pow(accepted, -2); };
+    const double gap = level * way_;
     for (int c = 0; c < 3; ++c)
-      conditions.push_back({sheet_->row(at, 0, 0), Vector3d::Unit(c), point(c), gap, weight(gap)});
+      conditions.push_back({sheet_->row(at, 0, 0), Vector3d::Unit(c), point(c), weight(gap)});
     if (!(options_.angle_rad > 0)) return;
     const bool by_v = directionOf(side) == 0;  // the derivative across the side
     const SheetRow across = by_v ? sheet_->row(at, 0, 1) : sheet_->row(at, 1, 0);
@@ -434,13 +467,13 @@ class SheetFilling : private SheetBorder {
       const Vector3d inward = sense * sample.normal.cross(sample.derivative).normalized();
       const double inward_speed = inward.dot(before);
       if (inward_speed < least_speed)  // the sheet turned back
-        sheet_->add({across, inward, 1, 1, length * options_.bend_weight});
+        sheet_->add({across, inward, 1, length * options_.bend_weight});
       else
         addBend(sample, at, by_v, before, length);
       speed = std::max(least_speed, std::abs(inward_speed));
     }
-    const double accepted = speed * options_.angle_rad;
-    conditions.push_back({across, sample.normal, 0, accepted, weight(accepted)});
+    const double accepted = speed * level;
+    conditions.push_back({across, sample.normal, 0, weight(accepted)});
   }
 
   /// Asks for the curvature of the surface beyond across the side, with less weight where it is
@@ -449,30 +482,28 @@ class SheetFilling : private SheetBorder {
                double length) {
     const double bend = unit_mm_ * across.dot(sample.bend * across);
     const double wide = range_(by_v ? 1 : 0), turn = wide * bend;
-    sheet_->add({by_v ? sheet_->row(at, 0, 2) : sheet_->row(at, 2, 0), sample.normal, bend, 1,
+    sheet_->add({by_v ? sheet_->row(at, 0, 2) : sheet_->row(at, 2, 0), sample.normal, bend,
                  length * options_.bend_weight / wide / (1 + turn * turn)});
   }
 
-  /// \returns the largest miss of a condition, as a share of what is accepted; nothing if the
-  /// equations determine no sheet. The sheet is then as before.
-  std::optional<double> solve(double met_share) {
+  /// \returns false if the equations determine no sheet.
+  bool solveOnce(double level) {
     sheet_->clear();
     sheet_->addVariation();
     std::vector<SheetCondition> conditions;
     for (std::size_t side = 0; side < 4; ++side) {
-      const std::vector<double> shares = sharesAlong(side);
+      const std::vector<double> shares = sharesAlong(side, knotsAlong(side));
       for (std::size_t k = 0; k + 1 < shares.size(); ++k)
         addConditions(side, 0.5 * (shares[k] + shares[k + 1]),
-                      (shares[k + 1] - shares[k]) * range_(directionOf(side)), met_share,
-                      conditions);
+                      (shares[k + 1] - shares[k]) * range_(directionOf(side)), level, conditions);
     }
-    return solvedWith(conditions, *sheet_);
+    return solveWith(conditions, *sheet_);
   }
 
   std::vector<SheetMiss> missesOf() const {
     std::vector<SheetMiss> misses;
     for (std::size_t side = 0; side < 4; ++side)
-      for (const double share : sharesAlong(side)) {
+      for (const double share : sharesAlong(side, knotsAlong(side))) {
         const SheetSample sample = sampleOf(side, share);
         const Vector2d at = placeOf(side, share);
         const Vector3d u = sheet_->valueOf(sheet_->row(at, 1, 0)),
@@ -481,9 +512,8 @@ class SheetFilling : private SheetBorder {
         miss.gap =
             (sheet_->valueOf(sheet_->row(at, 0, 0)) - (sample.point - centre_) / unit_mm_).norm();
         miss.angle_rad = angleBetweenNormals(sample.normal, u.cross(v));
-        miss.share = miss.gap * unit_mm_ / options_.gap_mm;
-        if (options_.angle_rad > 0)
-          miss.share = std::max(miss.share, miss.angle_rad / options_.angle_rad);
+        miss.largest_rad = miss.gap / way_;
+        if (options_.angle_rad > 0) miss.largest_rad = std::max(miss.largest_rad, miss.angle_rad);
         misses.push_back(miss);
       }
     return misses;
@@ -495,6 +525,7 @@ class SheetFilling : private SheetBorder {
       fill.gap_mm = std::max(fill.gap_mm, miss.gap * unit_mm_);
       fill.angle_rad = std::max(fill.angle_rad, miss.angle_rad);
     }
+    fill.regular = isRegular(fill.surface);
     return fill;
   }
 
@@ -505,7 +536,7 @@ class SheetFilling : private SheetBorder {
     std::vector<bool> in_u(static_cast<std::size_t>(sheet_->u().spans())),
         in_v(static_cast<std::size_t>(sheet_->v().spans()));
     for (const SheetMiss& miss : misses) {
-      if (miss.share < std::max(poor * worst, met_enough)) continue;
+      if (miss.largest_rad < poor * worst) continue;
       if (both || directionOf(miss.side) == 0)
         in_u[static_cast<std::size_t>(sheet_->u().spanAt(miss.at.x()))] = true;
       if (both || directionOf(miss.side) == 1)
@@ -518,20 +549,37 @@ class SheetFilling : private SheetBorder {
   }
 
   SheetFillOptions options_;
+  double way_ = 0.5 * std::min(1.0, range_.minCoeff());  ///< over which a gap is an angle, in units
   std::optional<Sheet> sheet_;
   std::optional<BSplineSurface> before_;  ///< the sheet of the step before, in units
+  double level_ = 1e-3;                   ///< of misses that have the weight 1, as an angle
+  std::optional<SheetFill> nearest_;
+  double least_ = HUGE_VAL;  ///< the largest miss of the sheet whose largest miss is smallest
+  int round_ = 0, idle_ = 0;
+  bool any_met_ = false, ended_ = false;
 };
 
-}  // namespace
-
-SheetFill sheetFill(const std::array<SheetFillSide, 4>& sides, const SheetFillOptions& options,
-                    const Progress& progress) {
+SheetSequence::SheetSequence(const std::array<SheetFillSide, 4>& sides,
+                             const SheetFillOptions& options) {
   if (!(options.gap_mm > 0) || !(options.angle_rad >= 0) || options.most_poles < 1 ||
       !(options.bend_weight >= 0))
     throw std::invalid_argument(
         "a sheet needs a gap above 0, an angle, a weight and a number of poles that are not "
         "negative");
-  return SheetFilling(sides, options).run(progress);
+  filling_ = std::make_unique<Filling>(sides, options);
+}
+
+SheetSequence::~SheetSequence() = default;
+SheetSequence::SheetSequence(SheetSequence&&) noexcept = default;
+SheetSequence& SheetSequence::operator=(SheetSequence&&) noexcept = default;
+
+std::optional<SheetFill> SheetSequence::next(const Progress& progress) {
+  return filling_->next(progress);
+}
+
+SheetFill sheetFill(const std::array<SheetFillSide, 4>& sides, const SheetFillOptions& options,
+                    const Progress& progress) {
+  return *SheetSequence(sides, options).next(progress);
 }
 
 }  // namespace seamwright

@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <array>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include <seamwright/core/bspline/surface.hpp>
@@ -48,20 +50,41 @@ struct SheetFill {
   bool regular = false;  ///< proved: the normal vanishes nowhere
 };
 
-/// The fairest spline that meets four sides in position, each by its length, and, if angle_rad is
-/// above 0, in the tangent planes. It may bend as far as it has to, as around a tube. Knots are
-/// added where the sides are missed, until both figures are accepted or a further step hardly
-/// helps.
+/// The fairest splines that meet four sides in position, each by its length, and, if angle_rad is
+/// above 0, in the tangent planes, one after another with more knots. They may bend as far as they
+/// have to, as around a tube.
 ///
-/// Among the surfaces that meet the sides it minimises the integral of the squared third
-/// derivatives over a rectangle with their mean lengths.
+/// Among the surfaces that meet the sides each minimises the integral of the squared third
+/// derivatives over a rectangle with their mean lengths. Knots are added where the sides are missed
+/// most, until no further step helps. The sheets depend on the sides alone: which of them next()
+/// returns depends on the accepted figures.
 /// Identities (each has a test of its number):
 ///   (1) A bilinear surface with sides of constant speed is reproduced, up to rounding.
 ///   (2) The result does not depend on which side is the first.
 ///   (3) Along the sides the spline and its normals are the given ones within the reported figures.
-/// \throws std::invalid_argument for tolerances that are not positive, samples that are not finite,
-/// and sides without length; Cancelled.
+///   (4) Larger accepted figures have every sheet that smaller ones have.
 /// Source: docs/theory/fills.md F7.1.
+class SheetSequence {
+ public:
+  /// \throws std::invalid_argument for tolerances that are not positive, samples that are not
+  /// finite, and sides without length.
+  SheetSequence(const std::array<SheetFillSide, 4>& sides, const SheetFillOptions& options);
+  ~SheetSequence();
+  SheetSequence(SheetSequence&&) noexcept;
+  SheetSequence& operator=(SheetSequence&&) noexcept;
+
+  /// The next sheet that is regular and comes within half of what is accepted. If there is none at
+  /// all, the nearest one, once; nothing after the last.
+  /// \throws std::invalid_argument for samples that are not finite; Cancelled.
+  std::optional<SheetFill> next(const Progress& progress = {});
+
+ private:
+  class Filling;
+  std::unique_ptr<Filling> filling_;
+};
+
+/// The first of a SheetSequence.
+/// \throws what it throws.
 SheetFill sheetFill(const std::array<SheetFillSide, 4>& sides, const SheetFillOptions& options,
                     const Progress& progress = {});
 

@@ -92,7 +92,10 @@ class Frame {
                     slope(in_.functions[i].b) * tangent(in_.vertex.before(i));
     }
     twists_ = solution.of_sums * sums;
-    if (solution.direction.size() > 0) twists_ += solution.direction * free_.next();
+    // Areas are the square of a length, other free vectors have the factor 1: of one size, none of
+    // them is taken for rounding.
+    if (solution.direction.size() > 0)
+      twists_ += solution.direction / solution.direction.cwiseAbs().maxCoeff() * free_.next();
     for (std::size_t i = 0; i < in_.nets.size(); ++i) {
       const Net& net = in_.nets[i];
       const Eigen::RowVectorXd corner =

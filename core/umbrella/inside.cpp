@@ -24,7 +24,8 @@ using umbrella::Net;
 void requireSides(const std::vector<BezierCurve>& sides, double gap_mm) {
   const std::size_t n = sides.size();
   if (n < 3 || n > 12) refuse(std::to_string(n) + " sides: 3 to 12 are needed");
-  if (!(gap_mm >= 0)) refuse("gap_mm is " + text(gap_mm) + ": 0 or more is needed");
+  if (!(gap_mm >= 0) || !std::isfinite(gap_mm))
+    refuse("gap_mm is " + text(gap_mm) + ": a finite number, 0 or more, is needed");
   for (std::size_t i = 0; i < n; ++i) {
     const std::string side = "side " + std::to_string(i) + " ";
     if (sides[i].isRational()) refuse(side + "is rational: only polynomial ones are built within");

@@ -44,7 +44,8 @@ std::vector<BezierCurve> withDerivatives(const std::vector<BezierCurve>& spokes,
 }  // namespace
 
 std::vector<BezierCurve> fromOnePoint(const std::vector<BezierCurve>& curves, double gap_mm) {
-  if (!(gap_mm >= 0)) refuse("gap_mm is " + text(gap_mm) + ": 0 or more is needed");
+  if (!(gap_mm >= 0) || !std::isfinite(gap_mm))
+    refuse("gap_mm is " + text(gap_mm) + ": a finite number, 0 or more, is needed");
   if (curves.empty()) refuse("0 spokes: an umbrella has at least 3");
   int degree = 1;
   Eigen::RowVector3d from_first = Eigen::RowVector3d::Zero();

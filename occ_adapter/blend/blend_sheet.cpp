@@ -50,7 +50,9 @@ double parameterAtLength(const CurveDerivatives& derivatives, double length_mm) 
 /// The distance of the sides, which is the speed of the surface across for a tension of 1.
 double distanceAt(const BlendTask& task, const std::vector<SideSample>& at, double share) {
   const double distance_mm = (at[1].point - at[0].point).norm();
-  if (!(distance_mm > task.tolerance.gap_mm))
+  // Where sides meet they open in proportion to the share.
+  const double opening = (task.meets[0] ? share : 1) * (task.meets[1] ? 1 - share : 1);
+  if (!(distance_mm > opening * task.tolerance.gap_mm))
     throw GeometryError(fmt::format(
         "at the share {:.3g} of their lengths, at ({:.6g}), the sides are {:.3g} mm apart: that is "
         "no more than the gap tolerance of {:.3g} mm",
@@ -111,7 +113,75 @@ std::vector<CurveDerivatives> derivativesAt(const BlendTask& task, double share)
   return result;
 }
 
+/// What the position of a side lacks where both meet: half of what they are apart there.
+Eigen::Vector3d towardMeeting(const BlendTask& task, int k, double share) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const int end : {0, 1})
+    if (task.meets[end])
+      sum += weightBeside(end == 0 ? LateralSide::First : LateralSide::Last, share) * 0.5 *
+             (task.sides[1 - k].at(end, end == 0).point - task.sides[k].at(end, end == 0).point);
+  return sum;
+}
+
+/// A cubic of the share with the values 0 and the derivatives of the first derivative across where
+/// the sides meet: the speed grows in proportion to the share.
+class MeetingSlopes {
+ public:
+  MeetingSlopes(const BlendTask& task, int k) {
+    for (const int end : {0, 1}) {
+      if (!task.meets[end]) continue;
+      const std::vector<SideSample> at = samplesAt(task, end);
+      const double opening_mm = (at[1].derivative - at[0].derivative).norm();
+      slopes_[end] = task.ends[k].tension * opening_mm * lineFrame(at[k], k == 0 ? 1 : -1).across;
+    }
+  }
+  Eigen::Vector3d at(double share) const {
+    const double back = 1 - share;
+    return share * back * (back * slopes_[0] + share * slopes_[1]);
+  }
+
+ private:
+  std::array<Eigen::Vector3d, 2> slopes_ = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+};
+
+/// The ribbons of sides that meet: near a corner the derivative of order k across vanishes with
+/// that power of the share, and the first one has its exact direction. So curvatures, which are
+/// quotients of these, stay bounded.
+std::vector<SheetRibbon> meetingRibbons(const BlendTask& task, const std::vector<double>& knots) {
+  const GrevilleInterpolation positions(degree_along, knots, task.closure);
+  std::vector<SheetRibbon> ribbons;
+  for (int k = 0; k < task.count(); ++k) {
+    const MeetingSlopes slopes(task, k);
+    Eigen::MatrixXd points(positions.parameters().size(), 3), cubic(points.rows(), 3);
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
+      const double share = positions.parameters()[i];
+      points.row(i) = task.sides[k].at(share, share < 1).point + towardMeeting(task, k, share);
+      cubic.row(i) = slopes.at(share);
+    }
+    ribbons.push_back({degree_along, knots, {positions.poles(points)}});
+    for (int order = 1; order <= task.ends[k].order; ++order) {
+      const int zeros = std::max(2, order);
+      const ZeroEndInterpolation fields(degree_along, knots, task.meets[0] ? zeros : 0,
+                                        task.meets[1] ? zeros : 0);
+      Eigen::MatrixXd values(fields.parameters().size(), 3);
+      for (Eigen::Index i = 0; i < values.rows(); ++i) {
+        const double share = fields.parameters()[i];
+        values.row(i) = derivativesAt(task, share)[k].row(order);
+        if (order == 1) values.row(i) -= slopes.at(share).transpose();
+      }
+      Eigen::MatrixXd poles = fields.poles(values);
+      if (order == 1) poles += positions.poles(cubic);
+      ribbons[k].derivatives.emplace_back(poles);
+    }
+  }
+  return ribbons;
+}
+
 BSplineSurface sheetOver(const BlendTask& task, const std::vector<double>& knots) {
+  if (task.meets[0] || task.meets[1]) {
+    const std::vector<SheetRibbon> ribbons = meetingRibbons(task, knots);
+    return hermiteSheet(ribbons[0], ribbons[1]);
+  }
   const GrevilleInterpolation interpolation(degree_along, knots, task.closure);
   const std::vector<double>& parameters = interpolation.parameters();
   std::vector<Eigen::MatrixXd> values;
@@ -138,7 +208,7 @@ double excessAt(const BlendTask& task, const BSplineSurface& sheet, int k, doubl
   const SidePoint of_face{sample.jet, {}, sample.derivative, true, third},
       of_sheet{jet(sheet, share, k), {}, sample.derivative, true, third};
   const PairMeasure figures = measurePair(of_face, of_sheet);
-  const ContinuityTolerance& tolerance = task.tolerance;
+  const ContinuityTolerance& tolerance = task.aim(k);
   double excess = figures.gap_mm.value_or(HUGE_VAL) / tolerance.gap_mm;
   if (task.ends[k].order > 0)
     excess = std::max(excess, figures.angle_rad.value_or(HUGE_VAL) / tolerance.angle_rad);
@@ -158,9 +228,13 @@ struct PoorSpan {
   double excess = 0;
 };
 
-/// The spans that can be halved and are beyond that share, the worst first.
-std::vector<PoorSpan> poorSpans(const BlendTask& task, const BSplineSurface& sheet,
-                                const SheetKnots& knots, double share_of_tolerance) {
+struct PoorSpans {
+  std::vector<PoorSpan> divisible;  ///< the worst first
+  double stuck_excess = 0;          ///< the largest of those that are too short to be halved
+};
+
+PoorSpans poorSpans(const BlendTask& task, const BSplineSurface& sheet, const SheetKnots& knots,
+                    double share_of_aim) {
   // Seams are worst beside breaks and at ends.
   constexpr std::array<double, 8> samples = {1e-4, 0.03, 0.15, 0.38, 0.62, 0.85, 0.97, 1 - 1e-4};
   // Where a derivative of the face jumps no spline is near enough. The figures of second order need
@@ -168,30 +242,57 @@ std::vector<PoorSpan> poorSpans(const BlendTask& task, const BSplineSurface& she
   // half of the digits.
   const auto is_third = [](const BlendEnd& end) { return end.order == most_blend_order; };
   const double shortest = std::ranges::any_of(task.ends, is_third) ? 1.0 / 512 : 1.0 / 65536;
-  std::vector<PoorSpan> result;
+  PoorSpans result;
   const std::map<double, int>& at = knots.multiplicities();
   for (auto from = at.begin(), to = std::next(from); to != at.end(); from = to++) {
     PoorSpan span{from->first, to->first};
-    if (span.to - span.from < shortest) continue;
-    for (const double sample : samples)
+    const auto look = [&](double share) {
       for (int k = 0; k < task.count(); ++k)
-        span.excess = std::max(
-            span.excess, excessAt(task, sheet, k, span.from + sample * (span.to - span.from)));
-    if (span.excess > share_of_tolerance) result.push_back(span);
+        span.excess = std::max(span.excess, excessAt(task, sheet, k, share));
+    };
+    for (const double sample : samples) {
+      // Nearer to a corner where sides meet, second differences have no digits.
+      constexpr double near = 0.01;
+      if ((task.meets[0] && span.from == 0 && sample < near) ||
+          (task.meets[1] && span.to == 1 && sample > 1 - near))
+        continue;
+      look(span.from + sample * (span.to - span.from));
+    }
+    for (const double within : knots.breaksWithin(span.from, span.to)) look(within);
+    if (!(span.excess > share_of_aim)) continue;
+    if (span.to - span.from < shortest)
+      result.stuck_excess = std::max(result.stuck_excess, span.excess);
+    else
+      result.divisible.push_back(span);
   }
-  std::ranges::sort(result, std::greater(), &PoorSpan::excess);
+  std::ranges::sort(result.divisible, std::greater(), &PoorSpan::excess);
   return result;
 }
 
-/// Whether the curvature of the face is the same on both sides of a break.
-bool isCurvatureContinuous(const BlendSide& side, double at) {
+/// The multiplicity of a knot at a break of a side; 1 where only derivatives above the second jump.
+int multiplicityAt(const BlendSide& side, double at) {
   // Of the side: far above rounding, and so near that smooth curvature changes by less than
   // another sixth digit. A jump below the fourth digit is below every tolerance.
   constexpr double beside = 1e-7, least_jump = 1e-4;
   const SideSample before = side.at(at - beside), after = side.at(at + beside);
   const Eigen::Matrix3d one = curvatureTensor(before.jet, before.normal),
                         other = curvatureTensor(after.jet, after.normal);
-  return (one - other).norm() <= least_jump * std::max(one.norm(), other.norm());
+  const auto differ = [&](const auto& a, const auto& b) {
+    return !((a - b).norm() <= least_jump * std::max(a.norm(), b.norm()));
+  };
+  // The path may turn, and derivatives of the directions jump.
+  if (differ(one, other) || differ(before.derivative, after.derivative)) return degree_along;
+  // What second derivatives of the path differ by, without what the third ones make of it.
+  const auto jump = [&](double step) -> Eigen::Vector3d {
+    return (side.at(at + step).derivative - after.derivative -
+            (before.derivative - side.at(at - step).derivative)) /
+           step;
+  };
+  constexpr double step = 1e-4, least_bend = 1e-2;  // of the side; of its second derivative
+  const Eigen::Vector3d bend = 2 * jump(0.5 * step) - jump(step);
+  const double size =
+      (side.at(at + step).derivative - side.at(at - step).derivative).norm() / (2 * step);
+  return bend.norm() > least_bend * (size + after.derivative.norm()) ? degree_along - 1 : 1;
 }
 
 /// Where normals turn over along a line across the sheet.
@@ -218,13 +319,23 @@ double weightBeside(LateralSide side, double u) {
 
 SheetKnots::SheetKnots(const BlendTask& task)
     : multiplicities_{{0, degree_along + 1}, {1, degree_along + 1}} {
-  // At joints of edges derivatives along the side may jump. At breaks within an edge the path and
-  // the directions are C^1, unless the curvature of the face jumps.
-  for (const BlendSide& side : task.sides) {
-    for (const double at : side.joints()) add(at, degree_along);
-    for (const double at : side.breaks())
-      add(at, isCurvatureContinuous(side, at) ? degree_along - 1 : degree_along);
-  }
+  constexpr double end = 1e-6;  // nearer, there is no room for the differences
+  // G3 holds third derivatives, so that every break counts.
+  const bool is_third = std::ranges::any_of(
+      task.ends, [](const BlendEnd& of) { return of.order == most_blend_order; });
+  for (const BlendSide& side : task.sides)
+    for (const auto& places : {side.joints(), side.breaks()})
+      for (const double at : places) {
+        if (at < end || at > 1 - end) continue;
+        const int multiplicity = multiplicityAt(side, at);
+        if (is_third)
+          add(at, std::max(multiplicity, degree_along - 1));
+        else if (multiplicity > 1)
+          add(at, multiplicity);
+        else
+          breaks_.push_back(at);
+      }
+  std::ranges::sort(breaks_);
   fill();
 }
 
@@ -232,6 +343,29 @@ SheetKnots::SheetKnots(int degree, const std::map<double, int>& inner)
     : multiplicities_{{0, degree + 1}, {1, degree + 1}} {
   for (const auto& [at, multiplicity] : inner) add(at, multiplicity);
   fill();
+}
+
+std::vector<double> SheetKnots::breaksWithin(double from, double to) const {
+  const auto first = std::ranges::upper_bound(breaks_, from),
+             last = std::ranges::lower_bound(breaks_, to);
+  return first < last ? std::vector(first, last) : std::vector<double>();
+}
+
+void SheetKnots::refine(double from, double to) {
+  // Choices: over longer spans splines are near enough in spite of most breaks, and knots that are
+  // much nearer to one another than the span is long make spikes of curvature.
+  constexpr double short_span = 1.0 / 48, least_part = 0.1;
+  const std::vector<double> inside = breaksWithin(from, to);
+  if (inside.empty() || to - from > short_span) return halve(from, to);
+  double last = from;
+  for (const double at : inside) {
+    std::erase(breaks_, at);
+    if (std::min(at - last, to - at) < least_part * (to - from)) continue;
+    // Second derivatives are continuous there, and stay so.
+    add(at, degree_along - 2);
+    last = at;
+  }
+  if (last == from) halve(from, to);
 }
 
 void SheetKnots::fill() {
@@ -289,15 +423,18 @@ BSplineSurface firstSheet(const BlendTask& task) {
   return sheetOver(task, SheetKnots(task).flat());
 }
 
-BSplineSurface refinedSheet(const BlendTask& task, double share_of_tolerance, int max_spans,
-                            SheetKnots& knots, const Progress& progress) {
+RefinedSheet refinedSheet(const BlendTask& task, double share_of_aim, int max_spans,
+                          SheetKnots& knots, const Progress& progress) {
   for (int round = 0;; ++round) {
     checkProgress(progress, shareAfter(round));
     BSplineSurface sheet = sheetOver(task, knots.flat());
-    const std::vector<PoorSpan> poor = poorSpans(task, sheet, knots, share_of_tolerance);
-    const int more = std::min(static_cast<int>(poor.size()), max_spans - knots.spans());
-    if (more <= 0) return sheet;
-    for (int i = 0; i < more; ++i) knots.halve(poor[i].from, poor[i].to);
+    const PoorSpans poor = poorSpans(task, sheet, knots, share_of_aim);
+    const int more = std::min(static_cast<int>(poor.divisible.size()), max_spans - knots.spans());
+    if (more <= 0) {
+      const double left = poor.divisible.empty() ? 0 : poor.divisible[0].excess;
+      return {std::move(sheet), std::max(left, poor.stuck_excess)};
+    }
+    for (int i = 0; i < more; ++i) knots.refine(poor.divisible[i].from, poor.divisible[i].to);
     knots.grade();
   }
 }

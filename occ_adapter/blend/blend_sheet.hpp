@@ -42,21 +42,31 @@ struct BlendTask {
   std::vector<BlendEnd> ends;
   std::vector<BlendLateral> laterals = {};
   double length_mm = 0;  ///< of an extension, which has one side
+  /// Whether both sides meet at the shares 0 and 1, so that the boundary there is a point.
+  std::array<bool, 2> meets = {};
   SplineClosure closure = SplineClosure::Open;
   ContinuityTolerance tolerance;
+  /// What the fit of each side is near to, if that may be less than the tolerance; empty: that.
+  std::vector<ContinuityTolerance> aims = {};
 
+  const ContinuityTolerance& aim(int side) const { return aims.empty() ? tolerance : aims[side]; }
   int count() const { return static_cast<int>(sides.size()); }
 };
 
 /// Inner knots along the sides, by their multiplicity.
 class SheetKnots {
  public:
-  /// Those that the sides need, and halves between them: no span is longer than a quarter.
+  /// Those where curvatures of the sides jump, and halves between them: no span is longer than a
+  /// quarter.
   explicit SheetKnots(const BlendTask& task);
   /// Those given, and halves between them.
   SheetKnots(int degree, const std::map<double, int>& inner);
 
   void halve(double from, double to) { multiplicities_[0.5 * (from + to)] = 1; }
+  /// Halves the span, or makes knots of the breaks in it if it is short.
+  void refine(double from, double to);
+  /// Places inside of the span where only higher derivatives of the sides jump.
+  std::vector<double> breaksWithin(double from, double to) const;
   /// Halves spans that are much longer than one beside them.
   void grade();
   const std::map<double, int>& multiplicities() const { return multiplicities_; }
@@ -68,15 +78,23 @@ class SheetKnots {
   void fill();
 
   std::map<double, int> multiplicities_;
+  std::vector<double> breaks_;  ///< that are no knots yet
 };
 
 /// The sheet with the fewest knots.
 BSplineSurface firstSheet(const BlendTask& task);
 
-/// Halves spans until no sample is beyond that share of the tolerance, or no span can be halved.
+struct RefinedSheet {
+  BSplineSurface surface;
+  /// Of the samples in spans that are left beyond their share, because they are too short or too
+  /// many, the largest figure over its aim; 0: there is none.
+  double left_excess = 0;
+};
+
+/// Halves spans until no sample is beyond that share of its aim, or no span can be halved.
 /// \throws GeometryError where a side can't be continued, and for sides that touch; Cancelled.
-BSplineSurface refinedSheet(const BlendTask& task, double share_of_tolerance, int max_spans,
-                            SheetKnots& knots, const Progress& progress);
+RefinedSheet refinedSheet(const BlendTask& task, double share_of_aim, int max_spans,
+                          SheetKnots& knots, const Progress& progress);
 
 /// The place nearest to the start where the sheet turns over, if it does so anywhere.
 std::optional<SheetFold> foldOf(const BSplineSurface& sheet);

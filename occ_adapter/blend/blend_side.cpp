@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <BRep_Tool.hxx>
 #include <Eigen/Geometry>
+#include <Geom2d_Curve.hxx>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -95,6 +97,8 @@ void requireSmooth(const SidePath& path, bool closed) {
   for (const double joint : path.joints()) require(joint, joint, "beside");
   if (closed) require(1, 0, "beside");
   for (const double inside : path.breaks()) {
+    // So near an end a break is rounding of the end, and no chord fits between them.
+    if (!closed && (inside < 2 * beside || inside > 1 - 2 * beside)) continue;
     require(inside, inside, "inside of");
     if (!path.hasTangentPlane(inside))
       throw std::invalid_argument(
@@ -142,9 +146,28 @@ HoleSide chosenSide(const TopoDS_Shape& model, const SideChoice& choice, bool& c
 
 std::shared_ptr<const SidePath> smoothPath(const HoleSide& side, bool closed, double gap_mm,
                                            JetOrder order) {
-  auto path = std::make_shared<const SidePath>(side, gap_mm, order);
+  auto path = std::make_shared<const SidePath>(side, gap_mm, order, PathAlong::Smoother);
   requireSmooth(*path, closed);
   return path;
+}
+
+bool isAlongParameterLines(const HoleSide& side) {
+  return std::ranges::all_of(side.edges, [](const HoleEdge& edge) {
+    double first = 0, last = 0;
+    const opencascade::handle<Geom2d_Curve> path =
+        BRep_Tool::CurveOnSurface(edge.use.edge, edge.use.shape, first, last);
+    if (path.IsNull()) return false;
+    constexpr int parts = 16;
+    constexpr double rounding = 1e-9;  // of the length of the path, as files round it
+    const gp_Pnt2d from = path->Value(first);
+    double across_u = 0, across_v = 0;
+    for (int i = 1; i <= parts; ++i) {
+      const gp_Pnt2d at = path->Value(first + (last - first) * i / parts);
+      across_u = std::max(across_u, std::abs(at.X() - from.X()));
+      across_v = std::max(across_v, std::abs(at.Y() - from.Y()));
+    }
+    return std::min(across_u, across_v) <= rounding * std::max(across_u, across_v);
+  });
 }
 
 std::vector<double> BlendSide::joints() const {

@@ -26,6 +26,10 @@ HoleSide chosenSide(const TopoDS_Shape& model, const SideChoice& choice, bool& c
 std::shared_ptr<const SidePath> smoothPath(const HoleSide& side, bool closed, double gap_mm,
                                            JetOrder order);
 
+/// Whether the edges run along parameter lines of their faces, as those of faces that are not
+/// trimmed do.
+bool isAlongParameterLines(const HoleSide& side);
+
 /// A chain of edges as a boundary of a new surface.
 class BlendSide {
  public:

@@ -8,15 +8,18 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
+#include <seamwright/core/angle.hpp>
 #include <seamwright/occ_adapter/blend/blend_seams.hpp>
 #include <seamwright/occ_adapter/blend/blend_sheet.hpp>
 #include <seamwright/occ_adapter/blend/blend_surface.hpp>
 #include <seamwright/occ_adapter/blend/extend_to.hpp>
 #include <seamwright/occ_adapter/blend/lateral_boundary.hpp>
 #include <seamwright/occ_adapter/blend/lateral_fit.hpp>
+#include <seamwright/occ_adapter/blend/shared_corner.hpp>
 #include <seamwright/occ_adapter/convert/spline_surface.hpp>
 #include <seamwright/occ_adapter/model/compound.hpp>
 #include <seamwright/occ_adapter/model/parts.hpp>
@@ -49,9 +52,21 @@ ChosenEnd chosenEnd(const char* name, const TopoDS_Shape& model, const BlendEnd&
   return result;
 }
 
-void setDirections(ChosenEnd& end, const LateralDirections& given = {}) {
-  end.directions = std::make_shared<const SideDirections>(
-      *end.path, end.closed, lateralDirections(end.edges, end.closed), given);
+/// \param corners whether the end meets the other side at its ends: there it is left at right
+/// angles.
+void setDirections(ChosenEnd& end, const LateralDirections& given = {},
+                   const std::array<bool, 2>& corners = {}) {
+  LateralDirections lateral = lateralDirections(end.edges, end.closed);
+  for (const int at : {0, 1})
+    if (corners[at]) lateral[at].reset();
+  end.directions = std::make_shared<const SideDirections>(*end.path, end.closed, lateral, given);
+}
+
+/// The ends of a side at which it meets the other one.
+std::array<bool, 2> cornersOf(const std::vector<SharedCorner>& shared, int k) {
+  std::array<bool, 2> corners = {};
+  for (const SharedCorner& corner : shared) corners[corner.of_sides[k]] = true;
+  return corners;
 }
 
 /// \throws std::invalid_argument for an edge in both sides.
@@ -61,22 +76,6 @@ void requireTwoSides(const ChosenEnd& start, const ChosenEnd& end) {
       throw std::invalid_argument(fmt::format(
           "edge {} is in start and in end: a surface between two sides needs different edges",
           edge));
-}
-
-/// \throws std::invalid_argument where two open sides meet at their ends.
-void requireApart(const ChosenEnd& start, const ChosenEnd& end, double gap_mm) {
-  if (start.closed || end.closed) return;
-  for (const int i : {0, 1})
-    for (const int j : {0, 1}) {
-      const Eigen::Vector3d at = start.path->atShare(i, i == 0).point;
-      const double distance_mm = (end.path->atShare(j, j == 0).point - at).norm();
-      if (!(distance_mm > gap_mm))
-        throw std::invalid_argument(fmt::format(
-            "start and end meet at ({:.6g}): gap_mm = {:.3g}. A surface with a corner there has "
-            "three sides, and in general no bounded curvature there, so no blend is made; "
-            "where three chains of free edges bound it, fill makes it",
-            fmt::join(at, ", "), distance_mm));
-    }
 }
 
 /// The free edges that go on where the chain of an open side ends.
@@ -195,34 +194,82 @@ BlendSide facing(const BlendSide& start, const ChosenEnd& end, bool flip) {
   return reversed != flip ? against : same;
 }
 
-/// The end's side so that lateral boundaries join its ends with those of the start.
-BlendSide facingAlong(const ChosenLateral& lateral, const ChosenEnd& end, bool flip) {
+/// The end's side so that these ends of both sides belong together.
+BlendSide facingAt(const std::array<int, 2>& corners, const ChosenEnd& end, const char* joint,
+                   bool flip) {
   if (flip)
-    throw std::invalid_argument("flip: the lateral boundaries say in which direction the end runs");
-  return Facing{.reversed = lateral.corners[0] != lateral.corners[1]}.side(end);
+    throw std::invalid_argument(fmt::format("flip: the {} in which direction the end runs", joint));
+  return Facing{.reversed = corners[0] != corners[1]}.side(end);
+}
+
+/// The end's side beside the start's.
+BlendSide facing(const BlendSide& start, const ChosenBlend& chosen,
+                 const std::vector<SharedCorner>& shared, bool flip) {
+  if (!chosen.laterals.empty())
+    return facingAt(chosen.laterals[0].corners, chosen.ends[1], "lateral boundaries say", flip);
+  if (!shared.empty())
+    return facingAt(shared[0].of_sides, chosen.ends[1], "vertex that the sides share says", flip);
+  return facing(start, chosen.ends[1], flip);
+}
+
+/// \throws std::invalid_argument for a lateral boundary where the sides meet.
+void requireNoLateralAt(const std::vector<SharedCorner>& shared,
+                        const std::vector<ChosenLateral>& laterals) {
+  for (const ChosenLateral& lateral : laterals)
+    for (const SharedCorner& corner : shared)
+      if (lateral.corners[0] == corner.of_sides[0] || lateral.corners[1] == corner.of_sides[1])
+        throw std::invalid_argument(
+            fmt::format("lateral boundary of edge {}: start and end meet at one of its ends",
+                        fmt::join(lateral.edges, ", ")));
+}
+
+/// The sheet near its aims, or within the tolerance where these take too many spans.
+RefinedSheet refined(BlendTask& task, double share, int max_spans, SheetKnots& knots,
+                     const Progress& progress) {
+  // A choice: a side of a model that is no smoother than its tolerance takes any number.
+  constexpr int more_for_aims = 60;
+  if (!task.aims.empty()) {
+    const SheetKnots before = knots;
+    RefinedSheet sheet = refinedSheet(
+        task, share, std::min(max_spans, knots.spans() + more_for_aims), knots, progress);
+    if (sheet.left_excess == 0) return sheet;
+    task.aims.clear();
+    knots = before;
+  }
+  return refinedSheet(task, share, max_spans, knots, progress);
 }
 
 /// The sheet with as many spans as its seams need, and its seams.
-BlendSurfaceReport fitted(const TopoDS_Shape& model, const ChosenBlend& chosen,
-                          const BlendTask& task, const BlendSurfaceOptions& options,
-                          const Progress& progress, const ExtensionTarget* target = nullptr) {
+BlendSurfaceReport fitted(const TopoDS_Shape& model, const ChosenBlend& chosen, BlendTask task,
+                          const BlendSurfaceOptions& options, const Progress& progress,
+                          const ExtensionTarget* target = nullptr) {
   SheetKnots knots(task);
   BlendSurfaceReport report;
   Eigen::Index poles = 0;
   // Seams are worst between the samples: then less is allowed at these.
   for (const double share : {0.5, 0.25, 0.125}) {
-    report.surface =
-        fittedToLaterals(task, refinedSheet(task, share, options.max_spans, knots, progress), share,
-                         options.max_spans, progress);
+    const RefinedSheet sheet = refined(task, share, options.max_spans, knots, progress);
+    report.surface = fittedToLaterals(task, sheet.surface, share, options.max_spans, progress);
     report.spans = knots.spans();
     if (report.surface.poles.rows() == poles) break;
     poles = report.surface.poles.rows();
     report.face = target ? trimmedBy(report.surface, *target) : faceOf(report.surface);
     measureBlend(model, chosen, task, report);
-    if (report.reached) break;
+    if (report.reached || knots.spans() >= options.max_spans) break;
   }
   report.shape = compoundOf({model, report.face});
   return report;
+}
+
+/// Sides that are parameter lines are known up to rounding: there the fit is as near as
+/// measurements of such seams show. Others are known to a tolerance.
+ContinuityTolerance aimOf(const ChosenEnd& end, const ContinuityTolerance& tolerance) {
+  ContinuityTolerance aim = tolerance;
+  if (!isAlongParameterLines(end.edges)) return aim;
+  constexpr double angle_rad = 0.001 * radians_per_degree, curvature_rel = 1e-3;
+  aim.angle_rad = std::min(aim.angle_rad, angle_rad);
+  aim.curvature_rel = std::min(aim.curvature_rel, curvature_rel);
+  return aim;
 }
 
 SplineClosure closureOf(const ChosenEnd& end) {
@@ -245,7 +292,8 @@ BlendTask extensionOf(const ChosenEnd& end, double length_mm, const BlendSurface
           .ends = {end.end},
           .length_mm = length_mm,
           .closure = closureOf(end),
-          .tolerance = options.tolerance};
+          .tolerance = options.tolerance,
+          .aims = {aimOf(end, options.tolerance)}};
 }
 
 }  // namespace
@@ -263,16 +311,18 @@ BlendSurfaceReport blendSurface(const TopoDS_Shape& model, const BlendEnd& start
   if (ends[0].closed != ends[1].closed)
     throw std::invalid_argument(closingFault(model, ends[0].closed ? ends[0] : ends[1],
                                              ends[0].closed ? ends[1] : ends[0]));
-  requireApart(ends[0], ends[1], options.tolerance.gap_mm);
+  const std::vector<SharedCorner> shared = sharedCorners(ends, options.tolerance);
   chosen.laterals = chosenLaterals(model, options, ends);
-  for (const int k : {0, 1}) setDirections(ends[k], directionsOf(chosen.laterals, ends, k));
+  requireNoLateralAt(shared, chosen.laterals);
+  for (const int k : {0, 1})
+    setDirections(ends[k], directionsOf(chosen.laterals, ends, k), cornersOf(shared, k));
   const BlendSide first(ends[0].path, ends[0].directions, false);
-  BlendTask task{.sides = {first, chosen.laterals.empty()
-                                      ? facing(first, ends[1], options.flip)
-                                      : facingAlong(chosen.laterals[0], ends[1], options.flip)},
+  BlendTask task{.sides = {first, facing(first, chosen, shared, options.flip)},
                  .ends = {ends[0].end, ends[1].end},
                  .closure = closureOf(ends[0]),
-                 .tolerance = options.tolerance};
+                 .tolerance = options.tolerance,
+                 .aims = {aimOf(ends[0], options.tolerance), aimOf(ends[1], options.tolerance)}};
+  for (const SharedCorner& corner : shared) task.meets[corner.of_sides[0]] = true;
   task.laterals = lateralsOf(chosen.laterals, ends, task.sides, options.tolerance);
   return fitted(model, chosen, task, options, progress);
 }

@@ -124,14 +124,17 @@ struct BlendSurfaceReport {
 /// With lateral boundaries the lines across leave the ends of the sides along these curves, and the
 /// surface is moved to them by splines across, which change nothing at the sides: S8.5. Each line
 /// across at such a boundary begins with a speed of the tension times the length of the curve.
+///
+/// Where the sides share a vertex, the boundary of the surface is that point: S8.7.
 /// \throws std::invalid_argument, with the end, for sides without edges, with an edge given twice
 /// or in both sides, with a number that names no edge, that are no single chain, with a corner, and
 /// with an edge that is not free and has not exactly one of the given faces; for orders outside of
 /// 0..3, tensions that are not positive and finite, one closed side and an open one, sides that
-/// meet at their ends, and invalid tolerances; for lateral boundaries of closed sides, of more than
-/// two chains, with a corner, that do not join ends of the sides, or that no such surface can have,
-/// with figures; GeometryError for edges that can't be evaluated, and for sides that touch;
-/// Cancelled. Source: docs/theory/surfaces.md S8.1 to S8.6.
+/// meet at an angle below 5 or above 175 degrees or, for orders above 1, on different tangent
+/// planes, and invalid tolerances; for lateral boundaries of closed sides, of more than two chains,
+/// with a corner, that do not join ends of the sides, or that no such surface can have, with
+/// figures; GeometryError for edges that can't be evaluated, and for sides that touch; Cancelled.
+/// Source: docs/theory/surfaces.md S8.1 to S8.7.
 BlendSurfaceReport blendSurface(const TopoDS_Shape& model, const BlendEnd& start,
                                 const BlendEnd& end, const BlendSurfaceOptions& options = {},
                                 const Progress& progress = {});

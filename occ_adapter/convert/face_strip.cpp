@@ -39,7 +39,8 @@ GeomAbs_Shape continuityOf(JetOrder order) {
   return order == JetOrder::Third ? GeomAbs_C3 : GeomAbs_C2;
 }
 
-std::vector<double> knots(const Geom2dAdaptor_Curve& curve) {
+template <class Curve>
+std::vector<double> knots(const Curve& curve) {
   TColStd_Array1OfReal array(1, curve.NbIntervals(GeomAbs_CN) + 1);
   curve.Intervals(array, GeomAbs_CN);
   return values(array);
@@ -158,6 +159,36 @@ FaceStrip::FaceStrip(const Coedge& use, const Pcurve& pcurve, JetOrder order)
     collapsed_mm_[end] = collapsedLength(end, use.pole_tolerance_mm[end]);
 }
 
+void FaceStrip::followCurve(const TopoDS_Edge& edge) {
+  curve_ = std::make_shared<const BRepAdaptor_Curve>(edge);
+}
+
+FaceStrip::Place FaceStrip::placeAt(double t) const {
+  Place place;
+  path_.D1(t, place.uv, place.direction);
+  if (!curve_) return place;
+  gp_Pnt on_curve, p;
+  gp_Vec along, u, v, uu, vv, uv;
+  curve_->D1(t, on_curve, along);
+  // Newton's method for the foot. The pcurve is near: two steps leave rounding, and a knot line
+  // between takes one or two more.
+  constexpr int steps = 4;
+  for (int step = 0; step <= steps; ++step) {
+    surface_.D2(place.uv.X(), place.uv.Y(), p, u, v, uu, vv, uv);
+    const gp_Vec off(p, on_curve);
+    const double a = u * u - off * uu, b = u * v - off * uv, c = v * v - off * vv;
+    const double determinant = a * c - b * b;
+    if (!(determinant > 0)) break;  // a pole: the pcurve has to do
+    const auto solved = [&](const gp_Vec& of) {
+      const double by_u = of * u, by_v = of * v;
+      return gp_Vec2d((c * by_u - b * by_v) / determinant, (a * by_v - b * by_u) / determinant);
+    };
+    place.direction = solved(along);
+    if (step < steps) place.uv.Translate(solved(off));
+  }
+  return place;
+}
+
 SidePoint FaceStrip::at(double s) const {
   SidePoint side = at(s, order_ == JetOrder::Third ? Derivatives::Third : Derivatives::Second);
   side.third_order = order_ == JetOrder::Third;
@@ -169,9 +200,7 @@ SidePoint FaceStrip::firstOrderAt(double s) const {
 }
 
 SidePoint FaceStrip::at(double s, Derivatives derivatives) const {
-  gp_Pnt2d uv;
-  gp_Vec2d direction;
-  path_.D1(parameter(s), uv, direction);
+  const auto [uv, direction] = placeAt(parameter(s));
   SidePoint side;
   // Along a knot line derivatives may jump: those of the face's own side count. The point itself is
   // kept to first order.
@@ -187,9 +216,7 @@ SidePoint FaceStrip::at(double s, Derivatives derivatives) const {
 }
 
 PathPoint FaceStrip::trace(double s) const {
-  gp_Pnt2d uv;
-  gp_Vec2d direction;
-  path_.D1(parameter(s), uv, direction);
+  auto [uv, direction] = placeAt(parameter(s));
   direction *= pcurve_.last - pcurve_.first;
   gp_Pnt p;
   gp_Vec du, dv;
@@ -227,7 +254,7 @@ SurfaceJet FaceStrip::jet(double u, double v, Derivatives derivatives) const {
 
 double FaceStrip::collapsedLength(double s, double pole_tolerance_mm) const {
   if (pole_tolerance_mm == 0) return 0;
-  const gp_Pnt2d uv = path_.Value(parameter(s));
+  const gp_Pnt2d uv = placeAt(parameter(s)).uv;
   // Derivatives of rational splines are rounding where their poles coincide.
   if (isSpline(surface_) && endsAtOnePoint(surface_, uv)) return 0;
   const SurfaceJet end = jet(uv.X(), uv.Y(), Derivatives::First);
@@ -236,7 +263,7 @@ double FaceStrip::collapsedLength(double s, double pole_tolerance_mm) const {
 }
 
 bool FaceStrip::isScatteredAt(int end) const {
-  const gp_Pnt2d uv = path_.Value(parameter(end));
+  const gp_Pnt2d uv = placeAt(parameter(end)).uv;
   const double rounding = roundingOf(jet(uv.X(), uv.Y(), Derivatives::First));
   return collapsed_mm_[end] > (isSpline(surface_) ? 0 : rounding);
 }
@@ -278,12 +305,12 @@ JetNoise FaceStrip::noise(const SurfaceJet& jet, double s) const {
 }
 
 std::vector<double> FaceStrip::breaks() const {
-  const std::vector<double> path_knots = knots(path_);
+  const std::vector<double> path_knots = curve_ ? knots(*curve_) : knots(path_);
   std::vector<double> at(path_knots.begin() + 1, path_knots.end() - 1);
   if (knots_u_.size() > 2 || knots_v_.size() > 2) {
     // Eight steps a piece find the crossings of a path that turns at most a few times between its
     // own knots.
-    const int steps = path_.GetType() == GeomAbs_Line ? 1 : 8;
+    const int steps = !curve_ && path_.GetType() == GeomAbs_Line ? 1 : 8;
     for (std::size_t i = 1; i < path_knots.size(); ++i)
       addKnotCrossings(path_knots[i - 1], path_knots[i], steps, at);
   }
@@ -295,14 +322,14 @@ std::vector<double> FaceStrip::breaks() const {
 void FaceStrip::addKnotCrossings(double first, double last, int steps,
                                  std::vector<double>& at) const {
   const double width = (last - first) / steps;
-  gp_Pnt2d from = path_.Value(first);
+  gp_Pnt2d from = placeAt(first).uv;
   for (int k = 0; k < steps; ++k) {
     const double t0 = first + k * width;
     const double t1 = k + 1 < steps ? t0 + width : last;
-    const gp_Pnt2d to = path_.Value(t1);
-    addCrossings([&](double t) { return path_.Value(t).X(); }, t0, t1, from.X(), to.X(), knots_u_,
+    const gp_Pnt2d to = placeAt(t1).uv;
+    addCrossings([&](double t) { return placeAt(t).uv.X(); }, t0, t1, from.X(), to.X(), knots_u_,
                  at);
-    addCrossings([&](double t) { return path_.Value(t).Y(); }, t0, t1, from.Y(), to.Y(), knots_v_,
+    addCrossings([&](double t) { return placeAt(t).uv.Y(); }, t0, t1, from.Y(), to.Y(), knots_v_,
                  at);
     from = to;
   }

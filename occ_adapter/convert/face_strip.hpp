@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <Geom2dAdaptor_Curve.hxx>
 #include <array>
+#include <memory>
 #include <vector>
 
 #include <seamwright/core/seam/measure.hpp>
@@ -30,6 +32,11 @@ class FaceStrip {
   /// \param pcurve the path of the edge on the face, see pcurveOf().
   FaceStrip(const Coedge& use, const Pcurve& pcurve, JetOrder order = JetOrder::Second);
 
+  /// From now on the path consists of the points of the surface nearest to the edge's curve in
+  /// space, which may be smooth where the pcurve is not. The pcurve is where the searches start.
+  /// \pre the edge has a curve in space over the range of the pcurve.
+  void followCurve(const TopoDS_Edge& edge);
+
   /// The jet to the given order, its noise, and the direction of the seam; lengths in mm.
   /// \throws Standard_Failure where OpenCASCADE can't evaluate.
   SidePoint at(double s) const;
@@ -41,7 +48,7 @@ class FaceStrip {
   /// \throws Standard_Failure where OpenCASCADE can't evaluate.
   PathPoint trace(double s) const;
 
-  gp_Pnt2d parametersAt(double s) const { return path_.Value(parameter(s)); }
+  gp_Pnt2d parametersAt(double s) const { return placeAt(parameter(s)).uv; }
 
   /// Values of s in (0, 1) where the jet may not be smooth: knots of the pcurve and crossings of
   /// the surface's knot lines.
@@ -58,6 +65,12 @@ class FaceStrip {
 
  private:
   enum class Derivatives { First, Second, Third };
+  /// A point of the path in the parameter plane, and its derivative.
+  struct Place {
+    gp_Pnt2d uv;
+    gp_Vec2d direction;
+  };
+  Place placeAt(double t) const;
   SidePoint at(double s, Derivatives derivatives) const;
   SurfaceJet jet(double u, double v, Derivatives derivatives) const;
   double collapsedLength(double s, double pole_tolerance_mm) const;
@@ -69,6 +82,7 @@ class FaceStrip {
   JetOrder order_;
   Pcurve pcurve_;
   Geom2dAdaptor_Curve path_;
+  std::shared_ptr<const BRepAdaptor_Curve> curve_;  ///< null: the pcurve is the path
   BRepAdaptor_Surface surface_;
   bool forward_;
   std::vector<double> knots_u_;

@@ -224,10 +224,8 @@ FillHoleReport fillHole(const Model& model, const Hole& hole, const FillHoleOpti
   const auto consider = [&](std::optional<FillHoleReport> other) {
     if (other && isBetter(*other, best, options)) best = std::move(*other);
   };
-  // The knots of a sheet depend on what is asked for: a closer one may reach what another misses.
-  for (const double share : {1.0, 0.5, 0.2, 0.05})
-    if (!best.reached && options.sheet && isWorthwhile(task))
-      consider(filledBySheet(task, share, partOf(progress, share_of_patches, share_of_sheet)));
+  if (!best.reached && options.sheet && isWorthwhile(task))
+    consider(filledBySheet(task, partOf(progress, share_of_patches, share_of_sheet)));
   if (!best.reached && options.graph && isWorthwhile(task))
     consider(filledByGraph(task, partOf(progress, share_of_sheet, 1)));
   if (progress && !progress(1)) throw Cancelled();

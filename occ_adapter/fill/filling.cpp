@@ -123,6 +123,11 @@ std::optional<FillHoleReport> filledByFit(
   return is_made ? std::optional(std::move(report)) : std::nullopt;
 }
 
+/// Whether a sheet with more knots may reach what this one does not.
+bool isWorthAFinerSheet(const FillHoleReport& report) {
+  return !report.reached && !report.meets_others && !report.outer.empty();
+}
+
 }  // namespace
 
 FillReason reasonOf(const std::string& doing, const Standard_Failure& failure) {
@@ -166,19 +171,25 @@ std::optional<FillHoleReport> filledByGraph(const FillTask& task, const Progress
                      });
 }
 
-std::optional<FillHoleReport> filledBySheet(const FillTask& task, double share_of_tolerance,
-                                            const Progress& progress) {
-  return filledByFit(task, FillMethod::Sheet, "fitting a sheet", progress,
-                     [&](const Progress& fitting) -> std::optional<FillFaces> {
-                       const std::optional<SheetFace> sheet =
-                           sheetFace(task, share_of_tolerance, fitting);
-                       if (!sheet) return std::nullopt;
-                       FillFaces made;
-                       made.faces = {sheet->face};
-                       made.regular = sheet->regular;
-                       made.reach = sheet->reach;
-                       return made;
-                     });
+std::optional<FillHoleReport> filledBySheet(const FillTask& task, const Progress& progress) {
+  SheetFaces sheets(task);
+  std::optional<FillHoleReport> best;
+  while (!best || isWorthAFinerSheet(*best)) {
+    std::optional<FillHoleReport> report =
+        filledByFit(task, FillMethod::Sheet, "fitting a sheet", progress,
+                    [&](const Progress& fitting) -> std::optional<FillFaces> {
+                      const std::optional<SheetFace> sheet = sheets.next(fitting);
+                      if (!sheet) return std::nullopt;
+                      FillFaces made;
+                      made.faces = {sheet->face};
+                      made.regular = sheet->regular;
+                      made.reach = sheet->reach;
+                      return made;
+                    });
+    if (!report) break;
+    best = std::move(report);
+  }
+  return best;
 }
 
 }  // namespace seamwright::occ

@@ -71,9 +71,8 @@ FillHoleReport filledByFace(const FillTask& task, const TopoDS_Face& face,
 /// Fills the hole with one face on a spline graph, if graphFace() makes one.
 std::optional<FillHoleReport> filledByGraph(const FillTask& task, const Progress& progress);
 
-/// Fills the hole with one face on a spline between four sides, if sheetFace() makes one.
-/// \param share_of_tolerance how near the spline is to come to the sides
-std::optional<FillHoleReport> filledBySheet(const FillTask& task, double share_of_tolerance,
-                                            const Progress& progress);
+/// Fills the hole with one face on a spline between four sides, if SheetFaces has one. Finer ones
+/// are made until one reaches the target.
+std::optional<FillHoleReport> filledBySheet(const FillTask& task, const Progress& progress);
 
 }  // namespace seamwright::occ

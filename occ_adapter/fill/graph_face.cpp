@@ -160,6 +160,20 @@ GraphSample graphSample(const SideSample& sample, const Sight& sight) {
   return result;
 }
 
+GraphBoundary boundaryAlong(const std::shared_ptr<const SidePath>& path, const Sight& sight) {
+  return [path, sight](double t) { return graphSample(path->atParameter(t), sight); };
+}
+
+/// A sight whose x and y are turned as joints of the edges need it.
+std::optional<Sight> bestSightOf(const Paths& paths) {
+  const std::optional<Sight> sight = sightOf(outlineOf(paths));
+  if (!sight) return std::nullopt;
+  std::vector<GraphBoundary> boundary;
+  for (const auto& path : paths) boundary.push_back(boundaryAlong(path, *sight));
+  const double turn_rad = graphTurn_rad(boundary).value_or(0);
+  return Sight(*sight * Eigen::AngleAxisd(turn_rad, Vector3d::UnitZ()));
+}
+
 handle<Geom_Surface> placed(BSplineSurface surface, const Sight& sight) {
   for (Eigen::Index k = 0; k < surface.poles.rows(); ++k)
     surface.poles.row(k).head<3>() =
@@ -173,7 +187,7 @@ std::optional<TopoDS_Face> graphFace(const FillTask& task, const Progress& progr
   const ContinuityTolerance& tolerance = task.options.tolerance;
   const double gap_mm = tolerance.gap_mm / fit_share;
   const Paths paths = pathsAlong(task.hole, gap_mm);
-  const std::optional<Sight> sight = sightOf(outlineOf(paths));
+  const std::optional<Sight> sight = bestSightOf(paths);
   if (!sight) return std::nullopt;
   std::vector<GraphBoundary> boundary;
   std::vector<BoundaryEdge> edges;
@@ -181,8 +195,7 @@ std::optional<TopoDS_Face> graphFace(const FillTask& task, const Progress& progr
   for (const HoleSide& side : task.hole.sides)
     for (const HoleEdge& hole_edge : side.edges) {
       const std::shared_ptr<const SidePath>& path = paths[k++];
-      boundary.emplace_back(
-          [path, sight](double t) { return graphSample(path->atParameter(t), *sight); });
+      boundary.push_back(boundaryAlong(path, *sight));
       std::optional<BoundaryEdge> edge = fittedEdge(
           hole_edge, *path,
           [&](double parameter) -> Vector2d {

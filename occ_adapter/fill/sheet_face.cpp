@@ -80,32 +80,37 @@ double reachOf(const BSplineSurface& surface, const std::array<SheetFillSide, sh
 
 }  // namespace
 
-std::optional<SheetFace> sheetFace(const FillTask& task, double share_of_tolerance,
-                                   const Progress& progress) {
-  const ContinuityTolerance& tolerance = task.options.tolerance;
+void SheetFaces::begin() {
+  begun_ = true;
+  const ContinuityTolerance& tolerance = task_.options.tolerance;
   const double gap_mm = tolerance.gap_mm / fit_share;
-  if (!hasFourCorners(task.hole, gap_mm)) return std::nullopt;
-  const std::vector<HoleSide> sides = longFirst(task.hole.sides);
-  std::array<SheetFillSide, sheet_sides> given;
+  if (!hasFourCorners(task_.hole, gap_mm)) return;
+  sides_ = longFirst(task_.hole.sides);
   for (std::size_t k = 0; k < sheet_sides; ++k)
-    given[k] = sheetSide(std::make_shared<const SidePath>(sides[k], gap_mm));
-  const SheetFill fill = sheetFill(
-      given,
-      {.gap_mm = share_of_tolerance * tolerance.gap_mm,
-       .angle_rad =
-           task.options.target == Level::G0 ? 0 : share_of_tolerance * tolerance.angle_rad},
-      progress);
+    given_[k] = sheetSide(std::make_shared<const SidePath>(sides_[k], gap_mm));
+  sheets_.emplace(
+      given_,
+      SheetFillOptions{.gap_mm = tolerance.gap_mm,
+                       .angle_rad = task_.options.target == Level::G0 ? 0 : tolerance.angle_rad});
+}
+
+std::optional<SheetFace> SheetFaces::next(const Progress& progress) {
+  if (!begun_) begin();
+  if (!sheets_) return std::nullopt;
+  const std::optional<SheetFill> fill = sheets_->next(progress);
+  if (!fill) return std::nullopt;
+  const double gap_mm = task_.options.tolerance.gap_mm / fit_share;
   std::vector<BoundaryEdge> boundary;
   for (std::size_t k = 0; k < sheet_sides; ++k) {
     double begin_mm = 0;
-    const double side_mm = SidePath(sides[k], gap_mm).length_mm();
-    for (const HoleEdge& hole_edge : sides[k].edges) {
+    const double side_mm = SidePath(sides_[k], gap_mm).length_mm();
+    for (const HoleEdge& hole_edge : sides_[k].edges) {
       const SidePath path({{hole_edge}, hole_edge.length_mm}, gap_mm);
       std::optional<BoundaryEdge> edge = fittedEdge(
           hole_edge, path,
           [&](double parameter) {
             const double to_mm = begin_mm + path.length_mm() * path.shareOf(parameter);
-            return placeOn(fill.surface, k, to_mm / side_mm);
+            return placeOn(fill->surface, k, to_mm / side_mm);
           },
           gap_mm / fit_share, gap_mm);
       if (!edge) return std::nullopt;
@@ -113,8 +118,8 @@ std::optional<SheetFace> sheetFace(const FillTask& task, double share_of_toleran
       boundary.push_back(*edge);
     }
   }
-  return SheetFace{boundedFace(geomSurface(fill.surface), boundary, true).face, fill.regular,
-                   reachOf(fill.surface, given)};
+  return SheetFace{boundedFace(geomSurface(fill->surface), boundary, true).face, fill->regular,
+                   reachOf(fill->surface, given_)};
 }
 
 }  // namespace seamwright::occ

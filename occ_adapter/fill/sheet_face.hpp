@@ -2,8 +2,11 @@
 #pragma once
 
 #include <TopoDS_Face.hxx>
+#include <array>
 #include <optional>
+#include <vector>
 
+#include <seamwright/core/fill/sheet_fill.hpp>
 #include <seamwright/core/progress.hpp>
 #include <seamwright/occ_adapter/fill/filling.hpp>
 
@@ -17,11 +20,24 @@ struct SheetFace {
   double reach = 0;  ///< see FillHoleReport::reach
 };
 
-/// A face on a sheetFill(), bounded by copies of the hole's edges; nothing if the hole has not four
-/// corners, all below 180 degrees.
-/// \param share_of_tolerance how near the spline is to come to the sides
-/// \throws std::invalid_argument as sheetFill(), GeometryError, Cancelled, Standard_Failure.
-std::optional<SheetFace> sheetFace(const FillTask& task, double share_of_tolerance,
-                                   const Progress& progress);
+/// Faces on the sheets of a SheetSequence, bounded by copies of the hole's edges.
+class SheetFaces {
+ public:
+  explicit SheetFaces(const FillTask& task) : task_(task) {}
+
+  /// The next one; nothing after the last, and if the hole has not four corners, all below 180
+  /// degrees.
+  /// \throws std::invalid_argument as SheetSequence, GeometryError, Cancelled, Standard_Failure.
+  std::optional<SheetFace> next(const Progress& progress);
+
+ private:
+  void begin();
+
+  const FillTask& task_;
+  std::vector<HoleSide> sides_;
+  std::array<SheetFillSide, 4> given_;
+  std::optional<SheetSequence> sheets_;
+  bool begun_ = false;
+};
 
 }  // namespace seamwright::occ

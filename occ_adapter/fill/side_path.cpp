@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRep_Tool.hxx>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,43 @@
 namespace seamwright::occ {
 
 using Eigen::Vector3d;
+
+namespace {
+
+/// The largest angle by which a path turns at once.
+double largestKink_rad(const FaceStrip& strip) {
+  constexpr double beside = 1e-9;  // of the path: far above rounding, and no arc turns so fast
+  double largest = 0;
+  for (const double at : strip.breaks()) {
+    const Vector3d before = strip.trace(std::max(0.0, at - beside)).d,
+                   after = strip.trace(std::min(1.0, at + beside)).d;
+    largest = std::max(largest, std::atan2(before.cross(after).norm(), before.dot(after)));
+  }
+  return largest;
+}
+
+/// The strip along the edge's curve in space, if that is smoother and within the edge's tolerance.
+std::shared_ptr<const FaceStrip> smootherStrip(const std::shared_ptr<const FaceStrip>& strip,
+                                               const Coedge& use, const Pcurve& pcurve) {
+  constexpr double least_kink_rad = 1e-4, smoother = 0.1;  // choices: what nobody sees; a tenth
+  const double kink_rad = largestKink_rad(*strip);
+  double first = 0, last = 0;
+  const bool has_curve = !BRep_Tool::Curve(use.edge, first, last).IsNull();
+  if (!(kink_rad > least_kink_rad) || !has_curve || first != pcurve.first || last != pcurve.last)
+    return strip;
+  auto along_curve = std::make_shared<FaceStrip>(*strip);
+  along_curve->followCurve(use.edge);
+  constexpr int samples = 64;
+  for (int i = 0; i <= samples; ++i) {
+    const double at = static_cast<double>(i) / samples;
+    const double apart_mm = (along_curve->trace(at).p - strip->trace(at).p).norm();
+    // Both are that far from the curve at most; those who read files measure at some points only.
+    if (!(apart_mm <= 3 * BRep_Tool::Tolerance(use.edge))) return strip;
+  }
+  return largestKink_rad(*along_curve) <= smoother * kink_rad ? along_curve : strip;
+}
+
+}  // namespace
 
 ArcLength::ArcLength(std::function<double(double)> speed_mm) : speed_mm_(std::move(speed_mm)) {
   for (int k = 0; k < pieces; ++k) lengths_[k + 1] = lengths_[k] + between(at(k), at(k + 1));
@@ -50,10 +88,12 @@ double ArcLength::between(double from, double to) const {
   return half * sum;
 }
 
-SidePath::SidePath(const HoleSide& side, double gap_mm, JetOrder order) {
+SidePath::SidePath(const HoleSide& side, double gap_mm, JetOrder order, PathAlong along) {
   for (const HoleEdge& edge : side.edges) {
-    strips_.push_back(std::make_shared<const FaceStrip>(
-        edge.use, pcurveOf(edge.use.edge, edge.use.shape, gap_mm), order));
+    const Pcurve pcurve = pcurveOf(edge.use.edge, edge.use.shape, gap_mm);
+    auto strip = std::make_shared<const FaceStrip>(edge.use, pcurve, order);
+    strips_.push_back(along == PathAlong::Smoother ? smootherStrip(strip, edge.use, pcurve)
+                                                   : strip);
     lengths_.emplace_back(
         [strip = strips_.back()](double parameter) { return strip->trace(parameter).d.norm(); });
     reversed_.push_back(edge.reversed);

@@ -40,12 +40,21 @@ class ArcLength {
   std::array<double, pieces + 1> lengths_{};
 };
 
+/// How a path runs along an edge.
+enum class PathAlong {
+  Pcurve,
+  /// As the pcurve, or where this has kinks and the edge's curve in space has none, along the
+  /// points of the face nearest to that curve.
+  Smoother,
+};
+
 /// The edges of a side, one after the other.
 class SidePath {
  public:
   /// \param order of the jets of samples
   /// \throws GeometryError for an edge that can't be evaluated or a side without length.
-  SidePath(const HoleSide& side, double gap_mm, JetOrder order = JetOrder::Second);
+  SidePath(const HoleSide& side, double gap_mm, JetOrder order = JetOrder::Second,
+           PathAlong along = PathAlong::Pcurve);
 
   bool isOneEdge() const { return strips_.size() == 1; }
   double length_mm() const { return length_mm_; }

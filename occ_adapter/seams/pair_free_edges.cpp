@@ -66,7 +66,11 @@ class Refinement {
   double alongB_mm(double b, double other) const {
     return (b_.strip().trace(b).p - b_.strip().trace(other).p).norm();
   }
-  Foot halfway(const Foot& left, const Foot& right) const;
+  /// The foot at a share of the piece between two feet.
+  Foot within(const Foot& left, const Foot& right, double share) const;
+  double off_mm(const Foot& left, const Foot& right, const Foot& foot, double share) const {
+    return alongB_mm(left.b + share * (right.b - left.b), foot.b);
+  }
   std::optional<double> excess_mm(const Foot& left, const Foot& right, const Foot& half) const;
   bool isBetween(const Foot& foot, const Foot& left, const Foot& right) const {
     return foot.b >= std::min(left.b, right.b) && foot.b <= std::max(left.b, right.b);
@@ -117,9 +121,9 @@ std::vector<Foot> Refinement::thinned(const std::vector<Foot>& feet) const {
   return kept;
 }
 
-Foot Refinement::halfway(const Foot& left, const Foot& right) const {
-  const double parameter = 0.5 * (left.a + right.a);
-  const Foot foot = footFrom(a_, b_, parameter, 0.5 * (left.b + right.b), right.against);
+Foot Refinement::within(const Foot& left, const Foot& right, double share) const {
+  const double parameter = left.a + share * (right.a - left.a);
+  const Foot foot = footFrom(a_, b_, parameter, left.b + share * (right.b - left.b), right.against);
   if (foot.distance_mm <= options_.match_mm) return foot;
   // A path that turns back on itself has more than one nearest point: it may have been another one.
   const auto [low, high] = std::minmax(left.b, right.b);
@@ -130,12 +134,20 @@ Foot Refinement::halfway(const Foot& left, const Foot& right) const {
   return other.distance_mm < foot.distance_mm && isBetween(other, left, right) ? other : foot;
 }
 
-/// How far interpolation halfway is off along b in mm, if that is too far; else nothing.
+/// How far interpolation is off along b in mm, if that is too far; else nothing.
 std::optional<double> Refinement::excess_mm(const Foot& left, const Foot& right,
                                             const Foot& half) const {
-  const double off_mm = alongB_mm(0.5 * (left.b + right.b), half.b);
-  const bool needed = off_mm > allowed_mm(half) && isBetween(half, left, right);
-  return needed ? std::optional(off_mm) : std::nullopt;
+  const auto excess = [&](const Foot& foot, double share) {
+    const double off = off_mm(left, right, foot, share);
+    const bool needed = off > allowed_mm(foot) && isBetween(foot, left, right);
+    return needed ? std::optional(off) : std::nullopt;
+  };
+  if (const auto off = excess(half, 0.5)) return off;
+  // Of symmetric edges interpolation is right halfway, however far it is off beside. Halving a
+  // piece divides its error by four, so that others are seldom that good by chance.
+  constexpr double by_chance = 1.0 / 16, beside = 0.25;
+  if (off_mm(left, right, half, 0.5) > by_chance * allowed_mm(half)) return std::nullopt;
+  return excess(within(left, right, beside), beside);
 }
 
 double Refinement::refine(std::vector<Foot>& feet) const {
@@ -149,7 +161,7 @@ double Refinement::refine(std::vector<Foot>& feet) const {
     std::vector<Piece> finer;
     for (const Piece& piece : pieces) {
       if (!piece.settled) {
-        const Foot left = finer.back().end, half = halfway(left, piece.end);
+        const Foot left = finer.back().end, half = within(left, piece.end, 0.5);
         const std::optional<double> excess = excess_mm(left, piece.end, half);
         if (excess && may_split) {
           finer.insert(finer.end(), {{half, false}, {piece.end, false}});

@@ -112,6 +112,23 @@ TEST(EdgePatches, OfOneSpanItIsThePatch) {
   EXPECT_EQ(patches[0].homogeneousPoles(), bezierPatch(surface).homogeneousPoles());
 }
 
+// In time that grows with their number, not with its square.
+TEST(EdgePatches, ThousandsOfBreaks) {
+  std::mt19937_64 random(testSeed());
+  const BSplineSurface surface = strip({3, 3, {0.3, 0.6}, true}, 1, 0.5, random);
+  constexpr int count = 20000;
+  std::vector<double> breaks;
+  for (int k = count - 1; k > 0; --k) breaks.push_back(static_cast<double>(k) / count);
+  const std::vector<BezierPatch> patches = edgePatches(surface, PatchEdge::U0, breaks);
+  ASSERT_EQ(patches.size(), static_cast<std::size_t>(count));
+  for (const int k : {0, 5999, 6000, 11999, 12000, count - 1})
+    EXPECT_LE((patches[static_cast<std::size_t>(k)].jet(0.5, 0.25).p -
+               jet(surface, 0.5, (k + 0.25) / count).p)
+                  .norm(),
+              1e-12)
+        << k;
+}
+
 TEST(EdgePatches, BreaksOutsideAreRefused) {
   std::mt19937_64 random(testSeed());
   const BSplineSurface surface = strip({3, 3, {}, false}, 1, 0.5, random);

@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
 #include <seamwright/core/angle.hpp>
 #include <seamwright/core/fill/graph_fill.hpp>
+#include <seamwright/core/fill/graph_knots.hpp>
 
 namespace seamwright::test {
 namespace {
@@ -115,10 +117,10 @@ TEST(GraphFill, ReproducesQuadraticFunctions) {
 // (2)
 TEST(GraphFill, DoesNotDependOnTheFirstPart) {
   const Function f = sphere();
-  std::vector<Vector2d> turned(l_shape.begin() + 2, l_shape.end());
-  turned.insert(turned.end(), l_shape.begin(), l_shape.begin() + 2);
+  std::vector<Vector2d> later(l_shape.begin() + 2, l_shape.end());
+  later.insert(later.end(), l_shape.begin(), l_shape.begin() + 2);
   const GraphFill one = graphFill(polygon(f, l_shape), asked),
-                  other = graphFill(polygon(f, turned), asked);
+                  other = graphFill(polygon(f, later), asked);
   for (const Vector2d& at : {Vector2d(-3, 3), Vector2d(3, -3), Vector2d(-1, -1)})
     EXPECT_NEAR(jet(one.surface, at.x(), at.y()).p.z(), jet(other.surface, at.x(), at.y()).p.z(),
                 1e-5);
@@ -143,6 +145,64 @@ TEST(GraphFill, MeetsAJointOfAPlaneAndACylinder) {
   const auto [gap_mm, angle_rad] = missOf(fill, boundary);
   EXPECT_LT(gap_mm, asked.gap_mm);
   EXPECT_LT(angle_rad, asked.angle_rad);
+}
+
+/// Flat for x < y, and bent beyond: tangent everywhere, with another mixed derivative on both
+/// sides.
+Function bentAcrossADiagonal() {
+  constexpr double bend_per_mm = 0.05;
+  const auto beyond = [](const Vector2d& p) { return std::max(p.x() - p.y(), 0.0); };
+  return {[=](const Vector2d& p) { return 0.5 * bend_per_mm * beyond(p) * beyond(p); },
+          [=](const Vector2d& p) -> Vector2d { return bend_per_mm * beyond(p) * Vector2d(1, -1); },
+          [=](const Vector2d& p) -> Eigen::Matrix2d {
+            return (p.x() > p.y() ? bend_per_mm : 0.0) * Eigen::Matrix2d{{1, -1}, {-1, 1}};
+          }};
+}
+
+/// The same function and polygon, x and y being turned.
+std::vector<GraphBoundary> turned(const Function& f, std::vector<Vector2d> corners,
+                                  double turn_rad) {
+  const Eigen::Matrix2d turn = Eigen::Rotation2Dd(turn_rad).toRotationMatrix();
+  for (Vector2d& corner : corners) corner = turn.transpose() * corner;
+  return polygon(
+      {[=](const Vector2d& p) { return f.height(turn * p); },
+       [=](const Vector2d& p) -> Vector2d { return turn.transpose() * f.slope(turn * p); },
+       [=](const Vector2d& p) -> Eigen::Matrix2d {
+         return turn.transpose() * f.bend(turn * p) * turn;
+       }},
+      corners);
+}
+
+const std::vector<Vector2d> square = {{-6, -6}, {6, -6}, {6, 6}, {-6, 6}};
+
+// The diagonal between the two corners is where the second derivatives jump least.
+TEST(GraphFill, TurnsWhereCornersDisagreeAboutTheMixedDerivative) {
+  const auto turn_rad = graphTurn_rad(polygon(bentAcrossADiagonal(), square));
+  ASSERT_TRUE(turn_rad);
+  EXPECT_NEAR(*turn_rad, std::numbers::pi / 4, 1e-3);
+  EXPECT_FALSE(graphTurn_rad(polygon(sphere(), square)));
+  EXPECT_FALSE(graphTurn_rad(turned(bentAcrossADiagonal(), square, std::numbers::pi / 4)));
+}
+
+TEST(GraphFill, MeetsCornersThatDisagreeAboutTheMixedDerivative) {
+  const auto boundary = turned(bentAcrossADiagonal(), square, std::numbers::pi / 4);
+  const GraphFill fill = graphFill(boundary, asked);
+  const auto [gap_mm, angle_rad] = missOf(fill, boundary);
+  EXPECT_LT(gap_mm, asked.gap_mm);
+  EXPECT_LT(angle_rad, asked.angle_rad);
+  // Along the axes spans would have to be halved towards both corners instead.
+  EXPECT_LT(fill.surface.poles.rows(), 400);
+}
+
+// The sum of the steps is not the whole range, up to rounding.
+TEST(GraphKnots, KeepBothEndsBesideABend) {
+  for (int k = 1; k < 200; ++k) {
+    const double first = -std::sqrt(k), last = std::cbrt(k + 1);
+    const fill::GraphKnots knots(first, last, 4, {last - 0.05 * (last - first)});
+    EXPECT_EQ(knots.flat().front(), first);
+    EXPECT_EQ(knots.flat().back(), last);
+    EXPECT_EQ(std::ranges::count(knots.flat(), last), fill::graph_degree + 1);
+  }
 }
 
 TEST(GraphFill, WithoutAnAngleItMeetsHeightsAlone) {

@@ -9,6 +9,11 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <optional>
+#include <random>
+
+#include "support/random.hpp"
+
 #include <seamwright/core/angle.hpp>
 #include <seamwright/core/fill/sheet_fill.hpp>
 
@@ -185,6 +190,34 @@ TEST(SheetFill, IgnoresJointsOfOneCurve) {
   const SheetFill plain = sheetFill(sidesOf(formula), asked),
                   jointed = sheetFill(sidesOf(formula, {0.3, 0.61}), asked);
   EXPECT_EQ(plain.surface.knots_u, jointed.surface.knots_u);
+}
+
+// (4): bands around thin and thick tubes, whose long sides differ by far.
+TEST(SheetFill, WhatMeetsAToleranceMeetsLargerOnes) {
+  std::mt19937 random(testSeed());
+  std::uniform_real_distribution<double> tubes_mm(5, 25), inners_mm(2, 10);
+  for (int band = 0; band < 3; ++band) {
+    const double tube_mm = tubes_mm(random), inner_mm = inners_mm(random);
+    const auto sides = sidesOf(halfTorus(inner_mm + tube_mm, tube_mm, pi / 2, pi));
+    bool is_met = true;
+    for (const double angle_deg : {1.0, 0.3, 0.1, 0.03, 0.01, 0.005, 0.002}) {
+      const SheetFillOptions options{.gap_mm = 0.1 * angle_deg,
+                                     .angle_rad = angle_deg * radians_per_degree};
+      const SheetFill fill = sheetFill(sides, options);
+      const auto [gap_mm, angle_rad] = missOf(fill, sides);
+      const bool now = fill.regular && gap_mm <= options.gap_mm && angle_rad <= options.angle_rad;
+      EXPECT_TRUE(is_met || !now) << tube_mm << " " << inner_mm << " at " << angle_deg;
+      EXPECT_TRUE(now || angle_deg < 0.01) << tube_mm << " " << inner_mm << " at " << angle_deg;
+      is_met = now;
+    }
+  }
+}
+
+TEST(SheetFill, FinerSheetsFollow) {
+  SheetSequence sheets(sidesOf(halfTorus(20, 6, 0.2, 1.4)), {.gap_mm = 1, .angle_rad = 0.1});
+  const std::optional<SheetFill> first = sheets.next(), second = sheets.next();
+  ASSERT_TRUE(first && second);
+  EXPECT_GT(second->surface.poles.rows(), first->surface.poles.rows());
 }
 
 TEST(SheetFill, WithoutAnAngleItMeetsThePositionAlone) {

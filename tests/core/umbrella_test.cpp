@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <Eigen/Geometry>
+#include <limits>
 
 #include "support/random.hpp"
 #include "umbrellas.hpp"
@@ -273,6 +274,25 @@ std::vector<BezierCurve> regularSpokes(int m, bool closed = true) {
   return spokes;
 }
 
+// Around a point with an even number of members, one of the free vectors is multiplied by areas.
+TEST(Umbrella, Identity3HoldsForAnyUnit) {
+  for (const int members : {3, 4, 6, 8}) {
+    const std::vector<BezierCurve> spokes = regularSpokes(members);
+    const Umbrella one = umbrellaAround(spokes, {});
+    for (const double unit : {1e-9, 1e-6, 1e6, 1e9}) {
+      std::vector<BezierCurve> other = spokes;
+      for (BezierCurve& spoke : other) spoke = BezierCurve(Poles(unit * spoke.poles()));
+      const Umbrella found = umbrellaAround(other, {});
+      for (int i = 0; i < members; ++i)
+        EXPECT_LE((test::polesOf(found.members[i]) / unit - test::polesOf(one.members[i]))
+                      .cwiseAbs()
+                      .maxCoeff(),
+                  1e-12)
+            << members << " " << unit;
+    }
+  }
+}
+
 TEST(Umbrella, Identity4SymmetricSpokesMakeASymmetricOne) {
   for (int m = 3; m <= 12; ++m)
     for (const MemberKind kind : {MemberKind::Tensor, MemberKind::Triangle}) {
@@ -483,6 +503,8 @@ TEST(Umbrella, RefusesWhatIsNone) {
   options = {};
   options.gap_mm = -1;
   fails(spokes, options, "gap_mm is -1");
+  options.gap_mm = std::numeric_limits<double>::infinity();
+  fails(spokes, options, "gap_mm is inf");
 }
 
 }  // namespace

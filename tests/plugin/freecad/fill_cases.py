@@ -15,7 +15,7 @@ from match_cases import text_of
 
 from freecad.seamwright.document import elements, fill
 from freecad.seamwright.document.hooks import hooks
-from freecad.seamwright.plain import fill_text
+from freecad.seamwright.plain import fill_text, new_seams
 
 
 #: The octant of a ball of 4 mm has 33.5 mm3. The volume under a fill of three sides differs from it
@@ -103,9 +103,37 @@ class Holes(FillCase):
         source, _ = self.open_block()
         obj = fill.create(source, target="G2")
         self.assertNotFilled(obj, "is not G2")
+        self.assertNamesTheHole(obj)
+        self.assertRegex(obj.Summary, r"The best fill needs .*a curvature of [0-9]+ %; Keep anyway")
         obj.Target = "G1"
         self.doc.recompute()
         self.assertEqual((fill.error_text(obj), obj.Reached), ("", True))
+        source.Shape = Part.Compound(source.Shape.Faces[::-1])
+        obj.Target = "G2"
+        self.doc.recompute()
+        self.assertNotFilled(obj, "is not G2")
+        self.assertNamesTheHole(obj)
+
+    def assertNamesTheHole(self, obj):
+        """Seams of a fill that was not kept name free edges of the source and their faces."""
+        faces, edges = obj.Source.Shape.Faces, obj.Source.Shape.Edges
+        report = fill.report_of(obj)
+        seams, named = report["fills"][0]["seams"], set()
+        for seam in seams:
+            self.assertEqual((seam["edges"], seam["faces"]), ([], []))
+            beside = fill_text.face_beside(seam)
+            self.assertEqual(beside is None, "source_edges" not in seam)
+            for number in seam.get("source_edges", ()):
+                owners = [
+                    place
+                    for place, face in enumerate(faces, 1)
+                    if any(map(edges[number - 1].isSame, face.Edges))
+                ]
+                self.assertEqual(owners, [beside])
+                named.add(number)
+        self.assertEqual(len(named), 3)
+        built = new_seams.build_rows(seams, report["tolerance"], "G2")
+        self.assertTrue(built[0].cells[0].endswith(" (model)"), built[0].cells)
 
     def test_edges_of_a_loop_in_any_order_and_number_name_their_hole(self):
         source, loops = self.open_block(2)

@@ -41,6 +41,30 @@ def meridian(number, count=3, radius=20.0):
     return Part.Arc(at(0), at(0.4), at(0.8)).toShape()
 
 
+def bowl(number, count=5):
+    """A Bezier curve from the origin; no surface has the curvatures of five of them there."""
+    angle = 2 * math.pi * number / count
+    x, y = math.cos(angle), math.sin(angle)
+    curve = Part.BezierCurve()
+    heights = 0, 0, 1.5 + x, 4 + 2 * x + number % 2
+    curve.setPoles([V(along * x, along * y, z) for along, z in zip((0, 3, 6, 9), heights)])
+    return curve.toShape()
+
+
+def rim(number, side, count=5):
+    """A Bezier curve from the end of an even spoke to the corner on one side of it."""
+
+    def out(turn, radius, z):
+        angle = 2 * math.pi * turn / count
+        return V(radius * math.cos(angle), radius * math.sin(angle), z)
+
+    begin, corner = out(number, 9, -3), out(number + side / 2, 12, -4)
+    right = V(0, 0, side).cross(out(number, 1, 0))
+    curve = Part.BezierCurve()
+    curve.setPoles([begin, begin + 2 * right, (begin + 2 * corner) / 3, corner])
+    return curve.toShape()
+
+
 def section(height, bend):
     curve = Part.BSplineCurve()
     places = (0, 0, height), (10, bend, height), (20, 1, height + 2), (30, 4, height)
@@ -56,6 +80,18 @@ def angle_along(edge, one, other):
         a, b = (f.Surface.normal(*f.Surface.parameter(point)) for f in (one, other))
         angles.append(math.degrees(math.asin(min(1.0, a.cross(b).Length))))
     return max(angles)
+
+
+def curvature_along(edge, one, other):
+    """The largest difference of Gauss' and of mean curvature of two faces along an edge, by the
+    largest of either."""
+    gauss, mean = [], []
+    for at in numpy.linspace(*edge.ParameterRange, 22)[1:-1]:
+        point = edge.valueAt(at)
+        both = [f.curvatureAt(*f.Surface.parameter(point)) for f in (one, other)]
+        gauss.append([low * high for low, high in both])
+        mean.append([abs(low + high) for low, high in both])
+    return max(numpy.ptp(each, axis=1).max() / numpy.abs(each).max() for each in (gauss, mean))
 
 
 def joints(shape):
@@ -121,6 +157,74 @@ class Umbrellas(FreeSurfaceCase):
         obj.Fit = 1e-9
         self.doc.recompute()
         self.assertWithout(obj, "Not made: a curve of degree 9 is")
+
+    def test_arcs_stay_arcs(self):
+        arcs = self.add([meridian(number, 5) for number in range(5)])
+        for members, faces in (("Four-sided", 5), ("Three-sided", 15)):
+            obj = kinds.create("Umbrella", arcs, rational=True, members=members, fit_mm=1e-9)
+            self.assertMade(obj, faces)
+            for arc in arcs:
+                self.assertLess(distance_from(arc.Shape, obj.Shape), 1e-7)
+
+    def test_faces_have_one_curvature_along_the_edges(self):
+        sources = self.add([bowl(number) for number in range(5)])
+        plain = kinds.create("Umbrella", sources)
+        self.assertGreater(max(curvature_along(*each) for each in joints(plain.Shape)), 0.1)
+        for leave_open, faces in ((False, 5), (True, 4)):
+            obj = kinds.create("Umbrella", sources, order="G2", open=leave_open)
+            self.assertMade(obj, faces)
+            self.assertLess(max(angle_along(*each) for each in joints(obj.Shape)), 1e-4)
+            self.assertLess(max(curvature_along(*each) for each in joints(obj.Shape)), 1e-3)
+            self.assertLess(obj.MaxCurvature, 1e-3)
+            self.assertRegex(obj.Summary, r"every seam is G2, .* curvature at most .* edge \d most")
+            self.assertEqual({seam["target"] for seam in report_of(obj)["seams"]}, {"G2"})
+        self.assertEqual(plain.MaxCurvature, 0)
+        kept = kinds.create("Umbrella", self.spokes(), order="G2", max_move_mm=1e-9)
+        self.assertMade(kept, 5)
+
+    def test_what_faces_with_one_curvature_cannot_have(self):
+        sources = self.add([bowl(number) for number in range(5)])
+        edge = self.add([rim(0, 1)])
+        limited = kinds.create("Umbrella", sources, order="G2", max_move_mm=0.01)
+        self.assertWithout(limited, "the curvature of one surface at the point: poles would move")
+        self.assertRegex(limited.Summary, r"by 1 mm, edge \d most, and 0.01 mm are allowed")
+        three = kinds.create("Umbrella", sources, order="G2", members="Three-sided")
+        self.assertWithout(three, "three-sided faces join with G1 only")
+        bounded = kinds.create(
+            "Umbrella", {"Sources": sources, "Boundary": edge}, order="G2"
+        )
+        self.assertWithout(bounded, "with G2 the outer boundary is found")
+        bounded.Boundary = []
+        self.doc.recompute()
+        self.assertMade(bounded, 5)
+
+    def test_the_faces_end_at_a_given_outer_boundary(self):
+        sources = self.add([spoke(2 * number, 10) for number in range(5)])
+        rims = self.add([rim(number, side) for side in (-1, 1) for number in (3, 0, 4, 1, 2)])
+        obj = kinds.create("Umbrella", {"Sources": sources, "Boundary": rims})
+        self.assertMade(obj, 5)
+        self.assertTrue(obj.Summary.endswith("; the outer boundary stays."), obj.Summary)
+        for source in [*sources, *rims]:
+            self.assertLess(distance_from(source.Shape, obj.Shape), 1e-7)
+        self.assertLess(max(angle_along(*each) for each in joints(obj.Shape)), 1e-4)
+        rims[0].Placement.Base = V(0, 0, 0.5)
+        self.doc.recompute()
+        self.assertWithout(obj, "of the outer boundary does not lead from the end of an edge")
+        self.assertIn("it ends 0.5 mm from the nearest end", obj.Summary)
+        self.doc.removeObject(rims[0].Name)
+        self.doc.recompute()
+        self.assertFailed(obj, "choose others in the property Boundary, or set it to none")
+
+    def test_one_outer_edge_makes_a_three_sided_face(self):
+        sources = self.add([spoke(2 * number, 10) for number in range(5)])
+        tips = [source.Shape.valueAt(source.Shape.LastParameter) for source in sources]
+        for end, text in ((2, "edge 1 of the outer boundary leads from edge 1 to edge 3"), (1, "")):
+            chord = self.add([Part.makeLine(tips[0], tips[end])])
+            obj = kinds.create("Umbrella", {"Sources": sources, "Boundary": chord})
+            if text:
+                self.assertWithout(obj, text)
+        self.assertMade(obj, 7)
+        self.assertLess(distance_from(chord[0].Shape, obj.Shape), 1e-7)
 
     def test_edges_of_one_object_that_meet_in_a_vertex(self):
         obj = kinds.create("Umbrella", self.add([Part.Compound([spoke(k) for k in range(5)])]))

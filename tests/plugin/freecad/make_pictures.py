@@ -4,8 +4,9 @@
     python3 run_freecad.py --window --mod ADDON --out FOLDER make_pictures
 
 writes workbench.png, repair.png, match.png, fill_freecad.png, corner_fillet_freecad.png,
-spline_freecad.png, blend_freecad.png, blend_surface_freecad.png, seam_plot.png, and of the samples
-33 and 34 handles_freecad.png, umbrella_freecad.png and loft_freecad.png, to be looked at and moved
+spline_freecad.png, blend_freecad.png, blend_surface_freecad.png, umbrella_g2_freecad.png,
+seam_plot.png, and of the samples 33 and 34 handles_freecad.png, umbrella_freecad.png and
+loft_freecad.png, to be looked at and moved
 to docs/images. For repair_curvature.png it writes the models:
 
     seam-picture --pair FOLDER/before.brep FOLDER/after.brep repair_curvature.png --curvature ...
@@ -25,6 +26,7 @@ import FreeCADGui as Gui
 import ImportGui
 import models
 import Part
+from free_surface_cases import bowl
 from PySide import QtCore
 from surface_cases import at_x, sheet
 from window import OUT, PanelWindow, click_row, settle, whole_window
@@ -33,8 +35,10 @@ from window_cases import STEP
 from freecad.seamwright.document import corner, fill, match, repair
 from freecad.seamwright.document.curves import curve, kinds
 from freecad.seamwright.document.maps import tool
+from freecad.seamwright.document.surfaces import kinds as surface_kinds
 from freecad.seamwright.document.surfaces import surface
 from freecad.seamwright.gui.corner.panel import RADIUS
+from freecad.seamwright.gui.scene.zebra import zebra
 from freecad.seamwright.gui.widgets.dock import dock_of
 
 GREY = (0.7, 0.7, 0.7)
@@ -267,6 +271,27 @@ class SamplePicture(PanelWindow):
                 click_row(panel.table, 1)
             take({"Umbrella": "umbrella_freecad", "FrameLoft": "loft_freecad"}[kind])
             self.cancel()
+
+
+    def test_umbrella_g2(self):
+        """The same spokes with G1 on the left, with G2 on the right."""
+        self.doc = App.newDocument("Umbrellas")
+        made = []
+        for order, x in (("G1", 0), ("G2", 23)):
+            shape = Part.Compound([bowl(number) for number in range(5)])
+            shape.translate(App.Vector(x, 0, 0))
+            spokes = models.add(self.doc, shape, "Spokes" + order)
+            self.doc.recompute()
+            made.append(surface_kinds.create("Umbrella", [(spokes, "")], order=order))
+            made[-1].ViewObject.DisplayMode = "Shaded"
+            spokes.ViewObject.hide()
+        panel = self.edit(made[1].Name)
+        Gui.activeDocument().activeView().viewTop()
+        Gui.activeDocument().activeView().fitAll()
+        zebra.show(made[:1])
+        panel.zebra.setChecked(True)
+        take("umbrella_g2_freecad")
+        self.cancel()
 
 
 class PlotPicture(PanelWindow):

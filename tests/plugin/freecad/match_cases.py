@@ -15,6 +15,8 @@ from document_cases import DocumentCase
 from freecad.seamwright.document import match
 from freecad.seamwright.document.hooks import hooks
 
+V = App.Vector
+
 
 class MatchCase(DocumentCase):
     def sheets(self):
@@ -48,6 +50,34 @@ def angle_between(shape):
         normals = [face.normalAt(*face.Surface.parameter(point)) for face in (first, second)]
         worst = max(worst, abs(math.sin(normals[0].getAngle(normals[1]))))
     return math.degrees(math.asin(worst))
+
+
+def tilted(x0, x1, y0, y1, rise=0.0):
+    """A face of 4 x 4 poles over a rectangle."""
+    places = [place / 3 for place in range(4)]
+    lines = [
+        [V(x0 + (x1 - x0) * s, y0 + (y1 - y0) * t, rise * (x1 - x0) * s) for t in places]
+        for s in places
+    ]
+    surface = Part.BSplineSurface()
+    surface.buildFromPolesMultsKnots(lines, [4, 4], [4, 4], [0, 1], [0, 1], False, False, 3, 3)
+    return surface.toShape()
+
+
+def face_at(shape, point):
+    """The normal of the face of a shape that is nearest to a point, there."""
+    face = min(shape.Faces, key=lambda each: each.distToShape(Part.Vertex(point))[0])
+    return face.normalAt(*face.Surface.parameter(point))
+
+
+def edge_at(obj, point):
+    """The name of the edge with its middle at a point."""
+    (number,) = [
+        number
+        for number, edge in enumerate(obj.Shape.Edges, 1)
+        if edge.CenterOfMass.distanceToPoint(point) < 1e-6
+    ]
+    return "Edge%d" % number
 
 
 def text_of(shape):
@@ -146,6 +176,77 @@ class Results(MatchCase):
         self.assertNotMatched(obj, "Box.Edge1 is not an edge of the two faces")
 
 
+class Chains(MatchCase):
+    def setUp(self):
+        super().setUp()
+        self.right = models.add(self.doc, tilted(0, 60, 0, 40, 0.02), "Right")
+        self.low, self.high = (
+            models.add(self.doc, tilted(-30, 0, *ends), name)
+            for name, ends in (("Low", (0, 25)), ("High", (25, 40)))
+        )
+        self.doc.recompute()
+
+    def assertSmooth(self, obj, moved):
+        """The tangent planes of the moved face and of the other two agree at points between."""
+        self.assertTrue(obj.Matched, obj.Summary)
+        self.assertEqual((len(obj.Shape.Faces), obj.LevelBefore), (3, "G0"))
+        angles = []
+        for y in (1, 12, 24, 26, 33, 39):
+            normals = [face_at(obj.Shape, V(x, y, 0)) for x in (-1e-6, 1e-6)]
+            angles.append(math.degrees(math.asin(normals[0].cross(normals[1]).Length)))
+        self.assertLess(max(angles), 1e-3)
+        self.assertIn("%s joins " % moved, obj.Summary)
+
+    def test_a_face_joins_a_chain_of_faces(self):
+        first, second, more = (self.low, "Face1"), (self.right, "Face1"), [(self.high, "Face1")]
+        for target, moves in (("G1", "second"), ("G2", "second"), ("G1", "both")):
+            obj = match.create(first, second, more=more, target=target, moves=moves)
+            self.assertSmooth(obj, "Right.Face1")
+            self.assertIn(obj.LevelAfter, ("G1", "G2")[("G1", "G2").index(target) :])
+            self.assertTrue(target == "G1" or obj.CurvatureAfter < 0.02)
+        self.assertSmooth(match.create(second, first, more=more, moves="first"), "Right.Face1")
+        self.high.Placement.Base = V(0, 0, 1)
+        self.doc.recompute()
+        self.assertNotMatched(obj, "High.Face1 has no edge along Right.Face1 within the match")
+        self.assertIn("they are 1 mm apart", obj.Summary)
+        self.doc.removeObject(self.high.Name)
+        self.doc.recompute()
+        self.assertNotMatched(obj, "High was deleted: choose others in the property MoreFaces")
+
+    def test_a_kink_that_makes_the_face_less_fair_needs_a_depth(self):
+        surface = Part.BSplineSurface()
+        surface.interpolate(
+            [[V(8 * i, 10 * j, -3 * i * i) for j in range(5)] for i in range(6)]
+        )
+        self.right.Shape = surface.toShape()
+        self.doc.recompute()
+        faces = [(each, "Face1") for each in (self.low, self.high, self.right)]
+        first, second, given = match.arranged(faces)
+        obj = match.create(first, second, fairness=1.0, **given)
+        self.assertNotMatched(obj, "allow a change over a larger Depth, or a larger Fairness")
+        obj.Fairness = 1000
+        self.doc.recompute()
+        self.assertSmooth(obj, "Right.Face1")
+
+    def test_what_is_selected(self):
+        faces = [(each, "Face1") for each in (self.low, self.high, self.right)]
+        self.assertEqual(match.arranged(faces[:2]), (*faces[:2], {"edge": None}))
+        self.assertEqual(match.arranged(faces), (faces[0], faces[2], {"more": [faces[1]]}))
+        places = (self.low, 12.5), (self.high, 32.5)
+        edges = [(each, edge_at(each, V(0, y, 0))) for each, y in places]
+        first, second, given = match.arranged([faces[2], *edges])
+        self.assertEqual((first, second, given), (faces[0], faces[2], {"more": edges}))
+        self.assertSmooth(match.create(first, second, **given), "Right.Face1")
+        across = [(self.high, edge_at(self.high, V(-15, 40, 0)))]
+        obj = match.create(first, second, more=across)
+        self.assertNotMatched(obj, "High.Face1 has no edge along Right.Face1")
+        for wrong in ([], faces[:1], edges):
+            with self.assertRaisesRegex(ValueError, "Select two faces"):
+                match.arranged(wrong)
+        with self.assertRaisesRegex(ValueError, "Right.Face1 would join itself"):
+            match.arranged([*faces, faces[2]])
+
+
 class Following(MatchCase):
     def test_a_changed_source_is_followed(self):
         self.sheets()
@@ -160,7 +261,7 @@ class Following(MatchCase):
         self.sheets()
         obj = self.match()
         changes = {name: 0.5 for name, *_ in match.TOLERANCES}
-        changes.update(Target="G2", Moves="Both", MaxMove=5, HoldSides=True)
+        changes.update(Target="G2", Moves="Both", MaxMove=5, HoldSides=True, Depth=3, Fairness=2)
         for name, value in changes.items():
             with self.subTest(name):
                 self.doc.recompute()
@@ -243,6 +344,7 @@ class Errors(MatchCase):
             ({"target": "G3"}, "target 'G3'"),
             ({"moves": "none"}, "moves 'none'"),
             ({"max_move_mm": -1.0}, "max_move_mm"),
+            ({"depth_mm": -1.0}, "depth_mm"),
             ({"gap_mm": math.nan}, "gap_mm"),
             ({"profile": "class-b"}, "profile 'class-b'"),
         ):

@@ -11,6 +11,7 @@ import FreeCADGui as Gui
 import models
 import numpy
 import Part
+from match_cases import tilted
 from PySide import QtGui
 from window import CANCELLED, OUT, PanelWindow, click, messages, picture, settle, whole_window
 
@@ -101,6 +102,25 @@ class Matching(MatchWindow):
         settle()
         self.assertEqual(again.ViewObject.Proxy.panel.tolerances.level.currentText(), "G2")
         self.cancel()
+
+    def test_the_last_of_more_faces_joins_the_others(self):
+        low, high = (
+            models.add(self.doc, tilted(-30, 0, *ends), name)
+            for name, ends in (("Low", (-20, 5)), ("High", (5, 20)))
+        )
+        moving = models.add(self.doc, tilted(0, 60, -20, 20, 0.02), "Moving")
+        self.doc.recompute()
+        obj, panel = self.start((low, "Face1"), (high, "Face1"), (moving, "Face1"))
+        self.assertTrue(obj.Matched, obj.Summary)
+        self.assertIn("Moving.Face1 joins Low.Face1, High.Face1", panel.summary.text())
+        self.assertFalse(high.ViewObject.Visibility)
+        self.assertEqual(panel.links("MoreFaces"), [(high, "Face1")])
+        for chosen, faces in (((), 2), (((high, "Face1"),), 3)):
+            self.use(panel, "MoreFaces", *chosen)
+            settle(1.0)
+            self.assertEqual(len(obj.Shape.Faces), faces)
+        self.ok()
+        self.assertEqual(len(obj.Shape.Faces), 3)
 
     def test_cancel_takes_all_of_it_back(self):
         obj, panel = self.start()
@@ -229,8 +249,8 @@ class Matching(MatchWindow):
         self.doc.recompute()
         for chosen in (
             [(self.left, "Face1")],
-            [(self.left, "Face1"), (self.right, "Face1"), (box, "Face1")],
             [(self.left, "Edge1"), (self.right, "Edge1")],
+            [(box, "Edge1"), (box, "Edge2"), (box, "Edge3")],
         ):
             obj, _ = self.start(*chosen)
             (text,) = messages()

@@ -172,6 +172,19 @@ class Blends(SurfaceCase):
         self.doc.recompute()
         self.assertWithout(obj, "Shell.%s is in start and in end" % inside[0])
 
+    def test_edges_of_two_objects_that_meet_are_one_side(self):
+        low, high = self.sheets()
+        parts = []
+        for number, part in enumerate(((0, 0.4), (0.4, 1))):
+            surface = low.Shape.Faces[0].Surface.copy()
+            surface.segment(0, 1, *part)
+            parts.append(models.add(self.doc, surface.toShape(), "Part%d" % number))
+        self.doc.recompute()
+        left = [(part, at_x(part, 30)) for part in parts]
+        obj = kinds.create("BlendSurface", [left[0], (high, at_x(high, 60)), left[1]])
+        self.assertEqual(({part for part, _ in obj.Start}, obj.Lateral), (set(parts), []))
+        self.assertMade(obj)
+
     def test_a_lateral_boundary_is_a_wire_of_no_face(self):
         flat = Part.makePlane(30, 40), Part.makePlane(30, 40, App.Vector(60, 0, 0))
         left, right = (models.add(self.doc, s, n) for s, n in zip(flat, ("Left", "Right")))

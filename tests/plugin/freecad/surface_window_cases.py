@@ -9,7 +9,7 @@ import FreeCADGui as Gui
 import models
 import Part
 from curve_cases import slot
-from free_surface_cases import spoke
+from free_surface_cases import rim, spoke
 from surface_cases import at_x, sheet
 from window import (
     PanelWindow,
@@ -107,6 +107,33 @@ class Panel(SurfaceWindow):
         self.assertEqual((panel.table.rowCount(), len(obj.Shape.Faces)), (3, 4))
         self.ok()
         self.assertEqual(len(obj.Shape.Faces), 4)
+
+    def test_an_umbrella_gets_curvature_and_an_outer_boundary(self):
+        spokes = models.add(self.doc, Part.Compound([spoke(2 * k, 10) for k in range(5)]), "Spokes")
+        rims = Part.Compound([rim(k, side) for k in range(5) for side in (1, -1)])
+        outer = models.add(self.doc, rims, "Rims")
+        self.doc.recompute()
+        obj, panel = self.start("Umbrella", (spokes, ""))
+        self.set_field(panel, "order", "G2")
+        settle(1.0)
+        self.assertEqual(set(self.column(panel, 5)), {"G2 is met"})
+        self.assertTrue(panel.options.fields["curvature_rel"].widget.isVisible())
+        self.assertIn("curvature at most", panel.summary.text())
+        self.select(*((outer, "Edge%d" % number) for number in range(1, 11)))
+        self.use(panel, "Boundary")
+        settle(1.0)
+        self.assertIn("with G2 the outer boundary is found", panel.summary.text())
+        self.set_field(panel, "order", "G1")
+        settle(1.0)
+        self.assertEqual(set(self.column(panel, 5)), {"G1 is met"})
+        self.assertTrue(panel.summary.text().endswith("; the outer boundary stays."))
+        whole_window("umbrella-boundary")
+        self.select()
+        self.use(panel, "Boundary")
+        settle(1.0)
+        self.assertNotIn("boundary", panel.summary.text())
+        self.ok()
+        self.assertEqual((obj.Order, obj.Boundary), ("G1", []))
 
     def test_a_deleted_lateral_boundary_is_forgotten_by_an_empty_selection(self):
         obj, panel = self.blend()

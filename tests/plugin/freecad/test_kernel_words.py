@@ -19,8 +19,8 @@ SENTENCES = {
     "the tangent is 1.5707963267948966 rad out of the plane: at most 0.017453292519943295 is "
     "allowed":
         "the tangent is 90 degrees out of the plane: at most 1 degrees is allowed",
-    "start and end meet at (1, 2, 3): gap_mm = 1e-09. A surface":
-        "start and end meet at (1, 2, 3): a gap of 1e-09 mm. A surface",
+    "planes differ by angle_rad = 0.349 (20 degrees): no surface has bounded curvature there":
+        "planes differ by 20 degrees: no surface has bounded curvature there",
     "length_mm is -1: it must be positive": "\u201cLength\u201d is -1: it must be positive",
     "a point moves 0.3 mm: at most 0.1 is allowed": "a point moves 0.3 mm: at most 0.1 is allowed",
 }  # fmt: skip

@@ -165,6 +165,7 @@ def found(filled=True, reason=""):
         "filled": filled,
         "reached": not reason,
         "reason": reason,
+        "reason_code": "misses_target" if reason else "",
         "target": "G1",
         "faces": [6, 7],
         "outer": [outer],
@@ -194,6 +195,25 @@ def test_a_fill_that_was_not_kept_says_why_in_names_of_the_source():
         "Not filled: Hole 2: a seam between Face3 and the fill does not certainly reach G1: "
         "level G0, angle 1 degrees."
     )
+
+
+def test_a_fill_that_misses_says_what_it_needs():
+    reason = "a seam misses the target: gap 0.0152998 mm (edges 8, 7) and 2.1201e-06 mm"
+    entry = fill_text.entry(found(False, reason), hole=2)
+    assert (entry["filled"], entry["seams"][0]["edges"]) == (False, [])
+    entry["seams"][0]["source_edges"] = [3]
+    rows = new_seams.build_rows(entry["seams"], LIMITS, "G1")
+    assert sorted(row.cells[0] for row in rows) == ["Edge3 (model)", "\u2013"]
+    assert entry["reason"] == "a seam misses the target: gap 0.0153 mm (Edge8, Edge7) and 2.1e-6 mm"
+    for name, upper in (("gap_mm", 0.0003), ("angle_deg", 0.18359929)):
+        entry["seams"][0][name] = {"lower": 0.0, "upper": upper, "at": 0.0}
+        entry["seams"][1][name] = {"lower": 0.0, "upper": 1e-9, "at": 0.0}
+    assert fill_text.allowing(entry, "G1") == {"gap_mm": 0.0003, "angle_deg": 0.19}
+    report = {"target": "G1", "tolerance": LIMITS, "fills": [entry]}
+    wanted = "The best fill needs an angle of 0.19\u00b0; Keep anyway shows it."
+    assert fill_text.reasons(report)[0].endswith(wanted)
+    for faulty in ({"reason_code": "may_fold"}, {"seams": [{"gap_mm": None}]}):
+        assert fill_text.allowing({**entry, **faulty}, "G1") == {}
 
 
 def test_some_of_several_fills():

@@ -91,6 +91,17 @@ def test_bounds_are_those_of_seams_whose_level_they_decide():
     )
 
 
+@pytest.mark.parametrize(
+    "target, figures",
+    [("G0", "gap at most 2e-5 mm"), ("G1", "gap at most 2e-5 mm, angle at most 2e-6\u00b0")],
+)
+def test_figures_that_decide_no_level_are_left_out(target, figures):
+    only = seam(target, figure(1e-6, 2e-6), figure(0.8, 0.93))
+    assert surface_text.summary(report(only)) == (
+        "Every seam has its level: %s; 9 x 6 poles." % figures
+    )
+
+
 def test_the_summary_says_what_falls_short():
     missed = seam("G2", figure(1e-6, 2e-6), figure(0.3, 0.4))
     text = surface_text.summary(

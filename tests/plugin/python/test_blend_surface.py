@@ -146,10 +146,16 @@ def test_each_lateral_boundary_has_its_own_order(hole):
     assert levels[second] >= "G2"
 
 
-def test_sides_with_a_common_vertex_are_refused(hole):
+def test_sides_may_share_a_vertex(hole):
     model, (start, _, lateral, _) = hole
-    with pytest.raises(ValueError, match="start and end meet at .*: gap_mm = .* fill makes it"):
-        model.blend_surface(start, lateral)
+    result = model.blend_surface(start, lateral, angle_deg=1e-2)
+    assert result.reached
+    for u in np.linspace(0, 0.2, 9):  # near the vertex it continues the sheet
+        for v in (0, 0.3, 0.6, 1):
+            x, y, z = result.surface.point(float(u), v)
+            assert abs(z - height(x, y)) < 2e-3 * ((x - 20) ** 2 + (y - 20) ** 2) + 1e-9
+    with pytest.raises(ValueError, match="flip: the vertex that the sides share says"):
+        model.blend_surface(start, lateral, flip=True)
 
 
 @pytest.mark.parametrize("order", ["G1", "G2", "G3"])

@@ -40,6 +40,9 @@ OPTIONS = (
            "Keep a fill even if it misses the target"),
 )  # fmt: skip
 
+#: Points no further apart than this are the same, up to rounding.
+POINT_MM = 1e-6
+
 #: property, kind of element, help
 ELEMENTS = (
     ("Edges", "Edge", "One edge of each hole to fill; empty: all holes except outer boundaries"),
@@ -184,16 +187,18 @@ def fill_job(module, obj, private=False):
 
     def run(progress):
         model = make()
-        wanted = [{"face": number} for number in faces] or [
-            {"hole": hole["id"]} for hole in _holes(model, limits, label, edges)[1]
-        ]
-        return _fill_each(model, given, wanted, progress)
+        holes = [] if faces else _holes(model, limits, label, edges)[1]
+        wanted = [{"face": number} for number in faces] or [{"hole": hole["id"]} for hole in holes]
+        outlines = {hole["id"]: fill_text.edges_of(hole) for hole in holes}
+        return (*_fill_each(model, given, wanted, progress), outlines)
 
     def finish(found):
-        entries, shapes = found
+        entries, shapes, outlines = found
         entries, last = _joined(
             entries, [None if model is None else model.to_freecad() for model in shapes]
         )
+        for entry in entries:
+            _name_source_edges(entry, shape, outlines.get(entry["hole"], ()))
         return {**report, "fills": entries}, last
 
     return feature.Job(tr("Filling holes\u2026"), run, finish)
@@ -211,6 +216,40 @@ def _fill_each(model, given, wanted, progress):
         entries.append(fill_text.entry(found.to_dict(), **which))
         models.append(model if found.filled else None)
     return entries, models
+
+
+def _name_source_edges(entry, shape, outline):
+    """Let the seams of a fill name the face of the source that is beside them.
+
+    If the fill was not kept, they also name the edges of the hole along which they run. Near a
+    point where two of these meet they are both of them. ``outline``: the numbers of the edges of
+    the hole; none where a face is replaced.
+    """
+    replaced = None if entry["face"] is None else shape.Faces[entry["face"] - 1]
+    edges = [shape.Edges[number - 1] for number in outline] if outline else replaced.Edges
+    for seam in entry["seams"]:
+        beside, at = fill_text.face_beside(seam), seam.pop("point", None)
+        if beside is None or at is None:
+            continue
+        distances = [edge.distToShape(Part.Vertex(*at))[0] for edge in edges]
+        within = min(distances) + new_seams.bound([seam], "gap_mm") + POINT_MM
+        near = [edge for edge, distance in zip(edges, distances) if distance <= within]
+        owners = [
+            number
+            for number, face in enumerate(shape.Faces, 1)
+            if (replaced is None or not face.isSame(replaced)) and _has_any(face, near)
+        ]
+        if beside not in owners and len(owners) == 1:
+            (beside,) = owners
+            seam["between"] = fill_text.beside("Face%d" % beside)
+        if not entry["filled"]:
+            numbers = sources.Index(enumerate(shape.Edges, 1))
+            near = [e for e in near if len(near) == 1 or _has_any(shape.Faces[beside - 1], [e])]
+            seam["source_edges"] = [numbers.find(edge) for edge in near]
+
+
+def _has_any(face, edges):
+    return any(edge.isSame(own) for own in face.Edges for edge in edges)
 
 
 def _joined(entries, shapes):

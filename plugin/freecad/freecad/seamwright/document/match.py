@@ -7,13 +7,21 @@ only read. The class path is written into documents: neither rename nor move it.
 
 import Part
 
-from freecad.seamwright.document import feature, properties, sources
+from freecad.seamwright.document import feature, match_chain, properties, sources
 from freecad.seamwright.document.feature import report_of, tolerances
 from freecad.seamwright.document.hooks import hooks
+from freecad.seamwright.document.match_chain import MORE
+from freecad.seamwright.document.option_feature import (
+    LINKED,
+    check_not_deleted,
+    links,
+    links_of,
+    remember_chosen,
+)
 from freecad.seamwright.document.properties import error_text
-from freecad.seamwright.plain import kernel, match_text
+from freecad.seamwright.plain import kernel, match_text, summary
 from freecad.seamwright.plain.language import mark, tr
-from freecad.seamwright.plain.options import CHOICE, FLAG, LENGTH, Option
+from freecad.seamwright.plain.options import CHOICE, FLAG, FLOAT, LENGTH, Option
 
 __all__ = ["MatchSurfaces", "create", "error_text", "is_match", "report_of"]
 
@@ -27,12 +35,14 @@ TARGETS = ["G1", "G2"]
 MOVES = [mark("First"), mark("Second"), mark("Both")]
 DEFAULT_MOVES = "Second"
 
-FACES = ("FirstFace", "SecondFace")
+FACES, EDGE = ("FirstFace", "SecondFace"), "CommonEdge"
 LINKS = (
     ("FirstFace", "First face", "The first face"),
     ("SecondFace", "Second face", "The second face"),
     ("CommonEdge", "Common edge (may be empty)",
      "The common edge along which the faces are matched; empty: the longest one"),
+    (MORE, "More faces (may be empty)",
+     "Further faces that the moving face joins as the other face, or edges of them"),
 )  # fmt: skip
 
 OPTIONS = (
@@ -43,6 +53,11 @@ OPTIONS = (
            zero=mark("no limit")),
     Option("HoldSides", "hold_sides", FLAG, False, "Hold side boundaries",
            "Keep the two other boundaries that end at the seam"),
+    Option("Depth", "depth_mm", LENGTH, 0.0, "Depth",
+           "How far from the seam the moved face may change, in mm; 0: as little as needed",
+           least=0.0, zero=mark("as little as needed")),
+    Option("Fairness", "fairness", FLOAT, 1.5, "Fairness",
+           "Factor by which the variation of the curvature of a face may grow", least=1.0),
 )  # fmt: skip
 
 RESULTS = (
@@ -75,19 +90,25 @@ class MatchSurfaces(feature.Feature):
     LEVEL = ("Target", TARGETS)
     TOLERANCES = TOLERANCES
     EMPTY_REPORT = match_text.EMPTY_REPORT
-    INPUTS = (*(name for name, *_ in LINKS), "Target", "Moves", "MaxMove", "HoldSides")
+    INPUTS = (*(name for name, *_ in LINKS), "Target", *(option.name for option in OPTIONS))
 
     @staticmethod
     def add_properties(obj):
         """Add the properties that an object lacks, with their defaults."""
         adder = properties.Adder(obj)
         for name, _, tip in LINKS:
-            adder.add("App::PropertyLinkSubGlobal", name, "Faces", tip)
+            kind = "App::PropertyLinkSub%sGlobal" % ("List" if name == MORE else "")
+            adder.add(kind, name, "Faces", tip)
         adder.add_choice("Target", "Match", "Level of continuity to reach", TARGETS, TARGETS[0])
         adder.add_options(OPTIONS, "Match")
         adder.add_tolerances(TOLERANCES)
-        adder.add_results(RESULTS, feature.INTERNAL)
+        adder.add_results(RESULTS, (*feature.INTERNAL, LINKED))
         obj.setEditorMode("Placement", ["Hidden"])
+
+    def onChanged(self, obj, prop):
+        """Remember the further faces that are chosen: FreeCAD drops those that are deleted."""
+        if prop == MORE:
+            remember_chosen(obj, MORE)
 
     @staticmethod
     def source_objects(obj):
@@ -160,7 +181,9 @@ def check(name, chosen):
     """Raise ValueError where a property cannot have these links."""
     if name in FACES and [element[:4] for _, element in chosen] != ["Face"]:
         raise ValueError(tr("choose one face"))
-    if name not in FACES and [element[:4] for _, element in chosen] not in ([], ["Edge"]):
+    if name == MORE and not {element[:4] for _, element in chosen} <= {"Face", "Edge"}:
+        raise ValueError(tr("choose faces or edges of faces, or nothing"))
+    if name == EDGE and [element[:4] for _, element in chosen] not in ([], ["Edge"]):
         raise ValueError(tr("choose one edge of both faces, or nothing"))
 
 
@@ -171,9 +194,10 @@ def link_text(obj, name):
 
 
 def source_objects(obj):
-    """Return the objects to which the two faces belong, without repeats."""
-    links = [link(obj, name) for name in FACES]
-    return list(dict.fromkeys(target[0] for target in links if target is not None))
+    """Return the objects to which the faces belong, without repeats."""
+    chosen = [link(obj, name) for name in FACES]
+    chosen = [target for target in chosen if target is not None] + links_of(obj, MORE)
+    return list(dict.fromkeys(target[0] for target in chosen))
 
 
 def match_job(module, obj, private=False):
@@ -181,7 +205,11 @@ def match_job(module, obj, private=False):
 
     Raises SourceError for broken links; ``run`` of the Job raises ValueError for bad values.
     """
-    found = sources.Elements(_links(obj))
+    chosen = _links(obj)
+    check_not_deleted(obj, MORE, required=False)
+    if links_of(obj, MORE):
+        return _chain_job(module, obj, chosen, private)
+    found = sources.Elements(chosen)
     if any(face.ShapeType != "Face" for face in found.shapes[:2]):
         raise sources.SourceError(tr("FirstFace and SecondFace must be faces"))
     shape = Part.Compound(found.shapes[:2])
@@ -191,7 +219,7 @@ def match_job(module, obj, private=False):
     target, limits, make = obj.Target, tolerances(obj), feature.model_maker(module, shape, private)
     given = {
         "target": target, "moves": obj.Moves.lower(), "hold_sides": bool(obj.HoldSides),
-        "max_move_mm": properties.number(obj, "MaxMove") or None,
+        "max_move_mm": properties.number(obj, "MaxMove") or None, **_changes(obj),
         "edge": _edge_number(obj, shape, found.shapes[2:]), **limits
     }  # fmt: skip
 
@@ -206,30 +234,65 @@ def match_job(module, obj, private=False):
 
     def finish(result):
         report = {**result.to_dict(), "target": target, "tolerance": limits, "faces": faces}
-        report["reason"] = named(report["reason"])
+        report["reason"] = match_text.advised(named(report["reason"]), result.reason_code)
         return report, result.model.to_freecad() if result.matched else Part.Shape()
 
     return feature.Job(tr("Matching surfaces\u2026"), run, finish)
 
 
+def _chain_job(module, obj, chosen, private):
+    """Return the Job that matches one face to the other one and to MoreFaces.
+
+    ``chosen``: the links to the two faces and, where one is chosen, to the common edge.
+    """
+    moves = obj.Moves.lower()
+    other, moving = chosen[:2] if moves != "first" else chosen[1::-1]
+    joined = [other, *chosen[2:], *links_of(obj, MORE)]
+    gathered = match_chain.gather(moving, joined)
+    limits = tolerances(obj)
+    make, target = feature.model_maker(module, gathered.shape, private), obj.Target
+    given = {
+        "target": target, "average": moves == "both",
+        "hold": "position" if obj.HoldSides else "none",
+        "max_move_mm": properties.number(obj, "MaxMove") or None, **_changes(obj), **limits
+    }  # fmt: skip
+
+    def run(progress):
+        model = make()
+        sides = match_chain.sides_of(model, gathered, limits["match_mm"])
+        return model.match_sides(1, sides, progress=progress, **given)
+
+    def finish(result):
+        report = {**match_chain.report_of(result, gathered), "target": target, "tolerance": limits}
+        return report, result.model.to_freecad() if result.matched else Part.Shape()
+
+    return feature.Job(tr("Matching surfaces\u2026"), run, finish)
+
+
+def _changes(obj):
+    """Return the {argument: value} of how far the moved face may change."""
+    depth, fairness = (properties.number(obj, name) for name in ("Depth", "Fairness"))
+    return {"depth_mm": depth or None, "fairness": fairness}
+
+
 def _links(obj):
     """Return the links to the two faces and, where one is chosen, to the common edge."""
-    links = [link(obj, name) for name, *_ in LINKS]
-    if links[0] is None:
+    chosen = [link(obj, name) for name in (*FACES, EDGE)]
+    if chosen[0] is None:
         raise sources.SourceError(
             tr("The first face was deleted: choose another one in the property FirstFace")
         )
-    if links[1] is None:
+    if chosen[1] is None:
         raise sources.SourceError(
             tr("The second face was deleted: choose another one in the property SecondFace")
         )
-    if links[0] == links[1]:
+    if chosen[0] == chosen[1]:
         raise sources.SourceError(
             tr("{link} is chosen twice: choose two different faces").format(
                 link=link_text(obj, "FirstFace")
             )
         )
-    return [target for target in links if target is not None]
+    return [target for target in chosen if target is not None]
 
 
 def _edge_number(obj, shape, chosen):
@@ -247,23 +310,55 @@ def _edge_number(obj, shape, chosen):
     return 0
 
 
+def arranged(chosen):
+    """Return (first, second, {argument: value} of ``create``) for [(object, "Face3"), ...].
+
+    The last face moves. The others stay, and the faces of edges, too. Raises SourceError or
+    ValueError where these are not what is needed.
+    """
+    faces = [each for each in chosen if each[1].startswith("Face")]
+    edges = [each for each in chosen if each[1].startswith("Edge")]
+    if len(faces) == 2 and len(edges) <= 1:
+        return faces[0], faces[1], {"edge": edges[0] if edges else None}
+    if not faces or len(faces) + len(edges) < 2:
+        raise ValueError(
+            tr(
+                "Select two faces: first the one that stays, then the one that moves. You may "
+                "also select one common edge, or more faces that stay, or edges of them. "
+                "Selected: {faces}, {edges}."
+            ).format(
+                faces=summary.counted(len(faces), "face"), edges=summary.counted(len(edges), "edge")
+            )
+        )
+    joined = [*faces[:-1], *edges]
+    first = match_chain.first_face(faces[-1], joined)
+    return first, faces[-1], {"more": [each for each in joined if each != first]}
+
+
 def create(
     first,
     second,
     *,
     edge=None,
+    more=(),
     target="G1",
     moves="second",
     max_move_mm=0.0,
     hold_sides=False,
+    depth_mm=0.0,
+    fairness=1.5,
     **tolerances
 ):
     """Match two faces: add a Match Surfaces to their document, compute it and return it.
 
     ``first``, ``second``: (object, "Face3"). ``edge``: (object, "Edge5"), where the faces have
-    several common edges. ``target``: "G1" or "G2". ``moves``: "first", "second" or "both".
+    several common edges. ``more``: further faces that the moving one joins, or edges of them:
+    [(object, "Face2"), (object, ["Edge3", ...]), ...]. ``target``: "G1" or "G2". ``moves``:
+    "first", "second" or "both".
     ``max_move_mm``: no pole may move further; 0 means no limit. ``hold_sides``: the two other
-    boundaries that end at the seam stay. ``tolerances``: gap_mm, angle_deg, curvature_rel,
+    boundaries that end at the seam stay. ``depth_mm``: how far from the seam the face may change; 0
+    means as little as needed. ``fairness``: by what factor the variation of its curvature may grow.
+    ``tolerances``: gap_mm, angle_deg, curvature_rel,
     flat_radius_mm, crease_deg, match_mm, profile, as for an analysis. Raises TypeError and
     ValueError for bad arguments, kernel.KernelUnavailable when the compiled part is missing. When
     the faces do not match, the object has no shape and ``error_text`` says why.
@@ -272,10 +367,13 @@ def create(
         first,
         second,
         edge=edge,
+        more=more,
         target=target,
         moves=moves,
         max_move_mm=max_move_mm,
         hold_sides=hold_sides,
+        depth_mm=depth_mm,
+        fairness=fairness,
         **tolerances
     )
     obj.Document.recompute()
@@ -287,18 +385,31 @@ def prepare(
     second,
     *,
     edge=None,
+    more=(),
     target="G1",
     moves="second",
     max_move_mm=0.0,
     hold_sides=False,
+    depth_mm=0.0,
+    fairness=1.5,
     **tolerances
 ):
     """Add a Match Surfaces as ``create`` does, but compute nothing yet."""
     kernel.load(Part.OCC_VERSION)
-    table = TOLERANCES + (("MaxMove", "max_move_mm"),)
+    numbers = ("MaxMove", "max_move_mm"), ("Depth", "depth_mm"), ("Fairness", "fairness")
+    table = (*TOLERANCES, *numbers)
     choices = {"target": ("Target", TARGETS), "moves": ("Moves", [name.lower() for name in MOVES])}
     values = properties.checked(
-        {**tolerances, "max_move_mm": max_move_mm, "target": target, "moves": moves}, table, choices
+        {
+            **tolerances,
+            "max_move_mm": max_move_mm,
+            "depth_mm": depth_mm,
+            "fairness": fairness,
+            "target": target,
+            "moves": moves,
+        },
+        table,
+        choices,
     )
     values["Moves"] = values["Moves"].capitalize()
     doc = first[0].Document
@@ -306,6 +417,8 @@ def prepare(
     for name, target_link in (("FirstFace", first), ("SecondFace", second), ("CommonEdge", edge)):
         if target_link is not None:
             setattr(obj, name, (target_link[0], [target_link[1]]))
+    if more:
+        setattr(obj, MORE, links(more))
     obj.HoldSides = bool(hold_sides)
     for name, value in values.items():
         setattr(obj, name, value)

@@ -62,24 +62,15 @@ class OptionFeature(feature.Feature):
         super().onDocumentRestored(obj)
         if not obj.Linked:
             for name, *_ in self.LINKS:
-                self._remember(obj, name)
+                _remember(obj, name)
 
     def onChanged(self, obj, prop):
         """Remember the sources that are chosen.
 
         FreeCAD removes an object that is deleted from the links: then they are as remembered.
         """
-        if prop not in [name for name, *_ in self.LINKS] or "Linked" not in obj.PropertiesList:
-            return
-        if "Restore" in obj.State or any(_is_going(obj, each) for each in _linked(obj, prop)):
-            return
-        self._remember(obj, prop)
-
-    @staticmethod
-    def _remember(obj, prop):
-        others = [each for each in obj.Linked if each.split("\t")[0] != prop]
-        names = ["\t".join((prop, each.Name, each.Label)) for each, _ in links_of(obj, prop)]
-        obj.Linked = others + list(dict.fromkeys(names))
+        if prop in [name for name, *_ in self.LINKS]:
+            remember_chosen(obj, prop)
 
     @classmethod
     def check_links(cls, obj, chosen):
@@ -90,13 +81,7 @@ class OptionFeature(feature.Feature):
         for name, *_ in cls.LINKS:
             if chosen[name] != links_of(obj.Document.getObject(obj.Name), name):
                 continue
-            for _, label in _lost(obj, name):
-                advice = tr("choose others in the property {name}").format(name=name)
-                if name not in cls.REQUIRED:
-                    advice += tr(", or set it to none")
-                raise sources.SourceError(tr("{label} was deleted: {advice}").format(
-                    label=label, advice=advice
-                ))
+            check_not_deleted(obj, name, name in cls.REQUIRED)
 
     @classmethod
     def store(cls, obj, report, shape):
@@ -117,6 +102,31 @@ class OptionFeature(feature.Feature):
         feature.put_shape(obj, Part.Shape())
         obj.Summary = curve_text.failure_text(reason)
         return obj.Summary
+
+
+def remember_chosen(obj, prop):
+    """Remember the objects that a property links to, unless one of them is being deleted."""
+    if "Linked" not in obj.PropertiesList or "Restore" in obj.State:
+        return
+    if not any(_is_going(obj, each) for each in _linked(obj, prop)):
+        _remember(obj, prop)
+
+
+def _remember(obj, prop):
+    others = [each for each in obj.Linked if each.split("\t")[0] != prop]
+    names = ["\t".join((prop, each.Name, each.Label)) for each, _ in links_of(obj, prop)]
+    obj.Linked = others + list(dict.fromkeys(names))
+
+
+def check_not_deleted(obj, prop, required):
+    """Raise SourceError where an object was deleted that a property linked to."""
+    for _, label in _lost(obj, prop):
+        advice = tr("choose others in the property {name}").format(name=prop)
+        if not required:
+            advice += tr(", or set it to none")
+        raise sources.SourceError(tr("{label} was deleted: {advice}").format(
+            label=label, advice=advice
+        ))
 
 
 def _linked(obj, prop):

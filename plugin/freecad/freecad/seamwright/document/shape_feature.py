@@ -39,6 +39,11 @@ class ShapeFeature(OptionFeature):
         raise NotImplementedError
 
     @classmethod
+    def gather_all(cls, module, shapes, values):
+        """Return what ``compute`` needs of the {property: shapes} of LINKS."""
+        return cls.gather(module, shapes[cls.LINKS[0][0]], values)
+
+    @classmethod
     def compute(cls, module, gathered, values, progress):
         """Return what the kernel made. Any thread may call it."""
         raise NotImplementedError
@@ -69,14 +74,16 @@ class ShapeFeature(OptionFeature):
     @classmethod
     def job(cls, module, obj, private=False):
         """Return the Job that finds (report, shape)."""
-        chosen, values = links_of(obj), values_of(obj)
-        if not chosen and cls.needs_sources(values):
+        chosen = {name: links_of(obj, name) for name, *_ in cls.LINKS}
+        values = values_of(obj)
+        if not chosen[cls.LINKS[0][0]] and cls.needs_sources(values):
             raise sources.SourceError(
                 tr("The sources were deleted: choose others in the property Sources")
             )
-        cls.check_links(obj, {name: chosen for name, *_ in cls.LINKS})
+        cls.check_links(obj, chosen)
         options.checked(cls.OPTIONS, values)
-        gathered = cls.gather(module, inputs.shapes_of(chosen), values)
+        shapes = {name: inputs.shapes_of(each) for name, each in chosen.items()}
+        gathered = cls.gather_all(module, shapes, values)
         return feature.Job(
             tr("Making the {group}\u2026").format(group=inside(cls.GROUP)),
             lambda progress: cls.compute(module, gathered, values, progress),

@@ -62,33 +62,27 @@ class ExportReport(Command):
 
 
 class MatchSurfaces(Command):
-    """Match the two selected faces to each other."""
+    """Match the last of the selected faces to the others."""
 
     name = "Seamwright_MatchSurfaces"
     menu = "Match Surfaces"
     icon = "seamwright-match"
     tip = (
         "Move the second of two selected faces, or both, until they join without a kink (G1) or "
-        "with equal curvature (G2). If they share several edges, also select the edge to match."
+        "with equal curvature (G2). If they share several edges, also select the edge to match. Of "
+        "more faces, the last one moves and joins all others; edges stand for their faces."
     )
 
     def run(self, doc):
         """Create the match as one step that can be undone, and open its panel."""
-        faces, edges = selected_elements("Face"), selected_elements("Edge")
-        if len(faces) != 2 or len(edges) > 1:
-            messages.show_error(
-                tr(
-                    "Select two faces: first the one that stays, then the one that moves. You may "
-                    "also select one common edge. Selected: {faces}, {edges}."
-                ).format(
-                    faces=summary.counted(len(faces), "face"),
-                    edges=summary.counted(len(edges), "edge"),
-                )
-            )
+        chosen = selected_elements("Face") + selected_elements("Edge")
+        try:
+            first, second, given = match.arranged(chosen)
+        except ValueError as error:
+            messages.show_error(str(error))
             return
-        edge = edges[0] if edges else None
         open_new(
-            begin(doc, tr("Match surfaces"), lambda: match.prepare(*faces, edge=edge))
+            begin(doc, tr("Match surfaces"), lambda: match.prepare(first, second, **given))
         )
 
 

@@ -3,15 +3,26 @@
 
 The report is a dict with the keys ``target``, ``tolerance`` and ``fills``. ``fills`` has a dict for
 each fill: ``hole`` (its number, or None), ``face`` (the number of the face that was replaced, or
-None), ``filled``, ``reached``, ``reason``, ``faces`` (the new faces) and ``seams`` (see new_seams).
+None), ``filled``, ``reached``, ``reason``, ``reason_code``, ``faces`` (the new faces) and ``seams``
+(see new_seams).
 The numbers of faces and edges are those of the result; in reasons they are those of the source.
 """
 
-from freecad.seamwright.plain import new_seams, repair_text, summary
+import math
+import re
+
+from freecad.seamwright.plain import enclosure, new_seams, repair_text, rows, summary
 from freecad.seamwright.plain.language import mark, tr
 
 #: What a report says about the faces at a seam: two new ones, or a new one and a face by its name.
 BESIDE, INSIDE = new_seams.BESIDE, mark("the fill itself")
+
+#: What has to be allowed for a fill that misses its target.
+ALLOWED = {
+    "gap_mm": mark("a gap of {figure} mm"),
+    "angle_deg": mark("an angle of {figure}\u00b0"),
+    "curvature_rel": mark("a curvature of {figure} %"),
+}
 
 EMPTY_REPORT = {"target": "G1", "tolerance": {}, "fills": []}
 
@@ -72,11 +83,15 @@ def hole_tip(hole):
 def entry(found, hole=None, face=None):
     """Return the entry of a fill in the report.
 
-    ``found``: the result of the kernel. The numbers are those of the filled model.
+    ``found``: the result of the kernel. The numbers are those of the filled model; seams of a fill
+    that was not kept have none. Each seam has a ``point`` on it, or None.
     """
     new = set(found["faces"])
     seams = [
-        new_seams.deciding({**seam, "between": _between(seam, new, face)}, found["target"])
+        new_seams.deciding(
+            {**seam, "between": _between(seam, new, face), "point": _worst_point(seam)},
+            found["target"],
+        )
         for seam in found["outer"] + found["inner"]
     ]
     if not found["filled"]:
@@ -84,11 +99,69 @@ def entry(found, hole=None, face=None):
     return {
         "hole": hole,
         "face": face,
-        **{name: found[name] for name in ("filled", "reached")},
-        "reason": repair_text.named(found["reason"]),
+        **{name: found[name] for name in ("filled", "reached", "reason_code")},
+        "reason": _readable(found["reason"]),
         "faces": found["faces"] if found["filled"] else [],
         "seams": seams,
     }
+
+
+def _worst_point(seam):
+    return seam["worst"]["point"] if seam.get("worst") else None
+
+
+def beside(name):
+    """Return what a report says about a seam of a new face and one of the source."""
+    return BESIDE + name
+
+
+def face_beside(seam):
+    """Return the number of the face of the source at a seam; None inside the fill."""
+    found = re.fullmatch(re.escape(BESIDE) + r"Face(\d+)", seam["between"])
+    return int(found.group(1)) if found else None
+
+
+def _readable(text):
+    """Return a sentence of the kernel with names of elements and numbers of three digits."""
+    return re.sub(
+        r"\b\d+\.(\d{4,}|\d+e-?\d+)\b", lambda found: enclosure.number(float(found.group())),
+        repair_text.named(text),
+    )  # fmt: skip
+
+
+def allowing(fill, target):
+    """Return {argument: value} of the tolerances that the seams of a fill meet, rounded up.
+
+    It is empty where the fill has other faults than a missed tolerance, or a figure has no bound.
+    """
+    if fill.get("reason_code") not in ("misses_target", "may_miss_target"):
+        return {}
+    found = {name: new_seams.largest(fill["seams"], name) for name in rows.DECIDING[target]}
+    if not all(figure and figure["upper"] is not None for figure in found.values()):
+        return {}
+    return {name: _rounded_up(figure["upper"]) for name, figure in found.items()}
+
+
+def _rounded_up(value):
+    """Return a value with two digits that is not smaller."""
+    if value <= 0:
+        return 0.0
+    step = 10.0 ** (math.floor(math.log10(value)) - 1)
+    return float("%.12g" % (math.ceil(value / step) * step))
+
+
+def allowing_text(fill, target, tolerance):
+    """Return what would have to be allowed to keep a fill that misses its target, or ""."""
+    wanted = [
+        tr(ALLOWED[name]).format(figure=enclosure.number(rows.QUANTITIES[name].factor * value))
+        for name, value in allowing(fill, target).items()
+        if value > tolerance[name]
+    ]
+    if not wanted:
+        return ""
+    return tr("The best fill needs {tolerances}; Keep anyway shows it.").format(
+        tolerances=", ".join(wanted)
+    )
 
 
 def old_number(number, new, replaced):
@@ -102,7 +175,7 @@ def old_number(number, new, replaced):
 def _between(seam, new, replaced):
     old = [old_number(number, new, replaced) for number in seam["faces"]]
     kept = ["Face%d" % number for number in old if number is not None]
-    return BESIDE + kept[0] if kept else INSIDE
+    return beside(kept[0]) if kept else INSIDE
 
 
 def every_seam(report):
@@ -148,8 +221,14 @@ def name_of(fill):
 
 
 def reasons(report):
-    """Return a line for each fill that misses the target."""
-    return ["%s: %s" % (name_of(fill), fill["reason"].rstrip(".") + ".") for fill in missed(report)]
+    """Return a line for each fill that misses the target: why, and what it needs."""
+    lines = []
+    for fill in missed(report):
+        line = "%s: %s." % (name_of(fill), fill["reason"].rstrip("."))
+        if not fill["filled"]:
+            line += " " + allowing_text(fill, report["target"], report["tolerance"])
+        lines.append(line.rstrip())
+    return lines
 
 
 def summary_text(report):

@@ -74,12 +74,44 @@ def summary(report):
     )
 
 
+def advised(reason, code):
+    """Return why faces do not match, with what helps where the kernel's text does not say it."""
+    if code != "less_fair":
+        return reason
+    return tr("{reason}: allow a change over a larger Depth, or a larger Fairness").format(
+        reason=reason.rstrip(".")
+    )
+
+
+def chain_reason(faces, depth_mm):
+    """Return how a face was matched to several; ``faces``: the names, first that of the moved."""
+    return tr(
+        "{face} joins {others} to the tolerance; it changed up to {depth_mm} mm from its edges"
+    ).format(
+        face=faces[0], others=", ".join(faces[1:]), depth_mm=enclosure.number(depth_mm)
+    )
+
+
+def worst(seams):
+    """Return the seam of the lowest level with the worst figures of all; None without seams."""
+    if not seams:
+        return None
+    found = dict(min(seams, key=lambda seam: rows.LEVELS.index(seam["level"])))
+    for name in FIGURES:
+        known = [seam[name] for seam in seams if seam.get(name) is not None]
+        if known:
+            found[name] = max(known, key=lambda figure: rows.figure_value(figure) or 0.0)
+    found["certified"] = all(seam["certified"] for seam in seams)
+    return found
+
+
 def named(text, faces, edge_name):
-    """Return a sentence of the kernel with the names of its edges and of its faces 1 and 2.
+    """Return a sentence of the kernel with the names of its edges, and of the faces from 1 on.
 
     ``edge_name`` is a callable(number).
     """
-    text = re.sub(r"\bface ([12])\b", lambda found: faces[int(found.group(1)) - 1], text)
+    names = {"face %d" % number: name for number, name in enumerate(faces, 1)}
+    text = re.sub(r"\bface \d+\b", lambda found: names.get(found.group(), found.group()), text)
     text = re.sub(r"\bedge (\d+)\b", lambda found: edge_name(int(found.group(1))), text)
     listed = re.compile(r"(?<=these are: )\d+(?:, \d+)*")
     return listed.sub(

@@ -106,19 +106,22 @@ def largest(seams):
     }
 
 
+def _decided(seams):
+    """Return a text for each figure that decides the level of a seam."""
+    decided = {name for seam in seams for name in rows.DECIDING[seam["target"]]}
+    found = largest(seams)
+    return [
+        tr(known).format(figure=bound(rows.QUANTITIES[name].factor * found[name]))
+        for name, (known, _) in new_seams.LARGEST.items()
+        if name in decided
+    ]
+
+
 def summary(report):
     """Return one line: the seams, or what falls short."""
     along, across = report["poles"]
     poles = tr("{along} x {across} poles").format(along=along, across=across)
-    found = largest(report["seams"])
-    figures = tr(
-        "gap at most {gap_mm} mm, angle at most {angle_deg}\u00b0, curvature at most "
-        "{curvature_rel} %"
-    ).format(
-        gap_mm=bound(found["gap_mm"]),
-        angle_deg=bound(found["angle_deg"]),
-        curvature_rel=bound(100 * found["curvature_rel"]),
-    )
+    figures = ", ".join(_decided(report["seams"]))
     state = tr("Every seam has its level") if report["reached"] else _shortcomings(report)
     length = ""
     if report["to"]:
@@ -131,15 +134,20 @@ def summary(report):
 
 def umbrella_summary(report):
     """Return one line about faces around a point."""
-    state = tr("every seam is G1") if report["reached"] else tr("not every seam is certainly G1")
-    return tr(
-        "{members} around the point: {state}, gap at most {gap_mm} mm, angle at most "
-        "{angle_deg}\u00b0; {followed}."
-    ).format(
+    state = tr("every seam is {order}") if report["reached"] else tr(
+        "not every seam is certainly {order}"
+    )
+    figures = tr("gap at most {gap_mm} mm, angle at most {angle_deg}\u00b0").format(
+        gap_mm=bound(report["gap_mm"]), angle_deg=bound(report["angle_deg"])
+    )
+    if report["order"] != "G1":
+        figures += tr(", curvature at most {curvature_rel} %").format(
+            curvature_rel=bound(100 * report["curvature_rel"])
+        )
+    return tr("{members} around the point: {state}, {figures}; {followed}.").format(
         members=counted(report["members"], "face"),
-        state=state,
-        gap_mm=bound(report["gap_mm"]),
-        angle_deg=bound(report["angle_deg"]),
+        state=state.format(order=report["order"]),
+        figures=figures,
         followed=_followed(report),
     )
 
@@ -148,8 +156,12 @@ def _followed(report):
     moved, fit = report["moved_mm"], report["fit_mm"]
     text = tr("no edge moved")
     if moved > UNMOVED_MM:
-        text = tr("edges moved by at most {moved} mm").format(moved=bound(moved))
-    return text + (tr(", curves within {fit} mm of them").format(fit=bound(fit)) if fit else "")
+        text = tr("edges moved by at most {moved} mm, edge {number} most").format(
+            moved=bound(moved), number=report["moved_most"]
+        )
+    if fit:
+        text += tr(", curves within {fit} mm of them").format(fit=bound(fit))
+    return text + (tr("; the outer boundary stays") if report["outer_edges"] else "")
 
 
 def loft_summary(report):

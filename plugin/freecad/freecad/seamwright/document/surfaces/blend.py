@@ -164,5 +164,12 @@ def _groups(edges):
 
 
 def _touch(one, other):
-    """Return whether two edges have a vertex in common; an edge touches itself."""
-    return any(a.isSame(b) for a in one.Vertexes for b in other.Vertexes)
+    """Return whether two edges end at one place; an edge touches itself.
+
+    Edges of different objects have vertices of their own: these are within their tolerances.
+    """
+    return any(
+        a.isSame(b) or a.Point.distanceToPoint(b.Point) <= a.Tolerance + b.Tolerance
+        for a in one.Vertexes
+        for b in other.Vertexes
+    )

@@ -40,7 +40,7 @@ def _next(parts, obj, name, found):
         ways = [
             (other, face)
             for other in parts.edges_at(obj, point)
-            if not other.shape.isSame(edge.shape) and _goes_on(edge.shape, other.shape, point)
+            if not other.shape.isSame(edge.shape) and goes_on(edge.shape, other.shape, point)
             for face in parts.faces_of(obj, other.shape)
             if len(parts.faces_of(obj, other.shape)) == len(beside)
             and _is_on_the_side_of(face.shape, own.shape, (edge.shape, other.shape), point)
@@ -50,7 +50,7 @@ def _next(parts, obj, name, found):
                 yield obj, each.name.rpartition(".")[2]
 
 
-def _goes_on(edge, other, point):
+def goes_on(edge, other, point):
     """Return whether another edge leaves a vertex in the direction in which an edge arrives."""
     arriving, leaving = _out_of(edge, point), _out_of(other, point)
     return math.degrees(arriving.getAngle(-leaving)) <= LARGEST_TURN_DEG

@@ -95,6 +95,14 @@ class Parts:
         places = dict.fromkeys(place for each, place in alike if each.isSame(edge))
         return [self._element(obj, "Face", place) for place in places]
 
+    def edge_name(self, edge):
+        """Return the name of an edge of the objects, such as "Plate.Edge3"."""
+        for obj, part in self._parts.items():
+            for place, each in enumerate(part.Edges):
+                if each.isSame(edge):
+                    return self._element(obj, "Edge", place).name
+        return "an edge"
+
     def edges_at(self, obj, vertex):
         """Return the Elements of the edges of an object that end at a vertex."""
         return [

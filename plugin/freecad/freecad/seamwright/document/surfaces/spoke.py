@@ -10,15 +10,16 @@ from freecad.seamwright.plain.language import tr
 DEGREES, SAMPLES = (3, 5, 7, 9), 200
 
 
-def fitted(module, edge, from_last, tolerance_mm):
+def fitted(module, edge, from_last, tolerance_mm, rational=False):
     """Return (BezierCurve, its distance from the edge in mm) of an edge from one of its ends.
 
-    A polynomial Bezier curve stays as it is. Otherwise a curve with the same ends and the same
-    tangents there takes its place. Its distance is measured between points of equal parameters.
+    A polynomial Bezier curve stays as it is, and with ``rational`` a rational one, too. Otherwise a
+    curve with the same ends and the same tangents there takes its place. Its distance is measured
+    between points of equal parameters.
     Raises ValueError where it is larger than the tolerance.
     """
     spline = inputs.curve_of(module, edge).bezier_spline()
-    if spline.segments == 1 and not spline.is_rational:
+    if spline.segments == 1 and (rational or not spline.is_rational):
         curve = spline.segment(0)
         return (curve.reversed() if from_last else curve), 0.0
     places = numpy.linspace(0.0, 1.0, SAMPLES)

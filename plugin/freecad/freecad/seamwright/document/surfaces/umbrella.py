@@ -11,7 +11,8 @@ from typing import Any, List, NamedTuple
 import numpy
 
 from freecad.seamwright.document.curves import inputs
-from freecad.seamwright.document.surfaces.free import FreeSurface
+from freecad.seamwright.document.surfaces import outer
+from freecad.seamwright.document.surfaces.free import SOURCES, FreeSurface
 from freecad.seamwright.document.surfaces.spoke import fitted
 from freecad.seamwright.document.surfaces.surface import TOLERANCES
 from freecad.seamwright.plain import surface_text
@@ -20,6 +21,9 @@ from freecad.seamwright.plain.options import ANGLE, CHOICE, COUNT, FLAG, LENGTH,
 
 PATCHES, TRIANGLES = mark("Four-sided"), mark("Three-sided")
 KINDS = {PATCHES: "patch", TRIANGLES: "triangle"}
+ORDERS = ("G1", "G2")
+
+BOUNDARY = "Boundary"
 
 #: A sector from which on edges are suggested to be an open fan: faces need less than 180 degrees.
 LARGEST_SECTOR_DEG = 179.0
@@ -36,13 +40,15 @@ class Spokes(NamedTuple):
     """Curves from one point, in their order around it.
 
     ``curves``: BezierCurves. ``numbers``: their places in the selection, from 1. ``after_deg``: the
-    sector behind each. ``fit_mm``: the largest distance of a curve from its edge.
+    sector behind each. ``fit_mm``: the largest distance of a curve from its edge. ``bounds``: the
+    given outer edges of the sector behind each, none, one or two, as the kernel takes them.
     """
 
     curves: List[Any]
     numbers: List[int]
     after_deg: List[float]
     fit_mm: float
+    bounds: List[Any]
 
 
 class Found(NamedTuple):
@@ -50,6 +56,11 @@ class Found(NamedTuple):
 
     spokes: Spokes
     umbrella: Any
+
+
+def _is_g1(values):
+    """Return whether the {argument: value} are of faces that join G1."""
+    return values["order"] == ORDERS[0]
 
 
 class Umbrella(FreeSurface):
@@ -61,12 +72,20 @@ class Umbrella(FreeSurface):
     TIP = (
         "Make faces around a point from three or more selected edges that end there with tangents "
         "in one plane: a face between each two neighbouring edges. All of them have common tangent "
-        "planes along the edges."
+        "planes along the edges, or with G2 common curvature, too."
     )
     NEEDS = "select three or more edges that end in one point"
+    LINKS = (
+        *FreeSurface.LINKS,
+        (BOUNDARY, "Outer boundary (may be empty)",
+         "Edges at which the faces end: one or two from the end of an edge to that of the next"),
+    )  # fmt: skip
     OPTIONS = (
+        Option("Order", "order", CHOICE, ORDERS[0], "Faces join with",
+               "The continuity of the faces across the edges: tangent planes (G1) or curvature, "
+               "too (G2)", choices=ORDERS),
         Option("Members", "members", CHOICE, PATCHES, "Faces", "Four-sided faces, or three-sided "
-               "ones, which are three faces each", choices=tuple(KINDS)),
+               "ones, which are three faces each", choices=tuple(KINDS), used=_is_g1),
         Option("Open", "open", FLAG, False, "Leave the largest sector open",
                "Make no face in the largest sector between two edges"),
         Option("Degree", "degree", COUNT, 0, "Degree", "Of all faces; 0: the lowest that suffices",
@@ -74,33 +93,61 @@ class Umbrella(FreeSurface):
         Option("Fit", "fit_mm", LENGTH, 1e-3, "Curves within",
                "Largest distance of the curves that take the place of edges which are no single "
                "polynomial curve, such as arcs, in mm", least=1e-9),
+        Option("Rational", "rational", FLAG, False, "Keep arcs exactly",
+               "Arcs and other rational edges stay as they are, and the faces are rational",
+               used=_is_g1),
+        Option("MaxMove", "max_move_mm", LENGTH, 0.0, "Largest move",
+               "No pole may move further than this, in mm; 0: no limit", least=0.0,
+               zero=mark("no limit")),
         Option("Meet", "meet_mm", LENGTH, 1e-4, "Edges meet within",
                "Largest distance of the ends of the edges from their mean, in mm", least=0.0),
         Option("Flat", "flat_deg", ANGLE, 0.01, "Tangents in one plane within",
                "Largest angle of a tangent with the plane of all tangents, in degrees; the edges "
                "are turned into that plane", least=0.0),
         *TOLERANCES[:2],
-        TOLERANCES[2]._replace(used=lambda values: False),
+        TOLERANCES[2]._replace(used=lambda values: not _is_g1(values)),
     )  # fmt: skip
     RESULTS = (
         *FreeSurface.RESULTS,
+        ("MaxCurvature", "App::PropertyFloat",
+         "Upper bound of the relative differences of curvature of the seams; 0 for G1",
+         "curvature_rel"),
         ("Moved", "App::PropertyLength", "No pole of an edge moved further, in mm", "moved_mm"),
-    )
-    INPUTS = ("Sources", *(option.name for option in OPTIONS))
+    )  # fmt: skip
+    INPUTS = (SOURCES, BOUNDARY, *(option.name for option in OPTIONS))
 
     @classmethod
-    def gather(cls, module, shapes, values):
-        """Return the Spokes."""
+    def gather(cls, module, shapes, values, boundary=()):
+        """Return the Spokes; ``boundary``: the shapes of the outer edges."""
         edges = inputs.edges_of(shapes)
         if len(edges) < 3:
             raise ValueError(tr("{edges} edges are chosen: choose three or more").format(
                 edges=len(edges)
             ))
+        _check_kinds(values, boundary)
+        rational = values["rational"] and _is_g1(values)
         found = [
-            fitted(module, edge, at_last, values["fit_mm"])
+            fitted(module, edge, at_last, values["fit_mm"], rational)
             for edge, at_last in zip(edges, _common_ends(edges, values["meet_mm"]))
         ]
-        return _around([curve for curve, _ in found], max(distance for _, distance in found))
+        spokes = _around([curve for curve, _ in found], max(distance for _, distance in found))
+        if not boundary:
+            return spokes
+        bounds, fit_mm = outer.edges_between(module, spokes, inputs.edges_of(boundary), values)
+        return spokes._replace(bounds=bounds, fit_mm=max(spokes.fit_mm, fit_mm))
+
+    @classmethod
+    def gather_all(cls, module, shapes, values):
+        """Return what ``gather`` returns, for the {property: shapes} of LINKS."""
+        return cls.gather(module, shapes[SOURCES], values, shapes[BOUNDARY])
+
+    @classmethod
+    def check(cls, name, chosen):
+        """Raise SourceError or ValueError where a property cannot have these links."""
+        if name == SOURCES:
+            super().check(name, chosen)
+        elif chosen and not inputs.edges_of(inputs.shapes_of(chosen)):
+            raise ValueError(tr("choose edges, or nothing"))
 
     @classmethod
     def suggested(cls, gathered):
@@ -113,17 +160,27 @@ class Umbrella(FreeSurface):
         spokes = gathered
         if values["open"]:
             spokes = _turned(spokes, 1 + int(numpy.argmax(spokes.after_deg)))
+            if spokes.bounds[-1]:
+                raise ValueError(
+                    tr(
+                        "the outer boundary has edges in the sector that stays open: choose edges "
+                        "of the other sectors"
+                    )
+                )
+        given = {
+            "closed": not values["open"],
+            "degree": values["degree"] or None,
+            "gap_mm": values["meet_mm"],
+            "flat_rad": math.radians(values["flat_deg"]),
+        }
         try:
-            umbrella = module.umbrella(
-                spokes.curves,
-                closed=not values["open"],
-                kinds=[KINDS[values["members"]]] * (len(spokes.curves) - bool(values["open"])),
-                degree=values["degree"] or None,
-                gap_mm=values["meet_mm"],
-                flat_rad=math.radians(values["flat_deg"]),
-            )
+            if _is_g1(values):
+                umbrella = module.umbrella(spokes.curves, **given, **_members(spokes, values))
+            else:
+                umbrella = module.g2_umbrella(spokes.curves, **given)
         except ValueError as error:
             raise ValueError(_with_edges(str(error), spokes.numbers)) from None
+        _check_moves(spokes, umbrella, values)
         return Found(spokes, umbrella)
 
     @classmethod
@@ -134,15 +191,18 @@ class Umbrella(FreeSurface):
         shape = model.to_freecad()
         spokes = [numpy.asarray(spoke.point(numpy.array(PLACES))) for spoke in umbrella.spokes]
         seams = [
-            _named(seam, shape, spokes, numbers) for seam in model.analyze().to_dict()["seams"]
+            {**_named(seam, shape, spokes, numbers), "target": values["order"]}
+            for seam in model.analyze().to_dict()["seams"]
         ]
         report = {
             **cls.judged(seams, values),
             "members": len(umbrella.members),
             "faces": len(shape.Faces),
             "moved_mm": umbrella.spoke_move_mm,
+            "moved_most": _moved_most(found.spokes, umbrella),
             "fit_mm": found.spokes.fit_mm,
-            "condition": umbrella.condition,
+            "order": values["order"],
+            "outer_edges": sum(map(len, found.spokes.bounds)),
             "marks": [
                 (points[1].tolist(), tr("Edge {number}").format(number=number))
                 for points, number in zip(spokes, numbers)
@@ -154,6 +214,66 @@ class Umbrella(FreeSurface):
     def text(cls, report):
         """Return the summary of a report."""
         return surface_text.umbrella_summary(report)
+
+
+def _check_kinds(values, boundary):
+    """Raise ValueError for what only faces that join G1 can have."""
+    if _is_g1(values):
+        return
+    if values["members"] != PATCHES:
+        raise ValueError(
+            tr("three-sided faces join with G1 only: choose four-sided faces, or G1")
+        )
+    if boundary:
+        raise ValueError(
+            tr(
+                "with G2 the outer boundary is found, and cannot be given: choose G1, or take the "
+                "edges out of the outer boundary"
+            )
+        )
+
+
+def _members(spokes, values):
+    """Return the arguments of the kernel for the kinds of faces and their outer edges."""
+    bounds = spokes.bounds[: len(spokes.curves) - bool(values["open"])]
+    own = {0: KINDS[values["members"]], 1: "triangle", 2: "patch"}
+    pairs = [(*bound, None, None)[:2] if bound else None for bound in bounds]
+    return {
+        "kinds": [own[len(bound)] for bound in bounds],
+        "boundary": pairs if any(bounds) else None,
+    }
+
+
+def _check_moves(spokes, umbrella, values):
+    """Raise ValueError where a pole of an edge moved further than is allowed."""
+    moved, most = umbrella.spoke_move_mm, values["max_move_mm"]
+    if not 0 < most < moved:
+        return
+    need = tr("that the faces close around the point")
+    if not _is_g1(values):
+        need = tr("that all edges have the curvature of one surface at the point")
+    raise ValueError(
+        tr(
+            "{order} needs {need}: poles would move by {moved} mm, edge {number} most, and "
+            "{most} mm are allowed: change the edges, or allow more"
+        ).format(
+            order=values["order"],
+            need=need,
+            moved="%.3g" % moved,
+            number=_moved_most(spokes, umbrella),
+            most="%g" % most,
+        )
+    )
+
+
+def _moved_most(spokes, umbrella):
+    """Return the number of the edge that moved most."""
+    places = numpy.array(PLACES)
+    moves = [
+        numpy.linalg.norm(numpy.subtract(old.point(places), new.point(places)), axis=1).max()
+        for old, new in zip(spokes.curves, umbrella.spokes)
+    ]
+    return spokes.numbers[int(numpy.argmax(moves))]
 
 
 def _with_edges(text, numbers):
@@ -197,19 +317,24 @@ def _around(curves, fit_mm):
         [int(place) + 1 for place in order],
         numpy.degrees(after).tolist(),
         fit_mm,
+        [[] for _ in order],
     )
     return _turned(spokes, spokes.numbers.index(1))
 
 
 def _turned(spokes, first):
     """Return the Spokes that begin with another one."""
-    lists = (spokes.curves, spokes.numbers, spokes.after_deg)
     first = first % len(spokes.curves)
-    return Spokes(*(each[first:] + each[:first] for each in lists), spokes.fit_mm)
+    return spokes._replace(
+        **{
+            name: getattr(spokes, name)[first:] + getattr(spokes, name)[:first]
+            for name in ("curves", "numbers", "after_deg", "bounds")
+        }
+    )
 
 
 def _named(seam, shape, spokes, numbers):
-    """Return a seam with the edge of the selection along which it runs, and its target.
+    """Return a seam with the edge of the selection along which it runs.
 
     Seams within a three-sided face run along no edge. The sides of such a face have two seams each.
     ``spokes``: their points at PLACES.
@@ -220,4 +345,4 @@ def _named(seam, shape, spokes, numbers):
     place = int(numpy.argmin(distances))
     along = distances[place] <= 1e-6 * max(1.0, edge.Length)
     name = "Edge %d" % numbers[place] if along else mark("inside a face")
-    return {**seam, "side": mark("Spoke") if along else mark("Face"), "name": name, "target": "G1"}
+    return {**seam, "side": mark("Spoke") if along else mark("Face"), "name": name}

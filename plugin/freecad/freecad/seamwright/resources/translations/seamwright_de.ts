@@ -40,6 +40,10 @@
         <translation>Winkel der Naht vor der Anpassung, in Grad</translation>
     </message>
     <message>
+        <source>Arcs and other rational edges stay as they are, and the faces are rational</source>
+        <translation>Bögen und andere rationale Kanten bleiben, wie sie sind, und die Flächen sind rational</translation>
+    </message>
+    <message>
         <source>At how many of the worst seams that are shown the largest figure is written</source>
         <translation>Bei wie vielen der schlechtesten gezeigten Nähte der größte Wert angeschrieben wird</translation>
     </message>
@@ -108,6 +112,10 @@
         <translation>Den Krümmungskamm zeichnen</translation>
     </message>
     <message>
+        <source>Edges at which the faces end: one or two from the end of an edge to that of the next</source>
+        <translation>Kanten, an denen die Flächen enden: eine oder zwei vom Ende einer Kante zu dem der nächsten</translation>
+    </message>
+    <message>
         <source>Edges at which two faces meet, or edges side by side</source>
         <translation>Kanten, an denen zwei Flächen sich treffen, oder Kanten, die nebeneinander liegen</translation>
     </message>
@@ -168,6 +176,10 @@
         <translation>Flächen mit mindestens dieser Formschräge lösen sich aus der anderen Hälfte</translation>
     </message>
     <message>
+        <source>Factor by which the variation of the curvature of a face may grow</source>
+        <translation>Faktor, um den die Änderung der Krümmung einer Fläche wachsen darf</translation>
+    </message>
+    <message>
         <source>Four-sided faces, or three-sided ones, which are three faces each</source>
         <translation>Vierseitige Flächen, oder dreiseitige, die je drei Flächen sind</translation>
     </message>
@@ -200,6 +212,10 @@
         <translation>Von der Mitte des Modells; 0: die halbe Größe des Modells</translation>
     </message>
     <message>
+        <source>Further faces that the moving face joins as the other face, or edges of them</source>
+        <translation>Weitere Flächen, an die die verschobene Fläche wie an die andere anschließt, oder Kanten von ihnen</translation>
+    </message>
+    <message>
         <source>Gap of the seam after the match, in mm</source>
         <translation>Spalt der Naht nach der Anpassung, in mm</translation>
     </message>
@@ -210,6 +226,10 @@
     <message>
         <source>Height of the legend's letters, in pixels</source>
         <translation>Höhe der Buchstaben der Legende, in Pixeln</translation>
+    </message>
+    <message>
+        <source>How far from the seam the moved face may change, in mm; 0: as little as needed</source>
+        <translation>Wie weit von der Naht die verschobene Fläche geändert werden darf, in mm; 0: so wenig wie nötig</translation>
     </message>
     <message>
         <source>How far the surface keeps its direction, by the distance of the sides</source>
@@ -428,8 +448,8 @@
         <translation>Verschiebt Flächen des ausgewählten Objekts so wenig wie möglich, bis seine Nähte glatt sind: ohne Knick (G1) oder mit gleicher Krümmung (G2). Um nur einige Nähte zu reparieren, deren Kanten oder Zeilen einer Analyse auswählen.</translation>
     </message>
     <message>
-        <source>Move the second of two selected faces, or both, until they join without a kink (G1) or with equal curvature (G2). If they share several edges, also select the edge to match.</source>
-        <translation>Verschiebt die zweite von zwei ausgewählten Flächen, oder beide, bis sie ohne Knick (G1) oder mit gleicher Krümmung (G2) aneinanderschließen. Haben sie mehrere gemeinsame Kanten, auch die anzupassende Kante auswählen.</translation>
+        <source>Move the second of two selected faces, or both, until they join without a kink (G1) or with equal curvature (G2). If they share several edges, also select the edge to match. Of more faces, the last one moves and joins all others; edges stand for their faces.</source>
+        <translation>Verschiebt die zweite von zwei ausgewählten Flächen, oder beide, bis sie ohne Knick (G1) oder mit gleicher Krümmung (G2) aneinanderschließen. Haben sie mehrere gemeinsame Kanten, auch die anzupassende Kante auswählen. Von mehr Flächen wird die letzte verschoben und schließt an alle anderen an; Kanten stehen für ihre Flächen.</translation>
     </message>
     <message>
         <source>No point moved further, in mm</source>
@@ -680,6 +700,10 @@
         <translation>Die Stetigkeit an beiden Enden</translation>
     </message>
     <message>
+        <source>The continuity of the faces across the edges: tangent planes (G1) or curvature, too (G2)</source>
+        <translation>Der Übergang der Flächen über die Kanten: Tangentialebenen (G1) oder auch Krümmung (G2)</translation>
+    </message>
+    <message>
         <source>The continuity of the joint</source>
         <translation>Die Stetigkeit der Verbindungsstelle</translation>
     </message>
@@ -852,6 +876,10 @@
         <translation>Obere Schranke der relativen Unterschiede der Krümmung von Nähten, die G2 oder mehr sein sollen</translation>
     </message>
     <message>
+        <source>Upper bound of the relative differences of curvature of the seams; 0 for G1</source>
+        <translation>Obere Schranke der relativen Krümmungsunterschiede der Nähte; 0 bei G1</translation>
+    </message>
+    <message>
         <source>Version of Seamwright that wrote the results</source>
         <translation>Version von Seamwright, die die Ergebnisse geschrieben hat</translation>
     </message>
@@ -993,6 +1021,10 @@ Gezeigt: {show}</translation>
         <translation>, höchstens {distance_mm} mm von der Spirale</translation>
     </message>
     <message>
+        <source>, curvature at most {curvature_rel} %</source>
+        <translation>, Krümmung höchstens {curvature_rel} %</translation>
+    </message>
+    <message>
         <source>, curves within {fit} mm of them</source>
         <translation>, Kurven höchstens {fit} mm von ihnen</translation>
     </message>
@@ -1031,6 +1063,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>: the points are samples of these.</source>
         <translation>: Die Punkte sind Stützpunkte von diesen.</translation>
+    </message>
+    <message>
+        <source>; the outer boundary stays</source>
+        <translation>; der äußere Rand bleibt</translation>
     </message>
     <message>
         <source>; the results are those of the last complete run.</source>
@@ -1441,6 +1477,10 @@ Gezeigt: {show}</translation>
         <translation>Dichte</translation>
     </message>
     <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
         <source>Deviation</source>
         <translation>Abweichung</translation>
     </message>
@@ -1593,12 +1633,20 @@ Gezeigt: {show}</translation>
         <translation>Flächen</translation>
     </message>
     <message>
+        <source>Faces join with</source>
+        <translation>Flächen schließen an mit</translation>
+    </message>
+    <message>
         <source>Failed: {error}</source>
         <translation>Fehlgeschlagen: {error}</translation>
     </message>
     <message>
         <source>Fair Curve</source>
         <translation>Kurve glätten</translation>
+    </message>
+    <message>
+        <source>Fairness</source>
+        <translation>Glätte</translation>
     </message>
     <message>
         <source>Family</source>
@@ -1783,6 +1831,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>Keep anyway</source>
         <translation>Trotzdem behalten</translation>
+    </message>
+    <message>
+        <source>Keep arcs exactly</source>
+        <translation>Bögen exakt beibehalten</translation>
     </message>
     <message>
         <source>Label the worst</source>
@@ -1997,6 +2049,10 @@ Gezeigt: {show}</translation>
         <translation>Modell</translation>
     </message>
     <message>
+        <source>More faces (may be empty)</source>
+        <translation>Weitere Flächen (darf leer sein)</translation>
+    </message>
+    <message>
         <source>Move all points back to those of the sources</source>
         <translation>Alle Punkte zu denen der Quellen zurücksetzen</translation>
     </message>
@@ -2163,6 +2219,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>Other end of the second</source>
         <translation>Anderes Ende der zweiten</translation>
+    </message>
+    <message>
+        <source>Outer boundary (may be empty)</source>
+        <translation>Äußerer Rand (darf leer sein)</translation>
     </message>
     <message>
         <source>Own points</source>
@@ -2425,8 +2485,8 @@ Gezeigt: {show}</translation>
         <translation>Wählen Sie einen Eckpunkt eines Körpers aus, an dem 3 bis 6 Kanten sich treffen. Ausgewählt: {vertices}.</translation>
     </message>
     <message>
-        <source>Select two faces: first the one that stays, then the one that moves. You may also select one common edge. Selected: {faces}, {edges}.</source>
-        <translation>Wählen Sie zwei Flächen aus: zuerst die, die bleibt, dann die, die verschoben wird. Sie können auch eine gemeinsame Kante auswählen. Ausgewählt: {faces}, {edges}.</translation>
+        <source>Select two faces: first the one that stays, then the one that moves. You may also select one common edge, or more faces that stay, or edges of them. Selected: {faces}, {edges}.</source>
+        <translation>Wählen Sie zwei Flächen aus: zuerst die, die bleibt, dann die, die verschoben wird. Sie können auch eine gemeinsame Kante auswählen, oder weitere Flächen, die bleiben, oder Kanten von ihnen. Ausgewählt: {faces}, {edges}.</translation>
     </message>
     <message>
         <source>Set by the expression {expression}</source>
@@ -2601,6 +2661,10 @@ Gezeigt: {show}</translation>
         <translation>Spannung am Anfang</translation>
     </message>
     <message>
+        <source>The best fill needs {tolerances}; Keep anyway shows it.</source>
+        <translation>Die beste Füllung braucht {tolerances}; „Trotzdem behalten“ zeigt sie.</translation>
+    </message>
+    <message>
         <source>The compiled part of Seamwright cannot be loaded ({reason}). {built}This FreeCAD runs Python {python} and OpenCASCADE {occt}: install the Seamwright that was built for it.</source>
         <translation>Der kompilierte Teil von Seamwright kann nicht geladen werden ({reason}). {built}Dieses FreeCAD läuft mit Python {python} und OpenCASCADE {occt}: Installieren Sie das Seamwright, das dafür gebaut wurde.</translation>
     </message>
@@ -2613,8 +2677,8 @@ Gezeigt: {show}</translation>
         <translation>Die Kante des Modells oder die Linien in der Fläche</translation>
     </message>
     <message>
-        <source>The edge of the seam in the result</source>
-        <translation>Die Kante der Naht im Ergebnis</translation>
+        <source>The edge of the seam in the result, or in the model where nothing was kept</source>
+        <translation>Die Kante der Naht im Ergebnis, oder im Modell, wo nichts behalten wurde</translation>
     </message>
     <message>
         <source>The edge or edges of the seam</source>
@@ -2881,6 +2945,10 @@ Gezeigt: {show}</translation>
         <translation>ein geschlossener Spline</translation>
     </message>
     <message>
+        <source>a curvature of {figure} %</source>
+        <translation>eine Krümmung von {figure} %</translation>
+    </message>
+    <message>
         <source>a curve of degree {degree} is {distance:.3g} mm from an edge, and {tolerance_mm:g} mm are allowed: divide the edge, or allow more</source>
         <translation>eine Kurve vom Grad {degree} ist {distance:.3g} mm von einer Kante entfernt, und {tolerance_mm:g} mm sind erlaubt: Teilen Sie die Kante, oder erlauben Sie mehr</translation>
     </message>
@@ -2891,6 +2959,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>a face has no curve in its parameters along the seam</source>
         <translation>eine Fläche hat entlang der Naht keine Kurve in ihren Parametern</translation>
+    </message>
+    <message>
+        <source>a gap of {figure} mm</source>
+        <translation>einen Spalt von {figure} mm</translation>
     </message>
     <message>
         <source>a point</source>
@@ -2911,6 +2983,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>along the seam, mm</source>
         <translation>entlang der Naht, mm</translation>
+    </message>
+    <message>
+        <source>an angle of {figure}°</source>
+        <translation>einen Winkel von {figure}°</translation>
     </message>
     <message>
         <source>an edge</source>
@@ -2961,6 +3037,10 @@ Gezeigt: {show}</translation>
         <translation>wie eine Kugel vom Radius {radius} mm</translation>
     </message>
     <message>
+        <source>as little as needed</source>
+        <translation>so wenig wie nötig</translation>
+    </message>
+    <message>
         <source>at ({point})</source>
         <translation>bei ({point})</translation>
     </message>
@@ -2983,6 +3063,14 @@ Gezeigt: {show}</translation>
     <message>
         <source>by size of face</source>
         <translation>nach Größe der Fläche</translation>
+    </message>
+    <message>
+        <source>choose edges, or nothing</source>
+        <translation>Wählen Sie Kanten, oder nichts</translation>
+    </message>
+    <message>
+        <source>choose faces or edges of faces, or nothing</source>
+        <translation>Wählen Sie Flächen oder Kanten von Flächen, oder nichts</translation>
     </message>
     <message>
         <source>choose one edge of both faces, or nothing</source>
@@ -3045,8 +3133,16 @@ Gezeigt: {show}</translation>
         <translation>Kante {number} gehört zu keinem Loch: Sie ist nicht frei, oder nicht Teil einer geschlossenen Schleife</translation>
     </message>
     <message>
-        <source>edges moved by at most {moved} mm</source>
-        <translation>Kanten um höchstens {moved} mm verschoben</translation>
+        <source>edge {number} of the outer boundary does not lead from the end of an edge to that of its neighbour: it ends {distance} mm from the nearest end</source>
+        <translation>Kante {number} des äußeren Rands führt nicht vom Ende einer Kante zu dem der benachbarten: Sie endet {distance} mm vom nächsten Ende</translation>
+    </message>
+    <message>
+        <source>edge {number} of the outer boundary leads from edge {first} to edge {second}: choose one or two edges for each two neighbours</source>
+        <translation>Kante {number} des äußeren Rands führt von Kante {first} zu Kante {second}: Wählen Sie eine oder zwei Kanten für je zwei benachbarte</translation>
+    </message>
+    <message>
+        <source>edges moved by at most {moved} mm, edge {number} most</source>
+        <translation>Kanten um höchstens {moved} mm verschoben, Kante {number} am weitesten</translation>
     </message>
     <message>
         <source>end</source>
@@ -3061,8 +3157,8 @@ Gezeigt: {show}</translation>
         <translation>gleiche Krümmung</translation>
     </message>
     <message>
-        <source>every seam is G1</source>
-        <translation>jede Naht ist G1</translation>
+        <source>every seam is {order}</source>
+        <translation>jede Naht ist {order}</translation>
     </message>
     <message>
         <source>exchange of surfaces between CAD systems</source>
@@ -3097,8 +3193,8 @@ Gezeigt: {show}</translation>
         <translation>Spalt höchstens {figure} mm</translation>
     </message>
     <message>
-        <source>gap at most {gap_mm} mm, angle at most {angle_deg}°, curvature at most {curvature_rel} %</source>
-        <translation>Spalt höchstens {gap_mm} mm, Winkel höchstens {angle_deg}°, Krümmung höchstens {curvature_rel} %</translation>
+        <source>gap at most {gap_mm} mm, angle at most {angle_deg}°</source>
+        <translation>Spalt höchstens {gap_mm} mm, Winkel höchstens {angle_deg}°</translation>
     </message>
     <message>
         <source>gap larger than the tolerance</source>
@@ -3321,8 +3417,8 @@ Gezeigt: {show}</translation>
         <translation>nicht gewählt</translation>
     </message>
     <message>
-        <source>not every seam is certainly G1</source>
-        <translation>nicht jede Naht ist sicher G1</translation>
+        <source>not every seam is certainly {order}</source>
+        <translation>nicht jede Naht ist sicher {order}</translation>
     </message>
     <message>
         <source>not measured</source>
@@ -3525,6 +3621,14 @@ Gezeigt: {show}</translation>
         <translation>Tangenten in einer Ebene innerhalb</translation>
     </message>
     <message>
+        <source>that all edges have the curvature of one surface at the point</source>
+        <translation>dass alle Kanten im Punkt die Krümmung einer einzigen Fläche haben</translation>
+    </message>
+    <message>
+        <source>that the faces close around the point</source>
+        <translation>dass sich die Flächen um den Punkt schließen</translation>
+    </message>
+    <message>
         <source>the edges are {chains} separate curves: choose one</source>
         <translation>die Kanten sind {chains} getrennte Kurven: Wählen Sie eine</translation>
     </message>
@@ -3555,6 +3659,14 @@ Gezeigt: {show}</translation>
     <message>
         <source>the lights run in the direction in which they lie: choose another one</source>
         <translation>die Lampen laufen in der Richtung, in der sie liegen: Wählen Sie eine andere</translation>
+    </message>
+    <message>
+        <source>the outer boundary has edges in the sector that stays open: choose edges of the other sectors</source>
+        <translation>der äußere Rand hat Kanten im Sektor, der offen bleibt: Wählen Sie Kanten der anderen Sektoren</translation>
+    </message>
+    <message>
+        <source>the outer boundary has {count} edges between edges {first} and {second}: one or two are possible</source>
+        <translation>der äußere Rand hat {count} Kanten zwischen den Kanten {first} und {second}: eine oder zwei sind möglich</translation>
     </message>
     <message>
         <source>the points or edges are not in one plane: they are up to {distance:.3g} mm off it, and {flatness_mm:g} mm are allowed</source>
@@ -3645,6 +3757,10 @@ Gezeigt: {show}</translation>
         <translation>es gibt nur einen Punkt: Wählen Sie zwei oder mehr</translation>
     </message>
     <message>
+        <source>three-sided faces join with G1 only: choose four-sided faces, or G1</source>
+        <translation>dreiseitige Flächen schließen nur mit G1 an: Wählen Sie vierseitige Flächen, oder G1</translation>
+    </message>
+    <message>
         <source>too steep</source>
         <translation>zu steil</translation>
     </message>
@@ -3667,6 +3783,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>visible surfaces, judged by their reflections</source>
         <translation>sichtbare Flächen, nach ihren Spiegelungen beurteilt</translation>
+    </message>
+    <message>
+        <source>with G2 the outer boundary is found, and cannot be given: choose G1, or take the edges out of the outer boundary</source>
+        <translation>mit G2 wird der äußere Rand bestimmt und kann nicht vorgegeben werden: Wählen Sie G1, oder nehmen Sie die Kanten aus dem äußeren Rand</translation>
     </message>
     <message>
         <source>yes</source>
@@ -3905,6 +4025,10 @@ Gezeigt: {show}</translation>
         <translation>{edges_led} mit neuen Parameterkurven</translation>
     </message>
     <message>
+        <source>{edges} (model)</source>
+        <translation>{edges} (Modell)</translation>
+    </message>
+    <message>
         <source>{edges} can be matched: see Tolerances.</source>
         <translation>{edges} können zugeordnet werden: siehe Toleranzen.</translation>
     </message>
@@ -3947,6 +4071,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>{faces} to replace.</source>
         <translation>{faces} zu ersetzen.</translation>
+    </message>
+    <message>
+        <source>{face} joins {others} to the tolerance; it changed up to {depth_mm} mm from its edges</source>
+        <translation>{face} schließt innerhalb der Toleranz an {others} an; geändert bis {depth_mm} mm von ihren Kanten</translation>
     </message>
     <message>
         <source>{face} will be replaced</source>
@@ -4121,8 +4249,8 @@ Gezeigt: {show}</translation>
         <translation>{made} zwischen {keys} Kurven, innerhalb {distance_mm} mm; Verbindungsstellen behalten bis zu G{order}, {features} zugeordnet.</translation>
     </message>
     <message>
-        <source>{members} around the point: {state}, gap at most {gap_mm} mm, angle at most {angle_deg}°; {followed}.</source>
-        <translation>{members} um den Punkt: {state}, Spalt höchstens {gap_mm} mm, Winkel höchstens {angle_deg}°; {followed}.</translation>
+        <source>{members} around the point: {state}, {figures}; {followed}.</source>
+        <translation>{members} um den Punkt: {state}, {figures}; {followed}.</translation>
     </message>
     <message>
         <source>{moved} moved by up to {largest_move_mm} mm</source>
@@ -4147,6 +4275,14 @@ Gezeigt: {show}</translation>
     <message>
         <source>{name} cannot be {value:g}: choose from {least:g} to {largest:g}</source>
         <translation>{name} kann nicht {value:g} sein: wählen Sie {least:g} bis {largest:g}</translation>
+    </message>
+    <message>
+        <source>{name} does not bound one face alone: select the face to join, too</source>
+        <translation>{name} begrenzt nicht genau eine Fläche: Wählen Sie auch die Fläche aus, an die angeschlossen wird</translation>
+    </message>
+    <message>
+        <source>{name} has no edge along {moving} within the match distance of {match_mm} mm (they are {distance} mm apart): allow a larger one, or leave it out</source>
+        <translation>{name} hat keine Kante entlang {moving} innerhalb des Anpassungsabstands von {match_mm} mm (ihr Abstand ist {distance} mm): Erlauben Sie einen größeren, oder lassen Sie sie weg</translation>
     </message>
     <message>
         <source>{name} has no edge: {needs}</source>
@@ -4181,6 +4317,10 @@ Gezeigt: {show}</translation>
         <translation>{name} nennt {label}, das nicht die Quelle {source} ist</translation>
     </message>
     <message>
+        <source>{name} would join itself: choose other faces</source>
+        <translation>{name} würde an sich selbst anschließen: Wählen Sie andere Flächen</translation>
+    </message>
+    <message>
         <source>{name} {what}: choose edges</source>
         <translation>{name} {what}: Wählen Sie Kanten</translation>
     </message>
@@ -4203,6 +4343,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>{objects} selected: {needs}</source>
         <translation>{objects} ausgewählt: {needs}</translation>
+    </message>
+    <message>
+        <source>{order} needs {need}: poles would move by {moved} mm, edge {number} most, and {most} mm are allowed: change the edges, or allow more</source>
+        <translation>{order} verlangt, {need}: Kontrollpunkte würden um {moved} mm verschoben, bei Kante {number} am weitesten, und {most} mm sind erlaubt: Ändern Sie die Kanten, oder erlauben Sie mehr</translation>
     </message>
     <message>
         <source>{parts}. Sampled at {points}: between them it may be larger.</source>
@@ -4243,6 +4387,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>{quantity} curvature {range}. {mesh}.</source>
         <translation>{quantity} Krümmung {range}. {mesh}.</translation>
+    </message>
+    <message>
+        <source>{reason}: allow a change over a larger Depth, or a larger Fairness</source>
+        <translation>{reason}: Erlauben Sie eine Änderung über eine größere Tiefe (Depth), oder eine größere Glätte (Fairness)</translation>
     </message>
     <message>
         <source>{seams} seams are marked; only the edges of the first {selected} are selected.</source>
@@ -4523,8 +4671,8 @@ Werte jenseits von ±{limit_per_mm} 1/mm haben die Endfarben</translation>
         <translation>Flächen anpassen</translation>
     </message>
     <message>
-        <source>Move the second of two selected faces, or both, until they join without a kink (G1) or with equal curvature (G2). If they share several edges, also select the edge to match.</source>
-        <translation>Verschiebt die zweite von zwei ausgewählten Flächen, oder beide, bis sie ohne Knick (G1) oder mit gleicher Krümmung (G2) aneinanderschließen. Haben sie mehrere gemeinsame Kanten, auch die anzupassende Kante auswählen.</translation>
+        <source>Move the second of two selected faces, or both, until they join without a kink (G1) or with equal curvature (G2). If they share several edges, also select the edge to match. Of more faces, the last one moves and joins all others; edges stand for their faces.</source>
+        <translation>Verschiebt die zweite von zwei ausgewählten Flächen, oder beide, bis sie ohne Knick (G1) oder mit gleicher Krümmung (G2) aneinanderschließen. Haben sie mehrere gemeinsame Kanten, auch die anzupassende Kante auswählen. Von mehr Flächen wird die letzte verschoben und schließt an alle anderen an; Kanten stehen für ihre Flächen.</translation>
     </message>
 </context>
 <context>
@@ -4574,8 +4722,8 @@ Werte jenseits von ±{limit_per_mm} 1/mm haben die Endfarben</translation>
 <context>
     <name>Seamwright_Umbrella</name>
     <message>
-        <source>Make faces around a point from three or more selected edges that end there with tangents in one plane: a face between each two neighbouring edges. All of them have common tangent planes along the edges.</source>
-        <translation>Erzeugt Flächen um einen Punkt aus drei oder mehr ausgewählten Kanten, die dort mit Tangenten in einer Ebene enden: eine Fläche zwischen je zwei benachbarten Kanten. Alle haben gemeinsame Tangentialebenen entlang der Kanten.</translation>
+        <source>Make faces around a point from three or more selected edges that end there with tangents in one plane: a face between each two neighbouring edges. All of them have common tangent planes along the edges, or with G2 common curvature, too.</source>
+        <translation>Erzeugt Flächen um einen Punkt aus drei oder mehr ausgewählten Kanten, die dort mit Tangenten in einer Ebene enden: eine Fläche zwischen je zwei benachbarten Kanten. Alle haben gemeinsame Tangentialebenen entlang der Kanten, mit G2 auch gemeinsame Krümmung.</translation>
     </message>
     <message>
         <source>Umbrella</source>

@@ -40,6 +40,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Arcs and other rational edges stay as they are, and the faces are rational</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>At how many of the worst seams that are shown the largest figure is written</source>
         <translation type="unfinished"></translation>
     </message>
@@ -108,6 +112,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Edges at which the faces end: one or two from the end of an edge to that of the next</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Edges at which two faces meet, or edges side by side</source>
         <translation type="unfinished"></translation>
     </message>
@@ -168,6 +176,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Factor by which the variation of the curvature of a face may grow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Four-sided faces, or three-sided ones, which are three faces each</source>
         <translation type="unfinished"></translation>
     </message>
@@ -200,6 +212,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Further faces that the moving face joins as the other face, or edges of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Gap of the seam after the match, in mm</source>
         <translation type="unfinished"></translation>
     </message>
@@ -209,6 +225,10 @@
     </message>
     <message>
         <source>Height of the legend's letters, in pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far from the seam the moved face may change, in mm; 0: as little as needed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -428,7 +448,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Move the second of two selected faces, or both, until they join without a kink (G1) or with equal curvature (G2). If they share several edges, also select the edge to match.</source>
+        <source>Move the second of two selected faces, or both, until they join without a kink (G1) or with equal curvature (G2). If they share several edges, also select the edge to match. Of more faces, the last one moves and joins all others; edges stand for their faces.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -680,6 +700,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The continuity of the faces across the edges: tangent planes (G1) or curvature, too (G2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The continuity of the joint</source>
         <translation type="unfinished"></translation>
     </message>
@@ -852,6 +876,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Upper bound of the relative differences of curvature of the seams; 0 for G1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Version of Seamwright that wrote the results</source>
         <translation type="unfinished"></translation>
     </message>
@@ -992,6 +1020,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>, curvature at most {curvature_rel} %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>, curves within {fit} mm of them</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1029,6 +1061,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>: the points are samples of these.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; the outer boundary stays</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1440,6 +1476,10 @@ Shown: {show}</source>
         <translation>Densité</translation>
     </message>
     <message>
+        <source>Depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Deviation</source>
         <translation>Écart</translation>
     </message>
@@ -1592,12 +1632,20 @@ Shown: {show}</source>
         <translation>Faces</translation>
     </message>
     <message>
+        <source>Faces join with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Failed: {error}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Fair Curve</source>
         <translation>Lisser la courbe</translation>
+    </message>
+    <message>
+        <source>Fairness</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Family</source>
@@ -1782,6 +1830,10 @@ Shown: {show}</source>
     <message>
         <source>Keep anyway</source>
         <translation>Garder quand même</translation>
+    </message>
+    <message>
+        <source>Keep arcs exactly</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Label the worst</source>
@@ -1996,6 +2048,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>More faces (may be empty)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Move all points back to those of the sources</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2161,6 +2217,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Other end of the second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outer boundary (may be empty)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2422,7 +2482,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Select two faces: first the one that stays, then the one that moves. You may also select one common edge. Selected: {faces}, {edges}.</source>
+        <source>Select two faces: first the one that stays, then the one that moves. You may also select one common edge, or more faces that stay, or edges of them. Selected: {faces}, {edges}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2598,6 +2658,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The best fill needs {tolerances}; Keep anyway shows it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The compiled part of Seamwright cannot be loaded ({reason}). {built}This FreeCAD runs Python {python} and OpenCASCADE {occt}: install the Seamwright that was built for it.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2610,7 +2674,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The edge of the seam in the result</source>
+        <source>The edge of the seam in the result, or in the model where nothing was kept</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2878,6 +2942,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>a curvature of {figure} %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>a curve of degree {degree} is {distance:.3g} mm from an edge, and {tolerance_mm:g} mm are allowed: divide the edge, or allow more</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2887,6 +2955,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>a face has no curve in its parameters along the seam</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a gap of {figure} mm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2907,6 +2979,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>along the seam, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an angle of {figure}°</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2958,6 +3034,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>as little as needed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>at ({point})</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2979,6 +3059,14 @@ Shown: {show}</source>
     </message>
     <message>
         <source>by size of face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose edges, or nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose faces or edges of faces, or nothing</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3042,7 +3130,15 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>edges moved by at most {moved} mm</source>
+        <source>edge {number} of the outer boundary does not lead from the end of an edge to that of its neighbour: it ends {distance} mm from the nearest end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>edge {number} of the outer boundary leads from edge {first} to edge {second}: choose one or two edges for each two neighbours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>edges moved by at most {moved} mm, edge {number} most</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3058,7 +3154,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>every seam is G1</source>
+        <source>every seam is {order}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3094,7 +3190,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>gap at most {gap_mm} mm, angle at most {angle_deg}°, curvature at most {curvature_rel} %</source>
+        <source>gap at most {gap_mm} mm, angle at most {angle_deg}°</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3318,7 +3414,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>not every seam is certainly G1</source>
+        <source>not every seam is certainly {order}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3522,6 +3618,14 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>that all edges have the curvature of one surface at the point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>that the faces close around the point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the edges are {chains} separate curves: choose one</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3551,6 +3655,14 @@ Shown: {show}</source>
     </message>
     <message>
         <source>the lights run in the direction in which they lie: choose another one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the outer boundary has edges in the sector that stays open: choose edges of the other sectors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the outer boundary has {count} edges between edges {first} and {second}: one or two are possible</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3642,6 +3754,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>three-sided faces join with G1 only: choose four-sided faces, or G1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>too steep</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3663,6 +3779,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>visible surfaces, judged by their reflections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with G2 the outer boundary is found, and cannot be given: choose G1, or take the edges out of the outer boundary</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3902,6 +4022,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{edges} (model)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{edges} can be matched: see Tolerances.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3943,6 +4067,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>{faces} to replace.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{face} joins {others} to the tolerance; it changed up to {depth_mm} mm from its edges</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4118,7 +4246,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{members} around the point: {state}, gap at most {gap_mm} mm, angle at most {angle_deg}°; {followed}.</source>
+        <source>{members} around the point: {state}, {figures}; {followed}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4143,6 +4271,14 @@ Shown: {show}</source>
     </message>
     <message>
         <source>{name} cannot be {value:g}: choose from {least:g} to {largest:g}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} does not bound one face alone: select the face to join, too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} has no edge along {moving} within the match distance of {match_mm} mm (they are {distance} mm apart): allow a larger one, or leave it out</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4178,6 +4314,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{name} would join itself: choose other faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{name} {what}: choose edges</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4199,6 +4339,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>{objects} selected: {needs}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{order} needs {need}: poles would move by {moved} mm, edge {number} most, and {most} mm are allowed: change the edges, or allow more</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4239,6 +4383,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>{quantity} curvature {range}. {mesh}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{reason}: allow a change over a larger Depth, or a larger Fairness</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4519,7 +4667,7 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
         <translation>Raccorder les surfaces</translation>
     </message>
     <message>
-        <source>Move the second of two selected faces, or both, until they join without a kink (G1) or with equal curvature (G2). If they share several edges, also select the edge to match.</source>
+        <source>Move the second of two selected faces, or both, until they join without a kink (G1) or with equal curvature (G2). If they share several edges, also select the edge to match. Of more faces, the last one moves and joins all others; edges stand for their faces.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4570,7 +4718,7 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
 <context>
     <name>Seamwright_Umbrella</name>
     <message>
-        <source>Make faces around a point from three or more selected edges that end there with tangents in one plane: a face between each two neighbouring edges. All of them have common tangent planes along the edges.</source>
+        <source>Make faces around a point from three or more selected edges that end there with tangents in one plane: a face between each two neighbouring edges. All of them have common tangent planes along the edges, or with G2 common curvature, too.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

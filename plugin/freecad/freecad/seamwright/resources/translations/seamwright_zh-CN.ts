@@ -40,6 +40,10 @@
         <translation>匹配前接缝的角度，单位度</translation>
     </message>
     <message>
+        <source>Arcs and other rational edges stay as they are, and the faces are rational</source>
+        <translation>圆弧和其他有理边保持不变，生成的面为有理面</translation>
+    </message>
+    <message>
         <source>At how many of the worst seams that are shown the largest figure is written</source>
         <translation>在所显示的最差接缝中，有多少条标注最大值</translation>
     </message>
@@ -108,6 +112,10 @@
         <translation>绘制曲率梳</translation>
     </message>
     <message>
+        <source>Edges at which the faces end: one or two from the end of an edge to that of the next</source>
+        <translation>面终止于这些边：从一条边的端点到下一条边的端点，一条或两条</translation>
+    </message>
+    <message>
         <source>Edges at which two faces meet, or edges side by side</source>
         <translation>两个面相接的边，或并排的边</translation>
     </message>
@@ -168,6 +176,10 @@
         <translation>拔模角至少为此值的面可从另一半脱模</translation>
     </message>
     <message>
+        <source>Factor by which the variation of the curvature of a face may grow</source>
+        <translation>面的曲率变化可增大的倍数</translation>
+    </message>
+    <message>
         <source>Four-sided faces, or three-sided ones, which are three faces each</source>
         <translation>四边面，或三边面(每个由三个面组成)</translation>
     </message>
@@ -200,6 +212,10 @@
         <translation>从模型中心算起；0：模型尺寸的一半</translation>
     </message>
     <message>
+        <source>Further faces that the moving face joins as the other face, or edges of them</source>
+        <translation>移动的面像与另一个面那样与之相接的其他面，或这些面的边</translation>
+    </message>
+    <message>
         <source>Gap of the seam after the match, in mm</source>
         <translation>匹配后接缝的间隙，单位 mm</translation>
     </message>
@@ -210,6 +226,10 @@
     <message>
         <source>Height of the legend's letters, in pixels</source>
         <translation>图例文字的高度，单位像素</translation>
+    </message>
+    <message>
+        <source>How far from the seam the moved face may change, in mm; 0: as little as needed</source>
+        <translation>移动的面可在距接缝多远的范围内改变，单位 mm；0：尽可能少</translation>
     </message>
     <message>
         <source>How far the surface keeps its direction, by the distance of the sides</source>
@@ -428,8 +448,8 @@
         <translation>尽可能少地移动所选对象的面，直到其接缝光滑：无折角 (G1) 或曲率相同 (G2)。只修复部分接缝时，请选择其边或分析中的行。</translation>
     </message>
     <message>
-        <source>Move the second of two selected faces, or both, until they join without a kink (G1) or with equal curvature (G2). If they share several edges, also select the edge to match.</source>
-        <translation>移动两个所选面中的第二个或两者，直到它们以无折角 (G1) 或相同曲率 (G2) 相接。如果它们有多条公共边，还请选择要匹配的边。</translation>
+        <source>Move the second of two selected faces, or both, until they join without a kink (G1) or with equal curvature (G2). If they share several edges, also select the edge to match. Of more faces, the last one moves and joins all others; edges stand for their faces.</source>
+        <translation>移动两个所选面中的第二个或两者，直到它们以无折角 (G1) 或相同曲率 (G2) 相接。如果它们有多条公共边，还请选择要匹配的边。选择更多面时，移动最后一个面，使其与其他所有面相接；边代表其所在的面。</translation>
     </message>
     <message>
         <source>No point moved further, in mm</source>
@@ -680,6 +700,10 @@
         <translation>两端的连续性</translation>
     </message>
     <message>
+        <source>The continuity of the faces across the edges: tangent planes (G1) or curvature, too (G2)</source>
+        <translation>面跨过边的连续性：切平面 (G1)，或还有曲率 (G2)</translation>
+    </message>
+    <message>
         <source>The continuity of the joint</source>
         <translation>连接处的连续性</translation>
     </message>
@@ -852,6 +876,10 @@
         <translation>应为 G2 或更高的接缝的相对曲率差上界</translation>
     </message>
     <message>
+        <source>Upper bound of the relative differences of curvature of the seams; 0 for G1</source>
+        <translation>接缝相对曲率差的上界；G1 时为 0</translation>
+    </message>
+    <message>
         <source>Version of Seamwright that wrote the results</source>
         <translation>写入结果的 Seamwright 版本</translation>
     </message>
@@ -993,6 +1021,10 @@ Shown: {show}</source>
         <translation>，距螺旋线最多 {distance_mm} mm</translation>
     </message>
     <message>
+        <source>, curvature at most {curvature_rel} %</source>
+        <translation>，曲率最大 {curvature_rel} %</translation>
+    </message>
+    <message>
         <source>, curves within {fit} mm of them</source>
         <translation>，曲线与其相差不超过 {fit} mm</translation>
     </message>
@@ -1031,6 +1063,10 @@ Shown: {show}</source>
     <message>
         <source>: the points are samples of these.</source>
         <translation>：这些点是它们的采样点。</translation>
+    </message>
+    <message>
+        <source>; the outer boundary stays</source>
+        <translation>；外边界保持不变</translation>
     </message>
     <message>
         <source>; the results are those of the last complete run.</source>
@@ -1441,6 +1477,10 @@ Shown: {show}</source>
         <translation>密度</translation>
     </message>
     <message>
+        <source>Depth</source>
+        <translation>深度</translation>
+    </message>
+    <message>
         <source>Deviation</source>
         <translation>偏差</translation>
     </message>
@@ -1593,12 +1633,20 @@ Shown: {show}</source>
         <translation>面</translation>
     </message>
     <message>
+        <source>Faces join with</source>
+        <translation>面的连接方式</translation>
+    </message>
+    <message>
         <source>Failed: {error}</source>
         <translation>失败：{error}</translation>
     </message>
     <message>
         <source>Fair Curve</source>
         <translation>光顺曲线</translation>
+    </message>
+    <message>
+        <source>Fairness</source>
+        <translation>光顺性</translation>
     </message>
     <message>
         <source>Family</source>
@@ -1783,6 +1831,10 @@ Shown: {show}</source>
     <message>
         <source>Keep anyway</source>
         <translation>仍然保留</translation>
+    </message>
+    <message>
+        <source>Keep arcs exactly</source>
+        <translation>精确保持圆弧</translation>
     </message>
     <message>
         <source>Label the worst</source>
@@ -1997,6 +2049,10 @@ Shown: {show}</source>
         <translation>模型</translation>
     </message>
     <message>
+        <source>More faces (may be empty)</source>
+        <translation>更多面（可为空）</translation>
+    </message>
+    <message>
         <source>Move all points back to those of the sources</source>
         <translation>将所有点恢复到来源的点</translation>
     </message>
@@ -2163,6 +2219,10 @@ Shown: {show}</source>
     <message>
         <source>Other end of the second</source>
         <translation>第二条的另一端</translation>
+    </message>
+    <message>
+        <source>Outer boundary (may be empty)</source>
+        <translation>外边界（可为空）</translation>
     </message>
     <message>
         <source>Own points</source>
@@ -2425,8 +2485,8 @@ Shown: {show}</source>
         <translation>请选择实体上一个由 3 至 6 条边相交的顶点。已选择：{vertices}。</translation>
     </message>
     <message>
-        <source>Select two faces: first the one that stays, then the one that moves. You may also select one common edge. Selected: {faces}, {edges}.</source>
-        <translation>请选择两个面：先选保持不动的，再选要移动的。还可以选择一条公共边。已选择：{faces}，{edges}。</translation>
+        <source>Select two faces: first the one that stays, then the one that moves. You may also select one common edge, or more faces that stay, or edges of them. Selected: {faces}, {edges}.</source>
+        <translation>请选择两个面：先选保持不动的，再选要移动的。还可以选择一条公共边，或更多保持不动的面，或这些面的边。已选择：{faces}，{edges}。</translation>
     </message>
     <message>
         <source>Set by the expression {expression}</source>
@@ -2601,6 +2661,10 @@ Shown: {show}</source>
         <translation>起点处的张力</translation>
     </message>
     <message>
+        <source>The best fill needs {tolerances}; Keep anyway shows it.</source>
+        <translation>最佳填充需要{tolerances}；“仍然保留”会显示它。</translation>
+    </message>
+    <message>
         <source>The compiled part of Seamwright cannot be loaded ({reason}). {built}This FreeCAD runs Python {python} and OpenCASCADE {occt}: install the Seamwright that was built for it.</source>
         <translation>无法加载 Seamwright 的编译部分({reason})。{built}此 FreeCAD 使用 Python {python} 和 OpenCASCADE {occt}：请安装为其构建的 Seamwright。</translation>
     </message>
@@ -2613,8 +2677,8 @@ Shown: {show}</source>
         <translation>模型边，或曲面内部的线</translation>
     </message>
     <message>
-        <source>The edge of the seam in the result</source>
-        <translation>结果中接缝的边</translation>
+        <source>The edge of the seam in the result, or in the model where nothing was kept</source>
+        <translation>结果中接缝的边；未保留结果时为模型中的边</translation>
     </message>
     <message>
         <source>The edge or edges of the seam</source>
@@ -2881,6 +2945,10 @@ Shown: {show}</source>
         <translation>闭合样条</translation>
     </message>
     <message>
+        <source>a curvature of {figure} %</source>
+        <translation>曲率 {figure} %</translation>
+    </message>
+    <message>
         <source>a curve of degree {degree} is {distance:.3g} mm from an edge, and {tolerance_mm:g} mm are allowed: divide the edge, or allow more</source>
         <translation>{degree} 次曲线与一条边相距 {distance:.3g} mm，允许值为 {tolerance_mm:g} mm：请分割该边，或放宽允许值</translation>
     </message>
@@ -2891,6 +2959,10 @@ Shown: {show}</source>
     <message>
         <source>a face has no curve in its parameters along the seam</source>
         <translation>某个面沿接缝没有参数曲线</translation>
+    </message>
+    <message>
+        <source>a gap of {figure} mm</source>
+        <translation>间隙 {figure} mm</translation>
     </message>
     <message>
         <source>a point</source>
@@ -2911,6 +2983,10 @@ Shown: {show}</source>
     <message>
         <source>along the seam, mm</source>
         <translation>沿接缝，mm</translation>
+    </message>
+    <message>
+        <source>an angle of {figure}°</source>
+        <translation>角度 {figure}°</translation>
     </message>
     <message>
         <source>an edge</source>
@@ -2961,6 +3037,10 @@ Shown: {show}</source>
         <translation>如半径 {radius} mm 的球面</translation>
     </message>
     <message>
+        <source>as little as needed</source>
+        <translation>尽可能少</translation>
+    </message>
+    <message>
         <source>at ({point})</source>
         <translation>位于 ({point})</translation>
     </message>
@@ -2983,6 +3063,14 @@ Shown: {show}</source>
     <message>
         <source>by size of face</source>
         <translation>按面的尺寸</translation>
+    </message>
+    <message>
+        <source>choose edges, or nothing</source>
+        <translation>请选择边，或不选择</translation>
+    </message>
+    <message>
+        <source>choose faces or edges of faces, or nothing</source>
+        <translation>请选择面或面的边，或不选择</translation>
     </message>
     <message>
         <source>choose one edge of both faces, or nothing</source>
@@ -3045,8 +3133,16 @@ Shown: {show}</source>
         <translation>边 {number} 不属于孔：它不是自由边，或不在闭合环中</translation>
     </message>
     <message>
-        <source>edges moved by at most {moved} mm</source>
-        <translation>边最多移动 {moved} mm</translation>
+        <source>edge {number} of the outer boundary does not lead from the end of an edge to that of its neighbour: it ends {distance} mm from the nearest end</source>
+        <translation>外边界的边 {number} 未从一条边的端点通到相邻边的端点：它的末端距最近的端点 {distance} mm</translation>
+    </message>
+    <message>
+        <source>edge {number} of the outer boundary leads from edge {first} to edge {second}: choose one or two edges for each two neighbours</source>
+        <translation>外边界的边 {number} 从边 {first} 通到边 {second}：请为每两条相邻边选择一条或两条边</translation>
+    </message>
+    <message>
+        <source>edges moved by at most {moved} mm, edge {number} most</source>
+        <translation>边最多移动 {moved} mm，其中边 {number} 移动最多</translation>
     </message>
     <message>
         <source>end</source>
@@ -3061,8 +3157,8 @@ Shown: {show}</source>
         <translation>曲率相同</translation>
     </message>
     <message>
-        <source>every seam is G1</source>
-        <translation>每条接缝均为 G1</translation>
+        <source>every seam is {order}</source>
+        <translation>每条接缝均为 {order}</translation>
     </message>
     <message>
         <source>exchange of surfaces between CAD systems</source>
@@ -3097,8 +3193,8 @@ Shown: {show}</source>
         <translation>间隙最大 {figure} mm</translation>
     </message>
     <message>
-        <source>gap at most {gap_mm} mm, angle at most {angle_deg}°, curvature at most {curvature_rel} %</source>
-        <translation>间隙最大 {gap_mm} mm，角度最大 {angle_deg}°，曲率最大 {curvature_rel} %</translation>
+        <source>gap at most {gap_mm} mm, angle at most {angle_deg}°</source>
+        <translation>间隙最大 {gap_mm} mm，角度最大 {angle_deg}°</translation>
     </message>
     <message>
         <source>gap larger than the tolerance</source>
@@ -3321,8 +3417,8 @@ Shown: {show}</source>
         <translation>未选择</translation>
     </message>
     <message>
-        <source>not every seam is certainly G1</source>
-        <translation>并非每条接缝都确定为 G1</translation>
+        <source>not every seam is certainly {order}</source>
+        <translation>并非每条接缝都确定为 {order}</translation>
     </message>
     <message>
         <source>not measured</source>
@@ -3525,6 +3621,14 @@ Shown: {show}</source>
         <translation>切线共面误差不超过</translation>
     </message>
     <message>
+        <source>that all edges have the curvature of one surface at the point</source>
+        <translation>所有边在该点具有同一曲面的曲率</translation>
+    </message>
+    <message>
+        <source>that the faces close around the point</source>
+        <translation>各面围绕该点闭合</translation>
+    </message>
+    <message>
         <source>the edges are {chains} separate curves: choose one</source>
         <translation>这些边是 {chains} 条分离的曲线：请选择一条</translation>
     </message>
@@ -3555,6 +3659,14 @@ Shown: {show}</source>
     <message>
         <source>the lights run in the direction in which they lie: choose another one</source>
         <translation>灯的方向与其所在方向相同：请另选</translation>
+    </message>
+    <message>
+        <source>the outer boundary has edges in the sector that stays open: choose edges of the other sectors</source>
+        <translation>外边界在保持开放的扇区中有边：请选择其他扇区的边</translation>
+    </message>
+    <message>
+        <source>the outer boundary has {count} edges between edges {first} and {second}: one or two are possible</source>
+        <translation>外边界在边 {first} 和边 {second} 之间有 {count} 条边：只能有一条或两条</translation>
     </message>
     <message>
         <source>the points or edges are not in one plane: they are up to {distance:.3g} mm off it, and {flatness_mm:g} mm are allowed</source>
@@ -3645,6 +3757,10 @@ Shown: {show}</source>
         <translation>只有一个点：请选择两个或更多</translation>
     </message>
     <message>
+        <source>three-sided faces join with G1 only: choose four-sided faces, or G1</source>
+        <translation>三边面只能以 G1 连接：请选择四边面，或 G1</translation>
+    </message>
+    <message>
         <source>too steep</source>
         <translation>过陡</translation>
     </message>
@@ -3667,6 +3783,10 @@ Shown: {show}</source>
     <message>
         <source>visible surfaces, judged by their reflections</source>
         <translation>可见曲面，按反射评判</translation>
+    </message>
+    <message>
+        <source>with G2 the outer boundary is found, and cannot be given: choose G1, or take the edges out of the outer boundary</source>
+        <translation>G2 时外边界由计算得出，不能给定：请选择 G1，或从外边界中去掉这些边</translation>
     </message>
     <message>
         <source>yes</source>
@@ -3905,6 +4025,10 @@ Shown: {show}</source>
         <translation>{edges_led}得到新的参数曲线</translation>
     </message>
     <message>
+        <source>{edges} (model)</source>
+        <translation>{edges}（模型）</translation>
+    </message>
+    <message>
         <source>{edges} can be matched: see Tolerances.</source>
         <translation>{edges}可以配对：见公差。</translation>
     </message>
@@ -3947,6 +4071,10 @@ Shown: {show}</source>
     <message>
         <source>{faces} to replace.</source>
         <translation>{faces} 待替换。</translation>
+    </message>
+    <message>
+        <source>{face} joins {others} to the tolerance; it changed up to {depth_mm} mm from its edges</source>
+        <translation>{face} 在公差内与 {others} 相接；改动范围距其边最远 {depth_mm} mm</translation>
     </message>
     <message>
         <source>{face} will be replaced</source>
@@ -4121,8 +4249,8 @@ Shown: {show}</source>
         <translation>{keys} 条曲线之间的{made}，误差不超过 {distance_mm} mm；连接点保持至 G{order}，{features}已对应。</translation>
     </message>
     <message>
-        <source>{members} around the point: {state}, gap at most {gap_mm} mm, angle at most {angle_deg}°; {followed}.</source>
-        <translation>围绕该点的{members}：{state}，间隙最大 {gap_mm} mm，角度最大 {angle_deg}°；{followed}。</translation>
+        <source>{members} around the point: {state}, {figures}; {followed}.</source>
+        <translation>围绕该点的{members}：{state}，{figures}；{followed}。</translation>
     </message>
     <message>
         <source>{moved} moved by up to {largest_move_mm} mm</source>
@@ -4147,6 +4275,14 @@ Shown: {show}</source>
     <message>
         <source>{name} cannot be {value:g}: choose from {least:g} to {largest:g}</source>
         <translation>{name}不能是 {value:g}：请选择 {least:g} 到 {largest:g}</translation>
+    </message>
+    <message>
+        <source>{name} does not bound one face alone: select the face to join, too</source>
+        <translation>{name} 不是只属于一个面的边：请同时选择要相接的面</translation>
+    </message>
+    <message>
+        <source>{name} has no edge along {moving} within the match distance of {match_mm} mm (they are {distance} mm apart): allow a larger one, or leave it out</source>
+        <translation>{name} 在匹配距离 {match_mm} mm 内没有沿 {moving} 的边（两者相距 {distance} mm）：请允许更大的距离，或去掉它</translation>
     </message>
     <message>
         <source>{name} has no edge: {needs}</source>
@@ -4181,6 +4317,10 @@ Shown: {show}</source>
         <translation>{name} 指定了 {label}，它不是来源 {source}</translation>
     </message>
     <message>
+        <source>{name} would join itself: choose other faces</source>
+        <translation>{name} 会与自身相接：请选择其他面</translation>
+    </message>
+    <message>
         <source>{name} {what}: choose edges</source>
         <translation>{name} {what}：请选择边</translation>
     </message>
@@ -4203,6 +4343,10 @@ Shown: {show}</source>
     <message>
         <source>{objects} selected: {needs}</source>
         <translation>选择了{objects}：{needs}</translation>
+    </message>
+    <message>
+        <source>{order} needs {need}: poles would move by {moved} mm, edge {number} most, and {most} mm are allowed: change the edges, or allow more</source>
+        <translation>{order} 要求{need}：控制点将移动 {moved} mm，边 {number} 移动最多，而允许值为 {most} mm：请修改边，或允许更大的值</translation>
     </message>
     <message>
         <source>{parts}. Sampled at {points}: between them it may be larger.</source>
@@ -4243,6 +4387,10 @@ Shown: {show}</source>
     <message>
         <source>{quantity} curvature {range}. {mesh}.</source>
         <translation>{quantity}曲率 {range}。{mesh}。</translation>
+    </message>
+    <message>
+        <source>{reason}: allow a change over a larger Depth, or a larger Fairness</source>
+        <translation>{reason}：请允许更大的深度 (Depth)，或更大的光顺性系数 (Fairness)</translation>
     </message>
     <message>
         <source>{seams} seams are marked; only the edges of the first {selected} are selected.</source>
@@ -4523,8 +4671,8 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
         <translation>匹配曲面</translation>
     </message>
     <message>
-        <source>Move the second of two selected faces, or both, until they join without a kink (G1) or with equal curvature (G2). If they share several edges, also select the edge to match.</source>
-        <translation>移动两个所选面中的第二个或两者，直到它们以无折角 (G1) 或相同曲率 (G2) 相接。如果它们有多条公共边，还请选择要匹配的边。</translation>
+        <source>Move the second of two selected faces, or both, until they join without a kink (G1) or with equal curvature (G2). If they share several edges, also select the edge to match. Of more faces, the last one moves and joins all others; edges stand for their faces.</source>
+        <translation>移动两个所选面中的第二个或两者，直到它们以无折角 (G1) 或相同曲率 (G2) 相接。如果它们有多条公共边，还请选择要匹配的边。选择更多面时，移动最后一个面，使其与其他所有面相接；边代表其所在的面。</translation>
     </message>
 </context>
 <context>
@@ -4574,8 +4722,8 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
 <context>
     <name>Seamwright_Umbrella</name>
     <message>
-        <source>Make faces around a point from three or more selected edges that end there with tangents in one plane: a face between each two neighbouring edges. All of them have common tangent planes along the edges.</source>
-        <translation>由三条或更多在一点结束且切线共面的所选边，围绕该点生成面：每两条相邻边之间一个面。所有面沿这些边具有共同的切平面。</translation>
+        <source>Make faces around a point from three or more selected edges that end there with tangents in one plane: a face between each two neighbouring edges. All of them have common tangent planes along the edges, or with G2 common curvature, too.</source>
+        <translation>由三条或更多在一点结束且切线共面的所选边，围绕该点生成面：每两条相邻边之间一个面。所有面沿这些边具有共同的切平面，G2 时还具有共同的曲率。</translation>
     </message>
     <message>
         <source>Umbrella</source>
