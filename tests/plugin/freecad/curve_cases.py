@@ -142,7 +142,26 @@ class ArcsOfShapes(DocumentCase):
         self.assertLess(farthest(sketch.Shape, source.Shape), 1e-6)
 
 
+def variation_per_mm3(edge, count=20000):
+    """The integral of the squared change of curvature of a planar edge by its length, sampled."""
+    at = numpy.linspace(*edge.ParameterRange, count + 1)
+    points = numpy.array([tuple(edge.valueAt(float(each))) for each in at])
+    curvatures = numpy.array([edge.curvatureAt(float(each)) for each in at])
+    steps = numpy.linalg.norm(numpy.diff(points, axis=0), axis=1)
+    return float((numpy.diff(curvatures) ** 2 / steps).sum())
+
+
 class FairShapes(DocumentCase):
+    def test_the_variation_of_the_curvature_is_told(self):
+        source = wavy()
+        made = curves.make("FairCurve", source, tolerance_mm=0.2)
+        found = [made.report["variation_%s_per_mm3" % when] for when in ("before", "after")]
+        for value, shape in zip(found, (source, made.shape)):
+            whole = sum(map(variation_per_mm3, shape.Edges))
+            self.assertAlmostEqual(value, whole, delta=0.01 * whole)
+        self.assertLess(found[1], found[0])
+        self.assertIn(" % less); moved at most", made.summary)
+
     def test_a_wavy_spiral_becomes_fair_within_the_tolerance(self):
         source = wavy()
         made = curves.make("FairCurve", source, tolerance_mm=0.2)

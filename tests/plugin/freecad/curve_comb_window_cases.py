@@ -19,7 +19,15 @@ from window import count, messages, mouse_event, pause, picture, settle, whole_w
 
 from freecad.seamwright.document.curves import curve
 from freecad.seamwright.document.feature import report_of
-from freecad.seamwright.gui.scene.comb import COLOURS, INPUT_COLOURS, LONGEST, quills
+from freecad.seamwright.gui.scene.comb import (
+    COLOURS,
+    EVERY,
+    INPUT_COLOURS,
+    LONGEST,
+    MOST,
+    SEEN,
+    quills,
+)
 from freecad.seamwright.gui.scene.marker import INK
 from freecad.seamwright.gui.widgets.qt import QtWidgets
 
@@ -122,7 +130,12 @@ class Handles(CurveWindow):
         whole_window("handles-dragged")
         self.assertAlmostEqual(obj.FirstTension, 2, delta=0.1)
         self.assertEqual(obj.SecondTension, 1)
-        drag((10 + 2 * reach, 0), (-5, 0))
+        texts = set()
+        panel.summary.setText = lambda text, put=panel.summary.setText: (texts.add(text), put(text))
+        drag((10 + 2 * reach, 0), (10 + 1.5 * reach, 0), steps=30)
+        self.assertGreater(len(texts), 3, "the text follows the drag")
+        self.wait()
+        drag((10 + 1.5 * reach, 0), (-5, 0))
         self.wait()
         self.assertAlmostEqual(obj.FirstTension, 1e-3, delta=1e-9)
         self.assertEqual(len(obj.Shape.Edges), 1)
@@ -193,3 +206,28 @@ class Combs(CurveWindow):
         foot, tip = measured[0]
         self.assertAlmostEqual((App.Vector(*tip) - App.Vector(*foot)).Length, 2 * (longest - 10))
         self.assertEqual(quills(Part.makeLine(App.Vector(), App.Vector(9, 1, 0)).Edges), [])
+
+    def test_so_many_lines_lie_along_the_curve_and_in_its_bends(self):
+        curve = Part.BezierCurve()
+        curve.setPoles([App.Vector(*pole) for pole in ((0, 0), (40, 0), (41, 0), (40, 1), (0, 9))])
+        edge = curve.toShape()
+        (comb,) = quills([edge], 30)
+        feet = [App.Vector(*foot) for foot, _ in comb[::EVERY]]
+        self.assertEqual(len(feet), 31)
+        steps = [one.distanceToPoint(other) for one, other in zip(feet, feet[1:])]
+        self.assertLess(max(steps), 1.55 * edge.Length / 30)
+        ways = [edge.tangentAt(edge.Curve.parameter(foot)) for foot in feet]
+        turns = [one.getAngle(other) for one, other in zip(ways, ways[1:])]
+        self.assertLess(max(turns), 1.2 * sum(turns) / 10)
+
+    def test_the_comb_of_edges_beside_a_sharp_bend_is_seen_on_the_same_scale(self):
+        bend, other = (Part.makeCircle(radius).Edges for radius in (0.5, 10))
+        (sharp,), (flat,) = (quills(each, 40, 1.0, bend, other) for each in (bend, other))
+        lengths = [App.Vector(*tip).distanceToPoint(App.Vector(*foot))
+                   for foot, tip in (sharp[0], flat[0])]  # fmt: skip
+        size = other[0].BoundBox.DiagonalLength
+        self.assertAlmostEqual(lengths[0], 20 * lengths[1])
+        self.assertAlmostEqual(lengths[0], MOST * size, delta=1e-3 * size)
+        (gentle,) = quills(other, 40, 1.0, Part.makeCircle(5).Edges, other)
+        length = App.Vector(*gentle[0][1]).distanceToPoint(App.Vector(*gentle[0][0]))
+        self.assertGreater(length, SEEN * size)

@@ -12,10 +12,12 @@ import models
 import numpy
 import Part
 from document_cases import ABSENT, DocumentCase
+from surface_cases import at_x, sheet
 
 from freecad.seamwright.document.feature import report_of
 from freecad.seamwright.document.maps import combs, deviation, kinds, meshes, tool
 from freecad.seamwright.document.sources import SourceError
+from freecad.seamwright.document.surfaces import kinds as surfaces
 from freecad.seamwright.plain import maps, options
 from freecad.seamwright.plain.kernel import KernelUnavailable
 
@@ -327,6 +329,51 @@ class SeamPlots(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "a Part.Shape is needed"):
             kinds.make("SeamPlot", ["Edge3"])
 
+    def test_edges_of_two_objects_that_lie_side_by_side(self):
+        doc = App.newDocument("Beside", hidden=True)
+        self.addCleanup(App.closeDocument, doc.Name)
+        sheets = [models.add(doc, shape, "Sheet") for shape in models.two_sheets()]
+        doc.recompute()
+        chosen = [
+            (sheet, "Edge%d" % number)
+            for sheet in sheets
+            for number, edge in enumerate(sheet.Shape.Edges, 1)
+            if all(abs(vertex.X) < 1e-9 for vertex in edge.Vertexes)
+        ]
+        obj = kinds.create("SeamPlot", chosen, samples=101)
+        (seam,) = report_of(obj)["seams"]
+        self.assertEqual((kinds.error_text(obj), len(seam["points"])), ("", 101))
+        _, (sewn,) = self.seams(*self.sheets())
+        for key in ("angle_deg", "curvature_rel"):
+            self.assertAlmostEqual(max(seam["figures"][key]), max(sewn["figures"][key]), delta=1e-4)
+        self.assertAlmostEqual(obj.MaxAngle.Value, models.SHEETS_DEG, delta=1e-3)
+        sheets[1].Placement.Base.z = 0.05
+        doc.recompute()
+        (seam,) = report_of(obj)["seams"]
+        self.assertGreater(min(seam["figures"]["gap_mm"]), 0.04)  # where the edge is oblique
+        self.assertAlmostEqual(max(seam["figures"]["gap_mm"]), 0.05, delta=1e-4)
+        sheets[1].Placement.Base.z = 0.5
+        doc.recompute()
+        self.assertIn("beside it within 0.1 mm", kinds.error_text(obj))
+
+    def test_the_edge_of_a_blend_knows_the_edge_beside_it(self):
+        doc = App.newDocument("Beside", hidden=True)
+        self.addCleanup(App.closeDocument, doc.Name)
+        low = models.add(doc, sheet(0, 0, 0.3), "Low")
+        high = models.add(doc, sheet(60, 8, -0.2), "High")
+        doc.recompute()
+        ends = {"Start": (low, at_x(low, 30)), "End": (high, at_x(high, 60))}
+        surface = surfaces.create("BlendSurface", {name: [link] for name, link in ends.items()})
+        for start, beside in (((surface, at_x(surface, 30)), ends["Start"]),
+                              (ends["End"], (surface, at_x(surface, 60)))):  # fmt: skip
+            obj = kinds.create("SeamPlot", [start])
+            self.assertEqual(tool.links_of(obj), [start, beside])
+            (seam,) = report_of(obj)["seams"]
+            self.assertEqual((seam["level"], len(seam["points"])), ("G2", 201))
+            self.assertLess(max(seam["figures"]["angle_deg"]), 1e-4)
+        with self.assertRaisesRegex(SourceError, "Blend Surface.Edge2 bounds 1 face"):
+            kinds.create("SeamPlot", [(surface, "Edge2")])
+
     def test_an_edge_of_one_face_is_no_seam(self):
         with self.assertRaisesRegex(SourceError, "Part.Edge1 bounds 1 face: select edges"):
             self.seams(Part.makePlane(3, 3), "Edge1")
@@ -346,6 +393,9 @@ class Objects(DocumentCase):
         obj.Quantity = "Gaussian"
         self.doc.recompute()
         self.assertAlmostEqual(obj.Largest, 1 / 16)
+        ((point, text),) = obj.Proxy.marks(report_of(obj))
+        self.assertAlmostEqual(App.Vector(*point).Length, 4, delta=1e-6)
+        self.assertEqual(text, "0.0625 1/mm\u00b2")
 
     def test_saved_and_opened_again(self):
         ball = self.doc.addObject("Part::Sphere", "Ball")

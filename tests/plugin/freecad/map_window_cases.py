@@ -19,6 +19,7 @@ from window import (
     count,
     held,
     messages,
+    pause,
     picture,
     report_view,
     settle,
@@ -175,9 +176,39 @@ class Panel(MapWindow):
         self.cancel()
         self.assertEqual(self.made(), [])
 
+    def test_the_progress_of_a_large_model_is_seen_at_once(self):
+        blocks = [models.rounded_block() for _ in range(2)]
+        blocks[1].translate(App.Vector(30, 0, 0))
+        models.add(self.doc, Part.Compound(blocks), "Blocks")
+        with held():
+            self.COMMAND = "Seamwright_CurvatureMap"
+            self.select((self.doc.Blocks, ""))
+            Gui.runCommand(self.COMMAND)
+            computation = self.made()[0].ViewObject.Proxy.panel.computation
+            self.assertFalse(computation.line.isHidden())
+            pause(0.3)
+            self.assertTrue(computation.stop_button.isVisible())
+            self.cancel()
+        self.assertEqual(self.made(), [])
+
+    def test_cancel_stops_a_computation_and_closes_the_panel(self):
+        with held():
+            self.COMMAND = "Seamwright_CurvatureMap"
+            self.select((self.block, ""))
+            Gui.runCommand(self.COMMAND)
+            (obj,) = self.made()
+            pause(0.3)
+            self.assertTrue(obj.ViewObject.Proxy.panel.computation.busy)
+            self.cancel()
+            self.assertEqual(self.made(), [])
+        settle(0.3)
+        self.assertFalse(Gui.Control.activeDialog())
+        self.assertEqual(self.doc.UndoCount, 0)
+
     def test_a_bad_selection_is_one_sentence_and_changes_nothing(self):
         line = models.add(self.doc, Part.makeLine(App.Vector(), App.Vector(1, 0, 0)), "Line")
         group = self.doc.addObject("App::DocumentObjectGroup", "Group")
+        self.sheets[1].Label = "the other sheet"
         self.doc.recompute()
         self.doc.clearUndos()
         for kind, chosen, text in (
@@ -186,6 +217,7 @@ class Panel(MapWindow):
             ("DraftAngle", [(group, "")], "Group contains nothing with a shape: "),
             ("Deviation", [(self.block, "")], "1 object selected: select two objects"),
             ("SeamPlot", [(self.sheets[0], "Edge1")], "Left.Edge1 bounds 1 face: "),
+            ("SeamPlot", [(self.sheets[1], "Edge1")], "the other sheet.Edge1 bounds 1 face: "),
             ("SeamPlot", [(self.block, "")], "Block is no edge: "),
         ):
             with self.subTest(text):

@@ -47,6 +47,7 @@ class Stored(PreferenceCase):
         wanted = {
             "GapTolerance": 0.5, "AngleTolerance": 0.25, "CurvatureTolerance": 0.125,
             "FlatRadius": 2048.0, "CreaseAngle": 7.0, "Threads": 3, "CombLines": 11,
+            "ZebraStripes": 8,
             "LivePreview": False, "ColourDefect": 0x11223300, "ColourG3": 0xffeedd00
         }  # fmt: skip
         self.store(**wanted)
@@ -128,11 +129,13 @@ class Used(PreferenceCase):
             properties.number(named, "GapTolerance"), profiles.PROFILES["vda"]["gap_mm"]
         )
 
-    def test_combs_have_so_many_lines(self):
+    def test_combs_and_zebra_stripes_have_so_many_lines(self):
         source = self.prepared()
-        self.store(CombLines=13)
+        self.store(CombLines=13, ZebraStripes=9)
         obj = maps.create("CurvatureComb", [(source, "Edge1")])
         self.assertEqual(obj.Density, 13)
+        self.assertEqual(maps.create("ReflectionLines", source).Stripes, 9)
+        self.assertEqual(preferences.zebra_stripes(), 9)
 
     def test_a_computation_has_so_many_threads(self):
         source = self.prepared()

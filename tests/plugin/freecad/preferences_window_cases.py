@@ -3,6 +3,7 @@
 
 import FreeCADGui as Gui
 import models
+import Part
 import window
 from PySide import QtCore
 from surface_cases import at_x, sheet
@@ -111,6 +112,22 @@ class PageCase(PanelWindow):
         self.assertGreater(count(image, new), 200)
         self.assertLess(count(image, old), 20)
         panel.reject()
+
+    def test_zebra_stripes_follow_the_number(self):
+        models.add(self.doc, Part.makeSphere(9), "Ball")
+        self.doc.recompute()
+        self.fit()
+        Gui.runCommand("Seamwright_ZebraStripes")
+        settle()
+        before = picture("stripes_before")
+        page = PreferencesPage()
+        page.loadSettings()
+        page.stripes.setValue(5)
+        page.saveSettings()
+        settle()
+        self.assertEqual(preferences.zebra_stripes(), 5)
+        self.assertNotEqual(picture("stripes_after"), before)
+        Gui.runCommand("Seamwright_ZebraStripes")
 
     def sides(self):
         low = models.add(self.doc, sheet(0, 0, 0.3), "Low")

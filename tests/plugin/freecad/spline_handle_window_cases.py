@@ -249,7 +249,7 @@ class Drags(SplineWindow):
         self.assertFalse(panel.table.isVisible())
         self.cancel()
 
-    def test_a_point_snaps_to_a_vertex_and_to_the_grid(self):
+    def test_a_point_snaps_to_vertices_edges_and_the_grid(self):
         models.add(self.doc, Part.Vertex(20, 30, 7), "Aim")
         self.doc.recompute()
         obj, panel = self.spline()
@@ -258,6 +258,20 @@ class Drags(SplineWindow):
         numpy.testing.assert_allclose(self.made_points(obj)[1], (20, 30, 7), atol=1e-9)
         panel.box.snaps.setChecked(True)
         panel.box.grid.setValue(5.0)
+        circle = Part.makeCircle(8, App.Vector(40, 30, 3))
+        models.add(self.doc, circle, "Circle")
+        self.doc.recompute()
+        drag(WAVE[3], (32.2, 30.2, 0))
+        self.wait()
+        numpy.testing.assert_allclose(self.made_points(obj)[3], (32, 30, 3), atol=1e-9)
+        there = App.Vector(40, 30, 3) + App.Vector(8, 0, 0) * 0.6 + App.Vector(0, -8, 0) * 0.8
+        drag((32, 30, 3), tuple(there + App.Vector(0.1, -0.1, 0)))
+        self.wait()
+        found = App.Vector(*self.made_points(obj)[3])
+        self.assertLess(Part.Vertex(found).distToShape(circle)[0], 1e-9)
+        self.assertLess(found.distanceToPoint(there), 0.3)
+        click(panel.box.back, panel.box.back.rect().center())
+        self.wait()
         drag(WAVE[3], (36, 12, 0))
         self.wait()
         numpy.testing.assert_allclose(self.made_points(obj)[3], (35, 10, 0), atol=1e-9)

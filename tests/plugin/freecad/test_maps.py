@@ -232,3 +232,5 @@ def test_bounds_say_whether_they_are_proven():
     seen = seam(angle_deg={"lower": 1.2, "upper": None, "at": 0.5})
     assert "seen, without an upper bound" in seam_text.bound_line(seen, "angle_deg")
     assert "not measured" in seam_text.bound_line(seen, "curvature_rel")
+    bent = seam(curvature_rel={"lower": 0.12, "upper": 0.15, "at": 0.5})
+    assert seam_text.bound_line(bent, "curvature_rel").endswith("is 12..15 %, proven.")

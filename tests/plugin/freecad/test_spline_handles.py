@@ -60,6 +60,16 @@ def test_the_nearest_pixel():
     assert spline_handles.nearest([], (0, 0), 5) is None
 
 
+def test_the_nearest_point_of_lines():
+    lines = numpy.array([[(0, 0), (10, 0), (20, 0)], [(0, 9), (0, 30), (0, 30)]], float)
+    assert spline_handles.nearest_on_lines(lines, (13, 2), 5) == (0, 1, pytest.approx(0.3))
+    assert spline_handles.nearest_on_lines(lines, (-3, 19.5), 5) == (1, 0, pytest.approx(0.5))
+    assert spline_handles.nearest_on_lines(lines, (13, 9), 5) is None
+    lines[0, 1] = numpy.nan
+    assert spline_handles.nearest_on_lines(lines, (13, 2), 5) is None
+    assert spline_handles.nearest_on_lines(numpy.zeros((0, 3, 2)), (0, 0), 5) is None
+
+
 def test_grid_and_steps():
     numpy.testing.assert_allclose(
         spline_handles.rounded((1.26, -2.4, 7.77), numpy.array([0, 0, 1.0]), 0.5), (1.5, -2.5, 7.77)

@@ -61,6 +61,23 @@ def test_a_row_is_judged_by_the_level_of_its_side(target, angle, curvature, resu
     assert row.met == result.endswith("is met") and len(row.cells) == len(surface_text.COLUMNS)
 
 
+def test_lines_inside_a_surface_that_have_their_level_are_one_row():
+    inside = {"kind": surface_text.LINE, "side": "Inside"}
+    lines = [
+        seam("G2", figure(0, place * 1e-6), figure(1e-4, 2e-4), name=str(place), **inside)
+        for place in (1, 2, 3)
+    ]
+    lines[1] = seam("G2", figure(0, 1e-6), figure(0.3, 0.4), name="2", **inside)
+    missed, together = surface_text.build_rows(report(*lines))
+    assert (missed.seams, missed.met, missed.cells[:2]) == ((1,), False, ("Inside", "line 2"))
+    assert (together.seams, together.met) == ((0, 2), True)
+    assert together.cells == (
+        "Inside", "2 lines of joints", "\u22642e-5", "\u22643e-6", "\u22640.02", "G2 is met"
+    )  # fmt: skip
+    (row,) = surface_text.build_rows(report(lines[0]))
+    assert row.cells[:2] == ("Inside", "line 1")
+
+
 def test_bounds_are_those_of_seams_whose_level_they_decide():
     other = seam("G0", figure(20.0, 21.0), figure(0.3, 0.4))
     assert surface_text.largest([MET, other]) == {

@@ -274,6 +274,12 @@ class Commands(WindowCase):
                 self.assertRegex(texts["ToolTip"], r"^[A-Z].{60,}\.$")
                 self.assertTrue(os.path.exists(texts["Pixmap"]))
 
+    def test_the_menu_has_a_letter_of_its_own(self):
+        texts = [action.text() for action in Gui.getMainWindow().menuBar().actions()]
+        self.assertIn("&Seamwright", texts)
+        letters = [text[text.index("&") + 1].upper() for text in texts if "&" in text]
+        self.assertEqual(letters.count("S"), 1)
+
     def test_the_selected_object_alone_is_analysed(self):
         models.add(self.doc, models.three_classes(), "Prism")
         box = self.doc.addObject("Part::Box", "Box")

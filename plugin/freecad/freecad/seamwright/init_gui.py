@@ -15,6 +15,9 @@ from freecad.seamwright.gui import ICONS, icon_path, translations
 
 translations.add()
 
+#: The menu; no menu of FreeCAD has the letter S.
+MENU = "&Seamwright"
+
 
 class SeamwrightWorkbench(Gui.Workbench):
     """Menu and toolbar of Seamwright."""
@@ -38,17 +41,17 @@ class SeamwrightWorkbench(Gui.Workbench):
 
         names = commands.register()
         self.appendToolbar("Seamwright", names)
-        self.appendMenu("Seamwright", names)
+        self.appendMenu(MENU, names)
         names = curve_commands.register()
         self.appendToolbar(App.Qt.QT_TRANSLATE_NOOP("Workbench", "Seamwright Curves"), names)
-        self.appendMenu(["Seamwright", App.Qt.QT_TRANSLATE_NOOP("Workbench", "Curves")], names)
+        self.appendMenu([MENU, App.Qt.QT_TRANSLATE_NOOP("Workbench", "Curves")], names)
         names = surface_commands.register()
         self.appendToolbar(App.Qt.QT_TRANSLATE_NOOP("Workbench", "Seamwright Surfaces"), names)
-        self.appendMenu(["Seamwright", App.Qt.QT_TRANSLATE_NOOP("Workbench", "Surfaces")], names)
+        self.appendMenu([MENU, App.Qt.QT_TRANSLATE_NOOP("Workbench", "Surfaces")], names)
         names = analysis_commands.register()
         self.appendToolbar(App.Qt.QT_TRANSLATE_NOOP("Workbench", "Seamwright Analysis"), names)
-        self.appendMenu(["Seamwright", App.Qt.QT_TRANSLATE_NOOP("Workbench", "Analysis")], names)
-        self.appendMenu("Seamwright", ["Separator", *help_window.register()])
+        self.appendMenu([MENU, App.Qt.QT_TRANSLATE_NOOP("Workbench", "Analysis")], names)
+        self.appendMenu(MENU, ["Separator", *help_window.register()])
 
     def GetClassName(self):
         """Return the kind of workbench, as FreeCAD names it."""

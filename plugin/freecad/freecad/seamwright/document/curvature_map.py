@@ -39,7 +39,9 @@ def curvature_map_later(shape, constant=CONSTANT):
     curved = [
         number
         for number, face in enumerate(shape.Faces, 1)
-        if face.Surface.TypeId not in constant and face.BoundBox.DiagonalLength >= large
+        if face.Surface.TypeId not in constant
+        and face.BoundBox.DiagonalLength >= large
+        and not _is_closed_cylinder(face)
     ]
 
     def run(progress=None):
@@ -49,7 +51,7 @@ def curvature_map_later(shape, constant=CONSTANT):
             faulty = {fault["face"] for fault in mesh.faults} & set(curved)
             if faulty:
                 sound = [number for number in curved if number not in faulty]
-                mesh = _mesh(model, sound, jobs, progress)
+                mesh = _mesh(model, sound, jobs, progress and (lambda share: progress(1.0)))
         except module.Cancelled:
             return None
         shown = ShownMesh.of(mesh)
@@ -57,6 +59,12 @@ def curvature_map_later(shape, constant=CONSTANT):
         return shown
 
     return run
+
+
+def _is_closed_cylinder(face):
+    """Return whether a face goes around a cylinder; small triangles fail on long ones."""
+    is_cylinder = face.Surface.TypeId == "Part::GeomCylinder"
+    return is_cylinder and any(edge.isSeam(face) for edge in face.Edges)
 
 
 def _groups(shape):

@@ -71,6 +71,11 @@ def comb_lines():
     return values()[preferences.COMB_LINES.name]
 
 
+def zebra_stripes():
+    """Return the number of light zebra stripes that a whole ball has."""
+    return values()[preferences.ZEBRA_STRIPES.name]
+
+
 def live_preview():
     """Return whether panels compute when a field is changed."""
     return values()[preferences.LIVE_PREVIEW.name]
@@ -88,7 +93,7 @@ def use_colours():
 
 
 def apply(obj):
-    """Give a new object the tolerances and the density of the user.
+    """Give a new object the tolerances, the density and the stripes of the user.
 
     Only tolerances with the usual defaults change: the faces of a fill have their own.
     """
@@ -104,3 +109,5 @@ def apply(obj):
                 setattr(obj, name, found[each.name])
     if kind.Type == "CurvatureComb":
         obj.Density = found[preferences.COMB_LINES.name]
+    if kind.Type == "ReflectionLines":
+        obj.Stripes = found[preferences.ZEBRA_STRIPES.name]

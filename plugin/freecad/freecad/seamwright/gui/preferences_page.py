@@ -4,6 +4,7 @@
 import FreeCAD as App
 
 from freecad.seamwright.document import analysis, preferences, properties
+from freecad.seamwright.gui.scene.zebra import zebra
 from freecad.seamwright.gui.widgets import messages
 from freecad.seamwright.gui.widgets.forms import make_box
 from freecad.seamwright.gui.widgets.qt import QtGui, QtWidgets
@@ -95,12 +96,17 @@ class PreferencesPage:
         self.comb_lines.setToolTip(
             tr("How dense the lines of new curvature combs are on each curve")
         )
+        self.stripes = _whole_number(table.ZEBRA_STRIPES)
+        self.stripes.setToolTip(
+            tr("How many light stripes zebra stripes have on a whole ball, in panels too")
+        )
         self.live = QtWidgets.QCheckBox(tr(table.LIVE_PREVIEW.label))
         self.live.setToolTip(
             tr("Compute shortly after each change of a field; otherwise when Preview is pressed")
         )
         layout.addRow(tr(table.THREADS.label), self.threads)
         layout.addRow(tr(table.COMB_LINES.label), self.comb_lines)
+        layout.addRow(tr(table.ZEBRA_STRIPES.label), self.stripes)
         layout.addRow(self.live)
         return box
 
@@ -138,6 +144,7 @@ class PreferencesPage:
             **{name: palette.packed(button.rgb) for name, button in self.colours.items()},
             table.THREADS.name: self.threads.value(),
             table.COMB_LINES.name: self.comb_lines.value(),
+            table.ZEBRA_STRIPES.name: self.stripes.value(),
             table.LIVE_PREVIEW.name: self.live.isChecked(),
         }
 
@@ -147,6 +154,7 @@ class PreferencesPage:
             button.show_rgb(palette.unpacked(values[name]))
         self.threads.setValue(values[table.THREADS.name])
         self.comb_lines.setValue(values[table.COMB_LINES.name])
+        self.stripes.setValue(values[table.ZEBRA_STRIPES.name])
         self.live.setChecked(values[table.LIVE_PREVIEW.name])
 
 
@@ -157,8 +165,9 @@ def _whole_number(preference):
 
 
 def redraw():
-    """Draw the seams of all documents that are open in the colours of the palette."""
+    """Draw seams and stripes of all documents that are open as the preferences are now."""
     for doc in App.listDocuments().values():
+        zebra.redraw(doc)
         for obj in filter(analysis.is_analysis, doc.Objects):
             if obj.ViewObject is not None:
                 obj.ViewObject.Proxy.refresh_later(obj)

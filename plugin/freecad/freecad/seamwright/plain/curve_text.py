@@ -54,8 +54,9 @@ def fair_text(report):
     kept = report["kept"]
     return tr(
         "Curvature extrema {extrema} \u2192 {extrema_after}, inflections {inflections} \u2192 "
-        "{inflections_after}; moved at most {moved_mm} mm{kept}."
+        "{inflections_after}{variation}; moved at most {moved_mm} mm{kept}."
     ).format(
+        variation=_variation_text(report),
         extrema=before["extrema"],
         extrema_after=after["extrema"],
         inflections=before["inflections"],
@@ -63,6 +64,22 @@ def fair_text(report):
         moved_mm=bound(report["moved_mm"]),
         kept=tr("; {kept} kept as given").format(kept=counted(kept, "edge")) if kept else "",
     )
+
+
+def _variation_text(report):
+    """ ", variation of curvature 1.2e-4 \u2192 3e-5 1/mm\u00b3 (75 % less)"."""
+    before, after = (report["variation_%s_per_mm3" % when] for when in ("before", "after"))
+    if not before or after is None:
+        return ""
+    text = tr(", variation of curvature {before} \u2192 {after} 1/mm\u00b3").format(
+        before=number(before), after=number(after)
+    )
+    share = number(100 * abs(after - before) / before, 2)
+    if after < before:
+        text += tr(" ({share} % less)").format(share=share)
+    elif after > before:
+        text += tr(" ({share} % more)").format(share=share)
+    return text
 
 
 def spline_text(report):

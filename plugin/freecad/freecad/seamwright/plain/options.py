@@ -18,7 +18,7 @@ class Option(NamedTuple):
     ``name``: of the property. ``argument``: of functions. ``kind``: the type of the property.
     ``choices``: the values of a CHOICE. ``least``: the smallest number that is allowed.
     ``used(values)``: whether the option has an effect with these {argument: value}; None: always.
-    ``zero``: what a field shows for 0.
+    ``zero``: what a field shows for 0. ``percent``: a field shows the number in %.
     """
 
     name: str
@@ -31,6 +31,7 @@ class Option(NamedTuple):
     least: float = -math.inf
     used: Optional[Callable[[dict], bool]] = None
     zero: str = ""
+    percent: bool = False
 
 
 def defaults(table):

@@ -41,6 +41,7 @@ TOLERANCES = (
 
 THREADS = Preference("Threads", 0, mark("Threads"), 0, 256)
 COMB_LINES = Preference("CombLines", 40, mark("Lines of a comb"), 2, 1000)
+ZEBRA_STRIPES = Preference("ZebraStripes", 16, mark("Zebra stripes on a ball"), 2, 200)
 LIVE_PREVIEW = Preference("LivePreview", True, mark("Preview while fields are changed"))
 
 #: Red, green and blue in one number, as FreeCAD stores colours: 0xrrggbb00.
@@ -55,7 +56,7 @@ COLOURS = tuple(
     for entry in (*palette.CLASSES, *palette.LEVELS)
 )
 
-ALL = (*TOLERANCES, THREADS, COMB_LINES, LIVE_PREVIEW, *COLOURS)
+ALL = (*TOLERANCES, THREADS, COMB_LINES, ZEBRA_STRIPES, LIVE_PREVIEW, *COLOURS)
 
 
 def is_allowed(preference, value):

@@ -5,12 +5,13 @@ from freecad.seamwright.plain import enclosure
 from freecad.seamwright.plain.language import mark, tr
 from freecad.seamwright.plain.summary import counted
 
-#: key, name, unit, accepted value of the default profile
+#: key, name, unit, by what values of the report are multiplied, accepted value of the default
+#: profile in that unit
 FIGURES = (
-    ("gap_mm", mark("Gap"), "mm", 0.01),
-    ("angle_deg", mark("Angle"), "\u00b0", 0.1),
-    ("curvature_per_mm", mark("Curvature"), "1/mm", None),
-    ("curvature_rel", mark("Relative curvature"), "", 0.02),
+    ("gap_mm", mark("Gap"), "mm", 1.0, 0.01),
+    ("angle_deg", mark("Angle"), "\u00b0", 1.0, 0.1),
+    ("curvature_per_mm", mark("Curvature"), "1/mm", 1.0, None),
+    ("curvature_rel", mark("Relative curvature"), "%", 100.0, 2.0),
 )
 
 
@@ -21,12 +22,12 @@ def with_unit(number, unit):
 
 def bounds_text(seam, key):
     """Return the enclosure of a figure of a seam of the report as text."""
-    for known, name, unit, limit in FIGURES:
+    for known, name, unit, factor, limit in FIGURES:
         if known == key:
             bounds = seam["bounds"][key]
             if bounds is None:
                 return tr("{name}: not measured").format(name=tr(name))
-            return "%s %s" % (tr(name), with_unit(enclosure.text(bounds, limit=limit), unit))
+            return "%s %s" % (tr(name), with_unit(enclosure.text(bounds, factor, limit), unit))
     raise KeyError(key)
 
 

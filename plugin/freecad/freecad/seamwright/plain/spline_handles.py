@@ -85,6 +85,25 @@ def nearest(pixels, at, reach):
     return index if distances[index] <= reach else None
 
 
+def nearest_on_lines(pixels, at, reach):
+    """Return (line, place, share) of the point of lines that is nearest to a pixel, or None.
+
+    ``pixels`` (lines, points, 2). The point lies that share of the way from the point of that place
+    to the next one. None where no line is within reach.
+    """
+    if len(pixels) == 0:
+        return None
+    starts, steps = pixels[:, :-1], numpy.diff(pixels, axis=1)
+    squares = numpy.maximum((steps**2).sum(axis=2), 1e-12)
+    shares = numpy.clip(((at - starts) * steps).sum(axis=2) / squares, 0.0, 1.0)
+    distances = numpy.linalg.norm(starts + shares[..., None] * steps - at, axis=2)
+    distances = numpy.where(numpy.isnan(distances), numpy.inf, distances)
+    line, place = numpy.unravel_index(int(numpy.argmin(distances)), distances.shape)
+    if distances[line, place] > reach:
+        return None
+    return int(line), int(place), float(shares[line, place])
+
+
 def curvature_vectors(first, second):
     """Return vectors to the centres of curvature, as long as the curvature, of derivatives."""
     square = (first * first).sum(axis=1)[:, None]

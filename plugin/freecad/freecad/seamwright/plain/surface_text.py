@@ -17,13 +17,16 @@ from freecad.seamwright.plain.summary import counted
 
 #: heading, tool tip
 COLUMNS = (
-    (mark("Side"), mark("The side of the surface")),
-    (mark("Edge"), mark("The edge of the model along which the surface runs")),
+    (mark("Place"), mark("The side of the surface, or inside it")),
+    (mark("Along"), mark("The edge of the model, or the lines inside the surface")),
     (mark("Gap mm"), mark("Largest distance between the two sides, in mm")),
     (mark("Angle \u00b0"), mark("Largest angle between the tangent planes, in degrees")),
     (mark("Curvature %"), mark("Largest relative difference of curvature, in %")),
     (mark("Result"), mark("Whether the seam certainly has its level")),
 )
+
+#: The kind of a seam inside a surface.
+LINE = "line of joints"
 
 #: Poles that move by less are those of an edge that stays, up to rounding.
 UNMOVED_MM = 1e-9
@@ -36,23 +39,55 @@ FIGURES = ("gap_mm", "angle_deg", "curvature_rel")
 
 @dataclass(frozen=True)
 class Row:
-    """One seam, ready to be shown."""
+    """One seam, or several that are alike, ready to be shown.
 
+    ``seams``: their places in the report.
+    """
+
+    seams: tuple
     met: bool
     cells: tuple  # texts, one for each of COLUMNS
     detail: str
 
 
 def build_rows(report):
-    """Return a Row for each seam of a report."""
-    return [_row(seam, report["tolerance"]) for seam in report.get("seams", [])]
+    """Return a Row for each seam of a report.
+
+    Lines inside the surface that have their level have one row together.
+    """
+    found, alike = [], []
+    for place, seam in enumerate(report.get("seams", [])):
+        met = new_seams.certainly_meets(seam, report["tolerance"], seam["target"])
+        if met and seam["kind"] == LINE:
+            alike.append(place)
+        else:
+            found.append(_row((place,), seam, report["tolerance"], met))
+    if len(alike) == 1:
+        (place,) = alike
+        found.append(_row((place,), report["seams"][place], report["tolerance"], True))
+    elif alike:
+        found.append(_together(alike, report))
+    return found
 
 
-def _row(seam, tolerance):
-    met = new_seams.certainly_meets(seam, tolerance, seam["target"])
+def _row(places, seam, tolerance, met):
     figures = (rows.figure_text(seam, name, tolerance) for name in FIGURES)
-    cells = (tr(seam["side"]), tr(seam["name"]), *figures, _verdict(seam, tolerance, met))
-    return Row(met, cells, rows.detail_text(seam, tolerance))
+    name = tr(seam["name"])
+    if seam["kind"] == LINE:
+        name = tr("line {number}").format(number=name)
+    cells = (tr(seam["side"]), name, *figures, _verdict(seam, tolerance, met))
+    return Row(places, met, cells, rows.detail_text(seam, tolerance))
+
+
+def _together(places, report):
+    """Return the Row of several lines that have their level, with the largest figures."""
+    seams = [report["seams"][place] for place in places]
+    whole = {name: new_seams.largest(seams, name) for name in FIGURES}
+    figures = (rows.figure_text(whole, name, report["tolerance"]) for name in FIGURES)
+    along = counted(len(seams), LINE)
+    verdict = tr("{target} is met").format(target=seams[0]["target"])
+    detail = tr("Lines inside the surface at which the curves have their joints")
+    return Row(tuple(places), True, (tr(seams[0]["side"]), along, *figures, verdict), detail)
 
 
 def _verdict(seam, tolerance, met):

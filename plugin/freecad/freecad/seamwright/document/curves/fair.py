@@ -4,6 +4,7 @@
 The class path is written into documents: neither rename nor move it.
 """
 
+import math
 from typing import NamedTuple
 
 from freecad.seamwright.document.curves import inputs, results
@@ -127,7 +128,8 @@ class FairCurve(Curve):
         after = _counts([each.before if _stays(each) else each.after for each in faired])
         kept = sum(_stays(fair) for chain in found for _, fair in chain)
         moved = max([0.0, *(each.moved_mm for each in faired if not _stays(each))])
-        return _report(before, after, moved, kept), results.together(wires)
+        variations = _variations(module, [pair for chain in found for pair in chain])
+        return _report(before, after, moved, kept, variations), results.together(wires)
 
     @classmethod
     def text(cls, report):
@@ -135,8 +137,25 @@ class FairCurve(Curve):
         return curve_text.fair_text(report)
 
 
-def _report(before, after, moved_mm, kept):
+def _variations(module, pairs):
+    """Return the integrals of the squared change of curvature before and after, in 1/mm^3.
+
+    ``pairs``: of edges and what became of them; an edge that cannot be made fair does not count.
+    Each is None where a curve may stop.
+    """
+    sums = [0.0, 0.0]
+    for edge, fair in pairs:
+        if fair is not None:
+            given = inputs.curve_of(module, edge)
+            for place, curve in enumerate((given, given if _stays(fair) else fair.curve)):
+                sums[place] += module.curvature_variation(curve).energy_per_mm3
+    return tuple(each if math.isfinite(each) else None for each in sums)
+
+
+def _report(before, after, moved_mm, kept, variations):
     return {
+        "variation_before_per_mm3": variations[0],
+        "variation_after_per_mm3": variations[1],
         "before": before,
         "after": after,
         "extrema_before": before["extrema"],
@@ -212,4 +231,8 @@ def _of_points(module, found):
     splines = [results.raised(module, near.curve, found.plane) for _, near in found.parts]
     edges = [edge for spline in splines for edge in results.spline_edges(module, spline)]
     moved = max((each.moved_mm for each in faired), default=0.0)
-    return _report(before, after, moved, 0), results.wire_of(edges)
+    variations = [
+        sum(each.energy_per_mm3 for each in every)
+        for every in ([each.before for each in faired], [each.after for each in faired])
+    ]
+    return _report(before, after, moved, 0, variations), results.wire_of(edges)

@@ -74,6 +74,18 @@ class CurvatureMap(SurfaceMap):
         return {**report, "quantity": values["quantity"], "unit": maps.UNITS[values["quantity"]]}
 
     @classmethod
+    def marks(cls, report):
+        """Return [(point, text)]: the strongest curvature."""
+        if report.get("undefined", True):
+            return []
+        names = ("least",) if report["quantity"] == maps.RADIUS else ("least", "largest")
+        strongest = max(names, key=lambda name: abs(report[name]))
+        if not report[strongest]:
+            return []
+        text = "%s %s" % (ramps.figure(report[strongest]), report["unit"])
+        return [(report["%s_at" % strongest], text)]
+
+    @classmethod
     def text(cls, report):
         """Return the summary of a report."""
         return map_text.curvature_text(report)

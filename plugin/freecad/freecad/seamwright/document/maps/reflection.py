@@ -10,6 +10,7 @@ from freecad.seamwright.document.maps.surface_map import SurfaceMap, joined
 from freecad.seamwright.plain import map_text, maps, ramps
 from freecad.seamwright.plain.language import mark, tr
 from freecad.seamwright.plain.options import ANGLE, CHOICE, COUNT, FLOAT, LENGTH, NUMBERS, Option
+from freecad.seamwright.plain.preferences import ZEBRA_STRIPES
 
 ZEBRA, ISOPHOTES = mark("Zebra stripes"), mark("Isophotes")
 HIGHLIGHTS = mark("Highlight lines")
@@ -41,7 +42,7 @@ class ReflectionLines(SurfaceMap):
                "Zebra stripes: a mirror of light tubes, which moves with the view. Isophotes: "
                "lines of equal angle to a direction. Highlight lines: where the normals meet "
                "parallel lamps", choices=(ZEBRA, ISOPHOTES, HIGHLIGHTS)),
-        Option("Stripes", "stripes", COUNT, 32, "Number of stripes",
+        Option("Stripes", "stripes", COUNT, ZEBRA_STRIPES.default, "Number of stripes",
                "Light stripes on a whole ball", least=1, used=_is(ZEBRA)),
         Option("Lean", "lean_deg", ANGLE, 30.0, "Direction of the stripes",
                "Angle by which the stripes lean; 0: upright, 90: level", used=_is(ZEBRA)),

@@ -12,10 +12,12 @@ import numpy
 import Part
 
 from freecad.seamwright.document import feature, sources
+from freecad.seamwright.document.maps import beside
+from freecad.seamwright.document.maps.beside import MATCH_MM, Free
 from freecad.seamwright.document.maps.tool import Input, Tool, element_shape
 from freecad.seamwright.plain import kernel, seam_profile, seam_text
 from freecad.seamwright.plain.language import tr
-from freecad.seamwright.plain.options import COUNT, Option
+from freecad.seamwright.plain.options import COUNT, LENGTH, Option
 from freecad.seamwright.plain.summary import counted
 
 #: What is plotted: keys of reports and of profiles.
@@ -49,11 +51,13 @@ class SeamPlot(Tool):
         "Plot gap, angle and curvature along the seams of the selected edges, with the proven "
         "bounds of the largest value. The mouse in the plot marks the point on the seam."
     )
-    NEEDS = "select edges at which two faces meet"
-    LINKS = (("Sources", "Seams", "Edges at which two faces meet"),)
+    NEEDS = "select edges at which two faces meet, or edges that lie side by side"
+    LINKS = (("Sources", "Seams", "Edges at which two faces meet, or edges side by side"),)
     OPTIONS = (
         Option("Samples", "samples", COUNT, 201, "Points on a seam",
                "Number of points at which each seam is sampled", least=3),
+        Option("MatchDistance", "match_mm", LENGTH, MATCH_MM, "Edges lie side by side within",
+               "Free edges no further apart than this are a seam, in mm", least=1e-9),
     )  # fmt: skip
     RESULTS = (
         ("Seams", "App::PropertyInteger", "Number of seams", "count"),
@@ -68,24 +72,49 @@ class SeamPlot(Tool):
         if not chosen:
             raise ValueError(tr("nothing is selected: {needs}").format(needs=tr(cls.NEEDS)))
         for obj, element in chosen:
-            if not element.startswith("Edge"):
+            if not element.startswith(("Edge", "Face")):
                 raise ValueError(
                     tr("{name} is no edge: {needs}").format(
                         name=".".join(filter(None, (obj.Label, element))), needs=tr(cls.NEEDS)
                     )
                 )
             sources.world_shape(obj)
-            given = Input(obj.Label, Part.getShape(obj), sources.parent_placement(obj), element)
-            _edge_and_faces(given)
+        _, free = _divided(_inputs(cls.completed(chosen)))
+        for each in free:
+            if not any(
+                beside.lie_side_by_side(each.edge, other.edge)
+                for other in free
+                if not other.edge.isSame(each.edge)
+            ):
+                raise _no_seam(each.name, 1)
+
+    @classmethod
+    def completed(cls, chosen):
+        """Return links with the edges that lie beside free ones where the document knows them.
+
+        The boundary of a blend lies beside the edges from which it was made.
+        """
+        found = list(chosen)
+        _, free = _divided(_inputs(chosen))
+        for each in free:
+            others = [other for other in free if not other.edge.isSame(each.edge)]
+            if any(beside.lie_side_by_side(each.edge, other.edge) for other in others):
+                continue
+            for link in beside.known_neighbours(chosen[each.place][0]):
+                is_face = link[1].startswith("Face")
+                if link not in found and (is_face or _is_beside(each.edge, link)):
+                    found.append(link)
+        return found
 
     @classmethod
     def work(cls, inputs, values):
         """Return a callable(progress) -> [Seam]."""
         module = kernel.load(Part.OCC_VERSION)
-        works = []
-        for given in inputs["Sources"]:
-            works.append(_prepared(module, *_edge_and_faces(given), place_name(given)))
         count = max(values["samples"], 3)
+        shared, free = _divided(inputs["Sources"])
+        works = [_prepared(module, *each) for each in shared]
+        if free:
+            works.append(_side_by_side(module, free, values["match_mm"]))
 
         def run(progress):
             found = []
@@ -93,7 +122,7 @@ class SeamPlot(Tool):
                 part = progress and (
                     lambda share, index=index: progress((index + share) / len(works))
                 )
-                found.append(work(count, part))
+                found += work(count, part)
             return found
 
         return run
@@ -128,26 +157,84 @@ def place_name(given):
     return ".".join(filter(None, (given.label or given.name, given.element)))
 
 
-def _edge_and_faces(given):
-    """Return (edge, [faces]): the two faces that meet at an Input, or the one that closes there.
+def _inputs(chosen):
+    return [
+        Input(obj.Label, Part.getShape(obj), sources.parent_placement(obj), element)
+        for obj, element in chosen
+    ]
 
-    Raises SourceError for an element that is no such edge.
+
+def _divided(inputs):
+    """Return ([(edge, [faces], name)] of seams within an object, [Free]) of Inputs.
+
+    Of an edge between two faces, one of which is an Input too, that face is the one that counts.
+    Raises SourceError for an element that is no edge of a face.
     """
-    whole = element_shape(given._replace(element=""))
-    edge = element_shape(given._replace(shape=whole, parent=App.Placement()))
-    found = [face for face in whole.Faces if any(each.isSame(edge) for each in face.Edges)]
-    closes = len(found) == 1 and edge.isSeam(found[0])
-    if len(found) != 2 and not closes:
-        raise sources.SourceError(
-            tr("{edge} bounds {faces}: {needs}").format(
-                edge=place_name(given), faces=counted(len(found), "face"), needs=tr(SeamPlot.NEEDS)
-            )
+    inputs, shared, free = _with_common_shapes(inputs), [], []
+    chosen_faces = {(each.shape.hashCode(), each.element) for each in inputs}
+    for place, given in enumerate(inputs):
+        if given.element.startswith("Face"):
+            continue
+        key, whole = given.shape.hashCode(), given.shape
+        edge = element_shape(given)
+        found = [
+            (face, (key, "Face%d" % number) in chosen_faces)
+            for number, face in enumerate(whole.Faces, 1)
+            if any(each.isSame(edge) for each in face.Edges)
+        ]
+        faces, name = [face for face, _ in found], place_name(given)
+        chosen = [face for face, is_chosen in found if is_chosen]
+        if len(faces) == 1 and edge.isSeam(faces[0]) or len(faces) == 2 and not chosen:
+            shared.append((edge, faces, name))
+        elif len(faces) == 1 or len(chosen) == 1:
+            free.append(Free(name, edge, (chosen or faces)[0], place))
+        else:
+            raise _no_seam(name, len(faces))
+    return shared, free
+
+
+def _with_common_shapes(inputs):
+    """Return Inputs at their positions in the model, those of one object with the same shape.
+
+    FreeCAD gives a shape another location each time it is asked for.
+    """
+    firsts, found = [], []
+    for given in inputs:
+        first = next(
+            (
+                (known, placed)
+                for known, placed in firsts
+                if (known.name, known.parent) == (given.name, given.parent)
+                and known.shape.isPartner(given.shape)
+            ),
+            None,
         )
-    return edge, found
+        if first is None:
+            first = given, element_shape(given._replace(element=""))
+            firsts.append(first)
+        found.append(given._replace(shape=first[1], parent=App.Placement()))
+    return found
+
+
+def _is_beside(edge, link):
+    """Return whether the edge of a link lies beside another one."""
+    try:
+        other = element_shape(_inputs([link])[0])
+    except sources.SourceError:
+        return False
+    return other.ShapeType == "Edge" and beside.lie_side_by_side(edge, other)
+
+
+def _no_seam(name, faces):
+    return sources.SourceError(
+        tr("{edge} bounds {faces}: {needs}").format(
+            edge=name, faces=counted(faces, "face"), needs=tr(SeamPlot.NEEDS)
+        )
+    )
 
 
 def _prepared(module, edge, faces, name):
-    """Return a callable(samples, progress) -> Seam of an edge, for any thread."""
+    """Return a callable(samples, progress) -> [Seam] of an edge, for any thread."""
     part = Part.Compound(faces)
     number = next(n for n, each in enumerate(part.Edges, 1) if each.isSame(edge))
     make = module.bridge.model_later(part)
@@ -159,9 +246,36 @@ def _prepared(module, edge, faces, name):
         seam = next((each for each in report["seams"] if number in each["edges"]), None)
         if seam is None:
             raise ValueError(tr("{name} is no seam: its faces do not meet there").format(name=name))
-        lengths, points, figures = sampled(part.Edges[number - 1], part.Faces, samples)
-        bounds = {key: seam[key] for key in FIGURES}
-        return Seam(name, lengths, points, figures, bounds, seam["level"], seam["note"])
+        return [_seam(name, seam, *sampled(part.Edges[number - 1], part.Faces, samples))]
+
+    return run
+
+
+def _seam(name, seam, lengths, points, figures):
+    bounds = {key: seam[key] for key in FIGURES}
+    return Seam(name, lengths, points, figures, bounds, seam["level"], seam["note"])
+
+
+def _side_by_side(module, free, match_mm):
+    """Return a callable(samples, progress) -> [Seam] of Free, for any thread."""
+    find = beside.seams_of(module, free, match_mm)
+
+    def run(samples, progress):
+        found, left = find(progress)
+        if left:
+            raise ValueError(
+                tr("{name} has no other chosen edge beside it within {match_mm:g} mm").format(
+                    name=left[0].name, match_mm=match_mm
+                )
+            )
+        return [
+            _seam(
+                "%s \u2013 %s" % (one.name, other.name),
+                seam,
+                *sampled_beside(*sorted((one, other), key=lambda each: each.edge.Length), samples)
+            )
+            for seam, one, other in found
+        ]
 
     return run
 
@@ -171,22 +285,32 @@ def sampled(edge, faces, samples):
 
     Both faces are evaluated along their own curves of the parameter plane, at the same parameters.
     """
-    uses = [each for face in faces for each in face.Edges if each.isSame(edge)]
-    curves = [_parameter_curve(face, edge, uses) for face in faces]
+    curves = [_parameter_curve(face, edge) for face in faces]
     if len(faces) == 1:
-        curves.append(_parameter_curve(faces[0], edge.reversed(), uses))
+        curves.append(_parameter_curve(faces[0], edge.reversed()))
     places = numpy.linspace(*edge.ParameterRange, samples)
-    sides = [
+    return _measured(*(
         _side(face.Surface, curve, places)
         for face, curve in zip(faces if len(faces) == 2 else [*faces, *faces], curves)
-    ]
-    points = sides[0].points
-    steps = numpy.linalg.norm(numpy.diff(points, axis=0), axis=1)
+    ))  # fmt: skip
+
+
+def sampled_beside(one, other, samples):
+    """Return what ``sampled`` does for two Free that lie side by side, along the first."""
+    parameters = beside.corresponding(one.edge, other.edge, samples)
+    return _measured(*(
+        _side(each.face.Surface, _parameter_curve(each.face, each.edge), places)
+        for each, places in zip((one, other), parameters)
+    ))  # fmt: skip
+
+
+def _measured(one, other):
+    steps = numpy.linalg.norm(numpy.diff(one.points, axis=0), axis=1)
     lengths = numpy.concatenate([[0.0], numpy.cumsum(steps)])
-    return lengths, points, seam_profile.profile(*sides, FLAT_RADIUS_MM, CREASE_DEG)
+    return lengths, one.points, seam_profile.profile(one, other, FLAT_RADIUS_MM, CREASE_DEG)
 
 
-def _parameter_curve(face, edge, uses):
+def _parameter_curve(face, edge):
     found = face.curveOnSurface(edge)
     if found is None:
         raise ValueError(tr("a face has no curve in its parameters along the seam"))

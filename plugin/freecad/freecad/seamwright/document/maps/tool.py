@@ -65,7 +65,12 @@ class Tool(OptionFeature):
     def arranged(cls, chosen):
         """Return {property: links} for links of a selection. Raises as ``check``."""
         cls.check("Sources", chosen)
-        return {"Sources": chosen}
+        return {"Sources": cls.completed(chosen)}
+
+    @classmethod
+    def completed(cls, chosen):
+        """Return links with those that belong to them."""
+        return chosen
 
     @classmethod
     def work(cls, inputs, values):

@@ -56,11 +56,11 @@ class FrameLoft(FreeSurface):
         seams = [
             {
                 "id": number,
-                "kind": "line of joints",
+                "kind": surface_text.LINE,
                 "edges": [],
                 "worst": None,
                 **seam.to_dict(),
-                "side": mark("Line"),
+                "side": mark("Inside"),
                 "name": str(number),
                 "target": target,
             }

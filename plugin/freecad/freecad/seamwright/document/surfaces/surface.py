@@ -24,7 +24,7 @@ TOLERANCES = (
            "Largest angle between the tangent planes of a seam that is G1, in degrees", least=0.0),
     Option("CurvatureTolerance", "curvature_rel", FLOAT, 0.02, "Curvature tolerance",
            "Largest relative difference of curvature of a seam that is G2; 0.02 is 2 %",
-           least=0.0),
+           least=0.0, percent=True),
 )  # fmt: skip
 
 

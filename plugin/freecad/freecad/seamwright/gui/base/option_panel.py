@@ -203,6 +203,9 @@ class OptionPanel(ResultPanel):
         root = self.obj.ViewObject.RootNode
         for argument, (origin, step) in places.items():
             field = self.options.fields[argument]
+            handle = self._handles.get(argument)
+            if handle is not None and handle.dragger.isActive.getValue():
+                continue  # the user holds it
             if argument not in self._handles:
                 self._handles[argument] = Handle()
                 root.addChild(self._handles[argument].node)
@@ -216,11 +219,18 @@ class OptionPanel(ResultPanel):
             self._handle_timer.stop()
 
     def _read_handles(self):
-        """Give the fields the numbers to which their handles were dragged."""
+        """Give the fields the numbers to which their handles were dragged; compute meanwhile."""
+        dragged = False
         for argument, handle in list(self._handles.items()):
             value = handle.dragged_to()
-            if value is not None and not self.options.fields[argument].drag(value):
+            if value is None:
+                continue
+            if self.options.fields[argument].drag(value):
+                dragged = True
+            else:
                 self._show_handles()  # back to the number that the expression gives
+        if dragged and self._timer.live and not self.computation.busy:
+            self._preview_in_time()
         held, self._held = self._held, bool(self.held_handles())
         if held and not self._held:
             self.steps.note()  # a drag that has ended is a step

@@ -12,6 +12,7 @@ from freecad.seamwright.gui.widgets.number_field import LENGTH, PLAIN, NumberFie
 from freecad.seamwright.gui.widgets.qt import QtWidgets
 from freecad.seamwright.gui.widgets.steps import remove
 from freecad.seamwright.plain.language import tr
+from freecad.seamwright.plain.preferences import COMB_LINES
 from freecad.seamwright.plain.summary import counted
 
 
@@ -49,6 +50,9 @@ class CurvePanel(OptionPanel):
         self.comb_scale = NumberField(PLAIN, 100.0, 0.01, refer_to=self.obj)
         self.comb_scale.setMinimumWidth(LEAST_WIDTH // 2)
         self.comb_scale.setToolTip(tr("Length of the lines of the comb"))
+        self.comb_lines = QtWidgets.QSpinBox()
+        self.comb_lines.setRange(int(COMB_LINES.least), int(COMB_LINES.largest))
+        self.comb_lines.setToolTip(tr("Number of lines of the comb"))
         self.numbers = QtWidgets.QCheckBox(tr("Number the points"))
         self.numbers.setToolTip(tr("Show which number of a list belongs to which point"))
         self.numbers.setVisible(bool(self._points()))
@@ -56,6 +60,7 @@ class CurvePanel(OptionPanel):
         line = QtWidgets.QHBoxLayout()
         line.addWidget(self.comb)
         line.addWidget(self.compare, 1)
+        line.addWidget(self.comb_lines)
         line.addWidget(self.comb_scale)
         layout.addLayout(line)
         layout.addLayout(self._sketch_line())
@@ -84,6 +89,7 @@ class CurvePanel(OptionPanel):
         self.comb.toggled.connect(self._show_comb)
         self.compare.toggled.connect(self.obj.ViewObject.Proxy.compare)
         self.comb_scale.valueChanged.connect(self._show_comb)
+        self.comb_lines.valueChanged.connect(self._show_comb)
         self.numbers.toggled.connect(self._show_numbers)
         self.sketch.clicked.connect(lambda *_: self.to_sketch())
 
@@ -91,6 +97,7 @@ class CurvePanel(OptionPanel):
         """Show the values of the object."""
         self.comb.setChecked(self.obj.ViewObject.ShowComb)
         self.comb_scale.show_number(self.obj.ViewObject.CombScale)
+        self.comb_lines.setValue(self.obj.ViewObject.CombLines)
         super().read_fields()
 
     # Actions.
@@ -107,6 +114,7 @@ class CurvePanel(OptionPanel):
 
     def _show_comb(self, *_):
         self.obj.ViewObject.CombScale = self.comb_scale.number()
+        self.obj.ViewObject.CombLines = self.comb_lines.value()
         self.obj.ViewObject.ShowComb = self.comb.isChecked()
 
     def _points(self):

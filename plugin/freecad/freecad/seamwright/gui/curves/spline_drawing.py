@@ -6,11 +6,14 @@ import Part
 
 from freecad.seamwright.document.curves import inputs
 from freecad.seamwright.document.curves.spline import INTERPOLATING, NU
-from freecad.seamwright.gui.scene.comb import EVERY, LONGEST, quill_count
+from freecad.seamwright.gui.scene.comb import LONGEST
 from freecad.seamwright.gui.scene.live_curve import POINT, TANGENT, TENSION, LiveCurve
 from freecad.seamwright.plain import kernel, spline_handles
 from freecad.seamwright.plain.language import mark
 from freecad.seamwright.plain.options import one_for_each
+
+#: Places at which a dragged spline is computed.
+PLACES = 480
 
 
 class SplineDrawing:
@@ -55,23 +58,24 @@ class SplineDrawing:
         """Draw the spline, and its comb if the view has one."""
         self.obj.ViewObject.Proxy.drag(True)
         knots = self._spline.knots
-        at = numpy.linspace(knots[0], knots[-1], quill_count() + 1)
+        at = numpy.linspace(knots[0], knots[-1], PLACES + 1)
         jets = numpy.asarray(self._spline.derivatives(at, 2))
         points = jets[:, 0]
         self._live.show_curve(points)
-        if not self.obj.ViewObject.ShowComb:
-            self._live.show_comb(None, None, EVERY)
+        vobj = self.obj.ViewObject
+        if not vobj.ShowComb:
+            self._live.show_comb(None, None, 1)
             return
         vectors = spline_handles.curvature_vectors(jets[:, 1], jets[:, 2])
         if not self._factor:
-            scale = self.obj.ViewObject.CombScale
-            self._factor = spline_handles.comb_factor(points, vectors, LONGEST, scale)
-        self._live.show_comb(points, points - self._factor * vectors, EVERY)
+            self._factor = spline_handles.comb_factor(points, vectors, LONGEST, vobj.CombScale)
+        every = max(1, PLACES // vobj.CombLines)
+        self._live.show_comb(points, points - self._factor * vectors, every)
 
     def hide_spline(self):
         """Show the curve and the comb of the document again."""
         self._live.show_curve(None)
-        self._live.show_comb(None, None, EVERY)
+        self._live.show_comb(None, None, 1)
         self.obj.ViewObject.Proxy.drag(False)
 
     def show_handles(self, values):
@@ -99,7 +103,7 @@ class SplineDrawing:
             self.show_spline()
         else:
             self._live.show_curve(points if len(points) else None)
-            self._live.show_comb(None, None, EVERY)
+            self._live.show_comb(None, None, 1)
         self._live.show_handles({POINT: points})
 
     def show_snap(self, point):

@@ -4,7 +4,7 @@
 The class path is written into documents: neither rename nor move it.
 """
 
-from freecad.seamwright.document import sources
+from freecad.seamwright.document import preferences, sources
 from freecad.seamwright.document.curves import curve, inputs, spline
 from freecad.seamwright.document.properties import Adder
 from freecad.seamwright.gui.base.panel_view import PanelView
@@ -36,6 +36,9 @@ class CurveView(PanelView):
         )
         tip = "Length of the lines of the comb; 1: the longest is 15 % of the size of the curve"
         adder.add_with("App::PropertyFloat", "CombScale", "Curvature comb", tip, 1.0)
+        tip = "Number of lines of the comb, on all edges together"
+        lines = preferences.comb_lines()
+        adder.add_with("App::PropertyInteger", "CombLines", "Curvature comb", tip, lines)
         self.comb, self.input_comb = Comb(), Comb(INPUT_COLOURS)
         for each in (self.comb, self.input_comb):
             vobj.RootNode.insertChild(each.node, 0)
@@ -49,7 +52,7 @@ class CurveView(PanelView):
 
     def onChanged(self, vobj, prop):
         """Draw the comb or remove it; it is seen only with its curve."""
-        if prop in ("ShowComb", "CombScale", "Visibility"):
+        if prop in ("ShowComb", "CombScale", "CombLines", "Visibility"):
             self._draw_comb(vobj)
 
     def compare(self, compares):
@@ -64,14 +67,15 @@ class CurveView(PanelView):
             self._draw_comb(self.object.ViewObject)
 
     def _draw_comb(self, vobj):
-        if self.comb is None or "CombScale" not in vobj.PropertiesList:
+        if self.comb is None or "CombLines" not in vobj.PropertiesList:
             return
         shown = vobj.ShowComb and vobj.Visibility and not vobj.Object.Shape.isNull()
         shown = shown and not self.drags
         edges = vobj.Object.Shape.Edges if shown else []
-        self.comb.show(edges, vobj.CombScale)
         given = _given_edges(vobj.Object) if shown and self.compares else []
-        self.input_comb.show(given, vobj.CombScale, measure=edges)
+        look = max(vobj.CombLines, 2), vobj.CombScale, edges, given
+        self.comb.show(edges, *look)
+        self.input_comb.show(given, *look)
 
     def getIcon(self):
         """Return the icon in the tree."""

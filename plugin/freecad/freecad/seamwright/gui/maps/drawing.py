@@ -108,7 +108,8 @@ class FaceColours(Drawing):
         self._substitutes.remove(set(self._substitutes.objects(obj.Document)) - kept)
         legend = None if look is None else look.legend
         if legend is not None:
-            self.legend.update(*legend, LEGEND_TEXT_PX)
+            continuous = look.smooth and len(legend[1]) > 1
+            self.legend.update(*legend, LEGEND_TEXT_PX, look.row[::-1] if continuous else ())
         self._has_legend = legend is not None
         self._show_legend()
 

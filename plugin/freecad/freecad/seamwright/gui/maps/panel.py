@@ -4,7 +4,10 @@
 The panel of a Seam Plot has the plot too.
 """
 
+import Part
+
 from freecad.seamwright.document.feature import report_of
+from freecad.seamwright.document.maps import meshes
 from freecad.seamwright.document.maps.deviation import Deviation
 from freecad.seamwright.document.maps.seam_plot import SeamPlot
 from freecad.seamwright.document.maps.surface_map import SurfaceMap
@@ -20,6 +23,9 @@ from freecad.seamwright.plain.ramps import figure
 
 #: Delay between the last change and the drawing; maps are quick where the mesh is there.
 DRAW_AFTER_MS = 60
+
+#: Faces of sources that take longer than the time after which a panel shows its progress.
+MANY_FACES = 20
 
 
 class ToolPanel(OptionPanel):
@@ -75,7 +81,29 @@ class ToolPanel(OptionPanel):
         """Raise SourceError or ValueError where a property cannot have these links."""
         self.obj.Proxy.check(name, chosen)
 
+    # Methods that FreeCAD calls.
+
+    def reject(self):
+        """Stop a running computation, and take back all changes made in the panel."""
+        self.computation.stop()
+        return super().reject()
+
     # Actions.
+
+    def take(self, name, chosen):
+        """Let a property have these links, which are usable; compute."""
+        super().take(name, self.obj.Proxy.completed(chosen))
+
+    def preview(self, then=None):
+        """Compute as the fields say; a large model shows its progress at once."""
+        super().preview(then)
+        if self.computation.busy and self._takes_long():
+            self.computation.show()
+
+    def _takes_long(self):
+        shapes = [Part.getShape(each) for each in self.sources()]
+        fresh = [each for each in shapes if meshes.kept.find(each) is None]
+        return sum(each.countElement("Face") for each in fresh) >= MANY_FACES
 
     def refresh(self):
         """Show the results as they are stored now."""
@@ -96,14 +124,14 @@ class ToolPanel(OptionPanel):
     def _show_plot(self, *_):
         if self.plot is None:
             return
-        key, name, unit, _ = seam_text.FIGURES[self.figure.currentIndex()]
+        key, name, unit, factor, _ = seam_text.FIGURES[self.figure.currentIndex()]
         seams = self._seams()
         lines = []
         for seam in seams:
             bounds = seam["bounds"][key] or {"lower": None, "upper": None}
-            lines.append(
-                Line(seam["lengths_mm"], seam["figures"][key], bounds["lower"], bounds["upper"])
-            )
+            lower, upper = (_times(factor, bounds[each]) for each in ("lower", "upper"))
+            values = [_times(factor, each) for each in seam["figures"][key]]
+            lines.append(Line(seam["lengths_mm"], values, lower, upper))
         self.plot.show_lines(lines, tr(name), unit)
         self.bounds.setText("\n".join(seam_text.bound_line(seam, key) for seam in seams))
         self.reading.setText("")
@@ -116,8 +144,8 @@ class ToolPanel(OptionPanel):
             self.reading.setText("")
             return
         seam = seams[index]
-        key, name, unit, _ = seam_text.FIGURES[self.figure.currentIndex()]
-        value = seam["figures"][key][place]
+        key, name, unit, factor, _ = seam_text.FIGURES[self.figure.currentIndex()]
+        value = _times(factor, seam["figures"][key][place])
         text = tr("undefined") if value is None else seam_text.with_unit(figure(value), unit)
         view.mark([], [], [(seam["points"][place], text)])
         self.reading.setText(
@@ -125,3 +153,8 @@ class ToolPanel(OptionPanel):
                 name=seam["name"], length_mm=figure(seam["lengths_mm"][place]), figure=text
             )
         )
+
+
+def _times(factor, value):
+    """Return a product; None where the value is unknown."""
+    return None if value is None else factor * value

@@ -2,22 +2,30 @@
 """The curvature comb of edges: lines across a curve, as long as its curvature is large."""
 
 import FreeCAD as App
+import numpy
 from pivy import coin
 
-from freecad.seamwright.document import preferences
 from freecad.seamwright.gui.scene.halo import nearer
 from freecad.seamwright.gui.scene.overlay import outside_bounding_box, unlit_unpickable
 from freecad.seamwright.plain.preferences import COMB_LINES
 
 #: Colours of the lines and of the curve through their ends.
 COLOURS = (0.84, 0.37, 0.0), (0.55, 0.2, 0.0)
-INPUT_COLOURS = (0.62, 0.66, 0.7), (0.35, 0.4, 0.45)
+INPUT_COLOURS = (0.34, 0.71, 0.91), (0.15, 0.5, 0.75)
 
-#: Places of the comb, for all edges together and at least for each edge; every fourth has a line.
-QUILLS, LEAST_QUILLS, EVERY = 480, 12, 4
+#: Every fourth place of a comb has a line; the curve through the ends goes through all of them. An
+#: edge has at least LEAST_PLACES.
+EVERY, LEAST_PLACES = 4, 12
+
+#: The part of the places that lie where the curve bends, and not evenly along its length; how many
+#: times as many points measure both.
+BENDS, SAMPLES = 1 / 3, 4
 
 #: The length of the longest line of the comb, as a part of the size of the edges.
 LONGEST = 0.15
+
+#: For the comb of edges beside sharper bends, see _unit_length.
+SEEN, MOST = 0.05, 0.6
 
 #: The amount by which the comb is drawn nearer than the model, see halo.
 LIFT = 0.002
@@ -49,9 +57,9 @@ class Comb:
         self.node = outside_bounding_box(lines)
         self.show([])
 
-    def show(self, edges, scale=1.0, measure=()):
-        """Draw the comb of edges; no edges remove it. ``scale``, ``measure``: as for ``quills``."""
-        self.draw(quills(edges, scale, measure), EVERY)
+    def show(self, edges, *look):
+        """Draw the comb of edges; no edges remove it. ``look``: the arguments of ``quills``."""
+        self.draw(quills(edges, *look), EVERY)
 
     def draw(self, combs, every):
         """Draw combs as ``quills`` returns them, with a line at each ``every``-th place."""
@@ -67,14 +75,23 @@ class Comb:
             field.setValues(0, len(values), values)
 
 
-def quills(edges, scale=1.0, measure=()):
+def quills(edges, lines=COMB_LINES.default, scale=1.0, measure=(), beside=()):
     """Return for each edge [(point on it, end of the line of the comb there), ...].
 
-    The lines point away from the centre of curvature. With a ``scale`` of 1, the longest one has
-    the part LONGEST of the size of the edges; with edges to ``measure``, the longest one of these.
+    The lines point away from the centre of curvature; so many ``lines`` of all edges are those of
+    every EVERY-th place. With a ``scale`` of 1, the longest one has the part LONGEST of the size of
+    the edges; with edges to ``measure``, the longest one of these. ``beside``: other edges whose
+    comb is to be seen on the same scale.
     """
-    combs = _all_curvatures(edges)
-    factor = scale * _unit_length(measure or edges, _all_curvatures(measure) or combs)
+    if not edges:
+        return []
+    combs = _all_curvatures(edges, lines)
+    measured = measure or edges
+    factor = scale * _unit_length(
+        [*measured, *beside],
+        combs if measured is edges else _all_curvatures(measured, lines),
+        _all_curvatures(beside, lines),
+    )
     if factor == 0:
         return []
     return [
@@ -83,34 +100,39 @@ def quills(edges, scale=1.0, measure=()):
     ]
 
 
-def _unit_length(edges, combs):
-    """Return the length of the line of a comb for the curvature 1; 0 for straight edges."""
-    largest = max((vector.Length for comb in combs for _, vector in comb), default=0.0)
+def _unit_length(edges, combs, others):
+    """Return the length of the line of a comb for the curvature 1; 0 for straight edges.
+
+    Beside sharper bends, the lines of ``others`` are at least SEEN of the size, if that leaves the
+    longest line of all within MOST of it.
+    """
     box = App.BoundBox()
     for edge in edges:
         box.add(edge.BoundBox)
-    if largest == 0 or largest <= 1e-9 / box.DiagonalLength:
+    size, beside = box.DiagonalLength, _largest(others)
+    largest = max(_largest(combs), beside)
+    if largest == 0 or largest <= 1e-9 / size:
         return 0.0
-    return LONGEST * box.DiagonalLength / largest
+    wanted = SEEN * size / beside if beside > 1e-9 / size else 0.0
+    return min(max(LONGEST * size / largest, wanted), MOST * size / largest)
 
 
-def quill_count():
-    """Return the number of places of a comb that has as many lines as the user wants."""
-    standard = COMB_LINES.default
-    return max(LEAST_QUILLS, QUILLS * preferences.comb_lines() // standard)
+def _largest(combs):
+    return max((vector.Length for comb in combs for _, vector in comb), default=0.0)
 
 
-def _all_curvatures(edges):
-    count = max(LEAST_QUILLS, quill_count() // len(edges)) if edges else 0
-    return [_curvatures(edge, count) for edge in edges]
+def _all_curvatures(edges, lines):
+    whole = sum(edge.Length for edge in edges)
+    return [
+        _curvatures(edge, max(LEAST_PLACES, round(lines * EVERY * edge.Length / whole)))
+        for edge in edges
+    ]
 
 
 def _curvatures(edge, count):
     """Return [(point, vector to the centre of curvature, as long as the curvature), ...]."""
-    first, last = edge.ParameterRange
     found = []
-    for place in range(count + 1):
-        at = first + (last - first) * place / count
+    for at in _places(edge, count):
         tangent, second = edge.derivative1At(at), edge.derivative2At(at)
         square = tangent.dot(tangent)
         vector = App.Vector()
@@ -118,3 +140,19 @@ def _curvatures(edge, count):
             vector = (second - tangent * (second.dot(tangent) / square)) / square
         found.append((edge.valueAt(at), vector))
     return found
+
+
+def _places(edge, count):
+    """Return count + 1 parameters of an edge: along its length, and more of them in its bends."""
+    at = numpy.linspace(*edge.ParameterRange, SAMPLES * count + 1)
+    points = numpy.array([tuple(edge.valueAt(each)) for each in at.tolist()])
+    steps = numpy.diff(points, axis=0)
+    lengths = numpy.linalg.norm(steps, axis=1)
+    along = steps / numpy.maximum(lengths, 1e-300)[:, None]
+    turns = numpy.linalg.norm(numpy.diff(along, axis=0, prepend=along[:1]), axis=1)
+    way = numpy.zeros(len(at))
+    for each, share in ((lengths, 1 - BENDS), (turns, BENDS)):
+        whole = each.sum()
+        if whole > 0:
+            way[1:] += share * numpy.cumsum(each) / whole
+    return numpy.interp(numpy.linspace(0, way[-1], count + 1), way, at).tolist()

@@ -48,12 +48,13 @@ class Legend:
             del _shown[before.index(self)]
         _stack(self.names[0])
 
-    def update(self, title, entries, footer, text_px):
+    def update(self, title, entries, footer, text_px, scale=()):
         """Redraw the legend.
 
         It has a title, lines of (SeamClass, name, meaning), and the lines of the footer below them.
+        ``scale``: the colours from the first line to the last one, where they are continuous.
         """
-        self._picture, self._place = draw(title, entries, footer, text_px), None
+        self._picture, self._place = draw(title, entries, footer, text_px, scale), None
         _stack(self.names[0])
 
     def is_seen(self):
@@ -114,7 +115,7 @@ def _overlay(child):
     return overlay
 
 
-def draw(title, entries, footer, text_px):
+def draw(title, entries, footer, text_px, scale=()):
     """Return the legend as a QImage; ``text_px`` is the height of its letters in pixels."""
     font = QtGui.QFont("Sans Serif")
     font.setPixelSize(text_px)
@@ -140,19 +141,35 @@ def draw(title, entries, footer, text_px):
     painter.drawRect(0, 0, image.width() - 1, image.height() - 1)
     pen = _Pen(painter, line)
     pen.text(bold, pad, pad, title)
+    first = pad + line + line // 2
+    if len(scale):
+        _draw_scale(painter, QtCore.QRect(pad, first, bar, (len(entries) - 1) * line), scale)
     for index, (seam_class, name, meaning) in enumerate(entries, 1):
         top = pad + index * line
         thick = text_px // 2
-        colour = QtGui.QColor(*seam_class.rgb)
-        painter.fillRect(pad, top + (line - thick) // 2, bar, thick, colour)
         painter.setPen(QtGui.QColor(*BORDER))
-        painter.drawRect(pad, top + (line - thick) // 2, bar, thick)
+        if len(scale):
+            painter.drawLine(pad, top + line // 2, pad + bar + pad // 2, top + line // 2)
+        else:
+            colour = QtGui.QColor(*seam_class.rgb)
+            painter.fillRect(pad, top + (line - thick) // 2, bar, thick, colour)
+            painter.drawRect(pad, top + (line - thick) // 2, bar, thick)
         pen.text(bold, pad + bar + pad, top, name)
         pen.text(font, meaning_x, top, meaning)
     for index, text in enumerate(last, len(entries) + 1):
         pen.text(font, pad, pad + index * line, text)
     painter.end()
     return image
+
+
+def _draw_scale(painter, area, scale):
+    """Fill an area with colours from its top to its bottom."""
+    for y in range(area.height()):
+        rgb = scale[y * len(scale) // area.height()]
+        colour = QtGui.QColor(*(int(round(channel)) for channel in rgb))
+        painter.fillRect(area.left(), area.top() + y, area.width(), 1, colour)
+    painter.setPen(QtGui.QColor(*BORDER))
+    painter.drawRect(area)
 
 
 class _Pen:

@@ -1,50 +1,71 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Points of the model and of a grid to which the mouse snaps."""
 
+import FreeCAD as App
 import numpy
 
 from freecad.seamwright.document import sources
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
-from freecad.seamwright.plain.spline_handles import nearest, rounded
+from freecad.seamwright.plain.language import tr
+from freecad.seamwright.plain.spline_handles import nearest, nearest_on_lines, rounded
 
-#: Pixels within which the mouse snaps to a vertex.
-REACH_PX = 10
+#: Pixels within which the mouse snaps to a vertex or the middle of an edge, and to a curve.
+REACH_PX, CURVE_PX = 10, 6
 
-#: Vertices that are looked at; of more objects there is no snapping.
-MOST_VERTICES = 20000
+#: Vertices and edges that are looked at; of more objects there is no snapping.
+MOST_VERTICES, MOST_EDGES = 20000, 2000
+
+#: Points of the polygon in place of an edge.
+POLYGON = 33
 
 
 class Snapper:
-    """The vertices of the visible objects of a document as they are now."""
+    """The vertices and edges of the visible objects of a document as they are now."""
 
     def __init__(self, doc, exclude):
-        """``exclude``: an object whose own vertices do not count."""
+        """``exclude``: an object whose own vertices and edges do not count."""
         self._points, self._names = [], []
+        self._edges, middles, polygons = [], [], []
         for obj in doc.Objects:
             if obj != exclude and sources.has_shape(obj) and obj.ViewObject.Visibility:
                 self._add(obj)
-        self._points = numpy.array(self._points, float).reshape(-1, 3)
+        for edge, name in self._edges:
+            polygons.append([tuple(point) for point in edge.discretize(Number=POLYGON)])
+            middles.append(tuple(edge.valueAt(edge.getParameterByLength(edge.Length / 2))))
+            self._names.append(tr("middle of {edge}").format(edge=name))
+        self._points = numpy.array(self._points + middles, float).reshape(-1, 3)
+        self._polygons = numpy.array(polygons, float).reshape(-1, POLYGON, 3)
 
     def _add(self, obj):
         try:
-            vertices = sources.placed_shape(obj).Vertexes
+            shape = sources.placed_shape(obj)
         except sources.SourceError:
             return
+        vertices, edges = shape.Vertexes, shape.Edges
         if len(self._points) + len(vertices) <= MOST_VERTICES:
             self._points += [tuple(vertex.Point) for vertex in vertices]
             self._names += ["%s.Vertex%d" % (obj.Label, n + 1) for n in range(len(vertices))]
+        if len(self._edges) + len(edges) <= MOST_EDGES:
+            self._edges += [
+                (edge, "%s.Edge%d" % (obj.Label, number))
+                for number, edge in enumerate(edges, 1)
+                if not edge.Degenerated and edge.Length > 0
+            ]
 
     def find(self, projection, pixel, through, grid_mm):
         """Return (point, what it is) of the mouse; (None, "") where it is nowhere.
 
-        A vertex counts first. Then it is the point in the plane through a point, across the axis
-        that is nearest to the direction of view; there it snaps to a grid, 0: none. Ctrl turns
-        all snapping off.
+        A vertex or the middle of an edge counts first, then a point of an edge. Otherwise it is
+        the point in the plane through a point, across the axis that is nearest to the direction of
+        view; there it snaps to a grid, 0: none. Ctrl turns all snapping off.
         """
         free = bool(QtWidgets.QApplication.keyboardModifiers() & QtCore.Qt.ControlModifier)
         place = None if free else nearest(projection.pixels(self._points), pixel, REACH_PX)
         if place is not None:
             return self._points[place], self._names[place]
+        point, name = (None, "") if free else self._on_edge(projection, pixel)
+        if point is not None:
+            return point, name
         axis = projection.facing_axis()
         point = projection.on_plane(pixel, through, axis)
         if point is None:
@@ -52,3 +73,18 @@ class Snapper:
         if free or not grid_mm:
             return point, "free"
         return rounded(point, axis, grid_mm), "grid"
+
+    def _on_edge(self, projection, pixel):
+        """Return (point, what it is) of the edge at a pixel; (None, "") where there is none."""
+        pixels = projection.pixels(self._polygons).reshape(-1, POLYGON, 2)
+        found = nearest_on_lines(pixels, pixel, CURVE_PX)
+        if found is None:
+            return None, ""
+        line, place, share = found
+        one, other = self._polygons[line, place : place + 2]
+        edge, name = self._edges[line]
+        first, last = edge.ParameterRange
+        at = edge.Curve.parameter(App.Vector(*(one + share * (other - one))))
+        if not first <= at <= last:
+            return None, ""
+        return numpy.array(edge.valueAt(at)), tr("on {edge}").format(edge=name)

@@ -11,6 +11,9 @@ from typing import NamedTuple
 import numpy
 from pivy import coin
 
+from freecad.seamwright.document import preferences
+from freecad.seamwright.plain.preferences import ZEBRA_STRIPES
+
 
 class Stripes(NamedTuple):
     """Stripes: how many light ones a ball has, the angle by which they lean, and how much of a pair
@@ -19,7 +22,7 @@ class Stripes(NamedTuple):
     The lean makes stripes visible on a cylinder of any direction.
     """
 
-    count: int = 32
+    count: int = ZEBRA_STRIPES.default
     lean_rad: float = math.radians(30)
     width: float = 0.5
 
@@ -79,7 +82,7 @@ def node(shown):
     group, pick, binding = coin.SoSeparator(), coin.SoPickStyle(), coin.SoNormalBinding()
     pick.style = coin.SoPickStyle.UNPICKABLE
     binding.value = coin.SoNormalBinding.PER_VERTEX_INDEXED
-    for child in (pick, binding, *shader(Stripes()), *mesh(shown)):
+    for child in (pick, binding, *shader(Stripes(preferences.zebra_stripes())), *mesh(shown)):
         group.addChild(child)
     return group
 

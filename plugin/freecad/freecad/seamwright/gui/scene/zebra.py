@@ -45,6 +45,10 @@ class Zebra:
         """Remove the stripes of the objects."""
         self._substitutes.remove(objects)
 
+    def redraw(self, doc):
+        """Draw the stripes of a document again, as the preferences are now."""
+        self.show(self.objects(doc))
+
     def _follow_shape(self, obj):
         """Redraw the stripes of a changed object, once FreeCAD has finished its recompute."""
         if not self._stale:

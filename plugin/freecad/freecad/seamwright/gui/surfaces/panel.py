@@ -25,6 +25,7 @@ class SurfacePanel(OptionPanel):
 
     DOCK_WIDTH = 560
     _striped = ()
+    _rows = ()
 
     def __init__(self, obj, created):
         super().__init__(obj, created)
@@ -84,7 +85,7 @@ class SurfacePanel(OptionPanel):
     def refresh(self):
         """Show the results as they are stored now."""
         super().refresh()
-        built = surface_text.build_rows(report_of(self.obj))
+        self._rows = built = surface_text.build_rows(report_of(self.obj))
         self.table.clearSelection()
         self.table.setRowCount(len(built))
         for line, row in enumerate(built):
@@ -100,8 +101,9 @@ class SurfacePanel(OptionPanel):
         """Name the sides in the view, and mark the worst points of the chosen seams."""
         report = report_of(self.obj)
         marks = [] if self._ended else list(self.obj.Proxy.marks(report))
-        for line in {index.row() for index in self.table.selectedIndexes()} if marks else ():
-            seam = report["seams"][line]
+        chosen = {index.row() for index in self.table.selectedIndexes()} if marks else ()
+        for place in (place for line in chosen for place in self._rows[line].seams):
+            seam = report["seams"][place]
             if seam["worst"]:
                 label = rows.worst_label(seam, report["tolerance"])
                 marks.append((seam["worst"]["point"], label))

@@ -63,7 +63,7 @@ class Computation:
         Gui.getMainWindow().windowHandle().installEventFilter(_Escape(self, self.line))
         self._timer = QtCore.QTimer(self.line)
         self._timer.setInterval(LOCK_AFTER_MS)
-        self._timer.timeout.connect(self._show)
+        self._timer.timeout.connect(self.show)
 
     def _build(self):
         self.line = QtWidgets.QWidget()
@@ -158,9 +158,9 @@ class Computation:
             self._focus.setFocus()
         self._locked, self._focus = [], None
 
-    def _show(self):
-        """Lock the panel when the computation takes long, and show its progress."""
-        if not self.line.isVisible():
+    def show(self):
+        """Lock the panel and show the progress; a timer calls it when it takes long."""
+        if self.line.isHidden():
             if self._locks:
                 self._lock()
             self.line.show()

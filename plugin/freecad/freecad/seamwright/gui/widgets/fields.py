@@ -5,7 +5,14 @@ import re
 
 from freecad.seamwright.document import expressions
 from freecad.seamwright.gui.widgets import ink
-from freecad.seamwright.gui.widgets.number_field import ANGLE, LENGTH, PLAIN, CountBox, NumberField
+from freecad.seamwright.gui.widgets.number_field import (
+    ANGLE,
+    LENGTH,
+    PERCENT,
+    PLAIN,
+    CountBox,
+    NumberField,
+)
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 from freecad.seamwright.plain import options
 from freecad.seamwright.plain.language import description, tr
@@ -60,9 +67,12 @@ class QuantityField(Field):
 
     def _make(self, obj):
         least = max(self.option.least, -LARGEST)
-        widget = NumberField(UNITS.get(self.option.kind, PLAIN), LARGEST, least)
+        widget = NumberField(self._unit(), LARGEST, least)
         widget.setSpecialValueText(tr(self.option.zero) if self.option.zero else "")
         return self._bound(widget, obj)
+
+    def _unit(self):
+        return PERCENT if self.option.percent else UNITS.get(self.option.kind, PLAIN)
 
     def _bound(self, widget, obj):
         widget.bind(obj, self.option.name)

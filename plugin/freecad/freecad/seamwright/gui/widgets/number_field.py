@@ -12,8 +12,12 @@ from freecad.seamwright.gui.widgets.binding import Binding
 from freecad.seamwright.gui.widgets.forms import LEAST_WIDTH
 from freecad.seamwright.gui.widgets.qt import QtGui, QtWidgets
 
-#: The kinds of numbers: a length in mm, an angle in degrees, a number without a unit.
-LENGTH, ANGLE, PLAIN = "mm", "deg", ""
+#: The kinds of numbers: a length in mm, an angle in degrees, a number without a unit, a ratio that
+#: is shown in percent.
+LENGTH, ANGLE, PLAIN, PERCENT = "mm", "deg", "", "%"
+
+#: All lengths are shown in the unit of this one in mm, so that they can be compared.
+TYPICAL = 10.0
 
 
 class Bindable:
@@ -75,7 +79,8 @@ class NumberField(Bindable, QtWidgets.QDoubleSpinBox):
 
     def __init__(self, unit, largest, least=0.0, refer_to=None):
         super().__init__()
-        self.unit = unit
+        self.unit = PLAIN if unit == PERCENT else unit
+        self._percent = unit == PERCENT
         self._obj = refer_to
         self.setDecimals(9)
         self.setRange(least, largest)
@@ -102,29 +107,32 @@ class NumberField(Bindable, QtWidgets.QDoubleSpinBox):
         inside = self.minimum() <= value <= self.maximum()
         self._exact = float(value) if inside else self._rounded
 
-    def _shown_in(self, value):
+    def _shown_in(self):
         """Return (mm or degrees of one shown unit, its name)."""
         if self.unit == PLAIN:
-            return 1.0, ""
+            return (0.01, "%") if self._percent else (1.0, "")
         unit = App.Units.Length if self.unit == LENGTH else App.Units.Angle
-        _, factor, name = App.Units.Quantity(value, unit).getUserPreferred()
+        _, factor, name = App.Units.Quantity(TYPICAL, unit).getUserPreferred()
         return factor, name
 
     def textFromValue(self, value):
         """Return at most nine significant digits, with the decimal point of the language."""
-        factor, name = self._shown_in(value)
+        factor, name = self._shown_in()
         number = ("%.9g" % (value / factor)).replace(".", str(self.locale().decimalPoint()))
         return number + (name if name == "\u00b0" else (" " + name).rstrip())
 
     def _parsed(self, text):
         """Return the number of a text. Raises ValueError for anything else."""
         text = text.strip().replace(str(self.locale().decimalPoint()), ".")
+        factor = 1.0
+        if self._percent:
+            text, factor = text.removesuffix("%").strip(), self._shown_in()[0]
         try:
             number = float(text)
         except ValueError:
             pass
         else:
-            return number * self._shown_in(self.value())[0]
+            return number * self._shown_in()[0]
         if not text:
             raise ValueError("no number")
         try:
@@ -132,10 +140,10 @@ class NumberField(Bindable, QtWidgets.QDoubleSpinBox):
         except (ValueError, OSError, SyntaxError, OverflowError) as error:
             if self._obj is None:
                 raise ValueError(str(error)) from None
-            return expressions.evaluated(self._obj, text.lstrip("="), self.unit)
+            return factor * expressions.evaluated(self._obj, text.lstrip("="), self.unit)
         if found.Unit != App.Units.Quantity("1 " + self.unit if self.unit else "1").Unit:
             raise ValueError("not in %s" % self.unit)
-        return float(found.Value)
+        return factor * float(found.Value)
 
     def valueFromText(self, text):
         """Return the number of a text; that of the shown text is exact."""

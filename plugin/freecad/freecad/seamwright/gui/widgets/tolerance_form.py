@@ -2,7 +2,7 @@
 """The input fields for level and tolerances."""
 
 from freecad.seamwright.document import properties
-from freecad.seamwright.gui.widgets.number_field import ANGLE, LENGTH, PLAIN, NumberField
+from freecad.seamwright.gui.widgets.number_field import ANGLE, LENGTH, PERCENT, NumberField
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 from freecad.seamwright.plain import profiles
 from freecad.seamwright.plain.language import description, mark, tr
@@ -11,7 +11,7 @@ from freecad.seamwright.plain.language import description, mark, tr
 FIELDS = (
     ("GapTolerance", mark("Gap"), LENGTH, 1e6),
     ("AngleTolerance", mark("Angle"), ANGLE, 90.0),
-    ("CurvatureTolerance", mark("Curvature (relative)"), PLAIN, 1.0),
+    ("CurvatureTolerance", mark("Curvature (relative)"), PERCENT, 1.0),
     ("CreaseAngle", mark("Crease above"), ANGLE, 90.0),
     ("FlatRadius", mark("Flat above radius"), LENGTH, 1e12),
     ("MatchDistance", mark("Match free edges within"), LENGTH, 1e6),

@@ -116,8 +116,8 @@
         <translation>Kanten, an denen die Flächen enden: eine oder zwei vom Ende einer Kante zu dem der nächsten</translation>
     </message>
     <message>
-        <source>Edges at which two faces meet</source>
-        <translation>Kanten, an denen zwei Flächen sich treffen</translation>
+        <source>Edges at which two faces meet, or edges side by side</source>
+        <translation>Kanten, an denen zwei Flächen sich treffen, oder Kanten, die nebeneinander liegen</translation>
     </message>
     <message>
         <source>Edges between the ends of the sides, along which the lateral boundaries run, and the faces beside them</source>
@@ -182,6 +182,10 @@
     <message>
         <source>Four-sided faces, or three-sided ones, which are three faces each</source>
         <translation>Vierseitige Flächen, oder dreiseitige, die je drei Flächen sind</translation>
+    </message>
+    <message>
+        <source>Free edges no further apart than this are a seam, in mm</source>
+        <translation>Freie Kanten, die nicht weiter voneinander entfernt sind, sind eine Naht, in mm</translation>
     </message>
     <message>
         <source>Free edges no further apart than this are measured as seams too, in mm; 0: off</source>
@@ -534,6 +538,10 @@
     <message>
         <source>Number of lines</source>
         <translation>Anzahl der Linien</translation>
+    </message>
+    <message>
+        <source>Number of lines of the comb, on all edges together</source>
+        <translation>Anzahl der Linien des Kamms, auf allen Kanten zusammen</translation>
     </message>
     <message>
         <source>Number of new faces</source>
@@ -973,6 +981,14 @@ Gezeigt: {show}</translation>
         <translation> (bewiesen); keine Folge hat weniger als {least_arcs}.</translation>
     </message>
     <message>
+        <source> ({share} % less)</source>
+        <translation> ({share} % weniger)</translation>
+    </message>
+    <message>
+        <source> ({share} % more)</source>
+        <translation> ({share} % mehr)</translation>
+    </message>
+    <message>
         <source> Filled by OpenCASCADE; not by patches: {patches_reason}.</source>
         <translation> Von OpenCASCADE gefüllt; nicht mit Flächenstücken: {patches_reason}.</translation>
     </message>
@@ -1039,6 +1055,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>, the longest loop: an outer boundary?</source>
         <translation>, die längste Schleife: ein äußerer Rand?</translation>
+    </message>
+    <message>
+        <source>, variation of curvature {before} → {after} 1/mm³</source>
+        <translation>, Änderung der Krümmung {before} → {after} 1/mm³</translation>
     </message>
     <message>
         <source>, {faults} not drawn correctly</source>
@@ -1127,6 +1147,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>All seams</source>
         <translation>Alle Nähte</translation>
+    </message>
+    <message>
+        <source>Along</source>
+        <translation>Entlang</translation>
     </message>
     <message>
         <source>Alpha</source>
@@ -1425,8 +1449,8 @@ Gezeigt: {show}</translation>
         <translation>Krümmungskamm</translation>
     </message>
     <message>
-        <source>Curvature extrema {extrema} → {extrema_after}, inflections {inflections} → {inflections_after}; moved at most {moved_mm} mm{kept}.</source>
-        <translation>Extrema der Krümmung {extrema} → {extrema_after}, Wendepunkte {inflections} → {inflections_after}; höchstens {moved_mm} mm verschoben{kept}.</translation>
+        <source>Curvature extrema {extrema} → {extrema_after}, inflections {inflections} → {inflections_after}{variation}; moved at most {moved_mm} mm{kept}.</source>
+        <translation>Extrema der Krümmung {extrema} → {extrema_after}, Wendepunkte {inflections} → {inflections_after}{variation}; höchstens {moved_mm} mm verschoben{kept}.</translation>
     </message>
     <message>
         <source>Curvature tolerance</source>
@@ -1547,6 +1571,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>Edges</source>
         <translation>Kanten</translation>
+    </message>
+    <message>
+        <source>Edges lie side by side within</source>
+        <translation>Kanten liegen nebeneinander innerhalb</translation>
     </message>
     <message>
         <source>Edges meet within</source>
@@ -1781,8 +1809,16 @@ Gezeigt: {show}</translation>
         <translation>Wie dicht die Linien neuer Krümmungskämme auf jeder Kurve stehen</translation>
     </message>
     <message>
+        <source>How many light stripes zebra stripes have on a whole ball, in panels too</source>
+        <translation>Wie viele helle Streifen Zebrastreifen auf einer ganzen Kugel haben, auch in den Fenstern</translation>
+    </message>
+    <message>
         <source>How many threads a computation uses</source>
         <translation>Wie viele Threads eine Berechnung benutzt</translation>
+    </message>
+    <message>
+        <source>Inside</source>
+        <translation>Innen</translation>
     </message>
     <message>
         <source>Isophotes</source>
@@ -1929,12 +1965,12 @@ Gezeigt: {show}</translation>
         <translation>Stufe und Toleranzen</translation>
     </message>
     <message>
-        <source>Line</source>
-        <translation>Linie</translation>
-    </message>
-    <message>
         <source>Lines</source>
         <translation>Linien</translation>
+    </message>
+    <message>
+        <source>Lines inside the surface at which the curves have their joints</source>
+        <translation>Linien in der Fläche, an denen die Kurven ihre Verbindungen haben</translation>
     </message>
     <message>
         <source>Lines of a comb</source>
@@ -2153,6 +2189,10 @@ Gezeigt: {show}</translation>
         <translation>Anzahl der Linien</translation>
     </message>
     <message>
+        <source>Number of lines of the comb</source>
+        <translation>Anzahl der Linien des Kamms</translation>
+    </message>
+    <message>
         <source>Number of stripes</source>
         <translation>Anzahl der Streifen</translation>
     </message>
@@ -2207,6 +2247,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>Pick points</source>
         <translation>Punkte setzen</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Stelle</translation>
     </message>
     <message>
         <source>Point</source>
@@ -2645,8 +2689,8 @@ Gezeigt: {show}</translation>
         <translation>Der Winkel der Knickkante, {crease:g}°, muss größer sein als die Winkeltoleranz, {angle:g}°</translation>
     </message>
     <message>
-        <source>The edge of the model along which the surface runs</source>
-        <translation>Die Kante des Modells, an der die Fläche verläuft</translation>
+        <source>The edge of the model, or the lines inside the surface</source>
+        <translation>Die Kante des Modells oder die Linien in der Fläche</translation>
     </message>
     <message>
         <source>The edge of the seam in the result, or in the model where nothing was kept</source>
@@ -2701,8 +2745,8 @@ Gezeigt: {show}</translation>
         <translation>Die zweite Fläche wurde gelöscht: Wählen Sie eine andere in der Eigenschaft SecondFace</translation>
     </message>
     <message>
-        <source>The side of the surface</source>
-        <translation>Die Seite der Fläche</translation>
+        <source>The side of the surface, or inside it</source>
+        <translation>Die Seite der Fläche oder ihr Inneres</translation>
     </message>
     <message>
         <source>The source was deleted: choose another one in the property Source</source>
@@ -2899,6 +2943,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>Zebra stripes</source>
         <translation>Zebrastreifen</translation>
+    </message>
+    <message>
+        <source>Zebra stripes on a ball</source>
+        <translation>Zebrastreifen auf einer Kugel</translation>
     </message>
     <message>
         <source>Zoom to seam</source>
@@ -3201,6 +3249,10 @@ Gezeigt: {show}</translation>
         <translation>seitlicher Rand</translation>
     </message>
     <message>
+        <source>line {number}</source>
+        <translation>Linie {number}</translation>
+    </message>
+    <message>
         <source>matched</source>
         <translation>zugeordnet</translation>
     </message>
@@ -3223,6 +3275,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>meets {target}</source>
         <translation>erreicht {target}</translation>
+    </message>
+    <message>
+        <source>middle of {edge}</source>
+        <translation>Mitte von {edge}</translation>
     </message>
     <message>
         <source>misses {target}</source>
@@ -3401,6 +3457,10 @@ Gezeigt: {show}</translation>
         <translation>aus</translation>
     </message>
     <message>
+        <source>on {edge}</source>
+        <translation>auf {edge}</translation>
+    </message>
+    <message>
         <source>one for each processor</source>
         <translation>einer je Prozessor</translation>
     </message>
@@ -3469,8 +3529,8 @@ Gezeigt: {show}</translation>
         <translation>Segmente</translation>
     </message>
     <message>
-        <source>select edges at which two faces meet</source>
-        <translation>wählen Sie Kanten aus, an denen zwei Flächen sich treffen</translation>
+        <source>select edges at which two faces meet, or edges that lie side by side</source>
+        <translation>wählen Sie Kanten aus, an denen zwei Flächen sich treffen, oder Kanten, die nebeneinander liegen</translation>
     </message>
     <message>
         <source>select edges, a wire or a sketch with splines, or points that lie in a plane</source>
@@ -3587,6 +3647,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>the edges cannot be joined so: {reason}</source>
         <translation>die Kanten können so nicht verbunden werden: {reason}</translation>
+    </message>
+    <message>
+        <source>the edges lie side by side only in a short part</source>
+        <translation>die Kanten liegen nur auf einem kurzen Stück nebeneinander</translation>
     </message>
     <message>
         <source>the edges meet where the curve would be: choose other ends</source>
@@ -4243,6 +4307,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>{name} has no edge: {needs}</source>
         <translation>{name} hat keine Kante: {needs}</translation>
+    </message>
+    <message>
+        <source>{name} has no other chosen edge beside it within {match_mm:g} mm</source>
+        <translation>neben {name} liegt innerhalb von {match_mm:g} mm keine andere gewählte Kante</translation>
     </message>
     <message>
         <source>{name} has no {element}: choose another one</source>

@@ -116,7 +116,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Edges at which two faces meet</source>
+        <source>Edges at which two faces meet, or edges side by side</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -181,6 +181,10 @@
     </message>
     <message>
         <source>Four-sided faces, or three-sided ones, which are three faces each</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Free edges no further apart than this are a seam, in mm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -533,6 +537,10 @@
     </message>
     <message>
         <source>Number of lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of lines of the comb, on all edges together</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -972,6 +980,14 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source> ({share} % less)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> ({share} % more)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source> Filled by OpenCASCADE; not by patches: {patches_reason}.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1037,6 +1053,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>, the longest loop: an outer boundary?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, variation of curvature {before} → {after} 1/mm³</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1126,6 +1146,10 @@ Shown: {show}</source>
     <message>
         <source>All seams</source>
         <translation>すべての継ぎ目</translation>
+    </message>
+    <message>
+        <source>Along</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Alpha</source>
@@ -1424,7 +1448,7 @@ Shown: {show}</source>
         <translation>曲率コーム</translation>
     </message>
     <message>
-        <source>Curvature extrema {extrema} → {extrema_after}, inflections {inflections} → {inflections_after}; moved at most {moved_mm} mm{kept}.</source>
+        <source>Curvature extrema {extrema} → {extrema_after}, inflections {inflections} → {inflections_after}{variation}; moved at most {moved_mm} mm{kept}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1546,6 +1570,10 @@ Shown: {show}</source>
     <message>
         <source>Edges</source>
         <translation>エッジ</translation>
+    </message>
+    <message>
+        <source>Edges lie side by side within</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Edges meet within</source>
@@ -1780,7 +1808,15 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>How many light stripes zebra stripes have on a whole ball, in panels too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>How many threads a computation uses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inside</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1928,11 +1964,11 @@ Shown: {show}</source>
         <translation>レベルと公差</translation>
     </message>
     <message>
-        <source>Line</source>
+        <source>Lines</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Lines</source>
+        <source>Lines inside the surface at which the curves have their joints</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2152,6 +2188,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Number of lines of the comb</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Number of stripes</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2205,6 +2245,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Pick points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2642,7 +2686,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The edge of the model along which the surface runs</source>
+        <source>The edge of the model, or the lines inside the surface</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2698,7 +2742,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The side of the surface</source>
+        <source>The side of the surface, or inside it</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2896,6 +2940,10 @@ Shown: {show}</source>
     <message>
         <source>Zebra stripes</source>
         <translation>ゼブラ縞</translation>
+    </message>
+    <message>
+        <source>Zebra stripes on a ball</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Zoom to seam</source>
@@ -3198,6 +3246,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>line {number}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>matched</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3219,6 +3271,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>meets {target}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>middle of {edge}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3398,6 +3454,10 @@ Shown: {show}</source>
         <translation>オフ</translation>
     </message>
     <message>
+        <source>on {edge}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>one for each processor</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3466,7 +3526,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>select edges at which two faces meet</source>
+        <source>select edges at which two faces meet, or edges that lie side by side</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3583,6 +3643,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>the edges cannot be joined so: {reason}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the edges lie side by side only in a short part</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4239,6 +4303,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>{name} has no edge: {needs}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} has no other chosen edge beside it within {match_mm:g} mm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

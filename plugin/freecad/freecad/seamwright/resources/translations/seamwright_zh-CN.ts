@@ -116,8 +116,8 @@
         <translation>面终止于这些边：从一条边的端点到下一条边的端点，一条或两条</translation>
     </message>
     <message>
-        <source>Edges at which two faces meet</source>
-        <translation>两个面相接的边</translation>
+        <source>Edges at which two faces meet, or edges side by side</source>
+        <translation>两个面相接的边，或并排的边</translation>
     </message>
     <message>
         <source>Edges between the ends of the sides, along which the lateral boundaries run, and the faces beside them</source>
@@ -182,6 +182,10 @@
     <message>
         <source>Four-sided faces, or three-sided ones, which are three faces each</source>
         <translation>四边面，或三边面(每个由三个面组成)</translation>
+    </message>
+    <message>
+        <source>Free edges no further apart than this are a seam, in mm</source>
+        <translation>距离不超过此值的自由边构成接缝，单位 mm</translation>
     </message>
     <message>
         <source>Free edges no further apart than this are measured as seams too, in mm; 0: off</source>
@@ -534,6 +538,10 @@
     <message>
         <source>Number of lines</source>
         <translation>线数</translation>
+    </message>
+    <message>
+        <source>Number of lines of the comb, on all edges together</source>
+        <translation>所有边上梳齿的总数</translation>
     </message>
     <message>
         <source>Number of new faces</source>
@@ -973,6 +981,14 @@ Shown: {show}</source>
         <translation>(已证明)；没有少于 {least_arcs} 段的链。</translation>
     </message>
     <message>
+        <source> ({share} % less)</source>
+        <translation>（减少 {share} %）</translation>
+    </message>
+    <message>
+        <source> ({share} % more)</source>
+        <translation>（增加 {share} %）</translation>
+    </message>
+    <message>
         <source> Filled by OpenCASCADE; not by patches: {patches_reason}.</source>
         <translation>由 OpenCASCADE 填充；未用面片：{patches_reason}。</translation>
     </message>
@@ -1039,6 +1055,10 @@ Shown: {show}</source>
     <message>
         <source>, the longest loop: an outer boundary?</source>
         <translation>，最长的环：是外边界吗？</translation>
+    </message>
+    <message>
+        <source>, variation of curvature {before} → {after} 1/mm³</source>
+        <translation>，曲率变化 {before} → {after} 1/mm³</translation>
     </message>
     <message>
         <source>, {faults} not drawn correctly</source>
@@ -1127,6 +1147,10 @@ Shown: {show}</source>
     <message>
         <source>All seams</source>
         <translation>所有接缝</translation>
+    </message>
+    <message>
+        <source>Along</source>
+        <translation>沿</translation>
     </message>
     <message>
         <source>Alpha</source>
@@ -1425,8 +1449,8 @@ Shown: {show}</source>
         <translation>曲率梳</translation>
     </message>
     <message>
-        <source>Curvature extrema {extrema} → {extrema_after}, inflections {inflections} → {inflections_after}; moved at most {moved_mm} mm{kept}.</source>
-        <translation>曲率极值 {extrema} → {extrema_after}，拐点 {inflections} → {inflections_after}；最多移动 {moved_mm} mm{kept}。</translation>
+        <source>Curvature extrema {extrema} → {extrema_after}, inflections {inflections} → {inflections_after}{variation}; moved at most {moved_mm} mm{kept}.</source>
+        <translation>曲率极值 {extrema} → {extrema_after}，拐点 {inflections} → {inflections_after}{variation}；最多移动 {moved_mm} mm{kept}。</translation>
     </message>
     <message>
         <source>Curvature tolerance</source>
@@ -1547,6 +1571,10 @@ Shown: {show}</source>
     <message>
         <source>Edges</source>
         <translation>边</translation>
+    </message>
+    <message>
+        <source>Edges lie side by side within</source>
+        <translation>并排边的最大距离</translation>
     </message>
     <message>
         <source>Edges meet within</source>
@@ -1781,8 +1809,16 @@ Shown: {show}</source>
         <translation>新曲率梳的线在每条曲线上的密度</translation>
     </message>
     <message>
+        <source>How many light stripes zebra stripes have on a whole ball, in panels too</source>
+        <translation>斑马纹在整个球面上的亮条纹数，面板中也适用</translation>
+    </message>
+    <message>
         <source>How many threads a computation uses</source>
         <translation>一次计算使用的线程数</translation>
+    </message>
+    <message>
+        <source>Inside</source>
+        <translation>内部</translation>
     </message>
     <message>
         <source>Isophotes</source>
@@ -1929,12 +1965,12 @@ Shown: {show}</source>
         <translation>等级和公差</translation>
     </message>
     <message>
-        <source>Line</source>
-        <translation>连线</translation>
-    </message>
-    <message>
         <source>Lines</source>
         <translation>线</translation>
+    </message>
+    <message>
+        <source>Lines inside the surface at which the curves have their joints</source>
+        <translation>曲面内部、曲线连接点所在的线</translation>
     </message>
     <message>
         <source>Lines of a comb</source>
@@ -2153,6 +2189,10 @@ Shown: {show}</source>
         <translation>线数</translation>
     </message>
     <message>
+        <source>Number of lines of the comb</source>
+        <translation>梳齿数</translation>
+    </message>
+    <message>
         <source>Number of stripes</source>
         <translation>条纹数</translation>
     </message>
@@ -2207,6 +2247,10 @@ Shown: {show}</source>
     <message>
         <source>Pick points</source>
         <translation>拾取点</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>位置</translation>
     </message>
     <message>
         <source>Point</source>
@@ -2645,8 +2689,8 @@ Shown: {show}</source>
         <translation>折痕角 {crease:g}° 必须大于角度公差 {angle:g}°</translation>
     </message>
     <message>
-        <source>The edge of the model along which the surface runs</source>
-        <translation>曲面所沿的模型边</translation>
+        <source>The edge of the model, or the lines inside the surface</source>
+        <translation>模型边，或曲面内部的线</translation>
     </message>
     <message>
         <source>The edge of the seam in the result, or in the model where nothing was kept</source>
@@ -2701,8 +2745,8 @@ Shown: {show}</source>
         <translation>第二个面已被删除：请在属性 SecondFace 中另选一个</translation>
     </message>
     <message>
-        <source>The side of the surface</source>
-        <translation>曲面的一侧</translation>
+        <source>The side of the surface, or inside it</source>
+        <translation>曲面的一侧或其内部</translation>
     </message>
     <message>
         <source>The source was deleted: choose another one in the property Source</source>
@@ -2899,6 +2943,10 @@ Shown: {show}</source>
     <message>
         <source>Zebra stripes</source>
         <translation>斑马纹</translation>
+    </message>
+    <message>
+        <source>Zebra stripes on a ball</source>
+        <translation>球面上的斑马纹数</translation>
     </message>
     <message>
         <source>Zoom to seam</source>
@@ -3201,6 +3249,10 @@ Shown: {show}</source>
         <translation>侧边界</translation>
     </message>
     <message>
+        <source>line {number}</source>
+        <translation>线 {number}</translation>
+    </message>
+    <message>
         <source>matched</source>
         <translation>配对</translation>
     </message>
@@ -3223,6 +3275,10 @@ Shown: {show}</source>
     <message>
         <source>meets {target}</source>
         <translation>满足 {target}</translation>
+    </message>
+    <message>
+        <source>middle of {edge}</source>
+        <translation>{edge} 的中点</translation>
     </message>
     <message>
         <source>misses {target}</source>
@@ -3401,6 +3457,10 @@ Shown: {show}</source>
         <translation>关闭</translation>
     </message>
     <message>
+        <source>on {edge}</source>
+        <translation>{edge} 上</translation>
+    </message>
+    <message>
         <source>one for each processor</source>
         <translation>每个处理器一个</translation>
     </message>
@@ -3469,8 +3529,8 @@ Shown: {show}</source>
         <translation>段</translation>
     </message>
     <message>
-        <source>select edges at which two faces meet</source>
-        <translation>请选择两个面相接的边</translation>
+        <source>select edges at which two faces meet, or edges that lie side by side</source>
+        <translation>请选择两个面相接的边，或并排的边</translation>
     </message>
     <message>
         <source>select edges, a wire or a sketch with splines, or points that lie in a plane</source>
@@ -3587,6 +3647,10 @@ Shown: {show}</source>
     <message>
         <source>the edges cannot be joined so: {reason}</source>
         <translation>这些边无法如此连接：{reason}</translation>
+    </message>
+    <message>
+        <source>the edges lie side by side only in a short part</source>
+        <translation>这些边只有很短一段并排</translation>
     </message>
     <message>
         <source>the edges meet where the curve would be: choose other ends</source>
@@ -4243,6 +4307,10 @@ Shown: {show}</source>
     <message>
         <source>{name} has no edge: {needs}</source>
         <translation>{name} 没有边：{needs}</translation>
+    </message>
+    <message>
+        <source>{name} has no other chosen edge beside it within {match_mm:g} mm</source>
+        <translation>{name} 旁 {match_mm:g} mm 内没有其他所选的边</translation>
     </message>
     <message>
         <source>{name} has no {element}: choose another one</source>
