@@ -3,8 +3,10 @@
 
 import contextlib
 
+import FreeCAD as App
 import FreeCADGui as Gui
 
+from freecad.seamwright.gui.base.picked import owner_of
 from freecad.seamwright.gui.widgets.qt import QtCore
 
 
@@ -27,7 +29,7 @@ class EdgePicker:
     def start(self):
         """Start to observe the selection."""
         self.active = True
-        Gui.Selection.addObserver(self)
+        Gui.Selection.addObserver(self, 0)  # with paths from the top of the document
 
     def stop(self):
         """Stop observing the selection."""
@@ -47,13 +49,19 @@ class EdgePicker:
         """FreeCAD calls this when an element is added to the selection."""
         if self._paused or doc_name != self._doc_name:
             return
-        *path, element = element.split(".")
-        number = self.numbers.get((path[-1] if path else name, element))
+        number = self._number(App.getDocument(doc_name).getObject(name), element)
         if number is None:
             return
         if not self._found:
             QtCore.QTimer.singleShot(0, self._tell)
         self._found.append(number)
+
+    def _number(self, top, path):
+        *_, element = path.split(".")
+        if not element.startswith("Edge"):
+            return None
+        obj, element = owner_of(top, path)
+        return self.numbers.get((obj.Name, element))
 
     def _tell(self):
         found, self._found = self._found, []

@@ -1,48 +1,80 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The selection, as links of document objects: the rule that all commands follow."""
 
+import FreeCAD as App
 import FreeCADGui as Gui
 
 from freecad.seamwright.document import sources
+from freecad.seamwright.plain.language import tr
 
 
 def picked():
     """Return [(object, "Edge3" or ""), ...] of the selection, in the order of picking.
 
-    A group or part that is selected as a whole counts as its contents. What is picked on a body is
-    an element of the body, and what is picked in a link to a part one of the link. Raises SourceError for a mesh, and
-    for what else has no shape.
+    A group or part that is selected as a whole counts as its contents. Raises SourceError for a
+    mesh, for what else has no shape, and for an object of another document.
     """
     found = []
-    for chosen, path in _selected():
-        if not chosen.SubElementNames[0]:
-            found += [(obj, "") for obj in sources.expand([chosen.Object]) or [chosen.Object]]
-        else:
-            own = _in_link(path.Object, path.SubElementNames[0])
-            found.append(own or (_whole_body(chosen.Object), chosen.SubElementNames[0]))
+    for obj, name in _selected():
+        whole = sources.expand([obj]) if not name else []
+        found += [(each, "") for each in whole] or [(obj, name)]
     for obj, _ in found:
         sources.check_kind(obj)
     return list(dict.fromkeys(found))
 
 
+def picked_objects():
+    """Return the objects of the selection without repeats; a group or part stays what it is.
+
+    Raises SourceError for an object of another document.
+    """
+    return list(dict.fromkeys(obj for obj, _ in _selected()))
+
+
+def picked_on(objects):
+    """Return the names of the elements that are selected on some of the objects."""
+    return [name for obj, name in _every() if name and obj in objects]
+
+
+def _every():
+    return [
+        owner_of(each.Object, each.SubElementNames[0])
+        for each in Gui.Selection.getCompleteSelection(0)
+    ]
+
+
 def _selected():
-    """Return (what was picked, the same as a path from the top of the document) for each pick."""
-    return zip(Gui.Selection.getCompleteSelection(1), Gui.Selection.getCompleteSelection(0))
+    found = _every()
+    for obj, _ in found:
+        if obj.Document != App.ActiveDocument:
+            raise sources.SourceError(
+                tr(
+                    "{label} is in another document, {document}: select objects of one document."
+                ).format(label=obj.Label, document=obj.Document.Label)
+            )
+    return found
+
+
+def owner_of(top, path):
+    """Return (object, "Edge3" or "") of what FreeCAD selects by a path such as "Part.Box.Edge3".
+
+    What is picked in a link to a part belongs to the link, which has its own position. What is
+    picked on the last step of a body belongs to the body, which goes on with later steps.
+    """
+    # FreeCAD 1.0 adds a name that starts with a semicolon.
+    owner, names = top, [name for name in path.split(".") if not name.startswith(";")]
+    for place, name in enumerate(names[:-1]):
+        if owner.hasExtension("App::LinkBaseExtension"):
+            rest = ".".join(names[place:])
+            return owner, sources.element_of_link(owner, rest) if names[-1] else ""
+        inner = owner.Document.getObject(name)
+        if inner is None:
+            return owner, ""
+        owner = inner
+    return _whole_body(owner), names[-1]
 
 
 def _whole_body(obj):
     """Return the body of its last step, which has the same elements; else the object itself."""
     body = obj.getParentGeoFeatureGroup() if sources.in_body(obj) else None
     return body if body is not None and body.Tip == obj else obj
-
-
-def _in_link(top, path):
-    """Return (link, "Face3") where the path to an element goes through a link, else None."""
-    owner, names = top, path.split(".")
-    for place, name in enumerate(names[:-1]):
-        if owner.isDerivedFrom("App::Link"):
-            return owner, sources.element_of_link(owner, ".".join(names[place:]))
-        owner = owner.Document.getObject(name)
-        if owner is None:
-            return None
-    return None

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The task panel of Umbrella Fill: the holes to fill, the target, and a table of new seams."""
 
-import FreeCADGui as Gui
-
 from freecad.seamwright.document import elements, fill
 from freecad.seamwright.gui.base.new_seams_panel import NewSeamsPanel
+from freecad.seamwright.gui.base.picked import picked_on
 from freecad.seamwright.gui.fill.hole_list import HoleList
 from freecad.seamwright.gui.widgets.forms import make_box
 from freecad.seamwright.gui.widgets.qt import QtWidgets
@@ -121,5 +120,4 @@ class FillPanel(NewSeamsPanel):
 
     def _picked(self):
         """Return the names of the selected elements of the source."""
-        chosen = [each for each in Gui.Selection.getSelectionEx() if each.Object in self.sources()]
-        return {name for each in chosen for name in each.SubElementNames}
+        return set(picked_on(self.sources()))

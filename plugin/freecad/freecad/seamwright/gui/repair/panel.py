@@ -5,6 +5,7 @@ import FreeCADGui as Gui
 
 from freecad.seamwright.document import analysis, elements, properties, repair
 from freecad.seamwright.document.plan import Plan
+from freecad.seamwright.gui.base.picked import picked_on
 from freecad.seamwright.gui.base.preview_panel import PreviewPanel
 from freecad.seamwright.gui.scene import seam_view
 from freecad.seamwright.gui.scene.surface_colours import CURVATURE, ZEBRA, SurfaceColours
@@ -215,9 +216,8 @@ class RepairPanel(PreviewPanel):
 
         Both have the same names.
         """
-        own = (self.obj, *self.sources())
-        chosen = [each for each in Gui.Selection.getSelectionEx() if each.Object in own]
-        return [name for each in chosen for name in each.SubElementNames if name.startswith(kind)]
+        found = picked_on((self.obj, *self.sources()))
+        return [name for name in found if name.startswith(kind)]
 
     def _select(self, name):
         if self.sources():
