@@ -5,8 +5,11 @@ What is shown are properties of the view, so it stays when the panel closes. The
 written into documents: neither rename nor move it.
 """
 
+import numpy
+
 from freecad.seamwright.document import analysis
 from freecad.seamwright.document.properties import Adder
+from freecad.seamwright.gui.analysis.line_picks import LinePicks
 from freecad.seamwright.gui.analysis.panel import AnalysisPanel
 from freecad.seamwright.gui.base.panel_view import PanelView
 from freecad.seamwright.gui.scene import seam_view
@@ -30,6 +33,9 @@ SEAMS = "Seams"
 #: it: else the window would stand still.
 AT_ONCE = 1_000_000
 
+#: Files keep colours in steps of this size.
+SAVED_STEP = 1 / 255
+
 DRAWN_ANEW = (
     "Visibility", "ShowLegend", "LegendTextSize", "ColourBy", "Show", "WorstLabels"
 )  # fmt: skip
@@ -52,6 +58,7 @@ class SeamAnalysisView(PanelView):
         add_properties(vobj)
         self.legend = Legend(vobj.Object)
         self.lines, self.labels = SeamLines(), Marker()
+        self._picks = LinePicks(vobj.Object, self.lines)
         self._drawn = self._reading = None
         self.line_width = vobj.LineWidth
         vobj.addDisplayMode(self.lines.node, SEAMS)
@@ -118,6 +125,7 @@ class SeamAnalysisView(PanelView):
             self.legend.show(False)
             return
         self._draw_lines(vobj, results)
+        self._picks.update(obj)
         self._draw_labels(vobj, results)
         self._update_legend(vobj, results.report)
 
@@ -162,7 +170,7 @@ class SeamAnalysisView(PanelView):
         self.lines.paint(colours, places, [number not in shown for number in keys])
         self.lines.set_width(vobj.LineWidth)
         if places:  # for a FreeCAD without this workbench
-            vobj.LineColorArray = [colours[place] for place in places]
+            _keep_colours(vobj, [colours[place] for place in places])
 
     def _draw_labels(self, vobj, results):
         count = vobj.WorstLabels
@@ -184,6 +192,13 @@ class SeamAnalysisView(PanelView):
             footer,
             vobj.LegendTextSize,
         )
+
+
+def _keep_colours(vobj, colours):
+    """Give a view the colours of its lines, unless it has them: a change marks the document."""
+    kept = numpy.asarray(vobj.LineColorArray)[:, :3]
+    if kept.shape != (len(colours), 3) or abs(kept - colours).max() > SAVED_STEP:
+        vobj.LineColorArray = colours
 
 
 def _is_long(obj):
