@@ -177,6 +177,9 @@ class UmbrellaFill(Command):
             )
             return
         face = faces[0] if faces else None
+        if not face and fill.is_closed(source):
+            messages.show_error(fill.no_hole_text(source.Label))
+            return
         open_new(
             begin(doc, tr("Umbrella fill"), lambda: fill.prepare(source, edges=edges, face=face))
         )

@@ -344,6 +344,10 @@
         <translation>Größte Verschiebung eines Kontrollpunkts, in mm</translation>
     </message>
     <message>
+        <source>Largest move of a pole, in mm; no point of a face moved further</source>
+        <translation>Größte Verschiebung eines Kontrollpunkts, in mm; kein Punkt einer Fläche wurde weiter verschoben</translation>
+    </message>
+    <message>
         <source>Largest relative difference of curvature of a seam that is G2; 0.02 is 2 %</source>
         <translation>Größter relativer Unterschied der Krümmung einer Naht, die G2 ist; 0.02 ist 2 %</translation>
     </message>
@@ -438,10 +442,6 @@
     <message>
         <source>No point of a face may move further than this, in mm; 0: a hundredth of the size of the face plus twice the largest gap of its seams</source>
         <translation>Kein Punkt einer Fläche darf weiter verschoben werden, in mm; 0: ein Hundertstel der Größe der Fläche plus der doppelte größte Spalt ihrer Nähte</translation>
-    </message>
-    <message>
-        <source>No point of a face moved further than this, in mm</source>
-        <translation>Kein Punkt einer Fläche wurde weiter verschoben, in mm</translation>
     </message>
     <message>
         <source>No pole may move further than this, in mm; 0: no limit</source>
@@ -1013,6 +1013,10 @@ Gezeigt: {show}</translation>
         <translation>: Die Punkte sind Stützpunkte von diesen.</translation>
     </message>
     <message>
+        <source>; seen up to {distance_mm} mm from the edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>; the results are those of the last complete run.</source>
         <translation>; die Ergebnisse sind die des letzten vollständigen Laufs.</translation>
     </message>
@@ -1387,6 +1391,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>Default</source>
         <translation>Standard</translation>
+    </message>
+    <message>
+        <source>Defaults of this page</source>
+        <translation>Standardwerte dieser Seite</translation>
     </message>
     <message>
         <source>Defect</source>
@@ -1981,6 +1989,10 @@ Gezeigt: {show}</translation>
         <translation>Verschiebung</translation>
     </message>
     <message>
+        <source>Moves of points</source>
+        <translation>Verschiebung der Punkte</translation>
+    </message>
+    <message>
         <source>Near the polygon of {points} points, {figures}.</source>
         <translation>Nahe dem Polygon von {points} Punkten, {figures}.</translation>
     </message>
@@ -2287,10 +2299,6 @@ Gezeigt: {show}</translation>
     <message>
         <source>Report (*.json)</source>
         <translation>Bericht (*.json)</translation>
-    </message>
-    <message>
-        <source>Reset</source>
-        <translation>Zurücksetzen</translation>
     </message>
     <message>
         <source>Restore</source>
@@ -3621,8 +3629,8 @@ Gezeigt: {show}</translation>
         <translation>{verdicts}, davon {certain} sicher</translation>
     </message>
     <message>
-        <source>{conics}, {length_mm} mm long, weights {least_weight} to {largest_weight}{jumps}.</source>
-        <translation>{conics}, {length_mm} mm lang, Gewichte {least_weight} bis {largest_weight}{jumps}.</translation>
+        <source>{conics}, {length_mm} mm long, weights {least_weight} to {largest_weight}{jumps}{near}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{count} arc</source>
@@ -3825,6 +3833,10 @@ Gezeigt: {show}</translation>
         <translation>{count}; größter gesehener Spalt {gap_mm} mm, größter Winkel {angle_deg}°.</translation>
     </message>
     <message>
+        <source>{defects} as sharp as a crease, but with a gap</source>
+        <translation>{defects} so scharf wie eine Knickkante, aber mit Spalt</translation>
+    </message>
+    <message>
         <source>{done} of {fills} filled</source>
         <translation>{fills}, davon {done} gefüllt</translation>
     </message>
@@ -3977,6 +3989,10 @@ Gezeigt: {show}</translation>
         <translation>{label} ist eine Skizze und hat keine Flächen: Wählen Sie ein Objekt mit Flächen.</translation>
     </message>
     <message>
+        <source>{label} is in another document, {document}: select objects of one document.</source>
+        <translation>{label} liegt in einem anderen Dokument, {document}: Objekte eines einzigen Dokuments auswählen.</translation>
+    </message>
+    <message>
         <source>{label} is made from this {group}: choose others</source>
         <translation>{label} ist aus diesem Objekt ({group}) erzeugt: Wählen Sie andere</translation>
     </message>
@@ -4053,8 +4069,8 @@ Gezeigt: {show}</translation>
         <translation>{members} um den Punkt: {state}, Spalt höchstens {gap_mm} mm, Winkel höchstens {angle_deg}°; {followed}.</translation>
     </message>
     <message>
-        <source>{moved} moved by up to {largest_move_mm} mm</source>
-        <translation>{moved} um bis zu {largest_move_mm} mm verschoben</translation>
+        <source>{moved} moved, poles by up to {largest_move_mm} mm</source>
+        <translation>{moved} verschoben, Kontrollpunkte um bis zu {largest_move_mm} mm</translation>
     </message>
     <message>
         <source>{moves} of {faces} faces moved, poles by up to {largest} mm</source>
@@ -4181,6 +4197,10 @@ Gezeigt: {show}</translation>
 values beyond ±{limit_per_mm} 1/mm have the end colours</source>
         <translation>{signs}
 Werte jenseits von ±{limit_per_mm} 1/mm haben die Endfarben</translation>
+    </message>
+    <message>
+        <source>{step} is a step of {body}: later steps do not count. To follow all steps, select {body}.</source>
+        <translation>{step} ist ein Schritt von {body}: Spätere Schritte zählen nicht. Damit alle Schritte zählen, {body} auswählen.</translation>
     </message>
     <message>
         <source>{surface}; across {seams}: angle at most {angle_deg}°, curvature at most {curvature_rel} %.</source>

@@ -344,6 +344,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Largest move of a pole, in mm; no point of a face moved further</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Largest relative difference of curvature of a seam that is G2; 0.02 is 2 %</source>
         <translation type="unfinished"></translation>
     </message>
@@ -437,10 +441,6 @@
     </message>
     <message>
         <source>No point of a face may move further than this, in mm; 0: a hundredth of the size of the face plus twice the largest gap of its seams</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No point of a face moved further than this, in mm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1012,6 +1012,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>; seen up to {distance_mm} mm from the edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>; the results are those of the last complete run.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1386,6 +1390,10 @@ Shown: {show}</source>
     <message>
         <source>Default</source>
         <translation>既定</translation>
+    </message>
+    <message>
+        <source>Defaults of this page</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Defect</source>
@@ -1980,6 +1988,10 @@ Shown: {show}</source>
         <translation>移動</translation>
     </message>
     <message>
+        <source>Moves of points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Near the polygon of {points} points, {figures}.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2286,10 +2298,6 @@ Shown: {show}</source>
     <message>
         <source>Report (*.json)</source>
         <translation>レポート (*.json)</translation>
-    </message>
-    <message>
-        <source>Reset</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Restore</source>
@@ -3618,7 +3626,7 @@ Shown: {show}</source>
         <translation>{verdicts}のうち {certain} 件が確実</translation>
     </message>
     <message>
-        <source>{conics}, {length_mm} mm long, weights {least_weight} to {largest_weight}{jumps}.</source>
+        <source>{conics}, {length_mm} mm long, weights {least_weight} to {largest_weight}{jumps}{near}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3822,6 +3830,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{defects} as sharp as a crease, but with a gap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{done} of {fills} filled</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3974,6 +3986,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{label} is in another document, {document}: select objects of one document.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{label} is made from this {group}: choose others</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4050,7 +4066,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{moved} moved by up to {largest_move_mm} mm</source>
+        <source>{moved} moved, poles by up to {largest_move_mm} mm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4176,6 +4192,10 @@ Shown: {show}</source>
     <message>
         <source>{signs}
 values beyond ±{limit_per_mm} 1/mm have the end colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{step} is a step of {body}: later steps do not count. To follow all steps, select {body}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

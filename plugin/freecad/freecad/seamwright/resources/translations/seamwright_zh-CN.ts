@@ -344,6 +344,10 @@
         <translation>控制点的最大移动，单位 mm</translation>
     </message>
     <message>
+        <source>Largest move of a pole, in mm; no point of a face moved further</source>
+        <translation>控制点的最大移动，单位 mm；面上没有点移动得更远</translation>
+    </message>
+    <message>
         <source>Largest relative difference of curvature of a seam that is G2; 0.02 is 2 %</source>
         <translation>G2 接缝的最大相对曲率差；0.02 即 2 %</translation>
     </message>
@@ -438,10 +442,6 @@
     <message>
         <source>No point of a face may move further than this, in mm; 0: a hundredth of the size of the face plus twice the largest gap of its seams</source>
         <translation>面上任何点的移动都不得超过此值，单位 mm；0：面尺寸的百分之一加上其接缝最大间隙的两倍</translation>
-    </message>
-    <message>
-        <source>No point of a face moved further than this, in mm</source>
-        <translation>面上没有点移动超过此值，单位 mm</translation>
     </message>
     <message>
         <source>No pole may move further than this, in mm; 0: no limit</source>
@@ -1013,6 +1013,10 @@ Shown: {show}</source>
         <translation>：这些点是它们的采样点。</translation>
     </message>
     <message>
+        <source>; seen up to {distance_mm} mm from the edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>; the results are those of the last complete run.</source>
         <translation>；结果是上一次完整计算的结果。</translation>
     </message>
@@ -1387,6 +1391,10 @@ Shown: {show}</source>
     <message>
         <source>Default</source>
         <translation>默认</translation>
+    </message>
+    <message>
+        <source>Defaults of this page</source>
+        <translation>本页的默认值</translation>
     </message>
     <message>
         <source>Defect</source>
@@ -1981,6 +1989,10 @@ Shown: {show}</source>
         <translation>移动</translation>
     </message>
     <message>
+        <source>Moves of points</source>
+        <translation>点的移动</translation>
+    </message>
+    <message>
         <source>Near the polygon of {points} points, {figures}.</source>
         <translation>贴近 {points} 个点的多边形，{figures}。</translation>
     </message>
@@ -2287,10 +2299,6 @@ Shown: {show}</source>
     <message>
         <source>Report (*.json)</source>
         <translation>报告 (*.json)</translation>
-    </message>
-    <message>
-        <source>Reset</source>
-        <translation>重置</translation>
     </message>
     <message>
         <source>Restore</source>
@@ -3621,8 +3629,8 @@ Shown: {show}</source>
         <translation>{verdicts}中 {certain} 个确定</translation>
     </message>
     <message>
-        <source>{conics}, {length_mm} mm long, weights {least_weight} to {largest_weight}{jumps}.</source>
-        <translation>{conics}，长 {length_mm} mm，权重 {least_weight} 至 {largest_weight}{jumps}。</translation>
+        <source>{conics}, {length_mm} mm long, weights {least_weight} to {largest_weight}{jumps}{near}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{count} arc</source>
@@ -3825,6 +3833,10 @@ Shown: {show}</source>
         <translation>{count}；观测到的最大间隙 {gap_mm} mm，最大角度 {angle_deg}°。</translation>
     </message>
     <message>
+        <source>{defects} as sharp as a crease, but with a gap</source>
+        <translation>{defects}像折痕一样尖锐，但有间隙</translation>
+    </message>
+    <message>
         <source>{done} of {fills} filled</source>
         <translation>{fills}中 {done} 个已填充</translation>
     </message>
@@ -3977,6 +3989,10 @@ Shown: {show}</source>
         <translation>{label} 是草图，没有面：请选择带面的对象。</translation>
     </message>
     <message>
+        <source>{label} is in another document, {document}: select objects of one document.</source>
+        <translation>{label} 位于另一个文档 {document} 中：请选择同一文档中的对象。</translation>
+    </message>
+    <message>
         <source>{label} is made from this {group}: choose others</source>
         <translation>{label} 由此{group}生成：请另选</translation>
     </message>
@@ -4053,8 +4069,8 @@ Shown: {show}</source>
         <translation>围绕该点的{members}：{state}，间隙最大 {gap_mm} mm，角度最大 {angle_deg}°；{followed}。</translation>
     </message>
     <message>
-        <source>{moved} moved by up to {largest_move_mm} mm</source>
-        <translation>{moved}最多移动 {largest_move_mm} mm</translation>
+        <source>{moved} moved, poles by up to {largest_move_mm} mm</source>
+        <translation>{moved}移动，控制点最多移动 {largest_move_mm} mm</translation>
     </message>
     <message>
         <source>{moves} of {faces} faces moved, poles by up to {largest} mm</source>
@@ -4181,6 +4197,10 @@ Shown: {show}</source>
 values beyond ±{limit_per_mm} 1/mm have the end colours</source>
         <translation>{signs}
 超出 ±{limit_per_mm} 1/mm 的值使用两端的颜色</translation>
+    </message>
+    <message>
+        <source>{step} is a step of {body}: later steps do not count. To follow all steps, select {body}.</source>
+        <translation>{step} 是 {body} 的一个步骤：之后的步骤不计入。要跟随所有步骤，请选择 {body}。</translation>
     </message>
     <message>
         <source>{surface}; across {seams}: angle at most {angle_deg}°, curvature at most {curvature_rel} %.</source>
