@@ -345,7 +345,7 @@ class Bridges(DocumentCase):
         other = Part.makeLine(App.Vector(20, 5, 0), App.Vector(30, 5, 0))
         made = curves.make("BridgeCurve", [one, other], flip_first=True)
         self.assertLess(made.shape.Vertexes[0].Point.Length, 1e-12)
-        with self.assertRaisesRegex(ValueError, "1 edges are chosen"):
+        with self.assertRaisesRegex(ValueError, "1 edge chosen: choose two"):
             curves.make("BridgeCurve", one)
 
 

@@ -83,7 +83,7 @@ class Selecting(CurveWindow):
             ("Arcs", [mesh], "Scan is a mesh: make a shape of it first, "
              "with Create shape from mesh of the workbench Part."),
             ("Spline", [(self.points, "Vertex1")], "There is only one point: choose two or more."),
-            ("BridgeCurve", [self.points], "0 edges are chosen: choose two."),
+            ("BridgeCurve", [self.points], "No edges chosen: choose two."),
         ):
             with self.subTest(text):
                 self.start(kind, *chosen)

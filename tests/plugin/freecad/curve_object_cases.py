@@ -43,7 +43,7 @@ class Inputs(DocumentCase):
         self.refused("Spline", [(box, "Edge1"), point], "points and edges are chosen")
         self.refused("Spline", [(box, ["Edge1", "Edge7"])], "2 separate curves")
         self.refused("Spline", [(box, "Edge99")], "Box has no Edge99")
-        self.refused("BridgeCurve", [(box, ["Edge1", "Edge2", "Edge3"])], "3 edges are chosen")
+        self.refused("BridgeCurve", [(box, ["Edge1", "Edge2", "Edge3"])], "3 edges chosen")
         with self.assertRaisesRegex(TypeError, "unknown option 'radius'"):
             curves.create("Arcs", [(box, "Face1")], radius=3)
         with self.assertRaisesRegex(ValueError, "tolerance_mm = -1"):

@@ -190,6 +190,13 @@ class Holes(FillCase):
         )
         self.assertIn("1 of 2 holes filled", obj.Summary)
         self.assertRegex("".join(fill_text.reasons(fill.report_of(obj))), "^Hole 1: .* 90 degrees")
+        (missed,) = [each for each in fill.report_of(obj)["fills"] if not each["filled"]]
+        beside = [each for each in missed["seams"] if each["between"].startswith("fill, ")]
+        self.assertEqual(len({number for seam in beside for number in seam["along"]}), 4)
+        for seam in beside:
+            face = both.Shape.Faces[int(seam["between"].rpartition("Face")[2]) - 1]
+            (edge,) = [both.Shape.Edges[number - 1] for number in seam["along"]]
+            self.assertTrue(any(each.isSame(edge) for each in face.Edges))
 
     def test_a_round_hole(self):
         can = models.add(self.doc, Part.makeShell(Part.makeCylinder(3, 10).Faces[:2]), "Can")

@@ -136,7 +136,7 @@ class Umbrellas(FreeSurfaceCase):
             if any(vertex.isSame(corner) for vertex in edge.Vertexes)
         ]
         for names, text in (
-            (["Edge1", "Edge2"], "2 edges are chosen: choose three or more"),
+            (["Edge1", "Edge2"], "2 edges chosen: choose three or more"),
             (["Edge1", "Edge2", "Edge5", "Edge9"], "the 4 edges do not end in one point"),
         ):
             with self.assertRaisesRegex(ValueError, text):

@@ -283,6 +283,15 @@ class SeamPlots(unittest.TestCase):
         obj = kinds.create("SeamPlot", [(source, list(names))], samples=101)
         return obj, report_of(obj).get("seams")
 
+    def test_seams_have_the_label_of_their_object(self):
+        doc = App.newDocument("Labels", hidden=True)
+        self.addCleanup(App.closeDocument, doc.Name)
+        block = models.add(doc, models.rounded_block(), "Block")
+        block.Label = "Geh\u00e4use"
+        doc.recompute()
+        (seam,) = report_of(kinds.create("SeamPlot", [(block, ["Edge3"])]))["seams"]
+        self.assertEqual(seam["name"], "Geh\u00e4use.Edge3")
+
     def test_samples_lie_within_the_proven_bounds(self):
         block = models.rounded_block()
         names = ["Edge%d" % number for number in range(1, len(block.Edges) + 1)]

@@ -183,7 +183,7 @@ class Panel(MapWindow):
         for kind, chosen, text in (
             ("CurvatureComb", [], "Nothing is selected: select edges, wires or faces."),
             ("CurvatureMap", [(line, "")], "Line has no faces: "),
-            ("DraftAngle", [(group, "")], "Group has no shape: "),
+            ("DraftAngle", [(group, "")], "Group contains nothing with a shape: "),
             ("Deviation", [(self.block, "")], "1 object selected: select two objects"),
             ("SeamPlot", [(self.sheets[0], "Edge1")], "Left.Edge1 bounds 1 face: "),
             ("SeamPlot", [(self.block, "")], "Block is no edge: "),
@@ -422,6 +422,17 @@ class Drawing(MapWindow):
         self.assertNotIn("Traceback", report_view()[len(said) :])
         self.assertFalse(hasattr(sys, "tracebacklimit"))
         self.assertLess(self.legend("draft-deleted"), FEW)
+
+    def test_what_is_hidden_has_no_legend_and_the_panel_says_it(self):
+        self.block.ViewObject.Visibility = False
+        obj, panel = self.start("DraftAngle", (self.block, ""))
+        self.assertTrue(panel.summary.text().endswith(" since they are hidden: Block."))
+        corner = QtCore.QRect(0, 0, 420, 400)
+        hidden = count(picture("draft-hidden"), BORDER, corner, reach=2)
+        self.block.ViewObject.Visibility = True
+        settle(0.3)
+        self.assertGreater(count(picture("draft-seen"), BORDER, corner, reach=2), hidden + MANY)
+        self.cancel()
 
     def test_two_legends_stand_below_each_other(self):
         found = analysis.create([self.block])

@@ -75,6 +75,9 @@ class Results(MatchCase):
             obj.LargestMove.Value, models.SHEET_MM * math.tan(math.radians(models.SHEETS_DEG))
         )
         self.assertTrue(obj.Summary.startswith("Matched: G1 is met; "), obj.Summary)
+        faces = [*self.left.Shape.Faces, *self.right.Shape.Faces, *obj.Shape.Faces]
+        counts = [[each.Surface.NbUPoles, each.Surface.NbVPoles] for each in faces]
+        self.assertEqual(match.report_of(obj)["poles"], [counts[::2], counts[1::2]])
 
     def test_curvature_is_matched_for_g2(self):
         self.sheets()

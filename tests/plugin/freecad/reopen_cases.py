@@ -57,6 +57,7 @@ class Reopened(WindowCase):
         with mock.patch.dict(sys.modules, seamwright=None):
             obj = self.open()
             self.assertNotIn("Touched", obj.State)
+            self.assertFalse(Gui.getDocument(self.doc.Name).Modified)
             self.assertColoured("reopened")
 
     def test_opening_changes_nothing(self):

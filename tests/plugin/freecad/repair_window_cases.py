@@ -298,6 +298,27 @@ class Choosing(RepairWindow):
         settle()
         self.assertEqual(self.visible(), ["Panel", found.Name])
 
+    def test_edges_of_a_body_are_picked_for_its_analysis_and_its_repair(self):
+        body = self.doc.addObject("PartDesign::Body", "Body")
+        step = body.newObject("PartDesign::AdditiveBox", "Pad")
+        self.doc.recompute()
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(body)
+        found, panel = self.analyse()
+        self.assertEqual(found.Analysed, [body])
+        Gui.Selection.addSelection(self.doc.Name, body.Name, step.Name + ".Edge3")
+        settle()
+        rows = panel.seam_table.chosen_rows()
+        self.assertEqual(panel.results.elements(rows), [("Body", "Edge3")])
+        panel.reject()
+        settle()
+        obj, panel = self.start((body, ""))
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(self.doc.Name, body.Name, step.Name + ".Edge5")
+        click(panel.lists["Edges"].add, panel.lists["Edges"].add.rect().center())
+        self.assertEqual((obj.Source, panel.lists["Edges"].names()), (body, ["Edge5"]))
+        self.cancel()
+
     def test_what_is_made_from_the_result_is_hidden_while_the_panel_is_open(self):
         obj = repair.create(self.source)
         found = analysis.create([obj])

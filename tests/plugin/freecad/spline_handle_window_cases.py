@@ -352,9 +352,13 @@ class Picks(SplineWindow):
     def test_points_are_picked_with_mouse_and_keys(self):
         obj, panel = self.begin()
         self.assertTrue(panel.pick.isChecked())
+        self.assertEqual(panel.summary.text(), "")
         panel.box.grid.setValue(1.0)
-        for point in self.CLICKS:
+        for number, point in enumerate(self.CLICKS, 1):
             click_at(point, aside=(1, 1))
+            said = panel.box.picked.text()
+            self.assertRegex(said, r"^%d points?: \([^)]*\), (on the grid|\S+)\. " % number)
+        self.assertNotIn("1 points", said)
         mouse(QtCore.QEvent.MouseMove, (50, 10, 0))
         whole_window("spline-picking")
         self.assertEqual(list(obj.Points), [])

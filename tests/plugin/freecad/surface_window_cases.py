@@ -10,7 +10,7 @@ import models
 import Part
 from curve_cases import slot
 from free_surface_cases import spoke
-from PySide import QtCore, QtGui
+from PySide import QtCore
 from surface_cases import at_x, sheet
 from window import (
     PanelWindow,
@@ -18,6 +18,7 @@ from window import (
     click_row,
     count,
     messages,
+    mouse_event,
     pause,
     picture,
     press_escape,
@@ -30,11 +31,11 @@ from freecad.seamwright.document.feature import report_of
 from freecad.seamwright.document.surfaces import surface
 from freecad.seamwright.document.surfaces.kinds import KINDS
 from freecad.seamwright.gui.base.option_panel import PREVIEW_AFTER_MS
+from freecad.seamwright.gui.scene.handle import COLOUR as HANDLE
 from freecad.seamwright.gui.scene.marker import INK
 from freecad.seamwright.gui.scene.projection import Projection
 from freecad.seamwright.gui.scene.zebra import zebra
 from freecad.seamwright.gui.surfaces.view import COLOUR
-from freecad.seamwright.gui.widgets.qt import QtWidgets
 
 
 class SurfaceWindow(PanelWindow):
@@ -257,13 +258,30 @@ class Keys(SurfaceWindow):
         settle(0.2 + PREVIEW_AFTER_MS / 1000)
 
     def mouse(self, kind, place, button, held):
-        view = Gui.activeDocument().activeView()
-        target = view.graphicsView().viewport()
-        local = QtCore.QPointF(*place)
-        everywhere = QtCore.QPointF(target.mapToGlobal(local.toPoint()))
-        event = QtGui.QMouseEvent(kind, local, everywhere, button, held, QtCore.Qt.NoModifier)
-        QtWidgets.QApplication.sendEvent(target, event)
+        target = Gui.activeDocument().activeView().graphicsView().viewport()
+        mouse_event(target, QtCore.QPointF(*place), kind, button, held)
         pause(0.03)
+
+    def places(self, obj, *values):
+        """The pixels of the start's handle for some values."""
+        origin, step = (App.Vector(*each) for each in report_of(obj)["handles"]["start_tension"])
+        projection = Projection(Gui.activeDocument().activeView())
+        return projection.pixels([tuple(origin + step * value) for value in values])
+
+    def grab(self, start, end):
+        """Press the left button at a place, and go most of the way to another one."""
+        left, none = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
+        self.mouse(QtCore.QEvent.MouseMove, start, none, none)
+        self.mouse(QtCore.QEvent.MouseButtonPress, start, left, left)
+        for share in (0.25, 0.5, 0.75):
+            self.mouse(QtCore.QEvent.MouseMove, start + share * (end - start), none, left)
+        settle(0.2 + PREVIEW_AFTER_MS / 1000)
+
+    def release(self, place):
+        left, none = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
+        self.mouse(QtCore.QEvent.MouseMove, place, none, left)
+        self.mouse(QtCore.QEvent.MouseButtonRelease, place, left, none)
+        settle(0.2 + PREVIEW_AFTER_MS / 1000)
 
     def test_undo_takes_the_last_change_back_and_the_panel_stays(self):
         obj, panel = self.blend()
@@ -293,24 +311,31 @@ class Keys(SurfaceWindow):
         self.ok()
         self.assertEqual(self.doc.UndoCount, 1)
 
+    def test_a_handle_behind_a_face_is_seen_and_dragged(self):
+        obj, panel = self.blend()
+        roof = models.add(self.doc, Part.makePlane(100, 60, App.Vector(-5, -10, 60)), "Roof")
+        self.doc.recompute()
+        Gui.activeDocument().activeView().viewTop()
+        Gui.activeDocument().activeView().fitAll()
+        settle()
+        ball = [round(255 * each) for each in HANDLE]
+        self.assertGreater(count(picture("handle-behind"), ball, reach=60), 50)
+        start, end = self.places(obj, 1, 2)
+        self.grab(start, end)
+        self.release(end)
+        self.assertGreater(obj.StartTension, 1.3)
+        self.assertTrue(roof.ViewObject.Visibility)
+        self.cancel()
+
     def test_escape_takes_a_drag_back_and_then_is_cancel(self):
         obj, panel = self.blend()
         self.slide(panel, 1.5)
-        origin, step = (App.Vector(*each) for each in report_of(obj)["handles"]["start_tension"])
-        projection = Projection(Gui.activeDocument().activeView())
-        start, end = projection.pixels([tuple(origin + step * share) for share in (1.5, 3)])
-        left, none = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
-        self.mouse(QtCore.QEvent.MouseMove, start, none, none)
-        self.mouse(QtCore.QEvent.MouseButtonPress, start, left, left)
-        for share in (0.25, 0.5, 0.75):
-            self.mouse(QtCore.QEvent.MouseMove, start + share * (end - start), none, left)
-        settle(0.2 + PREVIEW_AFTER_MS / 1000)
+        start, end = self.places(obj, 1.5, 3)
+        self.grab(start, end)
         self.assertGreater(obj.StartTension, 2)
         press_escape()
         settle()
-        self.mouse(QtCore.QEvent.MouseMove, end, none, left)
-        self.mouse(QtCore.QEvent.MouseButtonRelease, end, left, none)
-        settle(0.2 + PREVIEW_AFTER_MS / 1000)
+        self.release(end)
         self.assertEqual(obj.ViewObject.Proxy.panel, panel)
         self.assertAlmostEqual(obj.StartTension, 1.5, delta=1e-6)
         self.assertAlmostEqual(panel._handles["start_tension"].number(), 1.5, delta=1e-6)

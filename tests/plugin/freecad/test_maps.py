@@ -6,7 +6,9 @@ import math
 import numpy
 import pytest
 
-from freecad.seamwright.plain import curvature, maps, nearest, ramps, seam_profile, seam_text, ticks
+from freecad.seamwright.plain import (
+    curvature, map_text, maps, nearest, ramps, seam_profile, seam_text, ticks
+)  # fmt: skip
 
 DIRECTIONS = numpy.array([(0, 0, 1), (0, 0, -1), (1, 0, 0), (0, 0.6, 0.8)], float)
 
@@ -74,6 +76,21 @@ def test_extremes_leave_out_what_is_undefined():
     assert (found["least"], found["largest"]) == (-1.0, 3.0)
     assert (found["least_at"], found["largest_at"]) == ([6, 7, 8], [3, 4, 5])
     assert maps.extremes(numpy.array([math.nan]), points)["largest"] is None
+
+
+@pytest.mark.parametrize(
+    "least, largest, text",
+    [
+        (-0.153, 0.0, "\u22120.153 to 0 1/mm, the strongest at (1, 2, 3)"),
+        (-0.1, 0.2, "\u22120.1 to 0.2 1/mm, the strongest at (4, 5, 6)"),
+        (0.0, 0.0, "0 1/mm everywhere"),
+    ],
+)
+def test_the_summary_has_the_place_of_the_strongest_curvature(least, largest, text):
+    report = {"quantity": "Mean", "unit": "1/mm", "undefined": False, "least": least,
+              "largest": largest, "least_at": [1, 2, 3], "largest_at": [4, 5, 6],
+              "faces": 2, "points": 9, "faults": []}  # fmt: skip
+    assert map_text.curvature_text(report) == "Mean curvature %s. 2 faces, 9 points." % text
 
 
 def rgb_at(look, index):

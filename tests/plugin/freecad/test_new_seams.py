@@ -196,6 +196,16 @@ def test_a_fill_that_was_not_kept_says_why_in_names_of_the_source():
     )
 
 
+def test_seams_that_were_not_kept_have_the_edges_of_the_hole():
+    sides = [{"edges": [7, 9], "faces": [3, 5]}, {"edges": [8], "faces": [3]}]
+    beside = found(filled=False, reason="it is too far")
+    beside["outer"] = [{**beside["outer"][0], "faces": [3, 6]}]
+    entry = fill_text.entry(beside, hole=2, sides=sides)
+    assert [each["between"] for each in entry["seams"]] == ["fill, Face3", fill_text.INSIDE]
+    seams = new_seams.build_rows(entry["seams"], LIMITS, "G1")
+    assert sorted(row.cells[0] for row in seams) == ["Edge7, Edge8", "\u2013"]
+
+
 def test_some_of_several_fills():
     kept, missed = fill_text.entry(found(), hole=1), fill_text.entry(
         found(False, "it has 0 corners"), hole=2

@@ -510,6 +510,18 @@ def test_a_match_is_told_before_and_after(matched):
     )
 
 
+def test_a_match_tells_new_poles_and_how_far_the_shape_changes(matched):
+    matched["poles"] = [[[4, 4], [4, 4]], [[8, 11], [13, 19]]]
+    matched["reason"] = "joined to the tolerance by a change up to 57.03 mm from the side"
+    text = match_text.summary(matched)
+    assert text.endswith(
+        "0.363 mm; Right.Face4 has 13 x 19 poles instead of 8 x 11 (within the tolerances; the "
+        "shape changes up to 57.03 mm away from the seam)."
+    )
+    matched["poles"] = [[None, [9, 2]], [None, None]]
+    assert "; Left.Face1 has 9 x 2 poles (" in match_text.summary(matched)
+
+
 def test_a_failed_match_tells_the_seam_as_it_is(matched):
     matched.update(matched=False, reason="a pole would move by 0.4 mm")
     assert [line[2] for line in match_text.table(matched)] == ["\u2013"] * 5

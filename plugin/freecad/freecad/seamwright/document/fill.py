@@ -154,8 +154,8 @@ def fill_job(module, obj, private=False):
 
     def run(progress):
         model = make()
-        wanted = [{"face": number} for number in faces] or [
-            {"hole": hole["id"]} for hole in _holes(model, limits, label, edges)[1]
+        wanted = [({"face": number}, ()) for number in faces] or [
+            ({"hole": hole["id"]}, hole["sides"]) for hole in _holes(model, limits, label, edges)[1]
         ]
         return _fill_each(model, given, wanted, progress)
 
@@ -172,13 +172,14 @@ def fill_job(module, obj, private=False):
 def _fill_each(model, given, wanted, progress):
     """Return (an entry for each of the wanted holes or faces, the model after each fill or None).
 
-    The last of the wanted holes comes first, so that the numbers of the others stay valid.
+    ``wanted``: (arguments of the kernel, sides of the hole in the source) of each. The last of the
+    wanted holes comes first, so that the numbers of the others stay valid.
     """
     entries, models = [], []
-    for index, which in enumerate(reversed(wanted)):  # the numbers of the others stay valid
+    for index, (which, sides) in enumerate(reversed(wanted)):
         found = model.fill(**which, progress=_part(progress, index, len(wanted)), **given)
         model = found.model
-        entries.append(fill_text.entry(found.to_dict(), **which))
+        entries.append(fill_text.entry(found.to_dict(), **which, sides=sides))
         models.append(model if found.filled else None)
     return entries, models
 

@@ -187,9 +187,18 @@ def match_job(module, obj, private=False):
     def finish(result):
         report = {**result.to_dict(), "target": target, "tolerance": limits, "faces": faces}
         report["reason"] = named(report["reason"])
-        return report, result.model.to_freecad() if result.matched else Part.Shape()
+        made = result.model.to_freecad() if result.matched else Part.Shape()
+        pairs = zip(shape.Faces, made.Faces)
+        report["poles"] = [[_poles(face.Surface) for face in pair] for pair in pairs]
+        return report, made
 
     return feature.Job(tr("Matching surfaces\u2026"), run, finish)
+
+
+def _poles(surface):
+    """Return the numbers of poles of a surface in both directions; None for one without poles."""
+    has_poles = hasattr(surface, "NbUPoles")
+    return [surface.NbUPoles, surface.NbVPoles] if has_poles else None
 
 
 def _links(obj):

@@ -118,9 +118,10 @@ def check_kind(obj):
             ).format(label=obj.Label)
         )
     if not has_shape(obj):
-        raise SourceError(tr("{label} has no shape: choose another object.").format(
-            label=obj.Label
-        ))
+        text = tr("{label} has no shape: choose another object.")
+        if hasattr(obj, "Group"):
+            text = tr("{label} contains nothing with a shape: choose another object.")
+        raise SourceError(text.format(label=obj.Label))
 
 
 def placed_shape(obj):

@@ -69,10 +69,11 @@ def hole_tip(hole):
     return repair_text.edges_text({"edges": edges_of(hole)})
 
 
-def entry(found, hole=None, face=None):
+def entry(found, hole=None, face=None, sides=()):
     """Return the entry of a fill in the report.
 
-    ``found``: the result of the kernel. The numbers are those of the filled model.
+    ``found``: the result of the kernel. The numbers are those of the filled model. ``sides``: of
+    the hole in the source; where the fill was not kept, they give the edges of its seams.
     """
     new = set(found["faces"])
     seams = [
@@ -80,7 +81,17 @@ def entry(found, hole=None, face=None):
         for seam in found["outer"] + found["inner"]
     ]
     if not found["filled"]:
-        seams = [{**seam, "edges": [], "faces": [], "worst": None} for seam in seams]
+        along = _edges_along(sides)
+        seams = [
+            {
+                **seam,
+                "edges": [],
+                "faces": [],
+                "worst": None,
+                "along": along.get(seam["between"], []),
+            }
+            for seam in seams
+        ]
     return {
         "hole": hole,
         "face": face,
@@ -89,6 +100,15 @@ def entry(found, hole=None, face=None):
         "faces": found["faces"] if found["filled"] else [],
         "seams": seams,
     }
+
+
+def _edges_along(sides):
+    """Return {what a seam lies between: [numbers of the edges of the hole there]}."""
+    found = {}
+    for side in sides:
+        for edge, face in zip(side["edges"], side["faces"]):
+            found.setdefault("%sFace%d" % (BESIDE, face), []).append(edge)
+    return found
 
 
 def old_number(number, new, replaced):

@@ -13,11 +13,12 @@ def _at(point):
 def _range(report, unit):
     if report["undefined"]:
         return tr("No value is defined")
-    return tr("{least} to {largest} {unit}, the largest {largest_at}").format(
-        least=figure(report["least"]),
-        largest=figure(report["largest"]),
-        unit=unit,
-        largest_at=_at(report["largest_at"]),
+    least, largest = figure(report["least"]), figure(report["largest"])
+    if least == largest:
+        return tr("{least} {unit} everywhere").format(least=least, unit=unit)
+    strongest = max(("least", "largest"), key=lambda name: abs(report[name]))
+    return tr("{least} to {largest} {unit}, the strongest {place}").format(
+        least=least, largest=largest, unit=unit, place=_at(report[strongest + "_at"])
     )
 
 

@@ -3,12 +3,13 @@
 
 The report is a dict with the result of the kernel: matched, reason, exact, largest_move_mm, before,
 after. ``before`` and ``after`` are seams, or None where the faces have no common boundary. The
-report also has the ``target``, the ``tolerance`` and the names of the ``faces``.
+report also has the ``target``, the ``tolerance``, the names of the ``faces``, and their numbers of
+``poles``: before and after for each, None for a surface without poles.
 """
 
 import re
 
-from freecad.seamwright.plain import enclosure, rows
+from freecad.seamwright.plain import enclosure, kernel_words, rows
 from freecad.seamwright.plain.language import mark, tr
 
 #: The figures for which the table has a row.
@@ -69,8 +70,36 @@ def summary(report):
     parts.append(tr("poles moved by up to {largest_move_mm} mm").format(
         largest_move_mm=enclosure.number(report["largest_move_mm"])
     ))
+    parts += _changed_poles(report)
     return tr("Matched: {parts} ({reason}).").format(
-        parts="; ".join(parts), reason=report["reason"]
+        parts="; ".join(parts), reason=_in_words(report["reason"])
+    )
+
+
+def _changed_poles(report):
+    """Return a text for each face that has other numbers of poles than before."""
+    texts = []
+    for face, (before, after) in zip(report["faces"], report.get("poles", [])):
+        if after is not None and before != after:
+            text = tr("{face} has {along} x {across} poles").format(
+                face=face, along=after[0], across=after[1]
+            )
+            if before is not None:
+                text += tr(" instead of {along} x {across}").format(
+                    along=before[0], across=before[1]
+                )
+            texts.append(text)
+    return texts
+
+
+def _in_words(reason):
+    """Return how the faces were joined, in the words of the panel."""
+    return re.sub(
+        kernel_words.JOINED_NEAR_THE_SEAM,
+        lambda found: tr(
+            "within the tolerances; the shape changes up to {depth} mm away from the seam"
+        ).format(depth=found[1]),
+        reason,
     )
 
 

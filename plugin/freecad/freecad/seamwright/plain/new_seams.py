@@ -3,7 +3,7 @@
 
 A seam is a dict of the kernel's report with the additional key ``between``: what it separates.
 Where the new faces were not kept, ``edges`` and ``faces`` are empty, since the model to which the
-numbers refer does not exist any more.
+numbers refer does not exist any more; ``along`` may have edges of the source.
 """
 
 from dataclasses import dataclass
@@ -13,7 +13,10 @@ from freecad.seamwright.plain.language import mark, tr
 
 #: heading, tool tip
 COLUMNS = (
-    (mark("Edge"), mark("The edge of the seam in the result")),
+    (
+        mark("Edge"),
+        mark("The edge of the seam in the result; where nothing is kept, the edges in the source"),
+    ),
     (mark("Between"), mark("The faces that meet at the seam")),
     (mark("Angle \u00b0"), mark("Largest angle between the tangent planes, in degrees")),
     (mark("Gap mm"), mark("Largest distance between the two sides, in mm")),
@@ -83,7 +86,7 @@ def _row(index, seam, tolerance, target):
         index=index,
         state=repair_text.REPAIRED if met else repair_text.NOT_REPAIRED,
         cells=(
-            repair_text.edges_text(seam) or "\u2013",
+            repair_text.edges_text({"edges": seam["edges"] or seam.get("along", [])}) or "\u2013",
             _between_text(seam["between"]),
             *figures,
             _verdict(seam, tolerance, target),

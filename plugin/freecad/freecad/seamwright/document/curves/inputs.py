@@ -10,6 +10,7 @@ import Part
 from freecad.seamwright.document import sources
 from freecad.seamwright.document.elements import KINDS
 from freecad.seamwright.plain.language import tr
+from freecad.seamwright.plain.summary import counted
 
 #: Ends of edges no further apart than this are one point: the tolerance of FreeCAD's wires.
 GAP_MM = 1e-7
@@ -139,7 +140,9 @@ def nearest_ends(edges, flips=(False, False)):
     edges.
     """
     if len(edges) != 2:
-        raise ValueError(tr("{edges} edges are chosen: choose two").format(edges=len(edges)))
+        raise ValueError(tr("{edges} chosen: choose two").format(
+            edges=counted(len(edges), "edge")
+        ))
     first, second = (ends_of(edge) for edge in edges)
     nearest = min(
         ((one, other) for one in (0, 1) for other in (0, 1)),

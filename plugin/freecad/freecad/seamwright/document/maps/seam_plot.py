@@ -125,7 +125,7 @@ class SeamPlot(Tool):
 
 def place_name(given):
     """Return an Input as the user reads it: "Box.Edge3"."""
-    return ".".join(filter(None, (given.name, given.element)))
+    return ".".join(filter(None, (given.label or given.name, given.element)))
 
 
 def _edge_and_faces(given):

@@ -35,12 +35,14 @@ class Input(NamedTuple):
     """A shape of a source: ``shape`` with its own placement, and the ``name`` of its object.
 
     ``parent``: the placement of the parts that contain the object. ``element``: "Edge3" or "".
+    ``label``: of the object, as the user reads it.
     """
 
     name: str
     shape: Any
     parent: Any
     element: str
+    label: str = ""
 
 
 class Tool(OptionFeature):
@@ -149,7 +151,8 @@ def _input(obj, element):
         raise sources.SourceError(tr("{label} has no shape: choose another object").format(
             label=obj.Label
         ))
-    return Input(obj.Name, Part.getShape(obj), sources.parent_placement(obj), element)
+    place = sources.parent_placement(obj)
+    return Input(obj.Name, Part.getShape(obj), place, element, obj.Label)
 
 
 def element_shape(given):
@@ -165,7 +168,7 @@ def element_shape(given):
     except (Part.OCCError, ValueError, IndexError):
         raise sources.SourceError(
             tr("{name} has no {element}: choose another one").format(
-                name=given.name, element=given.element
+                name=given.label or given.name, element=given.element
             )
         ) from None
 

@@ -17,6 +17,7 @@ from freecad.seamwright.document.surfaces.surface import TOLERANCES
 from freecad.seamwright.plain import surface_text
 from freecad.seamwright.plain.language import mark, tr
 from freecad.seamwright.plain.options import ANGLE, CHOICE, COUNT, FLAG, LENGTH, Option
+from freecad.seamwright.plain.summary import counted
 
 PATCHES, TRIANGLES = mark("Four-sided"), mark("Three-sided")
 KINDS = {PATCHES: "patch", TRIANGLES: "triangle"}
@@ -93,8 +94,8 @@ class Umbrella(FreeSurface):
         """Return the Spokes."""
         edges = inputs.edges_of(shapes)
         if len(edges) < 3:
-            raise ValueError(tr("{edges} edges are chosen: choose three or more").format(
-                edges=len(edges)
+            raise ValueError(tr("{edges} chosen: choose three or more").format(
+                edges=counted(len(edges), "edge")
             ))
         found = [
             fitted(module, edge, at_last, values["fit_mm"])

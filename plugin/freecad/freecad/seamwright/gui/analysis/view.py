@@ -5,8 +5,6 @@ What is shown are properties of the view, so it stays when the panel closes. The
 written into documents: neither rename nor move it.
 """
 
-import numpy
-
 from freecad.seamwright.document import analysis
 from freecad.seamwright.document.properties import Adder
 from freecad.seamwright.gui.analysis.line_picks import LinePicks
@@ -32,9 +30,6 @@ SEAMS = "Seams"
 #: A report of more characters is read in a thread, and drawn only after the recompute that wrote
 #: it: else the window would stand still.
 AT_ONCE = 1_000_000
-
-#: Files keep colours in steps of this size.
-SAVED_STEP = 1 / 255
 
 DRAWN_ANEW = (
     "Visibility", "ShowLegend", "LegendTextSize", "ColourBy", "Show", "WorstLabels"
@@ -169,8 +164,9 @@ class SeamAnalysisView(PanelView):
         places = [places[key] for key in keys.values()]
         self.lines.paint(colours, places, [number not in shown for number in keys])
         self.lines.set_width(vobj.LineWidth)
-        if places:  # for a FreeCAD without this workbench
-            _keep_colours(vobj, [colours[place] for place in places])
+        own = [colours[place] for place in places]  # for a FreeCAD without this workbench
+        if places and _bytes(own) != _bytes(vobj.LineColorArray):
+            vobj.LineColorArray = own  # the document counts as changed
 
     def _draw_labels(self, vobj, results):
         count = vobj.WorstLabels
@@ -194,11 +190,9 @@ class SeamAnalysisView(PanelView):
         )
 
 
-def _keep_colours(vobj, colours):
-    """Give a view the colours of its lines, unless it has them: a change marks the document."""
-    kept = numpy.asarray(vobj.LineColorArray)[:, :3]
-    if kept.shape != (len(colours), 3) or abs(kept - colours).max() > SAVED_STEP:
-        vobj.LineColorArray = colours
+def _bytes(colours):
+    """Return colours as documents store them."""
+    return [tuple(round(255 * part) for part in colour[:3]) for colour in colours]
 
 
 def _is_long(obj):

@@ -4,6 +4,8 @@
 The document follows the fields: each change is computed at once.
 """
 
+import FreeCAD as App
+
 from freecad.seamwright.document import option_feature, sources
 from freecad.seamwright.document.feature import report_of
 from freecad.seamwright.document.properties import error_text
@@ -67,7 +69,7 @@ class OptionPanel(ResultPanel):
         names = [entry[0] for entry in kind.LINKS] + [option.name for option in kind.OPTIONS]
         super().__init__(obj, created, tr("Edit {label}").format(label=inside(kind.LABEL)), names)
         self._links, self.steps = {}, PanelSteps(self)
-        self._handles, self._handle_timer = {}, QtCore.QTimer()
+        self._handles, self._held, self._handle_timer = {}, False, QtCore.QTimer()
         self._handle_timer.setInterval(READ_HANDLES_MS)
         self._handle_timer.timeout.connect(self._read_handles)
         self._timer = PreviewTimer(PREVIEW_AFTER_MS, self._preview_in_time)
@@ -199,6 +201,9 @@ class OptionPanel(ResultPanel):
             value = handle.dragged_to()
             if value is not None:
                 self.options.fields[argument].drag(value)
+        held, self._held = self._held, bool(self.held_handles())
+        if held and not self._held:
+            self.steps.note()  # a drag that has ended is a step
 
     def held_handles(self):
         """Return the {argument: handle} that the user is dragging."""
@@ -219,7 +224,7 @@ class OptionPanel(ResultPanel):
     def step(self, back):
         """Take the last change of a field, of sources or by a drag back, or do it again."""
         found = self.steps.step(back)
-        if found is not None and not self.computation.busy:
+        if found is not None:
             self.put(*found)
 
     def put(self, values, names):
@@ -312,6 +317,9 @@ def _grouped(links):
 
 
 def sentence(error):
-    """Return the text of an error as a sentence."""
-    text = str(error).rstrip(".")
-    return "%s%s." % (text[:1].upper(), text[1:])
+    """Return the text of an error as a sentence; a label at its beginning stays as it is."""
+    text, doc = str(error).rstrip("."), App.ActiveDocument
+    labels = [obj.Label for obj in doc.Objects] if doc is not None else []
+    if not text.startswith(tuple(label for label in labels if label)):
+        text = text[:1].upper() + text[1:]
+    return text + "."

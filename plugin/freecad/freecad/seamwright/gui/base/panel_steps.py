@@ -45,6 +45,7 @@ class PanelSteps(ValueSteps):
             values = {name: field.value() for name, field in panel.options.fields.items()}
         except ValueError:
             return None
+        links = {name: panel.links(name) for name in panel.boxes}
         return values, {
-            name: [(obj.Name, element) for obj, element in panel.links(name)] for name in panel.boxes
+            name: [(obj.Name, element) for obj, element in chosen] for name, chosen in links.items()
         }

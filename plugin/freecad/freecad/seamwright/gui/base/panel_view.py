@@ -73,6 +73,7 @@ class PanelView:
     def setEdit(self, vobj, mode=0):
         """Show the task panel."""
         created, self.created = self.created, False
+        Gui.Selection.removeSelection(vobj.Object)  # its colour would cover those of the object
         self.panel = self.make_panel(vobj.Object, created)
         Gui.Control.showDialog(self.panel)
         return True

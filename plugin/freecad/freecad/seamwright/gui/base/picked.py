@@ -61,16 +61,12 @@ def owner_of(top, path):
     What is picked in a link to a part belongs to the link, which has its own position. What is
     picked on the last step of a body belongs to the body, which goes on with later steps.
     """
-    # FreeCAD 1.0 adds a name that starts with a semicolon.
-    owner, names = top, [name for name in path.split(".") if not name.startswith(";")]
+    owner, names = top, path.split(".")
     for place, name in enumerate(names[:-1]):
         if owner.hasExtension("App::LinkBaseExtension"):
             rest = ".".join(names[place:])
             return owner, sources.element_of_link(owner, rest) if names[-1] else ""
-        inner = owner.Document.getObject(name)
-        if inner is None:
-            return owner, ""
-        owner = inner
+        owner = owner.Document.getObject(name) or owner  # newer names of elements are no objects
     return _whole_body(owner), names[-1]
 
 

@@ -55,9 +55,9 @@ class ResultPanel:
         ]
         if not created:
             self._doc.openTransaction(title)
-        self._covering = self._uncover()
+        self._covering = self._hide_what_covers()
 
-    def _uncover(self):
+    def _hide_what_covers(self):
         """Hide what is made from the result and lies over it; return the names."""
         over = [
             each

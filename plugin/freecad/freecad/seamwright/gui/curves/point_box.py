@@ -8,6 +8,7 @@ from freecad.seamwright.gui.widgets.forms import make_text
 from freecad.seamwright.gui.widgets.qt import QtWidgets
 from freecad.seamwright.plain import spline_handles
 from freecad.seamwright.plain.language import mark, tr
+from freecad.seamwright.plain.summary import counted
 
 HOW_TO_PICK = mark(
     "Click adds a point, at a vertex or on the grid; Ctrl: free. Backspace removes the last point, "
@@ -94,9 +95,10 @@ class PointBox(QtWidgets.QGroupBox):
         """Say how many points are picked, and where the last one or the mouse is."""
         place = ""
         if point is not None:
-            place = ": (%s) %s" % (", ".join("%.6g" % each for each in point), what)
-        self.picked.setText(tr("{count} points{place}. {how}").format(
-            count=count, place=place.rstrip(), how=tr(HOW_TO_PICK)
+            place = ": (%s)" % ", ".join("%.6g" % each for each in point)
+            place += {"grid": tr(", on the grid"), "free": "", "": ""}.get(what, ", " + what)
+        self.picked.setText(tr("{points}{place}. {how}").format(
+            points=counted(count, "point"), place=place, how=tr(HOW_TO_PICK)
         ))
 
 

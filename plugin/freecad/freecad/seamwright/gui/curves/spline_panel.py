@@ -175,6 +175,8 @@ class SplinePanel(CurvePanel):
             started = False
             self.say(str(error))
         self.box.picked.setVisible(started)
+        if started and not self._has_points():
+            self.say("")  # there is nothing but what is picked
         self._check_pick(started)
 
     def _check_pick(self, picks):
@@ -192,4 +194,6 @@ class SplinePanel(CurvePanel):
         if kept and points:
             values = self.values_with(points)
             self.keep_values({**values, "closed": values["closed"] or closed}, sources=[])
+        elif not self._has_points():
+            self.say(tr(NO_POINTS))
         self._load()

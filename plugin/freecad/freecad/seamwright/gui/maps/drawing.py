@@ -75,7 +75,8 @@ class FaceColours(Drawing):
 
     def __init__(self, obj):
         super().__init__(obj)
-        self._substitutes = Substitutes(lambda _: None)
+        self._substitutes = Substitutes(lambda _: None, self._show_legend)
+        self._has_legend = False
         self.legend = Legend(obj)
         obj.ViewObject.RootNode.insertChild(self.legend.node, 0)
         self._groups = {}  # {name of a source: (ShownMesh, Placement, groups)}
@@ -108,7 +109,14 @@ class FaceColours(Drawing):
         legend = None if look is None else look.legend
         if legend is not None:
             self.legend.update(*legend, LEGEND_TEXT_PX)
-        self.legend.show(legend is not None)
+        self._has_legend = legend is not None
+        self._show_legend()
+
+    def _show_legend(self):
+        """Show the legend while something is seen that has its colours."""
+        doc = self.names[0]
+        drawn = self._substitutes.objects(App.getDocument(doc)) if self._has_legend else []
+        self.legend.show(any(each.ViewObject.Visibility for each in drawn))
 
     def _mesh(self, source, mesh):
         """Return the groups of a mesh; they are made once."""
@@ -158,6 +166,7 @@ class FaceColours(Drawing):
 
     def clear(self):
         """Draw nothing."""
+        self._has_legend = False
         self.legend.show(False)
         doc = self.names[0]
         if doc in App.listDocuments():

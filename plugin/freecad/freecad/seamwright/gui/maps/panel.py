@@ -7,6 +7,7 @@ The panel of a Seam Plot has the plot too.
 from freecad.seamwright.document.feature import report_of
 from freecad.seamwright.document.maps.deviation import Deviation
 from freecad.seamwright.document.maps.seam_plot import SeamPlot
+from freecad.seamwright.document.maps.surface_map import SurfaceMap
 from freecad.seamwright.document.properties import DONE
 from freecad.seamwright.gui.base.option_panel import OptionPanel, SourceBox
 from freecad.seamwright.gui.maps.plot import Line, Plot
@@ -79,6 +80,14 @@ class ToolPanel(OptionPanel):
         """Show the results as they are stored now."""
         super().refresh()
         self._show_plot()
+        drawn = dict.fromkeys(each for each, _ in self.links(self.obj.Proxy.LINKS[0][0]))
+        hidden = [each.Label for each in drawn if not each.ViewObject.Visibility]
+        if hidden and self.has_result() and isinstance(self.obj.Proxy, SurfaceMap):
+            self.say(
+                tr("{summary} Not seen, since they are hidden: {labels}.").format(
+                    summary=self.obj.Summary, labels=", ".join(hidden)
+                )
+            )
 
     def _seams(self):
         return report_of(self.obj).get("seams", []) if self.has_result() else []

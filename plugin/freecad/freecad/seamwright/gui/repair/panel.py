@@ -216,8 +216,8 @@ class RepairPanel(PreviewPanel):
 
         Both have the same names.
         """
-        found = picked_on((self.obj, *self.sources()))
-        return [name for name in found if name.startswith(kind)]
+        own = (self.obj, *self.sources())
+        return [name for name in picked_on(own) if name.startswith(kind)]
 
     def _select(self, name):
         if self.sources():

@@ -27,8 +27,9 @@ class Handle:
             self.dragger.setPart(part, _ball(colour))
         for part in ("feedback", "feedbackActive"):
             self.dragger.setPart(part, coin.SoSeparator())
-        whole = coin.SoSeparator()
-        for node in (self._stand, self.dragger):
+        whole, pick = coin.SoAnnotation(), coin.SoPickStyle()  # seen through faces
+        pick.style = coin.SoPickStyle.SHAPE_ON_TOP
+        for node in (pick, self._stand, self.dragger):
             whole.addChild(node)
         self.node = outside_bounding_box(whole)
 
@@ -49,7 +50,7 @@ class Handle:
         return self.dragger.isActive.getValue() and not self._dropped
 
     def drop(self, value):
-        """Take the drag back to this number: what the mouse does until it is released is ignored."""
+        """Take the drag back to this number, and ignore the mouse until it is released."""
         self._put(value)
         self._dropped = True
 

@@ -57,7 +57,7 @@ class Legend:
         _stack(self.names[0])
 
     def is_seen(self):
-        """Return whether the object exists with this legend; a deleted view may be kept for undo."""
+        """Return whether the object has this legend; the view of a deleted one is kept for undo."""
         obj = find(*self.names)
         return (
             obj is not None

@@ -28,11 +28,12 @@ def local_shape(obj):
 class Substitutes:
     """Substitutes of one kind, at most one for each object.
 
-    ``changed(obj)`` is called when an object with a substitute gets another shape.
+    ``changed(obj)`` is called when an object with a substitute gets another shape, ``turned()``
+    when one is shown or hidden.
     """
 
-    def __init__(self, changed):
-        self._changed = changed
+    def __init__(self, changed, turned=lambda: None):
+        self._changed, self._turned = changed, turned
         self._shown = {}  # (document, object): (root, switch)
         self._follower = None
 
@@ -79,6 +80,7 @@ class Substitutes:
         _, switch = self._shown.get(key(obj), (None, None))
         if switch is not None:
             switch.whichChild = coin.SO_SWITCH_ALL if obj.Visibility else coin.SO_SWITCH_NONE
+            self._turned()
 
     def follow_shape(self, obj):
         """Report that an object with a substitute has a new shape."""

@@ -12,8 +12,11 @@ STATUS_MS = 10000
 
 
 def show_error(text):
-    """Show an error."""
-    App.Console.PrintError("%s: %s\n" % (TITLE, text))
+    """Show what the user has to do otherwise.
+
+    The report view lists it as a message: it would open for an error, and move the 3D view.
+    """
+    App.Console.PrintMessage("%s: %s\n" % (TITLE, text))
     _show(QtWidgets.QMessageBox.Warning, text)
 
 

@@ -965,6 +965,10 @@ Gezeigt: {show}</translation>
         <translation> für {curves} Kurven</translation>
     </message>
     <message>
+        <source> instead of {along} x {across}</source>
+        <translation> statt {along} x {across}</translation>
+    </message>
+    <message>
         <source>+ concave, {minus} convex, seen from the side of the normals</source>
         <translation>+ konkav, {minus} konvex, von der Seite der Normalen aus gesehen</translation>
     </message>
@@ -987,6 +991,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>, largest at {at:.3g} of the edge</source>
         <translation>, am größten bei {at:.3g} der Kante</translation>
+    </message>
+    <message>
+        <source>, on the grid</source>
+        <translation>, auf dem Raster</translation>
     </message>
     <message>
         <source>, or select nothing</source>
@@ -1014,7 +1022,7 @@ Gezeigt: {show}</translation>
     </message>
     <message>
         <source>; seen up to {distance_mm} mm from the edges</source>
-        <translation type="unfinished"></translation>
+        <translation>; an gemessenen Punkten bis zu {distance_mm} mm von den Kanten entfernt</translation>
     </message>
     <message>
         <source>; the results are those of the last complete run.</source>
@@ -2593,8 +2601,8 @@ Gezeigt: {show}</translation>
         <translation>Die Kante des Modells, an der die Fläche verläuft</translation>
     </message>
     <message>
-        <source>The edge of the seam in the result</source>
-        <translation>Die Kante der Naht im Ergebnis</translation>
+        <source>The edge of the seam in the result; where nothing is kept, the edges in the source</source>
+        <translation>Die Kante der Naht im Ergebnis; wo nichts behalten wird, die Kanten in der Quelle</translation>
     </message>
     <message>
         <source>The edge or edges of the seam</source>
@@ -3609,6 +3617,10 @@ Gezeigt: {show}</translation>
         <translation>sichtbare Flächen, nach ihren Spiegelungen beurteilt</translation>
     </message>
     <message>
+        <source>within the tolerances; the shape changes up to {depth} mm away from the seam</source>
+        <translation>innerhalb der Toleranzen; die Form ändert sich bis zu {depth} mm von der Naht entfernt</translation>
+    </message>
+    <message>
         <source>yes</source>
         <translation>ja</translation>
     </message>
@@ -3630,7 +3642,7 @@ Gezeigt: {show}</translation>
     </message>
     <message>
         <source>{conics}, {length_mm} mm long, weights {least_weight} to {largest_weight}{jumps}{near}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{conics}, {length_mm} mm lang, Gewichte {least_weight} bis {largest_weight}{jumps}{near}.</translation>
     </message>
     <message>
         <source>{count} arc</source>
@@ -3793,10 +3805,6 @@ Gezeigt: {show}</translation>
         <translation>{count} Punkte</translation>
     </message>
     <message>
-        <source>{count} points{place}. {how}</source>
-        <translation>{count} Punkte{place}. {how}</translation>
-    </message>
-    <message>
         <source>{count} seam</source>
         <translation>{count} Naht</translation>
     </message>
@@ -3853,12 +3861,12 @@ Gezeigt: {show}</translation>
         <translation>{edges} können zugeordnet werden: siehe Toleranzen.</translation>
     </message>
     <message>
-        <source>{edges} edges are chosen: choose three or more</source>
-        <translation>{edges} Kanten sind gewählt: Wählen Sie drei oder mehr</translation>
+        <source>{edges} chosen: choose three or more</source>
+        <translation>{edges} gewählt: Wählen Sie drei oder mehr</translation>
     </message>
     <message>
-        <source>{edges} edges are chosen: choose two</source>
-        <translation>{edges} Kanten sind gewählt: Wählen Sie zwei</translation>
+        <source>{edges} chosen: choose two</source>
+        <translation>{edges} gewählt: Wählen Sie zwei</translation>
     </message>
     <message>
         <source>{edges} to round.</source>
@@ -3893,6 +3901,10 @@ Gezeigt: {show}</translation>
         <translation>{faces} zu ersetzen.</translation>
     </message>
     <message>
+        <source>{face} has {along} x {across} poles</source>
+        <translation>{face} hat {along} x {across} Kontrollpunkte</translation>
+    </message>
+    <message>
         <source>{face} will be replaced</source>
         <translation>{face} wird ersetzt</translation>
     </message>
@@ -3911,6 +3923,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>{holes} with {faces}; {seams}; {verdict}.</source>
         <translation>{holes} mit {faces}; {seams}; {verdict}.</translation>
+    </message>
+    <message>
+        <source>{label} contains nothing with a shape: choose another object.</source>
+        <translation>{label} enthält nichts mit einer Form: Wählen Sie ein anderes Objekt.</translation>
     </message>
     <message>
         <source>{label} has faces: choose curves</source>
@@ -4021,8 +4037,12 @@ Gezeigt: {show}</translation>
         <translation>{last:.3g} bei {first:.6g}</translation>
     </message>
     <message>
-        <source>{least} to {largest} {unit}, the largest {largest_at}</source>
-        <translation>{least} bis {largest} {unit}, der größte Wert {largest_at}</translation>
+        <source>{least} to {largest} {unit}, the strongest {place}</source>
+        <translation>{least} bis {largest} {unit}, am stärksten {place}</translation>
+    </message>
+    <message>
+        <source>{least} {unit} everywhere</source>
+        <translation>überall {least} {unit}</translation>
     </message>
     <message>
         <source>{length_mm} mm long, turns by {turn_deg}°, radius {first_radius_mm} to {last_radius_mm} mm{near}.</source>
@@ -4169,6 +4189,10 @@ Gezeigt: {show}</translation>
         <translation>{pieces}, {length_mm} mm lang, {sharpest}, höchstens {distance_mm} mm von der Eingabe.</translation>
     </message>
     <message>
+        <source>{points}{place}. {how}</source>
+        <translation>{points}{place}. {how}</translation>
+    </message>
+    <message>
         <source>{preview_tip}; nothing is kept until OK is pressed</source>
         <translation>{preview_tip}; nichts wird behalten, bis OK gedrückt wird</translation>
     </message>
@@ -4201,6 +4225,10 @@ Werte jenseits von ±{limit_per_mm} 1/mm haben die Endfarben</translation>
     <message>
         <source>{step} is a step of {body}: later steps do not count. To follow all steps, select {body}.</source>
         <translation>{step} ist ein Schritt von {body}: Spätere Schritte zählen nicht. Damit alle Schritte zählen, {body} auswählen.</translation>
+    </message>
+    <message>
+        <source>{summary} Not seen, since they are hidden: {labels}.</source>
+        <translation>{summary} Nicht zu sehen, da ausgeblendet: {labels}.</translation>
     </message>
     <message>
         <source>{surface}; across {seams}: angle at most {angle_deg}°, curvature at most {curvature_rel} %.</source>

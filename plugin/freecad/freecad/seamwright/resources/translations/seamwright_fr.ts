@@ -964,6 +964,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source> instead of {along} x {across}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>+ concave, {minus} convex, seen from the side of the normals</source>
         <translation type="unfinished"></translation>
     </message>
@@ -985,6 +989,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>, largest at {at:.3g} of the edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, on the grid</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2590,7 +2598,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The edge of the seam in the result</source>
+        <source>The edge of the seam in the result; where nothing is kept, the edges in the source</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3606,6 +3614,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>within the tolerances; the shape changes up to {depth} mm away from the seam</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>yes</source>
         <translation>oui</translation>
     </message>
@@ -3790,10 +3802,6 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{count} points{place}. {how}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>{count} seam</source>
         <translation>{count} couture</translation>
     </message>
@@ -3850,11 +3858,11 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{edges} edges are chosen: choose three or more</source>
+        <source>{edges} chosen: choose three or more</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{edges} edges are chosen: choose two</source>
+        <source>{edges} chosen: choose two</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3890,6 +3898,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{face} has {along} x {across} poles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{face} will be replaced</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3907,6 +3919,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>{holes} with {faces}; {seams}; {verdict}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{label} contains nothing with a shape: choose another object.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4018,7 +4034,11 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{least} to {largest} {unit}, the largest {largest_at}</source>
+        <source>{least} to {largest} {unit}, the strongest {place}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{least} {unit} everywhere</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4166,6 +4186,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{points}{place}. {how}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{preview_tip}; nothing is kept until OK is pressed</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4196,6 +4220,10 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     </message>
     <message>
         <source>{step} is a step of {body}: later steps do not count. To follow all steps, select {body}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{summary} Not seen, since they are hidden: {labels}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -965,6 +965,10 @@ Shown: {show}</source>
         <translation>(共 {curves} 条曲线)</translation>
     </message>
     <message>
+        <source> instead of {along} x {across}</source>
+        <translation>，原为 {along} x {across}</translation>
+    </message>
+    <message>
         <source>+ concave, {minus} convex, seen from the side of the normals</source>
         <translation>+ 为凹，{minus} 为凸，从法线一侧看</translation>
     </message>
@@ -987,6 +991,10 @@ Shown: {show}</source>
     <message>
         <source>, largest at {at:.3g} of the edge</source>
         <translation>，最大值位于边的 {at:.3g} 处</translation>
+    </message>
+    <message>
+        <source>, on the grid</source>
+        <translation>，在网格上</translation>
     </message>
     <message>
         <source>, or select nothing</source>
@@ -1014,7 +1022,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>; seen up to {distance_mm} mm from the edges</source>
-        <translation type="unfinished"></translation>
+        <translation>；在测量点处与边最多相距 {distance_mm} mm</translation>
     </message>
     <message>
         <source>; the results are those of the last complete run.</source>
@@ -2593,8 +2601,8 @@ Shown: {show}</source>
         <translation>曲面所沿的模型边</translation>
     </message>
     <message>
-        <source>The edge of the seam in the result</source>
-        <translation>结果中接缝的边</translation>
+        <source>The edge of the seam in the result; where nothing is kept, the edges in the source</source>
+        <translation>结果中接缝的边；未保留任何结果时，为来源中的边</translation>
     </message>
     <message>
         <source>The edge or edges of the seam</source>
@@ -3609,6 +3617,10 @@ Shown: {show}</source>
         <translation>可见曲面，按反射评判</translation>
     </message>
     <message>
+        <source>within the tolerances; the shape changes up to {depth} mm away from the seam</source>
+        <translation>在公差内；形状的变化延伸到距接缝 {depth} mm 处</translation>
+    </message>
+    <message>
         <source>yes</source>
         <translation>是</translation>
     </message>
@@ -3630,7 +3642,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>{conics}, {length_mm} mm long, weights {least_weight} to {largest_weight}{jumps}{near}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{conics}，长 {length_mm} mm，权重 {least_weight} 至 {largest_weight}{jumps}{near}。</translation>
     </message>
     <message>
         <source>{count} arc</source>
@@ -3793,10 +3805,6 @@ Shown: {show}</source>
         <translation>{count} 个点</translation>
     </message>
     <message>
-        <source>{count} points{place}. {how}</source>
-        <translation>{count} 个点{place}。{how}</translation>
-    </message>
-    <message>
         <source>{count} seam</source>
         <translation>{count} 条接缝</translation>
     </message>
@@ -3853,12 +3861,12 @@ Shown: {show}</source>
         <translation>{edges}可以配对：见公差。</translation>
     </message>
     <message>
-        <source>{edges} edges are chosen: choose three or more</source>
-        <translation>选择了 {edges} 条边：请选择三条或更多</translation>
+        <source>{edges} chosen: choose three or more</source>
+        <translation>已选择 {edges}：请选择三条或更多</translation>
     </message>
     <message>
-        <source>{edges} edges are chosen: choose two</source>
-        <translation>选择了 {edges} 条边：请选择两条</translation>
+        <source>{edges} chosen: choose two</source>
+        <translation>已选择 {edges}：请选择两条</translation>
     </message>
     <message>
         <source>{edges} to round.</source>
@@ -3893,6 +3901,10 @@ Shown: {show}</source>
         <translation>{faces} 待替换。</translation>
     </message>
     <message>
+        <source>{face} has {along} x {across} poles</source>
+        <translation>{face} 有 {along} x {across} 个控制点</translation>
+    </message>
+    <message>
         <source>{face} will be replaced</source>
         <translation>{face} 将被替换</translation>
     </message>
@@ -3911,6 +3923,10 @@ Shown: {show}</source>
     <message>
         <source>{holes} with {faces}; {seams}; {verdict}.</source>
         <translation>{holes}，用{faces}；{seams}；{verdict}。</translation>
+    </message>
+    <message>
+        <source>{label} contains nothing with a shape: choose another object.</source>
+        <translation>{label} 中没有带形状的对象：请选择其他对象。</translation>
     </message>
     <message>
         <source>{label} has faces: choose curves</source>
@@ -4021,8 +4037,12 @@ Shown: {show}</source>
         <translation>{first:.6g} 处 {last:.3g}</translation>
     </message>
     <message>
-        <source>{least} to {largest} {unit}, the largest {largest_at}</source>
-        <translation>{least} 至 {largest} {unit}，最大值{largest_at}</translation>
+        <source>{least} to {largest} {unit}, the strongest {place}</source>
+        <translation>{least} 至 {largest} {unit}，最强处{place}</translation>
+    </message>
+    <message>
+        <source>{least} {unit} everywhere</source>
+        <translation>处处为 {least} {unit}</translation>
     </message>
     <message>
         <source>{length_mm} mm long, turns by {turn_deg}°, radius {first_radius_mm} to {last_radius_mm} mm{near}.</source>
@@ -4169,6 +4189,10 @@ Shown: {show}</source>
         <translation>{pieces}，长 {length_mm} mm，{sharpest}，与输入相距最多 {distance_mm} mm。</translation>
     </message>
     <message>
+        <source>{points}{place}. {how}</source>
+        <translation>{points}{place}。{how}</translation>
+    </message>
+    <message>
         <source>{preview_tip}; nothing is kept until OK is pressed</source>
         <translation>{preview_tip}；按“确定”之前不保留任何内容</translation>
     </message>
@@ -4201,6 +4225,10 @@ values beyond ±{limit_per_mm} 1/mm have the end colours</source>
     <message>
         <source>{step} is a step of {body}: later steps do not count. To follow all steps, select {body}.</source>
         <translation>{step} 是 {body} 的一个步骤：之后的步骤不计入。要跟随所有步骤，请选择 {body}。</translation>
+    </message>
+    <message>
+        <source>{summary} Not seen, since they are hidden: {labels}.</source>
+        <translation>{summary} 由于已隐藏而看不到：{labels}。</translation>
     </message>
     <message>
         <source>{surface}; across {seams}: angle at most {angle_deg}°, curvature at most {curvature_rel} %.</source>
