@@ -113,7 +113,8 @@ class HelpCase(WindowCase):
         files = [each for each in os.listdir(help_pages.folder()) if each.endswith(".md")]
         self.assertEqual(len(top), len(files))
         (item,) = [each for each in top if each.text(0) == "Analysis tools in FreeCAD"]
-        section = item.child([item.child(k).text(0) for k in range(item.childCount())].index("Deviation"))
+        below = [item.child(place) for place in range(item.childCount())]
+        (section,) = [each for each in below if each.text(0) == "Deviation"]
         tree.expandItem(item)
         tree.scrollToItem(section)
         click(tree.viewport(), tree.visualItemRect(section).center())
