@@ -16,7 +16,7 @@ from window import (
     CANCELLED, PanelWindow, camera, click, click_row, count, messages, picture, settle, whole_window
 )  # fmt: skip
 
-from freecad.seamwright.document import corner
+from freecad.seamwright.document import corner, elements
 from freecad.seamwright.gui.corner.panel import RADIUS, SETBACK
 from freecad.seamwright.plain import corner_text
 
@@ -53,11 +53,9 @@ class Rounding(CornerWindow):
     def test_a_vertex_is_picked_previewed_accepted_and_undone(self):
         steps = self.doc.UndoCount
         obj, panel = self.start()
-        self.assertEqual((self.visible(), panel.summary.text()), (["Cube"], "3 edges to round."))
         names = [panel.edges.item(line, 0).text() for line in range(3)]
         self.assertEqual(names, corner.corner_of(obj)[0])
         self.assertEqual([field.value() for field in panel.fields[RADIUS]], [1.0] * 3)
-        self.assertEqual([field.text() for field in panel.fields[SETBACK]], ["auto"] * 3)
         self.set_fields(panel, RADIUS, (1.0, 2.0, 3.0))
         self.preview(panel)
         self.assertEqual((self.visible(), panel.summary.text()), ([obj.Name], obj.Summary))
@@ -87,19 +85,21 @@ class Rounding(CornerWindow):
         self.set_fields(panel, RADIUS, (1.5, 2.0, 3.0))
         click(panel.same, panel.same.rect().center())
         self.set_fields(panel, SETBACK, (0.0, 4.0, 0.0))
-        self.assertEqual(panel.preview_button.text(), "Preview")
         self.ok()
         self.assertEqual((list(obj.Radii), list(obj.Setbacks)), ([1.5], [0.0, 4.0, 0.0]))
         self.assertEqual([edge["radius_mm"] for edge in corner.report_of(obj)["edges"]], [1.5] * 3)
         self.assertEqual(corner.report_of(obj)["edges"][1]["setback_mm"], 4.0)
 
     def test_a_click_on_a_row_marks_the_seam_and_on_an_edge_selects_it(self):
+        self.without_live_preview()
         obj, panel = self.start()
+        self.assertEqual((self.visible(), panel.summary.text()), (["Cube"], "3 edges to round."))
+        self.assertEqual([field.text() for field in panel.fields[SETBACK]], ["auto"] * 3)
         name = panel.edges.item(1, 0).text()
         click_row(panel.edges, 1)
         (chosen,) = Gui.Selection.getSelectionEx()
         self.assertEqual((chosen.ObjectName, chosen.SubElementNames), ("Cube", (name,)))
-        self.preview(panel)
+        self.press_preview(panel)
         before = camera()
         click_row(panel.table, 0)
         (chosen,) = Gui.Selection.getSelectionEx()
@@ -124,8 +124,8 @@ class Rounding(CornerWindow):
         self.assertIn("with a radius of 11 mm there", text)
         whole_window("corner-refused")
         self.assertIsNotNone(obj.ViewObject.Proxy.panel)
-        self.set_fields(panel, RADIUS, (1.0, 1.0, 1.0))
         with CANCELLED:
+            self.set_fields(panel, RADIUS, (1.0, 1.0, 1.0))
             self.preview(panel)
         self.assertIn("Cancelled", panel.summary.text())
         self.cancel()
@@ -192,6 +192,40 @@ class Rounding(CornerWindow):
                     self.assertLess((foot - vertex.Point).Length, 1e-6)
             if name == "Plain":
                 self.assertEqual([round(10 * colour[1]) for colour in shown[:6]], list(range(6)))
+
+    def test_another_vertex_is_picked_and_its_fields_follow(self):
+        line = models.add(self.doc, Part.makePolygon([(0, 0, 0), (1, 0, 0)]), "Line")
+        self.doc.recompute()
+        obj, panel = self.start()
+        self.set_fields(panel, RADIUS, (1.0, 2.0, 3.0))
+        self.preview(panel)
+        self.assertEqual(list(obj.Radii), [1.0, 2.0, 3.0])
+        for chosen in ((self.source, "Edge1"), (line, "")):
+            panel.before.setChecked(True)
+            self.use(panel, "Vertex", chosen)
+            (text,) = messages()
+            self.assertIn("Choose one vertex", text)
+        other = "Vertex1" if self.vertex != "Vertex1" else "Vertex2"
+        self.use(panel, "Vertex", (self.source, other))
+        self.assertEqual(panel.boxes["Vertex"].chosen.text(), "Cube." + other)
+        names = [panel.edges.item(line, 0).text() for line in range(3)]
+        self.assertEqual((names, list(obj.Radii)), (corner.corner_of(obj)[0], [1.0]))
+        self.assertEqual((obj.Met, self.visible()), (True, ["Line", obj.Name]))
+        field = panel.fields[RADIUS][0]
+        field.setFocus()
+        field.lineEdit().setText("1/16 in")
+        settle(0.8)
+        self.assertAlmostEqual(obj.Radii[0], 1.5875, delta=1e-9)
+        self.assertIs(panel.fields[RADIUS][0], field)  # typing goes on
+        self.press_undo()
+        self.assertEqual((list(obj.Radii), elements.names(obj, "Vertex")), ([1.0], [other]))
+        self.press_undo()
+        self.assertEqual(elements.names(obj, "Vertex"), [self.vertex])
+        self.assertEqual(list(obj.Radii), [1.0, 2.0, 3.0])
+        self.press_undo()
+        self.assertEqual((list(obj.Radii), obj.ViewObject.Proxy.panel), ([1.0], panel))
+        self.cancel()
+        self.assertEqual(self.made(), [])
 
     def test_other_selections_and_a_missing_kernel_are_one_message(self):
         for names, found in (

@@ -64,6 +64,8 @@ class Panel(CurveWindow):
                 obj, panel = self.start(kind, *chosen.get(kind, [self.points]))
                 self.assertEqual(panel.summary.text(), obj.Summary)
                 self.assertTrue(obj.Summary and not obj.Shape.isNull())
+                if kind == "JoinCurves":
+                    self.assertEqual(panel.options.fields["most_mm"].widget.text(), "no limit")
                 panel.comb.setChecked(True)
                 settle(0.5)
                 whole_window("curve-" + kind)
@@ -84,6 +86,13 @@ class Panel(CurveWindow):
         free = obj.Shape.Length
         self.set_field(panel, "tension", [50.0])
         self.assertEqual(list(obj.Tension), [50.0])
+        line = panel.options.fields["tension"].widget
+        line.setText("2 * 10; 1 / 4 + 0.25; Points.Shape.Length; 0; 0")
+        line.editingFinished.emit()
+        self.wait()
+        self.assertEqual(list(obj.Tension), [20.0, 0.5, 0, 0, 0])
+        self.assertEqual(line.text(), "20; 0.5; 0; 0; 0")
+        self.set_field(panel, "tension", [50.0])
         self.assertLess(obj.Shape.Length, free)
         self.assertFalse(panel.options.fields["bias"].widget.isVisible())
         self.set_field(panel, "family", BETA)

@@ -57,13 +57,8 @@ class Filling(FillWindow):
     def test_edges_are_picked_previewed_accepted_and_undone(self):
         steps = self.doc.UndoCount
         obj, panel = self.start(*self.loops[1][::-1])
-        self.assertTrue(obj.Shape.isNull())
-        self.assertEqual((self.visible(), panel.summary.text()), (["Block"], "1 hole to fill."))
-        self.assertEqual(
-            (panel.table.rowCount(), panel.holes.count(), self.ticked(panel)), (0, 3, [1])
-        )
-        whole_window("fill-before")
-        self.preview(panel)
+        self.assertEqual((panel.holes.count(), self.ticked(panel)), (3, [1]))
+        self.assertEqual(panel.boxes["Source"].chosen.text(), "Block")
         self.assertEqual((self.visible(), panel.summary.text()), ([obj.Name], obj.Summary))
         self.assertEqual(self.column(panel, RESULT), ["meets G1"] * 9)
         self.assertGreater(tinted(picture("fill-preview")), MANY)
@@ -90,15 +85,12 @@ class Filling(FillWindow):
 
     def test_holes_are_chosen_in_the_panel_and_in_the_view(self):
         obj, panel = self.start()
-        self.assertEqual(
-            (self.ticked(panel), panel.summary.text()), ([0, 1, 2], "3 holes to fill.")
-        )
-        self.preview(panel)
+        self.assertEqual(self.ticked(panel), [0, 1, 2])
         self.assertEqual((obj.Filled, obj.NewFaces, obj.Shape.isClosed()), (3, 9, True))
         Gui.Selection.clearSelection()
         Gui.Selection.addSelection(self.doc.Name, "Block", self.loops[2][0])
         click(panel.pick, panel.pick.rect().center())
-        self.assertEqual((self.ticked(panel), panel.preview_button.text()), ([2], "Update preview"))
+        self.assertEqual(self.ticked(panel), [2])
         panel.holes.item(2).setCheckState(QtCore.Qt.Unchecked)
         self.assertEqual(self.ticked(panel), [2])  # one hole stays chosen
         self.preview(panel)
@@ -107,6 +99,12 @@ class Filling(FillWindow):
             panel.holes.item(place).setCheckState(QtCore.Qt.Checked)
         self.preview(panel)
         self.assertEqual((elements.names(obj, "Edges"), obj.Filled), ([], 3))
+        self.press_undo()
+        self.assertEqual((elements.names(obj, "Edges"), obj.Filled), ([self.loops[2][0]], 1))
+        self.assertEqual(self.ticked(panel), [2])
+        self.press_undo()
+        self.assertEqual((elements.names(obj, "Edges"), obj.Filled), ([], 3))
+        self.assertEqual(self.ticked(panel), [0, 1, 2])
         panel.before.setChecked(True)
         settle()
         item = panel.holes.item(1)
@@ -151,7 +149,7 @@ class Filling(FillWindow):
         (text,) = messages()
         self.assertRegex(text, "is not G1|does not certainly reach G1")
         self.assertIsNotNone(obj.ViewObject.Proxy.panel)
-        panel.keep_anyway.setChecked(True)
+        panel.options.fields["keep_anyway"].widget.setChecked(True)
         self.ok()
         self.assertEqual((obj.Filled, obj.Reached, self.visible()), (1, False, [obj.Name]))
         self.assertIn("kept anyway", obj.Summary)
@@ -177,9 +175,8 @@ class Filling(FillWindow):
         self.assertEqual((obj.Target, obj.Filled, self.visible()), ("G1", 1, [obj.Name]))
 
     def test_a_cancelled_fill_says_so(self):
-        obj, panel = self.start()
         with CANCELLED:
-            self.preview(panel)
+            obj, panel = self.start()
         self.assertIn("Cancelled", panel.summary.text())
         self.assertEqual(self.visible(), ["Block"])
         self.ok()
@@ -194,7 +191,7 @@ class Choosing(FillWindow):
         self.source.ViewObject.DiffuseColor = colours
         self.doc.recompute()
         obj, panel = self.start("Face%d" % ball)
-        self.assertEqual(panel.summary.text(), "Face%d to replace." % ball)
+        self.assertEqual(panel.boxes["Source"].chosen.text(), "Block.Face%d" % ball)
         self.assertFalse(panel.holes.isVisible())
         self.ok()
         self.assertTrue(obj.Summary.startswith("Face%d replaced with 3 faces" % ball), obj.Summary)
@@ -206,9 +203,44 @@ class Choosing(FillWindow):
 
     def test_an_analysis_stands_for_what_it_analysed(self):
         found = analysis.create([self.source])
+        self.without_live_preview()
         obj, panel = self.start(source=found)
         self.assertEqual((obj.Source, panel.summary.text()), (self.source, "3 holes to fill."))
+        self.assertEqual((panel.table.rowCount(), obj.Shape.isNull()), (0, True))
+        self.press_preview(panel)
+        self.assertEqual((panel.table.rowCount(), obj.Filled), (27, 3))
         self.cancel()
+
+    def test_another_model_its_edges_or_its_face_are_picked_instead(self):
+        other = models.add(self.doc, models.rounded_block(), "Other")
+        ball = "Face%d" % models.corner_faces(other.Shape)[0]
+        self.doc.recompute()
+        obj, panel = self.start()
+        other.ViewObject.Visibility = True
+        for chosen, said in (
+            ([(other, ball), (other, "Edge1")], "Selected: 1 face, 1 edge."),
+            ([(other, ball), (self.source, "Edge1")], "Found: Other, Block."),
+        ):
+            self.use(panel, "Source", *chosen)
+            (text,) = messages()
+            self.assertIn(said, text)
+        self.use(panel, "Source", (other, ball))
+        self.assertEqual((obj.Source, elements.names(obj, "Face")), (other, [ball]))
+        self.assertEqual(panel.boxes["Source"].chosen.text(), "Other." + ball)
+        self.assertEqual((obj.NewFaces, self.visible()), (3, ["Block", obj.Name]))
+        self.assertFalse(panel.holes.isVisible())
+        self.use(panel, "Source", (self.source, self.loops[1][0]))
+        self.assertEqual((obj.Source, elements.names(obj, "Face")), (self.source, []))
+        self.assertEqual((self.ticked(panel), obj.Filled), ([1], 1))
+        self.assertEqual(self.visible(), ["Other", obj.Name])
+        self.ok()
+        Gui.activeDocument().setEdit(obj.Name)
+        settle()
+        panel = obj.ViewObject.Proxy.panel
+        self.use(panel, "Source", (other, ball))
+        self.cancel()
+        self.assertEqual((obj.Source, obj.Filled), (self.source, 1))
+        self.assertEqual(self.visible(), ["Other", obj.Name])
 
     def test_a_model_without_holes_says_so(self):
         self.source.Shape = models.rounded_block()

@@ -113,12 +113,12 @@ def open_repair(doc):
 
 def open_fill(doc):
     source = add(doc, "Open", models.open_block, 1)
-    return start(doc, "Seamwright_UmbrellaFill", source, ("",), preview=True)
+    return start(doc, "Seamwright_UmbrellaFill", source, ("",))
 
 
 def open_corner(doc):
     source = add(doc, "Cube", Part.makeBox, 20, 20, 20)
-    return start(doc, "Seamwright_CornerFillet", source, ("Vertex1",), preview=True)
+    return start(doc, "Seamwright_CornerFillet", source, ("Vertex1",))
 
 
 def open_match(doc):

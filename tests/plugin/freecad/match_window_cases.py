@@ -57,6 +57,12 @@ class MatchWindow(PanelWindow):
     def start(self, *chosen):
         return self.run_selected(chosen or [(self.left, "Face1"), (self.right, "Face1")])
 
+    def faces(self, panel):
+        return [panel.boxes[name].chosen.text() for name in match.FACES]
+
+    def field(self, panel, argument):
+        return panel.options.fields[argument].widget
+
     def cells(self, panel):
         return [
             [panel.table.item(line, column).text() for column in (0, 1)]
@@ -71,7 +77,7 @@ class Matching(MatchWindow):
         self.assertIsNotNone(panel)
         self.assertTrue(obj.Matched)
         whole_window("match")
-        self.assertEqual((panel.first.text(), panel.second.text()), ("Left.Face1", "Right.Face1"))
+        self.assertEqual(self.faces(panel), ["Left.Face1", "Right.Face1"])
         self.assertEqual(panel.summary.text(), obj.Summary)
         gap, angle, _, level, certain = self.cells(panel)
         self.assertEqual((angle[0], level, certain), ("3", ["G0", "G1"], ["yes", "yes"]))
@@ -115,7 +121,7 @@ class Matching(MatchWindow):
         Gui.activeDocument().setEdit(obj.Name)
         settle()
         panel = obj.ViewObject.Proxy.panel
-        panel.moves.setCurrentText("Both")
+        self.field(panel, "moves").setCurrentText("Both")
         settle(0.8)
         self.assertEqual(obj.Moves, "Both")
         self.cancel()
@@ -129,7 +135,7 @@ class Matching(MatchWindow):
         settle()
         panel = obj.ViewObject.Proxy.panel
         panel.tolerances.level.setCurrentText("G2")
-        panel.moves.setCurrentText("First")
+        self.field(panel, "moves").setCurrentText("First")
         settle(0.8)
         self.assertEqual((obj.Target, obj.Moves), ("G2", "First"))
         self.cancel()
@@ -157,7 +163,7 @@ class Matching(MatchWindow):
         self.assertFalse(Gui.Control.activeDialog())
         _, panel = self.start()
         panel.zebra.setChecked(True)
-        panel.max_move.setValue(5.0)
+        self.field(panel, "max_move_mm").setValue(5.0)
         App.closeDocument(self.doc.Name)
         settle(0.8)
         self.assertFalse(Gui.Control.activeDialog())
@@ -166,11 +172,12 @@ class Matching(MatchWindow):
     def test_swap_lets_the_other_face_move(self):
         obj, panel = self.start()
         click(panel.swap, panel.swap.rect().center())
-        self.assertEqual((panel.first.text(), panel.second.text()), ("Right.Face1", "Left.Face1"))
+        self.assertEqual(self.faces(panel), ["Right.Face1", "Left.Face1"])
         self.assertTrue(obj.Matched)
         moved = obj.Shape.Faces[1].Surface.getPoles()
         self.assertLess(moved[-1][0].x, -10)
-        click(panel.first, panel.first.rect().center())
+        first = panel.boxes["FirstFace"].chosen
+        click(first, first.rect().center())
         (chosen,) = Gui.Selection.getSelectionEx()
         self.assertEqual((chosen.ObjectName, chosen.SubElementNames), ("Right", ("Face1",)))
         self.ok()
@@ -194,7 +201,7 @@ class Matching(MatchWindow):
 
     def test_a_limit_too_small_is_said_and_ok_waits(self):
         obj, panel = self.start()
-        panel.max_move.setValue(0.001)
+        self.field(panel, "max_move_mm").setValue(0.001)
         settle(0.8)
         self.assertIn("0.001", panel.summary.text())
         self.assertEqual([line[1] for line in self.cells(panel)], ["\u2013"] * 5)
@@ -203,8 +210,8 @@ class Matching(MatchWindow):
         (text,) = messages()
         self.assertIn("0.001", text)
         self.assertIsNotNone(obj.ViewObject.Proxy.panel)
-        panel.max_move.setValue(0.0)
-        self.assertEqual(panel.max_move.text(), "no limit")
+        self.field(panel, "max_move_mm").setValue(0.0)
+        self.assertEqual(self.field(panel, "max_move_mm").text(), "no limit")
         self.ok()
         self.assertEqual((obj.Matched, self.visible()), (True, [obj.Name]))
 
@@ -296,6 +303,45 @@ class Matching(MatchWindow):
             settle()
             self.assertEqual(again.ViewObject.Proxy.panel.summary.text(), again.Summary)
             self.cancel()
+
+
+    def test_faces_and_edge_are_picked_again(self):
+        other = models.add(self.doc, models.two_sheets()[0], "Other")
+        other.Placement = App.Placement(App.Vector(0, 0, 0.02), App.Rotation())
+        other.ViewObject.Visibility = False
+        self.doc.recompute()
+        obj, panel = self.start()
+        for chosen, said in (
+            ((obj, "Face1"), "Show Before"),
+            ((self.left, "Edge1"), "Choose one face"),
+        ):
+            self.use(panel, "FirstFace", chosen)
+            (text,) = messages()
+            self.assertRegex(text, said)
+        self.assertEqual(match.link(obj, "FirstFace"), (self.left, "Face1"))
+        self.use(panel, "FirstFace", (other, ""))  # as a whole: it has one face
+        self.assertEqual(self.faces(panel), ["Other.Face1", "Right.Face1"])
+        self.assertEqual((match.link(obj, "FirstFace"), obj.Matched), ((other, "Face1"), True))
+        self.assertEqual(self.visible(), ["Left", obj.Name])
+        at_seam = [abs(each.CenterOfMass.x) < 1e-6 for each in other.Shape.Edges]
+        edge = other, "Edge%d" % (1 + at_seam.index(True))
+        self.use(panel, "CommonEdge", edge)
+        self.assertEqual((match.link(obj, "CommonEdge"), obj.Matched), (edge, True))
+        click(panel.swap, panel.swap.rect().center())
+        self.assertEqual((match.link(obj, "CommonEdge"), obj.Matched), (edge, True))
+        whole_window("match-picked")
+        panel.tolerances.level.setCurrentText("G2")
+        settle(0.8)
+        self.assertEqual(obj.Target, "G2")
+        self.press_undo()
+        self.assertEqual(obj.Target, "G1")
+        self.press_undo()
+        self.assertEqual(self.faces(panel), ["Other.Face1", "Right.Face1"])
+        self.press_undo()
+        self.assertIsNone(match.link(obj, "CommonEdge"))
+        self.cancel()
+        self.assertEqual(self.made(), [])
+        self.assertEqual(self.visible(), ["Left", "Right", "Other"])
 
 
 class Stripes(MatchWindow):

@@ -7,7 +7,7 @@ import models
 import Part
 from document_cases import DocumentCase
 
-from freecad.seamwright.document import analysis, corner, feature, fill, match, repair
+from freecad.seamwright.document import analysis, corner, expressions, feature, fill, match, repair
 from freecad.seamwright.document.plan import Plan
 
 
@@ -82,6 +82,46 @@ class Plans(DocumentCase):
         plan.apply(*found)
         self.assertEqual((obj.MaxMove.Value, obj.Outcome), (0.05, "done"))
         self.assertLessEqual(obj.LargestMove.Value, 0.05)
+
+    def test_what_expressions_give_counts_more_than_values(self):
+        sheet = self.doc.addObject("Spreadsheet::Sheet", "Sheet")
+        sheet.set("A1", "0.05 mm")
+        obj = self.makers()[4]()
+        obj.setExpression("MaxMove", "Sheet.A1 / 3 * 3")
+        plan = Plan(obj, {"MaxMove": 7.0, "HoldSides": True})
+        self.assertEqual(set(plan.values), {"MaxMove", "HoldSides"})
+        self.assertAlmostEqual(plan.values["MaxMove"], 0.05, delta=1e-15)
+        found = run_in_thread(plan)
+        self.assertTrue(plan.is_current())
+        sheet.set("A1", "0.06 mm")
+        self.doc.recompute([sheet])
+        self.assertFalse(plan.is_current())
+        plan = Plan(obj, {"MaxMove": 7.0, "HoldSides": True})
+        plan.apply(*run_in_thread(plan))
+        self.assertAlmostEqual(obj.MaxMove.Value, 0.06, delta=1e-15)
+        self.assertEqual(expressions.expressions(obj), {"MaxMove": "Sheet.A1 / 3 * 3"})
+        self.assertIsNone(found[1])
+
+    def test_expressions_are_set_and_computed(self):
+        obj = self.makers()[4]()
+        obj.setExpression("GapTolerance", "2 um")
+        expressions.bind(obj, {"MaxMove": "1 mm", "AngleTolerance": "GapTolerance / 1 mm * 1 deg"})
+        self.assertEqual(set(expressions.expressions(obj)), {"MaxMove", "AngleTolerance"})
+        self.assertEqual(expressions.numbers(obj, ["MaxMove", "Target"]), {"MaxMove": 1.0})
+        expressions.bind(obj, {})
+        self.assertEqual(obj.ExpressionEngine, [])
+        for text, unit, number in (
+            ("2 * 0.05 mm", "mm", 0.1), ("1 cm", "mm", 10), ("1 rad / 2", "deg", 28.6478897565412),
+            ("3 + 4", "mm", 7), ("GapTolerance * 2", "mm", 2 * obj.GapTolerance.Value), ("8", "", 8)
+        ):  # fmt: skip
+            found = expressions.evaluated(obj, text, unit)
+            self.assertAlmostEqual(found, number, delta=1e-12, msg=text)
+        for text, unit in (
+            ("1 kg", "mm"), ("1 mm", ""), ("1 mm", "deg"), ("none.of", "mm"), ("1 +", "mm"),
+            ("1 / 0", ""), ("Label", ""), ("HoldSides", ""), ("", "")
+        ):  # fmt: skip
+            with self.assertRaises(ValueError, msg=text):
+                expressions.evaluated(obj, text, unit)
 
     def test_what_was_found_of_an_older_model_is_not_kept(self):
         obj = self.makers()[0]()

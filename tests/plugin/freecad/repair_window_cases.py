@@ -139,7 +139,7 @@ class Repairing(RepairWindow):
         for owner in (self.source, obj):
             before = camera()
             click_row(panel.table, 0)
-            edge = panel._rows[0].edges[0]
+            edge = panel.table.rows[0].edges[0]
             self.assertEqual(self.chosen(), [(owner.Name, ("Edge%d" % edge,))])
             self.assertNotEqual(camera(), before)
             self.assertGreater(count(picture("repair-row-" + owner.Name), BAND), FEW)
@@ -199,7 +199,7 @@ class Repairing(RepairWindow):
         click_row(panel.table, 0)
         edges = panel.lists["Edges"]
         click(edges.add, edges.add.rect().center())
-        chosen = "Edge%d" % panel._rows[0].edges[0]
+        chosen = "Edge%d" % panel.table.rows[0].edges[0]
         self.assertEqual(edges.names(), [chosen])
         Gui.Selection.clearSelection()
         Gui.Selection.addSelection(self.doc.Name, "Panel", "Face%d" % 6)

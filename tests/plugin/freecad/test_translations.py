@@ -32,7 +32,7 @@ NOT_SHOWN = re.compile(
     r"|choose one of %s|choose from %s|a Part\.Shape is needed|%r|no document to put"
     r"|Sans Serif|How the last computation ended|[a-z]+ spoke|^\S+: (edge | to |not smooth)"
     r"|without result|not repaired|free edge|line of joints|fill, |^\S+: User parameter:"
-    r"|^number_field\.py: no"
+    r"|^(number_field|expressions)\.py: no"
 )
 
 

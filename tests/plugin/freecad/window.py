@@ -15,9 +15,10 @@ import FreeCADGui as Gui
 import numpy
 from PySide import QtCore, QtGui
 
-from freecad.seamwright.document import analysis
+from freecad.seamwright.document import analysis, preferences
 from freecad.seamwright.gui.widgets import tasks
 from freecad.seamwright.gui.widgets.qt import QtWidgets
+from freecad.seamwright.plain import preferences as table
 
 #: Panels compute as if the kernel said that the user cancelled.
 CANCELLED = mock.patch.object(tasks.Task, "_progress", lambda self, fraction: False)
@@ -241,8 +242,39 @@ class PanelWindow(WindowCase):
     def made(self):
         return [obj for obj in self.doc.Objects if self.is_made(obj)]
 
+    def press_undo(self):
+        """Press Ctrl+Z, and wait for the panel."""
+        press_key(QtCore.Qt.Key_Z, QtCore.Qt.ControlModifier)
+        settle(0.8)
+
     def preview(self, panel):
-        click(panel.preview_button, panel.preview_button.rect().center())
+        """Press the button Preview; a live panel is awaited."""
+        if hasattr(panel, "preview_button"):
+            click(panel.preview_button, panel.preview_button.rect().center())
+        else:
+            settle(0.8)
+
+    def without_live_preview(self):
+        """Panels that are opened from now on in this test compute when Preview is pressed."""
+        self.addCleanup(preferences.reset)
+        preferences.store({**table.defaults(), "LivePreview": False})
+
+    def press_preview(self, panel):
+        """Press Preview of a panel that is not live."""
+        (button,) = (
+            each
+            for each in panel.form.findChildren(QtWidgets.QPushButton)
+            if each.isVisible() and each.text() == "Preview"
+        )
+        click(button, button.rect().center())
+
+    def use(self, panel, name, *chosen):
+        """Select elements, (object, name) each, and let a box of sources use them."""
+        Gui.Selection.clearSelection()
+        for obj, element in chosen:
+            Gui.Selection.addSelection(self.doc.Name, obj.Name, element)
+        box = panel.boxes[name]
+        click(box.use, box.use.rect().center())
 
     def column(self, panel, place):
         return [panel.table.item(line, place).text() for line in range(panel.table.rowCount())]

@@ -27,6 +27,8 @@ TOLERANCES = (
      "Largest distance between the sides of the patches and the fillets, in mm"),
 )  # fmt: skip
 
+LINKS = (("Vertex", "Vertex", "The vertex whose edges are rounded"),)
+
 RESULTS = (
     ("Summary", "App::PropertyString", "The result in one line, or why there is none"),
     (
@@ -49,6 +51,8 @@ class CornerFillet(feature.Feature):
     """Proxy of a Part::FeaturePython that holds its source with one corner rounded."""
 
     Type = "CornerFillet"
+    LABEL, ICON = mark("Corner Fillet"), "seamwright-corner"
+    LINKS = LINKS
     TOLERANCES = TOLERANCES
     EMPTY_REPORT = corner_text.EMPTY_REPORT
     INPUTS = ("Source", "Vertex", "Radii", "Setbacks")
@@ -106,6 +110,12 @@ class CornerFillet(feature.Feature):
         report = {**empty_report(obj), "reason": repair_text.named(reason)}
         CornerFillet.store(obj, report, Part.Shape(), [])
         return obj.Summary
+
+
+def check(chosen):
+    """Raise ValueError unless links are one vertex."""
+    if [name[:6] for _, name in chosen] != ["Vertex"]:
+        raise ValueError(tr("choose one vertex"))
 
 
 def is_corner(obj):
@@ -195,7 +205,7 @@ def prepare(source, vertex, radii_mm=None, *, setbacks_mm=None, **tolerances):
     values["Radii"] = properties.checked_numbers("radii_mm", radii_mm)
     values["Setbacks"] = properties.checked_numbers("setbacks_mm", setbacks_mm)
     name = elements.checked_name("vertex", vertex, "Vertex")
-    obj = feature.add(source.Document, CornerFillet, mark("Corner Fillet"))
+    obj = feature.add(source.Document, CornerFillet, CornerFillet.LABEL)
     obj.Source = source
     elements.set_names(obj, "Vertex", [name])
     for name, value in values.items():

@@ -65,12 +65,18 @@ class Feature:
     A subclass has a ``Type`` and computes. ``TOLERANCES``: a table like properties.TOLERANCES.
     ``EMPTY_REPORT``: the entries of an empty report besides target and tolerances. ``INPUTS``: the
     names of the other properties on which a computation depends.
+
+    What an option panel shows: the texts of the command, LINKS: (property, its name in the panel,
+    help) of the sources, the table OPTIONS, and LEVEL: (property, values) of the level of
+    continuity that stands beside the tolerances.
     """
 
-    Type = ""
+    Type = LABEL = ICON = GROUP = ""
     TOLERANCES = ()
     EMPTY_REPORT = {}
     INPUTS = ()
+    LINKS = OPTIONS = ()
+    LEVEL = None
 
     #: The results of a computation in another thread, for the next recompute; see plan.Plan.
     ready = None
@@ -96,6 +102,11 @@ class Feature:
         be computed.
         """
         raise NotImplementedError
+
+    @classmethod
+    def handles(cls, report):
+        """Return {argument: (origin, step)} of numbers to drag, each at origin + number step."""
+        return report.get("handles", {})
 
     @staticmethod
     def has_result(report):

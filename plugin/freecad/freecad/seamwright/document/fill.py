@@ -13,8 +13,9 @@ from freecad.seamwright.document import elements, feature, preferences, properti
 from freecad.seamwright.document.feature import empty_report, report_of, tolerances
 from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.document.properties import error_text
-from freecad.seamwright.plain import fill_text, kernel, new_seams, repair_text
+from freecad.seamwright.plain import fill_text, kernel, new_seams, repair_text, summary
 from freecad.seamwright.plain.language import mark, tr
+from freecad.seamwright.plain.options import FLAG, Option
 
 __all__ = ["UmbrellaFill", "create", "error_text", "holes_of", "is_fill", "report_of"]
 
@@ -33,6 +34,13 @@ TOLERANCES = (
 #: For G0 the new faces only have to meet in position.
 TARGETS = ["G0", "G1", "G2"]
 DEFAULT_TARGET = "G1"
+
+LINKS = (("Source", "Model", "The object whose holes are filled, or one of its faces"),)
+
+OPTIONS = (
+    Option("KeepAnyway", "keep_anyway", FLAG, False, "Keep anyway",
+           "Keep a fill even if it misses the target"),
+)  # fmt: skip
 
 #: property, kind of element, help
 ELEMENTS = (
@@ -60,6 +68,9 @@ class UmbrellaFill(feature.Feature):
     """Proxy of a Part::FeaturePython that holds its source with holes filled."""
 
     Type = "UmbrellaFill"
+    LABEL, ICON = mark("Umbrella Fill"), "seamwright-fill"
+    LINKS, OPTIONS = LINKS, OPTIONS
+    LEVEL = ("Target", TARGETS)
     TOLERANCES = TOLERANCES
     EMPTY_REPORT = fill_text.EMPTY_REPORT
     INPUTS = ("Source", "Target", "KeepAnyway", *(name for name, *_ in ELEMENTS))
@@ -78,8 +89,7 @@ class UmbrellaFill(feature.Feature):
             TARGETS,
             DEFAULT_TARGET,
         )
-        tip = "Keep a fill even if it misses the target"
-        adder.add("App::PropertyBool", "KeepAnyway", "Fill", tip)
+        adder.add_options(OPTIONS, "Fill")
         adder.add_tolerances(TOLERANCES)
         adder.add_results(RESULTS, feature.INTERNAL)
         obj.setEditorMode("Placement", ["Hidden"])
@@ -122,6 +132,28 @@ class UmbrellaFill(feature.Feature):
         UmbrellaFill.store(obj, empty_report(obj), Part.Shape())
         obj.Summary = tr("Not filled: {reason}").format(reason=reason)
         return reason
+
+
+def check(chosen):
+    """Raise SourceError or ValueError unless links are of one object: it, edges, or one face."""
+    objects = list(dict.fromkeys(obj for obj, _ in chosen))
+    if len(objects) != 1:
+        raise ValueError(
+            tr(
+                "To fill holes, select one object or some of its edges. To replace a face, "
+                "select it. Found: {chosen}."
+            ).format(chosen=", ".join(obj.Label for obj in objects) or tr("none"))
+        )
+    sources.world_shape(objects[0])
+    edges, faces = (
+        sum(name.startswith(kind) for _, name in chosen) for kind in ("Edge", "Face")
+    )
+    if faces > 1 or (faces and edges):
+        raise ValueError(
+            tr(
+                "Select either edges of holes or one face to replace. Selected: {faces}, {edges}."
+            ).format(faces=summary.counted(faces, "face"), edges=summary.counted(edges, "edge"))
+        )
 
 
 def is_fill(obj):
@@ -300,7 +332,7 @@ def prepare(source, *, edges=(), face=None, target="G1", keep_anyway=False, **to
     values = properties.checked(
         {**tolerances, "target": target}, TOLERANCES, {"target": ("Target", TARGETS)}
     )
-    obj = feature.add(source.Document, UmbrellaFill, mark("Umbrella Fill"))
+    obj = feature.add(source.Document, UmbrellaFill, UmbrellaFill.LABEL)
     obj.Source = source
     elements.set_names(obj, "Edges", edges)
     elements.set_names(obj, "Face", faces)

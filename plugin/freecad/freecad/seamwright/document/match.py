@@ -13,6 +13,7 @@ from freecad.seamwright.document.hooks import hooks
 from freecad.seamwright.document.properties import error_text
 from freecad.seamwright.plain import kernel, match_text
 from freecad.seamwright.plain.language import mark, tr
+from freecad.seamwright.plain.options import CHOICE, FLAG, LENGTH, Option
 
 __all__ = ["MatchSurfaces", "create", "error_text", "is_match", "report_of"]
 
@@ -26,11 +27,23 @@ TARGETS = ["G1", "G2"]
 MOVES = [mark("First"), mark("Second"), mark("Both")]
 DEFAULT_MOVES = "Second"
 
+FACES = ("FirstFace", "SecondFace")
 LINKS = (
-    ("FirstFace", "The first face"),
-    ("SecondFace", "The second face"),
-    ("CommonEdge", "The common edge along which the faces are matched; empty: the longest one"),
-)
+    ("FirstFace", "First face", "The first face"),
+    ("SecondFace", "Second face", "The second face"),
+    ("CommonEdge", "Common edge (may be empty)",
+     "The common edge along which the faces are matched; empty: the longest one"),
+)  # fmt: skip
+
+OPTIONS = (
+    Option("Moves", "moves", CHOICE, DEFAULT_MOVES, "Moves",
+           "The face that moves; away from the seam it keeps its shape", choices=MOVES),
+    Option("MaxMove", "max_move_mm", LENGTH, 0.0, "Largest move",
+           "No pole may move further than this, in mm; 0: no limit", least=0.0,
+           zero=mark("no limit")),
+    Option("HoldSides", "hold_sides", FLAG, False, "Hold side boundaries",
+           "Keep the two other boundaries that end at the seam"),
+)  # fmt: skip
 
 RESULTS = (
     ("Summary", "App::PropertyString", "The result in one line, or why there is none"),
@@ -57,30 +70,21 @@ class MatchSurfaces(feature.Feature):
     """Proxy of a Part::FeaturePython that holds two matched faces."""
 
     Type = "MatchSurfaces"
+    LABEL, ICON = mark("Match Surfaces"), "seamwright-match"
+    LINKS, OPTIONS = LINKS, OPTIONS
+    LEVEL = ("Target", TARGETS)
     TOLERANCES = TOLERANCES
     EMPTY_REPORT = match_text.EMPTY_REPORT
-    INPUTS = (*(name for name, _ in LINKS), "Target", "Moves", "MaxMove", "HoldSides")
+    INPUTS = (*(name for name, *_ in LINKS), "Target", "Moves", "MaxMove", "HoldSides")
 
     @staticmethod
     def add_properties(obj):
         """Add the properties that an object lacks, with their defaults."""
         adder = properties.Adder(obj)
-        for name, tip in LINKS:
+        for name, _, tip in LINKS:
             adder.add("App::PropertyLinkSubGlobal", name, "Faces", tip)
         adder.add_choice("Target", "Match", "Level of continuity to reach", TARGETS, TARGETS[0])
-        adder.add_choice("Moves", "Match", "The face that is moved", MOVES, DEFAULT_MOVES)
-        adder.add(
-            "App::PropertyLength",
-            "MaxMove",
-            "Match",
-            "No pole may move further than this, in mm; 0: no limit",
-        )
-        adder.add(
-            "App::PropertyBool",
-            "HoldSides",
-            "Match",
-            "Keep the two other boundaries that end at the seam",
-        )
+        adder.add_options(OPTIONS, "Match")
         adder.add_tolerances(TOLERANCES)
         adder.add_results(RESULTS, feature.INTERNAL)
         obj.setEditorMode("Placement", ["Hidden"])
@@ -144,6 +148,22 @@ def link(obj, name):
     return target[0], (list(target[1]) or [""])[0]
 
 
+def completed(chosen):
+    """Return links in which an object as a whole stands for its face, if it has just one."""
+    return [
+        (obj, name or ("Face1" if len(Part.getShape(obj).Faces) == 1 else ""))
+        for obj, name in chosen
+    ]
+
+
+def check(name, chosen):
+    """Raise ValueError where a property cannot have these links."""
+    if name in FACES and [element[:4] for _, element in chosen] != ["Face"]:
+        raise ValueError(tr("choose one face"))
+    if name not in FACES and [element[:4] for _, element in chosen] not in ([], ["Edge"]):
+        raise ValueError(tr("choose one edge of both faces, or nothing"))
+
+
 def link_text(obj, name):
     """Return a link as the user reads it: "Plate.Face3"."""
     target = link(obj, name)
@@ -152,7 +172,7 @@ def link_text(obj, name):
 
 def source_objects(obj):
     """Return the objects to which the two faces belong, without repeats."""
-    links = [link(obj, name) for name in ("FirstFace", "SecondFace")]
+    links = [link(obj, name) for name in FACES]
     return list(dict.fromkeys(target[0] for target in links if target is not None))
 
 
@@ -165,7 +185,7 @@ def match_job(module, obj, private=False):
     if any(face.ShapeType != "Face" for face in found.shapes[:2]):
         raise sources.SourceError(tr("FirstFace and SecondFace must be faces"))
     shape = Part.Compound(found.shapes[:2])
-    faces = [link_text(obj, name) for name in ("FirstFace", "SecondFace")]
+    faces = [link_text(obj, name) for name in FACES]
 
     names = [found.edge_text(edge) for edge in shape.Edges]
     target, limits, make = obj.Target, tolerances(obj), feature.model_maker(module, shape, private)
@@ -203,7 +223,7 @@ def _poles(surface):
 
 def _links(obj):
     """Return the links to the two faces and, where one is chosen, to the common edge."""
-    links = [link(obj, name) for name, _ in LINKS]
+    links = [link(obj, name) for name, *_ in LINKS]
     if links[0] is None:
         raise sources.SourceError(
             tr("The first face was deleted: choose another one in the property FirstFace")
@@ -291,7 +311,7 @@ def prepare(
     )
     values["Moves"] = values["Moves"].capitalize()
     doc = first[0].Document
-    obj = feature.add(doc, MatchSurfaces, mark("Match Surfaces"))
+    obj = feature.add(doc, MatchSurfaces, MatchSurfaces.LABEL)
     for name, target_link in (("FirstFace", first), ("SecondFace", second), ("CommonEdge", edge)):
         if target_link is not None:
             setattr(obj, name, (target_link[0], [target_link[1]]))

@@ -21,15 +21,12 @@ SUMMARY = ("Summary", "App::PropertyString", "The result in one line, or why the
 class OptionFeature(feature.Feature):
     """Proxy of a Part::FeaturePython that has options.
 
-    A subclass has the texts of its command, NEEDS (what to select), GROUP (of its properties),
-    LINKS: (property, its name in the panel, help) of the sources, the table OPTIONS, and RESULTS:
-    (property, its type, help, key of the report).
+    A subclass has the texts of its command, NEEDS (what to select), GROUP (of its properties), the
+    tables of Feature, and RESULTS: (property, its type, help, key of the report).
     """
 
-    LABEL = ICON = TIP = NEEDS = GROUP = ""
-    LINKS = ()
+    TIP = NEEDS = ""
     REQUIRED = ()  # the properties of LINKS that must name something
-    OPTIONS = ()
     RESULTS = ()
 
     @classmethod
@@ -43,21 +40,12 @@ class OptionFeature(feature.Feature):
         return kernel_words.in_words(text, {each.argument: each.label for each in cls.OPTIONS})
 
     @classmethod
-    def handles(cls, report):
-        """Return {argument: (origin, step)} of numbers to drag, each at origin + number step."""
-        return report.get("handles", {})
-
-    @classmethod
     def add_properties(cls, obj):
         """Add the properties that an object lacks, with their defaults."""
         adder = properties.Adder(obj)
         for name, _, tip in cls.LINKS:
             adder.add("App::PropertyLinkSubListGlobal", name, cls.GROUP, tip)
-        for option in cls.OPTIONS:
-            if option.kind == options.CHOICE:
-                adder.add_choice(option.name, cls.GROUP, option.tip, option.choices, option.default)
-            else:
-                adder.add_with(option.kind, option.name, cls.GROUP, option.tip, option.default)
+        adder.add_options(cls.OPTIONS, cls.GROUP)
         shown = [SUMMARY, *(result[:3] for result in cls.RESULTS)]
         adder.add_results(shown, (*feature.INTERNAL, LINKED))
         obj.setEditorMode("Placement", ["Hidden"])
@@ -156,12 +144,33 @@ def _lost(obj, prop):
 
 def links_of(obj, name="Sources"):
     """Return [(object, "Edge3" or ""), ...] that a property links to."""
+    found = getattr(obj, name) or ()
+    if hasattr(found, "Name"):  # an object as a whole
+        found = [(found, ("",))]
+    elif found and not isinstance(found[0], (list, tuple)):  # elements of one object
+        found = [found]
     return [
         (source, element)
-        for source, elements in getattr(obj, name)
+        for source, elements in found
         if source is not None
         for element in elements
     ]
+
+
+def link_value(obj, name, chosen):
+    """Return [(object, "Edge3" or ""), ...] as a property holds them."""
+    found = []
+    for source, element in chosen:
+        if found and found[-1][0] == source:
+            found[-1] = (source, (*found[-1][1], element))
+        else:
+            found.append((source, (element,)))
+    kind = obj.getTypeIdOfProperty(name)
+    if "SubList" in kind:
+        return found
+    if not found:
+        return None
+    return found[0] if "Sub" in kind else found[0][0]
 
 
 def value_of(obj, option):

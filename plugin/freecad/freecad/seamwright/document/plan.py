@@ -9,7 +9,7 @@ the document stays unchanged until ``apply``. Then FreeCAD recomputes the object
 import FreeCAD as App
 import Part
 
-from freecad.seamwright.document import sources
+from freecad.seamwright.document import expressions, sources
 from freecad.seamwright.document.properties import differing, plain
 from freecad.seamwright.plain import kernel
 
@@ -27,12 +27,13 @@ class Values:
 class Plan:
     """One computation of an object with some properties changed.
 
-    ``values``: the properties whose values differ from those of the object. ``make_job(module, obj,
+    ``values``: the properties whose values differ from those of the object; where an expression
+    gives one, its value counts instead. ``make_job(module, obj,
     private)`` makes another Job than the one that ``execute`` runs. Raises KernelUnavailable.
     """
 
     def __init__(self, obj, values, make_job=None):
-        self.values = differing(obj, values)
+        self.values = differing(obj, _with_expressions(obj, values))
         self._doc_name, self._name = obj.Document.Name, obj.Name
         self._found = self._error = None
         module = kernel.load(Part.OCC_VERSION)
@@ -69,7 +70,10 @@ class Plan:
         The changed properties do not count.
         """
         obj = self.object()
-        return obj is not None and _same(self._inputs, _inputs(obj, Values(obj, self.values)))
+        if obj is None:
+            return False
+        seen = Values(obj, _with_expressions(obj, self.values))
+        return _same(self._inputs, _inputs(obj, seen))
 
     def results(self):
         """Return the arguments of ``store``, or raise the error of the computation."""
@@ -90,6 +94,11 @@ class Plan:
         obj.Proxy.ready = self
         obj.touch()
         obj.Document.recompute()
+
+
+def _with_expressions(obj, values):
+    """Return {property: value} with those that expressions give, as a recompute gives them."""
+    return {**values, **expressions.numbers(obj, values)}
 
 
 def _bring_up_to_date(obj, seen):

@@ -5,7 +5,7 @@ import math
 
 import FreeCAD as App
 
-from freecad.seamwright.plain import profiles
+from freecad.seamwright.plain import options, profiles
 from freecad.seamwright.plain.language import mark, tr
 
 #: property, argument of the kernel, property type, default, help
@@ -68,6 +68,14 @@ class Adder:
             kept = getattr(self._obj, name)
             setattr(self._obj, name, list(choices))
             setattr(self._obj, name, kept)
+
+    def add_options(self, table, group):
+        """Add the properties of a table of plain.options.Option, with their defaults."""
+        for option in table:
+            if option.kind == options.CHOICE:
+                self.add_choice(option.name, group, option.tip, option.choices, option.default)
+            else:
+                self.add_with(option.kind, option.name, group, option.tip, option.default)
 
     def add_tolerances(self, table):
         """Add the properties of a table such as ``TOLERANCES``."""

@@ -151,31 +151,17 @@ class UmbrellaFill(Command):
     )
 
     def run(self, doc):
-        """Create the fill as one undoable step, and open its panel; nothing is filled yet."""
+        """Create the fill as one undoable step, and open its panel, which fills."""
         chosen = selected_parts(doc)
-        if len(chosen) != 1:
-            messages.show_error(
-                tr(
-                    "To fill holes, select one object or some of its edges. To replace a face, "
-                    "select it. Found: {chosen}."
-                ).format(chosen=", ".join(obj.Label for obj in chosen) or tr("none"))
-            )
+        try:
+            fill.check([(obj, name) for obj, names in chosen.items() for name in names or [""]])
+        except ValueError as error:
+            messages.show_error(str(error))
             return
         ((source, names),) = chosen.items()
         edges, faces = (
             [name for name in names if name.startswith(kind)] for kind in ("Edge", "Face")
         )
-        if len(faces) > 1 or (faces and edges):
-            messages.show_error(
-                tr(
-                    "Select either edges of holes or one face to replace. Selected: {faces}, "
-                    "{edges}."
-                ).format(
-                    faces=summary.counted(len(faces), "face"),
-                    edges=summary.counted(len(edges), "edge"),
-                )
-            )
-            return
         face = faces[0] if faces else None
         if not face and fill.is_closed(source):
             messages.show_error(fill.no_hole_text(source.Label))
@@ -197,7 +183,7 @@ class CornerFillet(Command):
     )
 
     def run(self, doc):
-        """Create the fillet as one undoable step, and open its panel; nothing is rounded yet."""
+        """Create the fillet as one undoable step, and open its panel, which rounds."""
         vertices = selected_elements("Vertex")
         if len(vertices) != 1:
             messages.show_error(

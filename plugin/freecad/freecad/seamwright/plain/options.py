@@ -18,6 +18,7 @@ class Option(NamedTuple):
     ``name``: of the property. ``argument``: of functions. ``kind``: the type of the property.
     ``choices``: the values of a CHOICE. ``least``: the smallest number that is allowed.
     ``used(values)``: whether the option has an effect with these {argument: value}; None: always.
+    ``zero``: what a field shows for 0.
     """
 
     name: str
@@ -29,6 +30,7 @@ class Option(NamedTuple):
     choices: Tuple[str, ...] = ()
     least: float = -math.inf
     used: Optional[Callable[[dict], bool]] = None
+    zero: str = ""
 
 
 def defaults(table):

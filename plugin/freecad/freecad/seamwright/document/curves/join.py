@@ -55,7 +55,7 @@ class JoinCurves(Curve):
         Option("Moves", "moves", CHOICE, BOTH, "Moves", "The edge that moves",
                choices=tuple(MOVES), used=_moves),
         Option("LargestMove", "most_mm", LENGTH, 0.0, "Largest move",
-               "A larger move is refused, in mm; 0: no limit", least=0.0),
+               "A larger move is refused, in mm; 0: no limit", least=0.0, zero=mark("no limit")),
     )  # fmt: skip
     RESULTS = (
         ("Gap", "App::PropertyLength", "Distance of the ends before, in mm", "gap_mm"),

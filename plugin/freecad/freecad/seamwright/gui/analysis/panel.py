@@ -100,7 +100,7 @@ class AnalysisPanel:
         layout.addLayout(_buttons(self._asked))
 
     def _build_tolerances(self):
-        self.tolerances = ToleranceForm(analysis.TOLERANCES, ("Level", analysis.LEVELS))
+        self.tolerances = ToleranceForm(analysis.TOLERANCES, ("Level", analysis.LEVELS), self.obj)
         box, layout = make_box(tr("Level and tolerances"), self.tolerances)
         self.recompute_button = QtWidgets.QPushButton(tr("Recompute"))
         self.recompute_button.clicked.connect(self.recompute)
@@ -140,6 +140,9 @@ class AnalysisPanel:
         return text
 
     def _proposal(self):
+        """Return the match distance to propose; None for none, or where an expression gives it."""
+        if self.tolerances.fields["MatchDistance"].is_bound:
+            return None
         return summary.proposed_match_mm(self.results.report)
 
     def _set_look(self, name, value):
@@ -163,6 +166,8 @@ class AnalysisPanel:
         """Show the object as it is now, after a change from outside such as an undo."""
         if self._values() != self._read:
             self._read_fields()
+        elif self.tolerances.show_expressions():
+            self._tolerances_changed()
         if self._state() != self._shown:
             self.refresh()
 

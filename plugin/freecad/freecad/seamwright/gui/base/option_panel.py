@@ -5,6 +5,7 @@ The document follows the fields: each change is computed at once.
 """
 
 import FreeCAD as App
+import FreeCADGui as Gui
 
 from freecad.seamwright.document import option_feature, sources
 from freecad.seamwright.document.feature import report_of
@@ -12,48 +13,25 @@ from freecad.seamwright.document.properties import error_text
 from freecad.seamwright.gui.base.panel_steps import PanelSteps
 from freecad.seamwright.gui.base.picked import picked
 from freecad.seamwright.gui.base.result_panel import ResultPanel
+from freecad.seamwright.gui.base.source_box import SourceBox
+from freecad.seamwright.gui.scene import seam_view
 from freecad.seamwright.gui.scene.handle import Handle
 from freecad.seamwright.gui.widgets import messages
 from freecad.seamwright.gui.widgets.computation import Computation
 from freecad.seamwright.gui.widgets.fields import OptionForm
-from freecad.seamwright.gui.widgets.forms import make_box, make_form, make_text
+from freecad.seamwright.gui.widgets.forms import make_box, make_form
 from freecad.seamwright.gui.widgets.live_preview import PreviewTimer
-from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
+from freecad.seamwright.gui.widgets.qt import QtCore
 from freecad.seamwright.gui.widgets.tasks import documents_rest
+from freecad.seamwright.gui.widgets.tolerance_form import ToleranceForm
 from freecad.seamwright.plain import kernel
 from freecad.seamwright.plain.language import description, inside, tr
-from freecad.seamwright.plain.summary import counted
 
 #: Delay between the last change and the computation of the preview.
 PREVIEW_AFTER_MS = 300
 
 #: Interval at which handles are asked for their numbers.
 READ_HANDLES_MS = 60
-
-#: Names of sources that are listed; of more the number is told.
-LISTED = 6
-
-
-class SourceBox(QtWidgets.QGroupBox):
-    """The sources of one property: their names, and a button to use the selection instead."""
-
-    def __init__(self, title, tip):
-        super().__init__(title)
-        self.chosen = make_text()
-        self.use = QtWidgets.QPushButton(tr("Use selection"))
-        self.use.setToolTip(tip)
-        self.line = QtWidgets.QHBoxLayout(self)
-        self.line.setContentsMargins(9, 3, 9, 3)
-        self.line.addWidget(self.chosen, 1)
-        self.line.addWidget(self.use)
-
-    def show_links(self, chosen):
-        """Show the names of [(object, "Edge3" or ""), ...]."""
-        names = [".".join(filter(None, (obj.Label, name))) for obj, name in chosen]
-        text = ", ".join(names[:LISTED]) or tr("nothing")
-        more = len(names) - LISTED
-        self.chosen.setText(text + (tr(" and {more} more").format(more=more) if more > 0 else ""))
-        self.chosen.setToolTip("%s: %s" % (counted(len(names), "source"), ", ".join(names)))
 
 
 class OptionPanel(ResultPanel):
@@ -66,7 +44,7 @@ class OptionPanel(ResultPanel):
 
     def __init__(self, obj, created):
         kind = obj.Proxy
-        names = [entry[0] for entry in kind.LINKS] + [option.name for option in kind.OPTIONS]
+        names = [*kind.INPUTS, *(name for name, *_ in kind.TOLERANCES)]
         super().__init__(obj, created, tr("Edit {label}").format(label=inside(kind.LABEL)), names)
         self._links, self.steps = {}, PanelSteps(self)
         self._handles, self._held, self._handle_timer = {}, False, QtCore.QTimer()
@@ -87,9 +65,17 @@ class OptionPanel(ResultPanel):
         """Return the box of the result; it has ``summary``."""
         raise NotImplementedError
 
+    def build_options(self):
+        """Return the boxes of what can be chosen besides sources and tolerances."""
+        return [make_box(tr("Options"), self.options)[0]]
+
     def build_sources(self, name, title, tip):
         """Return the SourceBox of a property."""
         return SourceBox(title, tip)
+
+    def complete(self, chosen):
+        """Return the links that are meant by those of a selection."""
+        return chosen
 
     def check(self, name, chosen):
         """Raise SourceError or ValueError where a property cannot have these links."""
@@ -128,32 +114,56 @@ class OptionPanel(ResultPanel):
             self.boxes[name] = self.build_sources(name, tr(title), description(tip))
             layout.addWidget(self.boxes[name])
         self.options = OptionForm(self.obj, kind.OPTIONS)
-        layout.addWidget(make_box(tr("Options"), self.options)[0])
-        layout.addWidget(self._timer.button)
+        for widget in (*self.build_options(), self._timer.button, self.build_result()):
+            layout.addWidget(widget)
         self._timer.button.setVisible(not self._timer.live)
-        layout.addWidget(self.build_result())
+        self.tolerances = None
+        if kind.TOLERANCES:
+            self.tolerances = ToleranceForm(kind.TOLERANCES, kind.LEVEL, self.obj)
+            title = tr("Target and tolerances") if kind.LEVEL else tr("Tolerances")
+            layout.addWidget(make_box(title, self.tolerances)[0])
         layout.addStretch(1)
 
     def _connect(self):
         self.options.changed.connect(self.changed)
+        if self.tolerances is not None:
+            self.tolerances.changed.connect(self.changed)
         for name, box in self.boxes.items():
             box.use.clicked.connect(lambda *_, name=name: self._use_selection(name))
+            box.chosen.clicked.connect(lambda name=name: self._select(self.listed(name)))
 
     def read_fields(self):
         """Show the values of the object."""
         self._links = {}
         self.options.show_values(option_feature.values_of(self.obj))
+        if self.tolerances is not None:
+            self.tolerances.read_from(self.obj)
         self._list_sources()
         self._timer.stop()
         self.steps.start()
+
+    def show_expressions(self):
+        """Show the expressions of fields; return whether one is another than before."""
+        forms = [form for form in (self.options, self.tolerances) if form is not None]
+        return any([form.show_expressions() for form in forms])
 
     def links(self, name):
         """Return the [(object, "Edge3" or ""), ...] of a property as the panel shows them."""
         return self._links.get(name, option_feature.links_of(self.obj, name))
 
+    def listed(self, name):
+        """Return the links that the box of a property lists."""
+        return self.links(name)
+
     def _list_sources(self):
         for name, box in self.boxes.items():
-            box.show_links(self.links(name))
+            box.show_links(self.listed(name))
+
+    def _select(self, chosen):
+        """Select sources in the view."""
+        Gui.Selection.clearSelection()
+        for obj, name in chosen:
+            seam_view.select(self._doc, obj.Name, name)
 
     # Actions.
 
@@ -161,8 +171,12 @@ class OptionPanel(ResultPanel):
         """Show the results as they are stored now."""
         self._list_sources()
         self.say(error_text(self.obj) or self.obj.Summary)
-        self.show(True)
+        self.show(self.wants_result())
         self._show_handles()
+
+    def wants_result(self):
+        """Return whether the view shows the result, where there is one."""
+        return True
 
     def say(self, text):
         """Show this text as the result."""
@@ -170,8 +184,14 @@ class OptionPanel(ResultPanel):
 
     def wanted(self):
         """Return the {property: value} of the fields. Raises ValueError for a bad text."""
-        values = self.options.values()
-        return {**values, **{name: _grouped(chosen) for name, chosen in self._links.items()}}
+        limits = self.tolerances.values() if self.tolerances is not None else {}
+        return {**self.options.values(), **limits, **self._link_values()}
+
+    def _link_values(self):
+        return {
+            name: option_feature.link_value(self.obj, name, chosen)
+            for name, chosen in self._links.items()
+        }
 
     def show(self, after):
         """Show the shape where there is one."""
@@ -197,10 +217,10 @@ class OptionPanel(ResultPanel):
 
     def _read_handles(self):
         """Give the fields the numbers to which their handles were dragged."""
-        for argument, handle in self._handles.items():
+        for argument, handle in list(self._handles.items()):
             value = handle.dragged_to()
-            if value is not None:
-                self.options.fields[argument].drag(value)
+            if value is not None and not self.options.fields[argument].drag(value):
+                self._show_handles()  # back to the number that the expression gives
         held, self._held = self._held, bool(self.held_handles())
         if held and not self._held:
             self.steps.note()  # a drag that has ended is a step
@@ -216,7 +236,7 @@ class OptionPanel(ResultPanel):
         held = self.held_handles()
         if name == "escape" and held:
             for argument, handle in held.items():
-                handle.drop(self.steps.shown[0][argument])
+                handle.drop(self.steps.shown[0]["options"][argument])
             self.put(*self.steps.shown)
         else:
             super().key(name)
@@ -227,13 +247,32 @@ class OptionPanel(ResultPanel):
         if found is not None:
             self.put(*found)
 
+    def link_names(self):
+        """Return the names of the properties with sources that the panel changes."""
+        return list(self.boxes)
+
+    def field_values(self):
+        """Return the values of the fields as ``show_field_values`` takes them.
+
+        Raises ValueError for a bad text.
+        """
+        options = {argument: field.value() for argument, field in self.options.fields.items()}
+        limits = self.tolerances.values() if self.tolerances is not None else {}
+        return {"options": options, "tolerances": limits}
+
+    def show_field_values(self, values):
+        """Show the values of fields."""
+        for argument, value in values["options"].items():
+            self.options.fields[argument].show_value(value)
+        if self.tolerances is not None:
+            self.tolerances.show_values(values["tolerances"])
+
     def put(self, values, names):
         """Show these values of fields and sources, as PanelSteps has them; compute."""
         find = self._doc.getObject
         for name, chosen in names.items():
             self._links[name] = [(find(each), element) for each, element in chosen if find(each)]
-        for argument, value in values.items():
-            self.options.fields[argument].show_value(value)
+        self.show_field_values(values)
         self._list_sources()
         self._edits += 1
         self.preview()
@@ -263,6 +302,8 @@ class OptionPanel(ResultPanel):
     def computed(self):
         """Show new results."""
         self._links = {}
+        if not self.is_due() and not self.held_handles():
+            self.steps.settle()
         super().computed()
 
     def changed(self, *_):
@@ -280,21 +321,21 @@ class OptionPanel(ResultPanel):
 
     def use(self, name, chosen):
         """Let a property have these links, or say why it cannot; compute."""
-        chosen = [link for link in chosen if link[0] != self.obj]
+        chosen = self.complete([link for link in chosen if link[0] != self.obj])
         try:
             self.check(name, chosen)
             loops = [each for each, _ in chosen if self.obj in each.OutListRecursive]
             if loops:
-                raise ValueError(
-                    tr("{label} is made from this {group}: choose others").format(
-                        label=loops[0].Label, group=inside(self.obj.Proxy.GROUP)
-                    )
-                )
+                group = inside(self.obj.Proxy.GROUP or self.obj.Proxy.LABEL)
+                raise ValueError(tr("{label} is made from this {group}: choose others").format(
+                    label=loops[0].Label, group=group
+                ))
         except (sources.SourceError, ValueError, kernel.KernelUnavailable) as error:
             messages.show_error(sentence(error))
             return
         if chosen == option_feature.links_of(self.obj, name):
-            setattr(self.obj, name, _grouped(chosen))  # those that were deleted are forgotten
+            kept = option_feature.link_value(self.obj, name, chosen)
+            setattr(self.obj, name, kept)  # those that were deleted are forgotten
         self.take(name, chosen)
 
     def take(self, name, chosen):
@@ -303,17 +344,6 @@ class OptionPanel(ResultPanel):
         self._list_sources()
         self._edits += 1
         self.preview()
-
-
-def _grouped(links):
-    """Return links as a property returns them: names of one object in a row are together."""
-    found = []
-    for obj, name in links:
-        if found and found[-1][0] == obj:
-            found[-1] = (obj, (*found[-1][1], name))
-        else:
-            found.append((obj, (name,)))
-    return found
 
 
 def sentence(error):

@@ -19,6 +19,10 @@ class PanelSteps(ValueSteps):
         self.clear()
         self.shown = self._state()
 
+    def settle(self):
+        """The object has the values that are shown; what it made of them is no step."""
+        self.shown = self._state() or self.shown
+
     def note(self):
         """Remember what was before the last change, unless a drag has not ended."""
         now = self._state()
@@ -42,10 +46,10 @@ class PanelSteps(ValueSteps):
         """Return the values of the fields and the names of the sources; None for a bad text."""
         panel = self._panel
         try:
-            values = {name: field.value() for name, field in panel.options.fields.items()}
+            values = panel.field_values()
         except ValueError:
             return None
-        links = {name: panel.links(name) for name in panel.boxes}
+        links = {name: panel.links(name) for name in panel.link_names()}
         return values, {
             name: [(obj.Name, element) for obj, element in chosen] for name, chosen in links.items()
         }

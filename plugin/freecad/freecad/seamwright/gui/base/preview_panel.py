@@ -7,28 +7,20 @@ It has a summary, a table of seams, and a choice to show the model before or aft
 import Part
 
 from freecad.seamwright.gui.base.result_panel import ResultPanel
+from freecad.seamwright.gui.base.row_table import RowTable
 from freecad.seamwright.gui.scene import seam_view
-from freecad.seamwright.gui.widgets import ink
 from freecad.seamwright.gui.widgets.computation import Computation
-from freecad.seamwright.gui.widgets.forms import make_form, make_text, show_seams_in
-from freecad.seamwright.gui.widgets.qt import QtGui, QtWidgets
-from freecad.seamwright.plain import repair_text
+from freecad.seamwright.gui.widgets.forms import make_form, make_text
+from freecad.seamwright.gui.widgets.qt import QtWidgets
 from freecad.seamwright.plain.language import mark, tr
 
 TABLE_HEIGHT = 190
 
 PREVIEW, PREVIEW_AGAIN = mark("Preview"), mark("Update preview")
 
-#: Text colours of the last column, by the state of a row.
-INKS = {repair_text.REPAIRED: ink.GOOD, repair_text.NOT_REPAIRED: ink.BAD}
-
 
 class PreviewPanel(ResultPanel):
-    """Shows and changes one object; a subclass defines its fields and rows.
-
-    A row has ``cells``, a text for each of ``COLUMNS``; ``detail``, its tool tip; and ``state``, a
-    key of ``INKS`` or another state, whose text has the default colour.
-    """
+    """Shows and changes one object; a subclass defines its fields and the rows of the RowTable."""
 
     DOCK_WIDTH = 600
     TITLE = ICON = PREVIEW_TIP = ""
@@ -36,7 +28,6 @@ class PreviewPanel(ResultPanel):
 
     def __init__(self, obj, created, title, changeable):
         super().__init__(obj, created, title, changeable)
-        self._rows = []
         self._build()
         self.computation = Computation(self.form)
         self.read_fields()
@@ -81,29 +72,13 @@ class PreviewPanel(ResultPanel):
     def _build(self):
         self.form, layout = make_form(tr(self.TITLE), self.ICON)
         self.summary, self.remark = make_text(), make_text()
+        self.table = RowTable(self.COLUMNS, TABLE_HEIGHT)
         self.remark.hide()
-        for widget in (self.summary, self._build_table(), self.remark):
+        for widget in (self.summary, self.table, self.remark):
             layout.addWidget(widget)
         layout.addLayout(self._build_show())
         for box in self.build_boxes():
             layout.addWidget(box)
-
-    def _build_table(self):
-        self.table = QtWidgets.QTableWidget(0, len(self.COLUMNS))
-        self.table.setHorizontalHeaderLabels([tr(heading) for heading, _ in self.COLUMNS])
-        for column, (_, tip) in enumerate(self.COLUMNS):
-            self.table.horizontalHeaderItem(column).setToolTip(tr(tip))
-        self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
-        show_seams_in(self.table, TABLE_HEIGHT)
-        self._fit_columns()
-        return self.table
-
-    def _fit_columns(self):
-        """Fit the widths of columns to their texts; the last column fills the remaining width."""
-        header, last = self.table.horizontalHeader(), len(self.COLUMNS) - 1
-        header.setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
-        if header.length() <= self.table.viewport().width():
-            header.setSectionResizeMode(last, QtWidgets.QHeaderView.Stretch)
 
     def _build_show(self):
         self.show_line = QtWidgets.QHBoxLayout()
@@ -160,14 +135,8 @@ class PreviewPanel(ResultPanel):
 
     def fill(self, built, text):
         """Show these rows, and the text above them."""
-        self._rows = built
         self.summary.setText(text)
-        self.table.clearSelection()
-        self.table.setRowCount(len(built))
-        for line, row in enumerate(built):
-            for column, cell in enumerate(row.cells):
-                self.table.setItem(line, column, _item(cell, row, column, self.table))
-        self._fit_columns()
+        self.table.show_rows(built)
         self.after.setEnabled(self.has_result())
 
     def show_before(self):
@@ -191,8 +160,7 @@ class PreviewPanel(ResultPanel):
 
     def _selection_changed(self):
         """Mark the seams of the chosen rows as they are in the shown object, and zoom to them."""
-        lines = sorted({index.row() for index in self.table.selectionModel().selectedRows()})
-        rows = [self._rows[line] for line in lines]
+        rows = self.table.chosen()
         remark = self.note(rows)
         self.remark.setText(remark)
         self.remark.setVisible(bool(remark))
@@ -203,11 +171,3 @@ class PreviewPanel(ResultPanel):
             return
         size = Part.getShape(shown).BoundBox.DiagonalLength
         seam_view.show(self.obj, report, seams, size)
-
-
-def _item(text, row, column, table):
-    item = QtWidgets.QTableWidgetItem(text)
-    item.setToolTip(row.detail)
-    if column == len(row.cells) - 1 and row.state in INKS:
-        item.setForeground(QtGui.QBrush(ink.ink(INKS[row.state], table)))
-    return item

@@ -7,6 +7,7 @@ be undone.
 
 import FreeCADGui as Gui
 
+from freecad.seamwright.document import expressions
 from freecad.seamwright.document.plan import Plan
 from freecad.seamwright.document.properties import error_text, plain
 from freecad.seamwright.gui.widgets import messages
@@ -45,6 +46,7 @@ class ResultPanel:
         self._doc = obj.Document
         self._name = obj.Name
         self._kept = {name: getattr(obj, name) for name in changeable}
+        self._kept_expressions = expressions.expressions(obj)
         self._ended = False
         self._edits = self._computed_edits = 0
         self._seen = self._state()
@@ -91,6 +93,10 @@ class ResultPanel:
 
     def read_fields(self):
         """Show the values of the object."""
+        raise NotImplementedError
+
+    def show_expressions(self):
+        """Show the expressions of fields; return whether one is another than before."""
         raise NotImplementedError
 
     def refresh(self):
@@ -153,6 +159,7 @@ class ResultPanel:
             self._doc.abortTransaction()
         elif not self._created:
             with step(self._doc, tr("Restore")):
+                expressions.bind(self.obj, self._kept_expressions)
                 for name, value in self._kept.items():
                     setattr(self.obj, name, value)
                 self._doc.recompute()
@@ -247,12 +254,15 @@ class ResultPanel:
         if state[0] != self._seen[0]:
             self.read_fields()
             self._computed_edits = self._edits
+        elif self.show_expressions():
+            self.changed()
         self._seen = state
         self.refresh()
 
     def _state(self):
         return (
             [plain(getattr(self.obj, name)) for name in self._kept],
+            expressions.expressions(self.obj),
             self.obj.Report,
             error_text(self.obj),
         )

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The task panel of Corner Fillet: radius and setback of each edge, and a table of new seams."""
+"""The task panel of Corner Fillet: an option panel with radius and setback of each edge."""
 
-from freecad.seamwright.document import corner, elements
+from freecad.seamwright.document import corner
+from freecad.seamwright.document.plan import Values
 from freecad.seamwright.gui.base.new_seams_panel import NewSeamsPanel
 from freecad.seamwright.gui.widgets.forms import make_box
 from freecad.seamwright.gui.widgets.number_field import LENGTH, NumberField
 from freecad.seamwright.gui.widgets.qt import QtWidgets
-from freecad.seamwright.gui.widgets.tolerance_form import ToleranceForm
 from freecad.seamwright.plain import corner_text
 from freecad.seamwright.plain.language import mark, tr
 
@@ -21,25 +21,14 @@ LINES = 4
 class CornerPanel(NewSeamsPanel):
     """Shows and changes one Corner Fillet; ``created``: Cancel removes it."""
 
-    TITLE, ICON = "Corner Fillet", "seamwright-corner"
-    PREVIEW_TIP = "Round the corner with these values"
-
-    def __init__(self, obj, created):
-        self._edges, self._lengths, self._problem = corner.corner_of(obj)
-        changeable = ["Vertex", "Radii", "Setbacks", *(name for name, *_ in corner.TOLERANCES)]
-        super().__init__(obj, created, tr("Edit corner fillet"), changeable)
+    _edges = None  # the names of those that are listed
 
     # The window.
 
-    def build_boxes(self):
-        """Return the boxes of the edges and of the tolerances."""
-        return self._build_edges(), self._build_limits()
-
-    def _build_edges(self):
-        box, layout = make_box(tr("Edges at {names}").format(
-            names=", ".join(elements.names(self.obj, "Vertex"))
-        ))
-        self.edges = QtWidgets.QTableWidget(len(self._edges), len(HEADINGS))
+    def build_options(self):
+        """Return the box of the edges."""
+        box, layout = make_box(tr("Edges"))
+        self.edges = QtWidgets.QTableWidget(0, len(HEADINGS))
         self.edges.setHorizontalHeaderLabels([tr(heading) for heading in HEADINGS])
         self.edges.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
         self.edges.setSelectionMode(QtWidgets.QAbstractItemView.NoSelection)
@@ -48,47 +37,70 @@ class CornerPanel(NewSeamsPanel):
         header.setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
         for column in (RADIUS, SETBACK):
             header.setSectionResizeMode(column, QtWidgets.QHeaderView.Stretch)
-        self.fields = {column: self._fields(column) for column in (RADIUS, SETBACK)}
-        height = self.edges.verticalHeader().defaultSectionSize()
-        self.edges.setFixedHeight((1 + min(LINES, max(1, len(self._edges)))) * height + 4)
         layout.addWidget(self.edges)
         self.same = QtWidgets.QPushButton(tr("Same radius for all"))
         self.same.setToolTip(tr("Give all edges the radius of the first one"))
         layout.addWidget(self.same)
-        return box
+        return [box]
 
-    def _fields(self, column):
-        """Return a field for a length in each line of a column."""
-        fields = [NumberField(LENGTH, 1e6) for _ in self._edges]
-        for line, field in enumerate(fields):
-            if column == SETBACK:
-                field.setSpecialValueText(tr("auto"))
-                field.setToolTip(tr("Distance from the vertex at which the fillet ends"))
-            self.edges.setCellWidget(line, column, field)
-        return fields
-
-    def _build_limits(self):
-        self.tolerances = ToleranceForm(corner.TOLERANCES)
-        return make_box(tr("Tolerances"), self.tolerances)[0]
-
-    def connect_fields(self):
-        """React to changes of the fields."""
-        for field in self.fields[RADIUS] + self.fields[SETBACK]:
-            field.valueChanged.connect(self.changed)
-        self.tolerances.changed.connect(self.changed)
+    def _connect(self):
+        super()._connect()
         self.edges.cellClicked.connect(lambda line, _: self.select_in_source([self._edges[line]]))
         self.same.clicked.connect(
-            lambda *_: [each.setValue(self._values(RADIUS)[0]) for each in self.fields[RADIUS]]
+            lambda *_: [each.show_number(self._values(RADIUS)[0]) for each in self.fields[RADIUS]]
         )
 
     def read_fields(self):
         """Show the values of the object."""
-        self.tolerances.read_from(self.obj)
-        for column, numbers in ((RADIUS, self.obj.Radii), (SETBACK, self.obj.Setbacks)):
-            numbers = list(numbers) * len(self._edges) if len(numbers) == 1 else list(numbers)
-            for field, value in zip(self.fields[column], numbers):
-                field.setValue(value)
+        super().read_fields()
+        self._show_numbers(list(self.obj.Radii), list(self.obj.Setbacks))
+        self._timer.stop()
+        self.steps.start()
+
+    def field_values(self):
+        """Return the values of the fields as ``show_field_values`` takes them."""
+        numbers = [self._values(column) for column in (RADIUS, SETBACK)] if self._edges else []
+        return {**super().field_values(), "numbers": numbers}
+
+    def show_field_values(self, values):
+        """Show the values of fields, for the edges at the vertex that is chosen."""
+        super().show_field_values(values)
+        if values["numbers"]:
+            self._show_numbers(*values["numbers"])
+
+    def list_parts(self):
+        """List the edges at the vertex; their fields stay where the edges are the same."""
+        seen = Values(self.obj, self._link_values())
+        edges, self._lengths, self._problem = corner.corner_of(seen)
+        if edges != self._edges:
+            self._edges = edges
+            self.edges.setRowCount(len(edges))
+            height = self.edges.verticalHeader().defaultSectionSize()
+            self.edges.setFixedHeight((1 + min(LINES, max(1, len(edges)))) * height + 4)
+            self.fields = {column: self._fields(column) for column in (RADIUS, SETBACK)}
         self._describe_edges()
+
+    def suit_parts(self):
+        """Show the radius that is suggested for other edges, and no setbacks."""
+        if self._edges:
+            self._show_numbers([corner_text.suggested_radius_mm(self._lengths)], [0.0])
+
+    def _show_numbers(self, radii, setbacks):
+        for column, numbers in ((RADIUS, radii), (SETBACK, setbacks)):
+            numbers = numbers * len(self._edges) if len(numbers) == 1 else numbers
+            for field, value in zip(self.fields[column], numbers):
+                field.show_number(value)
+
+    def _fields(self, column):
+        """Return a field for a length in each line of a column."""
+        fields = [NumberField(LENGTH, 1e6, refer_to=self.obj) for _ in self._edges]
+        for line, field in enumerate(fields):
+            if column == SETBACK:
+                field.setSpecialValueText(tr("auto"))
+                field.setToolTip(tr("Distance from the vertex at which the fillet ends"))
+            field.valueChanged.connect(self.changed)
+            self.edges.setCellWidget(line, column, field)
+        return fields
 
     def _describe_edges(self):
         """Write what is known about the edges.
@@ -96,6 +108,7 @@ class CornerPanel(NewSeamsPanel):
         Angles and automatic setbacks are known only after the edges were rounded.
         """
         known = {"Edge%d" % edge["edge"]: edge for edge in corner.report_of(self.obj)["edges"]}
+        known = {} if self._links else known
         for line, (name, length) in enumerate(zip(self._edges, self._lengths)):
             angle = corner_text.edge_text(known[name]) if name in known else ""
             for column, text in enumerate((name, "%.6g" % length, angle)):
@@ -106,9 +119,13 @@ class CornerPanel(NewSeamsPanel):
             )
             self.fields[SETBACK][line].setSpecialValueText(automatic)
 
+    def waiting_text(self):
+        """Return which edges would be rounded."""
+        return self._problem or corner_text.waiting_text(self._edges)
+
     def wanted(self):
         """Return the {property: value} of the fields."""
-        values = self.tolerances.values()
+        values = super().wanted()
         if self._edges:
             radii, setbacks = self._values(RADIUS), self._values(SETBACK)
             values["Radii"] = radii[:1] if len(set(radii)) == 1 else radii
@@ -116,21 +133,19 @@ class CornerPanel(NewSeamsPanel):
         return values
 
     def _values(self, column):
-        return [field.value() for field in self.fields[column]]
+        return [field.number() for field in self.fields[column]]
 
     # Actions.
+
+    def check(self, name, chosen):
+        """Raise ValueError where these links are no corner."""
+        corner.check(chosen)
+
+    def elements_of(self, chosen):
+        """Return {property: links} for elements of one object."""
+        return {"Vertex": chosen}
 
     def seams(self):
         """Return (seams, tolerances, target) as they are stored now."""
         report = corner.report_of(self.obj)
         return report["seams"], report["tolerance"], corner_text.TARGET
-
-    def begin(self):
-        """Say which edges would be rounded."""
-        self.fill([], self._problem or corner_text.waiting_text(self._edges))
-        self.show_before()
-
-    def refresh(self):
-        """Show the results as they are stored now."""
-        super().refresh()
-        self._describe_edges()

@@ -4,9 +4,11 @@
 from freecad.seamwright.document.curves import arcs, curve
 from freecad.seamwright.document.feature import report_of
 from freecad.seamwright.document.properties import error_text
-from freecad.seamwright.gui.base.option_panel import OptionPanel, SourceBox, sentence
+from freecad.seamwright.gui.base.option_panel import OptionPanel, sentence
+from freecad.seamwright.gui.base.source_box import SourceBox
 from freecad.seamwright.gui.widgets import messages
 from freecad.seamwright.gui.widgets.forms import LEAST_WIDTH, make_box, make_text
+from freecad.seamwright.gui.widgets.number_field import LENGTH, PLAIN, NumberField
 from freecad.seamwright.gui.widgets.qt import QtWidgets
 from freecad.seamwright.gui.widgets.steps import remove
 from freecad.seamwright.plain.language import tr
@@ -44,10 +46,8 @@ class CurvePanel(OptionPanel):
         self.comb.setToolTip(tr("Draw lines across the curve, as long as its curvature is large"))
         self.compare = QtWidgets.QCheckBox(tr("of the input too"))
         self.compare.setToolTip(tr("Also draw the comb of the edges from which the curve is made"))
-        self.comb_scale = QtWidgets.QDoubleSpinBox()
-        self.comb_scale.setRange(0.01, 100.0)
+        self.comb_scale = NumberField(PLAIN, 100.0, 0.01, refer_to=self.obj)
         self.comb_scale.setMinimumWidth(LEAST_WIDTH // 2)
-        self.comb_scale.setStepType(QtWidgets.QAbstractSpinBox.AdaptiveDecimalStepType)
         self.comb_scale.setToolTip(tr("Length of the lines of the comb"))
         self.numbers = QtWidgets.QCheckBox(tr("Number the points"))
         self.numbers.setToolTip(tr("Show which number of a list belongs to which point"))
@@ -70,12 +70,8 @@ class CurvePanel(OptionPanel):
                 "does not follow the sources"
             )
         )
-        self.sketch_mm = QtWidgets.QDoubleSpinBox()
-        self.sketch_mm.setDecimals(5)
-        self.sketch_mm.setRange(1e-5, 1e3)
-        self.sketch_mm.setValue(arcs.SKETCH_MM)
-        self.sketch_mm.setSuffix(" mm")
-        self.sketch_mm.setStepType(QtWidgets.QAbstractSpinBox.AdaptiveDecimalStepType)
+        self.sketch_mm = NumberField(LENGTH, 1e3, 1e-5, refer_to=self.obj)
+        self.sketch_mm.show_number(arcs.SKETCH_MM)
         self.sketch_mm.setToolTip(tr("Largest distance of the arcs from the curve"))
         self.sketch_text = make_text()
         for widget, stretch in ((self.sketch, 0), (self.sketch_mm, 0), (self.sketch_text, 1)):
@@ -94,7 +90,7 @@ class CurvePanel(OptionPanel):
     def read_fields(self):
         """Show the values of the object."""
         self.comb.setChecked(self.obj.ViewObject.ShowComb)
-        self.comb_scale.setValue(self.obj.ViewObject.CombScale)
+        self.comb_scale.show_number(self.obj.ViewObject.CombScale)
         super().read_fields()
 
     # Actions.
@@ -110,7 +106,7 @@ class CurvePanel(OptionPanel):
         self._show_numbers()
 
     def _show_comb(self, *_):
-        self.obj.ViewObject.CombScale = self.comb_scale.value()
+        self.obj.ViewObject.CombScale = self.comb_scale.number()
         self.obj.ViewObject.ShowComb = self.comb.isChecked()
 
     def _points(self):
@@ -133,7 +129,7 @@ class CurvePanel(OptionPanel):
             messages.show_notice(error_text(self.obj))
             return
         try:
-            sketch = arcs.add_sketch(self.obj, self.sketch_mm.value())
+            sketch = arcs.add_sketch(self.obj, self.sketch_mm.number())
         except ValueError as error:
             messages.show_error(sentence(error))
             return

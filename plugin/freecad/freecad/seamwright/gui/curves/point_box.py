@@ -5,6 +5,7 @@ from freecad.seamwright.document.curves.spline import INTERPOLATING
 from freecad.seamwright.gui.curves.point_table import PointTable
 from freecad.seamwright.gui.scene.projection import Projection
 from freecad.seamwright.gui.widgets.forms import make_text
+from freecad.seamwright.gui.widgets.number_field import LENGTH, NumberField
 from freecad.seamwright.gui.widgets.qt import QtWidgets
 from freecad.seamwright.plain import spline_handles
 from freecad.seamwright.plain.language import mark, tr
@@ -26,7 +27,8 @@ class PointBox(QtWidgets.QGroupBox):
     """Buttons ``pick``, ``undo``, ``redo``, ``free`` and ``back``, the text ``picked``, the
     ``table``, and the fields ``handles``, ``snaps`` and ``grid``."""
 
-    def __init__(self):
+    def __init__(self, obj):
+        """``obj``: the spline."""
         super().__init__(tr("Points"))
         self.pick = _button(
             tr("Pick points"),
@@ -48,9 +50,9 @@ class PointBox(QtWidgets.QGroupBox):
         layout.addLayout(buttons)
         layout.addWidget(self.picked)
         layout.addWidget(self.table)
-        layout.addLayout(self._fields())
+        layout.addLayout(self._fields(obj))
 
-    def _fields(self):
+    def _fields(self, obj):
         line = QtWidgets.QHBoxLayout()
         self.handles = QtWidgets.QCheckBox(tr("Handles"))
         self.handles.setChecked(True)
@@ -62,11 +64,7 @@ class PointBox(QtWidgets.QGroupBox):
         )
         self.snaps = QtWidgets.QCheckBox(tr("Grid"))
         self.snaps.setToolTip(tr("Points that are picked or dragged snap to a grid; Ctrl: free"))
-        self.grid = QtWidgets.QDoubleSpinBox()
-        self.grid.setRange(1e-4, 1e6)
-        self.grid.setDecimals(4)
-        self.grid.setSuffix(" mm")
-        self.grid.setStepType(QtWidgets.QAbstractSpinBox.AdaptiveDecimalStepType)
+        self.grid = NumberField(LENGTH, 1e6, 1e-4, refer_to=obj)
         for each in (self.handles, self.snaps, self.grid):
             line.addWidget(each)
         line.addStretch(1)
@@ -85,11 +83,11 @@ class PointBox(QtWidgets.QGroupBox):
         """Give the grid a step that is seen in a 3D view as it is now."""
         if hasattr(view, "graphicsView"):
             pixel_mm = Projection(view).size_of_pixel_mm((0, 0, 0))
-            self.grid.setValue(spline_handles.fair_step(GRID_PX * pixel_mm))
+            self.grid.show_number(spline_handles.fair_step(GRID_PX * pixel_mm))
 
     def grid_mm(self):
         """Return the step of the grid, 0 without one."""
-        return self.grid.value() if self.snaps.isChecked() else 0.0
+        return self.grid.number() if self.snaps.isChecked() else 0.0
 
     def say_picked(self, count, point, what):
         """Say how many points are picked, and where the last one or the mouse is."""

@@ -25,7 +25,7 @@ class SplinePanel(CurvePanel):
 
     def _build(self):
         super()._build()
-        self.box = PointBox()
+        self.box = PointBox(self.obj)
         self.table, self.pick = self.box.table, self.box.pick
         layout = self.form.layout()
         layout.insertWidget(layout.indexOf(self.boxes["Sources"]) + 1, self.box)

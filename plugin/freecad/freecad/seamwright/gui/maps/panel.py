@@ -9,7 +9,8 @@ from freecad.seamwright.document.maps.deviation import Deviation
 from freecad.seamwright.document.maps.seam_plot import SeamPlot
 from freecad.seamwright.document.maps.surface_map import SurfaceMap
 from freecad.seamwright.document.properties import DONE
-from freecad.seamwright.gui.base.option_panel import OptionPanel, SourceBox
+from freecad.seamwright.gui.base.option_panel import OptionPanel
+from freecad.seamwright.gui.base.source_box import SourceBox
 from freecad.seamwright.gui.maps.plot import Line, Plot
 from freecad.seamwright.gui.widgets.forms import make_box, make_text
 from freecad.seamwright.gui.widgets.qt import QtWidgets

@@ -99,7 +99,7 @@ class RepairPanel(PreviewPanel):
         return box
 
     def _build_limits(self):
-        self.tolerances = ToleranceForm(repair.TOLERANCES, ("Target", repair.TARGETS))
+        self.tolerances = ToleranceForm(repair.TOLERANCES, ("Target", repair.TARGETS), self.obj)
         self.max_move = NumberField(LENGTH, 1e6)
         self.max_move.setSpecialValueText(tr("by size of face"))
         self.max_move.setToolTip(
@@ -108,6 +108,7 @@ class RepairPanel(PreviewPanel):
                 "the size of the face plus twice the largest gap of its seams"
             )
         )
+        self.max_move.bind(self.obj, "MaxMove")
         self.tolerances.layout().insertRow(1, tr("Largest move"), self.max_move)
         return make_box(tr("Target and limits"), self.tolerances)[0]
 
@@ -133,8 +134,8 @@ class RepairPanel(PreviewPanel):
         """Show the values of the object."""
         for name, each in self.lists.items():
             each.set_names(elements.names(self.obj, name))
-        self.max_move.setValue(properties.number(self.obj, "MaxMove"))
-        self.max_move.show_expression(dict(self.obj.ExpressionEngine).get("MaxMove"))
+        self.max_move.show_number(properties.number(self.obj, "MaxMove"))
+        self.max_move.show_expression()
         self.tolerances.read_from(self.obj)
         self._name_seams()
 
@@ -143,7 +144,11 @@ class RepairPanel(PreviewPanel):
         chosen = {
             name: elements.link_to(self.obj, each.names()) for name, each in self.lists.items()
         }
-        return {**chosen, "MaxMove": self.max_move.value(), **self.tolerances.values()}
+        return {**chosen, "MaxMove": self.max_move.number(), **self.tolerances.values()}
+
+    def show_expressions(self):
+        """Show the expressions of fields; return whether one is another than before."""
+        return any([self.max_move.show_expression(), self.tolerances.show_expressions()])
 
     # Actions.
 
@@ -201,7 +206,7 @@ class RepairPanel(PreviewPanel):
         """Show these rows, and the text above them."""
         super().fill(built, text)
         self.table.setColumnHidden(repair_text.CURVATURE_COLUMN, self._report["target"] != "G2")
-        self._fit_columns()
+        self.table.fit_columns()
 
     def changed(self, *_):
         """A field differs from what was computed."""

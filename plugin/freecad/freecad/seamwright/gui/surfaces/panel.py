@@ -7,8 +7,9 @@ from freecad.seamwright.document.surfaces.blend import LATERAL
 from freecad.seamwright.document.surfaces.chain import tangent_chain
 from freecad.seamwright.document.surfaces.extend import UP_TO
 from freecad.seamwright.document.surfaces.surface import Surface
-from freecad.seamwright.gui.base.option_panel import OptionPanel, SourceBox, sentence
-from freecad.seamwright.gui.base.preview_panel import INKS
+from freecad.seamwright.gui.base.option_panel import OptionPanel, sentence
+from freecad.seamwright.gui.base.row_table import INKS
+from freecad.seamwright.gui.base.source_box import SourceBox
 from freecad.seamwright.gui.scene.zebra import zebra
 from freecad.seamwright.gui.widgets import ink, messages
 from freecad.seamwright.gui.widgets.forms import make_box, make_text, show_seams_in

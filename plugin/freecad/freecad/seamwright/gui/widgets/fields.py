@@ -1,20 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The input fields of a table of options; lengths and angles have units and take expressions."""
+"""The input fields of a table of options; numbers may be given by expressions."""
 
-import math
+import re
 
-import FreeCADGui as Gui
-
+from freecad.seamwright.document import expressions
 from freecad.seamwright.gui.widgets import ink
-from freecad.seamwright.gui.widgets.forms import LEAST_WIDTH
+from freecad.seamwright.gui.widgets.number_field import ANGLE, LENGTH, PLAIN, CountBox, NumberField
 from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 from freecad.seamwright.plain import options
 from freecad.seamwright.plain.language import description, tr
 
-UNITS = {options.LENGTH: "mm", options.ANGLE: "deg"}
-
-#: Digits after the decimal point that a field shows.
-DECIMALS = 6
+UNITS = {options.LENGTH: LENGTH, options.ANGLE: ANGLE}
 
 LARGEST = 1e9
 
@@ -51,59 +47,53 @@ class Field(QtCore.QObject):
         """Show a value."""
         raise NotImplementedError
 
+    def show_expression(self):
+        """Show the expression that gives the value; return whether it is another than before."""
+        return False
+
     def _emit(self, *_):
         self.changed.emit()
 
 
 class QuantityField(Field):
-    """A length, an angle or a plain number, in a field of FreeCAD: it also takes expressions."""
-
-    _exact = _rounded = math.nan
+    """A length, an angle or a plain number, which may be given by an expression."""
 
     def _make(self, obj):
-        widget = Gui.UiLoader().createWidget("Gui::QuantitySpinBox")
-        widget.setProperty("unit", UNITS.get(self.option.kind, ""))
-        widget.setProperty("decimals", DECIMALS)
-        widget.setProperty("minimum", max(self.option.least, -LARGEST))
-        widget.setProperty("maximum", LARGEST)
-        widget.setMinimumWidth(LEAST_WIDTH)
-        self._binding = Gui.ExpressionBinding(widget)
-        self._binding.bind(obj, self.option.name)
-        QtCore.QObject.connect(widget, QtCore.SIGNAL("valueChanged(double)"), self._emit)
-        return widget
+        least = max(self.option.least, -LARGEST)
+        widget = NumberField(UNITS.get(self.option.kind, PLAIN), LARGEST, least)
+        widget.setSpecialValueText(tr(self.option.zero) if self.option.zero else "")
+        return self._bound(widget, obj)
 
-    def value(self):
-        """Return the number, in mm or degrees; the exact one as long as it is not changed."""
-        found = float(self.widget.property("rawValue"))
-        return self._exact if found == self._rounded else found
-
-    def show_value(self, value):
-        """Show a number; FreeCAD rounds it to the digits that the field shows."""
-        self._exact = float(value)
-        self.widget.setProperty("rawValue", self._exact)
-        self._rounded = float(self.widget.property("rawValue"))
-
-    def drag(self, value):
-        """Show a number that the user drags, or the smallest one that is allowed."""
-        self.show_value(max(value, self.option.least))
-
-
-class CountField(Field):
-    """A whole number."""
-
-    def _make(self, obj):
-        widget = QtWidgets.QSpinBox()
-        widget.setRange(int(max(self.option.least, 0)), 10000)
+    def _bound(self, widget, obj):
+        widget.bind(obj, self.option.name)
         widget.valueChanged.connect(self._emit)
         return widget
 
     def value(self):
-        """Return the number."""
-        return self.widget.value()
+        """Return the number, in mm or degrees."""
+        return self.widget.number()
 
     def show_value(self, value):
-        """Show a number."""
-        self.widget.setValue(value)
+        """Show a number, and the expression that gives it."""
+        self.widget.show_number(value)
+        self.widget.show_expression()
+
+    def show_expression(self):
+        """Show the expression that gives the number; return whether it is another than before."""
+        return self.widget.show_expression()
+
+    def drag(self, value):
+        """Show a number that the user drags, unless an expression gives it; return whether."""
+        return self.widget.suggest(max(value, self.option.least))
+
+
+class CountField(QuantityField):
+    """A whole number, which may be given by an expression."""
+
+    def _make(self, obj):
+        widget = CountBox()
+        widget.setRange(int(max(self.option.least, 0)), 10000)
+        return self._bound(widget, obj)
 
 
 class FlagField(Field):
@@ -145,22 +135,54 @@ class ChoiceField(Field):
 
 
 class NumbersField(Field):
-    """Numbers in one line, such as 0; 0; 50. A text that is no list of numbers is red."""
+    """Numbers in one line, such as 0; 0; 50. A text that is no list of numbers is red.
+
+    Between semicolons there may be expressions; they are computed once.
+    """
 
     def _make(self, obj):
+        self._obj = obj
         widget = QtWidgets.QLineEdit()
         widget.textChanged.connect(self._emit)
+        widget.editingFinished.connect(self._show_computed)
         return widget
 
     def value(self):
         """Return the numbers."""
         try:
-            numbers = options.parse_numbers(self.widget.text())
+            numbers = self._numbers()
         except ValueError:
             self.widget.setStyleSheet(BAD_TEXT % ink.ink(ink.WRONG, self.widget).name())
             raise
         self.widget.setStyleSheet("")
         return numbers
+
+    def _numbers(self):
+        text = self.widget.text()
+        try:
+            return options.parse_numbers(text)
+        except ValueError:
+            found = [self._computed(each) for each in text.split(";")]
+            if None in found:
+                raise
+            return found
+
+    def _computed(self, text):
+        """Return the number of an expression in mm, in degrees or without a unit, or None."""
+        for unit in (LENGTH, ANGLE):
+            try:
+                return expressions.evaluated(self._obj, text.strip().lstrip("="), unit)
+            except ValueError:
+                pass
+        return None
+
+    def _show_computed(self):
+        """Show the numbers instead of expressions."""
+        if re.search(r"[^\W\d]|[*/()]", self.widget.text()):
+            try:
+                self.show_value(self._numbers())
+            except ValueError:
+                pass  # the text is red
 
     def show_value(self, value):
         """Show numbers."""
@@ -203,7 +225,7 @@ FIELDS = {
 class OptionForm(QtWidgets.QWidget):
     """Fields for the options of an object; those without an effect are hidden.
 
-    The form changes no property; ``values`` returns the values of its fields.
+    The form changes no property, besides expressions; ``values`` returns the values of its fields.
     """
 
     changed = QtCore.Signal()
@@ -226,6 +248,10 @@ class OptionForm(QtWidgets.QWidget):
         for argument, field in self.fields.items():
             field.show_value(values[argument])
         self._show_used()
+
+    def show_expressions(self):
+        """Show the expressions of the properties; return whether one is another than before."""
+        return any([field.show_expression() for field in self.fields.values()])
 
     def hide(self, arguments):
         """Hide the fields of these arguments, besides those of options without an effect."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A field for a number that shows all its digits, in the units that the user set in FreeCAD.
+"""Fields for numbers: with all their digits, in the units that the user set in FreeCAD.
 
 FreeCAD's own field shows as many digits as the preferences say, often two, and rounds to them. A
 tolerance of 0.001 degrees would be lost.
@@ -7,31 +7,106 @@ tolerance of 0.001 degrees would be lost.
 
 import FreeCAD as App
 
+from freecad.seamwright.document import expressions
+from freecad.seamwright.gui.widgets.binding import Binding
 from freecad.seamwright.gui.widgets.forms import LEAST_WIDTH
 from freecad.seamwright.gui.widgets.qt import QtGui, QtWidgets
-from freecad.seamwright.plain.language import tr
 
 #: The kinds of numbers: a length in mm, an angle in degrees, a number without a unit.
 LENGTH, ANGLE, PLAIN = "mm", "deg", ""
 
 
-class NumberField(QtWidgets.QDoubleSpinBox):
-    """``value`` is in mm or degrees; the text has any unit, or a formula such as 2 * 5 um."""
+class Bindable:
+    """A spin box whose number may be given by an expression of a property."""
 
-    def __init__(self, unit, largest):
+    _binding = None
+
+    def bind(self, obj, name):
+        """Let the field be that of a property of an object."""
+        self._binding = Binding(self, obj, name, self.unit)
+
+    @property
+    def is_bound(self):
+        """Whether an expression gives the number."""
+        return self._binding is not None and self._binding.shown is not None
+
+    def show_expression(self):
+        """Show the expression of the property, where there is one, and its number.
+
+        Returns whether it is another one than before.
+        """
+        if self._binding is None:
+            return False
+        changed = self._binding.refresh()
+        number = self._binding.number()
+        if number is not None:
+            self.show_number(number)
+        return changed
+
+    def suggest(self, value):
+        """Show a number, unless an expression gives it; return whether it is shown."""
+        if not self.is_bound:
+            self.show_number(value)
+        return not self.is_bound
+
+
+class CountBox(Bindable, QtWidgets.QSpinBox):
+    """A whole number."""
+
+    unit = PLAIN
+
+    def number(self):
+        """Return the number."""
+        return self.value()
+
+    def show_number(self, value):
+        """Show a number."""
+        self.setValue(value)
+
+
+class NumberField(Bindable, QtWidgets.QDoubleSpinBox):
+    """``number`` is in mm or degrees. The text has any unit, or a formula such as 2 * 5 um.
+
+    With an object, it may also be an expression that names what FreeCAD finds from there, such as
+    Spreadsheet.width; it is computed once.
+    """
+
+    _exact = _rounded = float("nan")
+
+    def __init__(self, unit, largest, least=0.0, refer_to=None):
         super().__init__()
-        self._unit = unit
-        self._tip = ""
+        self.unit = unit
+        self._obj = refer_to
         self.setDecimals(9)
-        self.setRange(0.0, largest)
+        self.setRange(least, largest)
         self.setMinimumWidth(LEAST_WIDTH)  # a narrow dock cuts off long numbers, not the field
         self.setStepType(QtWidgets.QAbstractSpinBox.AdaptiveDecimalStepType)
 
+    def bind(self, obj, name):
+        """Let the field be that of a property of an object."""
+        self._obj = obj
+        super().bind(obj, name)
+
+    def number(self):
+        """Return the number; the one that was shown, with all digits, as long as it is not changed.
+
+        A spin box rounds to its decimals.
+        """
+        found = self.value()
+        return self._exact if found == self._rounded else found
+
+    def show_number(self, value):
+        """Show a number, or the nearest one that is allowed."""
+        self.setValue(value)
+        self._rounded = self.value()
+        inside = self.minimum() <= value <= self.maximum()
+        self._exact = float(value) if inside else self._rounded
+
     def _shown_in(self, value):
         """Return (mm or degrees of one shown unit, its name)."""
-        if self._unit == PLAIN:
+        if self.unit == PLAIN:
             return 1.0, ""
-        unit = App.Units.Length if self._unit == LENGTH else App.Units.Angle
+        unit = App.Units.Length if self.unit == LENGTH else App.Units.Angle
         _, factor, name = App.Units.Quantity(value, unit).getUserPreferred()
         return factor, name
 
@@ -55,9 +130,11 @@ class NumberField(QtWidgets.QDoubleSpinBox):
         try:
             found = App.Units.Quantity(text)
         except (ValueError, OSError, SyntaxError, OverflowError) as error:
-            raise ValueError(str(error)) from None
-        if found.Unit != App.Units.Quantity("1 " + self._unit if self._unit else "1").Unit:
-            raise ValueError("not in %s" % self._unit)
+            if self._obj is None:
+                raise ValueError(str(error)) from None
+            return expressions.evaluated(self._obj, text.lstrip("="), self.unit)
+        if found.Unit != App.Units.Quantity("1 " + self.unit if self.unit else "1").Unit:
+            raise ValueError("not in %s" % self.unit)
         return float(found.Value)
 
     def valueFromText(self, text):
@@ -81,15 +158,3 @@ class NumberField(QtWidgets.QDoubleSpinBox):
             except ValueError:
                 pass
         return state, text, place
-
-    def show_expression(self, expression):
-        """Let the field be read-only while an expression gives the number; None: it does not."""
-        if self.isReadOnly() == (expression is not None):
-            return
-        if expression is None:
-            self.setToolTip(self._tip)
-        else:
-            self._tip = self.toolTip()
-            said = tr("Set by the expression {expression}").format(expression=expression)
-            self.setToolTip("%s\n%s" % (self._tip, said))
-        self.setReadOnly(expression is not None)

@@ -31,13 +31,14 @@ CUSTOM = mark("Custom")
 class ToleranceForm(QtWidgets.QWidget):
     """Fields for the tolerances of an object, from a table of its module.
 
-    The form changes no object; ``values`` returns the values of its fields. ``choice``: (property
-    for the level of continuity, its values), or None without one.
+    The form changes no object, besides the expressions of its properties; ``values`` returns the
+    values of its fields. ``choice``: (property for the level of continuity, its values), or None
+    without one. ``obj``: the object, or None where the fields are no properties.
     """
 
     changed = QtCore.Signal()
 
-    def __init__(self, table, choice=None):
+    def __init__(self, table, choice=None, obj=None):
         super().__init__()
         self._level_name, levels = choice or ("", ())
         self._arguments = {name: argument for name, argument, *_ in table}
@@ -67,6 +68,8 @@ class ToleranceForm(QtWidgets.QWidget):
             if name in OFF_AT_ZERO:
                 field.setSpecialValueText(tr("off"))
             field.valueChanged.connect(self._field_changed)
+            if obj is not None:
+                field.bind(obj, name)
             self.fields[name] = field
             layout.addRow(tr(label), field)
 
@@ -85,13 +88,12 @@ class ToleranceForm(QtWidgets.QWidget):
         name = self.profile.itemData(index)
         if name is not None:
             for field_name, field in self.fields.items():
-                field.setValue(
-                    profiles.PROFILES[name].get(self._arguments[field_name], field.value())
-                )
+                values = profiles.PROFILES[name]
+                field.suggest(values.get(self._arguments[field_name], field.number()))
         self._field_changed()  # choosing "Custom" changes nothing
 
     def _field_changed(self, *_):
-        values = {self._arguments[name]: field.value() for name, field in self.fields.items()}
+        values = {self._arguments[name]: field.number() for name, field in self.fields.items()}
         self.profile.setCurrentIndex(self.profile.findData(profiles.name_of(values)))
         self.changed.emit()
 
@@ -99,16 +101,21 @@ class ToleranceForm(QtWidgets.QWidget):
         """Show the tolerances of an object."""
         if self._level_name:
             self.level.setCurrentText(getattr(obj, self._level_name))
-        expressions = dict(obj.ExpressionEngine)
         for name, field in self.fields.items():
-            field.setValue(properties.number(obj, name))
-            field.show_expression(expressions.get(name))
+            field.show_number(properties.number(obj, name))
+            field.show_expression()
         self._field_changed()
 
+    def show_expressions(self):
+        """Show the expressions of the properties; return whether one is another than before."""
+        return any([field.show_expression() for field in self.fields.values()])
+
     def show_values(self, values):
-        """Show the tolerances of {property: value}."""
+        """Show the tolerances of {property: value}, and the level if it is among them."""
+        if self._level_name in values:
+            self.level.setCurrentText(values[self._level_name])
         for name, field in self.fields.items():
-            field.setValue(values[name])
+            field.show_number(values[name])
         self._field_changed()
 
     def differs_from(self, obj):
@@ -118,4 +125,4 @@ class ToleranceForm(QtWidgets.QWidget):
     def values(self):
         """Return the {property: value} of the fields."""
         level = {self._level_name: self.level.currentText()} if self._level_name else {}
-        return {**level, **{name: field.value() for name, field in self.fields.items()}}
+        return {**level, **{name: field.number() for name, field in self.fields.items()}}

@@ -712,8 +712,8 @@
         <translation>Die Fläche, an der die Fläche endet</translation>
     </message>
     <message>
-        <source>The face that is moved</source>
-        <translation>Die Fläche, die verschoben wird</translation>
+        <source>The face that moves; away from the seam it keeps its shape</source>
+        <translation>Die Fläche, die verschoben wird; abseits der Naht behält sie ihre Form</translation>
     </message>
     <message>
         <source>The face to replace; empty: holes are filled</source>
@@ -734,6 +734,10 @@
     <message>
         <source>The object whose holes are filled</source>
         <translation>Das Objekt, dessen Löcher gefüllt werden</translation>
+    </message>
+    <message>
+        <source>The object whose holes are filled, or one of its faces</source>
+        <translation>Das Objekt, dessen Löcher gefüllt werden, oder eine seiner Flächen</translation>
     </message>
     <message>
         <source>The object whose seams are repaired</source>
@@ -1049,6 +1053,10 @@ Gezeigt: {show}</translation>
         <translation>; {least_mm} bis {most_mm} mm lang</translation>
     </message>
     <message>
+        <source>A click selects them in the view</source>
+        <translation>Ein Klick wählt sie in der Ansicht aus</translation>
+    </message>
+    <message>
         <source>Add a sketch of arcs and lines near the planar curve as it is now; the sketch does not follow the sources</source>
         <translation>Fügt eine Skizze aus Bögen und Strecken nahe der ebenen Kurve hinzu, wie sie jetzt ist; die Skizze folgt den Quellen nicht</translation>
     </message>
@@ -1181,6 +1189,10 @@ Gezeigt: {show}</translation>
         <translation>Bias</translation>
     </message>
     <message>
+        <source>Bind to an expression (=)</source>
+        <translation>An einen Ausdruck binden (=)</translation>
+    </message>
+    <message>
         <source>Blend Curves</source>
         <translation>Zwischenkurven</translation>
     </message>
@@ -1267,6 +1279,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>Colours of seams</source>
         <translation>Farben der Nähte</translation>
+    </message>
+    <message>
+        <source>Common edge (may be empty)</source>
+        <translation>Gemeinsame Kante (kann fehlen)</translation>
     </message>
     <message>
         <source>Compared with</source>
@@ -1465,10 +1481,6 @@ Gezeigt: {show}</translation>
         <translation>Nochmals ausführen (Strg+Umschalt+Z)</translation>
     </message>
     <message>
-        <source>Do not move the poles of the two other boundaries that end at the seam</source>
-        <translation>Die Kontrollpunkte der beiden anderen Ränder, die an der Naht enden, nicht verschieben</translation>
-    </message>
-    <message>
         <source>Draft Angle</source>
         <translation>Formschräge</translation>
     </message>
@@ -1501,28 +1513,12 @@ Gezeigt: {show}</translation>
         <translation>Kanten</translation>
     </message>
     <message>
-        <source>Edges at {names}</source>
-        <translation>Kanten an {names}</translation>
-    </message>
-    <message>
         <source>Edges meet within</source>
         <translation>Kanten treffen sich innerhalb</translation>
     </message>
     <message>
-        <source>Edit corner fillet</source>
-        <translation>Eckverrundung bearbeiten</translation>
-    </message>
-    <message>
-        <source>Edit match surfaces</source>
-        <translation>Flächenanpassung bearbeiten</translation>
-    </message>
-    <message>
         <source>Edit seam repair</source>
         <translation>Nahtreparatur bearbeiten</translation>
-    </message>
-    <message>
-        <source>Edit umbrella fill</source>
-        <translation>Schirmfüllung bearbeiten</translation>
     </message>
     <message>
         <source>Edit {label}</source>
@@ -1609,10 +1605,6 @@ Gezeigt: {show}</translation>
         <translation>Nur die Löcher füllen, deren Kanten in der Ansicht ausgewählt sind</translation>
     </message>
     <message>
-        <source>Fill the holes with these values</source>
-        <translation>Die Löcher mit diesen Werten füllen</translation>
-    </message>
-    <message>
         <source>Filling holes…</source>
         <translation>Löcher werden gefüllt…</translation>
     </message>
@@ -1623,6 +1615,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>First direction</source>
         <translation>Erste Richtung</translation>
+    </message>
+    <message>
+        <source>First face</source>
+        <translation>Erste Fläche</translation>
     </message>
     <message>
         <source>First pole at</source>
@@ -1721,8 +1717,8 @@ Gezeigt: {show}</translation>
         <translation>Glanzlinien</translation>
     </message>
     <message>
-        <source>Hold the boundaries that end at the seam</source>
-        <translation>Die Ränder halten, die an der Naht enden</translation>
+        <source>Hold side boundaries</source>
+        <translation>Seitliche Ränder halten</translation>
     </message>
     <message>
         <source>Hole {hole}</source>
@@ -1767,10 +1763,6 @@ Gezeigt: {show}</translation>
     <message>
         <source>Joints keep</source>
         <translation>Verbindungsstellen behalten</translation>
-    </message>
-    <message>
-        <source>Keep a fill even if it misses the target; otherwise the hole stays open</source>
-        <translation>Eine Füllung behalten, auch wenn sie die Zielstufe verfehlt; sonst bleibt das Loch offen</translation>
     </message>
     <message>
         <source>Keep anyway</source>
@@ -1985,6 +1977,10 @@ Gezeigt: {show}</translation>
         <translation>Die Nähte werden gemessen…</translation>
     </message>
     <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
         <source>Move all points back to those of the sources</source>
         <translation>Alle Punkte zu denen der Quellen zurücksetzen</translation>
     </message>
@@ -2019,10 +2015,6 @@ Gezeigt: {show}</translation>
     <message>
         <source>No point of a face may move further than this. By size of face: a hundredth of the size of the face plus twice the largest gap of its seams</source>
         <translation>Kein Punkt einer Fläche darf weiter verschoben werden. Nach Größe der Fläche: ein Hundertstel der Größe der Fläche plus der doppelte größte Spalt ihrer Nähte</translation>
-    </message>
-    <message>
-        <source>No pole of a surface may move further than this</source>
-        <translation>Kein Kontrollpunkt einer Fläche darf weiter verschoben werden</translation>
     </message>
     <message>
         <source>No seams: no two faces share an edge.</source>
@@ -2317,10 +2309,6 @@ Gezeigt: {show}</translation>
         <translation>Ergebnis</translation>
     </message>
     <message>
-        <source>Round the corner with these values</source>
-        <translation>Die Ecke mit diesen Werten verrunden</translation>
-    </message>
-    <message>
         <source>Rounding the corner…</source>
         <translation>Die Ecke wird verrundet…</translation>
     </message>
@@ -2389,6 +2377,10 @@ Gezeigt: {show}</translation>
         <translation>Zweite setzt die erste fort</translation>
     </message>
     <message>
+        <source>Second face</source>
+        <translation>Zweite Fläche</translation>
+    </message>
+    <message>
         <source>Second pole at</source>
         <translation>Zweiter Kontrollpunkt bei</translation>
     </message>
@@ -2407,10 +2399,6 @@ Gezeigt: {show}</translation>
     <message>
         <source>Select one vertex of a solid at which 3 to 6 edges meet. Selected: {vertices}.</source>
         <translation>Wählen Sie einen Eckpunkt eines Körpers aus, an dem 3 bis 6 Kanten sich treffen. Ausgewählt: {vertices}.</translation>
-    </message>
-    <message>
-        <source>Select this face in the view</source>
-        <translation>Diese Fläche in der Ansicht auswählen</translation>
     </message>
     <message>
         <source>Select two faces: first the one that stays, then the one that moves. You may also select one common edge. Selected: {faces}, {edges}.</source>
@@ -2613,10 +2601,6 @@ Gezeigt: {show}</translation>
         <translation>Die Kanten von {name} wurden gelöscht: {advice}</translation>
     </message>
     <message>
-        <source>The face that moves; away from the seam it keeps its shape</source>
-        <translation>Die Fläche, die verschoben wird; abseits der Naht behält sie ihre Form</translation>
-    </message>
-    <message>
         <source>The faces as they look in the document</source>
         <translation>Die Flächen, wie sie im Dokument aussehen</translation>
     </message>
@@ -2638,11 +2622,15 @@ Gezeigt: {show}</translation>
     </message>
     <message>
         <source>The preferences are not stored: {error}.</source>
-        <translation>Die Einstellungen werden nicht gespeichert: {error}.</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The property Vertex names {vertices} vertices: name exactly one</source>
         <translation>Die Eigenschaft Vertex nennt {vertices} Eckpunkte: Nennen Sie genau einen</translation>
+    </message>
+    <message>
+        <source>The result itself is selected. Show Before, and select in the model.</source>
+        <translation>Das Ergebnis selbst ist ausgewählt. Lassen Sie „Vorher“ anzeigen und wählen Sie im Modell aus.</translation>
     </message>
     <message>
         <source>The seams at these edges:</source>
@@ -2791,6 +2779,10 @@ Gezeigt: {show}</translation>
     <message>
         <source>V lines</source>
         <translation>V-Linien</translation>
+    </message>
+    <message>
+        <source>Vertex</source>
+        <translation>Eckpunkt</translation>
     </message>
     <message>
         <source>Weight</source>
@@ -2961,8 +2953,16 @@ Gezeigt: {show}</translation>
         <translation>nach Größe der Fläche</translation>
     </message>
     <message>
+        <source>choose one edge of both faces, or nothing</source>
+        <translation>wählen Sie eine Kante beider Flächen oder nichts</translation>
+    </message>
+    <message>
         <source>choose one face</source>
         <translation>wählen Sie eine Fläche</translation>
+    </message>
+    <message>
+        <source>choose one vertex</source>
+        <translation>wählen Sie einen Eckpunkt</translation>
     </message>
     <message>
         <source>closed</source>

@@ -712,7 +712,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The face that is moved</source>
+        <source>The face that moves; away from the seam it keeps its shape</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -733,6 +733,10 @@
     </message>
     <message>
         <source>The object whose holes are filled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The object whose holes are filled, or one of its faces</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1048,6 +1052,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>A click selects them in the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Add a sketch of arcs and lines near the planar curve as it is now; the sketch does not follow the sources</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1180,6 +1188,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Bind to an expression (=)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Blend Curves</source>
         <translation>Courbes intermédiaires</translation>
     </message>
@@ -1265,6 +1277,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Colours of seams</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Common edge (may be empty)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1464,10 +1480,6 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Do not move the poles of the two other boundaries that end at the seam</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Draft Angle</source>
         <translation>Angle de dépouille</translation>
     </message>
@@ -1500,27 +1512,11 @@ Shown: {show}</source>
         <translation>Arêtes</translation>
     </message>
     <message>
-        <source>Edges at {names}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Edges meet within</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Edit corner fillet</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Edit match surfaces</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Edit seam repair</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Edit umbrella fill</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1608,10 +1604,6 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fill the holes with these values</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Filling holes…</source>
         <translation>Remplissage des trous…</translation>
     </message>
@@ -1621,6 +1613,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>First direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First face</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1720,7 +1716,7 @@ Shown: {show}</source>
         <translation>Lignes de reflet</translation>
     </message>
     <message>
-        <source>Hold the boundaries that end at the seam</source>
+        <source>Hold side boundaries</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1765,10 +1761,6 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Joints keep</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Keep a fill even if it misses the target; otherwise the hole stays open</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1984,6 +1976,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Move all points back to those of the sources</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2017,10 +2013,6 @@ Shown: {show}</source>
     </message>
     <message>
         <source>No point of a face may move further than this. By size of face: a hundredth of the size of the face plus twice the largest gap of its seams</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No pole of a surface may move further than this</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2316,10 +2308,6 @@ Shown: {show}</source>
         <translation>Résultat</translation>
     </message>
     <message>
-        <source>Round the corner with these values</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Rounding the corner…</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2386,6 +2374,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Second face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Second pole at</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2403,10 +2395,6 @@ Shown: {show}</source>
     </message>
     <message>
         <source>Select one vertex of a solid at which 3 to 6 edges meet. Selected: {vertices}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Select this face in the view</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2610,10 +2598,6 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The face that moves; away from the seam it keeps its shape</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The faces as they look in the document</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2639,6 +2623,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>The property Vertex names {vertices} vertices: name exactly one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The result itself is selected. Show Before, and select in the model.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2787,6 +2775,10 @@ Shown: {show}</source>
     </message>
     <message>
         <source>V lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vertex</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2958,7 +2950,15 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>choose one edge of both faces, or nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>choose one face</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose one vertex</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -712,8 +712,8 @@
         <translation>曲面结束处的面</translation>
     </message>
     <message>
-        <source>The face that is moved</source>
-        <translation>被移动的面</translation>
+        <source>The face that moves; away from the seam it keeps its shape</source>
+        <translation>移动的面；远离接缝处保持其形状</translation>
     </message>
     <message>
         <source>The face to replace; empty: holes are filled</source>
@@ -734,6 +734,10 @@
     <message>
         <source>The object whose holes are filled</source>
         <translation>要填充孔的对象</translation>
+    </message>
+    <message>
+        <source>The object whose holes are filled, or one of its faces</source>
+        <translation>要填充其孔的对象，或其中一个面</translation>
     </message>
     <message>
         <source>The object whose seams are repaired</source>
@@ -1049,6 +1053,10 @@ Shown: {show}</source>
         <translation>；长度 {least_mm} 至 {most_mm} mm</translation>
     </message>
     <message>
+        <source>A click selects them in the view</source>
+        <translation>单击可在视图中选择它们</translation>
+    </message>
+    <message>
         <source>Add a sketch of arcs and lines near the planar curve as it is now; the sketch does not follow the sources</source>
         <translation>添加一个由圆弧和直线组成的草图，贴近当前的平面曲线；草图不跟随来源</translation>
     </message>
@@ -1181,6 +1189,10 @@ Shown: {show}</source>
         <translation>偏斜</translation>
     </message>
     <message>
+        <source>Bind to an expression (=)</source>
+        <translation>绑定到表达式（=）</translation>
+    </message>
+    <message>
         <source>Blend Curves</source>
         <translation>混合曲线</translation>
     </message>
@@ -1267,6 +1279,10 @@ Shown: {show}</source>
     <message>
         <source>Colours of seams</source>
         <translation>接缝的颜色</translation>
+    </message>
+    <message>
+        <source>Common edge (may be empty)</source>
+        <translation>公共边(可为空)</translation>
     </message>
     <message>
         <source>Compared with</source>
@@ -1465,10 +1481,6 @@ Shown: {show}</source>
         <translation>重做 (Ctrl+Shift+Z)</translation>
     </message>
     <message>
-        <source>Do not move the poles of the two other boundaries that end at the seam</source>
-        <translation>不移动在接缝处结束的另外两条边界的控制点</translation>
-    </message>
-    <message>
         <source>Draft Angle</source>
         <translation>拔模角</translation>
     </message>
@@ -1501,28 +1513,12 @@ Shown: {show}</source>
         <translation>边</translation>
     </message>
     <message>
-        <source>Edges at {names}</source>
-        <translation>{names} 处的边</translation>
-    </message>
-    <message>
         <source>Edges meet within</source>
         <translation>边相交误差不超过</translation>
     </message>
     <message>
-        <source>Edit corner fillet</source>
-        <translation>编辑拐角圆角</translation>
-    </message>
-    <message>
-        <source>Edit match surfaces</source>
-        <translation>编辑曲面匹配</translation>
-    </message>
-    <message>
         <source>Edit seam repair</source>
         <translation>编辑接缝修复</translation>
-    </message>
-    <message>
-        <source>Edit umbrella fill</source>
-        <translation>编辑伞形填充</translation>
     </message>
     <message>
         <source>Edit {label}</source>
@@ -1609,10 +1605,6 @@ Shown: {show}</source>
         <translation>仅填充其边在视图中被选中的孔</translation>
     </message>
     <message>
-        <source>Fill the holes with these values</source>
-        <translation>用这些值填充孔</translation>
-    </message>
-    <message>
         <source>Filling holes…</source>
         <translation>正在填充孔…</translation>
     </message>
@@ -1623,6 +1615,10 @@ Shown: {show}</source>
     <message>
         <source>First direction</source>
         <translation>起始方向</translation>
+    </message>
+    <message>
+        <source>First face</source>
+        <translation>第一个面</translation>
     </message>
     <message>
         <source>First pole at</source>
@@ -1721,8 +1717,8 @@ Shown: {show}</source>
         <translation>高光线</translation>
     </message>
     <message>
-        <source>Hold the boundaries that end at the seam</source>
-        <translation>固定在接缝处结束的边界</translation>
+        <source>Hold side boundaries</source>
+        <translation>固定侧边界</translation>
     </message>
     <message>
         <source>Hole {hole}</source>
@@ -1767,10 +1763,6 @@ Shown: {show}</source>
     <message>
         <source>Joints keep</source>
         <translation>连接点保持</translation>
-    </message>
-    <message>
-        <source>Keep a fill even if it misses the target; otherwise the hole stays open</source>
-        <translation>即使未达到目标也保留填充；否则孔保持开放</translation>
     </message>
     <message>
         <source>Keep anyway</source>
@@ -1985,6 +1977,10 @@ Shown: {show}</source>
         <translation>正在测量接缝…</translation>
     </message>
     <message>
+        <source>Model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
         <source>Move all points back to those of the sources</source>
         <translation>将所有点恢复到来源的点</translation>
     </message>
@@ -2019,10 +2015,6 @@ Shown: {show}</source>
     <message>
         <source>No point of a face may move further than this. By size of face: a hundredth of the size of the face plus twice the largest gap of its seams</source>
         <translation>面上任何点的移动都不得超过此值。按面的尺寸：面尺寸的百分之一加上其接缝最大间隙的两倍</translation>
-    </message>
-    <message>
-        <source>No pole of a surface may move further than this</source>
-        <translation>曲面的任何控制点移动都不得超过此值</translation>
     </message>
     <message>
         <source>No seams: no two faces share an edge.</source>
@@ -2317,10 +2309,6 @@ Shown: {show}</source>
         <translation>结果</translation>
     </message>
     <message>
-        <source>Round the corner with these values</source>
-        <translation>用这些值对拐角倒圆</translation>
-    </message>
-    <message>
         <source>Rounding the corner…</source>
         <translation>正在对拐角倒圆…</translation>
     </message>
@@ -2389,6 +2377,10 @@ Shown: {show}</source>
         <translation>第二条延续第一条</translation>
     </message>
     <message>
+        <source>Second face</source>
+        <translation>第二个面</translation>
+    </message>
+    <message>
         <source>Second pole at</source>
         <translation>第二控制点位于</translation>
     </message>
@@ -2407,10 +2399,6 @@ Shown: {show}</source>
     <message>
         <source>Select one vertex of a solid at which 3 to 6 edges meet. Selected: {vertices}.</source>
         <translation>请选择实体上一个由 3 至 6 条边相交的顶点。已选择：{vertices}。</translation>
-    </message>
-    <message>
-        <source>Select this face in the view</source>
-        <translation>在视图中选择此面</translation>
     </message>
     <message>
         <source>Select two faces: first the one that stays, then the one that moves. You may also select one common edge. Selected: {faces}, {edges}.</source>
@@ -2613,10 +2601,6 @@ Shown: {show}</source>
         <translation>{name} 的边已被删除：{advice}</translation>
     </message>
     <message>
-        <source>The face that moves; away from the seam it keeps its shape</source>
-        <translation>移动的面；远离接缝处保持其形状</translation>
-    </message>
-    <message>
         <source>The faces as they look in the document</source>
         <translation>面按其在文档中的样子显示</translation>
     </message>
@@ -2638,11 +2622,15 @@ Shown: {show}</source>
     </message>
     <message>
         <source>The preferences are not stored: {error}.</source>
-        <translation>首选项未保存：{error}。</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The property Vertex names {vertices} vertices: name exactly one</source>
         <translation>属性 Vertex 指定了 {vertices} 个顶点：请恰好指定一个</translation>
+    </message>
+    <message>
+        <source>The result itself is selected. Show Before, and select in the model.</source>
+        <translation>所选的是结果本身。请显示“之前”，并在模型中选择。</translation>
     </message>
     <message>
         <source>The seams at these edges:</source>
@@ -2791,6 +2779,10 @@ Shown: {show}</source>
     <message>
         <source>V lines</source>
         <translation>V 线</translation>
+    </message>
+    <message>
+        <source>Vertex</source>
+        <translation>顶点</translation>
     </message>
     <message>
         <source>Weight</source>
@@ -2961,8 +2953,16 @@ Shown: {show}</source>
         <translation>按面的尺寸</translation>
     </message>
     <message>
+        <source>choose one edge of both faces, or nothing</source>
+        <translation>请选择两个面的一条公共边，或不选</translation>
+    </message>
+    <message>
         <source>choose one face</source>
         <translation>请选择一个面</translation>
+    </message>
+    <message>
+        <source>choose one vertex</source>
+        <translation>请选择一个顶点</translation>
     </message>
     <message>
         <source>closed</source>

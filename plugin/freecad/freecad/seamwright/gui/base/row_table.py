@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A table of seams: rows with texts, of which the last has a colour that tells the outcome."""
+
+from freecad.seamwright.gui.widgets import ink
+from freecad.seamwright.gui.widgets.forms import show_seams_in
+from freecad.seamwright.gui.widgets.qt import QtGui, QtWidgets
+from freecad.seamwright.plain import repair_text
+from freecad.seamwright.plain.language import tr
+
+#: Text colours of the last column, by the state of a row.
+INKS = {repair_text.REPAIRED: ink.GOOD, repair_text.NOT_REPAIRED: ink.BAD}
+
+
+class RowTable(QtWidgets.QTableWidget):
+    """Rows with ``cells``, a text for each of the columns (heading, tool tip).
+
+    ``detail`` of a row is its tool tip. Its ``state`` is a key of INKS or another state, whose text
+    has the default colour. ``height``: the minimum height in pixels.
+    """
+
+    def __init__(self, columns, height):
+        super().__init__(0, len(columns))
+        self.rows = []
+        self.setHorizontalHeaderLabels([tr(heading) for heading, _ in columns])
+        for column, (_, tip) in enumerate(columns):
+            self.horizontalHeaderItem(column).setToolTip(tr(tip))
+        self.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
+        show_seams_in(self, height)
+        self.fit_columns()
+
+    def fit_columns(self):
+        """Fit the widths of columns to their texts; the last column fills the remaining width."""
+        header, last = self.horizontalHeader(), self.columnCount() - 1
+        header.setSectionResizeMode(QtWidgets.QHeaderView.ResizeToContents)
+        if header.length() <= self.viewport().width():
+            header.setSectionResizeMode(last, QtWidgets.QHeaderView.Stretch)
+
+    def show_rows(self, rows):
+        """Show these rows."""
+        self.rows = rows
+        self.clearSelection()
+        self.setRowCount(len(rows))
+        for line, row in enumerate(rows):
+            for column, text in enumerate(row.cells):
+                item = QtWidgets.QTableWidgetItem(text)
+                item.setToolTip(row.detail)
+                if column == len(row.cells) - 1 and row.state in INKS:
+                    item.setForeground(QtGui.QBrush(ink.ink(INKS[row.state], self)))
+                self.setItem(line, column, item)
+        self.fit_columns()
+
+    def chosen(self):
+        """Return the selected rows, from top to bottom."""
+        lines = sorted({index.row() for index in self.selectionModel().selectedRows()})
+        return [self.rows[line] for line in lines]
