@@ -2622,7 +2622,7 @@ Gezeigt: {show}</translation>
     </message>
     <message>
         <source>The preferences are not stored: {error}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Einstellungen werden nicht gespeichert: {error}.</translation>
     </message>
     <message>
         <source>The property Vertex names {vertices} vertices: name exactly one</source>

@@ -2622,7 +2622,7 @@ Shown: {show}</source>
     </message>
     <message>
         <source>The preferences are not stored: {error}.</source>
-        <translation type="unfinished"></translation>
+        <translation>首选项未保存：{error}。</translation>
     </message>
     <message>
         <source>The property Vertex names {vertices} vertices: name exactly one</source>
