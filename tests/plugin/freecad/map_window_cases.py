@@ -288,6 +288,10 @@ class Panel(MapWindow):
             (text,) = messages()
             self.assertIn("is in another document, Other", text)
         self.assertEqual(self.made(), [])
+        Gui.Selection.removeSelection(self.doc.Name, self.block.Name)
+        obj, panel = self.analyse()  # of all that is in this document
+        self.assertIn(self.block, obj.Analysed)
+        panel.reject()
         Gui.Selection.clearSelection()
 
     def test_a_mesh_beside_an_object_is_one_sentence(self):

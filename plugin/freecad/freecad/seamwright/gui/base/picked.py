@@ -12,7 +12,7 @@ def picked():
     """Return [(object, "Edge3" or ""), ...] of the selection, in the order of picking.
 
     A group or part that is selected as a whole counts as its contents. Raises SourceError for a
-    mesh, for what else has no shape, and for an object of another document.
+    mesh, for what else has no shape, and for an object of another document beside others.
     """
     found = []
     for obj, name in _selected():
@@ -26,7 +26,7 @@ def picked():
 def picked_objects():
     """Return the objects of the selection without repeats; a group or part stays what it is.
 
-    Raises SourceError for an object of another document.
+    Raises SourceError for an object of another document beside others.
     """
     return list(dict.fromkeys(obj for obj, _ in _selected()))
 
@@ -44,15 +44,20 @@ def _every():
 
 
 def _selected():
+    """Return what is selected in the active document, where alone it is seen.
+
+    Raises SourceError if objects of another document are selected beside it.
+    """
     found = _every()
+    own = [(obj, name) for obj, name in found if obj.Document == App.ActiveDocument]
     for obj, _ in found:
-        if obj.Document != App.ActiveDocument:
+        if own and obj.Document != App.ActiveDocument:
             raise sources.SourceError(
                 tr(
                     "{label} is in another document, {document}: select objects of one document."
                 ).format(label=obj.Label, document=obj.Document.Label)
             )
-    return found
+    return own
 
 
 def owner_of(top, path):
