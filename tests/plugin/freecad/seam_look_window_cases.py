@@ -194,7 +194,7 @@ class Beside(LookCase):
             ("Seamwright_UmbrellaFill", fill.is_fill),
         ):
             with self.subTest(command):
-                Gui.Selection.addSelection(self.prism)
+                Gui.Selection.addSelection(self.prism, "Face1")
                 Gui.runCommand(command)
                 settle()
                 self.assertTrue(any(is_made(each) for each in self.doc.Objects))
