@@ -9,7 +9,7 @@ from unittest import mock
 import FreeCADGui as Gui
 import models
 from PySide import QtCore, QtGui
-from window import WindowCase, settle, whole_window
+from window import WindowCase, click, settle, whole_window
 
 from freecad.seamwright.document import analysis
 from freecad.seamwright.gui import (
@@ -100,6 +100,37 @@ class HelpCase(WindowCase):
         with mock.patch.object(QtGui.QDesktopServices, "openUrl") as opened:
             window.pages.go(QtCore.QUrl("https://example.org/"))
         opened.assert_called_once()
+
+    def test_the_contents_lead_to_sections_and_the_window_can_be_closed(self):
+        Gui.runCommand("Seamwright_Help")
+        settle()
+        (window,) = [each for each in self.windows() if each.isVisible()]
+        tree = window.contents
+        top = [tree.topLevelItem(place) for place in range(tree.topLevelItemCount())]
+        opened = [item.text(0) for item in top if item.isExpanded()]
+        self.assertEqual(opened, ["The FreeCAD workbench"])
+        self.assertEqual(top[0].text(0), "The FreeCAD workbench")
+        files = [each for each in os.listdir(help_pages.folder()) if each.endswith(".md")]
+        self.assertEqual(len(top), len(files))
+        (item,) = [each for each in top if each.text(0) == "Analysis tools in FreeCAD"]
+        below = [item.child(place) for place in range(item.childCount())]
+        (section,) = [each for each in below if each.text(0) == "Deviation"]
+        tree.expandItem(item)
+        tree.scrollToItem(section)
+        click(tree.viewport(), tree.visualItemRect(section).center())
+        self.assertEqual(self.heading(), "Deviation")
+        self.assertTrue(item.isExpanded())
+        whole_window("help-contents")
+        (box,) = window.findChildren(QtWidgets.QDialogButtonBox)
+        box.button(QtWidgets.QDialogButtonBox.Close).click()
+        self.assertFalse(window.isVisible())
+
+    def test_every_section_of_the_contents_exists(self):
+        for page, _, sections in help_pages.contents():
+            text = (pathlib.Path(help_pages.folder()) / page).read_text(encoding="utf-8")
+            anchors = list(map(help_pages.anchor, re.findall(r"^#+ (.+)$", text, re.M)))
+            for _, anchor in sections:
+                self.assertIn(anchor, anchors, page)
 
     def test_without_pages_the_repository_is_opened(self):
         with mock.patch.object(help_pages, "folder", return_value=None):

@@ -6,6 +6,7 @@ import math
 import os
 import tempfile
 import unittest
+from unittest import mock
 
 import FreeCAD as App
 import models
@@ -15,10 +16,10 @@ from document_cases import ABSENT, DocumentCase
 from surface_cases import at_x, sheet
 
 from freecad.seamwright.document.feature import report_of
-from freecad.seamwright.document.maps import combs, deviation, kinds, meshes, tool
+from freecad.seamwright.document.maps import combs, deviation, distance, kinds, meshes, tool
 from freecad.seamwright.document.sources import SourceError
 from freecad.seamwright.document.surfaces import kinds as surfaces
-from freecad.seamwright.plain import maps, options
+from freecad.seamwright.plain import maps, nearest, options
 from freecad.seamwright.plain.kernel import KernelUnavailable
 
 
@@ -199,6 +200,26 @@ class Deviations(unittest.TestCase):
         whole = deviation.measure(large, small, beyond_edges=True)
         self.assertAlmostEqual(whole.report["furthest_mm"], math.hypot(20, 2), delta=1e-6)
         self.assertEqual(whole.report["beyond"], 0)
+
+    def test_what_two_shapes_share_takes_no_time(self):
+        box = Part.makeBox(20, 20, 20)
+        other = box.cut(Part.makeSphere(5, App.Vector(10, 10, 21)))
+        compared = []
+
+        def count(points, *others):
+            compared.append(len(points))
+            return nearest.nearest(points, *others)
+
+        with mock.patch.object(distance, "nearest", count):
+            made = deviation.measure(other, box)
+            ((found,), number) = made.found, compared.pop()
+            self.assertLess(number, 0.8 * len(found.values))
+            self.assertGreater(number, 20)
+            with mock.patch.object(distance, "_apart", lambda points, _: range(len(points))):
+                slow = deviation.measure(Part.makeCompound([other]), box).found[0].values
+        self.assertEqual(compared, [len(slow)])
+        numpy.testing.assert_allclose(found.values, slow, atol=1e-9)
+        self.assertAlmostEqual(made.report["least"], -4, delta=0.1)
 
     def test_it_can_be_stopped(self):
         work = deviation.Deviation.work(

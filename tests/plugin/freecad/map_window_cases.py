@@ -26,7 +26,7 @@ from window import (
     whole_window,
 )
 
-from freecad.seamwright.document import analysis
+from freecad.seamwright.document import analysis, repair
 from freecad.seamwright.document.feature import report_of
 from freecad.seamwright.document.maps import kinds, tool
 from freecad.seamwright.gui import selected
@@ -262,6 +262,69 @@ class Panel(MapWindow):
         found = Part.getShape(link).Edges[int(name[4:]) - 1].CenterOfMass
         self.assertLess((found - meant).Length, 1e-9)
         self.cancel()
+
+    def test_an_analysis_of_a_picked_copy_and_of_a_body_is_of_what_was_picked(self):
+        part = self.doc.addObject("App::Part", "Part")
+        part.addObject(self.block)
+        link = self.doc.addObject("App::Link", "Link")
+        link.LinkedObject = part
+        link.Placement.Base.z = 300
+        body = self.doc.addObject("PartDesign::Body", "Body")
+        first, last = (
+            body.newObject("PartDesign::%s" % kind) for kind in ("AdditiveBox", "SubtractiveBox")
+        )
+        last.Length = last.Width = last.Height = 3
+        self.doc.recompute()
+        self.fit()
+        for top, path, meant in (
+            (link, "Block.Edge3", link),
+            (link, "Block.", link),
+            (body, last.Name + ".Edge2", body),
+            (body, last.Name + ".", body),
+            (body, first.Name + ".Edge2", first),
+        ):
+            with self.subTest(path):
+                self.select((top, path))
+                said = report_view()
+                obj, panel = self.analyse()
+                self.assertEqual(obj.Sources, [meant])
+                told = "%s is a step of Body" % first.Label in report_view()[len(said) :]
+                self.assertEqual(told, meant == first)
+                if path[-1] != ".":
+                    self.select((top, path))
+                    settle()
+                    self.assertEqual(len(panel.seam_table.chosen_rows()), 1)
+                panel.reject()
+                settle()
+        self.select((body, last.Name + ".Edge2"))
+        Gui.runCommand("Seamwright_RepairSeams")
+        settle()
+        (obj,) = [each for each in self.doc.Objects if repair.is_repair(each)]
+        self.assertEqual((obj.Source, obj.Edges), (body, (body, ["Edge2"])))
+        panel = obj.ViewObject.Proxy.panel
+        self.select((body, last.Name + ".Face1"))
+        self.assertEqual(panel._picked("Face"), ["Face1"])
+        self.cancel()
+
+    def test_objects_of_two_documents_are_refused(self):
+        other = App.newDocument("Other")
+        self.addCleanup(App.closeDocument, other.Name)
+        ball = other.addObject("Part::Sphere", "Ball")
+        other.recompute()
+        App.setActiveDocument(self.doc.Name)
+        for command in ("AnalyzeSeams", "CurvatureMap"):
+            self.select((self.block, ""))
+            Gui.Selection.addSelection(other.Name, ball.Name)
+            Gui.runCommand("Seamwright_" + command)
+            settle()
+            (text,) = messages()
+            self.assertIn("is in another document, Other", text)
+        self.assertEqual(self.made(), [])
+        Gui.Selection.removeSelection(self.doc.Name, self.block.Name)
+        obj, panel = self.analyse()  # of all that is in this document
+        self.assertIn(self.block, obj.Analysed)
+        panel.reject()
+        Gui.Selection.clearSelection()
 
     def test_a_mesh_beside_an_object_is_one_sentence(self):
         mesh = self.doc.addObject("Mesh::Feature", "Scan")

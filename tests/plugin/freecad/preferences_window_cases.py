@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The page of the preferences, and what it changes in the window; run by run_freecad.py."""
 
+from unittest import mock
+
 import FreeCADGui as Gui
 import models
 import Part
 import window
 from PySide import QtCore
 from surface_cases import at_x, sheet
-from window import PanelWindow, click, count, messages, picture, settle, whole_window
+from window import PanelWindow, click, count, picture, settle, whole_window
 
 from freecad.seamwright.document import preferences
 from freecad.seamwright.document.surfaces import surface
@@ -29,6 +31,14 @@ class PageCase(PanelWindow):
 
     def in_dialog(self, act):
         """Open FreeCAD's preferences at the page, and call act(form, dialog) in it."""
+        failed = self.look_later(act)
+        Gui.showPreferences("Seamwright", 0)
+        settle()
+        if failed:
+            raise failed[0]
+
+    def look_later(self, act):
+        """Call act(form, dialog) soon, in the dialog that is open then; a list for its errors."""
         failed = []
 
         def now():
@@ -37,7 +47,7 @@ class PageCase(PanelWindow):
                 forms = [
                     each
                     for each in dialog.findChildren(QtWidgets.QPushButton)
-                    if each.text() == "Reset" and "at first" in each.toolTip()
+                    if each.text() == "Defaults of this page" and "at first" in each.toolTip()
                 ]
                 act(dialog, forms)
             except Exception as error:
@@ -46,10 +56,7 @@ class PageCase(PanelWindow):
                 dialog.close()
 
         QtCore.QTimer.singleShot(1500, now)
-        Gui.showPreferences("Seamwright", 0)
-        settle()
-        if failed:
-            raise failed[0]
+        return failed
 
     def test_freecad_shows_the_page_and_stores_it(self):
         def change(dialog, resets):
@@ -68,20 +75,55 @@ class PageCase(PanelWindow):
         self.assertEqual(preferences.values(), {**table.defaults(), "Threads": 2})
         self.assertNotIn("preferences-seamwright", window.report_view())
 
+    def test_what_is_refused_is_shown_again(self):
+        seen = []
+
+        def press_ok(dialog):
+            (buttons,) = dialog.findChildren(QtWidgets.QDialogButtonBox)
+            buttons.button(QtWidgets.QDialogButtonBox.Ok).click()
+
+        def fields(resets):
+            page = resets[0].parent()
+            said = [each.text() for each in page.findChildren(QtWidgets.QLabel) if each.isVisible()]
+            said = [text for text in said if "must be larger" in text]
+            return page.findChildren(QtWidgets.QDoubleSpinBox), said
+
+        def see_again(dialog, resets):
+            numbers, said = fields(resets)
+            whole_window("preferences-refused")
+            seen.append(([each.value() for each in numbers[:4]], len(said)))
+            numbers[3].setValue(7.0)
+            seen.append(fields(resets)[1])
+            press_ok(dialog)
+
+        def change(dialog, resets):
+            numbers, said = fields(resets)
+            self.assertEqual((numbers[3].value(), said), (5.0, []))
+            numbers[0].setValue(0.03)
+            numbers[3].setValue(0.05)
+            self.assertEqual(len(fields(resets)[1]), 1)
+            self.look_later(see_again)
+            press_ok(dialog)
+
+        self.in_dialog(change)
+        settle(3.0)
+        self.assertEqual(seen, [([0.03, 0.1, 0.02, 0.05], 1), []])
+        expected = {**table.defaults(), "GapTolerance": 0.03, "CreaseAngle": 7.0}
+        self.assertEqual(preferences.values(), expected)
+
     def test_reset_and_refusal(self):
         page = PreferencesPage()
         page.loadSettings()
         page.tolerances.fields["GapTolerance"].setValue(0.5)
         page.saveSettings()
         self.assertEqual(preferences.values()["GapTolerance"], 0.5)
-        page.threads.setValue(2)
         page.tolerances.fields["CreaseAngle"].setValue(0.05)
-        page.saveSettings()
-        (text,) = messages()
-        self.assertIn("The crease angle, 0.05\u00b0, must be larger", text)
-        stored = preferences.values()
-        self.assertEqual((stored["CreaseAngle"], stored["GapTolerance"]), (5.0, 0.5))
-        self.assertEqual(stored["Threads"], 2)
+        self.assertIn("The crease angle, 0.05\u00b0, must be larger", page.problem.text())
+        with mock.patch.object(Gui, "showPreferences") as shown:
+            page.saveSettings()
+            settle()
+        shown.assert_called_once_with("Seamwright", 0)
+        self.assertEqual(preferences.values()["CreaseAngle"], 5.0)
         page.reset_button.click()
         self.assertEqual(preferences.values()["GapTolerance"], 0.5)  # not before OK
         page.saveSettings()

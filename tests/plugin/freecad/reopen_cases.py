@@ -14,8 +14,9 @@ import models
 from window import WindowCase, analyses, count, picture, settle
 from window_cases import FEW, LEGEND, MODEL
 
-from freecad.seamwright.document import analysis
-from freecad.seamwright.plain import palette
+from freecad.seamwright.document import analysis, repair
+from freecad.seamwright.document.maps import kinds as maps
+from freecad.seamwright.plain import palette, summary
 
 MAKE = """
 import sys
@@ -58,6 +59,20 @@ class Reopened(WindowCase):
             self.assertNotIn("Touched", obj.State)
             self.assertFalse(Gui.getDocument(self.doc.Name).Modified)
             self.assertColoured("reopened")
+
+    def test_opening_changes_nothing(self):
+        block = models.add(self.doc, models.broken_block(), "Block")
+        for look in summary.COLOURS:
+            analysis.create([block]).ViewObject.ColourBy = look
+        maps.create("DraftAngle", repair.create(block))
+        settle()
+        self.doc.saveAs(self.path)
+        self.open()
+        settle(0.3)
+        self.assertFalse(Gui.getDocument(self.doc.Name).Modified)
+        self.doc.recompute()
+        self.assertEqual([obj.Name for obj in self.doc.Objects if "Touched" in obj.State], [])
+        self.assertFalse(Gui.getDocument(self.doc.Name).Modified)
 
     def test_what_was_made_without_a_window_gets_its_view(self):
         script = os.path.join(self.folder.name, "make.FCMacro")

@@ -81,7 +81,7 @@ class Results(RepairCase):
         self.assertLess(max(after.values()), 0.1)
         self.assertLessEqual(max(after.values()), obj.MaxAngleAfter.Value + 1e-5)
         self.assertTrue(
-            obj.Summary.startswith("7 of 7 seams repaired to G1; 6 faces moved by up to 0."),
+            obj.Summary.startswith("7 of 7 seams repaired to G1; 6 faces moved, poles by up to 0."),
             obj.Summary,
         )
 

@@ -108,6 +108,27 @@ class Look(LookCase):
             found = active.getObjectInfo(at)
             self.assertEqual(found["Component"], "Edge%d" % (place + 1))
 
+    def test_a_line_leaves_the_mouse_to_the_edge_on_which_it_lies(self):
+        obj, panel = self.analyse()
+        self.fit()
+        active, picked = Gui.activeDocument().activeView(), {}
+        for seam in analysis.report_of(obj)["seams"]:
+            points = analysis.results_of(obj).lines[seam["edges"][0]]
+            middle = [(a + b) / 2 for a, b in zip(*points[:2])]
+            if len(points) == 2:
+                found = active.getObjectInfo(active.getPointOnScreen(*middle)) or {}
+                picked[seam["id"]] = found.get("Object"), found.get("Component")
+        seen = [each for each in picked.values() if each[0] == self.prism.Name]
+        edges = [each for each in seen if each[1].startswith("Edge")]
+        self.assertEqual({name for name, _ in picked.values()}, {self.prism.Name})
+        self.assertGreater(len(edges), 5)
+        name, edge = edges[0]
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(self.doc.Name, name, edge)
+        settle()
+        (row,) = panel.seam_table.chosen_rows()
+        self.assertEqual(row.edges[0], int(edge[4:]))
+
     def test_labels_at_the_worst_seams_and_at_the_chosen_ones(self):
         obj, panel = self.analyse()
         without = count(picture("unlabelled"), marker.INK, MODEL)
@@ -173,7 +194,7 @@ class Beside(LookCase):
             ("Seamwright_UmbrellaFill", fill.is_fill),
         ):
             with self.subTest(command):
-                Gui.Selection.addSelection(self.prism)
+                Gui.Selection.addSelection(self.prism, "Face1")
                 Gui.runCommand(command)
                 settle()
                 self.assertTrue(any(is_made(each) for each in self.doc.Objects))

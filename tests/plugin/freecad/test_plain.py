@@ -328,6 +328,20 @@ def test_summary_counts_and_judges(report):
     assert not summary.passed(report)
 
 
+def test_the_summary_tells_defects_that_are_as_sharp_as_creases(report):
+    said = "defects as sharp as a crease, but with a gap"
+    assert said not in summary.summary_text(report)
+    report["seams"] += [
+        seam(11, "defect", gap=0.02, angle=90.0),
+        seam(12, "defect", gap=0.02, angle=60.0),
+        seam(13, "defect", gap=0.001, angle=6.0),  # sharp in one place only
+        seam(14, "defect", gap=0.02, angle=3.0),
+        seam(15, "crease", gap=0.001, angle=90.0),
+    ]
+    text = summary.summary_text(report)
+    assert "largest angle \u226590\u00b0; 2 %s; " % said in text
+
+
 def test_summary_without_seams():
     assert summary.summary_text({"seams": []}) == "No seams: no two faces share an edge."
     text = summary.summary_text(

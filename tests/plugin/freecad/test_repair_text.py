@@ -58,7 +58,8 @@ def test_the_report_holds_what_was_to_be_repaired_and_can_be_stored(done):
 
 def test_summary_counts_what_was_repaired_and_moved(done):
     assert repair_text.summary_text(done) == (
-        "1 of 3 seams repaired to G1; 2 faces moved by up to 0.125 mm; defects before 3, after 2."
+        "1 of 3 seams repaired to G1; 2 faces moved, poles by up to 0.125 mm; "
+        "defects before 3, after 2."
     )
     assert repair_text.summary_text({**done, "moves": []}).count("nothing moved") == 1
 

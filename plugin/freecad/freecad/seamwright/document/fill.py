@@ -5,6 +5,8 @@ The shape is the model of the source with the new faces sewn in. The source is o
 path is written into documents: neither rename nor move it.
 """
 
+from collections import Counter
+
 import Part
 
 from freecad.seamwright.document import elements, feature, preferences, properties, sources
@@ -271,10 +273,23 @@ def _holes(model, limits, label, edges):
     """
     holes = model.holes(corner_deg=limits["corner_deg"], gap_mm=limits["gap_mm"])
     if not holes:
-        raise ValueError(tr("{label} has no hole: no free edges form a closed loop.").format(
-            label=label
-        ))
+        raise ValueError(no_hole_text(label))
     return holes, fill_text.chosen_holes(holes, edges) if edges else fill_text.default_holes(holes)
+
+
+def no_hole_text(label):
+    """Return the sentence about an object without a hole."""
+    return tr("{label} has no hole: no free edges form a closed loop.").format(label=label)
+
+
+def is_closed(obj):
+    """Return whether no edge of an object with faces is free, so that it has no hole."""
+    sides = Counter()
+    for face in sources.world_shape(obj).Faces:
+        for edge in face.Edges:
+            if not edge.Degenerated:
+                sides[edge.hashCode()] += 2 if edge.isSeam(face) else 1
+    return 1 not in sides.values()
 
 
 def _part(progress, index, count):

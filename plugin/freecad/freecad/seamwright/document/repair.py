@@ -37,7 +37,11 @@ RESULTS = (
     ("Wanted", "App::PropertyInteger", "Number of seams that were to be repaired"),
     ("Repaired", "App::PropertyInteger", "Number of seams that were repaired"),
     ("MovedFaces", "App::PropertyInteger", "Number of faces that moved"),
-    ("LargestMove", "App::PropertyLength", "No point of a face moved further than this, in mm"),
+    (
+        "LargestMove",
+        "App::PropertyLength",
+        "Largest move of a pole, in mm; no point of a face moved further",
+    ),
     ("DefectsBefore", "App::PropertyInteger", "Number of defects before the repair"),
     ("DefectsAfter", "App::PropertyInteger", "Number of defects after the repair"),
     (

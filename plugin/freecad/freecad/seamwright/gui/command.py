@@ -71,5 +71,18 @@ def open_new(obj):
     """
     if obj is None:
         return
+    _tell_steps(obj)
     obj.ViewObject.Proxy.created = True
     Gui.getDocument(obj.Document.Name).setEdit(obj.Name)
+
+
+def _tell_steps(obj):
+    """Say which sources are earlier steps of a body, whose later steps do not count."""
+    for source in obj.Proxy.source_objects(obj):
+        if sources.in_body(source) and source.isDerivedFrom("PartDesign::Feature"):
+            messages.say(
+                tr(
+                    "{step} is a step of {body}: later steps do not count. To follow all steps, "
+                    "select {body}."
+                ).format(step=source.Label, body=source.getParentGeoFeatureGroup().Label)
+            )

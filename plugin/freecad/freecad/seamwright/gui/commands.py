@@ -157,6 +157,9 @@ class UmbrellaFill(Command):
             [name for name in names if name.startswith(kind)] for kind in ("Edge", "Face")
         )
         face = faces[0] if faces else None
+        if not face and fill.is_closed(source):
+            messages.show_error(fill.no_hole_text(source.Label))
+            return
         open_new(
             begin(doc, tr("Umbrella fill"), lambda: fill.prepare(source, edges=edges, face=face))
         )

@@ -9,7 +9,10 @@ from freecad.seamwright.gui.widgets.qt import QtCore, QtGui, QtWidgets
 from freecad.seamwright.plain import help_pages
 from freecad.seamwright.plain.language import tr
 
-SIZE = 820, 760
+SIZE = 1060, 760
+
+#: Pixels of the contents and of the page.
+WIDTHS = 240, 820
 
 #: Room beside a picture, in pixels.
 MARGIN = 40
@@ -59,8 +62,44 @@ class Pages(QtWidgets.QTextBrowser):
         return False
 
 
+class Contents(QtWidgets.QTreeWidget):
+    """The pages and their sections; ``asked(address)`` is emitted for the one that is chosen."""
+
+    asked = QtCore.Signal(QtCore.QUrl)
+
+    def __init__(self):
+        super().__init__()
+        self.setHeaderHidden(True)
+        for page, title, sections in help_pages.contents():
+            item = self._add(self.invisibleRootItem(), title, page)
+            for heading, anchor in sections:
+                self._add(item, heading, "%s#%s" % (page, anchor))
+        self.itemClicked.connect(self._chosen)
+        self.itemActivated.connect(self._chosen)
+
+    def _add(self, above, text, section):
+        item = QtWidgets.QTreeWidgetItem(above, [text])
+        item.setToolTip(0, text)
+        item.setData(0, QtCore.Qt.UserRole, section)
+        return item
+
+    def _chosen(self, item, *_):
+        self.asked.emit(QtCore.QUrl(help_pages.address(item.data(0, QtCore.Qt.UserRole))))
+
+    def show_page(self, url):
+        """Open the sections of a page, and no others."""
+        name = url.fileName()
+        for place in range(self.topLevelItemCount()):
+            item = self.topLevelItem(place)
+            is_shown = item.data(0, QtCore.Qt.UserRole) == name
+            item.setExpanded(is_shown)
+            if is_shown:
+                self.setCurrentItem(item)
+                self.scrollToItem(item, QtWidgets.QAbstractItemView.PositionAtTop)
+
+
 class HelpWindow(QtWidgets.QDialog):
-    """The pages, with a button to go back."""
+    """The pages beside their contents, with buttons to go back and to close."""
 
     def __init__(self, parent):
         super().__init__(parent)
@@ -72,9 +111,20 @@ class HelpWindow(QtWidgets.QDialog):
         self.back.setEnabled(False)
         self.back.clicked.connect(self.pages.backward)
         self.pages.backwardAvailable.connect(self.back.setEnabled)
+        self.contents = Contents()
+        self.contents.asked.connect(self.pages.go)
+        self.pages.sourceChanged.connect(self.contents.show_page)
+        both = QtWidgets.QSplitter()
+        both.addWidget(self.contents)
+        both.addWidget(self.pages)
+        both.setStretchFactor(1, 1)
+        both.setSizes(WIDTHS)
+        box = QtWidgets.QDialogButtonBox(QtWidgets.QDialogButtonBox.Close)
+        box.addButton(self.back, QtWidgets.QDialogButtonBox.ActionRole)
+        box.rejected.connect(self.close)
         layout = QtWidgets.QVBoxLayout(self)
-        layout.addWidget(self.pages)
-        layout.addWidget(self.back, 0, QtCore.Qt.AlignLeft)
+        layout.addWidget(both)
+        layout.addWidget(box)
 
 
 class Help(Command):

@@ -2,16 +2,23 @@
 """The page Seamwright of FreeCAD's preferences."""
 
 import FreeCAD as App
+import FreeCADGui as Gui
 
 from freecad.seamwright.document import analysis, preferences, properties
 from freecad.seamwright.gui.scene.zebra import zebra
-from freecad.seamwright.gui.widgets import messages
+from freecad.seamwright.gui.widgets import ink, messages
 from freecad.seamwright.gui.widgets.forms import make_box
-from freecad.seamwright.gui.widgets.qt import QtGui, QtWidgets
+from freecad.seamwright.gui.widgets.qt import QtCore, QtGui, QtWidgets
 from freecad.seamwright.gui.widgets.tolerance_form import ToleranceForm
 from freecad.seamwright.plain import palette
 from freecad.seamwright.plain import preferences as table
 from freecad.seamwright.plain.language import tr
+
+#: The group of FreeCAD's preferences that has this page.
+GROUP = "Seamwright"
+
+#: The values that were refused last; the next page shows them.
+_refused = {}
 
 COLOURED = tuple(zip((*palette.CLASSES, *palette.LEVELS), table.COLOURS))
 
@@ -49,7 +56,7 @@ class PreferencesPage:
         layout = QtWidgets.QVBoxLayout(self.form)
         for box in (self._tolerances(), self._colours(), self._computing()):
             layout.addWidget(box)
-        self.reset_button = QtWidgets.QPushButton(tr("Reset"))
+        self.reset_button = QtWidgets.QPushButton(tr("Defaults of this page"))
         self.reset_button.setToolTip(tr("Show the values that Seamwright has at first"))
         self.reset_button.clicked.connect(lambda *_: self._show(table.defaults()))
         line = QtWidgets.QHBoxLayout()
@@ -69,6 +76,10 @@ class PreferencesPage:
         )
         note.setWordWrap(True)
         layout.addWidget(note)
+        self.problem = QtWidgets.QLabel()
+        self.problem.setWordWrap(True)
+        layout.addWidget(self.problem)
+        self.tolerances.changed.connect(self._check)
         return box
 
     def _colours(self):
@@ -113,29 +124,37 @@ class PreferencesPage:
     # Methods that FreeCAD calls.
 
     def loadSettings(self):
-        """Show what is stored."""
-        self._show(preferences.values())
+        """Show what is stored, or what was refused."""
+        self._show({**preferences.values(), **_refused})
+        _refused.clear()
 
     def saveSettings(self):
-        """Store the fields, and draw seams in the new colours; say why tolerances are refused.
+        """Store the fields, and draw seams in the new colours.
 
-        FreeCAD closes its dialog in any case, so the other fields are stored.
+        Where that is refused, the page is shown again and says why: FreeCAD closes the dialog.
         """
         try:
             preferences.store(self.values())
         except ValueError as error:
-            stored = preferences.values()
-            kept = {name: stored[name] for name in self.tolerances.values()}
-            preferences.store({**self.values(), **kept})
-            messages.show_error(
-                tr("The tolerances are not stored, the other preferences are: {error}.").format(
-                    error=error
-                )
-            )
+            messages.say(tr("The preferences are not stored: {error}.").format(error=error))
+            _refused.update(self.values())
+            QtCore.QTimer.singleShot(0, _show_again)
+            return
         preferences.use_colours()
         redraw()
 
     # Fields.
+
+    def _check(self):
+        """Say which of the fields are not allowed."""
+        try:
+            table.check(self.tolerances.values())
+            problem = ""
+        except ValueError as error:
+            problem = str(error) + "."
+        self.problem.setStyleSheet("color: %s" % ink.ink(ink.WRONG, self.problem).name())
+        self.problem.setText(problem)
+        self.problem.setVisible(bool(problem))
 
     def values(self):
         """Return {name: value} of the fields."""
@@ -156,6 +175,13 @@ class PreferencesPage:
         self.comb_lines.setValue(values[table.COMB_LINES.name])
         self.stripes.setValue(values[table.ZEBRA_STRIPES.name])
         self.live.setChecked(values[table.LIVE_PREVIEW.name])
+
+
+def _show_again():
+    """Open the preferences at this page, unless they are still open."""
+    if QtWidgets.QApplication.activeModalWidget() is None:
+        Gui.showPreferences(GROUP, 0)
+    _refused.clear()
 
 
 def _whole_number(preference):

@@ -12,7 +12,7 @@ import FreeCADGui as Gui
 import Part
 
 from freecad.seamwright.document import analysis, sources
-from freecad.seamwright.gui.base.picked import picked
+from freecad.seamwright.gui.base.picked import picked, picked_objects
 from freecad.seamwright.plain import rows
 
 
@@ -22,7 +22,7 @@ def selected_sources(doc):
     Without a selection there are none, which means everything. Raises SourceError where an object
     has no faces, or the document has none.
     """
-    chosen = _with_analysed(Gui.Selection.getSelection())
+    chosen = _with_analysed(picked_objects())
     _parts(chosen)
     if not chosen and not sources.everything(doc):
         sources.Model([])
@@ -125,7 +125,7 @@ def selected_parts(doc):
 
 def selected_with_faces():
     """Return the selected objects. Raises SourceError for an object without faces."""
-    return _parts(_with_analysed(Gui.Selection.getSelection()))
+    return _parts(_with_analysed(picked_objects()))
 
 
 def visible_with_faces(doc):

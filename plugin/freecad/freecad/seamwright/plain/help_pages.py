@@ -43,6 +43,21 @@ SECTIONS = {
 #: Kinds of objects whose command has another name.
 COMMANDS = {"SeamAnalysis": "AnalyzeSeams", "SeamRepair": "RepairSeams"}
 
+#: The first pages of the contents.
+FIRST = (
+    START,
+    "tutorial_freecad.md",
+    "freecad_curves.md",
+    "freecad_surfaces.md",
+    "freecad_analysis.md",
+    "fill.md",
+    "corner_fillet.md",
+    "repair.md",
+    "match.md",
+    "seams.md",
+    "glossary.md",
+)
+
 PACKAGE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
 
@@ -69,6 +84,30 @@ def address(section):
     """Return the address of a page and section: of a file where there is one."""
     pages = folder()
     return ONLINE + section if pages is None else "file://%s/%s" % (pages, section)
+
+
+def contents():
+    """Return [(page, its title, [(heading, anchor), ...]), ...] of the pages that are installed.
+
+    The pages about the workbench come first, the others by their titles.
+    """
+    pages = folder()
+    found = []
+    for name in sorted(os.listdir(pages) if pages else []):
+        if not name.endswith(".md"):
+            continue
+        with open(os.path.join(pages, name), encoding="utf-8") as file:
+            text = re.sub(r"^```.*?^```", "", file.read(), flags=re.M | re.S)
+        title, *_ = [*re.findall(r"^# (.+)$", text, re.M), name]
+        sections = re.findall(r"^## (.+)$", text, re.M)
+        found.append((name, plain(title), [(plain(each), anchor(each)) for each in sections]))
+    first = {name: place for place, name in enumerate(FIRST)}
+    return sorted(found, key=lambda entry: (first.get(entry[0], len(first)), entry[1].lower()))
+
+
+def plain(heading):
+    """Return a heading without the marks of Markdown."""
+    return re.sub(r"[*`]|\[([^\]]*)\]\([^)]*\)", r"\1", heading)
 
 
 def anchor(heading):

@@ -136,7 +136,7 @@ def has_changed(report):
 
 
 def largest_move_mm(report):
-    """Return the largest move of a point of a face; 0 when no face moved."""
+    """Return the largest move of a pole, beyond which no point moved; 0 when no face moved."""
     return max((move["largest_move_mm"] for move in report["moves"]), default=0.0)
 
 
@@ -155,7 +155,7 @@ def summary_text(report):
     )]
     if report["moves"]:
         moved = summary.counted(len(report["moves"]), "face")
-        parts.append(tr("{moved} moved by up to {largest_move_mm} mm").format(
+        parts.append(tr("{moved} moved, poles by up to {largest_move_mm} mm").format(
             moved=moved, largest_move_mm=enclosure.number(largest_move_mm(report))
         ))
     if report["edges_led"]:

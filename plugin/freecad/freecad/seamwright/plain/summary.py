@@ -152,6 +152,7 @@ def summary_text(report):
     if open_edges:
         parts.append(counted(open_edges, "free edge"))
     parts.append(_largest_text(report))
+    parts.append(_sharp_text(report))
     parts.append(tr("{certain} of {verdicts} certain").format(
         certain=total - uncertain(report), verdicts=counted(total, "verdict")
     ))
@@ -193,6 +194,22 @@ def _largest_text(report):
         return ""
     return tr("apart from creases, largest gap {gap} mm, largest angle {angle}\u00b0").format(
         gap=gap, angle=angle
+    )
+
+
+def _sharp_text(report):
+    """Return how many defects are as sharp as creases: their gap is above the tolerance."""
+    tolerance = report["tolerance"]
+    limits = {"angle_deg": tolerance["crease_deg"], "gap_mm": tolerance["gap_mm"]}
+    sharp = sum(
+        seam["class"] == "defect"
+        and all(seam[name] and seam[name]["lower"] > limit for name, limit in limits.items())
+        for seam in report["seams"]
+    )
+    if not sharp:
+        return ""
+    return tr("{defects} as sharp as a crease, but with a gap").format(
+        defects=counted(sharp, "defect")
     )
 
 

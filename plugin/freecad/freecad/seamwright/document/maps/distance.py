@@ -32,9 +32,31 @@ def distances(points, meshes, faces, beyond_edges, progress=None):
     position. ``beyond_edges``: also for points beyond a free edge, without a sign. None where
     ``progress`` stopped it.
     """
-    triangles, first_nodes, mesh = _joined(meshes)
-    if not len(triangles):
+    joined = _joined(meshes)
+    if not len(joined[0]):
         raise ValueError(tr("the shape to compare with has no triangles"))
+    result, apart = numpy.zeros(len(points)), _apart(points, joined[2]["points"])
+    if len(apart):
+        found = _measured(points[apart], joined, faces, beyond_edges, progress)
+        if found is None:
+            return None
+        result[apart] = found
+    return result
+
+
+def _apart(points, nodes):
+    """Return the places of the points that are no nodes.
+
+    Nodes lie on the surfaces. Faces that two shapes share have the same nodes, so that most points
+    of a model need not be compared with its repair.
+    """
+    known = set(map(tuple, nodes.tolist()))
+    return numpy.flatnonzero([tuple(point) not in known for point in points.tolist()])
+
+
+def _measured(points, joined, faces, beyond_edges, progress):
+    """Return what ``distances`` does for points; ``joined``: see ``_joined``."""
+    triangles, first_nodes, mesh = joined
     corners = mesh["points"][triangles]
     found = nearest(points, corners, progress and (lambda share: progress(TRIANGLES * share)))
     if found is None:

@@ -3,10 +3,10 @@
 
 import contextlib
 
+import FreeCAD as App
 import FreeCADGui as Gui
 
-from freecad.seamwright.gui.base.picked import meant
-from freecad.seamwright.gui.widgets.later import find
+from freecad.seamwright.gui.base.picked import owner_of
 from freecad.seamwright.gui.widgets.qt import QtCore
 
 
@@ -29,7 +29,7 @@ class EdgePicker:
     def start(self):
         """Start to observe the selection."""
         self.active = True
-        Gui.Selection.addObserver(self)
+        Gui.Selection.addObserver(self, 0)  # with paths from the top of the document
 
     def stop(self):
         """Stop observing the selection."""
@@ -49,16 +49,19 @@ class EdgePicker:
         """FreeCAD calls this when an element is added to the selection."""
         if self._paused or doc_name != self._doc_name:
             return
-        obj = find(doc_name, name)
-        if obj is None or not element:
-            return
-        owner, element = meant(obj, element)
-        number = self.numbers.get((owner.Name, element))
+        number = self._number(App.getDocument(doc_name).getObject(name), element)
         if number is None:
             return
         if not self._found:
             QtCore.QTimer.singleShot(0, self._tell)
         self._found.append(number)
+
+    def _number(self, top, path):
+        *_, element = path.split(".")
+        if not element.startswith("Edge"):
+            return None
+        obj, element = owner_of(top, path)
+        return self.numbers.get((obj.Name, element))
 
     def _tell(self):
         found, self._found = self._found, []

@@ -7,6 +7,7 @@ written into documents: neither rename nor move it.
 
 from freecad.seamwright.document import analysis
 from freecad.seamwright.document.properties import Adder
+from freecad.seamwright.gui.analysis.line_picks import LinePicks
 from freecad.seamwright.gui.analysis.panel import AnalysisPanel
 from freecad.seamwright.gui.base.panel_view import PanelView
 from freecad.seamwright.gui.scene import seam_view
@@ -52,6 +53,7 @@ class SeamAnalysisView(PanelView):
         add_properties(vobj)
         self.legend = Legend(vobj.Object)
         self.lines, self.labels = SeamLines(), Marker()
+        self._picks = LinePicks(vobj.Object, self.lines)
         self._drawn = self._reading = None
         self.line_width = vobj.LineWidth
         vobj.addDisplayMode(self.lines.node, SEAMS)
@@ -118,6 +120,7 @@ class SeamAnalysisView(PanelView):
             self.legend.show(False)
             return
         self._draw_lines(vobj, results)
+        self._picks.update(obj)
         self._draw_labels(vobj, results)
         self._update_legend(vobj, results.report)
 

@@ -129,7 +129,7 @@ class SeamRepairView(ResultView):
         self.colours.update(mapped, obj.Shape.Edges)
         entries = moves.legend_entries(mapped.largest_mm)
         self.legend.update(
-            tr("Moves"), entries, moves.legend_footer(found, count), LEGEND_TEXT_PX
+            tr("Moves of points"), entries, moves.legend_footer(found, count), LEGEND_TEXT_PX
         )
         self._drawn = obj.Report
         self._draw(obj.ViewObject)

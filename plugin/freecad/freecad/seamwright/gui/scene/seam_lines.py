@@ -19,7 +19,10 @@ class SeamLines:
         binding.value = coin.SoMaterialBinding.PER_FACE_INDEXED
         self._colours, self._style = coin.SoBaseColor(), coin.SoDrawStyle()
         self._points, self._lines = coin.SoCoordinate3(), coin.SoIndexedLineSet()
-        for node in (light, binding, self._colours, self._style, self._points, self._lines):
+        self._pick = coin.SoPickStyle()
+        for node in (light, binding, self._pick, self._colours, self._style):
+            self.node.addChild(node)
+        for node in (self._points, self._lines):
             self.node.addChild(node)
         self.set_lines([], [])
         self.paint([], [], [])
@@ -47,6 +50,11 @@ class SeamLines:
         _set(self._colours.rgb, palette)
         _set(self._lines.materialIndex, colours)
         _set(self._lines.coordIndex, indices)
+
+    def set_pickable(self, pickable):
+        """Let the mouse pick the lines, or what lies behind them."""
+        style = coin.SoPickStyle
+        self._pick.style = style.SHAPE if pickable else style.UNPICKABLE
 
     def set_width(self, width):
         """Draw the lines with this width in pixels."""

@@ -368,6 +368,10 @@
         <translation>Größte Verschiebung eines Kontrollpunkts, in mm</translation>
     </message>
     <message>
+        <source>Largest move of a pole, in mm; no point of a face moved further</source>
+        <translation>Größte Verschiebung eines Kontrollpunkts, in mm; kein Punkt einer Fläche wurde weiter verschoben</translation>
+    </message>
+    <message>
         <source>Largest relative difference of curvature of a seam that is G2; 0.02 is 2 %</source>
         <translation>Größter relativer Unterschied der Krümmung einer Naht, die G2 ist; 0.02 ist 2 %</translation>
     </message>
@@ -462,10 +466,6 @@
     <message>
         <source>No point of a face may move further than this, in mm; 0: a hundredth of the size of the face plus twice the largest gap of its seams</source>
         <translation>Kein Punkt einer Fläche darf weiter verschoben werden, in mm; 0: ein Hundertstel der Größe der Fläche plus der doppelte größte Spalt ihrer Nähte</translation>
-    </message>
-    <message>
-        <source>No point of a face moved further than this, in mm</source>
-        <translation>Kein Punkt einer Fläche wurde weiter verschoben, in mm</translation>
     </message>
     <message>
         <source>No pole may move further than this, in mm; 0: no limit</source>
@@ -1477,6 +1477,10 @@ Gezeigt: {show}</translation>
         <translation>Standard</translation>
     </message>
     <message>
+        <source>Defaults of this page</source>
+        <translation>Standardwerte dieser Seite</translation>
+    </message>
+    <message>
         <source>Defect</source>
         <translation>Fehler</translation>
     </message>
@@ -2081,6 +2085,10 @@ Gezeigt: {show}</translation>
         <translation>Verschiebung</translation>
     </message>
     <message>
+        <source>Moves of points</source>
+        <translation>Verschiebung der Punkte</translation>
+    </message>
+    <message>
         <source>Near the polygon of {points} points, {figures}.</source>
         <translation>Nahe dem Polygon von {points} Punkten, {figures}.</translation>
     </message>
@@ -2395,10 +2403,6 @@ Gezeigt: {show}</translation>
     <message>
         <source>Report (*.json)</source>
         <translation>Bericht (*.json)</translation>
-    </message>
-    <message>
-        <source>Reset</source>
-        <translation>Zurücksetzen</translation>
     </message>
     <message>
         <source>Restore</source>
@@ -2725,6 +2729,10 @@ Gezeigt: {show}</translation>
         <translation>Das Modell wurde während der Berechnung geändert</translation>
     </message>
     <message>
+        <source>The preferences are not stored: {error}.</source>
+        <translation>Die Einstellungen werden nicht gespeichert: {error}.</translation>
+    </message>
+    <message>
         <source>The property Vertex names {vertices} vertices: name exactly one</source>
         <translation>Die Eigenschaft Vertex nennt {vertices} Eckpunkte: Nennen Sie genau einen</translation>
     </message>
@@ -2755,10 +2763,6 @@ Gezeigt: {show}</translation>
     <message>
         <source>The sources were deleted: {advice}</source>
         <translation>Die Quellen wurden gelöscht: {advice}</translation>
-    </message>
-    <message>
-        <source>The tolerances are not stored, the other preferences are: {error}.</source>
-        <translation>Die Toleranzen werden nicht gespeichert, die übrigen Einstellungen schon: {error}.</translation>
     </message>
     <message>
         <source>The two faces that meet</source>
@@ -4025,6 +4029,10 @@ Gezeigt: {show}</translation>
         <translation>{count}; größter gesehener Spalt {gap_mm} mm, größter Winkel {angle_deg}°.</translation>
     </message>
     <message>
+        <source>{defects} as sharp as a crease, but with a gap</source>
+        <translation>{defects} so scharf wie eine Knickkante, aber mit Spalt</translation>
+    </message>
+    <message>
         <source>{done} of {fills} filled</source>
         <translation>{fills}, davon {done} gefüllt</translation>
     </message>
@@ -4193,6 +4201,10 @@ Gezeigt: {show}</translation>
         <translation>{label} ist eine Skizze und hat keine Flächen: Wählen Sie ein Objekt mit Flächen.</translation>
     </message>
     <message>
+        <source>{label} is in another document, {document}: select objects of one document.</source>
+        <translation>{label} liegt in einem anderen Dokument, {document}: Objekte eines einzigen Dokuments auswählen.</translation>
+    </message>
+    <message>
         <source>{label} is made from this {group}: choose others</source>
         <translation>{label} ist aus diesem Objekt ({group}) erzeugt: Wählen Sie andere</translation>
     </message>
@@ -4273,8 +4285,8 @@ Gezeigt: {show}</translation>
         <translation>{members} um den Punkt: {state}, {figures}; {followed}.</translation>
     </message>
     <message>
-        <source>{moved} moved by up to {largest_move_mm} mm</source>
-        <translation>{moved} um bis zu {largest_move_mm} mm verschoben</translation>
+        <source>{moved} moved, poles by up to {largest_move_mm} mm</source>
+        <translation>{moved} verschoben, Kontrollpunkte um bis zu {largest_move_mm} mm</translation>
     </message>
     <message>
         <source>{moves} of {faces} faces moved, poles by up to {largest} mm</source>
@@ -4429,6 +4441,10 @@ Gezeigt: {show}</translation>
 values beyond ±{limit_per_mm} 1/mm have the end colours</source>
         <translation>{signs}
 Werte jenseits von ±{limit_per_mm} 1/mm haben die Endfarben</translation>
+    </message>
+    <message>
+        <source>{step} is a step of {body}: later steps do not count. To follow all steps, select {body}.</source>
+        <translation>{step} ist ein Schritt von {body}: Spätere Schritte zählen nicht. Damit alle Schritte zählen, {body} auswählen.</translation>
     </message>
     <message>
         <source>{summary} Not seen, since they are hidden: {labels}.</source>

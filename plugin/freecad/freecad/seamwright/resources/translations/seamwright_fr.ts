@@ -368,6 +368,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Largest move of a pole, in mm; no point of a face moved further</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Largest relative difference of curvature of a seam that is G2; 0.02 is 2 %</source>
         <translation type="unfinished"></translation>
     </message>
@@ -461,10 +465,6 @@
     </message>
     <message>
         <source>No point of a face may move further than this, in mm; 0: a hundredth of the size of the face plus twice the largest gap of its seams</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No point of a face moved further than this, in mm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1476,6 +1476,10 @@ Shown: {show}</source>
         <translation>Par défaut</translation>
     </message>
     <message>
+        <source>Defaults of this page</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Defect</source>
         <translation>Défaut</translation>
     </message>
@@ -2080,6 +2084,10 @@ Shown: {show}</source>
         <translation>Déplacement</translation>
     </message>
     <message>
+        <source>Moves of points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Near the polygon of {points} points, {figures}.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2394,10 +2402,6 @@ Shown: {show}</source>
     <message>
         <source>Report (*.json)</source>
         <translation>Rapport (*.json)</translation>
-    </message>
-    <message>
-        <source>Reset</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Restore</source>
@@ -2722,6 +2726,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The preferences are not stored: {error}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The property Vertex names {vertices} vertices: name exactly one</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2751,10 +2759,6 @@ Shown: {show}</source>
     </message>
     <message>
         <source>The sources were deleted: {advice}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The tolerances are not stored, the other preferences are: {error}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4022,6 +4026,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{defects} as sharp as a crease, but with a gap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{done} of {fills} filled</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4190,6 +4198,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{label} is in another document, {document}: select objects of one document.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{label} is made from this {group}: choose others</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4270,7 +4282,7 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{moved} moved by up to {largest_move_mm} mm</source>
+        <source>{moved} moved, poles by up to {largest_move_mm} mm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4424,6 +4436,10 @@ Shown: {show}</source>
     <message>
         <source>{signs}
 values beyond ±{limit_per_mm} 1/mm have the end colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{step} is a step of {body}: later steps do not count. To follow all steps, select {body}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -368,6 +368,10 @@
         <translation>控制点的最大移动，单位 mm</translation>
     </message>
     <message>
+        <source>Largest move of a pole, in mm; no point of a face moved further</source>
+        <translation>控制点的最大移动，单位 mm；面上没有点移动得更远</translation>
+    </message>
+    <message>
         <source>Largest relative difference of curvature of a seam that is G2; 0.02 is 2 %</source>
         <translation>G2 接缝的最大相对曲率差；0.02 即 2 %</translation>
     </message>
@@ -462,10 +466,6 @@
     <message>
         <source>No point of a face may move further than this, in mm; 0: a hundredth of the size of the face plus twice the largest gap of its seams</source>
         <translation>面上任何点的移动都不得超过此值，单位 mm；0：面尺寸的百分之一加上其接缝最大间隙的两倍</translation>
-    </message>
-    <message>
-        <source>No point of a face moved further than this, in mm</source>
-        <translation>面上没有点移动超过此值，单位 mm</translation>
     </message>
     <message>
         <source>No pole may move further than this, in mm; 0: no limit</source>
@@ -1477,6 +1477,10 @@ Shown: {show}</source>
         <translation>默认</translation>
     </message>
     <message>
+        <source>Defaults of this page</source>
+        <translation>本页的默认值</translation>
+    </message>
+    <message>
         <source>Defect</source>
         <translation>缺陷</translation>
     </message>
@@ -2081,6 +2085,10 @@ Shown: {show}</source>
         <translation>移动</translation>
     </message>
     <message>
+        <source>Moves of points</source>
+        <translation>点的移动</translation>
+    </message>
+    <message>
         <source>Near the polygon of {points} points, {figures}.</source>
         <translation>贴近 {points} 个点的多边形，{figures}。</translation>
     </message>
@@ -2395,10 +2403,6 @@ Shown: {show}</source>
     <message>
         <source>Report (*.json)</source>
         <translation>报告 (*.json)</translation>
-    </message>
-    <message>
-        <source>Reset</source>
-        <translation>重置</translation>
     </message>
     <message>
         <source>Restore</source>
@@ -2725,6 +2729,10 @@ Shown: {show}</source>
         <translation>计算期间模型已更改</translation>
     </message>
     <message>
+        <source>The preferences are not stored: {error}.</source>
+        <translation>首选项未保存：{error}。</translation>
+    </message>
+    <message>
         <source>The property Vertex names {vertices} vertices: name exactly one</source>
         <translation>属性 Vertex 指定了 {vertices} 个顶点：请恰好指定一个</translation>
     </message>
@@ -2755,10 +2763,6 @@ Shown: {show}</source>
     <message>
         <source>The sources were deleted: {advice}</source>
         <translation>来源已被删除：{advice}</translation>
-    </message>
-    <message>
-        <source>The tolerances are not stored, the other preferences are: {error}.</source>
-        <translation>公差未保存，其他首选项已保存：{error}。</translation>
     </message>
     <message>
         <source>The two faces that meet</source>
@@ -4025,6 +4029,10 @@ Shown: {show}</source>
         <translation>{count}；观测到的最大间隙 {gap_mm} mm，最大角度 {angle_deg}°。</translation>
     </message>
     <message>
+        <source>{defects} as sharp as a crease, but with a gap</source>
+        <translation>{defects}像折痕一样尖锐，但有间隙</translation>
+    </message>
+    <message>
         <source>{done} of {fills} filled</source>
         <translation>{fills}中 {done} 个已填充</translation>
     </message>
@@ -4193,6 +4201,10 @@ Shown: {show}</source>
         <translation>{label} 是草图，没有面：请选择带面的对象。</translation>
     </message>
     <message>
+        <source>{label} is in another document, {document}: select objects of one document.</source>
+        <translation>{label} 位于另一个文档 {document} 中：请选择同一文档中的对象。</translation>
+    </message>
+    <message>
         <source>{label} is made from this {group}: choose others</source>
         <translation>{label} 由此{group}生成：请另选</translation>
     </message>
@@ -4273,8 +4285,8 @@ Shown: {show}</source>
         <translation>围绕该点的{members}：{state}，{figures}；{followed}。</translation>
     </message>
     <message>
-        <source>{moved} moved by up to {largest_move_mm} mm</source>
-        <translation>{moved}最多移动 {largest_move_mm} mm</translation>
+        <source>{moved} moved, poles by up to {largest_move_mm} mm</source>
+        <translation>{moved}移动，控制点最多移动 {largest_move_mm} mm</translation>
     </message>
     <message>
         <source>{moves} of {faces} faces moved, poles by up to {largest} mm</source>
@@ -4429,6 +4441,10 @@ Shown: {show}</source>
 values beyond ±{limit_per_mm} 1/mm have the end colours</source>
         <translation>{signs}
 超出 ±{limit_per_mm} 1/mm 的值使用两端的颜色</translation>
+    </message>
+    <message>
+        <source>{step} is a step of {body}: later steps do not count. To follow all steps, select {body}.</source>
+        <translation>{step} 是 {body} 的一个步骤：之后的步骤不计入。要跟随所有步骤，请选择 {body}。</translation>
     </message>
     <message>
         <source>{summary} Not seen, since they are hidden: {labels}.</source>
