@@ -16,8 +16,9 @@ struct FillFaces {
   HoleCut cut;  ///< the sides that the faces meet; empty for a face that is given
   std::vector<FillCorner> corners;
   bool regular = false;
-  bool is_fitted = false;  ///< one face of graphFace() or sheetFace()
-  double reach = 0;        ///< see FillHoleReport::reach
+  bool is_fitted = false;   ///< one face of a graph or sheet
+  bool is_trimmed = false;  ///< one face inside its surface, a graph or a given surface
+  double reach = 0;         ///< see FillHoleReport::reach
   std::optional<double> curvature_jump_per_mm;
 };
 

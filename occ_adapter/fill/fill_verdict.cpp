@@ -7,6 +7,7 @@
 #include <seamwright/occ_adapter/fill/fill_form.hpp>
 #include <seamwright/occ_adapter/fill/fill_verdict.hpp>
 #include <seamwright/occ_adapter/fill/hole_contradiction.hpp>
+#include <seamwright/occ_adapter/fill/self_contact.hpp>
 #include <seamwright/occ_adapter/repair/prove.hpp>
 #include <seamwright/occ_adapter/repair/sew.hpp>
 
@@ -85,6 +86,8 @@ FillReason misshapen(const FillFaces& made, const SewnFill& fill, const FillSeam
   if (made.reach > most_reach)
     return {.fault = FillFault::ReachesTooFar, .numbers = {{"reach", made.reach}}};
   if (seams.outer.empty()) return {.fault = FillFault::TooSmall};
+  // A graph does not meet itself, and a given surface is one of the model.
+  if (!made.is_trimmed && meetThemselves(made.faces)) return {.fault = FillFault::RunsIntoItself};
   // A fitted face is tangent to its neighbours: sections find the contact along their common edges.
   if (const auto touching = touchingFaces(fill.sewn.shape, fill.faces, !made.is_fitted)) {
     if (fill.isNew(touching->second)) return {.fault = FillFault::RunsIntoItself};

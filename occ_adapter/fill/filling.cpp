@@ -154,7 +154,7 @@ FillHoleReport filledByFace(const FillTask& task, const TopoDS_Face& face,
   return run(task, FillMethod::Surface, progress, [&](const Begin&) {
     FillFaces made;
     made.faces = {face};
-    made.regular = true;
+    made.regular = made.is_trimmed = true;
     return made;
   });
 }
@@ -166,7 +166,7 @@ std::optional<FillHoleReport> filledByGraph(const FillTask& task, const Progress
                        if (!face) return std::nullopt;
                        FillFaces made;
                        made.faces = {*face};
-                       made.regular = true;
+                       made.regular = made.is_trimmed = true;
                        return made;
                      });
 }

@@ -9,8 +9,15 @@
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepCheck_Analyzer.hxx>
+#include <BRepGProp.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
+#include <GProp_GProps.hxx>
+#include <GeomAPI_PointsToBSpline.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <TColgp_Array1OfPnt.hxx>
 #include <TopoDS.hxx>
+#include <array>
 #include <cmath>
 #include <gp_Ax1.hxx>
 #include <gp_Circ.hxx>
@@ -71,6 +78,56 @@ TEST(FillBySheet, ClosesHalfARoundThatBendsAroundATube) {
   EXPECT_LT(largestAngle_rad(report.model.shape, report.faces), 0.01 * degree);
   // The removed torus has 1 / 6 mm.
   EXPECT_LT(report.curvature_per_mm.value_or(HUGE_VAL), 2.5 / round_mm);
+}
+
+/// A wall, 60 mm high, along a curve that turns by \p turn_rad in both directions from its middle,
+/// in three by three faces.
+TopoDS_Shape wallAlong(double turn_rad) {
+  constexpr int points = 40;
+  TColgp_Array1OfPnt curve(0, points);
+  for (int k = 0; k <= points; ++k) {
+    const double angle = turn_rad * (2.0 * k / points - 1);
+    curve.SetValue(k, gp_Pnt(20 * std::sin(angle) - angle, 20 * std::cos(angle), 0));
+  }
+  const Handle(Geom_BSplineCurve) path = GeomAPI_PointsToBSpline(curve, 3, 5, GeomAbs_C2).Curve();
+  BRepBuilderAPI_Sewing sewing(1e-6);
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column) {
+      constexpr std::array<double, 4> shares{0, 0.03, 0.97, 1};
+      gp_Trsf up;
+      up.SetTranslation(gp_Vec(0, 0, 20 * row));
+      const TopoDS_Edge part = BRepBuilderAPI_MakeEdge(path, shares[column], shares[column + 1]);
+      sewing.Add(BRepPrimAPI_MakePrism(part, gp_Vec(0, 0, 20)).Shape().Moved(up));
+    }
+  sewing.Perform();
+  return sewing.SewedShape();
+}
+
+/// The face nearest to a height, the one of the largest area among equals.
+int largestFace(const TopoDS_Shape& shape, double z) {
+  const auto faces = partsOf(shape, TopAbs_FACE);
+  int found = 0;
+  double most = 0;
+  for (int k = 1; k <= faces.Extent(); ++k) {
+    GProp_GProps area;
+    BRepGProp::SurfaceProperties(faces(k), area);
+    if (std::abs(area.CentreOfMass().Z() - z) > 1 || area.Mass() <= most) continue;
+    most = area.Mass();
+    found = k;
+  }
+  return found;
+}
+
+// The curve crosses itself where 20 sin(a) = a, at 2.99 radians.
+TEST(FillBySheet, IsRefusedWhereItRunsThroughItself) {
+  for (const double turn_rad : {2.8, 3.4}) {
+    const TopoDS_Shape shape = wallAlong(turn_rad);
+    const occ::FillHoleReport report = occ::replaceFace(
+        occ::modelFromShape(shape), largestFace(shape, 30), {.continue_surface = false});
+    EXPECT_EQ(report.reached, turn_rad < 3) << textOf(report.reason);
+    EXPECT_EQ(report.reason.fault == occ::FillFault::RunsIntoItself, turn_rad > 3)
+        << turn_rad << " " << textOf(report.reason);
+  }
 }
 
 TEST(FillBySheet, IsNotTriedIfNotAskedFor) {

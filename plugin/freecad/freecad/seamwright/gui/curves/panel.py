@@ -52,17 +52,18 @@ class CurvePanel(OptionPanel):
         self.comb_scale.setToolTip(tr("Length of the lines of the comb"))
         self.comb_lines = QtWidgets.QSpinBox()
         self.comb_lines.setRange(int(COMB_LINES.least), int(COMB_LINES.largest))
+        self.comb_lines.setSuffix(" " + tr("lines"))
         self.comb_lines.setToolTip(tr("Number of lines of the comb"))
         self.numbers = QtWidgets.QCheckBox(tr("Number the points"))
         self.numbers.setToolTip(tr("Show which number of a list belongs to which point"))
         self.numbers.setVisible(bool(self._points()))
         layout.addWidget(self.numbers)
-        line = QtWidgets.QHBoxLayout()
-        line.addWidget(self.comb)
-        line.addWidget(self.compare, 1)
-        line.addWidget(self.comb_lines)
-        line.addWidget(self.comb_scale)
-        layout.addLayout(line)
+        for widgets in ((self.comb, self.compare), (self.comb_lines, self.comb_scale)):
+            line = QtWidgets.QHBoxLayout()
+            for widget in widgets:
+                line.addWidget(widget)
+            line.addStretch(1)
+            layout.addLayout(line)
         layout.addLayout(self._sketch_line())
         return box
 

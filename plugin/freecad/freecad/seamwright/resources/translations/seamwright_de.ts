@@ -3257,6 +3257,10 @@ Gezeigt: {show}</translation>
         <translation>Linie {number}</translation>
     </message>
     <message>
+        <source>lines</source>
+        <translation>Linien</translation>
+    </message>
+    <message>
         <source>matched</source>
         <translation>zugeordnet</translation>
     </message>

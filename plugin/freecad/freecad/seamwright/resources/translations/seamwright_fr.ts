@@ -3254,6 +3254,10 @@ Shown: {show}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>matched</source>
         <translation type="unfinished"></translation>
     </message>

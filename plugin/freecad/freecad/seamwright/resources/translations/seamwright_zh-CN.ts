@@ -3257,6 +3257,10 @@ Shown: {show}</source>
         <translation>线 {number}</translation>
     </message>
     <message>
+        <source>lines</source>
+        <translation>条线</translation>
+    </message>
+    <message>
         <source>matched</source>
         <translation>配对</translation>
     </message>
