@@ -137,7 +137,7 @@ class Filling(FillWindow):
         self.source.Shape = models.panel_with_hole()
         self.doc.recompute()
         obj, panel = self.start()
-        panel.tolerances.fields["AngleTolerance"].setValue(1e-6)
+        panel.tolerances.fields["AngleTolerance"].setValue(1e-9)
         self.preview(panel)
         self.assertEqual(self.visible(), ["Block"])
         self.assertRegex(panel.summary.text(), "is not G1|does not certainly reach G1")
