@@ -41,6 +41,7 @@ class CornerPanel(NewSeamsPanel):
         self.same = QtWidgets.QPushButton(tr("Same radius for all"))
         self.same.setToolTip(tr("Give all edges the radius of the first one"))
         layout.addWidget(self.same)
+        layout.addWidget(self.options)  # empty; a widget without a parent would be a window
         return [box]
 
     def _connect(self):
