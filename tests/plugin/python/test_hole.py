@@ -209,7 +209,7 @@ def test_without_a_kink_nothing_is_repaired_first():
 def test_without_a_fill_the_model_is_the_given_one():
     model = ring_with_a_kink(0.006)
     hole = next(h for h in model.holes() if not h.longest)
-    fill = model.fill(hole=hole, repair_first=True, gap_mm=1e-9, angle_deg=1e-9)
+    fill = model.fill(hole=hole, repair_first=True, gap_mm=1e-12, angle_deg=1e-6)
     assert not fill.filled
     edges = range(1, model.edge_count + 1)
     assert all(np.array_equal(fill.model.curve(e).poles, model.curve(e).poles) for e in edges)
