@@ -5,6 +5,7 @@
 #include <Geom_Surface.hxx>
 #include <Poly_Triangulation.hxx>
 #include <TopoDS_Compound.hxx>
+#include <array>
 
 #include <seamwright/occ_adapter/fill/self_contact.hpp>
 
@@ -49,7 +50,7 @@ class Grid {
   }
 
   Handle(Geom_Surface) surface_;
-  double u_[2], v_[2];
+  std::array<double, 2> u_{}, v_{};
 };
 
 }  // namespace
