@@ -118,7 +118,8 @@ def curve_of(module, edge):
 
 def nurbs_of(edge):
     """Return the curve of an edge as one of FreeCAD, from its first to its last parameter."""
-    nurbs = edge.toNurbs().Edges[0]
+    # FreeCAD 1.0 loses the curve of an edge that was drawn; a copy has no polygon.
+    nurbs = edge.copy().toNurbs().Edges[0]
     curve = nurbs.Curve
     if nurbs.ParameterRange != (curve.FirstParameter, curve.LastParameter):
         curve.segment(*nurbs.ParameterRange)
