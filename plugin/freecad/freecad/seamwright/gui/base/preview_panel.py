@@ -10,7 +10,7 @@ from freecad.seamwright.gui.base.result_panel import ResultPanel
 from freecad.seamwright.gui.base.row_table import RowTable
 from freecad.seamwright.gui.scene import seam_view
 from freecad.seamwright.gui.widgets.computation import Computation
-from freecad.seamwright.gui.widgets.forms import make_form, make_text
+from freecad.seamwright.gui.widgets.forms import make_form, make_show_line, make_text
 from freecad.seamwright.gui.widgets.qt import QtWidgets
 from freecad.seamwright.plain.language import mark, tr
 
@@ -81,13 +81,7 @@ class PreviewPanel(ResultPanel):
             layout.addWidget(box)
 
     def _build_show(self):
-        self.show_line = QtWidgets.QHBoxLayout()
-        self.show_line.addWidget(QtWidgets.QLabel(tr("Show")))
-        self.before = QtWidgets.QRadioButton(tr("Before"))
-        self.after = QtWidgets.QRadioButton(tr("After"))
-        self.after.setChecked(True)
-        for widget in (self.before, self.after):
-            self.show_line.addWidget(widget)
+        self.show_line, self.before, self.after = make_show_line()
         self.show_line.addStretch(1)
         self.preview_button = QtWidgets.QPushButton(tr(PREVIEW))
         self.preview_button.setToolTip(

@@ -6,7 +6,7 @@ It has a choice to show the model before or after.
 
 from freecad.seamwright.gui.base.option_panel import OptionPanel
 from freecad.seamwright.gui.widgets import messages
-from freecad.seamwright.gui.widgets.qt import QtWidgets
+from freecad.seamwright.gui.widgets.forms import make_show_line
 from freecad.seamwright.plain.language import tr
 
 
@@ -43,13 +43,7 @@ class ReplacingPanel(OptionPanel):
 
     def build_show(self):
         """Return the line with the choice of what the view shows."""
-        self.show_line = QtWidgets.QHBoxLayout()
-        self.show_line.addWidget(QtWidgets.QLabel(tr("Show")))
-        self.before = QtWidgets.QRadioButton(tr("Before"))
-        self.after = QtWidgets.QRadioButton(tr("After"))
-        self.after.setChecked(True)
-        for widget in (self.before, self.after):
-            self.show_line.addWidget(widget)
+        self.show_line, self.before, self.after = make_show_line()
         return self.show_line
 
     def _connect(self):

@@ -3,6 +3,7 @@
 
 from freecad.seamwright.gui import icon_path
 from freecad.seamwright.gui.widgets.qt import QtGui, QtWidgets
+from freecad.seamwright.plain.language import tr
 
 #: Width of a field for a number in a narrow dock.
 LEAST_WIDTH = 90
@@ -23,6 +24,18 @@ def make_box(title, content=None):
     if content is not None:
         layout.addWidget(content)
     return box, layout
+
+
+def make_show_line():
+    """Return (line, buttons Before and After): what the view shows; After is chosen."""
+    line = QtWidgets.QHBoxLayout()
+    line.addWidget(QtWidgets.QLabel(tr("Show")))
+    before = QtWidgets.QRadioButton(tr("Before"))
+    after = QtWidgets.QRadioButton(tr("After"))
+    after.setChecked(True)
+    for widget in (before, after):
+        line.addWidget(widget)
+    return line, before, after
 
 
 def make_text():
