@@ -30,6 +30,7 @@
 #include <vector>
 
 #include "match_pairs.hpp"
+#include "strict_blend.hpp"
 
 #include <seamwright/occ_adapter/blend/blend_surface.hpp>
 
@@ -43,14 +44,6 @@ using occ::BlendSurfaceReport;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
-
-BlendSurfaceOptions strictly() {
-  BlendSurfaceOptions options;
-  options.tolerance.gap_mm = 1e-4;
-  options.tolerance.angle_rad = 0.001 * degree;
-  options.tolerance.curvature_rel = 1e-3;
-  return options;
-}
 
 /// Two faces and the curves of lateral boundaries beside them.
 struct Gap {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "match_pairs.hpp"
+#include "strict_blend.hpp"
 #include "support/random.hpp"
 
 #include <seamwright/core/differential/fundamental_forms.hpp>
@@ -26,14 +27,6 @@ using occ::BlendSurfaceOptions;
 using occ::BlendSurfaceReport;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
-
-BlendSurfaceOptions strictly() {
-  BlendSurfaceOptions options;
-  options.tolerance.gap_mm = 1e-4;
-  options.tolerance.angle_rad = 0.001 * degree;
-  options.tolerance.curvature_rel = 1e-3;
-  return options;
-}
 
 /// The graph z = a x^2 + b x y + c y^2 over a square of 80 mm about the origin.
 struct Bowl {
