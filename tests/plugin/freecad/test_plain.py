@@ -19,7 +19,6 @@ from freecad.seamwright.plain import (
     filters,
     kernel,
     match_distance,
-    match_text,
     palette,
     profiles,
     report_text,
@@ -478,76 +477,6 @@ def test_a_missing_module_says_what_it_was_built_for():
         with mock.patch.dict(sys.modules, seamwright=None):
             with pytest.raises(kernel.KernelUnavailable, match="Python 3.13 and OpenCASCADE 7.6.3"):
                 kernel.load("7.6.3")
-
-
-# Matches
-
-
-@pytest.fixture
-def matched():
-    return {
-        "matched": True, "reason": "joined in poles", "exact": True, "largest_move_mm": 0.36346,
-        "target": "G1", "tolerance": dict(TOLERANCE), "faces": ["Left.Face1", "Right.Face4"],
-        "before": {**seam(1, "defect"), "gap_mm": figure(0.0, 1e-13),
-                   "angle_deg": figure(3.0685, 3.0686), "curvature_rel": None, "level": "G0",
-                   "certified": True},
-        "after": {**seam(1), "gap_mm": figure(0.0, 1e-13), "angle_deg": figure(0.0, 2.73e-6),
-                  "curvature_rel": figure(0.41, 0.45), "level": "G1", "certified": False},
-    }  # fmt: skip
-
-
-def test_a_match_is_told_before_and_after(matched):
-    assert match_text.table(matched) == [
-        ("Gap mm", "\u22641e-13", "\u22641e-13"),
-        ("Angle \u00b0", "3.07", "\u22642.8e-6"),
-        ("Curvature %", "\u2013", "41..45"),
-        ("Level", "G0", "G1"),
-        ("Certain", "yes", "no"),
-    ]
-    assert match_text.summary(matched) == (
-        "Matched: G1 is met; gap \u22641e-13 mm; angle \u22642.8e-6\u00b0; curvature 41..45 %; "
-        "poles moved by up to 0.363 mm (joined in poles)."
-    )
-
-
-def test_a_match_tells_new_poles_and_how_far_the_shape_changes(matched):
-    matched["poles"] = [[[4, 4], [4, 4]], [[8, 11], [13, 19]]]
-    matched["reason"] = "joined to the tolerance by a change up to 57.03 mm from the side"
-    text = match_text.summary(matched)
-    assert text.endswith(
-        "0.363 mm; Right.Face4 has 13 x 19 poles instead of 8 x 11 (within the tolerances; the "
-        "shape changes up to 57.03 mm away from the seam)."
-    )
-    matched["poles"] = [[None, [9, 2]], [None, None]]
-    assert "; Left.Face1 has 9 x 2 poles (" in match_text.summary(matched)
-
-
-def test_a_failed_match_tells_the_seam_as_it_is(matched):
-    matched.update(matched=False, reason="a pole would move by 0.4 mm")
-    assert [line[2] for line in match_text.table(matched)] == ["\u2013"] * 5
-    assert match_text.summary(matched) == "Not matched: a pole would move by 0.4 mm."
-    matched["before"] = None
-    assert [line[1] for line in match_text.table(matched)] == ["\u2013"] * 5
-
-
-def test_sentences_of_the_kernel_get_the_names_of_the_document():
-    def name(text):
-        return match_text.named(
-            text, ["Left.Face1", "Right.Face4"], lambda number: "Left.Edge%d" % (number + 1)
-        )
-
-    assert name("face 2 is a plane; face 12 and surface 1 are not meant") == (
-        "Right.Face4 is a plane; face 12 and surface 1 are not meant"
-    )
-    assert name("edge 7 is not a common boundary; these are: 1, 5") == (
-        "Left.Edge8 is not a common boundary; these are: Left.Edge2, Left.Edge6"
-    )
-
-
-def test_a_figure_of_no_seam_counts_as_nothing(matched):
-    assert match_text.value(matched["before"], "angle_deg") == 3.0686
-    assert match_text.value(matched["before"], "curvature_rel") == 0.0
-    assert match_text.value(None, "angle_deg") == 0.0
 
 
 # What is shown of seams
