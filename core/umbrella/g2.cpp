@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <seamwright/core/bernstein/coefficients.hpp>
 #include <seamwright/core/differential/fundamental_forms.hpp>
 #include <seamwright/core/numeric.hpp>
@@ -17,6 +19,10 @@ using umbrella::SpokeLaw;
 
 /// Defects of equations above this share of their terms are contradictions.
 constexpr double kContradiction = 1e-10;
+/// Largest angle between two members across a spoke that counts as rounding.
+constexpr double kRounding_rad = 1e-6;
+/// Sine of the angle between the parameter lines below which a member counts as without normal.
+constexpr double kNoNormal = 1e-6;
 
 std::vector<UmbrellaMember> asMembers(const std::vector<BezierPatch>& patches) {
   return {patches.begin(), patches.end()};
@@ -86,6 +92,27 @@ void requireMembers(const G2UmbrellaOptions& options, int members) {
       refuse("member " + std::to_string(i) + " is rational: only polynomial ones are built");
 }
 
+/// In a narrow sector b is large, and what is rounding of the largest term is a crease between the
+/// members.
+void requireSmooth(const std::vector<BezierPatch>& members, const UmbrellaVertex& vertex) {
+  for (int i = 0; i < vertex.spokes(); ++i) {
+    if (!vertex.isInner(i)) continue;
+    const BezierPatch &before = members[vertex.memberBefore(i)], &after = members[i];
+    for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+      const SurfaceJet a = before.jet(0, t), b = after.jet(t, 0);
+      const Eigen::Vector3d m = a.u.cross(a.v), n = b.u.cross(b.v);
+      if (m.norm() < kNoNormal * a.u.norm() * a.v.norm() ||
+          n.norm() < kNoNormal * b.u.norm() * b.v.norm())
+        continue;
+      const double angle_rad = std::atan2(m.cross(n).norm(), m.dot(n));
+      if (angle_rad > kRounding_rad)
+        refuse("by rounding the members have an angle of " + text(angle_rad) +
+               " rad across spoke " + std::to_string(i) + ": the narrowest sector has only " +
+               text(vertex.angles_rad.minCoeff()) + " rad");
+    }
+  }
+}
+
 }  // namespace
 
 G2Umbrella g2Umbrella(const std::vector<BezierCurve>& given, const G2UmbrellaOptions& options) {
@@ -125,6 +152,7 @@ G2Umbrella g2Umbrella(const std::vector<BezierCurve>& given, const G2UmbrellaOpt
 
   for (const UmbrellaMember& member : umbrella::membersOf(nets, solution.poles.rowwise() + origin))
     result.members.push_back(std::get<BezierPatch>(member));
+  requireSmooth(result.members, vertex);
   if (twist_is_free && !options.form) result.form = formAtOrigin(result.members.front(), vertex);
   result.functions = functionsOf(vertex, laws, solution.parameters);
   result.third_order_condition = order.condition;

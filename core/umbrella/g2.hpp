@@ -71,7 +71,8 @@ struct G2Umbrella {
 ///   (4) Spokes of a paraboloid above straight rays of equal steps give the paraboloid.
 ///
 /// \throws std::invalid_argument as umbrellaAround() does, and for a fan so near to a singular one
-/// that the equations cannot be solved; the message has the condition and the defect.
+/// that the equations cannot be solved; the message has the condition and the defect. So are fans
+/// with sectors so narrow that rounding leaves an angle of more than 1e-6 rad between members.
 /// Source: docs/theory/fills.md F1.10 to F1.12; [Hahn1989]; [HermannPetersStrotman2012].
 G2Umbrella g2Umbrella(const std::vector<BezierCurve>& spokes,
                       const G2UmbrellaOptions& options = {});

@@ -9,6 +9,7 @@
 #include <seamwright/occ_adapter/analyze/analyze.hpp>
 #include <seamwright/occ_adapter/fill/fill_reason.hpp>
 #include <seamwright/occ_adapter/fill/holes.hpp>
+#include <seamwright/occ_adapter/repair/repair_reason.hpp>
 
 namespace seamwright::occ {
 
@@ -56,12 +57,22 @@ enum class FillMethod {
 /// "", "surface", "patches", "graph" or "sheet".
 const char* name(FillMethod method);
 
+/// A seam that missed the tolerances and was not repaired.
+struct LeftSeam {
+  std::vector<int> edges;  ///< numbers of the given model
+  RepairReason reason;
+};
+
 /// What was repaired around a hole before it was filled.
 struct RepairedAround {
   std::vector<int> edges;  ///< of the seams that end at the hole; numbers of the given model
   int treated = 0;         ///< those that missed the tolerances
   int repaired = 0;
+  std::vector<LeftSeam> left;
   double largest_move_mm = 0;  ///< of a face around
+  /// false: only the fill of the model as it was given reaches the target, so the repair is left
+  /// out.
+  bool used = true;
 };
 
 struct FillHoleReport {

@@ -2,6 +2,7 @@
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <algorithm>
+#include <functional>
 #include <stdexcept>
 
 #include <seamwright/occ_adapter/fill/repaired_fill.hpp>
@@ -12,7 +13,8 @@ namespace seamwright::occ {
 
 namespace {
 
-constexpr double share_of_repair = 0.5;  // of the progress: a guess
+// Of the progress: guesses.
+constexpr double share_of_repair = 0.4, share_with_fill = 0.8;
 
 bool contains(const std::vector<int>& numbers, int number) {
   return std::ranges::find(numbers, number) != numbers.end();
@@ -80,9 +82,14 @@ Repaired repairedAround(const Model& model, const std::vector<int>& around,
   const RepairReport report = repair(model, repair_options, partOf(progress, 0, share_of_repair));
   result.model = report.model;
   for (const SeamRepair& seam : report.seams) {
-    result.around.treated += seam.treated;
     result.around.repaired += seam.repaired;
+    const bool ends_there = std::ranges::any_of(
+        seam.before.edges, [&](int edge) { return contains(result.around.edges, edge); });
+    if (ends_there && !seam.repaired && !seam.reason.empty() &&
+        seam.reason.fault != RepairFault::HasLevel)
+      result.around.left.push_back({seam.before.edges, seam.reason});
   }
+  result.around.treated = result.around.repaired + static_cast<int>(result.around.left.size());
   for (const FaceMove& move : report.moves)
     result.around.largest_move_mm = std::max(result.around.largest_move_mm, move.largest_move_mm);
   return result;
@@ -98,9 +105,20 @@ Hole sameHole(const Model& model, const Hole& given, const FillHoleOptions& opti
                               " has other edges than any hole of the model");
 }
 
-FillHoleReport withRepair(FillHoleReport report, const Model& given, RepairedAround around) {
+using Fill = std::function<FillHoleReport(const Model&, const Progress&)>;
+
+/// The fill of the repaired model; if it misses the target, that of the given one, if this reaches
+/// it.
+FillHoleReport filledAfterRepair(const Model& given, Repaired repaired, const Fill& fill,
+                                 const Progress& progress) {
+  FillHoleReport report = fill(repaired.model, partOf(progress, share_of_repair, share_with_fill));
+  if (!report.reached && repaired.around.repaired > 0) {
+    FillHoleReport plain = fill(given, partOf(progress, share_with_fill, 1));
+    repaired.around.used = !plain.reached;
+    if (plain.reached) report = std::move(plain);
+  }
   if (!report.filled) report.model = given;
-  report.around = std::move(around);
+  report.around = std::move(repaired.around);
   return report;
 }
 
@@ -109,20 +127,24 @@ FillHoleReport withRepair(FillHoleReport report, const Model& given, RepairedAro
 FillHoleReport repairedAndFilledHole(const Model& model, const Hole& hole,
                                      const FillHoleOptions& options, const Progress& progress) {
   options.validate();
-  Repaired repaired = repairedAround(model, edgesOf(hole), {}, options, progress);
-  return withRepair(fillHole(repaired.model, sameHole(repaired.model, hole, options), options,
-                             partOf(progress, share_of_repair, 1)),
-                    model, std::move(repaired.around));
+  return filledAfterRepair(
+      model, repairedAround(model, edgesOf(hole), {}, options, progress),
+      [&](const Model& around, const Progress& part) {
+        return fillHole(around, sameHole(around, hole, options), options, part);
+      },
+      progress);
 }
 
 FillHoleReport repairedAndReplacedFaces(const Model& model, const std::vector<int>& faces,
                                         const FillHoleOptions& options, const Progress& progress) {
   options.validate();
   for (const int face : faces) requireFace(face, model.faceCount());
-  Repaired repaired = repairedAround(model, edgesOf(model.shape, faces), faces, options, progress);
-  return withRepair(
-      replaceFaces(repaired.model, faces, options, partOf(progress, share_of_repair, 1)), model,
-      std::move(repaired.around));
+  return filledAfterRepair(
+      model, repairedAround(model, edgesOf(model.shape, faces), faces, options, progress),
+      [&](const Model& around, const Progress& part) {
+        return replaceFaces(around, faces, options, part);
+      },
+      progress);
 }
 
 }  // namespace seamwright::occ

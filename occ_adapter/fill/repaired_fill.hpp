@@ -11,7 +11,8 @@ namespace seamwright::occ {
 /// these seams are not smooth the faces have two tangent planes at one point of the hole, and every
 /// fill misses one of them. The seams are repaired for the target and the tolerances of the fill;
 /// those above the crease angle, and those of a target of G0, stay. FillHoleReport::around tells
-/// what was done. If the hole is not filled, the model of the report is the given one.
+/// what was done and which seams are left. If only the fill of the given model reaches the target,
+/// it is taken. If the hole is not filled, the model of the report is the given one.
 /// \param hole of findHoles() for the model, with the corner angle and the gap of the options
 /// \throws as fillHole() and repair().
 FillHoleReport repairedAndFilledHole(const Model& model, const Hole& hole,

@@ -140,8 +140,8 @@ void bindFillOutcome(FillClass& type) {
           "What the fill consists of: 'surface', 'patches' or 'graph'; empty if nothing was built.")
       .def_property_readonly("around", valueNamed("around"),
                              "With repair_first what was repaired around the hole, as a dict with "
-                             "the keys of the JSON: edges, treated, repaired, largest_move_mm; "
-                             "otherwise None.")
+                             "the keys of the JSON: edges, treated, repaired, left, "
+                             "largest_move_mm, used; otherwise None.")
       .def_property_readonly("causes", valueNamed("causes"),
                              "The causes that the reason names, as dicts with the keys of the "
                              "JSON: code, numbers, edges, point_mm.");

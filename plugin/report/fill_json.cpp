@@ -55,17 +55,29 @@ ordered_json cornerJson(const FillCorner& corner) {
 
 ordered_json aroundJson(const std::optional<occ::RepairedAround>& around) {
   if (!around) return nullptr;
+  ordered_json left = ordered_json::array();
+  for (const occ::LeftSeam& seam : around->left)
+    left.push_back({{"edges", seam.edges},
+                    {"reason_code", codeOf(seam.reason.fault)},
+                    {"reason", seam.reason.text}});
   return {{"edges", around->edges},
           {"treated", around->treated},
           {"repaired", around->repaired},
-          {"largest_move_mm", around->largest_move_mm}};
+          {"left", left},
+          {"largest_move_mm", around->largest_move_mm},
+          {"used", around->used}};
 }
 
 std::string aroundText(const occ::RepairedAround& around) {
   if (around.treated == 0) return "no seam that ends at the hole needs a repair\n";
-  return fmt::format(
-      "{} of {} that end at the hole repaired first, faces moved by up to {:.3g} mm\n",
-      around.repaired, counted(around.treated, "seam"), around.largest_move_mm);
+  std::string text =
+      fmt::format("{} of {} that end at the hole repaired first, faces moved by up to {:.3g} mm\n",
+                  around.repaired, counted(around.treated, "seam"), around.largest_move_mm);
+  for (const occ::LeftSeam& seam : around.left)
+    text += fmt::format("left: Edge{}: {}\n", fmt::join(seam.edges, ", Edge"), seam.reason.text);
+  if (!around.used)
+    text += "with these repairs no fill reaches the target, without them one does: left out\n";
+  return text;
 }
 
 ordered_json seamsJson(const std::vector<occ::SeamResult>& seams,

@@ -429,5 +429,25 @@ TEST(G2Umbrella, RefusalsHaveTheNumbers) {
   refuses([&] { g2Umbrella({spokes[0], spokes[1]}); }, "2 spokes");
 }
 
+TEST(G2Umbrella, NarrowSectorsThatRoundingBreaksAreRefused) {
+  for (const double narrow : {0.1, 1e-3, 1e-4}) {
+    std::vector<BezierCurve> spokes;
+    for (const double angle : {0.0, narrow, 1.5, 2.9, 4.3}) {
+      const Eigen::RowVector3d ray(std::cos(angle), std::sin(angle), 0);
+      Poles poles(4, 3);
+      poles << 0 * ray, 3 * ray, 6 * ray, 9 * ray;
+      poles(2, 2) = spokes.size() % 2 == 0 ? 0 : 0.5;
+      poles(3, 2) = 1;
+      spokes.emplace_back(poles);
+    }
+    if (narrow > 0.01) {
+      EXPECT_NO_THROW(g2Umbrella(spokes));
+    } else {
+      EXPECT_THAT([&] { g2Umbrella(spokes); },
+                  ThrowsMessage<std::invalid_argument>(HasSubstr("the narrowest sector")));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace seamwright

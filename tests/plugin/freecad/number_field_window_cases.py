@@ -106,6 +106,16 @@ class Fields(PanelWindow):
         )
         return found, found.findChild(QtWidgets.QWidget, "expression")
 
+    def discard_button(self):
+        """The button of the open editor that removes the expression."""
+        editor, _ = self.editor()
+        box = editor.findChild(QtWidgets.QDialogButtonBox)
+        if box is None:  # before FreeCAD 1.1
+            return editor.findChild(QtWidgets.QPushButton, "discardBtn")
+        removing = (QtWidgets.QDialogButtonBox.ResetRole, QtWidgets.QDialogButtonBox.DestructiveRole)
+        (found,) = (each for each in box.buttons() if box.buttonRole(each) in removing)
+        return found
+
     def write(self, text):
         """Write an expression into the open editor, and press its OK."""
         editor, line = self.editor()
@@ -168,8 +178,7 @@ class Fields(PanelWindow):
         settle()
         self.assertEqual(field.number(), 0.04)
         self.type_equals(field)
-        editor, line = self.editor()
-        editor.findChild(QtWidgets.QPushButton, "discardBtn").click()
+        self.discard_button().click()
         settle()
         self.assertEqual((obj.ExpressionEngine, field.isReadOnly()), ([], False))
         self.assertEqual((field.number(), field.toolTip()), (0.04, tip))

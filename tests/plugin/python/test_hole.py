@@ -196,6 +196,7 @@ def test_seams_that_end_at_a_hole_are_repaired_first():
     assert fill.around["treated"] >= 1 and fill.around["repaired"] == fill.around["treated"]
     assert 0 < fill.around["largest_move_mm"] < 0.01
     assert len(fill.around["edges"]) == 8  # two at each corner
+    assert fill.around["left"] == [] and fill.around["used"]
     assert "repaired first" in fill.to_table()
 
 
