@@ -109,10 +109,11 @@ class Fields(PanelWindow):
     def discard_button(self):
         """The button of the open editor that removes the expression."""
         editor, _ = self.editor()
-        box = editor.findChild(QtWidgets.QDialogButtonBox)
+        buttons = QtWidgets.QDialogButtonBox
+        box = editor.findChild(buttons)
         if box is None:  # before FreeCAD 1.1
             return editor.findChild(QtWidgets.QPushButton, "discardBtn")
-        removing = (QtWidgets.QDialogButtonBox.ResetRole, QtWidgets.QDialogButtonBox.DestructiveRole)
+        removing = (buttons.ResetRole, buttons.DestructiveRole)
         (found,) = (each for each in box.buttons() if box.buttonRole(each) in removing)
         return found
 
