@@ -29,6 +29,13 @@ void add(const Terms& more, double* sum) {
   view += more;
 }
 
+double absoluteSum(const double* numbers, double first) {
+  std::array<double, 4> sums = {first, std::abs(numbers[1]), std::abs(numbers[2]),
+                                std::abs(numbers[3])};
+  for (int k = 0; k < 4; ++k) sums[k] += std::abs(numbers[4 + k]);
+  return (sums[0] + sums[2]) + (sums[1] + sums[3]);
+}
+
 #ifdef SEAMWRIGHT_HAS_AVX2
 static_assert(size == 8, "two registers hold the terms");
 
@@ -56,15 +63,15 @@ struct Registers {
   mirrored[middle] = 2 * b[0];
 }
 
-[[gnu::target("avx2")]] void addProductAvx2(const double* a, int degree_a, double factor,
-                                            const double* b, int degree_b, double* low,
-                                            double* high) {
-  alignas(32) double mirrored[3 * size];
-  mirrorAvx2(b, mirrored);
-  const double* zero = mirrored + middle;
-  Registers sum{_mm256_setzero_pd(), _mm256_setzero_pd()};
-  for (int i = 0; i <= degree_a; ++i) {
-    const __m256d by = _mm256_set1_pd(factor * a[i]);
+/// The loops have a fixed length: without counters and branches they take half the instructions.
+/// \param zero the place of b_0 among mirrored numbers.
+template <int Degree>
+[[gnu::target("avx2")]] void addUnrolled(const double* a, const double* zero, bool is_long,
+                                         double* low, double* high) {
+  Registers sum{_mm256_setzero_pd(), _mm256_setzero_pd()}, more = sum;
+#pragma GCC unroll 8
+  for (int i = 0; i <= Degree; ++i) {
+    const __m256d by = _mm256_broadcast_sd(a + i);
     const __m256d first = _mm256_add_pd(_mm256_loadu_pd(zero - i), _mm256_loadu_pd(zero + i));
     const __m256d second =
         _mm256_add_pd(_mm256_loadu_pd(zero + 4 - i), _mm256_loadu_pd(zero + 4 + i));
@@ -73,14 +80,65 @@ struct Registers {
   }
   sum.low = _mm256_mul_pd(sum.low, _mm256_setr_pd(0.5, 1, 1, 1));
   addTo(low, sum);
-  if (degree_a + degree_b < size) return;
-  sum = {_mm256_setzero_pd(), _mm256_setzero_pd()};
-  for (int i = size - degree_b; i <= degree_a; ++i) {
-    const __m256d by = _mm256_set1_pd(factor * a[i]);
-    sum.low = _mm256_add_pd(sum.low, _mm256_mul_pd(by, _mm256_loadu_pd(zero + size - i)));
-    sum.high = _mm256_add_pd(sum.high, _mm256_mul_pd(by, _mm256_loadu_pd(zero + size + 4 - i)));
+  if (!is_long) return;
+#pragma GCC unroll 8
+  for (int i = 1; i <= Degree; ++i) {
+    const __m256d by = _mm256_broadcast_sd(a + i);
+    more.low = _mm256_add_pd(more.low, _mm256_mul_pd(by, _mm256_loadu_pd(zero + size - i)));
+    more.high = _mm256_add_pd(more.high, _mm256_mul_pd(by, _mm256_loadu_pd(zero + size + 4 - i)));
   }
-  addTo(high, sum);
+  addTo(high, more);
+}
+
+[[gnu::target("avx2")]] void addProductAvx2(const double* a, int degree_a, double factor,
+                                            const double* b, int degree_b, double* low,
+                                            double* high) {
+  alignas(32) double mirrored[3 * size];
+  mirrorAvx2(b, mirrored);
+  alignas(32) double scaled[size];
+  if (factor != 1) {
+    const __m256d by = _mm256_set1_pd(factor);
+    _mm256_store_pd(scaled, _mm256_mul_pd(by, _mm256_loadu_pd(a)));
+    _mm256_store_pd(scaled + 4, _mm256_mul_pd(by, _mm256_loadu_pd(a + 4)));
+    a = scaled;
+  }
+  const double* zero = mirrored + middle;
+  const bool is_long = degree_a + degree_b >= size;
+  switch (degree_a) {
+    case 1:
+      return addUnrolled<1>(a, zero, is_long, low, high);
+    case 2:
+      return addUnrolled<2>(a, zero, is_long, low, high);
+    case 3:
+      return addUnrolled<3>(a, zero, is_long, low, high);
+    case 4:
+      return addUnrolled<4>(a, zero, is_long, low, high);
+    case 5:
+      return addUnrolled<5>(a, zero, is_long, low, high);
+    case 6:
+      return addUnrolled<6>(a, zero, is_long, low, high);
+    default:
+      return addUnrolled<7>(a, zero, is_long, low, high);
+  }
+}
+
+/// The sum of the absolute values of eight numbers in two registers, in the order of absoluteSum().
+[[gnu::target("avx2")]] inline double absoluteSumAvx2(__m256d low, __m256d high) {
+  const __m256d sign = _mm256_set1_pd(-0.0);
+  const __m256d sum = _mm256_add_pd(_mm256_andnot_pd(sign, low), _mm256_andnot_pd(sign, high));
+  const __m128d pairs = _mm_add_pd(_mm256_castpd256_pd128(sum), _mm256_extractf128_pd(sum, 1));
+  return _mm_cvtsd_f64(pairs) + _mm_cvtsd_f64(_mm_unpackhi_pd(pairs, pairs));
+}
+
+[[gnu::target("avx2")]] Sums halveAvx2(const double* low, const double* high, bool is_long,
+                                       double* halved) {
+  const __m256d half = _mm256_set1_pd(0.5);
+  const __m256d first = _mm256_mul_pd(half, _mm256_loadu_pd(low));
+  const __m256d second = _mm256_mul_pd(half, _mm256_loadu_pd(low + 4));
+  _mm256_storeu_pd(halved, first);
+  _mm256_storeu_pd(halved + 4, second);
+  return {absoluteSumAvx2(_mm256_blend_pd(first, _mm256_setzero_pd(), 1), second),
+          is_long ? absoluteSumAvx2(_mm256_loadu_pd(high), _mm256_loadu_pd(high + 4)) : 0};
 }
 
 [[gnu::target("avx2")]] void addCombinationAvx2(const double* factors, int count,
@@ -108,6 +166,15 @@ bool hasAvx2() {
 #endif
 
 }  // namespace
+
+Sums halve(const double* low, const double* high, bool is_long, double* halved) {
+#ifdef SEAMWRIGHT_HAS_AVX2
+  if (hasAvx2()) return halveAvx2(low, high, is_long, halved);
+#endif
+  Eigen::Map<Terms> view(halved);
+  view = 0.5 * at(low);
+  return {absoluteSum(halved, 0), is_long ? absoluteSum(high, std::abs(high[0])) : 0};
+}
 
 void addProduct(const double* a, int degree_a, double factor, const double* b, int degree_b,
                 double* low, double* high) {
