@@ -241,6 +241,7 @@ ChebyshevModel combination(const std::array<double, 3>& factors,
 }
 
 ChebyshevModel& ChebyshevModel::operator*=(double factor) {
+  if (factor == 1) return *this;
   view(coefficients_) *= factor;
   sumUp();
   radius_ = up(std::abs(factor) * radius_ + machine_epsilon * absoluteSum());

@@ -97,9 +97,10 @@ class SplineEvaluator {
     int order = 0;  ///< highest derivative
     std::array<Eigen::VectorXd, 3>
         factors;  ///< factors that turn differences of poles into poles of the next order
-    std::array<SmallMatrix, 4> to_chebyshev;     ///< from poles to Chebyshev coefficients
-    std::array<SmallRow, 4> to_chebyshev_terms;  ///< sums, over each column, of the absolute values
-                                                 ///< of the terms of its entries
+    std::array<Eigen::MatrixXd, 4> to_chebyshev;  ///< from poles to Chebyshev coefficients
+    std::array<Eigen::RowVectorXd, 4>
+        to_chebyshev_terms;  ///< sums, over each column, of the absolute values
+                             ///< of the terms of its entries
     std::array<int, 4>
         roundings{};  ///< roundings of an entry times a pole, summed up, in units of 2^-53
   };
@@ -148,7 +149,8 @@ class SplineEvaluator {
   struct LineCell {
     int order = 0;  ///< highest derivative
     Eigen::Vector3d origin;
-    Eigen::MatrixXd coefficients;  ///< column 4 k + d: Chebyshev coefficients of coordinate d, net k
+    Eigen::MatrixXd
+        coefficients;  ///< column 4 k + d: Chebyshev coefficients of coordinate d, net k
     std::array<std::array<double, 4>, 10> error{};  ///< bounds of the errors of a column's sum
     std::array<std::array<double, 4>, 10> slope{};  ///< of the error, per radius of the place
   };

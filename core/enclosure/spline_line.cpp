@@ -62,9 +62,8 @@ int netAt(const std::array<int, 2>& orders) {
 /// The poles of all coordinates, a column for each across the line, with a bound of the errors of
 /// each row.
 struct SplineEvaluator::LineNet {
-  using Values =
-      Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 4 * most_poles,
-                   most_poles>;
+  using Values = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
+                              4 * most_poles, most_poles>;
   Values value;
   Row error;
 

@@ -23,8 +23,7 @@ SplineMatrix makeBezierToChebyshev(int degree) {
         by_x[k + 1] += 0.5 * product[k];
         by_x[k - 1] += 0.5 * product[k];
       }
-      product =
-          0.5 * (factor < j ? SmallVector(product + by_x) : SmallVector(product - by_x));
+      product = 0.5 * (factor < j ? SmallVector(product + by_x) : SmallVector(product - by_x));
     }
     matrix.col(j) = binomial * product;
     binomial = binomial * (degree - j) / (j + 1);

@@ -69,8 +69,8 @@ ChebyshevModel alongOne(const SymmetricModel& tensor, const Principal& middle) {
 }
 
 /// v.K v for a v that turns with the principal direction: the parabola through those at both ends
-/// and in the middle. As 1/q >= 2 - q for q = v.v > 0, v.K v (2 - q) is nowhere above the norm. q is
-/// below 2, since the parabola through three unit vectors is nowhere longer than 5/4.
+/// and in the middle. As 1/q >= 2 - q for q = v.v > 0, v.K v (2 - q) is nowhere above the norm. q
+/// is below 2, since the parabola through three unit vectors is nowhere longer than 5/4.
 ChebyshevModel alongTurning(const SymmetricModel& tensor, const Principal& middle) {
   std::array<Eigen::Vector3d, 2> ends;
   for (const int end : {0, 1}) {
