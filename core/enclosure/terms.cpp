@@ -61,6 +61,7 @@ struct Registers {
 /// at[k] holds four of them from b_(k - 7) on. They are shifted in registers: a load from parts of
 /// two stores would wait for these.
 struct Mirrored {
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): the loop sets the others
   [[gnu::target("avx2")]] explicit Mirrored(const double* b) {
     constexpr int reverse = 0b00011011;
     const __m256d low = load(b), high = load(b + 4), zero = _mm256_setzero_pd();
