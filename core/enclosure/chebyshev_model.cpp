@@ -160,6 +160,10 @@ void ChebyshevModel::trim() {
 }
 
 double ChebyshevModel::seriesAt(double x) const {
+  const Coefficients& c = coefficients_;
+  if (x == 0) return (c[0] - c[2]) + (c[4] - c[6]);
+  if (x == 1 || x == -1)
+    return ((c[0] + c[2]) + (c[4] + c[6])) + x * ((c[1] + c[3]) + (c[5] + c[7]));
   double next = 0, after = 0;
   for (int k = degree_; k > 0; --k) {
     const double here = coefficients_[k] + 2 * x * next - after;
@@ -237,6 +241,7 @@ ChebyshevModel combination(const std::array<double, 3>& factors,
 }
 
 ChebyshevModel& ChebyshevModel::operator*=(double factor) {
+  if (factor == 1) return *this;
   view(coefficients_) *= factor;
   sumUp();
   radius_ = up(std::abs(factor) * radius_ + machine_epsilon * absoluteSum());
@@ -256,8 +261,9 @@ void ChebyshevModel::widen(double radius) {
 
 ProductSum& ProductSum::add(const ChebyshevModel& a, const ChebyshevModel& b, double factor) {
   if ((a.isZero() && b.isKnown()) || (b.isZero() && a.isKnown())) return *this;
-  const ChebyshevModel& outer = a.degree_ <= b.degree_ ? a : b;
-  const ChebyshevModel& inner = a.degree_ <= b.degree_ ? b : a;
+  const bool in_order = a.degree_ <= b.degree_;
+  const ChebyshevModel& outer = in_order ? a : b;
+  const ChebyshevModel& inner = in_order ? b : a;
   const double absolute_outer = std::abs(factor) * outer.absoluteSum();
   const double absolute_inner = inner.absoluteSum();
   if (outer.degree_ == 0)
@@ -279,12 +285,13 @@ ProductSum& ProductSum::add(const ChebyshevModel& a, const ChebyshevModel& b, do
 
 ChebyshevModel ProductSum::model() const {
   ChebyshevModel result;
-  view(result.coefficients_) = 0.5 * view(low_);
-  result.degree_ = std::min(degree_, ChebyshevModel::max_degree);
-  const double rest = degree_ > ChebyshevModel::max_degree ? view(high_).abs().sum() : 0;
+  const bool is_long = degree_ > ChebyshevModel::max_degree;
+  const auto [variation, rest] =
+      terms::halve(low_.data(), high_.data(), is_long, result.coefficients_.data());
+  result.degree_ = is_long ? ChebyshevModel::max_degree : degree_;
   result.radius_ = up(radius_ + 0.5 * rest + 0.5 * machine_epsilon * roundings_);
-  result.sumUp();
-  result.trim();
+  result.variation_ = variation;
+  if (result.degree_ > 0) result.trim();
   return result;
 }
 

@@ -8,79 +8,14 @@
 #include <stdexcept>
 #include <string>
 
+#include <seamwright/core/enclosure/path_products.hpp>
 #include <seamwright/core/enclosure/spline.hpp>
 #include <seamwright/core/enclosure/spline_matrices.hpp>
-#include <seamwright/core/enclosure/terms.hpp>
 #include <seamwright/core/numeric.hpp>
 
 namespace seamwright {
 
 namespace {
-
-/// T_0(x), ..., T_degree(x), by T_(i + j) = 2 T_i T_j - T_(j - i). With halved indices the radii
-/// grow with the square of the index k; with steps of one they would grow like 2.4^k.
-std::vector<ChebyshevModel> chebyshevPolynomials(const ChebyshevModel& x, int degree) {
-  const ChebyshevModel one(1);
-  std::vector<ChebyshevModel> t;
-  t.reserve(std::max(degree + 1, 2));
-  t.push_back(one);
-  t.push_back(x);
-  for (int k = 2; k <= degree; ++k)
-    t.push_back(ProductSum().add(one, t[k % 2], -1).add(t[k / 2], t[k - k / 2], 2).model());
-  t.resize(degree + 1);
-  return t;
-}
-
-using HomogeneousModel = std::array<ChebyshevModel, 4>;
-
-VectorModel space(const HomogeneousModel& h) {
-  return {h[0], h[1], h[2]};
-}
-
-/// a - factor * b.
-VectorModel difference(const VectorModel& a, const ChebyshevModel& factor, const VectorModel& b) {
-  static const ChebyshevModel one(1);
-  VectorModel result;
-  for (int d = 0; d < 3; ++d) result[d] = ProductSum().add(one, a[d]).add(factor, b[d], -1).model();
-  return result;
-}
-
-/// Partial derivatives of the quotient of the space part and the weight of h, by the product rule
-/// solved for them.
-/// \param up_to_tangents the second derivatives leave out multiples of the first.
-/// Source: docs/theory/enclosures.md E2.4.
-JetModel projected(const std::vector<HomogeneousModel>& h, int order, bool up_to_tangents) {
-  const ChebyshevModel w = inverse(h[0][3]);
-  JetModel jet;
-  jet.p = w * space(h[0]);
-  if (order < 1) return jet;
-  const auto without_p = [&](int k) { return w * difference(space(h[k]), h[k][3], jet.p); };
-  jet.u = without_p(1);
-  jet.v = without_p(2);
-  if (order < 2) return jet;
-  if (up_to_tangents) {
-    jet.uu = without_p(3);
-    jet.uv = without_p(4);
-    jet.vv = without_p(5);
-    return jet;
-  }
-  jet.uu = w * (space(h[3]) - 2 * (h[1][3] * jet.u) - h[3][3] * jet.p);
-  jet.uv = w * (space(h[4]) - h[1][3] * jet.v - h[2][3] * jet.u - h[4][3] * jet.p);
-  jet.vv = w * (space(h[5]) - 2 * (h[2][3] * jet.v) - h[5][3] * jet.p);
-  if (order < 3) return jet;
-  jet.uuu = w * (space(h[6]) - 3 * (h[1][3] * jet.uu + h[3][3] * jet.u) - h[6][3] * jet.p);
-  jet.uuv = w * (space(h[7]) - 2 * (h[1][3] * jet.uv + h[4][3] * jet.u) - h[2][3] * jet.uu -
-                 h[3][3] * jet.v - h[7][3] * jet.p);
-  jet.uvv = w * (space(h[8]) - 2 * (h[2][3] * jet.uv + h[4][3] * jet.v) - h[1][3] * jet.vv -
-                 h[5][3] * jet.u - h[8][3] * jet.p);
-  jet.vvv = w * (space(h[9]) - 3 * (h[2][3] * jet.vv + h[5][3] * jet.v) - h[9][3] * jet.p);
-  return jet;
-}
-
-/// The number of nets of a jet of that order: p; u, v; uu, uv, vv; uuu, uuv, uvv, vvv.
-int netCount(int order) {
-  return (order + 1) * (order + 2) / 2;
-}
 
 /// The order of a jet of so many nets.
 int orderOf(int nets) {
@@ -127,8 +62,6 @@ SplineEvaluator::SplineEvaluator(SplineDirection u, SplineDirection v,
     for (int s = degree; s + degree + 1 < static_cast<int>(knots.size()); ++s)
       if (knots[s] < knots[s + 1]) spans_[d].push_back({s, knots[s], knots[s + 1]});
     if (spans_[d].empty()) throw std::invalid_argument("all knots of a spline are the same");
-    for (int lowering = 0; lowering < 4; ++lowering)
-      bezier_to_chebyshev_[d][lowering] = bezierToChebyshev(std::max(degree - lowering, 0));
   }
 }
 
@@ -141,14 +74,15 @@ SplineEvaluator::SpanMatrices SplineEvaluator::makeMatrices(int direction, int s
   for (int order = 0; order <= highest; ++order) {
     const int lower = std::max(degree - order, 0);
     const SmallMatrix to_bezier = splineToBezier(knots, lower, s);
-    const SmallRow terms = bezier_to_chebyshev_[direction][order].cwiseAbs().colwise().sum();
+    const SplineMatrix& bezier = bezierToChebyshev(lower);
+    const SmallRow terms = bezier.cwiseAbs().colwise().sum();
     const bool is_bezier = to_bezier.isIdentity(0);
     if (is_bezier) {
-      matrices.to_chebyshev[order] = bezier_to_chebyshev_[direction][order];
+      matrices.to_chebyshev[order] = bezier;
       matrices.to_chebyshev_terms[order] = terms;
     } else {
-      matrices.to_chebyshev[order] = bezier_to_chebyshev_[direction][order] * to_bezier;
-      matrices.to_chebyshev_terms[order] = terms * to_bezier;
+      matrices.to_chebyshev[order] = bezier.lazyProduct(to_bezier);
+      matrices.to_chebyshev_terms[order] = terms.lazyProduct(to_bezier);
     }
     matrices.roundings[order] = is_bezier ? lower + 3 : 8 * lower + 3;
     if (order < highest) matrices.factors[order] = derivativeFactors(knots, lower, s);
@@ -292,8 +226,6 @@ void SplineEvaluator::addNets(const RoundedNet& poles, const RoundedNet& local,
   const auto along_v = [&](const RoundedNet& net, int order) {
     return net.derivativeAcross(mv.factors[order]);
   };
-  constexpr std::array<std::array<int, 2>, 10> orders = {
-      {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}, {3, 0}, {2, 1}, {1, 2}, {0, 3}}};
   std::array<RoundedNet, 10> nets = {local};
   if (cell.count > 1) nets[1] = along_u(poles, 0), nets[2] = along_v(poles, 0);
   if (cell.count > 3)
@@ -303,14 +235,14 @@ void SplineEvaluator::addNets(const RoundedNet& poles, const RoundedNet& local,
     nets[8] = along_v(nets[4], 1), nets[9] = along_v(nets[5], 2);
   }
   for (int k = first_net; k < cell.count; ++k) {
-    const auto [du, dv] = orders[k];
+    const auto [du, dv] = net_orders[k];
     const SmallMatrix& net = nets[k].value;
-    cell.nets[k].coefficients[coordinate] =
-        mu.to_chebyshev[du] * net * mv.to_chebyshev[dv].transpose();
+    const SmallMatrix across = net.lazyProduct(mv.to_chebyshev[dv].transpose());
+    cell.nets[k].coefficients[coordinate] = mu.to_chebyshev[du].lazyProduct(across);
     // The errors of the poles change the polynomial nowhere by more than the largest of these
     // errors.
     const double of_terms =
-        (mu.to_chebyshev_terms[du] * net.cwiseAbs()).dot(mv.to_chebyshev_terms[dv]);
+        mu.to_chebyshev_terms[du].lazyProduct(net.cwiseAbs()).dot(mv.to_chebyshev_terms[dv]);
     // The last factor covers the rounding of this bound itself: a sum of up to some thousand terms.
     cell.nets[k].error[coordinate] =
         (nets[k].error.maxCoeff() +
@@ -372,85 +304,27 @@ JetModel SplineEvaluator::curvatureJet(const ChebyshevModel& u, const ChebyshevM
 
 JetModel SplineEvaluator::jet(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u,
                               double hint_v, int order, Second second) const {
-  const Local x = localize(0, u, hint_u);
-  const Local y = localize(1, v, hint_v);
-  const Cell& c = cell(x.span, y.span, netCount(order));
-  JetModel jet = evaluated(c, x.x, y.x, order, second);
+  const std::array<Local, 2> at = {localize(0, u, hint_u), localize(1, v, hint_v)};
+  if (const auto line = lineOf(at))
+    return jetOnLine(*line, at[1 - line->key.across].x, order, second);
+  const Cell& c = cell(at[0].span, at[1].span, netCount(order));
+  JetModel jet = evaluated(c, at[0].x, at[1].x, order, second);
   jet.p = jet.p + constantModel(c.origin);
   return jet;
 }
 
-/// The products of Chebyshev polynomials along a path, column by column, with the radius and the
-/// largest value of each. They are stored without allocation.
-struct SplineEvaluator::PathProducts {
-  static constexpr int most = (max_spline_degree + 1) * (max_spline_degree + 1);
-  using Terms = Eigen::Array<double, ChebyshevModel::size, 1>;
-
-  PathProducts(const std::vector<ChebyshevModel>& tx, const std::vector<ChebyshevModel>& ty)
-      : series(ChebyshevModel::size, tx.size() * ty.size()),
-        off(2, tx.size() * ty.size()),
-        count_x(static_cast<Eigen::Index>(tx.size())) {
-    int column = 0;
-    const auto add = [&](const ChebyshevModel& product) {
-      series.col(column) = Eigen::Map<const Terms>(product.coefficients().data());
-      off.col(column++) << product.radius(), product.magnitude();
-      degree = std::max(degree, product.degree());
-    };
-    // The first polynomial of both is the constant 1.
-    for (const ChebyshevModel& s : tx) add(s);
-    for (std::size_t j = 1; j < ty.size(); ++j) {
-      add(ty[j]);
-      for (std::size_t i = 1; i < tx.size(); ++i) add(tx[i] * ty[j]);
-    }
-  }
-
-  /// The sum of the products times the coefficients, which are known up to \p error together.
-  ChebyshevModel sum(const Eigen::MatrixXd& coefficients, double error) const {
-    ChebyshevModel::Coefficients sum{};
-    std::array<double, 2> sum_off{};  // radius and rounding
-    for (Eigen::Index j = 0; j < coefficients.cols(); ++j)
-      terms::addCombination(coefficients.col(j).data(), static_cast<int>(coefficients.rows()),
-                            series.col(j * count_x).data(), off.col(j * count_x).data(), sum.data(),
-                            sum_off.data());
-    // A term has one rounding of its product, and one for each sum.
-    const double rounding =
-        0.5 * machine_epsilon * static_cast<double>(coefficients.size() + 4) * sum_off[1];
-    return ChebyshevModel::series({sum.data(), static_cast<std::size_t>(degree + 1)},
-                                  // The last factor covers the rounding of this bound itself.
-                                  (sum_off[0] + rounding + error) * (1 + 1e-12));
-  }
-
-  Eigen::Array<double, ChebyshevModel::size, Eigen::Dynamic, Eigen::ColMajor, ChebyshevModel::size,
-               most>
-      series;
-  Eigen::Array<double, 2, Eigen::Dynamic, Eigen::ColMajor, 2, most> off;
-  Eigen::Index count_x = 0;  ///< columns follow each other along x
-  int degree = 0;
-};
-
 /// The jet relative to the origin of the cell.
 JetModel SplineEvaluator::evaluated(const Cell& c, const ChebyshevModel& x, const ChebyshevModel& y,
                                     int order, Second second) const {
-  const int nets = netCount(order);
   const PathProducts products(chebyshevPolynomials(x, directions_[0].degree),
                               chebyshevPolynomials(y, directions_[1].degree));
-  // Largest factor of the error of a coefficient.
-  const double outside = std::max(1.0, products.off.row(1).maxCoeff());
-  const auto sum = [&](int k, int d) {
-    return products.sum(c.nets[k].coefficients[d], c.nets[k].error[d] * outside);
-  };
-  if (!weights_.empty()) {
-    std::vector<HomogeneousModel> h(nets);
-    for (int k = 0; k < nets; ++k)
-      for (int d = 0; d < 4; ++d) h[k][d] = sum(k, d);
-    return projected(h, order, second == Second::UpToTangents);
-  }
-  JetModel jet;
-  const std::array<VectorModel*, 10> fields = {&jet.p,  &jet.u,   &jet.v,   &jet.uu,  &jet.uv,
-                                               &jet.vv, &jet.uuu, &jet.uuv, &jet.uvv, &jet.vvv};
-  for (int k = 0; k < nets; ++k)
-    for (int d = 0; d < 3; ++d) (*fields[k])[d] = sum(k, d);
-  return jet;
+  const double outside = products.outside();
+  std::array<HomogeneousModel, 10> h;
+  const int dimension = weights_.empty() ? 3 : 4;
+  for (int k = 0; k < netCount(order); ++k)
+    for (int d = 0; d < dimension; ++d)
+      h[k][d] = products.sum(c.nets[k].coefficients[d], c.nets[k].error[d] * outside);
+  return jetFrom(h, !weights_.empty(), order, second == Second::UpToTangents);
 }
 
 /// The common point of all poles of the boundary; nothing if they differ.

@@ -97,9 +97,10 @@ class SplineEvaluator {
     int order = 0;  ///< highest derivative
     std::array<Eigen::VectorXd, 3>
         factors;  ///< factors that turn differences of poles into poles of the next order
-    std::array<SmallMatrix, 4> to_chebyshev;     ///< from poles to Chebyshev coefficients
-    std::array<SmallRow, 4> to_chebyshev_terms;  ///< sums, over each column, of the absolute values
-                                                 ///< of the terms of its entries
+    std::array<Eigen::MatrixXd, 4> to_chebyshev;  ///< from poles to Chebyshev coefficients
+    std::array<Eigen::RowVectorXd, 4>
+        to_chebyshev_terms;  ///< sums, over each column, of the absolute values
+                             ///< of the terms of its entries
     std::array<int, 4>
         roundings{};  ///< roundings of an entry times a pole, summed up, in units of 2^-53
   };
@@ -124,7 +125,6 @@ class SplineEvaluator {
   const Cell& cell(int span_u, int span_v, int nets) const;
   void extendCell(int span_u, int span_v, int nets, Cell& cell) const;
   struct RoundedNet;
-  struct PathProducts;
   void addNets(const RoundedNet& poles, const RoundedNet& local, const SpanMatrices& mu,
                const SpanMatrices& mv, int coordinate, int first_net, Cell& cell) const;
   /// The poles of a span, relative to a point and multiplied by their weights; coordinate 3 is the
@@ -134,6 +134,34 @@ class SplineEvaluator {
   enum class Second { Whole, UpToTangents };
   JetModel jet(const ChebyshevModel& u, const ChebyshevModel& v, double hint_u, double hint_v,
                int order, Second second) const;
+  /// A parameter line in a cell.
+  struct LineKey {
+    int across = 0;  ///< the direction whose parameter is constant
+    int span = 0, span_along = 0;
+    double place = 0;  ///< of the constant parameter, -1..1 over its span
+    auto operator<=>(const LineKey&) const = default;
+  };
+  struct Line {
+    LineKey key;
+    double radius = 0;  ///< of the place
+  };
+  /// The curves of a line: its points and their derivatives by u and v.
+  struct LineCell {
+    int order = 0;  ///< highest derivative
+    Eigen::Vector3d origin;
+    Eigen::MatrixXd
+        coefficients;  ///< column 4 k + d: Chebyshev coefficients of coordinate d, net k
+    std::array<std::array<double, 4>, 10> error{};  ///< bounds of the errors of a column's sum
+    std::array<std::array<double, 4>, 10> slope{};  ///< of the error, per radius of the place
+  };
+  static std::optional<Line> lineOf(const std::array<Local, 2>& at);
+  JetModel jetOnLine(const Line& line, const ChebyshevModel& along, int order, Second second) const;
+  const LineCell& lineCell(const LineKey& line, int order) const;
+  LineCell makeLineCell(const LineKey& line, int order) const;
+  struct LineNet;
+  LineNet lineNet(const LineKey& line, const Eigen::Vector3d& origin) const;
+  int poleIndex(const LineKey& line, int i, int j) const;
+
   JetModel evaluated(const Cell& cell, const ChebyshevModel& x, const ChebyshevModel& y, int order,
                      Second second) const;
 
@@ -159,12 +187,10 @@ class SplineEvaluator {
   std::vector<double> weights_;
   int count_v_ = 0;
   std::array<std::vector<Span>, 2> spans_;
-  /// The matrices from Bézier points to Chebyshev coefficients, indexed by how far the degree is
-  /// lowered.
-  std::array<std::array<SmallMatrix, 4>, 2> bezier_to_chebyshev_;
   mutable std::array<std::map<int, SpanMatrices>, 2> matrices_;
   mutable std::map<std::pair<int, int>, Cell> cells_;
   mutable std::map<CollapsedKey, Cell> collapsed_cells_;
+  mutable std::map<LineKey, LineCell> line_cells_;
 };
 
 }  // namespace seamwright

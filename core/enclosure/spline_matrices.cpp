@@ -1,28 +1,48 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <array>
+
 #include <seamwright/core/enclosure/spline_matrices.hpp>
 
 namespace seamwright {
 
-SplineMatrix bezierToChebyshev(int degree) {
+namespace {
+
+using SmallVector =
+    Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, max_spline_degree + 1, 1>;
+
+SplineMatrix makeBezierToChebyshev(int degree) {
   SplineMatrix matrix(degree + 1, degree + 1);
   double binomial = 1;
   for (int j = 0; j <= degree; ++j) {
-    Eigen::VectorXd product = Eigen::VectorXd::Unit(degree + 1, 0);
+    SmallVector product = SmallVector::Unit(degree + 1, 0);
     for (int factor = 0; factor < degree; ++factor) {
       // x T_0 = T_1, x T_k = (T_(k + 1) + T_(k - 1)) / 2.
-      Eigen::VectorXd by_x = Eigen::VectorXd::Zero(degree + 1);
+      SmallVector by_x = SmallVector::Zero(degree + 1);
       by_x[1] = product[0];
       for (int k = 1; k <= factor; ++k) {
         by_x[k + 1] += 0.5 * product[k];
         by_x[k - 1] += 0.5 * product[k];
       }
-      product =
-          0.5 * (factor < j ? Eigen::VectorXd(product + by_x) : Eigen::VectorXd(product - by_x));
+      product = 0.5 * (factor < j ? SmallVector(product + by_x) : SmallVector(product - by_x));
     }
     matrix.col(j) = binomial * product;
     binomial = binomial * (degree - j) / (j + 1);
   }
   return matrix;
+}
+
+std::array<SplineMatrix, max_spline_degree + 1> bezierTables() {
+  std::array<SplineMatrix, max_spline_degree + 1> tables;
+  for (int degree = 0; degree <= max_spline_degree; ++degree)
+    tables[degree] = makeBezierToChebyshev(degree);
+  return tables;
+}
+
+}  // namespace
+
+const SplineMatrix& bezierToChebyshev(int degree) {
+  static const std::array<SplineMatrix, max_spline_degree + 1> tables = bezierTables();
+  return tables[degree];
 }
 
 SplineMatrix splineToBezier(const std::vector<double>& knots, int degree, int s) {

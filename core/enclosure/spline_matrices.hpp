@@ -17,7 +17,7 @@ using SplineMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen
 /// Column j holds the Chebyshev coefficients on [-1, 1] of the Bernstein polynomial B_j = C(n, j)
 /// (1 + x)^j (1 - x)^(n - j) / 2^n of degree n. Each is rounded once: without C(n, j) the
 /// coefficients are multiples of 4^-n and at most 1, which are exact doubles.
-SplineMatrix bezierToChebyshev(int degree);
+const SplineMatrix& bezierToChebyshev(int degree);
 
 /// Row j holds the Bézier point j of the span [knots[s], knots[s + 1]] as a combination of the
 /// degree + 1 poles of the span, by blossoming.

@@ -15,6 +15,15 @@ namespace seamwright::terms {
 void addProduct(const double* a, int degree_a, double factor, const double* b, int degree_b,
                 double* low, double* high);
 
+/// Of the eight terms of a product.
+struct Sums {
+  double variation = 0;  ///< the sum of the absolute values, but for the first one
+  double rest = 0;       ///< the same of the terms above, with the first one
+};
+
+/// Halves the terms of \p low, and sums up. \p high counts if the product is that long.
+Sums halve(const double* low, const double* high, bool is_long, double* halved);
+
 /// Adds the sum of factors[i] times the terms series + 8 i over i < count to \p sum, and that of
 /// |factors[i]| times the two numbers off + 2 i to \p sum_off.
 void addCombination(const double* factors, int count, const double* series, const double* off,

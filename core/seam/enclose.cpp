@@ -35,7 +35,7 @@ constexpr double degenerate_reach = 0x1p-20;
 /// such a point, and its effect on curvature grows with the inverse square of the distance.
 constexpr double scattered_reach = 0x1p-16;
 
-/// Cuts the seam into pieces and measures them, see run() for the order.
+/// Cuts the seam into pieces and measures them, see start() for the order.
 ///
 /// Four tests decide whether a piece is cut:
 ///   - isEnough(): one upper bound may stay as it is. It is near the lower bound of the whole seam,
@@ -51,7 +51,13 @@ class Enclosure {
             const EncloseOptions& options)
       : a_(a), b_(b), length_a_(a_), length_b_(b_), tolerance_(tolerance), options_(options) {}
 
-  SeamPieces run();
+  void start();
+  SeamPieces finish();
+  /// Whether start() found that the curvature is not measured on the whole seam.
+  bool leavesOut() const {
+    const bool is_whole = curvature_range_.lower == 0 && curvature_range_.upper == 1;
+    return !is_whole && lower_[Angle] <= tolerance_.crease_rad;
+  }
   const SideLength& length_a() const { return length_a_; }
   const SideLength& length_b() const { return length_b_; }
 
@@ -470,14 +476,14 @@ void Enclosure::leaveOutCurvatureBetweenKnots() {
   }
 }
 
-/// The order:
+/// The order, of which 4 and 5 are in finish():
 ///   1. The middle, for a first lower bound of the angle.
 ///   2. A first measurement between breaks: knots, and the ends of the range.
 ///   3. Poles at the ends, which determine curvature_range_.
 ///   4. refine(), which needs the lower bounds of the whole seam.
 ///   5. What lies near points without tangent plane, and between knots of both sides that nearly
 ///      coincide, is left out of the curvature.
-SeamPieces Enclosure::run() {
+void Enclosure::start() {
   const Interval& range = options_.range;
   std::vector<double> breaks = {range.lower, range.upper, 1};
   a_.addBreaks(breaks);
@@ -506,6 +512,9 @@ SeamPieces Enclosure::run() {
     from = to;
   }
   findPoles();
+}
+
+SeamPieces Enclosure::finish() {
   refine();
   leaveOutCurvatureNearDegenerate();
   leaveOutCurvatureBetweenKnots();
@@ -524,16 +533,18 @@ SeamPieces Enclosure::run() {
 SeamFigures encloseSeam(const SeamSide& a, const SeamSide& b, const ContinuityTolerance& tolerance,
                         const EncloseOptions& options) {
   tolerance.validate();
+  // What is left out depends on how far the pieces are cut, and so do the values beside it.
+  EncloseOptions all = options;
+  all.figures = true;
   Enclosure enclosure(a, b, tolerance, options);
-  SeamPieces pieces = enclosure.run();
+  enclosure.start();
+  if (!options.figures && enclosure.leavesOut()) return encloseSeam(a, b, tolerance, all);
+  SeamPieces pieces = enclosure.finish();
   SeamFigures figures = figuresOf(std::move(pieces), enclosure.length_a(), enclosure.length_b(),
                                   {.tolerance = tolerance, .range = options.range});
   const bool leaves_out =
       !figures.angle_left_out.intervals.empty() || !figures.curvature_left_out.intervals.empty();
   if (options.figures || !leaves_out) return figures;
-  // What is left out depends on how far the pieces are cut, and so do the values beside it.
-  EncloseOptions all = options;
-  all.figures = true;
   return encloseSeam(a, b, tolerance, all);
 }
 

@@ -44,6 +44,52 @@ double spectralNorm(const Tensor& k) {
   return std::max(std::abs(eigen.eigenvalues()[0]), std::abs(eigen.eigenvalues()[2]));
 }
 
+namespace {
+
+/// The unit principal direction of largest absolute curvature, and the sign of that curvature.
+struct Principal {
+  explicit Principal(const Tensor& k) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(matrixOf(k));
+    const int which = std::abs(eigen.eigenvalues()[0]) > std::abs(eigen.eigenvalues()[2]) ? 0 : 2;
+    direction = eigen.eigenvectors().col(which);
+    sign = eigen.eigenvalues()[which] < 0 ? -1 : 1;
+  }
+  Eigen::Vector3d direction;
+  double sign = 1;
+};
+
+/// v.K v for the principal direction in the middle.
+ChebyshevModel alongOne(const SymmetricModel& tensor, const Principal& middle) {
+  const Eigen::Vector3d& v = middle.direction;
+  const double sign = middle.sign * (1 - short_rounding);
+  return combination({sign * v[0] * v[0], sign * v[1] * v[1], sign * v[2] * v[2]},
+                     {&tensor[0], &tensor[1], &tensor[2]}) +
+         combination({2 * sign * v[0] * v[1], 2 * sign * v[1] * v[2], 2 * sign * v[2] * v[0]},
+                     {&tensor[3], &tensor[4], &tensor[5]});
+}
+
+/// v.K v for a v that turns with the principal direction: the parabola through those at both ends
+/// and in the middle. As 1/q >= 2 - q for q = v.v > 0, v.K v (2 - q) is nowhere above the norm. q
+/// is below 2, since the parabola through three unit vectors is nowhere longer than 5/4.
+ChebyshevModel alongTurning(const SymmetricModel& tensor, const Principal& middle) {
+  std::array<Eigen::Vector3d, 2> ends;
+  for (const int end : {0, 1}) {
+    ends[end] = Principal(seriesValue(tensor, 2 * end - 1)).direction;
+    if (ends[end].dot(middle.direction) < 0) ends[end] = -ends[end];
+  }
+  const Eigen::Vector3d odd = 0.5 * (ends[1] - ends[0]);
+  const Eigen::Vector3d even = 0.5 * (ends[1] + ends[0]) - middle.direction;
+  VectorModel v;
+  for (int d = 0; d < 3; ++d) {
+    const double series[] = {middle.direction[d] + 0.5 * even[d], odd[d], 0.5 * even[d]};
+    v[d] = ChebyshevModel::series(series, 0);
+  }
+  const ChebyshevModel along = middle.sign * dot(v, tensor * v);
+  return along * (ChebyshevModel(2) - dot(v, v));
+}
+
+}  // namespace
+
 TensorNorm normOf(const SymmetricModel& tensor) {
   TensorNorm norm;
   // The norm of Frobenius, in which entries off the diagonal count twice.
@@ -53,17 +99,19 @@ TensorNorm normOf(const SymmetricModel& tensor) {
     square += (k < 3 ? 1 : 2) * magnitude * magnitude;
   }
   norm.at_most = std::sqrt(square) * (1 + short_rounding);
-  // The function is v.K v. v is the principal direction of largest absolute curvature at the
-  // middle.
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(matrixOf(seriesValue(tensor, 0)));
-  const int which = std::abs(eigen.eigenvalues()[0]) > std::abs(eigen.eigenvalues()[2]) ? 0 : 2;
-  const Eigen::Vector3d v = eigen.eigenvectors().col(which);
-  const double sign = (eigen.eigenvalues()[which] < 0 ? -1 : 1) * (1 - short_rounding);
-  norm.below = combination({sign * v[0] * v[0], sign * v[1] * v[1], sign * v[2] * v[2]},
-                           {&tensor[0], &tensor[1], &tensor[2]}) +
-               combination({2 * sign * v[0] * v[1], 2 * sign * v[1] * v[2], 2 * sign * v[2] * v[0]},
-                           {&tensor[3], &tensor[4], &tensor[5]});
+  if (norm.at_most == 0) return norm;
+  const Principal middle(seriesValue(tensor, 0));
+  norm.below = alongOne(tensor, middle);
   norm.at_least = std::max(0.0, norm.below.range().lower);
+  // A choice: a direction that loses less at the ends of the piece narrows no bound.
+  constexpr double share = 0.998;
+  const auto loses = [&](double end) {
+    return norm.below.seriesAt(end) < share * spectralNorm(seriesValue(tensor, end));
+  };
+  if (!std::isfinite(norm.at_most) || (!loses(-1) && !loses(1))) return norm;
+  const ChebyshevModel turning = alongTurning(tensor, middle);
+  const double at_least = turning.range().lower;
+  if (at_least > norm.at_least) norm.below = turning, norm.at_least = at_least;
   return norm;
 }
 

@@ -93,10 +93,14 @@ PieceBound relativeBound(const SideTensor& a, const SideTensor& b, const Differe
   const double flat = 1 / flat_radius_mm;
   if (isFlat(a, flat) && isFlat(b, flat)) return {0, 0, 0};
   const TensorNorm& larger = a.norm.at_least > b.norm.at_least ? a.norm : b.norm;
-  double upper = largest_difference / std::max(larger.at_least, flat);
+  const double least_divisor = std::max(larger.at_least, flat);
+  const double at_most_of_smaller = std::min(a.norm.at_most, b.norm.at_most);
+  // |A - B| <= |A| + |B|: beside a plane the difference is 1.
+  double upper = std::min(largest_difference / least_divisor,
+                          (1 + at_most_of_smaller / least_divisor) * (1 + short_rounding));
   double best = 0;
   const double enough = std::max(slack.absolute, slack.relative * upper) / 4;
-  if (larger.at_least > 0 && upper > enough)
+  if (larger.at_least > 0 && upper > enough && at_most_of_smaller > 0)
     upper = std::min(upper, largestQuotient(difference, larger.below, slack, best));
   PieceBound bound = largestRelativeAt({best, -1, 0, 1}, a, b, difference, flat);
   bound.upper = upper;

@@ -36,6 +36,42 @@ TEST(Evaluator, SplinesAreHeldWithinAndBeyondTheSpanMeant) {
   EXPECT_GT(known, 20000);
 }
 
+/// A path along a whole span, in one of both senses, or along a part of it.
+ChebyshevModel alongSpan(const SplineDirection& direction, double place, std::mt19937_64& random) {
+  const int s = spanOf(direction, place);
+  const double half = 0.5 * (direction.knots[s + 1] - direction.knots[s]);
+  const double sense = random() % 2 == 0 ? 1 : -1;
+  const double share = random() % 3 == 0 ? 0.3 : 1;
+  return ChebyshevModel::linear(place, sense * share * half, random() % 2 == 0 ? 0 : 1e-13);
+}
+
+TEST(SplineEvaluator, FieldsAreHeldAlongParameterLines) {
+  std::mt19937_64 random(testSeed());
+  std::uniform_real_distribution<double> unit(-1, 1);
+  known = 0;
+  for (int i = 0; i < 300; ++i) {
+    const int p = 1 + static_cast<int>(random() % 7), q = 1 + static_cast<int>(random() % 5);
+    SCOPED_TRACE(testing::Message() << i << " degrees " << p << ", " << q);
+    const SplineData spline = randomSpline(p, q, i % 2 == 0, i % 5 == 0 ? 1e4 : 0, random);
+    const double u = placeIn(spline.u, random), v = placeIn(spline.v, random);
+    const bool along_u = i % 4 < 2;
+    const SplineDirection& across = along_u ? spline.v : spline.u;
+    const int s = spanOf(across, along_u ? v : u);
+    const double lower = across.knots[s], upper = across.knots[s + 1];
+    const double middle = 0.5 * (lower + upper), half = 0.5 * (upper - lower);
+    const double places[] = {lower, upper, middle, middle + half * unit(random)};
+    const double radius = random() % 2 == 0 ? 0 : half * logUniform(random, -15, -9);
+    const auto constant = ChebyshevModel::linear(places[random() % 4], 0, radius);
+    const Path path = along_u ? Path{alongSpan(spline.u, u, random), constant}
+                              : Path{constant, alongSpan(spline.v, v, random)};
+    const Surface formula = formulaOf(spline, u, v);
+    expectHeld(
+        *splineEvaluator(spline.evaluator()),
+        [&](Real a, Real b) { return fieldsAt(formula, a, b); }, path, u, v, 1e-18L);
+  }
+  EXPECT_GT(known, 100000);
+}
+
 /// Knots so near to one another that differences of differences of poles are all rounding.
 SplineDirection crowdedDirection(int degree, std::mt19937_64& random) {
   SplineDirection direction = randomDirection(degree, 0, random);

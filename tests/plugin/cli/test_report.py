@@ -10,7 +10,7 @@ import re
 import pytest
 
 from command import run
-from models import OCCT_DATA, box_text, installed, roof_text
+from models import BROKEN, OCCT_DATA, box_text, installed, roof_text
 from patches import sheet_text
 from schemas import expect_every_key_matters, expect_valid, validator
 
@@ -433,15 +433,22 @@ def test_names_of_files_may_hold_any_letter(tmp_path):
     assert analysis(path)[0]["model"]["path"] == str(path)
 
 
-@pytest.mark.parametrize("path", FILES, ids=lambda path: path.name)
+@pytest.mark.parametrize(
+    "path",
+    [*FILES, OCCT_DATA / "occ/CrankArm.brep", BROKEN / "loop_off_its_torus.stp"],
+    ids=lambda path: path.name,
+)
 def test_verdicts_alone_are_those_of_all_figures(path):
     full, status = analysis(installed(path), "--level", "G2")
     quick, quick_status = analysis(installed(path), "--level", "G2", "--verdict-only")
     assert quick_status == status
     for seam, other in zip(full["seams"], quick["seams"], strict=True):
-        for key in ("level", "class", "certified"):
+        for key in ("level", "class", "certified", "left_out"):
             assert other[key] == seam[key]
+        if any(seam["left_out"].values()):
+            assert [other[figure] for figure in FIGURES] == [seam[figure] for figure in FIGURES]
         for figure in FIGURES:
+            assert (other[figure] is None) == (seam[figure] is None)
             if not seam[figure] or seam[figure]["upper"] is None:
                 continue
             # Both enclose the same number.
