@@ -15,7 +15,7 @@ import Part
 from curve_cases import wavy
 from curve_window_cases import CurveWindow
 from PySide import QtCore, QtGui
-from window import count, messages, mouse_event, pause, picture, settle, whole_window
+from window import count, messages, mouse_event, pause, picture, press_key, settle, whole_window
 
 from freecad.seamwright.document.curves import curve
 from freecad.seamwright.document.feature import report_of
@@ -110,6 +110,33 @@ class Selecting(CurveWindow):
 
 
 class Handles(CurveWindow):
+    def test_each_end_of_a_bridge_has_its_continuity(self):
+        ends = ((0, 0, 0), (10, 0, 0)), ((40, 20, 0), (50, 20, 0))
+        lines = [
+            models.add(self.doc, Part.makeLine(*(App.Vector(*p) for p in pair)), "Line")
+            for pair in ends
+        ]
+        self.doc.recompute()
+        obj, panel = self.start("BridgeCurve", *lines)
+        first, second = (panel.options.fields[name] for name in ("first_order", "second_order"))
+        for field, key, times in ((first, QtCore.Qt.Key_Up, 2), (second, QtCore.Qt.Key_Down, 1)):
+            field.widget.setFocus()
+            for _ in range(times):
+                press_key(key)
+                settle()
+            self.wait()
+        self.fit()
+        whole_window("bridge-orders")
+        self.assertEqual((obj.FirstOrder, obj.SecondOrder), ("G0", "G3"))
+        self.assertEqual(obj.Shape.Edges[0].Curve.Degree, 4)
+        self.assertEqual(list(panel._handles), ["second_tension"])
+        self.assertFalse(panel.options.fields["first_tension"].widget.isVisible())
+        self.press_undo()
+        self.wait()
+        self.assertEqual((obj.FirstOrder, obj.SecondOrder), ("G0", "G2"))
+        self.ok()
+        self.assertEqual(obj.Shape.Edges[0].Curve.Degree, 3)
+
     def test_a_tension_is_dragged_with_the_mouse(self):
         ends = ((0, 0, 0), (10, 0, 0)), ((40, 20, 0), (50, 20, 0))
         lines = [
