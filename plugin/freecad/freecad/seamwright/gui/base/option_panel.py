@@ -261,6 +261,17 @@ class OptionPanel(ResultPanel):
         """Return the names of the properties with sources that the panel changes."""
         return list(self.boxes)
 
+    def shown(self):
+        """Return the values of the fields and the names of the sources; None for a bad text."""
+        try:
+            values = self.field_values()
+        except ValueError:
+            return None
+        links = {name: self.links(name) for name in self.link_names()}
+        return values, {
+            name: [(obj.Name, element) for obj, element in chosen] for name, chosen in links.items()
+        }
+
     def field_values(self):
         """Return the values of the fields as ``show_field_values`` takes them.
 

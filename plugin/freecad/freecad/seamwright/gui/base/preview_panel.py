@@ -6,15 +6,20 @@ It has a summary, a table of seams, and a choice to show the model before or aft
 
 import Part
 
+from freecad.seamwright.document.properties import differing
+from freecad.seamwright.gui.base.panel_steps import PanelSteps
 from freecad.seamwright.gui.base.result_panel import ResultPanel
 from freecad.seamwright.gui.base.row_table import RowTable
 from freecad.seamwright.gui.scene import seam_view
 from freecad.seamwright.gui.widgets.computation import Computation
 from freecad.seamwright.gui.widgets.forms import make_form, make_show_line, make_text
-from freecad.seamwright.gui.widgets.qt import QtWidgets
+from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 from freecad.seamwright.plain.language import mark, tr
 
 TABLE_HEIGHT = 190
+
+#: Changes that follow each other faster are one step: the digits of a number.
+STEP_AFTER_MS = 500
 
 PREVIEW, PREVIEW_AGAIN = mark("Preview"), mark("Update preview")
 
@@ -28,6 +33,10 @@ class PreviewPanel(ResultPanel):
 
     def __init__(self, obj, created, title, changeable):
         super().__init__(obj, created, title, changeable)
+        self.steps, self._step_timer = PanelSteps(self), QtCore.QTimer()
+        self._step_timer.setSingleShot(True)
+        self._step_timer.setInterval(STEP_AFTER_MS)
+        self._step_timer.timeout.connect(self.steps.note)
         self._build()
         self.computation = Computation(self.form)
         self.read_fields()
@@ -48,6 +57,14 @@ class PreviewPanel(ResultPanel):
         """Call ``changed`` when a field changes."""
         raise NotImplementedError
 
+    def shown(self):
+        """Return the values of the fields as ``show_values`` takes them."""
+        raise NotImplementedError
+
+    def show_values(self, values):
+        """Show the values of fields."""
+        raise NotImplementedError
+
     def begin(self):
         """Show what is known before anything was computed."""
         raise NotImplementedError
@@ -66,6 +83,16 @@ class PreviewPanel(ResultPanel):
     def note(self, rows):
         """Return the text below the table about the chosen rows."""
         return ""
+
+    # What the base asks for.
+
+    def release(self):
+        """Remember no more steps."""
+        self._step_timer.stop()
+
+    def held_handles(self):
+        """Return no handles: the panel has none."""
+        return {}
 
     # The window.
 
@@ -141,7 +168,17 @@ class PreviewPanel(ResultPanel):
     def changed(self, *_):
         """A field differs from what was computed."""
         super().changed()
+        self._step_timer.start()
         self._name_preview()
+
+    def step(self, back):
+        """Take the last change of a field back, or do it again; nothing is computed."""
+        found = None if self.computation.busy else self.steps.step(back)
+        if found is not None:
+            self.show_values(found)
+            if not differing(self.obj, self.wanted()):
+                self._computed_edits = self._edits
+            self._name_preview()
 
     def _name_preview(self):
         self.preview_button.setText(
