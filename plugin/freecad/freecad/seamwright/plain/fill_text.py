@@ -159,7 +159,7 @@ def allowing_text(fill, target, tolerance):
     ]
     if not wanted:
         return ""
-    return tr("The best fill needs {tolerances}; Keep anyway shows it.").format(
+    return tr("The best fill needs {tolerances}; Keep anyway keeps it.").format(
         tolerances=", ".join(wanted)
     )
 
