@@ -33,7 +33,10 @@ class PointBox(QtWidgets.QGroupBox):
         self.pick = _button(
             tr("Pick points"),
             tr(HOW_TO_PICK)
-            + tr(" The points are the spline's own: it no longer follows its sources."),
+            + tr(
+                " If all points are vertices, the spline follows them; else the points are its own, "
+                "and it follows no sources."
+            ),
         )
         self.pick.setCheckable(True)
         self.undo = _button(tr("Undo"), tr("Take the last drag or change of a point back (Ctrl+Z)"))

@@ -180,7 +180,7 @@ class SplineEditor:
         kind, place, _, before, snapper = self._drag
         if kind == POINT:
             start = self._points_of(before)[place]
-            point, _ = snapper.find(projection, pixel, start, self.panel.box.grid_mm())
+            point = snapper.find(projection, pixel, start, self.panel.box.grid_mm()).point
             self.drawing.show_snap(point)
             return None if point is None else self._with_point(before, place, point)
         if kind == TANGENT:
@@ -217,19 +217,27 @@ class SplineEditor:
     # Picking.
 
     def pick(self, ended):
-        """Let clicks in the view add points; ``ended(kept, points, closed)`` is called at the end.
+        """Let clicks in the view add points; ``ended`` is that of PointPicker.
 
         Returns False where there is no 3D view. Raises ValueError for a bad text of the panel.
         """
         if self._events is None:
             return False
-        self.panel.spline_values()
+        values = self.panel.spline_values()
         self.load()
         points = [] if self.points is None else self.points.tolist()
-        self.picker = PointPicker(self, points, ended)
+        self.picker = PointPicker(self, points, self._vertices(values, len(points)), ended)
         self._events.point_with(PointPicker.CURSOR)
         self.view.graphicsView().viewport().setFocus()
         return True
+
+    def _vertices(self, values, count):
+        """Return the links of the vertices that are the points now; None for each other point."""
+        chosen = self.panel.links("Sources")
+        own = values["points_mm"] or values["moves_mm"] or len(chosen) != count
+        if own or not all(name.startswith("Vertex") for _, name in chosen):
+            return [None] * count
+        return chosen
 
     def end_pick(self):
         """Show the handles again."""

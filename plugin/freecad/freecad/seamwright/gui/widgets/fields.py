@@ -67,14 +67,13 @@ class QuantityField(Field):
 
     def _make(self, obj):
         least = max(self.option.least, -LARGEST)
-        widget = NumberField(self._unit(), LARGEST, least)
-        widget.setSpecialValueText(tr(self.option.zero) if self.option.zero else "")
-        return self._bound(widget, obj)
+        return self._bound(NumberField(self._unit(), LARGEST, least), obj)
 
     def _unit(self):
         return PERCENT if self.option.percent else UNITS.get(self.option.kind, PLAIN)
 
     def _bound(self, widget, obj):
+        widget.setSpecialValueText(tr(self.option.zero) if self.option.zero else "")
         widget.bind(obj, self.option.name)
         widget.valueChanged.connect(self._emit)
         return widget
