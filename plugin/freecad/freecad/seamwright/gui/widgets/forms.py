@@ -3,6 +3,7 @@
 
 from freecad.seamwright.gui import icon_path
 from freecad.seamwright.gui.widgets.qt import QtGui, QtWidgets
+from freecad.seamwright.plain import lengths
 from freecad.seamwright.plain.language import tr
 
 #: Width of a field for a number in a narrow dock.
@@ -43,6 +44,13 @@ def make_text():
     label = QtWidgets.QLabel()
     label.setWordWrap(True)
     return label
+
+
+def name_columns(table, columns):
+    """Write headings and tool tips, (text, text) each, with the unit of lengths of the moment."""
+    table.setHorizontalHeaderLabels([lengths.titled(heading) for heading, _ in columns])
+    for column, (_, tip) in enumerate(columns):
+        table.horizontalHeaderItem(column).setToolTip(lengths.titled(tip))
 
 
 def show_seams_in(table, height):
