@@ -70,7 +70,6 @@ class NewSeamsPanel(ReplacingPanel):
         for widget in (self.summary, self.table, self.remark):
             layout.addWidget(widget)
         layout.addLayout(self.build_show())
-        self.show_line.addStretch(1)
         return box
 
     def _connect(self):

@@ -109,14 +109,13 @@ class PreviewPanel(ResultPanel):
 
     def _build_show(self):
         self.show_line, self.before, self.after = make_show_line()
-        self.show_line.addStretch(1)
         self.preview_button = QtWidgets.QPushButton(tr(PREVIEW))
         self.preview_button.setToolTip(
             tr("{preview_tip}; nothing is kept until OK is pressed").format(
                 preview_tip=tr(self.PREVIEW_TIP)
             )
         )
-        self.show_line.addWidget(self.preview_button)
+        self.show_line.add(self.preview_button)
         return self.show_line
 
     def _connect(self):

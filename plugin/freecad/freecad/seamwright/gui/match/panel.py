@@ -48,7 +48,7 @@ class MatchPanel(ReplacingPanel):
                 tr("Exchange the first and the second face, so that the other one moves")
             )
             self.swap.clicked.connect(self._swap)
-            box.line.addWidget(self.swap)
+            box.line.add(self.swap)
         return box
 
     def build_result(self):
@@ -68,7 +68,7 @@ class MatchPanel(ReplacingPanel):
         layout.addWidget(self.table)
         layout.addLayout(self.build_show())
         self.zebra = QtWidgets.QCheckBox(tr("Zebra stripes"))
-        self.show_line.addWidget(self.zebra)
+        self.show_line.add(self.zebra)
         return box
 
     def _connect(self):

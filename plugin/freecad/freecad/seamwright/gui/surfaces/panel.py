@@ -48,7 +48,7 @@ class SurfacePanel(OptionPanel):
         if name != UP_TO and isinstance(self.obj.Proxy, Surface):
             box.chain = QtWidgets.QPushButton(tr("Tangent chain"))
             box.chain.setToolTip(tr("Add the edges that go on with the tangent of those chosen"))
-            box.line.addWidget(box.chain)
+            box.line.add(box.chain)
             box.chain.clicked.connect(lambda *_: self._add_chain(name))
         return box
 

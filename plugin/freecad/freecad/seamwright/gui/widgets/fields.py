@@ -5,6 +5,7 @@ import re
 
 from freecad.seamwright.document import expressions
 from freecad.seamwright.gui.widgets import ink
+from freecad.seamwright.gui.widgets.forms import Label
 from freecad.seamwright.gui.widgets.number_field import (
     ANGLE,
     LENGTH,
@@ -38,7 +39,7 @@ class Field(QtCore.QObject):
     def __init__(self, obj, option):
         super().__init__()
         self.option = option
-        self.label = QtWidgets.QLabel(tr(option.label))
+        self.label = Label(tr(option.label))
         self.widget = self._make(obj)
         for each in (self.label, self.widget):
             each.setToolTip(description(option.tip))

@@ -2,7 +2,8 @@
 """The common parts of the task panels: forms, tables of seams, buttons."""
 
 from freecad.seamwright.gui import icon_path
-from freecad.seamwright.gui.widgets.qt import QtGui, QtWidgets
+from freecad.seamwright.gui.widgets.flow import FlowLayout
+from freecad.seamwright.gui.widgets.qt import QtCore, QtGui, QtWidgets
 from freecad.seamwright.plain import lengths
 from freecad.seamwright.plain.language import tr
 
@@ -29,14 +30,28 @@ def make_box(title, content=None):
 
 def make_show_line():
     """Return (line, buttons Before and After): what the view shows; After is chosen."""
-    line = QtWidgets.QHBoxLayout()
-    line.addWidget(QtWidgets.QLabel(tr("Show")))
+    line = FlowLayout()
+    line.add(QtWidgets.QLabel(tr("Show")))
     before = QtWidgets.QRadioButton(tr("Before"))
     after = QtWidgets.QRadioButton(tr("After"))
     after.setChecked(True)
     for widget in (before, after):
-        line.addWidget(widget)
+        line.add(widget)
     return line, before, after
+
+
+class Label(QtWidgets.QLabel):
+    """A text beside a field: in one line where there is room, else in several."""
+
+    def __init__(self, text):
+        super().__init__(text)
+        self.setWordWrap(True)
+
+    def sizeHint(self):
+        """Return the size of the text in one line."""
+        margins = self.contentsMargins()
+        width = self.fontMetrics().boundingRect(self.text()).width() + 4
+        return QtCore.QSize(width + margins.left() + margins.right(), super().sizeHint().height())
 
 
 def make_text():
