@@ -41,7 +41,8 @@ def table(report):
     """Return [(heading, before, after)] as the panel shows them."""
     sides = (report["before"], report["after"] if report["matched"] else None)
     lines = [
-        (lengths.titled(HEADINGS[name]), *(_figure(seam, name, report) for seam in sides)) for name in FIGURES
+        (lengths.titled(HEADINGS[name]), *(_figure(seam, name, report) for seam in sides))
+        for name in FIGURES
     ]
     lines.append((tr("Level"), *(UNKNOWN if seam is None else seam["level"] for seam in sides)))
     lines.append((tr("Certain"), *(_certain(seam) for seam in sides)))

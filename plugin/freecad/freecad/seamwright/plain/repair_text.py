@@ -59,7 +59,10 @@ COLUMNS = (
         mark("Angle \u00b0"),
         mark("Largest angle between the tangent planes, before and after, in degrees"),
     ),
-    (mark("Gap {unit}"), mark("Largest distance between the two sides, before and after, in {unit}")),
+    (
+        mark("Gap {unit}"),
+        mark("Largest distance between the two sides, before and after, in {unit}"),
+    ),
     (mark("Curvature %"), mark("Largest relative difference of curvature, before and after, in %")),
     (mark("Result"), mark("Repaired, or why not")),
 )

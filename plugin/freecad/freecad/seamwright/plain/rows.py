@@ -2,8 +2,8 @@
 """The rows of the seam table: the texts of cells, sorting and filtering.
 
 Rows have gaps and lengths in mm, angles in degrees, and curvature differences as ratios. Cells show
-lengths in the unit of the user, and ratios in %. A figure is the report's {lower, upper, at}; ``upper`` is None where no bound is
-known.
+lengths in the unit of the user, and ratios in %. A figure is the report's {lower, upper, at};
+``upper`` is None where no bound is known.
 """
 
 import math

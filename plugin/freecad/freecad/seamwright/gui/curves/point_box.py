@@ -32,8 +32,8 @@ class PointBox(QtWidgets.QGroupBox):
             tr("Pick points"),
             tr(HOW_TO_PICK)
             + tr(
-                " If all points are vertices, the spline follows them; else the points are its own, "
-                "and it follows no sources."
+                " If all points are vertices, the spline follows them; else the points are its "
+                "own, and it follows no sources."
             ),
         )
         self.pick.setCheckable(True)

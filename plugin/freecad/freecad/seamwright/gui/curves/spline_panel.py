@@ -189,7 +189,7 @@ class SplinePanel(CurvePanel):
             self.editor.picker.end(True)
 
     def _picked(self, kept, points, links, closed):
-        """Keep picked points: the spline follows them if all are vertices, else they are its own."""
+        """Keep picked points; the spline follows them if all are vertices."""
         self.box.picked.hide()
         self._check_pick(False)
         if kept and points:

@@ -32,7 +32,10 @@ class FillPanel(NewSeamsPanel):
         box = super().build_result()
         self.allow = QtWidgets.QPushButton(tr("Take these tolerances"))
         self.allow.setToolTip(
-            tr("Allow what the best fill needs, so that it can be kept as one that meets the target")
+            tr(
+                "Allow what the best fill needs, so that it can be kept as one that meets the "
+                "target"
+            )
         )
         self.allow.hide()
         box.layout().insertWidget(1, self.allow)
