@@ -61,3 +61,11 @@ def test_all_fills_are_allowed_or_none():
     assert allowed(fill(0.0512), fill(0.3, gap_mm=0.0123)) == {"angle_deg": 0.3, "gap_mm": 0.013}
     assert allowed(fill(0.0512), fill(0.3, code="may_fold")) == {}
     assert allowed(fill(89.0)) == {}
+
+
+def test_the_worst_point_of_a_seam():
+    along = [
+        {"points": [[0, 0, 0], [1, 0, 0]], "shares": [0.5, 2.0]},
+        {"points": [[1, 0, 0], [2, 0, 0]], "shares": [12.34, 0.1]},
+    ]
+    assert fill_misses.worst({"along": along}) == ([1, 0, 0], "12.3 \u00d7")

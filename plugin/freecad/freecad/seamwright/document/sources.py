@@ -123,8 +123,12 @@ def _elements_by_path(link, members, kind):
         for path in members
         for number, element in enumerate(getattr(Part.getShape(link, path), several), 1)
     ]
-    paths, shapes = zip(*found)
-    return paths, shapes, numpy.array([tuple(each.BoundBox.Center) for each in shapes])
+    centres = [tuple(element.BoundBox.Center) for _, element in found]
+    return (
+        [path for path, _ in found],
+        [element for _, element in found],
+        numpy.array(centres, float).reshape(-1, 3),
+    )
 
 
 def parent_placement(obj):

@@ -47,6 +47,14 @@ def lines(report):
     ]
 
 
+def worst(seam):
+    """Return (point, label) of the largest share along a seam of a fill that was not kept."""
+    points = [point for along in seam["along"] for point in along["points"]]
+    shares = [share for along in seam["along"] for share in along["shares"]]
+    place = shares.index(max(shares))
+    return points[place], "%s \u00d7" % enclosure.number(shares[place])
+
+
 def largest(lines):
     """Return the largest share of all lines, at least 1."""
     return max([1.0, *(share for _, shares in lines for share in shares)])

@@ -43,7 +43,7 @@ class SourceBox(QtWidgets.QGroupBox):
         self.use = QtWidgets.QPushButton(tr("Use selection"))
         self.use.setToolTip(tip)
         self.line = FlowLayout(self)
-        self.line.setContentsMargins(9, 6, 9, 4)
+        self.line.setContentsMargins(9, 10, 9, 4)
         self.chosen.setMinimumWidth(LEAST_WIDTH)
         self.line.add(self.chosen, 1)
         self.line.add(self.use)

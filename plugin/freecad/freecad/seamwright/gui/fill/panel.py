@@ -6,6 +6,7 @@ from freecad.seamwright.document.plan import Values
 from freecad.seamwright.gui.base.new_seams_panel import SOURCE, NewSeamsPanel
 from freecad.seamwright.gui.base.picked import picked_on
 from freecad.seamwright.gui.fill.hole_list import HoleList
+from freecad.seamwright.gui.scene import seam_view
 from freecad.seamwright.gui.widgets.forms import make_box
 from freecad.seamwright.gui.widgets.qt import QtWidgets
 from freecad.seamwright.plain import fill_misses, fill_text
@@ -117,6 +118,22 @@ class FillPanel(NewSeamsPanel):
         super().show(after)
         if not self._ended:
             self.obj.ViewObject.Proxy.show_missed(after)
+
+    def mark_chosen(self):
+        """Mark the seams of the chosen rows; those of fills that are not kept where they are drawn.
+        """
+        super().mark_chosen()
+        if not self.after.isChecked():
+            return
+        seams = [self.seams()[0][row.index] for row in self.table.chosen()]
+        left = [seam for seam in seams if seam.get("along")]
+        if left and len(left) == len(seams):
+            lines = [along["points"] for seam in left for along in seam["along"]]
+            classes = [seam["class"] for seam in left for _ in seam["along"]]
+            marks = [fill_misses.worst(seam) for seam in left]
+            self.obj.ViewObject.Proxy.mark(lines, classes, marks)
+            size = self.obj.Rejected.BoundBox.DiagonalLength
+            seam_view.look_at(self.obj, {}, left, size, lines)
 
     def _allow(self):
         """Give the fields the tolerances that the fills need; compute."""
