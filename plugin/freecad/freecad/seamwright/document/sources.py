@@ -71,9 +71,16 @@ def expand(objects):
 
 def element_of_link(link, path):
     """Return the name that an element has in the shape of a link: "Face7" for "Box.Face1"."""
-    element = Part.getShape(link, path, needSubElement=True)
-    kind = element.ShapeType
-    every = enumerate(getattr(Part.getShape(link), SEVERAL.get(kind, kind + "s")), 1)
+    # FreeCAD 1.0 puts names that stay through changes, which begin with a semicolon, between.
+    *members, name = (each for each in path.split(".") if not each.startswith(";"))
+    if not members:
+        return name
+    member = ".".join(members)
+    kind = name.rstrip("0123456789")
+    several = SEVERAL.get(kind, kind + "s")
+    # FreeCAD's own element of a path may be a copy, so it is found by its number.
+    element = getattr(Part.getShape(link, member + "."), several)[int(name[len(kind) :]) - 1]
+    every = enumerate(getattr(Part.getShape(link), several), 1)
     centre = element.BoundBox.Center
     _, number = min(
         ((each.BoundBox.Center - centre).Length, number)
@@ -108,7 +115,8 @@ def paths_in_link(link, names):
 def _members(link, path=""):
     """Yield the paths of the objects in a link, such as "Part.Box."; "" for a link to one shape."""
     owner = link.getSubObject(path, 1) if path else link
-    inner = owner.getSubObjects()
+    # The shape of a body is that of its last step, and no other step is seen.
+    inner = () if owner.isDerivedFrom("Part::Feature") else owner.getSubObjects()
     for each in inner:
         yield from _members(link, path + each)
     if not inner:
