@@ -45,7 +45,7 @@ Substitution substitution(const FillSpace& space, std::optional<double> spoke_sc
   if (!spoke_scale) return {Eigen::MatrixXd::Identity(count, count), Poles::Zero(count, 3)};
   Substitution result{Eigen::MatrixXd::Zero(count, count - 2), Poles::Zero(count, 3)};
   // The first of the two unknowns that span the tangents of the spokes.
-  const Eigen::Index tangents = space.centre + 1;
+  const Eigen::Index tangents = *space.centre + 1;
   result.basis.topLeftCorner(tangents, tangents).setIdentity();
   result.basis.bottomRightCorner(count - tangents - 2, count - tangents - 2).setIdentity();
   // The centre has no influence on the tangents, because the cosines, and the sines, add up to

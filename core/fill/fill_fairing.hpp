@@ -20,7 +20,7 @@ Eigen::MatrixXd differencesOf(const FillSpace& space, const Eigen::MatrixXd& pol
 
 /// \param spoke_scale prescribes the tangents of the spokes. Their lengths are those of the regular
 /// set of tangents that is nearest to the vectors from the centre to the middles of the sides,
-/// times that scale.
+/// times that scale. It needs a space with its centre.
 /// Source: docs/theory/fills.md F2.6.
 Fairest fairest(const FillSpace& space, int order, std::optional<double> spoke_scale);
 

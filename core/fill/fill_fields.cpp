@@ -9,27 +9,68 @@ namespace seamwright::fill {
 
 namespace {
 
-using Eigen::Vector2d, Eigen::Vector3d;
+using Eigen::Vector2d, Eigen::Vector3d, Eigen::Vector4d;
 using rows::Field;
 
-/// The scalar functions of G = p T + q E', linear and quadratic on either half.
+/// A function on both halves of a side, Bernstein coefficients.
+using OnHalves = std::array<Eigen::VectorXd, 2>;
+
+/// The scalar functions of G = p T + q E'. For G1 p is linear and q quadratic on either half, for
+/// G2 both are of one degree more.
 struct Scalars {
-  double p_begin = 0, p_middle = 0, p_end = 0;
+  OnHalves p;
   double q_begin = 0, q_end = 0;
   double q_slope_begin = 0, q_slope_end = 0;
 };
 
-/// Steps 1 and 2: G at the ends of a side is half the tangent of the sides next to it, p is linear
-/// on each half.
+/// p from its ends, such that the derivatives of G jump in the middle as the spoke requires.
+OnHalves functionsOfCross(double begin, double end, SpokeLaw law, int n) {
+  const double middle = (begin + end) / (2 + slopeAtSide(law, n));
+  if (law != SpokeLaw::G2) return {Vector2d(begin, middle), Vector2d(middle, end)};
+  const double c = starFactor(n), sum = (2 - c / 2) * middle, difference = (end - begin) / (2 - c);
+  return {Vector3d(begin, (sum - difference) / 2, middle),
+          Vector3d(middle, (sum + difference) / 2, end)};
+}
+
+/// q likewise.
+OnHalves functionsOfEdge(const Scalars& s, SpokeLaw law, int n) {
+  if (law != SpokeLaw::G2) {
+    const double left = s.q_begin + s.q_slope_begin / 4, right = s.q_end - s.q_slope_end / 4;
+    const double middle = 2 * (left + right) / (4 + slopeAtSide(law, n));
+    return {Vector3d(s.q_begin, left, middle), Vector3d(middle, right, s.q_end)};
+  }
+  const double c = starFactor(n), left = s.q_begin + s.q_slope_begin / 6,
+               right = s.q_end - s.q_slope_end / 6;
+  const double middle = (3 * (left + right) - s.q_begin - s.q_end) / (4 - c);
+  const double sum = (2 - c / 3) * middle,
+               difference = (6 * (right - left) + c * c / 2) / (12 - 3 * c);
+  return {Vector4d(s.q_begin, left, (sum - difference) / 2, middle),
+          Vector4d(middle, (sum + difference) / 2, right, s.q_end)};
+}
+
+/// Steps 1 and 2: G at the ends of a side is half the tangent of the sides next to it.
 Scalars scalarsOf(const HoleCorner& begin, const HoleCorner& end, SpokeLaw law, int n) {
   Scalars s;
   const Vector2d first = combination(begin.after()->cross, begin.after()->edge, begin.in() / 2);
   const Vector2d last = combination(end.before()->cross, end.before()->edge, -end.out() / 2);
-  s.p_begin = first(0), s.q_begin = first(1);
-  s.p_end = last(0), s.q_end = last(1);
-  s.p_middle = (s.p_begin + s.p_end) / (2 + slopeAtSide(law, n));
+  s.p = functionsOfCross(first(0), last(0), law, n);
+  s.q_begin = first(1);
+  s.q_end = last(1);
   s.q_slope_begin = s.q_slope_end = s.q_end - s.q_begin;
   return s;
+}
+
+/// p and its derivative by the parameter of the side.
+struct AtCorner {
+  double value = 0, slope = 0;
+};
+AtCorner atBegin(const OnHalves& f) {
+  const double degree = static_cast<double>(f[0].size() - 1);
+  return {f[0](0), 2 * degree * (f[0](1) - f[0](0))};
+}
+AtCorner atEnd(const OnHalves& f) {
+  const Eigen::Index last = f[1].size() - 1;
+  return {f[1](last), 2 * static_cast<double>(last) * (f[1](last) - f[1](last - 1))};
 }
 
 /// Steps 3 and 6: slopes of q such that the mixed derivatives of the fill agree except for a normal
@@ -37,32 +78,20 @@ Scalars scalarsOf(const HoleCorner& begin, const HoleCorner& end, SpokeLaw law, 
 Vector3d meetTwists(const HoleCorner& corner, Scalars& before, Scalars& after,
                     FillCorner& figures) {
   const SideEnd &b = *corner.before(), &a = *corner.after();
-  const double p1_before = 2 * (before.p_end - before.p_middle),
-               p1_after = 2 * (after.p_middle - after.p_begin);
-  const Vector3d known = after.p_begin * a.cross1 + p1_after * a.cross + after.q_begin * a.edge2 +
-                         before.p_end * b.cross1 + p1_before * b.cross + before.q_end * b.edge2;
+  const AtCorner p_before = atEnd(before.p), p_after = atBegin(after.p);
+  const Vector3d known = p_after.value * a.cross1 + p_after.slope * a.cross +
+                         after.q_begin * a.edge2 + p_before.value * b.cross1 +
+                         p_before.slope * b.cross + before.q_end * b.edge2;
   const Vector2d slopes = combination(a.edge, b.edge, -known);
   after.q_slope_begin = slopes(0), before.q_slope_end = slopes(1);
   const Vector3d normal = corner.in().cross(corner.out()).normalized();
   figures.twist_defect_mm = normal.dot(known);
-  const double noise = (after.p_begin + before.p_end + std::abs(p1_after) + std::abs(p1_before)) *
-                           (a.noise + b.noise) * 4 +
-                       16 * (std::abs(after.q_begin) * a.noise + std::abs(before.q_end) * b.noise);
+  const double noise =
+      (p_after.value + p_before.value + std::abs(p_after.slope) + std::abs(p_before.slope)) *
+          (a.noise + b.noise) * 4 +
+      16 * (std::abs(after.q_begin) * a.noise + std::abs(before.q_end) * b.noise);
   figures.exact = figures.exact && std::abs(figures.twist_defect_mm) <= noise;
   return known + slopes(0) * a.edge + slopes(1) * b.edge;
-}
-
-/// Step 4: Bernstein coefficients of p and q on the halves; q is chosen such that the slope of G
-/// jumps in the middle as the spoke requires.
-struct HalfScalars {
-  Eigen::VectorXd p, q;
-};
-
-std::array<HalfScalars, 2> halfScalars(const Scalars& s, SpokeLaw law, int n) {
-  const double left = s.q_begin + s.q_slope_begin / 4, right = s.q_end - s.q_slope_end / 4;
-  const double middle = 2 * (left + right) / (4 + slopeAtSide(law, n));
-  return {HalfScalars{Eigen::Vector2d(s.p_begin, s.p_middle), Vector3d(s.q_begin, left, middle)},
-          HalfScalars{Eigen::Vector2d(s.p_middle, s.p_end), Vector3d(middle, right, s.q_end)}};
 }
 
 /// One half of a side during construction: the derivative that the tangent planes require, and the
@@ -71,14 +100,14 @@ struct Half {
   Poles edge1, wanted, taken;
 };
 
-std::array<Half, 2> halvesOf(const FillSide& side, const std::array<HalfScalars, 2>& scalars,
+std::array<Half, 2> halvesOf(const FillSide& side, const OnHalves& p, const OnHalves& q,
                              int degree) {
   const std::array<Poles, 2> edge1 = halved(rows::derivative<3>(side.edge.poles())),
                              cross = halved(*side.cross);
   std::array<Half, 2> halves;
   for (std::size_t h = 0; h < 2; ++h) {
-    const Field<3> field = rows::sum<3>(rows::product<3>(scalars[h].p, cross[h]),
-                                        rows::product<3>(scalars[h].q, edge1[h]));
+    const Field<3> field =
+        rows::sum<3>(rows::product<3>(p[h], cross[h]), rows::product<3>(q[h], edge1[h]));
     const Poles raised = rows::elevated<3>(field, degree);
     halves[h] = {edge1[h], raised, raised};
   }
@@ -114,8 +143,8 @@ CrossBoundaryDerivatives crossBoundaryDerivatives(const std::vector<FillSide>& s
   result.sides.resize(n);
   for (std::size_t k = 0; k < n; ++k) {
     if (!sides[k].cross) continue;
-    const std::array<HalfScalars, 2> functions = halfScalars(scalars[k], law, static_cast<int>(n));
-    std::array<Half, 2> halves = halvesOf(sides[k], functions, degree);
+    const OnHalves &p = scalars[k].p, q = functionsOfEdge(scalars[k], law, static_cast<int>(n));
+    std::array<Half, 2> halves = halvesOf(sides[k], p, q, degree);
     Poles &left = halves[0].taken, &right = halves[1].taken;
     left.row(0) = corners[k].in() / 2;
     right.row(degree) = -corners[next(k)].out() / 2;
@@ -124,8 +153,8 @@ CrossBoundaryDerivatives crossBoundaryDerivatives(const std::vector<FillSide>& s
                              defects[next(k)].transpose() / (4 * degree);
     SideField field{{left, right}, {}};
     for (std::size_t h = 0; h < 2; ++h) {
-      field.joins[h].alpha = functions[h].p;
-      field.joins[h].beta = -2 * functions[h].q;
+      field.joins[h].alpha = p[h];
+      field.joins[h].beta = -2 * q[h];
       FillCorner& corner = result.corners[h == 0 ? k : next(k)];
       if (!corner.exact)
         corner.angle_bound_rad = std::max(

@@ -16,7 +16,7 @@ inline double starFactor(int n) {
 
 /// a'(1) of the law.
 inline double slopeAtSide(SpokeLaw law, int n) {
-  return law == SpokeLaw::Linear ? -starFactor(n) : 0;
+  return law == SpokeLaw::Quadratic ? 0 : -starFactor(n);
 }
 
 /// The derivative of the fill out of the hole along the halves [0, 1/2] and [1/2, 1] of a side,

@@ -21,7 +21,7 @@ class Builder {
         law_(law),
         n_(static_cast<int>(sides.size())),
         degree_(degree) {
-    spoke_degree_ = law == SpokeLaw::Linear || n_ == 4 ? degree : degree - 1;
+    spoke_degree_ = law != SpokeLaw::Quadratic || n_ == 4 ? degree : degree - 1;
     // Forms need their length in advance: centre, tangents of the spokes, spokes, twist,
     // cross-boundary derivatives, differences, interiors.
     const int inner = degree - 3;
@@ -137,7 +137,7 @@ class Builder {
 
   /// X_(k+1) + X_k = a(0) S_k''(0) + a'(0) S_k'(0).
   void makeTwists() {
-    const double c = starFactor(n_), slope = law_ == SpokeLaw::Linear ? -c : -2 * c;
+    const double c = starFactor(n_), slope = law_ == SpokeLaw::Quadratic ? -2 * c : -c;
     std::vector<Form> sums;
     Form first = Form::Zero(unknowns_ + 3);
     for (int k = 0; k < n_; ++k) {
@@ -175,9 +175,9 @@ class Builder {
   /// V + U = a S' across spoke k, in the poles that do not belong to the centre or to the side.
   void setBesideSpoke(int k) {
     const double c = starFactor(n_);
-    const Eigen::VectorXd law = law_ == SpokeLaw::Linear
-                                    ? Eigen::VectorXd(Eigen::Vector2d(c, 0))
-                                    : Eigen::VectorXd(Eigen::Vector3d(c, 0, 0));
+    const Eigen::VectorXd law = law_ == SpokeLaw::Quadratic
+                                    ? Eigen::VectorXd(Eigen::Vector3d(c, 0, 0))
+                                    : Eigen::VectorXd(Eigen::Vector2d(c, 0));
     const Forms spoke = elevated(spokes_[k], degree_);
     Forms mean = spoke;
     if (c != 0) mean += elevated(product(law, derivative(spokes_[k])), degree_) / (2.0 * degree_);

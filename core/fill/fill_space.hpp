@@ -13,9 +13,9 @@ struct FillSpace {
   int degree = 0;
   Eigen::MatrixXd coefficients;  ///< #P by #U
   Poles constants;               ///< #P by 3
-  /// Index of the unknown that is the centre; the unknowns after it span the tangents of the
-  /// spokes.
-  Eigen::Index centre = 0;
+  /// Index of the unknown that is the centre; the two unknowns after it span the tangents of the
+  /// spokes. Nothing: they are no unknowns.
+  std::optional<Eigen::Index> centre = 0;
   Poles middles;  ///< middles of the sides, where the spokes end
 
   Eigen::Index row(int patch, int i, int j) const {

@@ -5,6 +5,7 @@
 #include <seamwright/core/fill/hole_corner.hpp>
 #include <seamwright/core/fill/n_sided_fill.hpp>
 #include <seamwright/core/fill/regular.hpp>
+#include <seamwright/core/fill/spoke_curvature.hpp>
 #include <seamwright/core/join/ribbon.hpp>
 #include <stdexcept>
 #include <string>
@@ -22,43 +23,68 @@ void requireInput(const std::vector<FillSide>& sides, const FillOptions& options
   fill::requireCurvature(options.curvature_degrees);
 }
 
+int leastDegree(SpokeLaw law) {
+  switch (law) {
+    case SpokeLaw::Linear:
+      return 4;
+    case SpokeLaw::Quadratic:
+      return 5;
+    default:
+      return 6;
+  }
+}
+
 int degreeOf(const std::vector<FillSide>& sides, const FillOptions& options) {
-  int degree = options.law == SpokeLaw::Linear ? 4 : 5;
+  const int raise = options.law == SpokeLaw::G2 ? 2 : 1;
+  int degree = leastDegree(options.law);
   for (const FillSide& side : sides) {
-    degree = std::max(degree, side.edge.degree() + 1);
-    if (side.cross) degree = std::max(degree, static_cast<int>(side.cross->rows()));
+    degree = std::max(degree, side.edge.degree() + raise);
+    if (side.cross) degree = std::max(degree, static_cast<int>(side.cross->rows()) - 1 + raise);
   }
   return degree + options.curvature_degrees.value_or(0);
 }
 
 ConnectionFunctions acrossSpokes(SpokeLaw law, int n) {
   ConnectionFunctions connection;
-  connection.beta = Eigen::VectorXd::Zero(law == SpokeLaw::Linear ? 2 : 3);
+  connection.beta = Eigen::VectorXd::Zero(law == SpokeLaw::Quadratic ? 3 : 2);
   connection.beta(0) = fill::starFactor(n);
   return connection;
 }
 
+/// Which sum of squares is least, and with which length of the spokes.
+struct Fairness {
+  int order = 3;
+  std::optional<double> spoke_scale = std::nullopt;
+};
+
+/// In this order until the patches are regular.
+std::vector<Fairness> fairnessChoices(const fill::FillSpace& space, int order) {
+  const int other = 5 - order;
+  std::vector<Fairness> choices = {{order}};
+  if (!space.centre) {
+    choices.push_back({other});
+    return choices;
+  }
+  for (const int differences : {order, other})
+    // Choices: the relative length of the spokes, from the expected one to ever further ones.
+    for (const double scale : {1.0, 0.7, 1.4, 0.5, 2.0}) choices.push_back({differences, scale});
+  return choices;
+}
+
 /// Sets \p result to the fairest fill whose patches are regular.
 void chooseFairest(NSidedFill& result, const fill::FillSpace& space, int order) {
-  const auto attempt = [&](int differences, std::optional<double> scale) {
-    const fill::Fairest best = fill::fairest(space, differences, scale);
-    NSidedFill tried = result;
-    tried.patches = fill::patchesOf(space, best.unknowns);
-    tried.fairness_mm2 = best.fairness_mm2;
-    tried.spoke_scale = scale;
-    tried.regular =
-        std::ranges::all_of(tried.patches, [](const BezierPatch& p) { return provedRegular(p); });
-    return tried;
-  };
-  const NSidedFill first = attempt(order, std::nullopt);
-  result = first;
-  for (const int differences : {order, 5 - order})
-    // Choices: the relative length of the spokes, from the expected one to ever further ones.
-    for (const double scale : {1.0, 0.7, 1.4, 0.5, 2.0}) {
-      if (result.regular) return;
-      result = attempt(differences, scale);
-    }
-  if (!result.regular) result = first;
+  std::optional<NSidedFill> first;
+  for (const Fairness& choice : fairnessChoices(space, order)) {
+    const fill::Fairest best = fill::fairest(space, choice.order, choice.spoke_scale);
+    result.patches = fill::patchesOf(space, best.unknowns);
+    result.fairness_mm2 = best.fairness_mm2;
+    result.spoke_scale = choice.spoke_scale;
+    result.regular =
+        std::ranges::all_of(result.patches, [](const BezierPatch& p) { return provedRegular(p); });
+    if (result.regular) return;
+    if (!first) first = result;
+  }
+  result = std::move(*first);
 }
 
 }  // namespace
@@ -76,7 +102,8 @@ NSidedFill nSidedFill(const std::vector<FillSide>& sides, const FillOptions& opt
   const int degree = degreeOf(sides, options);
   fill::CrossBoundaryDerivatives fields =
       fill::crossBoundaryDerivatives(sides, options.law, degree, options.corner_tolerance_rad);
-  const fill::FillSpace space = fill::fillSpace(sides, fields, options.law, degree);
+  fill::FillSpace space = fill::fillSpace(sides, fields, options.law, degree);
+  if (options.law == SpokeLaw::G2) space = fill::withG2Spokes(space);
   NSidedFill result;
   result.spoke = acrossSpokes(options.law, static_cast<int>(sides.size()));
   for (const std::optional<fill::SideField>& field : fields.sides)

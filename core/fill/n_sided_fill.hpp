@@ -31,7 +31,10 @@ enum class SpokeLaw {
   /// c (1 - t); reproduces a paraboloid over a regular polygon.
   Linear,
   /// c (1 - t)^2; cross-boundary derivatives are C^1 along each side; less fair.
-  Quadratic
+  Quadratic,
+  /// c (1 - t), with second derivatives across the spokes such that the patches meet each other
+  /// with G2.
+  G2
 };
 
 struct FillOptions {
@@ -84,8 +87,8 @@ struct NSidedFill {
 ///                 fillSide(c, PatchEdge::V0, false)}).patches
 ///
 /// The degree is max(4, e + 1, d + 1), with the quadratic law at least 5, for edges of degree d and
-/// cross-boundary derivatives of degree e. A corner needs one tangent plane and an angle between 0
-/// and pi.
+/// cross-boundary derivatives of degree e; with SpokeLaw::G2 it is max(6, e + 2, d + 2). A corner
+/// needs one tangent plane and an angle between 0 and pi.
 ///
 /// Identities (each has a test of its number):
 ///   (1) Edges U1 and V1 are the sides; neighbours share the poles of their spoke bitwise.
@@ -94,12 +97,13 @@ struct NSidedFill {
 ///   (3) Rigid motion, scale and numbering act on the fill likewise; reversal exchanges u and v.
 ///   (4) The fill of planar sides is planar; a symmetric hole has a symmetric fill.
 ///   (5) No other choice of the free quantities is fairer.
+///   (6) encloseSeam(): with SpokeLaw::G2 the difference of curvature across spokes is rounding.
 ///
 /// \throws std::invalid_argument, with side or corner and number, for a number of sides outside 3
 /// to 12; edges that are rational, of degree 0 or above 12, or not connected; a field T that is
 /// empty, of degree above 12, not finite, or parallel to the edge at a corner; corners that are not
 /// as above; and options out of range.
-/// Source: docs/theory/fills.md F2.1 to F2.7, F3.1; [GregoryZhou1994]; [Hahn1989].
+/// Source: docs/theory/fills.md F2.1 to F2.8, F3.1; [GregoryZhou1994]; [Hahn1989].
 NSidedFill nSidedFill(const std::vector<FillSide>& sides, const FillOptions& options = {});
 
 }  // namespace seamwright

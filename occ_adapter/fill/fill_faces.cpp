@@ -71,12 +71,19 @@ FillSurfaces ringSurfaces(const std::vector<FillSide>& sides, Level target,
   return result;
 }
 
-/// Patches around one inner vertex. If they are not regular, they are built without regard to
-/// curvature, and then with the quadratic law of the spokes.
-FillSurfaces starSurfaces(const std::vector<FillSide>& sides, const FillHoleOptions& asked,
-                          const FillAttempt& attempt) {
-  FillOptions options{.corner_tolerance_rad = plane_noise_rad,
-                      .curvature_degrees = curvatureDegrees(sides, 1, asked.target, attempt)};
+/// Patches around one inner vertex. With target G2 they meet each other with G2 if they are regular
+/// then. If they are not regular, they are built without regard to curvature, and then with the
+/// quadratic law of the spokes.
+NSidedFill starFill(const std::vector<FillSide>& sides, Level target, const FillAttempt& attempt) {
+  FillOptions options{.corner_tolerance_rad = plane_noise_rad};
+  if (target == Level::G2) {
+    options.law = SpokeLaw::G2;
+    options.curvature_degrees = curvatureDegrees(sides, 2, target, attempt);
+    NSidedFill fill = nSidedFill(sides, options);
+    if (fill.regular) return fill;
+    options.law = SpokeLaw::Linear;
+  }
+  options.curvature_degrees = curvatureDegrees(sides, 1, target, attempt);
   NSidedFill fill = nSidedFill(sides, options);
   if (!fill.regular && options.curvature_degrees) {
     options.curvature_degrees.reset();
@@ -87,6 +94,12 @@ FillSurfaces starSurfaces(const std::vector<FillSide>& sides, const FillHoleOpti
     NSidedFill other = nSidedFill(sides, options);
     if (other.regular) fill = std::move(other);
   }
+  return fill;
+}
+
+FillSurfaces starSurfaces(const std::vector<FillSide>& sides, const FillHoleOptions& asked,
+                          const FillAttempt& attempt) {
+  const NSidedFill fill = starFill(sides, asked.target, attempt);
   return {.surfaces = withCornerKnots(fill, asked.tolerance.angle_rad / fit_share),
           .corners = fill.corners,
           .regular = fill.regular,

@@ -57,7 +57,8 @@ SpokeLaw lawOf(const py::object& value) {
   const auto name = argument<std::string>("law", value, "a name");
   if (name == "linear") return SpokeLaw::Linear;
   if (name == "quadratic") return SpokeLaw::Quadratic;
-  throw py::value_error("law is " + shown(value) + ": linear or quadratic is needed");
+  if (name == "g2") return SpokeLaw::G2;
+  throw py::value_error("law is " + shown(value) + ": linear, quadratic or g2 is needed");
 }
 
 py::object ratioResult(const ConnectionFunctions& connection) {
@@ -185,7 +186,8 @@ sides: in order, with the hole to the left, each beginning where the one before 
                               same shape: the second derivative of
                               the surface beyond along it, for curvature;
   curve                       a BezierCurve: position alone.
-law: "linear", patches of degree 4 for cubic sides, or "quadratic", degree 5.
+law: "linear", patches of degree 4 for cubic sides; "quadratic", degree 5; or "g2", degree 6, in
+which the patches meet each other with G2.
 fairness_order: order 2 or 3 of the differences of poles whose sum of squares is least.
 corner_tolerance_rad: largest angle, up to 0.1, between the tangent planes of two sides at their
 corner, beyond rounding.

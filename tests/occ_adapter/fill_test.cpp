@@ -403,6 +403,9 @@ TEST(Fill, HasJumpsOfCurvatureLittleLargerThanTheCornersAskFor) {
         replaceFace(shell, one.face, {.target = one.target, .keep_anyway = true});
     ASSERT_TRUE(report.largestCurvature_rel().has_value());
     EXPECT_LT(*report.largestCurvature_rel(), 1.1 * one.at_corners);
+    if (one.target == Level::G2)
+      for (const occ::SeamResult& seam : report.inner)
+        EXPECT_LT(*seam.figures.curvature_rel->upper, 1e-6);
     EXPECT_LT(largestAngle_rad(report.model.shape, report.faces), 0.005 * degree);
   }
 }

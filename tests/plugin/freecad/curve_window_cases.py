@@ -189,9 +189,9 @@ class Panel(CurveWindow):
         steps = self.doc.UndoCount
         for undo in (1, 0):
             self.doc.UndoMode = undo
-            _, panel = self.start("Spline", self.points)
+            obj, panel = self.start("Spline", self.points)
             click(panel.sketch, panel.sketch.rect().center())
-            self.assertIn("Spline sketch has ", panel.sketch_text.text())
+            self.assertIn(obj.Label + " sketch has ", panel.sketch_text.text())
             self.cancel()
             self.assertEqual(self.doc.Objects, [self.points, source])
         self.doc.UndoMode = 1

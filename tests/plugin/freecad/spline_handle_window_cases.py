@@ -291,7 +291,7 @@ class Drags(SplineWindow):
         self.assertIn("is not a list of numbers", panel.summary.text())
         self.set_field(panel, "tension", [0.0])
         click(panel.pick, panel.pick.rect().center())
-        click_at((60, 20, 0))
+        click_at((30, 20, 0))
         key(QtCore.Qt.Key_Enter)
         self.wait()
         self.assertEqual(len(obj.Points), 6)
@@ -478,7 +478,7 @@ class Picks(SplineWindow):
     def test_points_are_added_to_those_of_sources_which_become_own(self):
         obj, panel = self.spline(tension=[0, 1, 0, 0, 0])
         click(panel.pick, panel.pick.rect().center())
-        click_at((60, 20, 0))
+        click_at((30, 20, 0))
         key(QtCore.Qt.Key_Enter)
         self.wait()
         self.assertEqual((len(obj.Points), obj.Sources), (6, []))

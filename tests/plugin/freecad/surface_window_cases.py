@@ -267,7 +267,7 @@ class Panel(SurfaceWindow):
 
 
 class Keys(SurfaceWindow):
-    def press(self, key, *modifiers):
+    def press_keys(self, key, *modifiers):
         held = QtCore.Qt.KeyboardModifiers()
         for each in modifiers:
             held |= each
@@ -275,10 +275,10 @@ class Keys(SurfaceWindow):
         settle(0.1 + PREVIEW_AFTER_MS / 1000)
 
     def undo(self):
-        self.press(QtCore.Qt.Key_Z, QtCore.Qt.ControlModifier)
+        self.press_keys(QtCore.Qt.Key_Z, QtCore.Qt.ControlModifier)
 
     def redo(self):
-        self.press(QtCore.Qt.Key_Z, QtCore.Qt.ControlModifier, QtCore.Qt.ShiftModifier)
+        self.press_keys(QtCore.Qt.Key_Z, QtCore.Qt.ControlModifier, QtCore.Qt.ShiftModifier)
 
     def slide(self, panel, value):
         handle = panel._handles["start_tension"]

@@ -104,8 +104,18 @@ def mouse(widget, position):
     mouse_event(widget, position, QtCore.QEvent.MouseButtonRelease, left)
 
 
+def scroll_to(widget):
+    """Scroll the panel that holds a widget until it is in sight."""
+    around = widget.parentWidget()
+    while around is not None:
+        if isinstance(around, QtWidgets.QScrollArea):
+            around.ensureWidgetVisible(widget)
+        around = around.parentWidget()
+
+
 def click(widget, position):
     """Click a position of a widget, and wait for what that does."""
+    scroll_to(widget)
     mouse(widget, position)
     settle()
 

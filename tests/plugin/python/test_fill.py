@@ -31,16 +31,41 @@ def surroundings(n):
     ]
 
 
+def random_sides(n, random):
+    """Cubic edges with fields that are horizontal at the corners, so that planes agree."""
+    corners = np.column_stack([corners_of(n), random.uniform(-1, 1, n)])
+    sides = []
+    for k in range(n):
+        a, b = corners[k], corners[(k + 1) % n]
+        chord = np.array([b[0] - a[0], b[1] - a[1], 0])
+        edge = np.array([a, a + chord / 3, b - chord / 3, b])
+        out = np.cross(chord, [0, 0, 0.3])
+        cross = np.array([out, out, out]) + np.outer([0, 1, 0], random.uniform(-0.5, 0.5, 3))
+        sides.append((BezierCurve(edge), cross))
+    return sides
+
+
 def angle(a, edge_a, b, edge_b):
     return seamwright.enclose_seam(a, edge_a, b, edge_b, angle_deg=1e-8)["angle_deg"]["upper"]
 
 
-@pytest.mark.parametrize("law", ["linear", "quadratic"])
+@pytest.mark.parametrize(("law", "is_g2"), [("linear", False), ("g2", True)])
+def test_curvature_across_spokes(law, is_g2):
+    """Random sides, so that no surface of low degree fills the hole."""
+    random = np.random.default_rng(8)
+    fill = seamwright.n_sided_fill(random_sides(5, random), law=law)
+    patches = fill["patches"]
+    for k in range(5):
+        seam = seamwright.enclose_seam(patches[k], "u0", patches[(k + 1) % 5], "v0")
+        assert (seam["curvature_rel"]["upper"] < 1e-6) == is_g2
+
+
+@pytest.mark.parametrize("law", ["linear", "quadratic", "g2"])
 @pytest.mark.parametrize("n", [3, 5, 6, 12])
 def test_hole_in_a_quadric(n, law):
     fill = seamwright.n_sided_fill([(patch, "u0") for patch in surroundings(n)], law=law)
     patches = fill["patches"]
-    degree = 4 if law == "linear" else 5
+    degree = {"linear": 4, "quadratic": 5, "g2": 6}[law]
     assert [patch.poles.shape for patch in patches] == [(degree + 1, degree + 1, 3)] * n
     assert fill["regular"] and fill["spoke_scale"] is None
     assert all(corner["exact"] and corner["angle_bound_rad"] == 0 for corner in fill["corners"])
@@ -49,7 +74,7 @@ def test_hole_in_a_quadric(n, law):
     assert all(len(side) == 2 and min(side[0]["alpha"]) > 0 for side in fill["sides"])
     for k in range(n):
         assert angle(patches[k], "u0", patches[(k + 1) % n], "v0") < 1e-8
-    if law == "linear":
+    if law != "quadratic":
         points = np.array(
             [patch.point(u, v) for patch in patches for u in (0, 0.3, 0.8) for v in (0, 0.6, 1)]
         )
@@ -108,7 +133,7 @@ def test_bad_sides(sides, message):
 @pytest.mark.parametrize(
     "keywords, message",
     [
-        ({"law": "cubic"}, "law is 'cubic': linear or quadratic"),
+        ({"law": "cubic"}, "law is 'cubic': linear, quadratic or g2"),
         ({"law": 4}, "law is 4: a name is needed"),
         ({"fairness_order": 1}, "fairness order 1: known are 2 and 3"),
         ({"fairness_order": 2.5}, "fairness_order is 2.5: a whole number"),

@@ -7,7 +7,7 @@ from freecad.seamwright.document import expressions
 from freecad.seamwright.gui.widgets.qt import QtCore, QtGui, QtWidgets
 from freecad.seamwright.plain.language import tr
 
-ICONS = {True: ":/icons/bound-expression.svg", False: ":/icons/bound-expression-unset.svg"}
+ICONS = {True: "bound-expression", False: "bound-expression-unset"}
 
 
 class Binding(QtCore.QObject):
@@ -71,4 +71,4 @@ class Binding(QtCore.QObject):
 
 
 def _icon(bound):
-    return QtGui.QIcon(ICONS[bound])
+    return Gui.getIcon(ICONS[bound])

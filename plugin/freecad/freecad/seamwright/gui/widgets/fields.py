@@ -130,7 +130,7 @@ class ChoiceField(Field):
         widget = QtWidgets.QComboBox()
         for choice in self.option.choices:
             widget.addItem(tr(choice), choice)
-        widget.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLength)
+        widget.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
         widget.setMinimumContentsLength(LEAST_LETTERS)
         widget.currentIndexChanged.connect(self._emit)
         return widget

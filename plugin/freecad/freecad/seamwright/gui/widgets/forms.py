@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The common parts of the task panels: forms, tables of seams, buttons."""
 
+import FreeCADGui as Gui
+
 from freecad.seamwright.gui import icon_path
 from freecad.seamwright.gui.widgets.flow import FlowLayout
-from freecad.seamwright.gui.widgets.qt import QtCore, QtGui, QtWidgets
+from freecad.seamwright.gui.widgets.qt import QtCore, QtWidgets
 from freecad.seamwright.plain import lengths
 from freecad.seamwright.plain.language import tr
 
@@ -15,7 +17,7 @@ def make_form(title, icon):
     """Return (widget with title and icon of a panel, its vertical layout)."""
     form = QtWidgets.QWidget()
     form.setWindowTitle(title)
-    form.setWindowIcon(QtGui.QIcon(icon_path(icon)))
+    form.setWindowIcon(Gui.getIcon(icon_path(icon)))
     return form, QtWidgets.QVBoxLayout(form)
 
 
