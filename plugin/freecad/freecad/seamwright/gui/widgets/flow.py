@@ -81,7 +81,7 @@ class FlowLayout(QtWidgets.QLayout):
         return [
             (item, stretch)
             for item, stretch in zip(self._items, self._stretches)
-            if not item.isEmpty()
+            if _is_seen(item)
         ]
 
     def _lines(self, width):
@@ -116,6 +116,13 @@ class FlowLayout(QtWidgets.QLayout):
                 x += own + self.spacing()
             top += height + (self.spacing() if number < len(lines) - 1 else 0)
         return top - area.top() + margins.bottom()
+
+
+def _is_seen(item):
+    try:
+        return not item.isEmpty()
+    except RuntimeError:  # Qt is deleting the panel, and has deleted the item
+        return False
 
 
 def _height(item, width):
